@@ -1,0 +1,24 @@
+# plica_library(<folder> SOURCES ... LINKS ... PRIVATE_LINKS ...)
+# One library per folder, target plica::<folder>. The link list is the rule of what it may include.
+add_library(plica_options INTERFACE)
+target_compile_options(plica_options INTERFACE
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion>)
+target_compile_features(plica_options INTERFACE cxx_std_20)
+if(PLICA_SANITIZE)
+  target_compile_options(plica_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(plica_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+function(plica_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(plica_${name} STATIC ${arg_SOURCES})
+  add_library(plica::${name} ALIAS plica_${name})
+  set_target_properties(plica_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(plica_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/plica>)
+  target_link_libraries(plica_${name} PUBLIC ${arg_LINKS} PRIVATE
+    $<BUILD_INTERFACE:plica_options> ${arg_PRIVATE_LINKS})
+  target_compile_features(plica_${name} PUBLIC cxx_std_20)
+  set_property(GLOBAL APPEND PROPERTY PLICA_LIBRARIES plica_${name})
+endfunction()

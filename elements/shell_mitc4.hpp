@@ -1,0 +1,78 @@
+// MITC4: four-node degenerated shell with assumed transverse shear (Dvorkin & Bathe, Eng. Comput. 1
+// (1984) 77-88), six degrees of freedom per node.
+//
+//   x(r,s,z) = sum N_i (X_i + z V_i),   u(r,s,z) = sum N_i (u_i + z theta_i x V_i)
+//
+// V_i are the exact unit directors at the corners, z the distance from the mid-surface in m. The
+// covariant strains in the plane are quadratic in z (constant part: membrane); the transverse shear
+// is tied at the middle of the edges (Dvorkin & Bathe, eq. 10).
+// Stress follows in a Cartesian basis whose third axis is the director. 2x2x2 Gauss points, with the
+// metric at each z: walls whose thickness is a third of their radius of curvature are common here,
+// and a mid-surface metric is then 1 % too soft. Slipping plies bend about their own mid-surfaces:
+// the points through the thickness move in by sqrt(bending_factor).
+//
+// Membrane strains, by choice (Membrane in the section of the model):
+//   displacement   from the bilinear displacements, as in the first MITC4
+//   mitc4_plus     assumed (Ko, Lee & Bathe, Comput. Struct. 182 (2017) 404-418, eq. 26): does not
+//                  lock when the element is warped; the same as `displacement` when it is flat
+//   incompatible   four internal modes, r and s in each normal strain and in shear (Simo & Rifai,
+//                  IJNME 29 (1990) 1595-1638; Taylor, Beresford & Wilson 1976), condensed: bends in
+//                  its plane without parasitic shear
+//
+// The drilling rotation is tied to the rotation of the membrane, (e2.u,1 - e1.u,2)/2, by a penalty
+// of `drilling` G t; no spring to ground. DOF order per node: ux uy uz rx ry rz (global axes).
+// Mass: consistent, with rotary inertia; the drilling rotation of a corner has none.
+#pragma once
+
+#include "elements/shell_section.hpp"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace plica {
+
+enum class MembraneStrain { displacement, mitc4_plus, incompatible };
+
+using Matrix24 = Eigen::Matrix<double, 24, 24>;
+
+struct ShellGeometry {
+  Eigen::Matrix<double, 3, 4> X;         // corners, counter-clockwise seen from the director tips
+  Eigen::Matrix<double, 3, 4> directors; // unit vectors
+  Eigen::Vector4d thickness;             // m
+};
+
+// Strains at one point from the 24 nodal displacements, in the local basis e1 e2 e3.
+struct ShellStrainMatrix {
+  Eigen::Matrix<double, 3, 24> in_plane; // eps11 eps22 gamma12
+  Eigen::Matrix<double, 2, 24> shear;    // gamma13 gamma23
+  Eigen::Matrix3d basis;                 // columns e1 e2 e3
+  double volume = 0;                     // per unit r s z, m2
+};
+
+// An integration point: strain energy = 1/2 sum weight (strain' C strain).
+struct ShellPoint {
+  double r = 0, s = 0, z = 0; // natural coordinates, distance from the mid-surface in m
+  double weight = 0;          // m3
+  ShellStrainMatrix strain;
+};
+
+// At r, s in [-1, 1] and z in m; includes the condensed internal modes.
+ShellStrainMatrix shell_mitc4_strain(const ShellGeometry& geometry, const ShellSection& section,
+                                     MembraneStrain membrane, double r, double s, double z);
+
+// The 2x2x2 integration points.
+std::vector<ShellPoint> shell_mitc4_points(const ShellGeometry& geometry,
+                                           const ShellSection& section, MembraneStrain membrane);
+
+// N/m, N, N m.
+Matrix24 shell_mitc4_stiffness(const ShellGeometry& geometry, const ShellSection& section,
+                               MembraneStrain membrane);
+
+// kg, kg m, kg m2.
+Matrix24 shell_mitc4_mass(const ShellGeometry& geometry, const ShellSection& section);
+
+// Consistent nodal forces of a load per unit area, constant vector (N/m2) in global axes.
+Eigen::Matrix<double, 24, 1> shell_mitc4_area_load(const ShellGeometry& geometry,
+                                                   const Eigen::Vector3d& load);
+
+} // namespace plica

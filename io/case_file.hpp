@@ -1,0 +1,27 @@
+// Reads a case file (YAML). Strict: throws InputError with all problems of the file at once.
+//
+//   CaseFile file = read_case("cases/bellow_a2/bellow_a2.yaml");
+//   CaseFile thin = read_case(file.path, file.data.variants[0].set);
+//
+// All variants are checked together with the nominal case.
+#pragma once
+
+#include "model/case.hpp"
+#include "model/input_error.hpp"
+
+#include <map>
+#include <string>
+
+namespace plica {
+
+struct CaseFile {
+  Case data;
+  std::string path;                 // as given
+  std::map<std::string, int> lines; // key path -> line, e.g. "parts.bellows.wall.plies[1]"
+};
+
+// `overrides`: path -> new value as YAML text, put into the file before it is read.
+CaseFile read_case(const std::string& path,
+                   const std::map<std::string, std::string>& overrides = {});
+
+} // namespace plica

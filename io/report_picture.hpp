@@ -1,0 +1,21 @@
+// Pictures of the part and its modes as inline SVG: shaded quads in oblique projection, far ones
+// first (painter's algorithm).
+//
+// y (along the pipe) points right, z up, x towards the reader, down to the left. A part that is
+// flat across another axis is seen along that axis instead; the triad says which is which.
+#pragma once
+
+#include "model/results.hpp"
+
+#include <string>
+
+namespace plica {
+
+// The undeformed part with its sensors; empty without elements.
+std::string part_picture(const Results& results);
+
+// Up to `most` first modes, exaggerated so that the largest translation is 5 % of the size of the
+// part, coloured by it; dashed: the outline at rest. With captions and one legend.
+std::string mode_pictures(const Results& results, int most = 6);
+
+} // namespace plica

@@ -1,0 +1,20 @@
+// The tables of a run as comma-separated values (RFC 4180 quoting, lines end with LF), one header
+// line with units in brackets. SI units, Hz; a number that does not exist is an empty cell; doubles
+// keep all their digits.
+#pragma once
+
+#include "model/results.hpp"
+
+#include <string>
+
+namespace plica {
+
+std::string modes_csv(const Results& results);
+std::string static_csv(const Results& results);     // no rows without static stiffness
+std::string comparison_csv(const Results& results); // measured beside computed
+std::string variants_csv(const Results& results);   // first row: the nominal case
+
+// One cell, in quotes when it holds a comma, a quote or a line break.
+std::string csv_cell(const std::string& text);
+
+} // namespace plica

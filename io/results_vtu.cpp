@@ -1,0 +1,92 @@
+#include "io/results_vtu.hpp"
+
+#include "io/results_text.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+void add_points(vtkUnstructuredGrid& grid, const Mesh& mesh) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.nodes.size()));
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    points->SetPoint(static_cast<vtkIdType>(node), mesh.nodes[node].data());
+  }
+  grid.SetPoints(points);
+}
+
+void add_cells(vtkUnstructuredGrid& grid, const Results& results) {
+  const std::vector<ShellQuad>& quads = results.mesh.quads;
+  vtkNew<vtkDoubleArray> thickness;
+  thickness->SetName("thickness");
+  vtkNew<vtkIntArray> section;
+  section->SetName("section");
+  grid.Allocate(static_cast<vtkIdType>(quads.size()) +
+                static_cast<vtkIdType>(results.lines.size()));
+  for (const ShellQuad& quad : quads) {
+    const std::array<vtkIdType, 4> nodes{quad.nodes[0], quad.nodes[1], quad.nodes[2],
+                                         quad.nodes[3]};
+    grid.InsertNextCell(VTK_QUAD, 4, nodes.data());
+    thickness->InsertNextValue(quad.thickness.mean());
+    section->InsertNextValue(quad.section);
+  }
+  for (const auto& [from, to] : results.lines) {
+    const std::array<vtkIdType, 2> nodes{from, to};
+    grid.InsertNextCell(VTK_LINE, 2, nodes.data());
+    thickness->InsertNextValue(0);
+    section->InsertNextValue(-1);
+  }
+  grid.GetCellData()->AddArray(thickness);
+  grid.GetCellData()->AddArray(section);
+}
+
+void add_shapes(vtkUnstructuredGrid& grid, const Results& results) {
+  require_one_row_per_node(results);
+  const std::size_t count = std::min(results.shapes.size(), results.modes.size());
+  const auto nodes = static_cast<Eigen::Index>(results.mesh.nodes.size());
+  for (std::size_t mode = 0; mode < count; ++mode) {
+    const Eigen::MatrixXd& shape = results.shapes[mode];
+    vtkNew<vtkDoubleArray> vectors;
+    vectors->SetName(
+        fmt::format("mode {:02}: {:.1f} Hz", mode + 1, results.modes[mode].frequency).c_str());
+    vectors->SetNumberOfComponents(3);
+    vectors->SetNumberOfTuples(nodes);
+    for (Eigen::Index node = 0; node < nodes; ++node) {
+      vectors->SetTuple3(node, shape(node, 0), shape(node, 1), shape(node, 2));
+    }
+    grid.GetPointData()->AddArray(vectors);
+  }
+}
+
+} // namespace
+
+std::string modes_vtu(const Results& results) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  add_points(*grid, results.mesh);
+  add_cells(*grid, results);
+  add_shapes(*grid, results);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) throw std::runtime_error("VTK could not write modes.vtu");
+  return writer->GetOutputString();
+}
+
+} // namespace plica

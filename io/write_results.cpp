@@ -1,0 +1,88 @@
+#include "io/write_results.hpp"
+
+#include "io/report.hpp"
+#include "io/results_csv.hpp"
+#include "io/results_json.hpp"
+#include "io/results_vtu.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace plica {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct OutputFile {
+  fs::path target, temporary;
+  std::string content;
+};
+
+[[noreturn]] void fail(const std::string& what, const fs::path& path, const std::string& why) {
+  throw std::runtime_error("cannot " + what + " " + path.string() + ": " + why);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) fail("make the folder for the results,", folder, error.message());
+  if (!fs::is_directory(folder, error)) {
+    fail("write the results into", folder, "it is a file, not a folder");
+  }
+}
+
+void write_temporary(const OutputFile& file) {
+  errno = 0;
+  std::ofstream stream(file.temporary, std::ios::binary | std::ios::trunc);
+  if (stream) stream.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
+  stream.close();
+  if (!stream) {
+    fail("write", file.target, errno != 0 ? std::strerror(errno) : "the disk may be full");
+  }
+}
+
+void move_into_place(const OutputFile& file) {
+  std::error_code error;
+  fs::rename(file.temporary, file.target, error);
+  if (error) fail("write", file.target, error.message());
+}
+
+std::vector<OutputFile> output_files(const Results& results, const fs::path& folder) {
+  std::vector<std::pair<std::string, std::string>> contents{
+      {"modes.csv", modes_csv(results)},           {"static.csv", static_csv(results)},
+      {"comparison.csv", comparison_csv(results)}, {"variants.csv", variants_csv(results)},
+      {"modes.vtu", modes_vtu(results)},           {"report.html", report_html(results)},
+      {"results.json", results_json(results)}};
+  std::vector<OutputFile> files;
+  files.reserve(contents.size());
+  for (auto& [name, content] : contents) {
+    files.push_back({folder / name, folder / ("." + name + ".part"), std::move(content)});
+  }
+  return files;
+}
+
+} // namespace
+
+void write_results(const Results& results, const fs::path& out_dir) {
+  make_folder(out_dir);
+  const std::vector<OutputFile> files = output_files(results, out_dir);
+  try {
+    for (const OutputFile& file : files) {
+      if (fs::is_directory(file.target)) fail("write", file.target, "a folder has this name");
+      write_temporary(file);
+    }
+    for (const OutputFile& file : files) move_into_place(file);
+  } catch (...) {
+    std::error_code ignored;
+    for (const OutputFile& file : files) fs::remove(file.temporary, ignored);
+    throw;
+  }
+}
+
+} // namespace plica

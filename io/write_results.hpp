@@ -1,0 +1,17 @@
+// Everything a run leaves behind: results.json, modes.csv, static.csv, comparison.csv,
+// variants.csv, modes.vtu, report.html.
+#pragma once
+
+#include "model/results.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+// Makes the folder when it is not there. All files are written under temporary names first and
+// renamed at the end, results.json last: a run that fails or is stopped leaves the old files as
+// they were, and a results.json always stands beside the files of the same run. Throws
+// std::runtime_error with the path and the reason when something cannot be written.
+void write_results(const Results& results, const std::filesystem::path& out_dir);
+
+} // namespace plica

@@ -1,0 +1,147 @@
+#include "mesh/gmsh_session.hpp"
+
+#include <algorithm>
+#include <gmsh.h>
+#include <numeric>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector2d;
+
+// Opens the Gmsh session of this process, silent, and closes it again.
+class Session {
+public:
+  Session() {
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::option::setNumber("General.NumThreads", 1);
+    gmsh::model::add("plica");
+  }
+  ~Session() { gmsh::finalize(); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+int add_point(const Vector2d& p) { return gmsh::model::geo::addPoint(p.x(), p.y(), 0); }
+
+int add_curve(const MeridianCurve& curve, int start, int end) {
+  switch (curve.kind) {
+  case CurveKind::line: return gmsh::model::geo::addLine(start, end);
+  case CurveKind::arc:
+    return gmsh::model::geo::addCircleArc(start, add_point(curve.centre), end);
+  case CurveKind::spline: break;
+  }
+  std::vector<int> tags{start};
+  for (std::size_t i = 1; i + 1 < curve.points.size(); ++i)
+    tags.push_back(add_point(curve.points[i]));
+  tags.push_back(end);
+  return gmsh::model::geo::addSpline(tags);
+}
+
+CurveNodes nodes_of(int curve, bool with_tangents) {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 1, curve, true, true);
+  std::vector<std::size_t> order(tags.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return parameters[a] < parameters[b]; });
+  CurveNodes nodes;
+  for (std::size_t i : order) {
+    nodes.positions.emplace_back(coordinates[3 * i], coordinates[3 * i + 1]);
+    if (!with_tangents) continue;
+    std::vector<double> derivative;
+    gmsh::model::getDerivative(1, curve, {parameters[i]}, derivative);
+    nodes.tangents.emplace_back(derivative[0], derivative[1]);
+  }
+  return nodes;
+}
+
+std::vector<CurveNodes> mesh_in_session(const std::vector<MeridianCurve>& curves) {
+  std::vector<int> tags;
+  int tip = add_point(curves.front().start);
+  for (const MeridianCurve& curve : curves) {
+    const int end = add_point(curve.end);
+    tags.push_back(add_curve(curve, tip, end));
+    gmsh::model::geo::mesh::setTransfiniteCurve(tags.back(), curve.elements + 1);
+    tip = end;
+  }
+  gmsh::model::geo::synchronize();
+  gmsh::model::mesh::generate(1);
+  std::vector<CurveNodes> nodes;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    nodes.push_back(nodes_of(tags[i], curves[i].kind == CurveKind::spline));
+    if (nodes.back().positions.size() != static_cast<std::size_t>(curves[i].elements) + 1)
+      throw std::runtime_error("Gmsh returned " + std::to_string(nodes.back().positions.size()) +
+                               " nodes on a curve of " + std::to_string(curves[i].elements) +
+                               " elements");
+  }
+  return nodes;
+}
+
+void add_discrete_elements(const Mesh& mesh, const std::vector<std::array<int, 2>>& lines) {
+  std::vector<std::size_t> node_tags(mesh.nodes.size());
+  std::iota(node_tags.begin(), node_tags.end(), 1);
+  std::vector<double> coordinates;
+  for (const Eigen::Vector3d& p : mesh.nodes)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  gmsh::model::addDiscreteEntity(2, 1);
+  gmsh::model::mesh::addNodes(2, 1, node_tags, coordinates);
+  const auto add = [](int dimension, int type, const auto& elements) {
+    std::vector<std::size_t> connectivity;
+    for (const auto& e : elements)
+      for (int node : e) connectivity.push_back(static_cast<std::size_t>(node) + 1);
+    if (connectivity.empty()) return;
+    if (dimension != 2) gmsh::model::addDiscreteEntity(dimension, 1);
+    gmsh::model::mesh::addElementsByType(1, type, {}, connectivity);
+  };
+  std::vector<std::array<int, 4>> quads;
+  for (const ShellQuad& quad : mesh.quads) quads.push_back(quad.nodes);
+  constexpr int line_type = 1, quad_type = 3;
+  add(2, quad_type, quads);
+  add(1, line_type, lines);
+}
+
+void add_sets(const Mesh& mesh) {
+  constexpr int point_type = 15;
+  int tag = 100;
+  for (const auto& [name, nodes] : mesh.sets) {
+    gmsh::model::addDiscreteEntity(0, ++tag);
+    std::vector<std::size_t> points;
+    for (int node : nodes) points.push_back(static_cast<std::size_t>(node) + 1);
+    gmsh::model::mesh::addElementsByType(tag, point_type, {}, points);
+    gmsh::model::setPhysicalName(0, gmsh::model::addPhysicalGroup(0, {tag}), name);
+  }
+}
+
+template <class F> auto in_session(F&& work) {
+  const Session session;
+  try {
+    return work();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    throw std::runtime_error("Gmsh failed without a message");
+  }
+}
+
+} // namespace
+
+std::vector<CurveNodes> mesh_curves(const std::vector<MeridianCurve>& curves) {
+  if (curves.empty()) return {};
+  return in_session([&] { return mesh_in_session(curves); });
+}
+
+void write_msh(const Mesh& mesh, const std::vector<std::array<int, 2>>& lines,
+               const std::filesystem::path& file) {
+  in_session([&] {
+    add_discrete_elements(mesh, lines);
+    add_sets(mesh);
+    gmsh::option::setNumber("Mesh.SaveAll", 1);
+    gmsh::write(file.string());
+  });
+}
+
+} // namespace plica

@@ -1,0 +1,67 @@
+#include "mesh/mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace plica {
+
+using Eigen::Vector3d;
+
+MeshQuality mesh_quality(const Mesh& mesh) {
+  MeshQuality quality;
+  if (mesh.quads.empty()) return quality;
+  quality.min_jacobian = std::numeric_limits<double>::infinity();
+  for (const ShellQuad& quad : mesh.quads) {
+    std::array<Vector3d, 4> x;
+    for (int i = 0; i < 4; ++i) x[i] = mesh.nodes[quad.nodes[i]];
+    const double a = ((x[1] - x[0]).norm() + (x[2] - x[3]).norm()) / 2;
+    const double b = ((x[3] - x[0]).norm() + (x[2] - x[1]).norm()) / 2;
+    const Vector3d normal = (x[2] - x[0]).cross(x[3] - x[1]).normalized();
+    const double warp = std::abs((x[0] - x[1] + x[2] - x[3]).dot(normal)) / 4;
+    quality.max_warp = std::max(quality.max_warp, warp / ((a + b) / 2));
+    const double aspect = std::max(a, b) / std::min(a, b);
+    quality.max_aspect = std::max(quality.max_aspect, aspect);
+    quality.mean_aspect += aspect / double(mesh.quads.size());
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int i = 0; i < 4; ++i) {
+      const double J = (x[(i + 1) % 4] - x[i]).cross(x[(i + 3) % 4] - x[i]).dot(normal);
+      low = std::min(low, J);
+      high = std::max(high, J);
+    }
+    quality.min_jacobian = std::min(quality.min_jacobian, low / high);
+  }
+  return quality;
+}
+
+int append(Mesh& mesh, const Mesh& part, const std::string& name, int section) {
+  const int first = static_cast<int>(mesh.nodes.size());
+  mesh.nodes.insert(mesh.nodes.end(), part.nodes.begin(), part.nodes.end());
+  for (ShellQuad quad : part.quads) {
+    for (int& node : quad.nodes) node += first;
+    quad.section = section;
+    mesh.quads.push_back(quad);
+  }
+  for (Ring ring : part.rings) {
+    for (int& node : ring.nodes) node += first;
+    mesh.rings.push_back(std::move(ring));
+  }
+  for (const auto& [set, nodes] : part.sets) {
+    std::vector<int>& moved = mesh.sets[name + "." + set];
+    for (int node : nodes) moved.push_back(node + first);
+  }
+  return first;
+}
+
+std::pair<int, double> nearest_node(const Mesh& mesh, const Vector3d& point) {
+  if (mesh.nodes.empty()) throw std::invalid_argument("nearest_node: the mesh has no nodes");
+  int nearest = 0;
+  for (int i = 1; i < static_cast<int>(mesh.nodes.size()); ++i)
+    if ((mesh.nodes[i] - point).squaredNorm() < (mesh.nodes[nearest] - point).squaredNorm())
+      nearest = i;
+  return {nearest, (mesh.nodes[nearest] - point).norm()};
+}
+
+} // namespace plica

@@ -1,0 +1,55 @@
+// Mesh of shells and lines: nodes, elements, named sets, rings.
+//
+// Coordinates in m in the part frame (y along the pipe). A shell quad carries, for each of its four
+// corners, the exact director of its surface and the thickness, so that a kink between two surfaces
+// keeps both normals. Corners run counter-clockwise seen from the tip of the directors.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+struct ShellQuad {
+  std::array<int, 4> nodes{};
+  Eigen::Matrix<double, 3, 4> directors; // unit vectors, one per corner
+  Eigen::Vector4d thickness;             // m, one per corner
+  int section = 0;                       // index into the sections of the model
+};
+
+// Nodes of one circle of a surface of revolution, in equal steps of the circumferential angle,
+// which is measured from x towards z.
+struct Ring {
+  double y = 0, radius = 0;
+  std::vector<int> nodes;
+};
+
+struct Mesh {
+  std::vector<Eigen::Vector3d> nodes;
+  std::vector<ShellQuad> quads;
+  std::vector<Ring> rings;
+  std::map<std::string, std::vector<int>> sets; // node sets, e.g. "bellows.left"
+};
+
+// Quality of the quads: worst and mean of each number.
+struct MeshQuality {
+  double max_warp = 0;       // distance of a corner from the mean plane / mean edge
+  double max_aspect = 0;     // longest mean edge / shortest mean edge
+  double mean_aspect = 0;
+  double min_jacobian = 0;   // smallest / largest corner Jacobian of an element; below 0: folded
+};
+
+MeshQuality mesh_quality(const Mesh& mesh);
+
+// Adds nodes, quads, rings and sets of `part` to `mesh`; sets are prefixed with "name.".
+// Returns the number of the first node added.
+int append(Mesh& mesh, const Mesh& part, const std::string& name, int section);
+
+// Node of the mesh nearest to a point, and its distance in m. Throws std::invalid_argument on an
+// empty mesh.
+std::pair<int, double> nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
+
+} // namespace plica

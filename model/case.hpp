@@ -1,0 +1,187 @@
+// A case: what is drawn, how it is held, where it is watched, and what is asked of it.
+//
+// Plain data in SI units (m, kg, s, N, Pa, rad; frequencies in Hz; ratios as numbers, 1 % = 0.01).
+// Part frame: y along the pipe, x transverse, z vertical. Lengths of a wall are mid-surface
+// lengths. The YAML keys, their units, bounds and meaning are described once, in case_fields.hpp.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace plica {
+
+using Triple = std::array<double, 3>;
+using Sextuple = std::array<double, 6>;
+
+struct Material {
+  double E = 0;   // Young's modulus, Pa
+  double nu = 0;  // Poisson's ratio
+  double rho = 0; // density, kg/m3
+};
+
+enum class SectionShape { cuff, u, omega, disc, points };
+enum class Interpolation { straight, smooth };
+
+// One stretch of a meridian, read from left (small y) to right.
+struct MeridianSection {
+  SectionShape shape = SectionShape::u;
+  int count = 1;              // convolutions (u, omega, disc, points)
+  double length = 0;          // cuff: its length
+  double height = 0;          // u, omega, disc: root to crown, mid-surface to mid-surface
+  double pitch = 0;           // u, omega, disc: axial length of one convolution
+  double root_arc_radius = 0; // u, omega: mid-surface; 0 = pitch/4
+  double crown_arc_radius = 0;
+  double end_radius = 0; // cuff: radius at its right end, 0 = cylinder
+  std::vector<std::array<double, 2>> points; // [y, r] of one convolution, y from 0 to the pitch
+  Interpolation interpolation = Interpolation::smooth;
+};
+
+enum class Thinning { none, uniform, local };
+
+struct Wall {
+  std::vector<double> plies; // thickness of each ply, m
+  double bond = 1;           // 0 plies slip, 1 one solid wall
+  Thinning thinning = Thinning::none;
+  double thinning_exponent = 0.5; // local: t(r) = t (r_root / r)^p
+};
+
+// How finely a shell of revolution is meshed: counts, or one target accuracy.
+struct MeshDensity {
+  int around = 0;      // elements around the circumference; 0 = from accuracy
+  int arc = 0;         // elements per quarter of a circular arc
+  int wall = 0;        // elements per straight wall
+  double accuracy = 0; // relative error aimed at in stiffness; 0 = counts given
+};
+
+enum class Membrane { displacement, mitc4_plus, incompatible };
+
+struct Bellows {
+  std::string material;
+  double root_radius = 0; // mid-surface radius at the left end
+  double start = 0;       // y of the left end
+  std::vector<MeridianSection> profile;
+  Wall wall;
+  MeshDensity mesh;
+  Membrane membrane = Membrane::incompatible;
+};
+
+enum class BeamShape { pipe, solid, rectangle, general };
+
+// Stiffness given as numbers (general), or a section and a material.
+struct BeamSection {
+  BeamShape shape = BeamShape::pipe;
+  std::string material;
+  double radius = 0;    // thin pipe: mid-surface radius; solid: radius
+  double thickness = 0; // thin pipe: wall; 0 = solid round
+  double width = 0, depth = 0; // solid rectangle: width along the local y, depth along local z
+  std::optional<double> EA, EI, GJ, GA; // general; GA absent = rigid in shear
+  double mass_per_length = 0;
+  double rotary_inertia_per_length = 0; // about each transverse axis, kg m
+  double polar_inertia_per_length = 0;
+};
+
+enum class Attachment { caps, stations, synchronous };
+
+// The strip-wound liner: a beam on the axis of a bellows.
+struct Interlock {
+  std::string along; // name of the bellows
+  Attachment attachment = Attachment::caps;
+  int stations = 0; // attachment: stations
+  double EA = 0, EI = 0, GJ = 0;
+  double mass = 0;   // total, kg
+  double radius = 0; // of the mass, for rotary inertia
+};
+
+struct Plate {
+  std::string material;
+  std::array<Triple, 4> corners{}; // in order round the plate
+  double thickness = 0;
+  std::array<int, 2> elements{}; // along 1-2 and along 2-3
+  Membrane membrane = Membrane::displacement;
+};
+
+struct BeamPart {
+  std::vector<Triple> points; // the axis, straight between points
+  int elements = 1;           // per stretch
+  Triple up{0, 0, 1};         // local z lies in the plane of the axis and this vector
+  BeamSection section;
+};
+
+struct PointMass {
+  std::string at;  // set of one or more nodes (the mass is rigidly tied when more than one)
+  Triple offset{}; // from that node to the centre of mass
+  double mass = 0;
+  Sextuple inertia{}; // about the centre of mass: xx yy zz xy yz zx, kg m2
+};
+
+struct Part {
+  std::string name;
+  std::variant<Bellows, Interlock, Plate, BeamPart, PointMass> body;
+};
+
+// Rigid end cap or flange: reference node in the middle of an end circle, tied to it.
+struct Cap {
+  std::string name;
+  std::string of; // set it closes, e.g. "bellows.left"
+  double mass = 0;
+  Sextuple inertia{}; // about its centre of mass, kg m2
+  Triple offset{};    // reference node to centre of mass
+};
+
+enum class MountKind { free, rigid, springs };
+
+struct Mount {
+  std::string cap;
+  MountKind kind = MountKind::rigid;
+  Sextuple stiffness{}; // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
+};
+
+// Degrees of freedom of a set held to zero.
+struct Support {
+  std::string set;
+  std::vector<int> dofs; // 0..5 = ux uy uz rx ry rz
+};
+
+struct Sensor {
+  std::string name;
+  Triple at{}; // sits on the nearest node; more than 5 mm off the part is an error
+};
+
+struct Modes {
+  int count = 0;             // number of modes, or
+  std::array<double, 2> band{}; // all modes in a band, Hz
+  bool proof = true;
+};
+
+struct Analyses {
+  bool statics = true; // end stiffness between two caps (needs exactly two)
+  std::optional<Modes> modes;
+  double modal_damping = 0; // fraction of critical, reported with each mode
+};
+
+// The same case with some numbers changed: shown beside the nominal results.
+struct Variant {
+  std::string name;
+  std::map<std::string, std::string> set; // path of the case file: new value, as written there
+};
+
+struct Case {
+  std::string name;
+  std::string title;
+  std::vector<std::string> assumptions; // in words, printed in the report
+  std::map<std::string, Material> materials;
+  std::vector<Part> parts;
+  std::vector<Cap> caps;
+  std::vector<Mount> mount;
+  std::vector<Support> supports;
+  std::vector<Sensor> sensors;
+  Analyses analyses;
+  std::vector<Variant> variants;
+  std::string measured; // path of measured.yaml beside the case file; empty = none
+};
+
+} // namespace plica

@@ -1,0 +1,264 @@
+// Every key of the case file: unit, bounds, meaning. The one description that the reader, the JSON
+// schema and the access by path share; see field_types.hpp for the visitor. Order of the keys is
+// the order in which they are shown. Rules between keys are in io/case_checks.hpp.
+#pragma once
+
+#include "model/case.hpp"
+#include "model/field_types.hpp"
+
+namespace plica {
+
+template <class V> void fields(V& v, Material& m) {
+  v.quantity(m.E, "E",
+             {.unit = Dimension::pressure, .required = true, .min = 0, .exclusive_min = true},
+             "Young's modulus");
+  v.quantity(
+      m.nu, "nu",
+      {.required = true, .min = -1, .max = 0.5, .exclusive_min = true, .exclusive_max = true},
+      "Poisson's ratio");
+  v.quantity(m.rho, "rho", {.unit = Dimension::density, .required = true, .min = 0}, "density");
+}
+
+template <class V> void fields(V& v, MeridianSection& s) {
+  const Quantity above_zero{
+      .unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true};
+  const Quantity radius{.unit = Dimension::length, .min = 0, .exclusive_min = true};
+  v.tag(s.shape, "shape",
+        {{SectionShape::cuff, "cuff"},
+         {SectionShape::u, "U"},
+         {SectionShape::omega, "omega"},
+         {SectionShape::disc, "disc"},
+         {SectionShape::points, "points"}},
+        required_key, "straight cuff or cone, or the shape of its convolutions");
+  if (s.shape == SectionShape::cuff) {
+    v.quantity(s.length, "length", above_zero, "length along the axis");
+    v.quantity(s.end_radius, "end_radius", radius,
+               "mid-surface radius at the right end of a cone; left out: a cylinder");
+    return;
+  }
+  v.whole(s.count, "count", {.required = true, .min = 1, .max = 1000}, "number of convolutions");
+  if (s.shape == SectionShape::points) {
+    v.points(s.points, "points", {.unit = Dimension::length, .required = true, .min_items = 3},
+             "[y, r] along the mid-surface of one convolution, from y = 0 to its pitch");
+    v.choice(s.interpolation, "interpolation",
+             {{Interpolation::straight, "straight"}, {Interpolation::smooth, "smooth"}},
+             optional_key, "how the points are joined");
+    return;
+  }
+  v.quantity(s.height, "height", above_zero, "from root to crown, mid-surface to mid-surface");
+  v.quantity(s.pitch, "pitch", above_zero, "axial length of one convolution");
+  if (s.shape == SectionShape::disc) return;
+  v.quantity(s.root_arc_radius, "root_arc_radius", radius,
+             "mid-surface radius of the root arc; left out: pitch/4");
+  v.quantity(s.crown_arc_radius, "crown_arc_radius", radius,
+             "mid-surface radius of the crown arc; left out: pitch/4");
+}
+
+template <class V> void fields(V& v, Wall& w) {
+  v.quantities(w.plies, "plies",
+               {.unit = Dimension::length,
+                .required = true,
+                .min = 0,
+                .exclusive_min = true,
+                .min_items = 1,
+                .max_items = 100},
+               "thickness of each ply");
+  v.quantity(w.bond, "bond", {.unit = Dimension::ratio, .min = 0, .max = 1},
+             "bond fraction of the plies in bending: 0 they slip, 1 one solid wall");
+  v.tag(w.thinning, "thinning",
+        {{Thinning::none, "none"}, {Thinning::uniform, "uniform"}, {Thinning::local, "local"}},
+        optional_key,
+        "by hydroforming; uniform: t sqrt(D_inner/D_mean), local: t(r) = t (r_root/r)^exponent");
+  if (w.thinning == Thinning::local)
+    v.quantity(w.thinning_exponent, "thinning_exponent", {.min = 0, .max = 3},
+               "exponent of local thinning");
+}
+
+template <class V> void fields(V& v, MeshDensity& m) {
+  v.whole(m.around, "around", {.min = 8, .max = 4000, .even = true},
+          "elements around the circumference");
+  v.whole(m.arc, "arc", {.min = 1, .max = 200}, "elements per quarter of a circular arc");
+  v.whole(m.wall, "wall", {.min = 1, .max = 2000}, "elements per straight wall or cuff");
+  v.quantity(
+      m.accuracy, "accuracy", {.unit = Dimension::ratio, .min = 1e-4, .max = 0.2},
+      "relative error aimed at in stiffness, in place of the counts; left out with them: 1 %");
+}
+
+template <class V> void fields(V& v, Membrane& m) {
+  v.choice(m, "membrane",
+           {{Membrane::displacement, "displacement"},
+            {Membrane::mitc4_plus, "mitc4+"},
+            {Membrane::incompatible, "incompatible"}},
+           optional_key, "membrane part of the shell element");
+}
+
+template <class V> void fields(V& v, Bellows& b) {
+  v.text(b.material, "material", {.required = true}, "name of a material");
+  v.quantity(b.root_radius, "root_radius",
+             {.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true},
+             "mid-surface radius at the left end");
+  v.quantity(b.start, "start", {.unit = Dimension::length}, "y of the left end");
+  v.list(b.profile, "profile", required_key, "sections of the meridian from left to right");
+  v.object(b.wall, "wall", required_key, "plies of the wall");
+  v.object(b.mesh, "mesh", optional_key, "density of the mesh: counts, or one accuracy");
+  fields(v, b.membrane);
+}
+
+template <class V> void fields(V& v, Interlock& i) {
+  const Quantity section{.unit = Dimension::section_stiffness, .min = 0};
+  v.text(i.along, "along", {.required = true}, "name of the bellows it lies in");
+  v.tag(i.attachment, "attachment",
+        {{Attachment::caps, "caps"},
+         {Attachment::stations, "stations"},
+         {Attachment::synchronous, "synchronous"}},
+        optional_key, "tied to the two caps only, at stations along the bellows, or everywhere");
+  if (i.attachment == Attachment::stations)
+    v.whole(i.stations, "stations", {.required = true, .min = 1, .max = 1000},
+            "number of inner stations, evenly spaced");
+  v.quantity(i.EA, "EA", {.unit = Dimension::force, .min = 0}, "axial stiffness, N");
+  v.quantity(i.EI, "EI", section, "bending stiffness, N m2");
+  v.quantity(i.GJ, "GJ", section, "torsional stiffness, N m2");
+  v.quantity(i.mass, "mass", {.unit = Dimension::mass, .min = 0}, "total mass");
+  v.quantity(i.radius, "radius", {.unit = Dimension::length, .min = 0},
+             "mean radius of its mass, for rotary inertia");
+}
+
+template <class V> void fields(V& v, Plate& p) {
+  v.text(p.material, "material", {.required = true}, "name of a material");
+  v.points(p.corners, "corners", {.unit = Dimension::length, .required = true},
+           "four corners [x, y, z] in order round the plate");
+  v.quantity(p.thickness, "thickness",
+             {.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true},
+             "thickness");
+  v.whole(p.elements, "elements", {.required = true, .min = 1, .max = 2000},
+          "elements along edges 1 and 3, and along edges 2 and 4");
+  fields(v, p.membrane);
+}
+
+template <class V> void fields(V& v, BeamSection& s) {
+  const Quantity size{.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true};
+  const Quantity section{
+      .unit = Dimension::section_stiffness, .required = true, .min = 0, .exclusive_min = true};
+  const Quantity force{.unit = Dimension::force, .required = true, .min = 0, .exclusive_min = true};
+  v.tag(s.shape, "shape",
+        {{BeamShape::pipe, "pipe"},
+         {BeamShape::solid, "solid"},
+         {BeamShape::rectangle, "rectangle"},
+         {BeamShape::general, "general"}},
+        required_key, "thin pipe, solid round, solid rectangle, or stiffness given as numbers");
+  if (s.shape != BeamShape::general)
+    v.text(s.material, "material", {.required = true}, "name of a material");
+  if (s.shape == BeamShape::pipe || s.shape == BeamShape::solid)
+    v.quantity(s.radius, "radius", size, "pipe: mid-surface radius; solid: outer radius");
+  if (s.shape == BeamShape::pipe) v.quantity(s.thickness, "thickness", size, "wall of the pipe");
+  if (s.shape == BeamShape::rectangle) {
+    v.quantity(s.width, "width", size, "along the local y");
+    v.quantity(s.depth, "depth", size, "along the local z");
+  }
+  if (s.shape != BeamShape::general) return;
+  v.quantity(s.EA, "EA", force, "axial stiffness, N");
+  v.quantity(s.EI, "EI", section, "bending stiffness, N m2");
+  v.quantity(s.GJ, "GJ", section, "torsional stiffness, N m2");
+  v.quantity(s.GA, "GA", {.unit = Dimension::force, .min = 0, .exclusive_min = true},
+             "shear stiffness with its shear factor, N; left out: rigid in shear");
+  v.quantity(s.mass_per_length, "mass_per_length", {.unit = Dimension::mass_per_length, .min = 0},
+             "mass per length");
+  v.quantity(s.rotary_inertia_per_length, "rotary_inertia_per_length",
+             {.unit = Dimension::inertia_per_length, .min = 0},
+             "rotary inertia per length about each transverse axis");
+  v.quantity(s.polar_inertia_per_length, "polar_inertia_per_length",
+             {.unit = Dimension::inertia_per_length, .min = 0},
+             "rotary inertia per length about the axis");
+}
+
+template <class V> void fields(V& v, BeamPart& b) {
+  v.points(b.points, "points", {.unit = Dimension::length, .required = true, .min_items = 2},
+           "[x, y, z] of the axis, straight between points");
+  v.whole(b.elements, "elements", {.min = 1, .max = 10000}, "elements per straight stretch");
+  v.quantities(b.up, "up", {}, "local z lies in the plane of the axis and this vector");
+  v.object(b.section, "section", required_key, "cross-section");
+}
+
+template <class V> void fields(V& v, PointMass& m) {
+  v.text(m.at, "at", {.required = true}, "node set it is fixed to, e.g. arm.end");
+  v.quantities(m.offset, "offset", {.unit = Dimension::length},
+               "[x, y, z] from that set to the centre of mass");
+  v.quantity(m.mass, "mass", {.unit = Dimension::mass, .required = true, .min = 0}, "mass");
+  v.quantities(m.inertia, "inertia", {.unit = Dimension::inertia},
+               "about the centre of mass: [xx, yy, zz, xy, yz, zx]");
+}
+
+template <class V> void fields(V& v, Part& p) {
+  v.one_of(p.body, "type", {"bellows", "interlock", "plate", "beam", "mass"}, "kind of part");
+}
+
+template <class V> void fields(V& v, Cap& c) {
+  v.text(c.of, "of", {.required = true}, "end circle it closes, e.g. bellows.left");
+  v.quantity(c.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
+  v.quantities(c.inertia, "inertia", {.unit = Dimension::inertia},
+               "about its centre of mass: [xx, yy, zz, xy, yz, zx]");
+  v.quantities(c.offset, "offset", {.unit = Dimension::length},
+               "[x, y, z] from the middle of the circle to the centre of mass");
+}
+
+template <class V> void fields(V& v, Mount& m) {
+  v.word(m.kind, {{MountKind::free, "free"}, {MountKind::rigid, "rigid"}}, MountKind::springs,
+         "free, rigid, or a map with the stiffness of six springs");
+  if (m.kind == MountKind::springs)
+    v.quantities(m.stiffness, "stiffness",
+                 {.unit = Dimension::stiffness,
+                  .required = true,
+                  .min = 0,
+                  .last_three = Dimension::rotational_stiffness},
+                 "of six springs to the table: [ux, uy, uz, rx, ry, rz]");
+}
+
+template <class V> void fields(V& v, Support& s) {
+  v.text(s.set, "set", {.required = true}, "node set, e.g. web.edge1");
+  v.choices(s.dofs, "fix", {{0, "ux"}, {1, "uy"}, {2, "uz"}, {3, "rx"}, {4, "ry"}, {5, "rz"}},
+            {.required = true, .min_items = 1}, "displacements and rotations held to zero");
+}
+
+template <class V> void fields(V& v, Sensor& s) {
+  v.text(s.name, "name", {.required = true, .name = true}, "name");
+  v.quantities(s.at, "at", {.unit = Dimension::length, .required = true},
+               "[x, y, z]; it sits on the nearest node, at most 5 mm away");
+}
+
+template <class V> void fields(V& v, Modes& m) {
+  v.whole(m.count, "count", {.min = 1, .max = 2000}, "number of modes, from the lowest");
+  v.quantities(m.band, "band", {.unit = Dimension::frequency, .min = 0},
+               "[from, to]: all modes in this band, in place of count");
+  v.flag(m.proof, "proof", "prove that no mode is missing");
+}
+
+template <class V> void fields(V& v, Analyses& a) {
+  v.flag(a.statics, "static", "static stiffness between the two caps");
+  v.object(a.modes, "modes", optional_key, "natural modes");
+  v.quantity(a.modal_damping, "modal_damping",
+             {.unit = Dimension::ratio, .min = 0, .max = 1, .exclusive_max = true},
+             "fraction of critical damping, reported with each mode");
+}
+
+template <class V> void fields(V& v, Variant& x) {
+  v.text(x.name, "name", {.required = true}, "name shown beside its results");
+  v.replacements(x.set, "set", required_key, "path of this file: new value");
+}
+
+template <class V> void fields(V& v, Case& c) {
+  v.text(c.name, "case", {.required = true, .name = true}, "name of the case");
+  v.text(c.title, "title", {}, "title of the report");
+  v.texts(c.assumptions, "assumptions", "assumptions in words, printed in the report");
+  v.named(c.materials, "materials", optional_key, "materials by name");
+  v.named(c.parts, &Part::name, "parts", required_key, "parts by name");
+  v.named(c.caps, &Cap::name, "caps", optional_key, "rigid end caps by name");
+  v.named(c.mount, &Mount::cap, "mount", optional_key,
+          "how each cap is held by the table; a cap not named here is free");
+  v.list(c.supports, "supports", optional_key, "degrees of freedom held to zero");
+  v.list(c.sensors, "sensors", optional_key, "places that are watched");
+  v.object(c.analyses, "analyses", optional_key, "what is computed");
+  v.list(c.variants, "variants", optional_key, "the same case with some values changed");
+  v.text(c.measured, "measured", {}, "file of measured data, relative to this one");
+}
+
+} // namespace plica

@@ -1,0 +1,82 @@
+// Vocabulary of the field descriptions (case_fields.hpp, measured_fields.hpp).
+//
+// A description is a function template `fields(V& v, T& object)` that names every key of T once, in
+// the order a user would write them. A visitor V (reader, schema writer, path access) offers
+//   quantity    a number with a unit; also into std::optional<double>
+//   quantities  a list of them, into std::vector<double> or std::array<double, N>
+//   points      a list of lists, into a vector or array of std::array<double, N>
+//   whole       an integer, or std::array<int, N>
+//   flag, text, texts
+//   choice      one word out of several; `tag`: the same, and it decides which keys follow
+//   choices     a list of words, into std::vector<int>
+//   object      a nested struct; also into std::optional<T>
+//   list        std::vector<T> written as a list of maps
+//   named       std::vector<T> or std::map<std::string, T> written as a map by name
+//   one_of      a std::variant, chosen by a word under "type"
+//   word        the whole struct may be written as one word instead of a map
+//   replacements  a map of paths to new values, kept as text
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+enum class Dimension {
+  number,
+  ratio,
+  length,
+  angle,
+  mass,
+  inertia,
+  density,
+  pressure,
+  force,
+  stiffness,
+  rotational_stiffness,
+  section_stiffness, // EI, GJ
+  mass_per_length,
+  inertia_per_length,
+  frequency,
+  acceleration
+};
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// A number in SI units, its bounds; for lists every item has the same, and min_items is required.
+struct Quantity {
+  Dimension unit = Dimension::number;
+  bool required = false;
+  double min = -unbounded, max = unbounded;
+  bool exclusive_min = false, exclusive_max = false;
+  std::optional<Dimension> last_three = {}; // of six numbers: the unit of the last three
+  int min_items = 1, max_items = 2000;
+};
+
+struct Whole {
+  bool required = false;
+  int min = 0, max = 1000000;
+  bool even = false;
+};
+
+struct Text {
+  bool required = false;
+  bool name = false; // a name: a letter, then letters, digits, _ and -
+};
+
+struct Need {
+  bool required = false;
+  int min_items = 0; // of a list or map by name
+};
+
+constexpr Need required_key{.required = true, .min_items = 1};
+constexpr Need optional_key{};
+
+template <class E> struct Named {
+  E value;
+  const char* name;
+};
+
+} // namespace plica

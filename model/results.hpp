@@ -1,0 +1,97 @@
+// What a run gives: plain data, SI units, frequencies in Hz. io/ writes it as JSON, CSV, VTU, HTML.
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+struct ModelSize {
+  int nodes = 0, elements = 0;
+  int dofs = 0;    // independent unknowns before the mount holds any
+  double mass = 0; // kg
+};
+
+// Between the two end-cap reference nodes, one held: axial force/displacement; lateral
+// force/displacement with the end kept parallel; moment/rotation of a free end; torque/twist.
+struct StaticStiffness {
+  double k_axial = 0, k_transverse_x = 0, k_transverse_z = 0; // N/m
+  double k_bending_x = 0, k_bending_z = 0, k_torsion = 0;     // Nm/rad, about x, z and y
+  Eigen::Matrix<double, 12, 12> end_stiffness; // both reference nodes, ux uy uz rx ry rz each
+};
+
+struct ModeResult {
+  double frequency = 0;
+  double damping = 0; // fraction of critical
+  std::array<double, 6> effective_mass{}; // x y z in kg; about x y z through the centre in kg m2
+  std::string shape;     // axial | transverse | torsion | shell | rigid | mode
+  std::string direction; // x, y, z or empty
+  int order = 0;         // half waves along the axis, counted from 1; 0 = not counted
+  int harmonic = -1;     // circumferential order; -1 = not a body of revolution
+  double residual = 0;   // ||K phi - w2 M phi|| / ||K phi||
+};
+
+// Proof that no mode below `sigma` is missing.
+struct Verification {
+  bool made = false;          // the proof was asked for
+  double sigma_frequency = 0; // the count is of the modes below it, Hz
+  int inertia_count = 0;      // eigenvalues below sigma by inertia
+  int found = 0;              // modes found below sigma
+  double max_residual = 0;
+  double orthogonality = 0; // max |Phi' M Phi - I|
+  bool passed = false;
+  std::string reason; // why not passed
+};
+
+struct MeasuredComparison { // one measured number beside the computed one
+  std::string quantity;     // "axial stiffness", "axial mode 1", ...
+  std::string unit;
+  double measured = 0, sigma = 0, computed = 0;
+};
+
+struct VariantResult { // headline numbers of a variant of the case
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> set; // path, new value
+  std::map<std::string, double> headline; // same keys in every variant, see headline()
+};
+
+struct SensorResult {
+  std::string name;
+  int node = 0;
+  double distance = 0; // from where the case puts it to the node, m
+};
+
+struct Results {
+  std::string case_name, title, plica_version;
+  std::vector<std::string> assumptions;
+  std::vector<std::string> warnings;
+  ModelSize model;
+  std::optional<StaticStiffness> statics;
+  std::vector<ModeResult> modes;
+  std::vector<SensorResult> sensors;
+  std::array<double, 6> free_mass{}; // r' M r over the free unknowns: what effective masses add up to
+  std::array<double, 6> effective_mass_sum{};
+  Verification verification;
+  MeshQuality quality;
+  std::vector<MeasuredComparison> comparison;
+  std::vector<VariantResult> variants;
+  std::map<std::string, double> timing; // stage: seconds
+  double peak_memory = 0;               // bytes
+  // For pictures: node coordinates, quads and lines in `mesh`; one 6-column displacement field per
+  // mode (nodes x 6), thickness per quad in `mesh.quads`.
+  Mesh mesh;
+  std::vector<std::array<int, 2>> lines;
+  std::vector<Eigen::MatrixXd> shapes;
+  std::vector<std::array<double, 2>> meridian; // [y, r] along the first shell of revolution
+};
+
+// Headline numbers by name: "k_axial", "f_axial", "f_transverse", "f_torsion", "mass".
+std::map<std::string, double> headline(const Results& results);
+
+} // namespace plica

@@ -1,0 +1,38 @@
+// Number of eigenvalues of K phi = lambda M phi below sigma, by Sylvester's law of inertia.
+//
+// count_below: Haynsworth's additivity at the speed of supernodal Cholesky. A few DOFs p are taken
+// out where the found modes are large (pivoted QR of the mass-scaled vectors); Cholesky of the rest
+// proves that it has no eigenvalue below sigma; the negative eigenvalues of the Schur complement
+//
+//   S = A_pp - A_pr A_rr^-1 A_rp,   A = K - sigma M
+//
+// are then all there are (Haynsworth, Linear Algebra Appl. 1 (1968) 73-81). Vectors only steer the
+// choice of p: a wrong or missing vector costs time, never the truth of the count.
+//
+// count_below_ldlt: negative pivots of a simplicial LDL'. Slower, independent, not pivoted for
+// size; the referee in tests.
+#pragma once
+
+#include "solve/sparse_factor.hpp"
+
+#include <optional>
+
+namespace plica {
+
+struct InertiaCount {
+  std::optional<int> below; // empty: no statement could be made
+  double margin = 0;        // smallest |eigenvalue| of S / largest: near 0, sigma sits on a mode
+  int removed = 0;          // DOFs taken out
+  std::string reason;       // why empty
+};
+
+// `factor` has the pattern of K (and M) analysed; its numbers are overwritten.
+InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double sigma,
+                         const Eigen::MatrixXd& vectors, SparseFactor& factor);
+
+InertiaCount count_below_ldlt(const SparseMatrix& K, const SparseMatrix& M, double sigma);
+
+// K - sigma M; both lower triangles of one pattern.
+SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma);
+
+} // namespace plica

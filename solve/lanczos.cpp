@@ -1,0 +1,83 @@
+#include "solve/lanczos.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <random>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// y = (K - sigma M)^-1 x; the shift is already in the factor.
+struct ShiftInvert {
+  using Scalar = double;
+  const SparseFactor& factor;
+  Eigen::Index rows() const { return factor.rows(); }
+  Eigen::Index cols() const { return factor.rows(); }
+  void set_shift(const double&) const {}
+  void perform_op(const double* x, double* y) const { factor.solve(x, y); }
+};
+
+// y = M x.
+struct MassProduct {
+  using Scalar = double;
+  const SparseMatrix& M;
+  Eigen::Index rows() const { return M.rows(); }
+  Eigen::Index cols() const { return M.cols(); }
+  void perform_op(const double* x, double* y) const {
+    Eigen::Map<VectorXd>(y, rows()) =
+        M.selfadjointView<Eigen::Lower>() * Eigen::Map<const VectorXd>(x, cols());
+  }
+};
+
+VectorXd start_vector(const SparseMatrix& M, const SparseFactor& factor, unsigned seed) {
+  std::mt19937 random(seed);
+  VectorXd v(M.rows());
+  for (double& x : v) x = double(random()) / double(std::mt19937::max()) - 0.5;
+  return factor.solve(symmetric_product(M, v));
+}
+
+// One pass through the operator removes what is not in its range; then Rayleigh-Ritz on the span.
+void purify(EigenPairs& pairs, const SparseMatrix& M, const SparseFactor& factor, double sigma) {
+  const MatrixXd x = factor.solve(symmetric_product(M, pairs.vectors));
+  const MatrixXd Mx = symmetric_product(M, x);
+  const MatrixXd gram = x.transpose() * Mx;
+  const MatrixXd operated = Mx.transpose() * factor.solve(Mx); // x' M A^-1 M x
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz((operated + operated.transpose()) / 2,
+                                                                (gram + gram.transpose()) / 2);
+  pairs.vectors = x * ritz.eigenvectors().rowwise().reverse();
+  pairs.values = sigma + ritz.eigenvalues().reverse().array().inverse();
+}
+
+} // namespace
+
+EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sigma,
+                   const LanczosSettings& settings) {
+  const int n = static_cast<int>(M.rows());
+  const int count = std::min(settings.count, n - 1);
+  const int subspace = std::min(n, std::max(settings.subspace, 2 * count + 20));
+  ShiftInvert shift_invert{factor};
+  MassProduct mass{M};
+  Spectra::SymGEigsShiftSolver<ShiftInvert, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
+      shift_invert, mass, count, subspace, sigma);
+  const VectorXd start = start_vector(M, factor, settings.seed);
+  solver.init(start.data());
+  constexpr int max_restarts = 300;
+  const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-10,
+                                    Spectra::SortRule::SmallestAlge);
+  EigenPairs pairs;
+  pairs.operations = static_cast<int>(solver.num_operations());
+  pairs.converged = solver.info() == Spectra::CompInfo::Successful;
+  if (!pairs.converged)
+    pairs.reason = "Lanczos converged " + std::to_string(found) + " of " + std::to_string(count) +
+                   " modes in " + std::to_string(max_restarts) + " restarts";
+  pairs.values = solver.eigenvalues();
+  pairs.vectors = solver.eigenvectors();
+  if (pairs.vectors.cols() > 0) purify(pairs, M, factor, sigma);
+  return pairs;
+}
+
+} // namespace plica

@@ -1,0 +1,73 @@
+// What is solved: nodes, elements with their sections, and linear constraints between DOFs.
+//
+// Six DOFs per node, ux uy uz rx ry rz in global axes; DOF d of node n has the number 6 n + d.
+#pragma once
+
+#include "elements/beam_timoshenko.hpp"
+#include "elements/bushing.hpp"
+#include "elements/rigid_mass.hpp"
+#include "elements/shell_mitc4.hpp"
+#include "mesh/mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace plica {
+
+struct ShellProperties {
+  ShellSection section;
+  MembraneStrain membrane = MembraneStrain::displacement;
+};
+
+struct BeamElement {
+  int node1 = 0, node2 = 0;
+  BeamProperties section;
+  Eigen::Vector3d up{0, 0, 1};
+  Eigen::Vector3d offset1{0, 0, 0}, offset2{0, 0, 0};
+};
+
+struct MassElement {
+  int node = 0;
+  RigidMass body;
+};
+
+struct BushingElement {
+  int node1 = 0, node2 = -1; // node2 = -1: to the ground
+  Bushing bushing;
+};
+
+// Any element given by its matrices: a superelement. DOFs: the six of each node, in order.
+struct MatrixElement {
+  std::vector<int> nodes;
+  Eigen::MatrixXd K, M;
+};
+
+// u(node, dof) = sum of factor * u(term); no terms: held at zero.
+struct ConstraintTerm {
+  int node = 0, dof = 0;
+  double factor = 0;
+};
+struct Constraint {
+  int node = 0, dof = 0;
+  std::vector<ConstraintTerm> terms;
+  std::string origin; // who asked for it, for messages: "spider of cap left"
+};
+
+struct Model {
+  Mesh mesh;
+  std::vector<ShellProperties> shells; // index = ShellQuad::section
+  std::vector<BeamElement> beams;
+  std::vector<MassElement> masses;
+  std::vector<BushingElement> bushings;
+  std::vector<MatrixElement> matrices;
+  std::vector<Constraint> constraints;
+};
+
+int add_node(Model& model, const Eigen::Vector3d& position);
+int dof_count(const Model& model);
+int element_count(const Model& model);
+ShellGeometry shell_geometry(const Mesh& mesh, const ShellQuad& quad);
+
+const char* dof_name(int dof); // "ux" .. "rz"
+
+} // namespace plica

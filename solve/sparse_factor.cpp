@@ -1,0 +1,160 @@
+#include "solve/sparse_factor.hpp"
+
+#include <cholmod.h>
+#include <cstring>
+#include <omp.h>
+#include <stdexcept>
+#include <sys/resource.h>
+
+// OpenBLAS has its own threads; with another BLAS the symbol is absent and BLAS keeps its default.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace plica {
+
+struct SparseFactor::Impl {
+  mutable cholmod_common common{};
+  cholmod_factor* factor = nullptr; // owned
+  mutable cholmod_dense* x = nullptr; // owned: workspaces of the single solve
+  mutable cholmod_dense* y = nullptr;
+  mutable cholmod_dense* e = nullptr;
+  Factorisation kind;
+  int rows = 0;
+
+  Impl(Factorisation k, int n) : kind(k), rows(n) {
+    cholmod_start(&common);
+    common.print = 0;
+    common.error_handler = nullptr;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_METIS;
+    common.postorder = 1;
+    common.supernodal = k == Factorisation::cholesky ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+    common.final_ll = k == Factorisation::cholesky;
+    common.quick_return_if_not_posdef = 1;
+  }
+  ~Impl() {
+    cholmod_free_dense(&x, &common);
+    cholmod_free_dense(&y, &common);
+    cholmod_free_dense(&e, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+};
+
+namespace {
+
+// A view of an Eigen matrix; CHOLMOD does not change it.
+cholmod_sparse view(const SparseMatrix& A) {
+  cholmod_sparse v{};
+  v.nrow = static_cast<std::size_t>(A.rows());
+  v.ncol = static_cast<std::size_t>(A.cols());
+  v.nzmax = static_cast<std::size_t>(A.nonZeros());
+  v.p = const_cast<int*>(A.outerIndexPtr());
+  v.i = const_cast<int*>(A.innerIndexPtr());
+  v.x = const_cast<double*>(A.valuePtr());
+  v.stype = -1;
+  v.itype = CHOLMOD_INT;
+  v.xtype = CHOLMOD_REAL;
+  v.dtype = CHOLMOD_DOUBLE;
+  v.sorted = 1;
+  v.packed = 1;
+  return v;
+}
+
+cholmod_dense view(const double* b, Eigen::Index rows, Eigen::Index columns) {
+  cholmod_dense v{};
+  v.nrow = v.d = static_cast<std::size_t>(rows);
+  v.ncol = static_cast<std::size_t>(columns);
+  v.nzmax = v.nrow * v.ncol;
+  v.x = const_cast<double*>(b);
+  v.xtype = CHOLMOD_REAL;
+  v.dtype = CHOLMOD_DOUBLE;
+  return v;
+}
+
+std::string words(int status) {
+  switch (status) {
+  case CHOLMOD_OUT_OF_MEMORY: return "not enough memory";
+  case CHOLMOD_TOO_LARGE: return "the factor is too large for 32-bit indices";
+  case CHOLMOD_NOT_INSTALLED: return "CHOLMOD was built without this method";
+  case CHOLMOD_INVALID: return "the matrix is not valid";
+  default: return "CHOLMOD status " + std::to_string(status);
+  }
+}
+
+} // namespace
+
+SparseFactor::SparseFactor(const SparseMatrix& pattern, Factorisation kind)
+    : impl_(std::make_unique<Impl>(kind, static_cast<int>(pattern.rows()))) {
+  cholmod_sparse A = view(pattern);
+  impl_->factor = cholmod_analyze(&A, &impl_->common);
+  if (impl_->factor == nullptr)
+    throw std::runtime_error("sparse analysis failed: " + words(impl_->common.status));
+}
+
+SparseFactor::~SparseFactor() = default;
+SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
+SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
+
+FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
+  cholmod_sparse A = view(lower);
+  cholmod_common& c = impl_->common;
+  c.status = CHOLMOD_OK;
+  const bool done = cholmod_factorize(&A, impl_->factor, &c) != 0;
+  if (!done || c.status < CHOLMOD_OK)
+    throw std::runtime_error("sparse factorisation failed: " + words(c.status));
+  const bool cut_short = impl_->factor->minor < impl_->factor->n;
+  if (!cut_short && c.status == CHOLMOD_OK) return {.ok = true, .failed_column = -1, .reason = ""};
+  const int* order = static_cast<const int*>(impl_->factor->Perm);
+  const int column = cut_short ? order[impl_->factor->minor] : -1;
+  return {.ok = false,
+          .failed_column = column,
+          .reason = impl_->kind == Factorisation::cholesky ? "the matrix is not positive definite"
+                                                           : "a pivot is zero"};
+}
+
+Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
+  cholmod_dense B = view(b.data(), b.rows(), b.cols());
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
+  if (x == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
+  Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(x->x), b.rows(), b.cols());
+  cholmod_free_dense(&x, &impl_->common);
+  return result;
+}
+
+void SparseFactor::solve(const double* b, double* x) const {
+  cholmod_dense B = view(b, impl_->rows, 1);
+  if (cholmod_solve2(CHOLMOD_A, impl_->factor, &B, nullptr, &impl_->x, nullptr, &impl_->y,
+                     &impl_->e, &impl_->common) == 0)
+    throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
+  std::memcpy(x, impl_->x->x, sizeof(double) * static_cast<std::size_t>(impl_->rows));
+}
+
+int SparseFactor::rows() const { return impl_->rows; }
+
+int SparseFactor::negative_pivots() const {
+  const cholmod_factor& L = *impl_->factor;
+  const int* p = static_cast<const int*>(L.p);
+  const double* x = static_cast<const double*>(L.x);
+  int count = 0;
+  for (std::size_t j = 0; j < L.n; ++j) count += x[p[j]] < 0;
+  return count;
+}
+
+double SparseFactor::factor_entries() const { return impl_->common.lnz; }
+double SparseFactor::factor_flops() const { return impl_->common.fl; }
+
+void set_threads(int threads) {
+  const int n = threads > 0 ? threads : omp_get_num_procs();
+  omp_set_num_threads(n);
+  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(n);
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * double(usage.ru_maxrss);
+}
+
+} // namespace plica

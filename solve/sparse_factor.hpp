@@ -1,0 +1,56 @@
+// CHOLMOD (Chen, Davis, Hager & Rajamanickam, ACM TOMS 35 (2008) 22), wrapped once.
+//
+// A = L L' (supernodal, for solves) or P' L D L' P (simplicial, for counting negative pivots; it
+// does not pivot for size, so a count is to be trusted only away from the spectrum). The pattern is
+// analysed once; matrices of the same pattern are factored again without a new analysis.
+#pragma once
+
+#include "solve/assembly.hpp"
+
+#include <memory>
+#include <string>
+
+namespace plica {
+
+enum class Factorisation { cholesky, ldlt };
+
+struct FactorStatus {
+  bool ok = false;
+  int failed_column = -1; // Cholesky: the column whose pivot is not positive
+  std::string reason;     // why not ok, in words
+};
+
+class SparseFactor {
+public:
+  // Analyses the pattern of a symmetric matrix (lower triangle). Throws std::runtime_error when
+  // memory is short.
+  explicit SparseFactor(const SparseMatrix& pattern, Factorisation kind = Factorisation::cholesky);
+  ~SparseFactor();
+  SparseFactor(SparseFactor&&) noexcept;
+  SparseFactor& operator=(SparseFactor&&) noexcept;
+
+  // Factors a matrix with the pattern analysed. Not positive definite is a status, not an error.
+  FactorStatus factorise(const SparseMatrix& lower);
+
+  // A^-1 b for all columns at once. Needs a successful factorise().
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  // The same for one vector of rows() numbers, without allocation after the first call.
+  void solve(const double* b, double* x) const;
+
+  int rows() const;
+  int negative_pivots() const; // ldlt only
+  double factor_entries() const;
+  double factor_flops() const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Threads of OpenMP regions and of BLAS. 0 = all cores.
+void set_threads(int threads);
+
+// Peak resident memory of this process in bytes.
+double peak_memory();
+
+} // namespace plica

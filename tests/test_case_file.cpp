@@ -1,0 +1,263 @@
+// The case file: what is wrong in it is said exactly, what is right in it is read.
+//
+// tests/broken_cases holds one file per mistake and, beside it, the exact text of the error; names
+// that begin with "measured_" are files of measured data, except measured_missing.yaml.
+#include "diagnose/measured_fields.hpp"
+#include "io/case_checks.hpp"
+#include "io/case_file.hpp"
+#include "io/did_you_mean.hpp"
+#include "io/measured_file.hpp"
+#include "io/units.hpp"
+#include "io/yaml_path.hpp"
+#include "io/yaml_tree.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace plica {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = PLICA_SOURCE_DIR;
+const fs::path a2 = source / "cases/bellow_a2/bellow_a2.yaml";
+
+std::vector<fs::path> yaml_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool is_measured(const fs::path& path) {
+  const std::string name = path.filename();
+  return name == "measured.yaml" ||
+         (name.starts_with("measured_") && name != "measured_missing.yaml");
+}
+
+// The problems of a file, one per line, with its name without folder; empty if it is good.
+std::string problems_of(const fs::path& path) {
+  try {
+    if (is_measured(path))
+      read_measured(path);
+    else
+      read_case(path);
+  } catch (const InputError& error) {
+    std::string text;
+    for (InputProblem problem : error.problems()) {
+      problem.file = fs::path(problem.file).filename();
+      text += to_string(problem) + "\n";
+    }
+    return text;
+  }
+  return "";
+}
+
+TEST(BrokenCase, every_file_gives_exactly_the_expected_error) {
+  int files = 0;
+  for (const fs::path& path : yaml_files(source / "tests/broken_cases")) {
+    fs::path expected = path;
+    expected.replace_extension(".expected");
+    EXPECT_EQ(problems_of(path), text_of(expected)) << path;
+    EXPECT_FALSE(text_of(expected).empty()) << expected << " is missing or empty";
+    ++files;
+  }
+  EXPECT_GE(files, 45);
+}
+
+TEST(BrokenCase, missing_file_and_directory_are_named) {
+  EXPECT_EQ(problems_of(source / "nowhere.yaml"),
+            "nowhere.yaml: file not found; give the path of a YAML file\n");
+  EXPECT_EQ(problems_of(source / "cases"), "cases: is a directory; give the path of a YAML file\n");
+}
+
+TEST(BrokenCase, no_cut_or_changed_byte_of_a_good_file_crashes) {
+  const std::string good = text_of(a2);
+  const fs::path path = fs::temp_directory_path() / "plica_cut_case.yaml";
+  const auto try_text = [&](const std::string& text) {
+    std::ofstream(path) << text;
+    problems_of(path); // may be good or bad, must return
+  };
+  for (std::size_t n = 0; n < good.size(); n += 61) try_text(good.substr(0, n));
+  for (std::size_t i = 1500; i < good.size(); i += 17) {
+    std::string changed = good;
+    changed[i] = "[]{}:,-\"'#&*!|>%@`\n0.x"[i % 22];
+    try_text(changed);
+  }
+  fs::remove(path);
+}
+
+TEST(ShippedCases, all_are_read_without_a_problem) {
+  int cases = 0;
+  for (const fs::path& path : yaml_files(source / "cases")) {
+    EXPECT_EQ(problems_of(path), "") << path;
+    ++cases;
+  }
+  EXPECT_GE(cases, 17);
+}
+
+TEST(ShippedCases, measured_data_belong_to_the_case_beside_them) {
+  for (const fs::path& path : yaml_files(source / "cases")) {
+    if (is_measured(path)) continue;
+    const Case data = read_case(path).data;
+    EXPECT_EQ(data.name, path.stem().string());
+    if (data.measured.empty()) continue;
+    EXPECT_EQ(read_measured(path.parent_path() / data.measured).specimen, data.name);
+  }
+}
+
+TEST(ReadCase, a2_has_the_numbers_of_its_file_in_si) {
+  const CaseFile file = read_case(a2);
+  const Case& data = file.data;
+  EXPECT_EQ(data.materials.at("steel").E, 193e9);
+  const auto& bellows = std::get<Bellows>(data.parts.at(0).body);
+  EXPECT_DOUBLE_EQ(bellows.root_radius, 0.065);
+  ASSERT_EQ(bellows.profile.size(), 3u);
+  EXPECT_EQ(bellows.profile[1].shape, SectionShape::u);
+  EXPECT_EQ(bellows.profile[1].count, 27);
+  EXPECT_EQ(bellows.wall.plies, (std::vector<double>{0.25e-3, 0.25e-3}));
+  EXPECT_EQ(bellows.wall.bond, 0);
+  EXPECT_EQ(bellows.mesh.accuracy, 0.01);
+  EXPECT_EQ(std::get<Interlock>(data.parts.at(1).body).attachment, Attachment::synchronous);
+  ASSERT_EQ(data.mount.size(), 2u);
+  EXPECT_EQ(data.mount[0].kind, MountKind::rigid);
+  EXPECT_EQ(data.analyses.modes->count, 10);
+  EXPECT_EQ(data.variants.at(2).set.at("parts.bellows.wall.plies"), "[0.5 mm]");
+}
+
+TEST(ReadCase, every_key_knows_its_line) {
+  const CaseFile file = read_case(a2);
+  std::ifstream stream(a2);
+  std::vector<std::string> lines{""};
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  const auto line = [&](const char* key) { return lines.at(file.lines.at(key)); };
+  EXPECT_NE(line("parts.bellows.profile[1].height").find("height: 8 mm"), std::string::npos);
+  EXPECT_NE(line("parts.bellows.wall.plies[1]").find("0.25 mm"), std::string::npos);
+  EXPECT_NE(line("mount.left").find("left: rigid"), std::string::npos);
+}
+
+TEST(ReadCase, overrides_replace_and_add_values) {
+  const Case data = read_case(a2, {{"parts.bellows.profile[1].height", "7 mm"},
+                                   {"parts.bellows.wall.plies", "[0.5 mm]"},
+                                   {"parts.interlock.GJ", "14 N m2"}})
+                        .data;
+  const auto& bellows = std::get<Bellows>(data.parts.at(0).body);
+  EXPECT_DOUBLE_EQ(bellows.profile[1].height, 7e-3);
+  EXPECT_EQ(bellows.wall.plies.size(), 1u);
+  EXPECT_EQ(std::get<Interlock>(data.parts.at(1).body).GJ, 14);
+}
+
+TEST(ReadCase, every_variant_of_the_shipped_cases_can_be_read_by_itself) {
+  for (const fs::path& path : yaml_files(source / "cases")) {
+    if (is_measured(path)) continue;
+    for (const Variant& variant : read_case(path).data.variants)
+      EXPECT_NO_THROW(read_case(path, variant.set)) << path << " " << variant.name;
+  }
+}
+
+TEST(ReadCase, an_override_that_does_not_exist_is_an_error) {
+  try {
+    read_case(a2, {{"parts.belows.root_radius", "60 mm"}});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'bellows'?"), std::string::npos);
+  }
+}
+
+TEST(ReadMeasured, hose_b_has_the_ten_levels) {
+  const Measured data = read_measured(source / "cases/hose_b/measured.yaml");
+  ASSERT_EQ(data.peaks.size(), 2u);
+  EXPECT_EQ(data.peaks[0].level.size(), 10u);
+  EXPECT_EQ(data.peaks[0].frequency.back(), 78);
+  EXPECT_EQ(data.statics.at(2).value, 17380);
+  EXPECT_FALSE(data.statics.at(0).sigma.has_value());
+}
+
+TEST(Units, quantities_are_read_into_si) {
+  const auto value = [](const char* text, Dimension dimension) {
+    const ParsedQuantity q = parse_quantity(text, dimension);
+    EXPECT_EQ(q.wrong, "") << text;
+    return q.value;
+  };
+  EXPECT_DOUBLE_EQ(value("0.25 mm", Dimension::length), 0.25e-3);
+  EXPECT_DOUBLE_EQ(value("0.25mm", Dimension::length), 0.25e-3);
+  EXPECT_DOUBLE_EQ(value("+2e-3", Dimension::length), 2e-3);
+  EXPECT_DOUBLE_EQ(value(".5 um", Dimension::length), 0.5e-6);
+  EXPECT_DOUBLE_EQ(value("193 GPa", Dimension::pressure), 193e9);
+  EXPECT_DOUBLE_EQ(value("54.4 kN/m", Dimension::stiffness), 54400);
+  EXPECT_DOUBLE_EQ(value("2 %", Dimension::ratio), 0.02);
+  EXPECT_DOUBLE_EQ(value("7 Nm/rad", Dimension::rotational_stiffness), 7);
+  EXPECT_DOUBLE_EQ(value("1 Nm/deg", Dimension::rotational_stiffness), 57.29577951308232);
+  EXPECT_DOUBLE_EQ(value("7850 kg/m3", Dimension::density), 7850);
+  EXPECT_DOUBLE_EQ(value("7850 kg/m^3", Dimension::density), 7850);
+  EXPECT_DOUBLE_EQ(value("7850 kg/m³", Dimension::density), 7850);
+  EXPECT_DOUBLE_EQ(value("1 kg/m", Dimension::mass_per_length), 1);
+  EXPECT_DOUBLE_EQ(value("180 deg", Dimension::angle), 3.14159265358979);
+  EXPECT_DOUBLE_EQ(value("1.5 kHz", Dimension::frequency), 1500);
+  EXPECT_DOUBLE_EQ(value("5 g", Dimension::mass), 5e-3);
+  EXPECT_DOUBLE_EQ(value("1 g", Dimension::acceleration), 9.80665);
+  EXPECT_DOUBLE_EQ(value("2 kg*m2", Dimension::inertia), 2);
+  EXPECT_DOUBLE_EQ(value("10 kN", Dimension::force), 1e4);
+  EXPECT_DOUBLE_EQ(value("3 N m2", Dimension::section_stiffness), 3);
+}
+
+TEST(Units, what_is_no_quantity_is_refused_with_the_allowed_units) {
+  for (const char* text : {"", " ", "mm", "1,5 mm", "0x10", "1e999", "nan", "-inf", ".inf",
+                           "1 mm mm", "--1", "+-1", "1 kg", "1 MM2", "1 mm/s", "1e", "1 \n2"})
+    EXPECT_NE(parse_quantity(text, Dimension::length).wrong, "") << text;
+  EXPECT_EQ(parse_quantity("5 kg", Dimension::length).wrong, "'5 kg' is a mass");
+  EXPECT_EQ(parse_quantity("5 Mpa", Dimension::pressure).allowed,
+            "did you mean 'MPa'? allowed: a pressure in Pa, kPa, MPa or GPa (plain number: Pa)");
+}
+
+TEST(DidYouMean, distances_are_those_of_single_edits) {
+  EXPECT_EQ(edit_distance("height", "height"), 0);
+  EXPECT_EQ(edit_distance("heigth", "height"), 1); // two letters swapped
+  EXPECT_EQ(edit_distance("hight", "height"), 1);
+  EXPECT_EQ(edit_distance("Height", "height"), 0);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+}
+
+TEST(DidYouMean, only_near_words_are_suggested) {
+  const std::vector<std::string> words{"height", "pitch", "count"};
+  EXPECT_EQ(nearest_word("heigt", words), "height");
+  EXPECT_EQ(nearest_word("colour", words), "");
+  EXPECT_EQ(nearest_word("", words), "");
+  EXPECT_EQ(nearest_word(std::string(100000, 'a'), words), "");
+  EXPECT_EQ(suggestion("x", words), "allowed: height, pitch, count");
+}
+
+TEST(YamlTree, written_values_are_read_back_as_they_were) {
+  for (const char* text :
+       {"{a: 1, b: [x, \"y: z\", ~], c: {d: 0.25 mm}}", "[\"- a\", \"\", \"true\", \"a\\nb\"]",
+        "-5 mm", "\"# no comment\"", "[54.4 kN/m, 193 GPa, 2 %]", "\"null\"", "\"{\""}) {
+    std::vector<InputProblem> problems;
+    const std::string once = to_yaml(parse_yaml(text, "", problems));
+    const std::string twice = to_yaml(parse_yaml(once, "", problems));
+    EXPECT_TRUE(problems.empty()) << once;
+    EXPECT_EQ(once, twice);
+    EXPECT_EQ(once, text);
+  }
+}
+
+TEST(SetNames, are_those_of_the_parts) {
+  const std::vector<std::string> names = set_names(read_case(a2).data);
+  for (const char* name : {"bellows.left", "bellows.convolution[27]", "bellows.root[28]",
+                           "bellows.cuff.right", "interlock.start"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  EXPECT_EQ(std::find(names.begin(), names.end(), "bellows.crown[28]"), names.end());
+}
+
+} // namespace
+} // namespace plica
