@@ -1,6 +1,7 @@
 #include "io/case_file.hpp"
 
 #include "io/case_checks.hpp"
+#include "io/check_log.hpp"
 #include "io/did_you_mean.hpp"
 #include "io/field_reader.hpp"
 #include "io/yaml_path.hpp"
@@ -48,19 +49,25 @@ Case read_tree(const YamlNode& root, const std::string& path, ReadLog& log) {
   return data;
 }
 
+std::string below(std::string map, const std::string& key) {
+  return map.append(1, '.').append(key);
+}
+
 // Line of the entry of a variant that changed this key.
 int line_of_change(const Variant& variant, const std::string& place, const std::string& key,
                    const std::map<std::string, int>& lines) {
+  const std::string set = place + ".set";
   for (const auto& [path, value] : variant.set)
-    if (is_below(key, path) || is_below(path, key)) return line_of(place + ".set." + path, lines);
-  return line_of(place + ".set", lines);
+    if (is_below(key, path) || is_below(path, key)) return line_of(below(set, path), lines);
+  return line_of(set, lines);
 }
 
 // Problems a variant has beyond those of the nominal case.
 void check_variant(YamlNode tree, const Variant& variant, const std::string& place,
                    const std::string& path, const ReadLog& nominal, ReadLog& log) {
+  const std::string set = place + ".set";
   for (const auto& [where, value] : variant.set) {
-    const std::string key = place + ".set." + where;
+    const std::string key = below(set, where);
     const int line = line_of(key, nominal.lines);
     const bool itself = is_below(where, "variants");
     const PathProblem problem =

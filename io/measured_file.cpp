@@ -1,6 +1,7 @@
 #include "io/measured_file.hpp"
 
 #include "diagnose/measured_fields.hpp"
+#include "io/check_log.hpp"
 #include "io/did_you_mean.hpp"
 #include "io/field_reader.hpp"
 
@@ -11,10 +12,6 @@
 namespace plica {
 
 namespace {
-
-std::string item(const char* list, std::size_t i) {
-  return std::string(list) + "[" + std::to_string(i) + "]";
-}
 
 int line(const ReadLog& log, const std::string& key) {
   const auto found = log.lines.find(key);

@@ -113,7 +113,8 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
   Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
   const double scale = exaggeration * selection.size / largest;
   for (std::size_t node = 0; node < scene.points.size(); ++node) {
-    scene.points[node] += scale * shape.row(static_cast<int>(node)).head<3>().transpose();
+    const Eigen::Vector3d u = shape.row(static_cast<int>(node)).head<3>().transpose();
+    if (u.allFinite()) scene.points[node] += scale * u;
   }
   scene.colour = [&](const int* corners, int count, double shade) {
     double sum = 0;

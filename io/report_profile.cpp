@@ -1,7 +1,6 @@
 #include "io/report_profile.hpp"
 
-#include "io/report_markup.hpp"
-#include "io/results_text.hpp"
+#include "io/report_drafting.hpp"
 
 #include <fmt/format.h>
 
@@ -70,43 +69,6 @@ struct Window {
   double y(double r) const { return margin_top + height - scale * (r - r0); }
 };
 
-std::string line(double x1, double y1, double x2, double y2, const std::string& css) {
-  return fmt::format(
-      "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", css, x1, y1,
-      x2, y2);
-}
-
-std::string arrow(double x, double y, double dx, double dy) {
-  return fmt::format("<path class=\"arrow\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}z\"/>\n",
-                     x, y, x - 8 * dx - 3 * dy, y - 8 * dy - 3 * dx, x - 8 * dx + 3 * dy,
-                     y - 8 * dy + 3 * dx);
-}
-
-// Four digits, without zeros at the end.
-std::string millimetres(double metres) {
-  std::string text = significant(1e3 * metres, 4);
-  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-// Dimension line with arrows at both ends; the text in its middle, above or to the right.
-std::string horizontal_dimension(double x1, double x2, double y, const std::string& text) {
-  return line(x1, y, x2, y, "thin") + arrow(x1, y, -1, 0) + arrow(x2, y, 1, 0) +
-         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
-                     (x1 + x2) / 2, y - 7, text);
-}
-
-std::string vertical_dimension(double x, double y1, double y2, const std::string& text,
-                               bool text_on_left) {
-  return line(x, y1, x, y2, "thin") + arrow(x, y1, 0, y1 < y2 ? -1 : 1) +
-         arrow(x, y2, 0, y1 < y2 ? 1 : -1) +
-         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n",
-                     text_on_left ? x - 7 : x + 7, (y1 + y2) / 2 + 4,
-                     text_on_left ? "end" : "start", text);
-}
-
 std::string meridian_path(const Profile& profile, const Window& window, std::size_t first,
                           std::size_t last) {
   std::string path;
@@ -134,18 +96,18 @@ std::string half_section(const Profile& p) {
   window.margin_left = (width - window.scale * (p.right - p.left)) / 2;
   const double x1 = window.x(p.left), x2 = window.x(p.right), axis = window.y(0);
   std::string body = meridian_path(p, window, 0, p.points.size() - 1);
-  body += line(x1 - 12, axis, x2 + 12, axis, "axis");
-  for (const double x : {x1, x2}) body += line(x, axis, x, 18, "thin");
-  body += horizontal_dimension(x1, x2, 24, millimetres(p.right - p.left));
+  body += drawn_line(x1 - 12, axis, x2 + 12, axis, "axis");
+  for (const double x : {x1, x2}) body += drawn_line(x, axis, x, 18, "thin");
+  body += horizontal_dimension(x1, x2, 24, drawn_length(p.right - p.left));
   const auto low = std::find_if(p.points.begin(), p.points.end(),
                                 [&](const auto& point) { return point[1] == p.low; });
-  body += line(x1 - 36, window.y(p.low), window.x((*low)[0]), window.y(p.low), "thin");
-  body += vertical_dimension(x1 - 28, window.y(p.low), axis, "r " + millimetres(p.low), true);
+  body += drawn_line(x1 - 36, window.y(p.low), window.x((*low)[0]), window.y(p.low), "thin");
+  body += vertical_dimension(x1 - 28, window.y(p.low), axis, "r " + drawn_length(p.low), true);
   if (p.high - p.low > 1e-6 * p.high) {
     const std::size_t top_point = p.crowns.empty() ? p.points.size() - 1 : p.crowns.back();
-    body +=
-        line(window.x(p.points[top_point][0]), window.y(p.high), x2 + 36, window.y(p.high), "thin");
-    body += vertical_dimension(x2 + 28, window.y(p.high), axis, "r " + millimetres(p.high), false);
+    body += drawn_line(window.x(p.points[top_point][0]), window.y(p.high), x2 + 36,
+                       window.y(p.high), "thin");
+    body += vertical_dimension(x2 + 28, window.y(p.high), axis, "r " + drawn_length(p.high), false);
   }
   return svg(width, axis + bottom, "half section of the shell", body);
 }
@@ -169,12 +131,12 @@ std::string convolution_detail(const Profile& p) {
   const double low = window.y(root[1]), high = window.y(crown[1]);
   std::string body = meridian_path(p, window, first, last);
   for (const auto& point : {crown, next}) {
-    body += line(window.x(point[0]), high, window.x(point[0]), 18, "thin");
+    body += drawn_line(window.x(point[0]), high, window.x(point[0]), 18, "thin");
   }
-  body += horizontal_dimension(window.x(crown[0]), window.x(next[0]), 24, millimetres(pitch));
-  body += line(left - 22, low, window.x(root[0]), low, "thin");
-  body += line(left - 22, high, window.x(crown[0]), high, "thin");
-  body += vertical_dimension(left - 14, high, low, millimetres(crown[1] - root[1]), true);
+  body += horizontal_dimension(window.x(crown[0]), window.x(next[0]), 24, drawn_length(pitch));
+  body += drawn_line(left - 22, low, window.x(root[0]), low, "thin");
+  body += drawn_line(left - 22, high, window.x(crown[0]), high, "thin");
+  body += vertical_dimension(left - 14, high, low, drawn_length(crown[1] - root[1]), true);
   return svg(width, low + bottom, "first convolutions, enlarged", body);
 }
 
@@ -191,7 +153,7 @@ std::string profile_drawing(const Results& results) {
   }
   if (profile.thickness > 0) {
     caption += fmt::format("; wall {} mm on average, drawn to scale where it can be seen",
-                           millimetres(profile.thickness));
+                           drawn_length(profile.thickness));
   }
   return "<figure>\n<div class=\"drawings\">\n" + half_section(profile) +
          convolution_detail(profile) + "</div>\n<figcaption>" + caption +

@@ -2,22 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace plica {
 namespace {
 
-double side_of(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double x, double y) {
-  return (to.x() - from.x()) * (y - from.y()) - (to.y() - from.y()) * (x - from.x());
-}
+// Pixels [first, last] of a row whose centres lie in the polygon; last < first: none.
+struct Span {
+  int first = 0, last = -1;
+};
 
-bool contains(const Polygon& polygon, double x, double y) {
-  bool left = false, right = false;
+Span span_at(const Polygon& polygon, double y, int width) {
+  double left = width, right = -1;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const double side = side_of(polygon[i], polygon[(i + 1) % polygon.size()], x, y);
-    left = left || side > 0;
-    right = right || side < 0;
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a.y() < y) == (b.y() < y)) continue;
+    const double x = a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
+    left = std::min(left, x);
+    right = std::max(right, x);
   }
-  return !(left && right);
+  return {std::max(0, static_cast<int>(std::ceil(left - 0.5))),
+          std::min(width - 1, static_cast<int>(std::floor(right - 0.5)))};
 }
 
 } // namespace
@@ -26,21 +31,16 @@ std::vector<bool> visible(const std::vector<Polygon>& polygons, int width, int h
   std::vector<int> canvas(static_cast<std::size_t>(width) * height, -1);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     if (polygons[i].size() < 3) continue;
-    Eigen::Vector2d low = polygons[i][0], high = low;
+    double low = height, high = 0;
     for (const Eigen::Vector2d& corner : polygons[i]) {
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
+      low = std::min(low, corner.y());
+      high = std::max(high, corner.y());
     }
-    const int x1 = std::max(0, static_cast<int>(std::floor(low.x())));
-    const int y1 = std::max(0, static_cast<int>(std::floor(low.y())));
-    const int x2 = std::min(width - 1, static_cast<int>(std::ceil(high.x())));
-    const int y2 = std::min(height - 1, static_cast<int>(std::ceil(high.y())));
-    for (int y = y1; y <= y2; ++y) {
-      for (int x = x1; x <= x2; ++x) {
-        if (contains(polygons[i], x + 0.5, y + 0.5)) {
-          canvas[static_cast<std::size_t>(y) * width + x] = static_cast<int>(i);
-        }
-      }
+    const int last = std::min(height - 1, static_cast<int>(std::ceil(high)));
+    for (int y = std::max(0, static_cast<int>(std::floor(low))); y <= last; ++y) {
+      const Span span = span_at(polygons[i], y + 0.5, width);
+      int* row = canvas.data() + static_cast<std::ptrdiff_t>(y) * width;
+      for (int x = span.first; x <= span.last; ++x) row[x] = static_cast<int>(i);
     }
   }
   std::vector<bool> seen(polygons.size(), false);

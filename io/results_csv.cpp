@@ -68,8 +68,8 @@ std::string static_csv(const Results& results) {
 }
 
 std::string comparison_csv(const Results& results) {
-  std::string text = line({"quantity", "unit of measured, sigma and computed", "measured", "sigma",
-                           "computed", "deviation [%]", "deviation [sigma]"});
+  std::string text = line(
+      {"quantity", "unit", "measured", "sigma", "computed", "deviation [%]", "deviation [sigma]"});
   for (const MeasuredComparison& row : results.comparison) {
     text += line({row.quantity, row.unit, number(row.measured),
                   row.sigma > 0 ? number(row.sigma) : "", number(row.computed),

@@ -180,6 +180,7 @@ private:
   }
   template <class E> static std::vector<std::string> words_of(const std::vector<Named<E>>& names) {
     std::vector<std::string> result;
+    result.reserve(names.size());
     for (const Named<E>& n : names) result.emplace_back(n.name);
     return result;
   }

@@ -54,7 +54,8 @@ const DimensionInfo& info(Dimension dimension) {
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
 }
 
@@ -114,6 +115,10 @@ std::string short_number(double value) {
   return {buffer, end.ptr};
 }
 
+std::string millimetres(double length) {
+  return short_number(length * 1000) + " mm";
+}
+
 ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
   const std::string quoted = "'" + shown(text) + "'";
   std::string_view rest = text;
@@ -158,14 +163,15 @@ std::string describe(const Quantity& q, Dimension unit) {
   return unit_list(unit) + (bounds.empty() ? "" : "," + bounds);
 }
 
-std::string quantity_pattern(Dimension dimension) {
+std::string quantity_pattern(Dimension dimension, bool negative) {
   std::string units;
   for (const std::string& name : units_of(dimension)) {
     std::string unit = name;
     replace_all(unit, " ", "[ *]*");
     units += (units.empty() ? "" : "|") + unit;
   }
-  const std::string number = "^[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?";
+  const std::string sign = negative ? "^[+-]?" : "^[+]?";
+  const std::string number = sign + "([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?";
   return number + (units.empty() ? "$" : "( *(" + units + "))?$");
 }
 

@@ -32,9 +32,12 @@ std::string name_of(Dimension dimension);
 std::string describe(const Quantity& quantity, Dimension unit);
 
 // Regular expression for such a string, for the JSON schema.
-std::string quantity_pattern(Dimension dimension);
+std::string quantity_pattern(Dimension dimension, bool negative);
 
 // Shortest text of a number for messages: 6 significant digits, no trailing zeros.
 std::string short_number(double value);
+
+// A length in m as "6.58 mm".
+std::string millimetres(double length);
 
 } // namespace plica

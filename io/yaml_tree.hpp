@@ -1,4 +1,4 @@
-// A YAML file as a plain tree with line numbers: the only place that knows yaml-cpp.
+// A YAML file as a plain tree with line numbers: yaml_parser.cpp alone knows yaml-cpp.
 //
 // Strict: one document of UTF-8 text, at most 4 MB and 64 levels deep, plain keys, no duplicate
 // keys, no anchors, aliases or tags. Problems are collected, not thrown.
@@ -16,11 +16,11 @@ struct YamlEntry;
 struct YamlNode {
   enum class Kind { null, scalar, list, map };
   Kind kind = Kind::null;
-  int line = 0;                     // from 1
-  bool quoted = false;              // scalar in quotes: text, never a bool
-  std::string text{};               // scalar
-  std::vector<YamlNode> items{};    // list
-  std::vector<YamlEntry> entries{}; // map, in the order of the file
+  int line = 0;                   // from 1
+  bool quoted = false;            // scalar in quotes: text, never a bool
+  std::string text;               // scalar
+  std::vector<YamlNode> items;    // list
+  std::vector<YamlEntry> entries; // map, in the order of the file
 
   const YamlNode* find(const std::string& key) const;
   YamlNode* find(const std::string& key);

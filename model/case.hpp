@@ -5,6 +5,8 @@
 // lengths. The YAML keys, their units, bounds and meaning are described once, in case_fields.hpp.
 #pragma once
 
+#include "elements/shell_mitc4.hpp"
+
 #include <array>
 #include <map>
 #include <optional>
@@ -53,11 +55,11 @@ struct Wall {
 struct MeshDensity {
   int around = 0;      // elements around the circumference; 0 = from accuracy
   int arc = 0;         // elements per quarter of a circular arc
-  int wall = 0;        // elements per straight wall
+  int wall = 0;        // elements per straight wall or cuff
   double accuracy = 0; // relative error aimed at in stiffness; 0 = counts given
 };
 
-enum class Membrane { displacement, mitc4_plus, incompatible };
+using Membrane = MembraneStrain;
 
 struct Bellows {
   std::string material;

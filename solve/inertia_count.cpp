@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace plica {
 namespace {
@@ -11,23 +11,54 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// DOFs where the vectors are large and independent of each other: `rounds` rounds of pivoted QR,
-// each on the DOFs the earlier ones left.
-std::vector<int> pivot_dofs(const SparseMatrix& M, const MatrixXd& vectors, int rounds) {
-  const VectorXd weight = VectorXd(M.diagonal()).cwiseMax(0).cwiseSqrt();
+// DOFs within `steps` steps of the graph of K around the given ones.
+std::vector<int> neighbourhood(const SparseMatrix& K, std::vector<int> front, int steps,
+                               std::vector<bool>& seen) {
+  std::vector<int> patch;
+  for (int step = 0; step <= steps; ++step) {
+    std::vector<int> next;
+    for (int dof : front) {
+      if (!seen[dof]) patch.push_back(dof);
+      seen[dof] = true;
+    }
+    if (step == steps) break;
+    for (int dof : front)
+      for (SparseMatrix::InnerIterator it(K, dof); it; ++it)
+        if (!seen[it.row()]) next.push_back(static_cast<int>(it.row()));
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    front = std::move(next);
+  }
+  return patch;
+}
+
+// DOFs where the vectors are large and independent of each other: `rounds` rounds of pivoted QR.
+// After each round a patch round the chosen DOFs is left out, so that the next ones lie elsewhere:
+// to hold a shell at one more point of the same place would not make it stiffer.
+std::vector<int> pivot_dofs(const SparseMatrix& full, const VectorXd& weight,
+                            const MatrixXd& vectors, int rounds) {
+  constexpr int steps = 8;
   MatrixXd rows = (weight.asDiagonal() * vectors).transpose();
   std::vector<int> chosen;
   for (int round = 0; round < rounds; ++round) {
     const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows);
-    for (Eigen::Index i = 0; i < qr.nonzeroPivots(); ++i) {
-      const int dof = qr.colsPermutation().indices()[i];
-      chosen.push_back(dof);
-      rows.col(dof).setZero();
-    }
+    std::vector<int> now;
+    for (Eigen::Index i = 0; i < qr.nonzeroPivots(); ++i)
+      now.push_back(qr.colsPermutation().indices()[i]);
+    chosen.insert(chosen.end(), now.begin(), now.end());
+    std::vector<bool> seen(full.rows(), false);
+    for (int dof : neighbourhood(full, now, steps, seen)) rows.col(dof).setZero();
   }
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
+}
+
+// Union of two increasing lists.
+std::vector<int> with(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
 }
 
 struct Partition {
@@ -77,17 +108,16 @@ SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma)
 InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double sigma,
                          const MatrixXd& vectors, SparseFactor& factor) {
   const SparseMatrix A = shifted(K, M, sigma);
-  constexpr int first_rounds = 2, attempts = 8;
-  std::vector<int> p = pivot_dofs(M, vectors, first_rounds);
-  for (int attempt = 1; attempt <= attempts; ++attempt) {
+  const SparseMatrix full = K.selfadjointView<Eigen::Lower>();
+  const VectorXd weight = VectorXd(M.diagonal()).cwiseMax(0).cwiseSqrt();
+  constexpr int first_rounds = 6, more_rounds = 4, attempts = 6;
+  std::vector<int> p;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    p = with(p, pivot_dofs(full, weight, vectors, first_rounds + more_rounds * attempt));
     const Partition part = partition(A, p);
     const FactorStatus status = factor.factorise(part.rest);
     if (status.ok) return count_schur(part, factor);
-    // More of the vectors' DOFs, and the one at which Cholesky stopped.
-    for (int dof : pivot_dofs(M, vectors, first_rounds + attempt)) p.push_back(dof);
-    if (status.failed_column >= 0) p.push_back(status.failed_column);
-    std::sort(p.begin(), p.end());
-    p.erase(std::unique(p.begin(), p.end()), p.end());
+    if (status.failed_column >= 0) p = with(p, {status.failed_column});
   }
   InertiaCount none;
   none.removed = static_cast<int>(p.size());

@@ -3,10 +3,10 @@
 // tests/broken_cases holds one file per mistake and, beside it, the exact text of the error; names
 // that begin with "measured_" are files of measured data, except measured_missing.yaml.
 #include "diagnose/measured_fields.hpp"
-#include "io/case_checks.hpp"
 #include "io/case_file.hpp"
 #include "io/did_you_mean.hpp"
 #include "io/measured_file.hpp"
+#include "io/node_sets.hpp"
 #include "io/units.hpp"
 #include "io/yaml_path.hpp"
 #include "io/yaml_tree.hpp"
@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <sstream>
 
 namespace plica {
@@ -202,7 +203,7 @@ TEST(Units, quantities_are_read_into_si) {
   EXPECT_DOUBLE_EQ(value("7850 kg/m^3", Dimension::density), 7850);
   EXPECT_DOUBLE_EQ(value("7850 kg/m³", Dimension::density), 7850);
   EXPECT_DOUBLE_EQ(value("1 kg/m", Dimension::mass_per_length), 1);
-  EXPECT_DOUBLE_EQ(value("180 deg", Dimension::angle), 3.14159265358979);
+  EXPECT_DOUBLE_EQ(value("180 deg", Dimension::angle), std::numbers::pi);
   EXPECT_DOUBLE_EQ(value("1.5 kHz", Dimension::frequency), 1500);
   EXPECT_DOUBLE_EQ(value("5 g", Dimension::mass), 5e-3);
   EXPECT_DOUBLE_EQ(value("1 g", Dimension::acceleration), 9.80665);

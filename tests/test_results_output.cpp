@@ -307,6 +307,15 @@ TEST(Report, closes_every_tag_whatever_is_missing) {
   EXPECT_NE(html.find("one mode is missing"), std::string::npos);
 }
 
+TEST(Report, draws_a_shape_with_holes) {
+  Results r = sample();
+  r.shapes[0](7, 1) = std::numeric_limits<double>::quiet_NaN();
+  r.shapes[1].setZero();
+  const std::string html = report_html(r);
+  EXPECT_EQ(html.find("nan"), std::string::npos);
+  EXPECT_EQ(unbalanced_tag(html), "");
+}
+
 TEST(Report, needs_no_other_file) {
   const std::string html = report_html(sample());
   for (const char* part : {"http:", "https:", "src=", "@import", "<link", "url(//"}) {

@@ -1,0 +1,113 @@
+#include "app/commands.hpp"
+
+#include "app/progress.hpp"
+#include "diagnose/compare.hpp"
+#include "io/case_file.hpp"
+#include "io/measured_file.hpp"
+#include "io/schema.hpp"
+#include "io/summary.hpp"
+#include "io/write_results.hpp"
+#include "mesh/gmsh_session.hpp"
+#include "model/run.hpp"
+#include "solve/sparse_factor.hpp"
+
+#include <fmt/core.h>
+
+namespace plica {
+namespace {
+
+// Gives problems found after reading the file its name and the line of the key.
+template <class F> auto located(const CaseFile& file, F&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& p : problems) {
+      if (!p.file.empty()) continue;
+      p.file = file.path;
+      const auto line = file.lines.find(p.key);
+      if (line != file.lines.end()) p.line = line->second;
+    }
+    throw InputError(problems);
+  }
+}
+
+VariantResult run_variant(const CaseFile& file, const Variant& variant, Progress& progress) {
+  progress.title(file.data.name + ", " + variant.name);
+  CaseFile changed = read_case(file.path, variant.set);
+  if (changed.data.analyses.modes) { // headline numbers only: the first of each shape
+    changed.data.analyses.modes->proof = false;
+  }
+  const Results results = located(
+      file, [&] { return run(changed.data, [&](const std::string& s) { progress.stage(s); }); });
+  VariantResult result{.name = variant.name, .set = {}, .headline = headline(results)};
+  result.set.assign(variant.set.begin(), variant.set.end());
+  return result;
+}
+
+} // namespace
+
+int run_command(const RunOptions& options) {
+  set_threads(options.threads);
+  const CaseFile file = read_case(options.case_path);
+  std::optional<Measured> measured;
+  if (!file.data.measured.empty())
+    measured = read_measured(
+        (std::filesystem::path(file.path).parent_path() / file.data.measured).string());
+
+  Progress progress(options.quiet);
+  progress.title(file.data.name);
+  Results results = located(
+      file, [&] { return run(file.data, [&](const std::string& s) { progress.stage(s); }); });
+  results.plica_version = PLICA_VERSION;
+  if (measured) {
+    results.comparison = compare(results, *measured);
+    for (const std::string& caveat : measured->caveats)
+      results.assumptions.push_back("Measurement: " + caveat);
+  }
+  if (options.variants)
+    for (const Variant& variant : file.data.variants)
+      results.variants.push_back(run_variant(file, variant, progress));
+  progress.title(file.data.name);
+  progress.stage("writing " + options.out.string());
+  write_results(results, options.out);
+  if (options.write_mesh) write_msh(results.mesh, results.lines, options.out / "mesh.msh");
+  progress.finish();
+  if (!options.quiet) fmt::print("{}", summary_text(results, options.out / "report.html"));
+  if (results.verification.made && !results.verification.passed) {
+    fmt::print(stderr, "plica: the proof failed: {}\n", results.verification.reason);
+    return 2;
+  }
+  return 0;
+}
+
+int check_command(const std::string& case_path, int threads) {
+  set_threads(threads);
+  const CaseFile file = read_case(case_path);
+  if (!file.data.measured.empty())
+    read_measured((std::filesystem::path(file.path).parent_path() / file.data.measured).string());
+  const BuiltCase built = located(file, [&] { return build(file.data); });
+  const Estimate cost = located(file, [&] { return estimate(built, file.data.analyses); });
+  const MeshQuality quality = mesh_quality(built.model.mesh);
+  fmt::print("{}: the case is valid\n", case_path);
+  fmt::print("  {} nodes, {} elements, {} degrees of freedom\n", cost.nodes, cost.elements,
+             cost.dofs);
+  if (!built.model.mesh.quads.empty())
+    fmt::print("  mesh: warp at most {:.2g}, aspect ratio at most {:.2g}, Jacobian ratio at least {:.2g}\n",
+               quality.max_warp, quality.max_aspect, quality.min_jacobian);
+  for (const BuiltSensor& sensor : built.sensors)
+    fmt::print("  sensor {}: {:.2f} mm from node {}\n", sensor.name, 1e3 * sensor.distance,
+               sensor.node + 1);
+  const std::size_t runs = 1 + file.data.variants.size();
+  fmt::print("  estimate: {:.1f} GB, {:.0f} s", cost.memory / 1e9, cost.seconds);
+  if (runs > 1) fmt::print(" a run, {} runs with the variants", runs);
+  fmt::print("\n");
+  return 0;
+}
+
+int schema_command(const std::string& what) {
+  fmt::print("{}\n", what == "measured" ? measured_schema() : case_schema());
+  return 0;
+}
+
+} // namespace plica

@@ -1,0 +1,23 @@
+// The commands of plica. Each returns the exit code: 0 good, 2 a numerical verdict failed; user
+// errors are thrown as InputError (exit code 1).
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace plica {
+
+struct RunOptions {
+  std::string case_path;
+  std::filesystem::path out = "out";
+  int threads = 0; // 0 = all cores
+  bool quiet = false;
+  bool write_mesh = false; // mesh.msh beside the results
+  bool variants = true;
+};
+
+int run_command(const RunOptions& options);
+int check_command(const std::string& case_path, int threads);
+int schema_command(const std::string& what); // "case" or "measured"
+
+} // namespace plica

@@ -1,0 +1,62 @@
+// The command line. Exit codes: 0 good, 1 user error, 2 a numerical verdict failed, 3 internal.
+#include "app/commands.hpp"
+#include "model/input_error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <new>
+
+namespace {
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Plica: dynamics of flexible exhaust pipes"};
+  app.set_version_flag("--version", "plica " PLICA_VERSION);
+  app.require_subcommand(1);
+
+  plica::RunOptions run;
+  CLI::App* run_app = app.add_subcommand("run", "statics, modes and report of a case");
+  run_app->add_option("CASE", run.case_path, "case file")->required();
+  run_app->add_option("--out", run.out, "folder for the results")->capture_default_str();
+  run_app->add_option("--threads", run.threads, "threads, 0 = all cores")
+      ->check(CLI::Range(0, 256))->capture_default_str();
+  run_app->add_flag("--quiet", run.quiet, "print errors only");
+  run_app->add_flag("--msh", run.write_mesh, "write mesh.msh (Gmsh) beside the results");
+  run_app->add_flag("!--no-variants", run.variants, "leave the variants of the case out");
+
+  std::string checked;
+  CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");
+  check_app->add_option("CASE", checked, "case file")->required();
+  check_app->add_option("--threads", run.threads, "threads, 0 = all cores")
+      ->check(CLI::Range(0, 256));
+
+  std::string schema = "case";
+  CLI::App* schema_app = app.add_subcommand("schema", "print the JSON Schema of the input files");
+  schema_app->add_option("KIND", schema, "case or measured")
+      ->check(CLI::IsMember({"case", "measured"}))->capture_default_str();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  if (*run_app) return plica::run_command(run);
+  if (*check_app) return plica::check_command(checked, run.threads);
+  return plica::schema_command(schema);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const plica::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "plica: not enough memory for this model\n");
+    return 3;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "plica: {}\n", error.what());
+    return 3;
+  }
+}

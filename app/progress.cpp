@@ -1,0 +1,30 @@
+#include "app/progress.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace plica {
+
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() { finish(); }
+
+void Progress::title(const std::string& name) { title_ = name; }
+
+void Progress::stage(const std::string& name) {
+  if (quiet_) return;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const std::string line = fmt::format("[{:6.1f} s] {}: {}", seconds, title_, name);
+  if (terminal_)
+    fmt::print(stderr, "\r\033[K{}", line);
+  else
+    fmt::print(stderr, "{}\n", line);
+  std::fflush(stderr);
+}
+
+void Progress::finish() {
+  if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+} // namespace plica

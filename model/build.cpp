@@ -1,0 +1,290 @@
+#include "model/build.hpp"
+
+#include "mesh/plate.hpp"
+#include "model/build_bellows.hpp"
+#include "model/input_error.hpp"
+#include "solve/couplings.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::initializer_list<int> all_dofs{0, 1, 2, 3, 4, 5};
+
+[[noreturn]] void fail(const std::string& key, const std::string& wrong,
+                       const std::string& allowed) {
+  throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
+}
+
+Vector3d vector(const Triple& t) { return {t[0], t[1], t[2]}; }
+
+RigidMass rigid_mass(double mass, const Sextuple& J, const Triple& offset) {
+  RigidMass body{.mass = mass, .offset = vector(offset), .inertia = {}};
+  body.inertia << J[0], J[3], J[5], J[3], J[1], J[4], J[5], J[4], J[2];
+  return body;
+}
+
+bool has_mass(double mass, const Sextuple& J) {
+  return mass > 0 || std::any_of(J.begin(), J.end(), [](double v) { return v != 0; });
+}
+
+const std::vector<int>& set_of(const Model& model, const std::string& name,
+                               const std::string& key) {
+  const auto found = model.mesh.sets.find(name);
+  if (found == model.mesh.sets.end())
+    fail(key, "there is no set \"" + name + "\" on the mesh", "the sets of the parts of the case");
+  return found->second;
+}
+
+Vector3d centroid(const Mesh& mesh, const std::vector<int>& nodes) {
+  Vector3d sum = Vector3d::Zero();
+  for (int node : nodes) sum += mesh.nodes[node];
+  return sum / double(nodes.size());
+}
+
+class Builder {
+public:
+  explicit Builder(const Case& data) : case_(data) {}
+
+  BuiltCase build() {
+    for (const Part& part : case_.parts) // shells and beams first: caps and liners refer to them
+      std::visit([&](const auto& body) { add(part.name, body); }, part.body);
+    add_caps();
+    for (const Part& part : case_.parts) {
+      if (const auto* liner = std::get_if<Interlock>(&part.body)) add_liner(part.name, *liner);
+      if (const auto* mass = std::get_if<PointMass>(&part.body)) add_mass(part.name, *mass);
+    }
+    add_mount();
+    for (std::size_t i = 0; i < case_.supports.size(); ++i) {
+      const Support& support = case_.supports[i];
+      const std::string key = "supports[" + std::to_string(i) + "]";
+      add_support(built_.model, set_of(built_.model, support.set, key + ".set"), support.dofs,
+                  "support of " + support.set);
+    }
+    place_sensors();
+    return std::move(built_);
+  }
+
+private:
+  void add(const std::string& name, const Bellows& bellows) {
+    const Meridian meridian = bellows_meridian(bellows);
+    const int section = static_cast<int>(built_.model.shells.size());
+    append(built_.model.mesh, bellows_mesh(bellows, meridian), name, section);
+    const Material& m = case_.materials.at(bellows.material);
+    built_.model.shells.push_back(
+        {{.E = m.E, .nu = m.nu, .rho = m.rho,
+          .bending_factor = ply_bending_factor(bellows.wall.plies, bellows.wall.bond)},
+         bellows.membrane});
+    if (!built_.meridian.empty()) return;
+    for (const auto& curve : mesh_meridian(meridian))
+      for (const MeridianPoint& p : curve)
+        built_.meridian.push_back({p.position.x(), p.position.y()});
+  }
+
+  void add(const std::string& name, const Plate& plate) {
+    const std::array corners{vector(plate.corners[0]), vector(plate.corners[1]),
+                             vector(plate.corners[2]), vector(plate.corners[3])};
+    const int section = static_cast<int>(built_.model.shells.size());
+    append(built_.model.mesh,
+           mesh_plate(corners, plate.elements[0], plate.elements[1], plate.thickness), name,
+           section);
+    const Material& m = case_.materials.at(plate.material);
+    built_.model.shells.push_back({{.E = m.E, .nu = m.nu, .rho = m.rho},
+                                   plate.membrane});
+  }
+
+  void add(const std::string& name, const BeamPart& beam) {
+    const BeamProperties section = beam_properties(beam.section);
+    const int first = add_node(built_.model, vector(beam.points.front()));
+    built_.model.mesh.sets[name + ".point[1]"] = {first};
+    int previous = first;
+    for (std::size_t p = 1; p < beam.points.size(); ++p) {
+      const Vector3d a = vector(beam.points[p - 1]), b = vector(beam.points[p]);
+      for (int e = 1; e <= beam.elements; ++e) {
+        const int next = add_node(built_.model, a + (b - a) * e / beam.elements);
+        built_.model.beams.push_back({.node1 = previous, .node2 = next, .section = section,
+                                      .up = vector(beam.up)});
+        previous = next;
+      }
+      built_.model.mesh.sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
+    }
+    name_line(name, first, previous);
+  }
+
+  void add(const std::string&, const Interlock&) {}
+  void add(const std::string&, const PointMass&) {}
+
+  void name_line(const std::string& name, int first, int last) {
+    auto& sets = built_.model.mesh.sets;
+    sets[name + ".start"] = {first};
+    sets[name + ".end"] = {last};
+    for (int node = first; node <= last; ++node) sets[name + ".all"].push_back(node);
+  }
+
+  BeamProperties beam_properties(const BeamSection& s) const {
+    if (s.shape == BeamShape::general) {
+      constexpr double rigid = std::numeric_limits<double>::infinity();
+      return {.EA = s.EA.value_or(0), .EI_y = s.EI.value_or(0), .EI_z = s.EI.value_or(0),
+              .GJ = s.GJ.value_or(0), .GA_y = s.GA.value_or(rigid), .GA_z = s.GA.value_or(rigid),
+              .mass = s.mass_per_length, .inertia_x = s.polar_inertia_per_length,
+              .inertia_y = s.rotary_inertia_per_length, .inertia_z = s.rotary_inertia_per_length};
+    }
+    const Material& m = case_.materials.at(s.material);
+    const BeamMaterial material{m.E, m.nu, m.rho};
+    if (s.shape == BeamShape::rectangle) return rectangle_section(material, s.width, s.depth);
+    if (s.shape == BeamShape::solid) return round_section(material, s.radius);
+    return pipe_section(material, s.radius, s.thickness);
+  }
+
+  void add_caps() {
+    for (const Cap& cap : case_.caps) {
+      const std::vector<int> circle =
+          set_of(built_.model, cap.of, "caps." + cap.name + ".of");
+      const int node = add_node(built_.model, centroid(built_.model.mesh, circle));
+      built_.cap_nodes[cap.name] = node;
+      add_kinematic_coupling(built_.model, node, circle, all_dofs, "spider of cap " + cap.name);
+      if (has_mass(cap.mass, cap.inertia))
+        built_.model.masses.push_back({node, rigid_mass(cap.mass, cap.inertia, cap.offset)});
+    }
+  }
+
+  // Reference node of the cap on a set, -1 = none.
+  int cap_on(const std::string& set) const {
+    for (const Cap& cap : case_.caps)
+      if (cap.of == set) return built_.cap_nodes.at(cap.name);
+    return -1;
+  }
+
+  void add_mass(const std::string& name, const PointMass& mass) {
+    const std::vector<int> nodes = set_of(built_.model, mass.at, "parts." + name + ".at");
+    int node = nodes.front();
+    if (nodes.size() > 1) {
+      node = add_node(built_.model, centroid(built_.model.mesh, nodes));
+      add_kinematic_coupling(built_.model, node, nodes, all_dofs, "rigid body of mass " + name);
+    }
+    built_.model.masses.push_back({node, rigid_mass(mass.mass, mass.inertia, mass.offset)});
+  }
+
+  // Circles of the bellows at which the liner is tied, from left to right.
+  std::vector<std::vector<int>> liner_circles(const std::string& name,
+                                              const Interlock& liner) const {
+    const auto& sets = built_.model.mesh.sets;
+    std::vector<std::vector<int>> roots;
+    for (int k = 1; sets.contains(liner.along + ".root[" + std::to_string(k) + "]"); ++k)
+      roots.push_back(sets.at(liner.along + ".root[" + std::to_string(k) + "]"));
+    if (liner.attachment == Attachment::synchronous) return roots;
+    if (liner.stations > static_cast<int>(roots.size()))
+      fail("parts." + name + ".stations",
+           std::to_string(liner.stations) + " stations on a bellows with " +
+               std::to_string(roots.size()) + " roots",
+           "at most one station per root");
+    std::vector<std::vector<int>> chosen;
+    for (int i = 1; i <= liner.stations; ++i)
+      chosen.push_back(roots[(roots.size() - 1) * i / (liner.stations + 1)]);
+    return chosen;
+  }
+
+  void add_liner(const std::string& name, const Interlock& liner) {
+    const auto& sets = built_.model.mesh.sets;
+    const Vector3d left = centroid(built_.model.mesh, sets.at(liner.along + ".left"));
+    const Vector3d right = centroid(built_.model.mesh, sets.at(liner.along + ".right"));
+    const double length = (right - left).norm();
+    std::vector<int> nodes{liner_end(name, liner.along + ".left", left)};
+    if (liner.attachment == Attachment::caps) {
+      constexpr int elements = 16;
+      for (int e = 1; e < elements; ++e)
+        nodes.push_back(add_node(built_.model, left + (right - left) * e / elements));
+    } else {
+      for (const std::vector<int>& circle : liner_circles(name, liner)) {
+        const Vector3d centre = centroid(built_.model.mesh, circle);
+        if ((centre - left).norm() < 1e-9 || (centre - right).norm() < 1e-9) continue;
+        nodes.push_back(add_node(built_.model, centre));
+        add_distributing_coupling(built_.model, nodes.back(), circle, "tie of interlock " + name);
+      }
+    }
+    nodes.push_back(liner_end(name, liner.along + ".right", right));
+    add_liner_elements(liner, nodes, length);
+    built_.model.mesh.sets[name + ".start"] = {nodes.front()};
+    built_.model.mesh.sets[name + ".end"] = {nodes.back()};
+    built_.model.mesh.sets[name + ".all"] = nodes;
+  }
+
+  // Between the caps the liner is a beam with mass. Tied to the bellows its coils move with the
+  // circles, so each tied node carries the coils half way to its neighbours as a rigid ring.
+  void add_liner_elements(const Interlock& liner, const std::vector<int>& nodes, double length) {
+    const double m = liner.mass / length, r2 = liner.radius * liner.radius;
+    BeamProperties section{.EA = liner.EA, .EI_y = liner.EI, .EI_z = liner.EI, .GJ = liner.GJ};
+    const bool rings = liner.attachment != Attachment::caps;
+    if (!rings) {
+      section.mass = m;
+      section.inertia_x = m * r2;
+      section.inertia_y = section.inertia_z = m * r2 / 2;
+    }
+    const bool stiff = liner.EA > 0 || liner.EI > 0 || liner.GJ > 0;
+    const auto& x = built_.model.mesh.nodes;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      BeamElement beam;
+      beam.node1 = nodes[i - 1];
+      beam.node2 = nodes[i];
+      beam.section = section;
+      if (stiff || !rings) built_.model.beams.push_back(beam);
+      if (!rings) continue;
+      const double half = m * (x[nodes[i]] - x[nodes[i - 1]]).norm() / 2;
+      for (int node : {nodes[i - 1], nodes[i]})
+        built_.model.masses.push_back(
+            {node, rigid_mass(half, {half * r2 / 2, half * r2, half * r2 / 2, 0, 0, 0}, {})});
+    }
+  }
+
+  // The liner ends in the cap of that end; without a cap it follows the end circle.
+  int liner_end(const std::string& name, const std::string& end, const Vector3d& centre) {
+    const int cap = cap_on(end);
+    if (cap >= 0) return cap;
+    const std::vector<int> circle = built_.model.mesh.sets.at(end);
+    const int node = add_node(built_.model, centre);
+    add_distributing_coupling(built_.model, node, circle, "end of interlock " + name);
+    return node;
+  }
+
+  void add_mount() {
+    for (const Mount& mount : case_.mount) {
+      const int node = built_.cap_nodes.at(mount.cap);
+      if (mount.kind == MountKind::rigid) built_.held_nodes.push_back(node);
+      if (mount.kind != MountKind::springs) continue;
+      BushingElement spring;
+      spring.node1 = node;
+      for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = mount.stiffness[i];
+      built_.model.bushings.push_back(spring);
+    }
+  }
+
+  void place_sensors() {
+    constexpr double reach = 5e-3;
+    for (std::size_t i = 0; i < case_.sensors.size(); ++i) {
+      const Sensor& sensor = case_.sensors[i];
+      const auto [node, distance] = nearest_node(built_.model.mesh, vector(sensor.at));
+      if (distance > reach) {
+        const Vector3d& x = built_.model.mesh.nodes[node];
+        fail("sensors[" + std::to_string(i) + "].at",
+             "sensor \"" + sensor.name + "\" is " + std::to_string(distance * 1e3) +
+                 " mm off the part",
+             "at most 5 mm; the nearest point of the part is [" + std::to_string(x.x()) + ", " +
+                 std::to_string(x.y()) + ", " + std::to_string(x.z()) + "] m");
+      }
+      built_.sensors.push_back({sensor.name, node, distance});
+    }
+  }
+
+  const Case& case_;
+  BuiltCase built_;
+};
+
+} // namespace
+
+BuiltCase build(const Case& data) { return Builder(data).build(); }
+
+} // namespace plica

@@ -1,0 +1,171 @@
+#include "solve/mode_labels.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double pair_tolerance = 1e-6; // of the frequency
+
+// Fourier coefficients of radial, circumferential and axial displacement round one ring:
+// rows u_r u_theta u_y; columns cos, sin.
+Eigen::Matrix<double, 3, 2> harmonic_of(const Model& model, const Ring& ring, const VectorXd& u,
+                                        int n) {
+  Eigen::Matrix<double, 3, 2> a = Eigen::Matrix<double, 3, 2>::Zero();
+  const auto count = static_cast<int>(ring.nodes.size());
+  for (int k = 0; k < count; ++k) {
+    const Eigen::Vector3d& x = model.mesh.nodes[ring.nodes[k]];
+    const double angle = std::atan2(x.z(), x.x());
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Eigen::Vector3d d = u.segment<3>(6 * ring.nodes[k]);
+    const Eigen::Vector3d local(c * d.x() + s * d.z(), -s * d.x() + c * d.z(), d.y());
+    const double weight = (n == 0 ? 1. : 2.) / count;
+    a.col(0) += weight * std::cos(n * angle) * local;
+    a.col(1) += weight * std::sin(n * angle) * local;
+  }
+  return a;
+}
+
+// Half waves of a profile along the axis: changes of sign plus one, small values left out.
+int half_waves(const std::vector<double>& profile) {
+  double largest = 0;
+  for (double v : profile) largest = std::max(largest, std::abs(v));
+  int waves = 0;
+  double last = 0;
+  for (double v : profile) {
+    if (std::abs(v) < 0.05 * largest) continue;
+    if (last == 0 || (v > 0) != (last > 0)) ++waves;
+    last = v;
+  }
+  return waves;
+}
+
+struct RingEnergy {
+  std::vector<Eigen::Vector3d> by_harmonic; // u_r u_theta u_y squares, weighted by the radius
+};
+
+RingEnergy ring_energy(const Model& model, const VectorXd& u) {
+  std::size_t around = 0;
+  for (const Ring& ring : model.mesh.rings) around = std::max(around, ring.nodes.size());
+  const int highest = std::min<int>(static_cast<int>(around / 2), 24);
+  RingEnergy energy;
+  for (int n = 0; n <= highest; ++n) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Ring& ring : model.mesh.rings)
+      sum += ring.radius * (n == 0 ? 2 : 1) *
+             harmonic_of(model, ring, u, n).rowwise().squaredNorm();
+    energy.by_harmonic.push_back(sum);
+  }
+  return energy;
+}
+
+ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
+  const RingEnergy energy = ring_energy(model, u);
+  ModeLabel label;
+  const auto largest = std::max_element(
+      energy.by_harmonic.begin(), energy.by_harmonic.end(),
+      [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.sum() < b.sum(); });
+  label.harmonic = static_cast<int>(largest - energy.by_harmonic.begin());
+  int row = 0; // of the displacement whose profile is counted
+  label.shape = "shell";
+  if (label.harmonic == 0) {
+    const Eigen::Vector3d& e = *largest;
+    row = e[1] > e[0] && e[1] > e[2] ? 1 : e[2] > e[0] ? 2 : 0;
+    if (row == 1) label.shape = "torsion";
+    if (row == 2) label.shape = "axial";
+    label.direction = row == 0 ? "" : "y";
+  }
+  Eigen::Vector2d along = Eigen::Vector2d::Zero(); // cos, sin share
+  std::vector<std::array<double, 2>> profiles;
+  for (const Ring& ring : model.mesh.rings) {
+    const auto a = harmonic_of(model, ring, u, label.harmonic);
+    if (label.harmonic == 1) { // mean lateral motion: (radial + circumferential) / 2
+      profiles.push_back({(a(0, 0) - a(1, 1)) / 2, (a(0, 1) + a(1, 0)) / 2});
+    } else {
+      profiles.push_back({a(row, 0), a(row, 1)});
+    }
+    along += Eigen::Vector2d(profiles.back()[0], profiles.back()[1]).cwiseAbs2();
+  }
+  const int part = along[1] > along[0] ? 1 : 0;
+  if (label.harmonic == 1) {
+    label.shape = "transverse";
+    label.direction = part == 0 ? "x" : "z";
+  }
+  std::vector<double> profile;
+  for (const auto& p : profiles) profile.push_back(p[part]);
+  label.order = half_waves(profile);
+  return label;
+}
+
+// Largest eigenvector of a Gram matrix of two responses; empty when both stand still.
+bool dominant(const Matrix2d& gram, double scale, Eigen::Vector2d& c) {
+  if (gram.trace() <= 1e-8 * scale) return false;
+  const Eigen::SelfAdjointEigenSolver<Matrix2d> eigen(gram);
+  c = eigen.eigenvectors().col(1);
+  return eigen.eigenvalues()[1] > (1 + 1e-6) * eigen.eigenvalues()[0];
+}
+
+Matrix2d gram_of(const MatrixXd& u, Index first, const std::vector<int>& dofs) {
+  Matrix2d gram = Matrix2d::Zero();
+  for (int dof : dofs) {
+    const Eigen::RowVector2d row = u.block<1, 2>(dof, first);
+    gram += row.transpose() * row;
+  }
+  return gram;
+}
+
+} // namespace
+
+ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
+                     const Eigen::Matrix<double, 6, 1>& effective_mass_fraction) {
+  ModeLabel label;
+  if (rigid) {
+    label.shape = "rigid";
+    return label;
+  }
+  if (!model.mesh.rings.empty()) return label_by_rings(model, u);
+  label.shape = "mode";
+  Index direction = 0;
+  const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);
+  if (fraction > 1e-3) label.direction = std::string(1, "xyz"[direction]);
+  return label;
+}
+
+void orient_modes(const Model& model, const std::vector<int>& sensor_nodes,
+                  const VectorXd& lambda, MatrixXd& Phi, MatrixXd& u) {
+  std::vector<int> sensors, lines;
+  for (int node : sensor_nodes) sensors.push_back(6 * node);
+  for (const Ring& ring : model.mesh.rings) lines.push_back(6 * ring.nodes.front());
+  if (lines.empty())
+    for (std::size_t node = 0; node < model.mesh.nodes.size(); ++node)
+      lines.push_back(6 * static_cast<int>(node));
+  for (Index i = 0; i + 1 < lambda.size(); ++i) {
+    if (lambda[i + 1] - lambda[i] > 2 * pair_tolerance * std::abs(lambda[i + 1])) continue;
+    const double scale = u.middleCols(i, 2).squaredNorm() / double(model.mesh.nodes.size());
+    Eigen::Vector2d c;
+    if (dominant(gram_of(u, i, sensors), scale, c) || dominant(gram_of(u, i, lines), scale, c)) {
+      Matrix2d turn;
+      turn << c[0], -c[1], c[1], c[0];
+      Phi.middleCols(i, 2) = (Phi.middleCols(i, 2) * turn).eval();
+      u.middleCols(i, 2) = (u.middleCols(i, 2) * turn).eval();
+    }
+    ++i;
+  }
+  for (Index i = 0; i < lambda.size(); ++i) {
+    Index largest = 0;
+    u.col(i).cwiseAbs().maxCoeff(&largest);
+    if (u(largest, i) >= 0) continue;
+    u.col(i) *= -1;
+    Phi.col(i) *= -1;
+  }
+}
+
+} // namespace plica
