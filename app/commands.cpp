@@ -93,7 +93,8 @@ int check_command(const std::string& case_path, int threads) {
   fmt::print("  {} nodes, {} elements, {} degrees of freedom\n", cost.nodes, cost.elements,
              cost.dofs);
   if (!built.model.mesh.quads.empty())
-    fmt::print("  mesh: warp at most {:.2g}, aspect ratio at most {:.2g}, Jacobian ratio at least {:.2g}\n",
+    fmt::print("  mesh: warp at most {:.2g}, aspect ratio at most {:.2g}, Jacobian ratio at least "
+               "{:.2g}\n",
                quality.max_warp, quality.max_aspect, quality.min_jacobian);
   for (const BuiltSensor& sensor : built.sensors)
     fmt::print("  sensor {}: {:.2f} mm from node {}\n", sensor.name, 1e3 * sensor.distance,

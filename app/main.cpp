@@ -18,7 +18,8 @@ int dispatch(int argc, char** argv) {
   run_app->add_option("CASE", run.case_path, "case file")->required();
   run_app->add_option("--out", run.out, "folder for the results")->capture_default_str();
   run_app->add_option("--threads", run.threads, "threads, 0 = all cores")
-      ->check(CLI::Range(0, 256))->capture_default_str();
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
   run_app->add_flag("--quiet", run.quiet, "print errors only");
   run_app->add_flag("--msh", run.write_mesh, "write mesh.msh (Gmsh) beside the results");
   run_app->add_flag("!--no-variants", run.variants, "leave the variants of the case out");
@@ -32,7 +33,8 @@ int dispatch(int argc, char** argv) {
   std::string schema = "case";
   CLI::App* schema_app = app.add_subcommand("schema", "print the JSON Schema of the input files");
   schema_app->add_option("KIND", schema, "case or measured")
-      ->check(CLI::IsMember({"case", "measured"}))->capture_default_str();
+      ->check(CLI::IsMember({"case", "measured"}))
+      ->capture_default_str();
 
   try {
     app.parse(argc, argv);

@@ -7,9 +7,13 @@ namespace plica {
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() { finish(); }
+Progress::~Progress() {
+  finish();
+}
 
-void Progress::title(const std::string& name) { title_ = name; }
+void Progress::title(const std::string& name) {
+  title_ = name;
+}
 
 void Progress::stage(const std::string& name) {
   if (quiet_) return;

@@ -81,12 +81,13 @@ Matrix4d bending_mass(double mass, double inertia, double phi, double L) {
   Matrix4d m = Matrix4d::Zero();
   for (int p = 0; p < 4; ++p) {
     const double a = (1 + x[p]) / 2, b = 1 - a, a2 = a * a, a3 = a2 * a;
-    const RowVector4d v = RowVector4d(1 - 3 * a2 + 2 * a3 + phi * b,
-                                      L * (a - 2 * a2 + a3 + phi / 2 * a * b),
-                                      3 * a2 - 2 * a3 + phi * a,
-                                      L * (a3 - a2 - phi / 2 * a * b)) / (1 + phi);
+    const RowVector4d v =
+        RowVector4d(1 - 3 * a2 + 2 * a3 + phi * b, L * (a - 2 * a2 + a3 + phi / 2 * a * b),
+                    3 * a2 - 2 * a3 + phi * a, L * (a3 - a2 - phi / 2 * a * b)) /
+        (1 + phi);
     const RowVector4d slope = RowVector4d(-6 / L * a * b, 1 - 4 * a + 3 * a2 + phi * b,
-                                          6 / L * a * b, 3 * a2 - 2 * a + phi * a) / (1 + phi);
+                                          6 / L * a * b, 3 * a2 - 2 * a + phi * a) /
+                              (1 + phi);
     m += w[p] * L / 2 * (mass * v.transpose() * v + inertia * slope.transpose() * slope);
   }
   return m;
@@ -115,10 +116,8 @@ Matrix12 beam_mass(const BeamGeometry& g, const BeamProperties& s) {
     M(i, i) = M(i + 6, i + 6) = 2 * m;
     M(i, i + 6) = M(i + 6, i) = m;
   }
-  scatter(M, plane_xy,
-          bending_mass(s.mass, s.inertia_z, shear_parameter(s.EI_z, s.GA_y, L), L));
-  scatter(M, plane_xz,
-          bending_mass(s.mass, s.inertia_y, shear_parameter(s.EI_y, s.GA_z, L), L));
+  scatter(M, plane_xy, bending_mass(s.mass, s.inertia_z, shear_parameter(s.EI_z, s.GA_y, L), L));
+  scatter(M, plane_xz, bending_mass(s.mass, s.inertia_y, shear_parameter(s.EI_y, s.GA_z, L), L));
   return local.T.transpose() * M * local.T;
 }
 

@@ -13,9 +13,9 @@ namespace plica {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 struct RigidMass {
-  double mass = 0;                                       // kg
-  Eigen::Vector3d offset{0, 0, 0};                       // node to centre of mass, m
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();     // about the centre of mass, kg m2
+  double mass = 0;                                   // kg
+  Eigen::Vector3d offset{0, 0, 0};                   // node to centre of mass, m
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero(); // about the centre of mass, kg m2
 };
 
 Matrix6 rigid_mass_matrix(const RigidMass& body);

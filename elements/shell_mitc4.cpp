@@ -77,9 +77,9 @@ Matrix3x24 mitc4_plus_membrane(const ShellGeometry& g, double r, double s) {
   e.row(1) = (1 - 2 * a_C + r + 2 * a_C * r * r) / 2 * ss_C +
              (1 - 2 * a_D - r + 2 * a_D * r * r) / 2 * ss_D +
              r2 * (a_A * rr_A + a_B * rr_B + a_E * rs_E);
-  e.row(2) = 2 * ((r + 4 * a_A * rs) / 4 * rr_A + (-r + 4 * a_B * rs) / 4 * rr_B +
-                  (s + 4 * a_C * rs) / 4 * ss_C + (-s + 4 * a_D * rs) / 4 * ss_D +
-                  (1 + a_E * rs) * rs_E);
+  e.row(2) =
+      2 * ((r + 4 * a_A * rs) / 4 * rr_A + (-r + 4 * a_B * rs) / 4 * rr_B +
+           (s + 4 * a_C * rs) / 4 * ss_C + (-s + 4 * a_D * rs) / 4 * ss_D + (1 + a_E * rs) * rs_E);
   return e;
 }
 
@@ -134,10 +134,11 @@ CovariantStrain covariant_strain(const ShellGeometry& g, MembraneStrain choice, 
 // distance z from the mid-surface.
 struct LocalFrame {
   Matrix3d basis;
-  Matrix3d in_plane;                  // (rr, ss, 2rs) -> (11, 22, 2*12)
-  Eigen::Matrix<double, 3, 2> skewed; // (2rz, 2sz) -> (11, 22, 2*12): director not normal to x_r, x_s
-  Eigen::Matrix2d shear;              // (2rz, 2sz) -> (2*13, 2*23)
-  double volume = 0;                  // det [x_r x_s V], per unit r s z
+  Matrix3d in_plane; // (rr, ss, 2rs) -> (11, 22, 2*12)
+  Eigen::Matrix<double, 3, 2>
+      skewed;            // (2rz, 2sz) -> (11, 22, 2*12): director not normal to x_r, x_s
+  Eigen::Matrix2d shear; // (2rz, 2sz) -> (2*13, 2*23)
+  double volume = 0;     // det [x_r x_s V], per unit r s z
 };
 
 LocalFrame local_frame(const ShellGeometry& g, const Shape& n, double z) {
@@ -246,8 +247,7 @@ std::vector<ShellPoint> shell_mitc4_points(const ShellGeometry& g, const ShellSe
 ShellStrainMatrix shell_mitc4_strain(const ShellGeometry& g, const ShellSection& section,
                                      MembraneStrain membrane, double r, double s, double z) {
   const Shape n = shape_functions(r, s);
-  ShellStrainMatrix B =
-      local_strain(covariant_strain(g, membrane, r, s), local_frame(g, n, z), z);
+  ShellStrainMatrix B = local_strain(covariant_strain(g, membrane, r, s), local_frame(g, n, z), z);
   if (membrane != MembraneStrain::incompatible) return B;
   const LocalFrame centre = local_frame(g, shape_functions(0, 0), 0);
   B.in_plane += internal_modes(centre, r, s, B.volume) *
@@ -286,14 +286,12 @@ Matrix24 shell_mitc4_mass(const ShellGeometry& g, const ShellSection& section) {
       const Vector3d V = n.N[i] * g.directors.col(i);
       w.block<3, 3>(0, 6 * i + 3) << 0, V.z(), -V.y(), -V.z(), 0, V.x(), V.y(), -V.x(), 0;
     }
-    M.noalias() += section.rho * dA *
-                   (t * u.transpose() * u + t * t * t / 12 * w.transpose() * w);
+    M.noalias() += section.rho * dA * (t * u.transpose() * u + t * t * t / 12 * w.transpose() * w);
   }
   return M;
 }
 
-Eigen::Matrix<double, 24, 1> shell_mitc4_area_load(const ShellGeometry& g,
-                                                   const Vector3d& load) {
+Eigen::Matrix<double, 24, 1> shell_mitc4_area_load(const ShellGeometry& g, const Vector3d& load) {
   Eigen::Matrix<double, 24, 1> F = Eigen::Matrix<double, 24, 1>::Zero();
   for (int p = 0; p < 4; ++p) {
     const Shape n = shape_functions(gauss_point * corner_r[p], gauss_point * corner_s[p]);

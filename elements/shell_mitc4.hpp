@@ -6,10 +6,10 @@
 // V_i are the exact unit directors at the corners, z the distance from the mid-surface in m. The
 // covariant strains in the plane are quadratic in z (constant part: membrane); the transverse shear
 // is tied at the middle of the edges (Dvorkin & Bathe, eq. 10).
-// Stress follows in a Cartesian basis whose third axis is the director. 2x2x2 Gauss points, with the
-// metric at each z: walls whose thickness is a third of their radius of curvature are common here,
-// and a mid-surface metric is then 1 % too soft. Slipping plies bend about their own mid-surfaces:
-// the points through the thickness move in by sqrt(bending_factor).
+// Stress follows in a Cartesian basis whose third axis is the director. 2x2x2 Gauss points, with
+// the metric at each z: walls whose thickness is a third of their radius of curvature are common
+// here, and a mid-surface metric is then 1 % too soft. Slipping plies bend about their own
+// mid-surfaces: the points through the thickness move in by sqrt(bending_factor).
 //
 // Membrane strains, by choice (Membrane in the section of the model):
 //   displacement   from the bilinear displacements, as in the first MITC4

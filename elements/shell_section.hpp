@@ -15,7 +15,7 @@ namespace plica {
 
 struct ShellSection {
   double E = 0, nu = 0, rho = 0;
-  double bending_factor = 1;    // D / D_solid: 1 for one wall, 1/n^2 for n equal slipping plies
+  double bending_factor = 1; // D / D_solid: 1 for one wall, 1/n^2 for n equal slipping plies
   double shear_correction = 5. / 6;
   double drilling = 1e-4; // stiffness that ties the drilling rotation, as a fraction of G
 };

@@ -24,14 +24,18 @@ public:
   Session& operator=(const Session&) = delete;
 };
 
-int add_point(const Vector2d& p) { return gmsh::model::geo::addPoint(p.x(), p.y(), 0); }
+int add_point(const Vector2d& p) {
+  return gmsh::model::geo::addPoint(p.x(), p.y(), 0);
+}
 
 int add_curve(const MeridianCurve& curve, int start, int end) {
   switch (curve.kind) {
-  case CurveKind::line: return gmsh::model::geo::addLine(start, end);
+  case CurveKind::line:
+    return gmsh::model::geo::addLine(start, end);
   case CurveKind::arc:
     return gmsh::model::geo::addCircleArc(start, add_point(curve.centre), end);
-  case CurveKind::spline: break;
+  case CurveKind::spline:
+    break;
   }
   std::vector<int> tags{start};
   for (std::size_t i = 1; i + 1 < curve.points.size(); ++i)

@@ -52,8 +52,8 @@ void Meridian::add_convolution(const Convolution& c, const MeridianDensity& dens
   const Vector2d crown_centre = crown - Vector2d(0, c.crown_arc);
   const Vector2d outward(std::sin(phi), -std::cos(phi)); // from the root centre to the wall, left
   const Vector2d mirrored(-outward.x(), outward.y());
-  const int arc = std::max(1, static_cast<int>(std::ceil(
-                                  density.arc * phi / (std::numbers::pi / 2) - 1e-9)));
+  const int arc =
+      std::max(1, static_cast<int>(std::ceil(density.arc * phi / (std::numbers::pi / 2) - 1e-9)));
   const bool has_wall = wall > 1e-9 * c.pitch;
 
   const std::size_t first = curves_.size();
@@ -86,8 +86,7 @@ void Meridian::add_points(const std::vector<Vector2d>& points, bool smooth,
   ++convolutions_;
   const std::size_t first = curves_.size();
   if (smooth) {
-    MeridianCurve& curve = line_to(origin + points.back(),
-                                   4 * density.arc + 2 * density.wall);
+    MeridianCurve& curve = line_to(origin + points.back(), 4 * density.arc + 2 * density.wall);
     curve.kind = CurveKind::spline;
     for (const Vector2d& p : points) curve.points.push_back(origin + p);
   } else {

@@ -36,10 +36,10 @@ struct Mesh {
 
 // Quality of the quads: worst and mean of each number.
 struct MeshQuality {
-  double max_warp = 0;       // distance of a corner from the mean plane / mean edge
-  double max_aspect = 0;     // longest mean edge / shortest mean edge
+  double max_warp = 0;   // distance of a corner from the mean plane / mean edge
+  double max_aspect = 0; // longest mean edge / shortest mean edge
   double mean_aspect = 0;
-  double min_jacobian = 0;   // smallest / largest corner Jacobian of an element; below 0: folded
+  double min_jacobian = 0; // smallest / largest corner Jacobian of an element; below 0: folded
 };
 
 MeshQuality mesh_quality(const Mesh& mesh);

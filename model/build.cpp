@@ -20,7 +20,9 @@ constexpr std::initializer_list<int> all_dofs{0, 1, 2, 3, 4, 5};
   throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
 }
 
-Vector3d vector(const Triple& t) { return {t[0], t[1], t[2]}; }
+Vector3d vector(const Triple& t) {
+  return {t[0], t[1], t[2]};
+}
 
 RigidMass rigid_mass(double mass, const Sextuple& J, const Triple& offset) {
   RigidMass body{.mass = mass, .offset = vector(offset), .inertia = {}};
@@ -76,7 +78,9 @@ private:
     append(built_.model.mesh, bellows_mesh(bellows, meridian), name, section);
     const Material& m = case_.materials.at(bellows.material);
     built_.model.shells.push_back(
-        {{.E = m.E, .nu = m.nu, .rho = m.rho,
+        {{.E = m.E,
+          .nu = m.nu,
+          .rho = m.rho,
           .bending_factor = ply_bending_factor(bellows.wall.plies, bellows.wall.bond)},
          bellows.membrane});
     if (!built_.meridian.empty()) return;
@@ -93,8 +97,7 @@ private:
            mesh_plate(corners, plate.elements[0], plate.elements[1], plate.thickness), name,
            section);
     const Material& m = case_.materials.at(plate.material);
-    built_.model.shells.push_back({{.E = m.E, .nu = m.nu, .rho = m.rho},
-                                   plate.membrane});
+    built_.model.shells.push_back({{.E = m.E, .nu = m.nu, .rho = m.rho}, plate.membrane});
   }
 
   void add(const std::string& name, const BeamPart& beam) {
@@ -106,8 +109,8 @@ private:
       const Vector3d a = vector(beam.points[p - 1]), b = vector(beam.points[p]);
       for (int e = 1; e <= beam.elements; ++e) {
         const int next = add_node(built_.model, a + (b - a) * e / beam.elements);
-        built_.model.beams.push_back({.node1 = previous, .node2 = next, .section = section,
-                                      .up = vector(beam.up)});
+        built_.model.beams.push_back(
+            {.node1 = previous, .node2 = next, .section = section, .up = vector(beam.up)});
         previous = next;
       }
       built_.model.mesh.sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
@@ -128,10 +131,16 @@ private:
   BeamProperties beam_properties(const BeamSection& s) const {
     if (s.shape == BeamShape::general) {
       constexpr double rigid = std::numeric_limits<double>::infinity();
-      return {.EA = s.EA.value_or(0), .EI_y = s.EI.value_or(0), .EI_z = s.EI.value_or(0),
-              .GJ = s.GJ.value_or(0), .GA_y = s.GA.value_or(rigid), .GA_z = s.GA.value_or(rigid),
-              .mass = s.mass_per_length, .inertia_x = s.polar_inertia_per_length,
-              .inertia_y = s.rotary_inertia_per_length, .inertia_z = s.rotary_inertia_per_length};
+      return {.EA = s.EA.value_or(0),
+              .EI_y = s.EI.value_or(0),
+              .EI_z = s.EI.value_or(0),
+              .GJ = s.GJ.value_or(0),
+              .GA_y = s.GA.value_or(rigid),
+              .GA_z = s.GA.value_or(rigid),
+              .mass = s.mass_per_length,
+              .inertia_x = s.polar_inertia_per_length,
+              .inertia_y = s.rotary_inertia_per_length,
+              .inertia_z = s.rotary_inertia_per_length};
     }
     const Material& m = case_.materials.at(s.material);
     const BeamMaterial material{m.E, m.nu, m.rho};
@@ -142,8 +151,7 @@ private:
 
   void add_caps() {
     for (const Cap& cap : case_.caps) {
-      const std::vector<int> circle =
-          set_of(built_.model, cap.of, "caps." + cap.name + ".of");
+      const std::vector<int> circle = set_of(built_.model, cap.of, "caps." + cap.name + ".of");
       const int node = add_node(built_.model, centroid(built_.model.mesh, circle));
       built_.cap_nodes[cap.name] = node;
       add_kinematic_coupling(built_.model, node, circle, all_dofs, "spider of cap " + cap.name);
@@ -285,6 +293,8 @@ private:
 
 } // namespace
 
-BuiltCase build(const Case& data) { return Builder(data).build(); }
+BuiltCase build(const Case& data) {
+  return Builder(data).build();
+}
 
 } // namespace plica

@@ -26,8 +26,7 @@ struct Slenderness {
 };
 
 Slenderness slenderness(const Bellows& bellows) {
-  const double bending_length =
-      std::sqrt(bellows.root_radius * total_thickness(bellows.wall));
+  const double bending_length = std::sqrt(bellows.root_radius * total_thickness(bellows.wall));
   Slenderness longest;
   for (const MeridianSection& s : bellows.profile) {
     if (s.shape == SectionShape::disc)
@@ -43,6 +42,7 @@ Slenderness slenderness(const Bellows& bellows) {
 
 int cuff_elements(const Bellows& bellows, const MeridianSection& cuff, double radius,
                   const ElementCounts& n) {
+  if (cuff.elements > 0) return cuff.elements;
   if (bellows.mesh.wall > 0) return n.wall;
   const double bending_length = std::sqrt(radius * total_thickness(bellows.wall));
   const double longest = std::min(2 * pi * radius / n.around, 2.5 * bending_length / n.wall);
@@ -57,7 +57,8 @@ std::function<double(double)> thickness_law(const Bellows& bellows) {
     for (const auto& p : s.points) height = std::max(height, p[1] - root);
   }
   switch (bellows.wall.thinning) {
-  case Thinning::none: break;
+  case Thinning::none:
+    break;
   case Thinning::uniform:
     return [thinned = t * std::sqrt(root / (root + height / 2))](double) { return thinned; };
   case Thinning::local:

@@ -33,11 +33,12 @@ struct MeridianSection {
   SectionShape shape = SectionShape::u;
   int count = 1;              // convolutions (u, omega, disc, points)
   double length = 0;          // cuff: its length
+  int elements = 0;           // cuff: elements along it, 0 = from the density
   double height = 0;          // u, omega, disc: root to crown, mid-surface to mid-surface
   double pitch = 0;           // u, omega, disc: axial length of one convolution
   double root_arc_radius = 0; // u, omega: mid-surface; 0 = pitch/4
   double crown_arc_radius = 0;
-  double end_radius = 0; // cuff: radius at its right end, 0 = cylinder
+  double end_radius = 0;                     // cuff: radius at its right end, 0 = cylinder
   std::vector<std::array<double, 2>> points; // [y, r] of one convolution, y from 0 to the pitch
   Interpolation interpolation = Interpolation::smooth;
 };
@@ -77,8 +78,8 @@ enum class BeamShape { pipe, solid, rectangle, general };
 struct BeamSection {
   BeamShape shape = BeamShape::pipe;
   std::string material;
-  double radius = 0;    // thin pipe: mid-surface radius; solid: radius
-  double thickness = 0; // thin pipe: wall; 0 = solid round
+  double radius = 0;           // thin pipe: mid-surface radius; solid: radius
+  double thickness = 0;        // thin pipe: wall; 0 = solid round
   double width = 0, depth = 0; // solid rectangle: width along the local y, depth along local z
   std::optional<double> EA, EI, GJ, GA; // general; GA absent = rigid in shear
   double mass_per_length = 0;
@@ -154,7 +155,7 @@ struct Sensor {
 };
 
 struct Modes {
-  int count = 0;             // number of modes, or
+  int count = 0;                // number of modes, or
   std::array<double, 2> band{}; // all modes in a band, Hz
   bool proof = true;
 };

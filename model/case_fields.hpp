@@ -32,6 +32,8 @@ template <class V> void fields(V& v, MeridianSection& s) {
         required_key, "straight cuff or cone, or the shape of its convolutions");
   if (s.shape == SectionShape::cuff) {
     v.quantity(s.length, "length", above_zero, "length along the axis");
+    v.whole(s.elements, "elements", {.min = 1, .max = 100000},
+            "elements along it; left out: from the density of the mesh");
     v.quantity(s.end_radius, "end_radius", radius,
                "mid-surface radius at the right end of a cone; left out: a cylinder");
     return;

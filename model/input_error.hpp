@@ -9,7 +9,7 @@ namespace plica {
 
 struct InputProblem {
   std::string file;
-  int line = 0; // from 1; 0 = the whole file
+  int line = 0;        // from 1; 0 = the whole file
   std::string key;     // path of the key, e.g. "parts.bellows.wall.plies[1]"
   std::string wrong;   // what is wrong
   std::string allowed; // what would be right, with a did-you-mean where there is one

@@ -28,13 +28,13 @@ struct StaticStiffness {
 
 struct ModeResult {
   double frequency = 0;
-  double damping = 0; // fraction of critical
+  double damping = 0;                     // fraction of critical
   std::array<double, 6> effective_mass{}; // x y z in kg; about x y z through the centre in kg m2
-  std::string shape;     // axial | transverse | torsion | shell | rigid | mode
-  std::string direction; // x, y, z or empty
-  int order = 0;         // half waves along the axis, counted from 1; 0 = not counted
-  int harmonic = -1;     // circumferential order; -1 = not a body of revolution
-  double residual = 0;   // ||K phi - w2 M phi|| / ||K phi||
+  std::string shape;                      // axial | transverse | torsion | shell | rigid | mode
+  std::string direction;                  // x, y, z or empty
+  int order = 0;       // half waves along the axis, counted from 1; 0 = not counted
+  int harmonic = -1;   // circumferential order; -1 = not a body of revolution
+  double residual = 0; // ||K phi - w2 M phi|| / ||K phi||
 };
 
 // Proof that no mode below `sigma` is missing.
@@ -75,7 +75,8 @@ struct Results {
   std::optional<StaticStiffness> statics;
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;
-  std::array<double, 6> free_mass{}; // r' M r over the free unknowns: what effective masses add up to
+  std::array<double, 6>
+      free_mass{}; // r' M r over the free unknowns: what effective masses add up to
   std::array<double, 6> effective_mass_sum{};
   Verification verification;
   MeshQuality quality;

@@ -118,7 +118,8 @@ private:
       const SparseMatrix inner = restrict_to(K, complement(system_.map.size(), boundary));
       own.emplace(inner);
       if (!own->factorise(inner).ok)
-        throw std::runtime_error("static stiffness: the part is a mechanism when both caps are held");
+        throw std::runtime_error(
+            "static stiffness: the part is a mechanism when both caps are held");
     }
     MatrixXd condensed = condense(K, boundary, shared ? base().factor : *own);
     if (caps[0] > caps[1]) { // order of the caps in the case
@@ -127,9 +128,12 @@ private:
       condensed = swap * condensed * swap.transpose();
     }
     const EndStiffness k = end_stiffness(condensed.bottomRightCorner<6, 6>());
-    results_.statics = {.k_axial = k.axial, .k_transverse_x = k.transverse_x,
-                        .k_transverse_z = k.transverse_z, .k_bending_x = k.bending_x,
-                        .k_bending_z = k.bending_z, .k_torsion = k.torsion,
+    results_.statics = {.k_axial = k.axial,
+                        .k_transverse_x = k.transverse_x,
+                        .k_transverse_z = k.transverse_z,
+                        .k_bending_x = k.bending_x,
+                        .k_bending_z = k.bending_z,
+                        .k_torsion = k.torsion,
                         .end_stiffness = condensed};
     lap("statics");
   }
@@ -166,13 +170,18 @@ private:
       const bool rigid = free_body && set.lambda[i] < 1e-6 * elastic;
       const ModeLabel label =
           label_mode(built_.model, u.col(i), rigid, m.cwiseQuotient(free.total.cwiseMax(1e-300)));
-      ModeResult mode{.frequency = frequency(set.lambda[i]), .damping = case_.analyses.modal_damping,
-                      .effective_mass = {}, .shape = label.shape, .direction = label.direction,
-                      .order = label.order, .harmonic = label.harmonic,
+      ModeResult mode{.frequency = frequency(set.lambda[i]),
+                      .damping = case_.analyses.modal_damping,
+                      .effective_mass = {},
+                      .shape = label.shape,
+                      .direction = label.direction,
+                      .order = label.order,
+                      .harmonic = label.harmonic,
                       .residual = set.residual[i]};
       std::copy(m.begin(), m.end(), mode.effective_mass.begin());
       results_.modes.push_back(mode);
-      Eigen::MatrixXd shape = Eigen::Map<const MatrixXd>(u.col(i).data(), 6, u.rows() / 6).transpose();
+      Eigen::MatrixXd shape =
+          Eigen::Map<const MatrixXd>(u.col(i).data(), 6, u.rows() / 6).transpose();
       results_.shapes.push_back(std::move(shape));
     }
     std::copy(free.total.begin(), free.total.end(), results_.free_mass.begin());
@@ -181,11 +190,14 @@ private:
   }
 
   void verify(const ModeSet& set) {
-    results_.verification = {.made = set.proof.made, .sigma_frequency = frequency(set.proof.sigma),
-                             .inertia_count = set.proof.inertia_count, .found = set.proof.found,
+    results_.verification = {.made = set.proof.made,
+                             .sigma_frequency = frequency(set.proof.sigma),
+                             .inertia_count = set.proof.inertia_count,
+                             .found = set.proof.found,
                              .max_residual = set.proof.max_residual,
                              .orthogonality = set.proof.orthogonality,
-                             .passed = set.proof.passed, .reason = set.proof.reason};
+                             .passed = set.proof.passed,
+                             .reason = set.proof.reason};
   }
 
   const Case& case_;

@@ -31,8 +31,7 @@ struct ElementView {
       const BeamElement& b = model.beams[e];
       const BeamGeometry g{model.mesh.nodes[b.node1], model.mesh.nodes[b.node2], b.up, b.offset1,
                            b.offset2};
-      return f(std::array{b.node1, b.node2}, beam_stiffness(g, b.section),
-               beam_mass(g, b.section));
+      return f(std::array{b.node1, b.node2}, beam_stiffness(g, b.section), beam_mass(g, b.section));
     }
     e -= static_cast<int>(model.beams.size());
     if (e < static_cast<int>(model.masses.size())) {
@@ -255,8 +254,8 @@ private:
           last_offset =
               pattern_.offset[J][std::lower_bound(list.begin(), list.end(), I) - list.begin()];
         }
-        const int position = outer[j] + last_offset + (i - system_.map.first[I]) -
-                             (j - system_.map.first[J]);
+        const int position =
+            outer[j] + last_offset + (i - system_.map.first[I]) - (j - system_.map.first[J]);
         k[position] += K(a, b);
         m[position] += M(a, b);
       }

@@ -88,7 +88,8 @@ DofMap eliminate(const Model& model) {
 }
 
 Eigen::MatrixXd expand(const DofMap& map, const Eigen::MatrixXd& q) {
-  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(map.independent.size()), q.cols());
+  Eigen::MatrixXd u =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(map.independent.size()), q.cols());
   for (std::size_t dof = 0; dof < map.independent.size(); ++dof) {
     if (map.independent[dof] >= 0) u.row(dof) = q.row(map.independent[dof]);
     for (const WeightedDof& w : map.dependent[dof]) u.row(dof) += w.factor * q.row(w.dof);

@@ -23,8 +23,8 @@ struct WeightedDof {
 struct DofMap {
   std::vector<int> independent; // per DOF: its number among the independent ones, or -1
   std::vector<std::vector<WeightedDof>> dependent; // per DOF: what a dependent one follows
-  std::vector<int> first;       // per node: number of its first independent DOF; one more at the end
-  std::vector<int> full;        // per independent DOF: its number among all
+  std::vector<int> first; // per node: number of its first independent DOF; one more at the end
+  std::vector<int> full;  // per independent DOF: its number among all
 
   int size() const { return static_cast<int>(full.size()); }
 };

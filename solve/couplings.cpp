@@ -59,7 +59,8 @@ void add_distributing_coupling(Model& model, int reference, const std::vector<in
                                 "that do not lie on one line");
   const Matrix6 inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
   std::array<Constraint, 6> rows;
-  for (int i = 0; i < 6; ++i) rows[i] = {.node = reference, .dof = i, .terms = {}, .origin = origin};
+  for (int i = 0; i < 6; ++i)
+    rows[i] = {.node = reference, .dof = i, .terms = {}, .origin = origin};
   for (int node : nodes) {
     const Eigen::Matrix<double, 6, 3> weights =
         inverse * rigid_rows(x[node] - x[reference]).transpose();

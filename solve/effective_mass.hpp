@@ -11,9 +11,9 @@
 namespace plica {
 
 struct FreeMass {
-  double mass = 0;               // kg, of the translations (mean of the three)
-  Eigen::Vector3d centre{0, 0, 0}; // m
-  Eigen::MatrixXd R;             // rigid-body motions about the centre, free DOFs x 6
+  double mass = 0;                   // kg, of the translations (mean of the three)
+  Eigen::Vector3d centre{0, 0, 0};   // m
+  Eigen::MatrixXd R;                 // rigid-body motions about the centre, free DOFs x 6
   Eigen::Matrix<double, 6, 1> total; // r_j' M r_j
 };
 

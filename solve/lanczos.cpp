@@ -48,8 +48,8 @@ void purify(EigenPairs& pairs, const SparseMatrix& M, const SparseFactor& factor
   const MatrixXd Mx = symmetric_product(M, x);
   const MatrixXd gram = x.transpose() * Mx;
   const MatrixXd operated = Mx.transpose() * factor.solve(Mx); // x' M A^-1 M x
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz((operated + operated.transpose()) / 2,
-                                                                (gram + gram.transpose()) / 2);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(
+      (operated + operated.transpose()) / 2, (gram + gram.transpose()) / 2);
   pairs.vectors = x * ritz.eigenvectors().rowwise().reverse();
   pairs.values = sigma + ritz.eigenvalues().reverse().array().inverse();
 }
@@ -62,10 +62,12 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
   const int count = std::min(settings.count, n - 1);
   const int subspace = std::min(n, std::max(settings.subspace, 2 * count + 20));
   ShiftInvert shift_invert{factor};
-  MassProduct mass{M};
+  const SparseMatrix pruned =
+      M.pruned(); // M has the pattern of K; two thirds of a shell's are zero
+  MassProduct mass{pruned};
   Spectra::SymGEigsShiftSolver<ShiftInvert, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
       shift_invert, mass, count, subspace, sigma);
-  const VectorXd start = start_vector(M, factor, settings.seed);
+  const VectorXd start = start_vector(pruned, factor, settings.seed);
   solver.init(start.data());
   constexpr int max_restarts = 300;
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-9,
@@ -78,7 +80,7 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
                    " modes in " + std::to_string(max_restarts) + " restarts";
   pairs.values = solver.eigenvalues();
   pairs.vectors = solver.eigenvectors();
-  if (pairs.vectors.cols() > 0) purify(pairs, M, factor, sigma);
+  if (pairs.vectors.cols() > 0) purify(pairs, pruned, factor, sigma);
   return pairs;
 }
 

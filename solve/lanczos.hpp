@@ -20,9 +20,9 @@ struct EigenPairs {
 };
 
 struct LanczosSettings {
-  int count = 10;      // pairs wanted
-  int subspace = 0;    // 0 = 2 count + 20, and never less
-  unsigned seed = 1;   // of the start vector
+  int count = 10;    // pairs wanted
+  int subspace = 0;  // 0 = 2 count + 20, and never less
+  unsigned seed = 1; // of the start vector
 };
 
 EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sigma,

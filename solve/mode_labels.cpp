@@ -60,8 +60,8 @@ RingEnergy ring_energy(const Model& model, const VectorXd& u) {
   for (int n = 0; n <= highest; ++n) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Ring& ring : model.mesh.rings)
-      sum += ring.radius * (n == 0 ? 2 : 1) *
-             harmonic_of(model, ring, u, n).rowwise().squaredNorm();
+      sum +=
+          ring.radius * (n == 0 ? 2 : 1) * harmonic_of(model, ring, u, n).rowwise().squaredNorm();
     energy.by_harmonic.push_back(sum);
   }
   return energy;
@@ -139,8 +139,8 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
   return label;
 }
 
-void orient_modes(const Model& model, const std::vector<int>& sensor_nodes,
-                  const VectorXd& lambda, MatrixXd& Phi, MatrixXd& u) {
+void orient_modes(const Model& model, const std::vector<int>& sensor_nodes, const VectorXd& lambda,
+                  MatrixXd& Phi, MatrixXd& u) {
   std::vector<int> sensors, lines;
   for (int node : sensor_nodes) sensors.push_back(6 * node);
   for (const Ring& ring : model.mesh.rings) lines.push_back(6 * ring.nodes.front());

@@ -9,7 +9,9 @@ int add_node(Model& model, const Eigen::Vector3d& position) {
   return static_cast<int>(model.mesh.nodes.size()) - 1;
 }
 
-int dof_count(const Model& model) { return 6 * static_cast<int>(model.mesh.nodes.size()); }
+int dof_count(const Model& model) {
+  return 6 * static_cast<int>(model.mesh.nodes.size());
+}
 
 int element_count(const Model& model) {
   return static_cast<int>(model.mesh.quads.size() + model.beams.size() + model.masses.size() +

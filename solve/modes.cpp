@@ -187,15 +187,15 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     modes.residual = residuals(K, M, modes.lambda, modes.Phi, base.sigma);
     modes.proof = {};
     if (request.proof && pairs.converged) {
-      modes.proof = prove_complete(K, M, pairs.values, pairs.vectors, std::max(keep, 1), base.factor);
+      modes.proof =
+          prove_complete(K, M, pairs.values, pairs.vectors, std::max(keep, 1), base.factor);
       factored_at = std::numeric_limits<double>::quiet_NaN(); // the factor is overwritten
       watch.lap(modes.timing, "proof");
     }
     if (keep > 0) {
       modes.proof.max_residual = modes.residual.maxCoeff();
       const MatrixXd gram = modes.Phi.transpose() * symmetric_product(M, modes.Phi);
-      modes.proof.orthogonality =
-          (gram - MatrixXd::Identity(keep, keep)).cwiseAbs().maxCoeff();
+      modes.proof.orthogonality = (gram - MatrixXd::Identity(keep, keep)).cwiseAbs().maxCoeff();
     }
     if (!pairs.converged) modes.proof.reason = pairs.reason;
     if (pairs.converged && (!request.proof || modes.proof.passed)) break;

@@ -16,20 +16,20 @@
 namespace plica {
 
 struct ModesRequest {
-  int count = 0;                   // number of modes, or 0 and
+  int count = 0;                    // number of modes, or 0 and
   std::array<double, 2> band{0, 0}; // every mode with a frequency in [low, high], Hz
   bool proof = true;
 };
 
 struct ModesProof {
   bool made = false, passed = false;
-  double sigma = 0;        // rad2/s2
-  int inertia_count = 0;   // eigenvalues below sigma
-  int found = 0;           // modes found below sigma
-  int removed_dofs = 0;    // taken out for the count
-  double max_residual = 0; // ||K phi - lambda M phi|| / ((lambda + |shift|) ||M phi||)
+  double sigma = 0;         // rad2/s2
+  int inertia_count = 0;    // eigenvalues below sigma
+  int found = 0;            // modes found below sigma
+  int removed_dofs = 0;     // taken out for the count
+  double max_residual = 0;  // ||K phi - lambda M phi|| / ((lambda + |shift|) ||M phi||)
   double orthogonality = 0; // max |Phi' M Phi - I|
-  std::string reason;      // why not passed
+  std::string reason;       // why not passed
 };
 
 struct ModeSet {

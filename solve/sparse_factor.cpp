@@ -13,7 +13,7 @@ namespace plica {
 
 struct SparseFactor::Impl {
   mutable cholmod_common common{};
-  cholmod_factor* factor = nullptr; // owned
+  cholmod_factor* factor = nullptr;   // owned
   mutable cholmod_dense* x = nullptr; // owned: workspaces of the single solve
   mutable cholmod_dense* y = nullptr;
   mutable cholmod_dense* e = nullptr;
@@ -75,11 +75,16 @@ cholmod_dense view(const double* b, Eigen::Index rows, Eigen::Index columns) {
 
 std::string words(int status) {
   switch (status) {
-  case CHOLMOD_OUT_OF_MEMORY: return "not enough memory";
-  case CHOLMOD_TOO_LARGE: return "the factor is too large for 32-bit indices";
-  case CHOLMOD_NOT_INSTALLED: return "CHOLMOD was built without this method";
-  case CHOLMOD_INVALID: return "the matrix is not valid";
-  default: return "CHOLMOD status " + std::to_string(status);
+  case CHOLMOD_OUT_OF_MEMORY:
+    return "not enough memory";
+  case CHOLMOD_TOO_LARGE:
+    return "the factor is too large for 32-bit indices";
+  case CHOLMOD_NOT_INSTALLED:
+    return "CHOLMOD was built without this method";
+  case CHOLMOD_INVALID:
+    return "the matrix is not valid";
+  default:
+    return "CHOLMOD status " + std::to_string(status);
   }
 }
 
@@ -118,7 +123,8 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
   cholmod_dense B = view(b.data(), b.rows(), b.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
   if (x == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
-  Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(x->x), b.rows(), b.cols());
+  Eigen::MatrixXd result =
+      Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(x->x), b.rows(), b.cols());
   cholmod_free_dense(&x, &impl_->common);
   return result;
 }
@@ -131,7 +137,9 @@ void SparseFactor::solve(const double* b, double* x) const {
   std::memcpy(x, impl_->x->x, sizeof(double) * static_cast<std::size_t>(impl_->rows));
 }
 
-int SparseFactor::rows() const { return impl_->rows; }
+int SparseFactor::rows() const {
+  return impl_->rows;
+}
 
 int SparseFactor::negative_pivots() const {
   const cholmod_factor& L = *impl_->factor;
@@ -142,8 +150,12 @@ int SparseFactor::negative_pivots() const {
   return count;
 }
 
-double SparseFactor::factor_entries() const { return impl_->common.lnz; }
-double SparseFactor::factor_flops() const { return impl_->common.fl; }
+double SparseFactor::factor_entries() const {
+  return impl_->common.lnz;
+}
+double SparseFactor::factor_flops() const {
+  return impl_->common.fl;
+}
 
 void set_threads(int threads) {
   const int n = threads > 0 ? threads : omp_get_num_procs();

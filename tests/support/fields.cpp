@@ -61,7 +61,9 @@ int node_at(const Mesh& mesh, const Vector3d& position) {
   return node;
 }
 
-VectorXd no_force(const Model& model) { return VectorXd::Zero(dof_count(model)); }
+VectorXd no_force(const Model& model) {
+  return VectorXd::Zero(dof_count(model));
+}
 
 VectorXd area_load(const Model& model, const Vector3d& load) {
   VectorXd force = no_force(model);

@@ -1,4 +1,5 @@
-// What the mechanics tests share: surfaces meshed from a formula, loads, static and modal solutions.
+// What the mechanics tests share: surfaces meshed from a formula, loads, static and modal
+// solutions.
 #pragma once
 
 #include "solve/couplings.hpp"
@@ -33,7 +34,7 @@ void hold_symmetry(Model& model, const std::string& set, int axis);
 // Holds DOFs wherever no element gives them stiffness: those of nodes nobody uses.
 int node_at(const Mesh& mesh, const Eigen::Vector3d& position); // fails the test when it is off
 
-Eigen::VectorXd no_force(const Model& model);                   // all DOFs
+Eigen::VectorXd no_force(const Model& model); // all DOFs
 Eigen::VectorXd area_load(const Model& model, const Eigen::Vector3d& load);
 
 // A force per length over an edge of shells: a resultant, shared by the trapezoidal rule.

@@ -1,0 +1,61 @@
+// Element matrices and assembly, per element.
+#include "mesh/revolve.hpp"
+#include "solve/assembly.hpp"
+#include "solve/sparse_factor.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace plica;
+
+Model bellows(int around) {
+  Meridian meridian(0, 0.065);
+  for (int k = 0; k < 4; ++k)
+    meridian.add_convolution(
+        {.height = 8e-3, .pitch = 6.58e-3, .root_arc = 1.645e-3, .crown_arc = 1.645e-3},
+        {.arc = 4, .wall = 5});
+  Model model;
+  append(model.mesh, revolve(meridian, around, [](double) { return 5e-4; }), "bellows", 0);
+  model.shells.push_back({{.E = 193e9, .nu = 0.3, .rho = 8000}, MembraneStrain::incompatible});
+  return model;
+}
+
+void shell_stiffness(benchmark::State& state) {
+  const Model model = bellows(16);
+  const ShellGeometry g = shell_geometry(model.mesh, model.mesh.quads.front());
+  const auto membrane = static_cast<MembraneStrain>(state.range(0));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(shell_mitc4_stiffness(g, model.shells.front().section, membrane));
+}
+BENCHMARK(shell_stiffness)->DenseRange(0, 2)->ArgName("membrane");
+
+void shell_mass(benchmark::State& state) {
+  const Model model = bellows(16);
+  const ShellGeometry g = shell_geometry(model.mesh, model.mesh.quads.front());
+  for (auto _ : state) benchmark::DoNotOptimize(shell_mitc4_mass(g, model.shells.front().section));
+}
+BENCHMARK(shell_mass);
+
+void beam(benchmark::State& state) {
+  const BeamProperties section = pipe_section({193e9, 0.3, 8000}, 0.03, 1e-3);
+  BeamGeometry g;
+  g.node1 = {0, 0, 0};
+  g.node2 = {0, 0.1, 0};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(beam_stiffness(g, section));
+    benchmark::DoNotOptimize(beam_mass(g, section));
+  }
+}
+BENCHMARK(beam);
+
+void assembly(benchmark::State& state) {
+  const Model model = bellows(48);
+  set_threads(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(assemble(model).K.nonZeros());
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(model.mesh.quads.size()));
+}
+BENCHMARK(assembly)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(
+    benchmark::kMillisecond);
+
+} // namespace
