@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace plica {
@@ -37,7 +38,7 @@ std::vector<int> neighbourhood(const SparseMatrix& K, std::vector<int> front, in
 // to hold a shell at one more point of the same place would not make it stiffer.
 std::vector<int> pivot_dofs(const SparseMatrix& full, const VectorXd& weight,
                             const MatrixXd& vectors, int rounds) {
-  constexpr int steps = 8;
+  const int steps = std::max(2, static_cast<int>(std::sqrt(double(full.rows()) / 2000)));
   MatrixXd rows = (weight.asDiagonal() * vectors).transpose();
   std::vector<int> chosen;
   for (int round = 0; round < rounds; ++round) {

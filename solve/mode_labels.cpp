@@ -2,8 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <complex>
 
 namespace plica {
 namespace {
@@ -15,21 +16,23 @@ using Eigen::VectorXd;
 
 constexpr double pair_tolerance = 1e-6; // of the frequency
 
-// Fourier coefficients of radial, circumferential and axial displacement round one ring:
-// rows u_r u_theta u_y; columns cos, sin.
-Eigen::Matrix<double, 3, 2> harmonic_of(const Model& model, const Ring& ring, const VectorXd& u,
-                                        int n) {
-  Eigen::Matrix<double, 3, 2> a = Eigen::Matrix<double, 3, 2>::Zero();
-  const auto count = static_cast<int>(ring.nodes.size());
-  for (int k = 0; k < count; ++k) {
-    const Eigen::Vector3d& x = model.mesh.nodes[ring.nodes[k]];
-    const double angle = std::atan2(x.z(), x.x());
-    const double c = std::cos(angle), s = std::sin(angle);
-    const Eigen::Vector3d d = u.segment<3>(6 * ring.nodes[k]);
-    const Eigen::Vector3d local(c * d.x() + s * d.z(), -s * d.x() + c * d.z(), d.y());
-    const double weight = (n == 0 ? 1. : 2.) / count;
-    a.col(0) += weight * std::cos(n * angle) * local;
-    a.col(1) += weight * std::sin(n * angle) * local;
+// Fourier coefficients of one harmonic: rows u_r u_theta u_y; columns cos, sin.
+using Harmonic = Eigen::Matrix<double, 3, 2>;
+
+// All harmonics 0..highest of the displacement round one ring.
+std::vector<Harmonic> harmonics_of(const Model& model, const Ring& ring, const VectorXd& u,
+                                   int highest) {
+  std::vector<Harmonic> a(highest + 1, Harmonic::Zero());
+  const auto count = double(ring.nodes.size());
+  for (int node : ring.nodes) {
+    const Eigen::Vector3d& x = model.mesh.nodes[node];
+    const std::complex<double> turn = std::polar(1., std::atan2(x.z(), x.x()));
+    const Eigen::Vector3d d = u.segment<3>(6 * node);
+    const Eigen::Vector3d local(turn.real() * d.x() + turn.imag() * d.z(),
+                                turn.real() * d.z() - turn.imag() * d.x(), d.y());
+    std::complex<double> wave = 1; // e^(i n theta)
+    for (int n = 0; n <= highest; ++n, wave *= turn)
+      a[n] += (n == 0 ? 1 : 2) / count * local * Eigen::RowVector2d(wave.real(), wave.imag());
   }
   return a;
 }
@@ -48,32 +51,22 @@ int half_waves(const std::vector<double>& profile) {
   return waves;
 }
 
-struct RingEnergy {
-  std::vector<Eigen::Vector3d> by_harmonic; // u_r u_theta u_y squares, weighted by the radius
-};
-
-RingEnergy ring_energy(const Model& model, const VectorXd& u) {
+ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
   std::size_t around = 0;
   for (const Ring& ring : model.mesh.rings) around = std::max(around, ring.nodes.size());
   const int highest = std::min<int>(static_cast<int>(around / 2), 24);
-  RingEnergy energy;
-  for (int n = 0; n <= highest; ++n) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Ring& ring : model.mesh.rings)
-      sum +=
-          ring.radius * (n == 0 ? 2 : 1) * harmonic_of(model, ring, u, n).rowwise().squaredNorm();
-    energy.by_harmonic.push_back(sum);
+  std::vector<std::vector<Harmonic>> rings; // per ring, per harmonic
+  std::vector<Eigen::Vector3d> energy(highest + 1, Eigen::Vector3d::Zero()); // u_r u_theta u_y
+  for (const Ring& ring : model.mesh.rings) {
+    rings.push_back(harmonics_of(model, ring, u, highest));
+    for (int n = 0; n <= highest; ++n)
+      energy[n] += ring.radius * (n == 0 ? 2 : 1) * rings.back()[n].rowwise().squaredNorm();
   }
-  return energy;
-}
-
-ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
-  const RingEnergy energy = ring_energy(model, u);
   ModeLabel label;
   const auto largest = std::max_element(
-      energy.by_harmonic.begin(), energy.by_harmonic.end(),
+      energy.begin(), energy.end(),
       [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.sum() < b.sum(); });
-  label.harmonic = static_cast<int>(largest - energy.by_harmonic.begin());
+  label.harmonic = static_cast<int>(largest - energy.begin());
   int row = 0; // of the displacement whose profile is counted
   label.shape = "shell";
   if (label.harmonic == 0) {
@@ -85,13 +78,12 @@ ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
   }
   Eigen::Vector2d along = Eigen::Vector2d::Zero(); // cos, sin share
   std::vector<std::array<double, 2>> profiles;
-  for (const Ring& ring : model.mesh.rings) {
-    const auto a = harmonic_of(model, ring, u, label.harmonic);
-    if (label.harmonic == 1) { // mean lateral motion: (radial + circumferential) / 2
+  for (const std::vector<Harmonic>& ring : rings) {
+    const Harmonic& a = ring[label.harmonic];
+    if (label.harmonic == 1) // mean lateral motion: (radial + circumferential) / 2
       profiles.push_back({(a(0, 0) - a(1, 1)) / 2, (a(0, 1) + a(1, 0)) / 2});
-    } else {
+    else
       profiles.push_back({a(row, 0), a(row, 1)});
-    }
     along += Eigen::Vector2d(profiles.back()[0], profiles.back()[1]).cwiseAbs2();
   }
   const int part = along[1] > along[0] ? 1 : 0;

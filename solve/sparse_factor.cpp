@@ -44,6 +44,19 @@ struct SparseFactor::Impl {
 
 namespace {
 
+// CHOLMOD's own OpenMP loops ask for four threads whatever the machine has, and wake them for each
+// small supernode. Inside this scope they run in one; BLAS keeps its threads.
+class OneOpenMpThread {
+public:
+  OneOpenMpThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+  ~OneOpenMpThread() { omp_set_max_active_levels(levels_); }
+  OneOpenMpThread(const OneOpenMpThread&) = delete;
+  OneOpenMpThread& operator=(const OneOpenMpThread&) = delete;
+
+private:
+  int levels_;
+};
+
 // A view of an Eigen matrix; CHOLMOD does not change it.
 cholmod_sparse view(const SparseMatrix& A) {
   cholmod_sparse v{};
@@ -103,6 +116,7 @@ SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 
 FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
+  const OneOpenMpThread scope;
   cholmod_sparse A = view(lower);
   cholmod_common& c = impl_->common;
   c.status = CHOLMOD_OK;
@@ -120,6 +134,7 @@ FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
 }
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
+  const OneOpenMpThread scope;
   cholmod_dense B = view(b.data(), b.rows(), b.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
   if (x == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
@@ -130,6 +145,7 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
 }
 
 void SparseFactor::solve(const double* b, double* x) const {
+  const OneOpenMpThread scope;
   cholmod_dense B = view(b, impl_->rows, 1);
   if (cholmod_solve2(CHOLMOD_A, impl_->factor, &B, nullptr, &impl_->x, nullptr, &impl_->y,
                      &impl_->e, &impl_->common) == 0)
