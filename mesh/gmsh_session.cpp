@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gmsh.h>
 #include <numeric>
+#include <omp.h>
 #include <stdexcept>
 
 namespace plica {
@@ -10,18 +11,25 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Opens the Gmsh session of this process, silent, and closes it again.
+// Opens the Gmsh session of this process, silent, and closes it again. Gmsh sets the number of
+// OpenMP threads of the whole process; it is put back.
 class Session {
 public:
-  Session() {
+  Session() : threads_(omp_get_max_threads()) {
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
     gmsh::model::add("plica");
   }
-  ~Session() { gmsh::finalize(); }
+  ~Session() {
+    gmsh::finalize();
+    omp_set_num_threads(threads_);
+  }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
+
+private:
+  int threads_;
 };
 
 int add_point(const Vector2d& p) {

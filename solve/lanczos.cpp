@@ -1,4 +1,4 @@
-// Spectra's long vector operations through BLAS, on both cores.
+// Spectra's long vector operations through BLAS.
 #define EIGEN_USE_BLAS
 #include "solve/lanczos.hpp"
 
@@ -68,10 +68,13 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
   Spectra::SymGEigsShiftSolver<ShiftInvert, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
       shift_invert, mass, count, subspace, sigma);
   const VectorXd start = start_vector(pruned, factor, settings.seed);
-  solver.init(start.data());
   constexpr int max_restarts = 300;
-  const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-9,
-                                    Spectra::SortRule::SmallestAlge);
+  const auto found = [&] {
+    const OneBlasThread scope;
+    solver.init(start.data());
+    return solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-9,
+                          Spectra::SortRule::SmallestAlge);
+  }();
   EigenPairs pairs;
   pairs.operations = static_cast<int>(solver.num_operations());
   pairs.converged = solver.info() == Spectra::CompInfo::Successful;

@@ -92,6 +92,7 @@ ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
     label.direction = part == 0 ? "x" : "z";
   }
   std::vector<double> profile;
+  profile.reserve(profiles.size());
   for (const auto& p : profiles) profile.push_back(p[part]);
   label.order = half_waves(profile);
   return label;

@@ -1,3 +1,5 @@
+// Products of long matrices through BLAS.
+#define EIGEN_USE_BLAS
 #include "solve/sparse_factor.hpp"
 
 #include <cholmod.h>
@@ -8,6 +10,7 @@
 
 // OpenBLAS has its own threads; with another BLAS the symbol is absent and BLAS keeps its default.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" int openblas_get_num_threads() __attribute__((weak));
 
 namespace plica {
 
@@ -135,6 +138,7 @@ FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
   const OneOpenMpThread scope;
+  const OneBlasThread blas;
   cholmod_dense B = view(b.data(), b.rows(), b.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
   if (x == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
@@ -144,8 +148,24 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
   return result;
 }
 
+Eigen::MatrixXd SparseFactor::quadratic_form(const Eigen::MatrixXd& b) const {
+  const OneOpenMpThread scope;
+  const OneBlasThread blas;
+  cholmod_dense B = view(b.data(), b.rows(), b.cols());
+  cholmod_dense* permuted = cholmod_solve(CHOLMOD_P, impl_->factor, &B, &impl_->common);
+  cholmod_dense* y =
+      permuted ? cholmod_solve(CHOLMOD_L, impl_->factor, permuted, &impl_->common) : nullptr;
+  cholmod_free_dense(&permuted, &impl_->common);
+  if (y == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
+  const Eigen::Map<Eigen::MatrixXd> Y(static_cast<double*>(y->x), b.rows(), b.cols());
+  const Eigen::MatrixXd form = Y.transpose() * Y;
+  cholmod_free_dense(&y, &impl_->common);
+  return form;
+}
+
 void SparseFactor::solve(const double* b, double* x) const {
   const OneOpenMpThread scope;
+  const OneBlasThread blas;
   cholmod_dense B = view(b, impl_->rows, 1);
   if (cholmod_solve2(CHOLMOD_A, impl_->factor, &B, nullptr, &impl_->x, nullptr, &impl_->y,
                      &impl_->e, &impl_->common) == 0)
@@ -177,6 +197,15 @@ void set_threads(int threads) {
   const int n = threads > 0 ? threads : omp_get_num_procs();
   omp_set_num_threads(n);
   if (openblas_set_num_threads != nullptr) openblas_set_num_threads(n);
+}
+
+OneBlasThread::OneBlasThread()
+    : threads_(openblas_get_num_threads != nullptr ? openblas_get_num_threads() : 1) {
+  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
+}
+
+OneBlasThread::~OneBlasThread() {
+  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(threads_);
 }
 
 double peak_memory() {

@@ -34,7 +34,9 @@ public:
 
   // A^-1 b for all columns at once. Needs a successful factorise().
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
-  // The same for one vector of rows() numbers, without allocation after the first call.
+  // b' A^-1 b, symmetric, from one forward solve. Cholesky only.
+  Eigen::MatrixXd quadratic_form(const Eigen::MatrixXd& b) const;
+  // A^-1 b for one vector of rows() numbers, without allocation after the first call.
   void solve(const double* b, double* x) const;
 
   int rows() const;
@@ -49,6 +51,19 @@ private:
 
 // Threads of OpenMP regions and of BLAS. 0 = all cores.
 void set_threads(int threads);
+
+// Inside its scope BLAS runs in one thread: for many short operations, which gain nothing from more
+// and lose much when a core is busy elsewhere.
+class OneBlasThread {
+public:
+  OneBlasThread();
+  ~OneBlasThread();
+  OneBlasThread(const OneBlasThread&) = delete;
+  OneBlasThread& operator=(const OneBlasThread&) = delete;
+
+private:
+  int threads_;
+};
 
 // Peak resident memory of this process in bytes.
 double peak_memory();

@@ -2,7 +2,11 @@
 #pragma once
 
 #include "io/case_file.hpp"
+#include "model/build_bellows.hpp"
 #include "model/run.hpp"
+
+#include <cstdio>
+#include <gtest/gtest.h>
 
 namespace plica::test {
 
@@ -29,8 +33,25 @@ inline Results run_silently(const Case& data) {
   return run(data, [](const std::string&) {});
 }
 
-inline double error(double value, double reference) {
-  return value / reference - 1;
+// The bellows alone: what harmonic_model.hpp takes.
+struct BareBellows {
+  Mesh mesh;
+  ShellProperties shell;
+};
+
+inline BareBellows bare_bellows(Case data) {
+  const Bellows& bellows = bellows_of(data);
+  return {bellows_mesh(bellows, bellows_meridian(bellows)), build(data).model.shells.front()};
+}
+
+// Holds a value against its reference and prints the line for the verification table.
+inline void compare(const std::string& part, const std::string& what, double value,
+                    double reference, double tolerance) {
+  const double error = value / reference - 1;
+  std::printf("| %s | %s | %.6g | %.6g | %+.2f %% | %.2g %% |\n", part.c_str(), what.c_str(), value,
+              reference, 100 * error, 100 * tolerance);
+  EXPECT_LE(std::abs(error), tolerance)
+      << part << ", " << what << ": " << value << ", reference " << reference;
 }
 
 } // namespace plica::test

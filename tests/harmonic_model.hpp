@@ -85,4 +85,22 @@ inline std::vector<double> pair_frequencies(const Mesh& mesh, const ShellPropert
   return one;
 }
 
+// Force over displacement of the right end circle, moved along the axis as a rigid ring.
+inline double axial_stiffness(const Mesh& mesh, const ShellProperties& shell) {
+  Model model = clamped_harmonic_model(mesh, shell, 0, {2, 3, 4});
+  const std::vector<int>& end = mesh.sets.at("right");
+  std::erase_if(model.constraints,
+                [](const Constraint& c) { return c.origin == "right" && c.dof == 1; });
+  for (std::size_t k = 1; k < end.size(); ++k)
+    model.constraints.push_back(
+        {.node = end[k], .dof = 1, .terms = {{end[0], 1, 1}}, .origin = ""});
+  const System system = assemble(model);
+  SparseFactor factor(system.K);
+  if (!factor.factorise(system.K).ok) throw std::runtime_error("axial stiffness: a mechanism");
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(system.map.size());
+  const int moved = system.map.independent[6 * end[0] + 1];
+  force[moved] = 1;
+  return 1 / factor.solve(force)(moved, 0);
+}
+
 } // namespace plica::test

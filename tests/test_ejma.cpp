@@ -5,9 +5,9 @@
 // of cases/verification. Stated accuracy of the worksheets: 0.5 %.
 #include "model/ejma.hpp"
 
-#include "tests/bellows_case.hpp"
 #include "model/build_bellows.hpp"
 #include "model/profile_checks.hpp"
+#include "tests/bellows_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -194,13 +194,14 @@ TEST(Ejma, formulas_give_the_reference_table_of_bellows_a_b_c) {
   EXPECT_NEAR(ejma_torsion_stiffness(ejma_bellows(verification_case("bellows_a"))), 1.13e4, 0.02e4);
 }
 
-// 10 % is what EJMA's own approximations leave (a shell is stiffer by 2-9 % for C1 <= 0.6).
+// 10 % is what EJMA's own approximations leave (a shell is stiffer by 2-9 % for C1 <= 0.6). On the
+// meshes of the cases; bellows B has 9.3 % of its own, converged.
 TEST(Ejma, shell_model_of_bellows_a_b_c_is_within_ten_percent_of_ejma) {
   for (const ReferenceBellows& r : references) {
-    const Case data = without_modes(verification_case(r.name, {.around = 36, .arc = 4, .wall = 5}));
+    const Case data = without_modes(verification_case(r.name));
     const EjmaBellows b = ejma_bellows(data);
     const double ejma = ejma_convolution_stiffness(b, ejma_factors(b)) / b.convolutions;
-    expect_within(0.1, run_silently(data).statics->k_axial, ejma, r.name);
+    compare(r.name, "axial stiffness by EJMA", run_silently(data).statics->k_axial, ejma, 0.1);
   }
 }
 

@@ -55,6 +55,16 @@ void hold_symmetry(Model& model, const std::string& set, int axis) {
   hold(model, set, {axis, 3 + (axis + 1) % 3, 3 + (axis + 2) % 3});
 }
 
+void hold_along(Model& model, int node, int first, const Vector3d& direction) {
+  int pivot = 0;
+  direction.cwiseAbs().maxCoeff(&pivot);
+  Constraint row{.node = node, .dof = first + pivot, .terms = {}, .origin = "inclined support"};
+  for (int j = 0; j < 3; ++j)
+    if (j != pivot && std::abs(direction[j]) > 1e-12)
+      row.terms.push_back({node, first + j, -direction[j] / direction[pivot]});
+  model.constraints.push_back(row);
+}
+
 int node_at(const Mesh& mesh, const Vector3d& position) {
   const auto [node, distance] = nearest_node(mesh, position);
   EXPECT_LT(distance, 1e-6 * (1 + position.norm())) << "no node at " << position.transpose();
@@ -90,6 +100,10 @@ VectorXd solve_static(const Model& model, const VectorXd& force) {
   const FactorStatus status = factor.factorise(system.K);
   if (!status.ok) throw std::runtime_error(status.reason);
   return expand(system.map, factor.solve(gather(system.map, force)));
+}
+
+void expect_ratio(double value, double wanted, double tolerance, const std::string& what) {
+  EXPECT_NEAR(value / wanted, 1, tolerance) << what << ": " << value << ", wanted " << wanted;
 }
 
 Modes find_modes(const Model& model, int count) {

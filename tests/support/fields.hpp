@@ -31,18 +31,23 @@ void hold(Model& model, const std::string& set, const std::vector<int>& dofs);
 // Symmetry about a plane normal to the axis 0, 1 or 2.
 void hold_symmetry(Model& model, const std::string& set, int axis);
 
-// Holds DOFs wherever no element gives them stiffness: those of nodes nobody uses.
+// No motion along a direction: of the displacement (first = 0) or the rotation (first = 3).
+void hold_along(Model& model, int node, int first, const Eigen::Vector3d& direction);
+
 int node_at(const Mesh& mesh, const Eigen::Vector3d& position); // fails the test when it is off
 
 Eigen::VectorXd no_force(const Model& model); // all DOFs
 Eigen::VectorXd area_load(const Model& model, const Eigen::Vector3d& load);
 
-// A force per length over an edge of shells: a resultant, shared by the trapezoidal rule.
+// A resultant spread evenly over an edge of equal elements.
 void add_edge_force(const Model& model, const std::string& set, int dof, double resultant,
                     Eigen::VectorXd& force);
 
 // Displacements of all DOFs under forces on all DOFs.
 Eigen::VectorXd solve_static(const Model& model, const Eigen::VectorXd& force);
+
+// |value / wanted - 1| <= tolerance
+void expect_ratio(double value, double wanted, double tolerance, const std::string& what);
 
 struct Modes {
   Eigen::VectorXd hertz;
