@@ -1,6 +1,7 @@
 // Element matrices and assembly, per element.
 #include "mesh/revolve.hpp"
 #include "solve/assembly.hpp"
+#include "solve/couplings.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <benchmark/benchmark.h>
@@ -57,5 +58,41 @@ void assembly(benchmark::State& state) {
 }
 BENCHMARK(assembly)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(
     benchmark::kMillisecond);
+
+// Cholesky of a clamped bellows and solves with it, against the threads of BLAS.
+void factorise(benchmark::State& state) {
+  Model model = bellows(96);
+  add_support(model, model.mesh.sets["bellows.left"], {0, 1, 2, 3, 4, 5}, "clamp");
+  const System system = assemble(model);
+  SparseFactor factor(system.K);
+  set_blas_threads(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(factor.factorise(system.K).ok);
+  set_blas_threads(1);
+}
+BENCHMARK(factorise)
+    ->Arg(1)
+    ->Arg(2)
+    ->ArgName("blas_threads")
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void solve(benchmark::State& state) {
+  Model model = bellows(96);
+  add_support(model, model.mesh.sets["bellows.left"], {0, 1, 2, 3, 4, 5}, "clamp");
+  const System system = assemble(model);
+  SparseFactor factor(system.K);
+  factor.factorise(system.K);
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(system.K.rows(), state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(factor.solve(b).data());
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(solve)
+    ->Arg(1)
+    ->Arg(4)
+    ->Arg(16)
+    ->Arg(64)
+    ->ArgName("right_hand_sides")
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace

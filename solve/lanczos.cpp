@@ -69,12 +69,9 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
       shift_invert, mass, count, subspace, sigma);
   const VectorXd start = start_vector(pruned, factor, settings.seed);
   constexpr int max_restarts = 300;
-  const auto found = [&] {
-    const OneBlasThread scope;
-    solver.init(start.data());
-    return solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-9,
-                          Spectra::SortRule::SmallestAlge);
-  }();
+  solver.init(start.data());
+  const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-9,
+                                    Spectra::SortRule::SmallestAlge);
   EigenPairs pairs;
   pairs.operations = static_cast<int>(solver.num_operations());
   pairs.converged = solver.info() == Spectra::CompInfo::Successful;

@@ -10,7 +10,6 @@
 
 // OpenBLAS has its own threads; with another BLAS the symbol is absent and BLAS keeps its default.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-extern "C" int openblas_get_num_threads() __attribute__((weak));
 
 namespace plica {
 
@@ -138,7 +137,6 @@ FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
   const OneOpenMpThread scope;
-  const OneBlasThread blas;
   cholmod_dense B = view(b.data(), b.rows(), b.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
   if (x == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
@@ -150,7 +148,6 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
 
 Eigen::MatrixXd SparseFactor::quadratic_form(const Eigen::MatrixXd& b) const {
   const OneOpenMpThread scope;
-  const OneBlasThread blas;
   cholmod_dense B = view(b.data(), b.rows(), b.cols());
   cholmod_dense* permuted = cholmod_solve(CHOLMOD_P, impl_->factor, &B, &impl_->common);
   cholmod_dense* y =
@@ -165,7 +162,6 @@ Eigen::MatrixXd SparseFactor::quadratic_form(const Eigen::MatrixXd& b) const {
 
 void SparseFactor::solve(const double* b, double* x) const {
   const OneOpenMpThread scope;
-  const OneBlasThread blas;
   cholmod_dense B = view(b, impl_->rows, 1);
   if (cholmod_solve2(CHOLMOD_A, impl_->factor, &B, nullptr, &impl_->x, nullptr, &impl_->y,
                      &impl_->e, &impl_->common) == 0)
@@ -194,18 +190,13 @@ double SparseFactor::factor_flops() const {
 }
 
 void set_threads(int threads) {
-  const int n = threads > 0 ? threads : omp_get_num_procs();
-  omp_set_num_threads(n);
-  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(n);
+  omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());
+  Eigen::setNbThreads(1); // its products wait for each other by spinning
+  set_blas_threads(1);
 }
 
-OneBlasThread::OneBlasThread()
-    : threads_(openblas_get_num_threads != nullptr ? openblas_get_num_threads() : 1) {
-  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
-}
-
-OneBlasThread::~OneBlasThread() {
-  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(threads_);
+void set_blas_threads(int threads) {
+  if (openblas_set_num_threads != nullptr) openblas_set_num_threads(threads);
 }
 
 double peak_memory() {

@@ -49,21 +49,11 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-// Threads of OpenMP regions and of BLAS. 0 = all cores.
+// Threads of OpenMP regions, 0 = all cores; BLAS gets one. The supernodes of a shell are small: a
+// second BLAS thread gains little in the factorisation, nothing in solves, and costs a multiple
+// when the other core is busy (bench/bench_kernels.cpp measures it).
 void set_threads(int threads);
-
-// Inside its scope BLAS runs in one thread: for many short operations, which gain nothing from more
-// and lose much when a core is busy elsewhere.
-class OneBlasThread {
-public:
-  OneBlasThread();
-  ~OneBlasThread();
-  OneBlasThread(const OneBlasThread&) = delete;
-  OneBlasThread& operator=(const OneBlasThread&) = delete;
-
-private:
-  int threads_;
-};
+void set_blas_threads(int threads);
 
 // Peak resident memory of this process in bytes.
 double peak_memory();

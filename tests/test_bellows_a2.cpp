@@ -62,9 +62,11 @@ TEST_P(PipeA2Slow, circumference_and_meridian_converge_each_at_order_two_without
   const ReferenceA2 r = reference_a2(name);
   const std::array reference{r.stiffness, r.axial, r.transverse};
   // Each refinement alone, the other mesh size kept: three meshes, each twice as fine as the last.
-  const std::array around{numbers_of(name, {24, 4, 5}), numbers_of(name, {48, 4, 5}),
-                          numbers_of(name, {96, 4, 5})};
-  const std::array meridian{around[0], numbers_of(name, {24, 8, 10}),
+  // The facets lower mass and stiffness alike: most of the error round the axis cancels in the
+  // axial frequency, where order two shows only from 48 elements on. Hence the stiffness beside it.
+  const std::array around{numbers_of(name, {48, 4, 5}), numbers_of(name, {96, 4, 5}),
+                          numbers_of(name, {192, 4, 5})};
+  const std::array meridian{numbers_of(name, {24, 4, 5}), numbers_of(name, {24, 8, 10}),
                             numbers_of(name, {24, 16, 20})};
   const Numbers fine = numbers_of(name, {72, 8, 10});
   std::printf("%-18s %-16s %12s %12s %12s %8s\n", name.c_str(), "", "h", "h/2", "h/4", "order");
@@ -81,7 +83,7 @@ TEST_P(PipeA2Slow, circumference_and_meridian_converge_each_at_order_two_without
     order("meridian", meridian);
     // Error of the fine mesh (72 around, 8 per quarter arc, 10 per wall) from each, to order two.
     const double round =
-        (around[2].value[i] - around[1].value[i]) * (-4. / 3) * (48. * 48) / (72 * 72);
+        (around[0].value[i] - around[1].value[i]) * (4. / 3) * (48. * 48) / (72 * 72);
     const double along = (meridian[1].value[i] - meridian[2].value[i]) * (4. / 3);
     const double limit = fine.value[i] - round - along;
     std::printf("%-18s fine %.6g = limit %.6g %+.3f %% circumference %+.3f %% meridian; reference "

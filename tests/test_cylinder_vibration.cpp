@@ -68,7 +68,7 @@ std::vector<double> harmonic(const Sector& sector, int n, int wanted) {
   Model model = shell_model(mesh_surface(surface, sector.around, sector.along, sector.thickness),
                             sector.section);
   support_sector(model, sector, n);
-  const Modes modes = find_modes(model, n == 1 ? 32 : 8);
+  const Modes modes = find_modes(model, n == 1 ? 26 : 8);
   std::vector<double> found;
   for (Eigen::Index mode = 0; mode < modes.hertz.size(); ++mode) {
     double of_n = 0, all = 0; // squares of the radial motion, along each line of constant b

@@ -1,17 +1,18 @@
 // One harness over every element: symmetry, rigid motions, energy, mass of the rigid body.
 #include "elements/bushing.hpp"
-#include "elements/shell_mitc4.hpp"
+#include "tests/support/shell_cases.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <limits>
 
 namespace {
 
 using namespace plica;
+using namespace plica::test;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -30,81 +31,6 @@ MatrixXd rigid_motions(const std::vector<Vector3d>& nodes, const Vector3d& about
   return R;
 }
 
-VectorXd random_vector(int size, unsigned seed) {
-  std::mt19937 random(seed);
-  VectorXd v(size);
-  for (double& x : v) x = 2 * double(random()) / double(std::mt19937::max()) - 1;
-  return v;
-}
-
-ShellGeometry quad(std::initializer_list<Vector3d> corners, double thickness) {
-  ShellGeometry g;
-  int i = 0;
-  for (const Vector3d& x : corners) g.X.col(i++) = x;
-  for (i = 0; i < 4; ++i)
-    g.directors.col(i) = Vector3d(g.X.col((i + 1) % 4) - g.X.col(i))
-                             .cross(Vector3d(g.X.col((i + 3) % 4) - g.X.col(i)))
-                             .normalized();
-  g.thickness.setConstant(thickness);
-  return g;
-}
-
-ShellGeometry flat() {
-  return quad({{0, 0, 0}, {1.2, 0, 0}, {1.2, 0.8, 0}, {0, 0.8, 0}}, 0.1);
-}
-ShellGeometry parallelogram() {
-  return quad({{0, 0, 0}, {1.2, 0, 0}, {1.7, 0.8, 0}, {0.5, 0.8, 0}}, 0.1);
-}
-ShellGeometry skewed() {
-  return quad({{0, 0, 0}, {1.2, 0.1, 0}, {1.5, 0.9, 0}, {-0.1, 0.6, 0}}, 0.1);
-}
-ShellGeometry turned() {
-  ShellGeometry g = skewed();
-  const Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
-  g.X = R * g.X;
-  g.directors = R * g.directors;
-  return g;
-}
-ShellGeometry warped() {
-  return quad({{0, 0, 0.1}, {1.2, 0.1, -0.1}, {1.5, 0.9, 0.2}, {-0.1, 0.6, -0.15}}, 0.1);
-}
-// A piece of a cylinder of radius 0.3: directors well off the normal of the flat corners.
-ShellGeometry curved() {
-  ShellGeometry g;
-  for (int i = 0; i < 4; ++i) {
-    const double angle = i == 1 || i == 2 ? 0.3 : -0.2;
-    g.directors.col(i) << std::sin(angle), 0, std::cos(angle);
-    g.X.col(i) << 0.3 * std::sin(angle), i < 2 ? 0 : 0.2 + 0.1 * angle, 0.3 * std::cos(angle);
-  }
-  g.thickness << 0.1, 0.08, 0.09, 0.1;
-  return g;
-}
-// Warped corners with directors of a doubly curved surface.
-ShellGeometry curved_warped() {
-  ShellGeometry g = warped();
-  for (int i = 0; i < 4; ++i)
-    g.directors.col(i) = Vector3d(0.4 * g.X(0, i) - 0.2, -0.3 * g.X(1, i) + 0.1, 1).normalized();
-  return g;
-}
-
-struct ShellCase {
-  const char* name;
-  ShellGeometry geometry;
-};
-const std::vector<ShellCase>& shell_cases() {
-  static const std::vector<ShellCase> cases{{"flat", flat()},
-                                            {"parallelogram", parallelogram()},
-                                            {"skewed", skewed()},
-                                            {"turned", turned()},
-                                            {"warped", warped()},
-                                            {"curved", curved()},
-                                            {"curved_warped", curved_warped()}};
-  return cases;
-}
-const std::vector<std::pair<const char*, MembraneStrain>> membranes{
-    {"displacement", MembraneStrain::displacement},
-    {"mitc4_plus", MembraneStrain::mitc4_plus},
-    {"incompatible", MembraneStrain::incompatible}};
 const ShellSection steel{.E = 2e11, .nu = 0.3, .rho = 8000};
 
 // An element as the harness sees it.
@@ -113,14 +39,6 @@ struct Element {
   std::vector<Vector3d> nodes;
   MatrixXd K, M;
 };
-
-void PrintTo(const Element& element, std::ostream* out) {
-  *out << element.name;
-}
-
-std::vector<Vector3d> corners(const ShellGeometry& g) {
-  return {g.X.col(0), g.X.col(1), g.X.col(2), g.X.col(3)};
-}
 
 Element beam(const std::string& name, const BeamGeometry& g, BeamProperties section) {
   return {name, {g.node1, g.node2}, beam_stiffness(g, section), beam_mass(g, section)};
@@ -133,15 +51,14 @@ Matrix6 full_law() {
 
 std::vector<Element> all_elements() {
   std::vector<Element> elements;
-  for (const auto& [name, geometry] : shell_cases())
+  for (const auto& [name, geometry] : all_shells())
     for (const auto& [membrane_name, membrane] : membranes)
       for (double factor : {1., 0.25}) {
         ShellSection section = steel;
         section.bending_factor = factor;
-        elements.push_back(
-            {std::string("shell_") + name + "_" + membrane_name + (factor < 1 ? "_slipping" : ""),
-             corners(geometry), shell_mitc4_stiffness(geometry, section, membrane),
-             shell_mitc4_mass(geometry, section)});
+        elements.push_back({"shell_" + name + "_" + membrane_name + (factor < 1 ? "_slipping" : ""),
+                            corners(geometry), shell_mitc4_stiffness(geometry, section, membrane),
+                            shell_mitc4_mass(geometry, section)});
       }
   const BeamProperties bar = rectangle_section({2e11, 0.3, 8000}, 0.2, 0.1);
   BeamProperties rigid_shear = bar, half_rigid = bar;
@@ -164,136 +81,40 @@ std::vector<Element> all_elements() {
   return elements;
 }
 
-class EveryElement : public testing::TestWithParam<Element> {};
-
-TEST_P(EveryElement, is_symmetric) {
-  const auto& [name, nodes, K, M] = GetParam();
-  EXPECT_LE((K - K.transpose()).norm(), 1e-14 * K.norm());
-  EXPECT_LE((M - M.transpose()).norm(), 1e-14 * M.norm());
-}
-
-TEST_P(EveryElement, stores_no_energy_in_rigid_motions) {
-  const auto& [name, nodes, K, M] = GetParam();
-  const MatrixXd R = rigid_motions(nodes, {0.3, -0.2, 0.1});
-  for (int j = 0; j < 6; ++j)
-    EXPECT_LE((K * R.col(j)).norm(), 1e-9 * K.norm() * R.col(j).norm()) << "motion " << j;
-}
-
-TEST_P(EveryElement, has_exactly_six_zero_eigenvalues) {
-  const VectorXd lambda = GetParam().K.selfadjointView<Eigen::Lower>().eigenvalues();
-  const double largest = lambda.tail(1)[0];
-  EXPECT_LE(lambda.head(6).cwiseAbs().maxCoeff(), 1e-12 * largest);
-  EXPECT_GT(lambda[6], 1e-4 * steel.drilling * largest);
-}
-
-TEST_P(EveryElement, moves_rigidly_with_its_mass_centre_and_inertia) {
-  const auto& [name, nodes, K, M] = GetParam();
-  const MatrixXd R = rigid_motions(nodes, Vector3d::Zero());
-  const Matrix6 m = R.transpose() * M * R;
-  if (M.isZero()) return;
-  // Whatever the body, R'MR has the form of a rigid body: one mass, one centre.
-  RigidMass body{.mass = m(0, 0), .offset = {m(1, 5), m(2, 3), m(0, 4)}};
-  body.offset /= body.mass;
-  body.inertia.setZero();
-  body.inertia = (m - rigid_mass_matrix(body)).bottomRightCorner<3, 3>();
-  EXPECT_LE((m - rigid_mass_matrix(body)).norm(), 1e-12 * m.norm());
-  EXPECT_GT(body.inertia.selfadjointView<Eigen::Lower>().eigenvalues()[0], 0);
-}
-
-INSTANTIATE_TEST_SUITE_P(Harness, EveryElement, testing::ValuesIn(all_elements()),
-                         [](const auto& element) { return element.param.name; });
-
-// Gauss points of one direction.
-std::vector<std::pair<double, double>> gauss(int points) {
-  if (points == 2) return {{-std::sqrt(1. / 3), 1}, {std::sqrt(1. / 3), 1}};
-  return {{-std::sqrt(0.6), 5. / 9}, {0, 8. / 9}, {std::sqrt(0.6), 5. / 9}};
-}
-
-double strain_energy(const ShellGeometry& g, const ShellSection& section, MembraneStrain membrane,
-                     const VectorXd& u, int points) {
-  const ShellLaw law = shell_law(section);
-  double energy = 0;
-  for (const auto& [r, wr] : gauss(points))
-    for (const auto& [s, ws] : gauss(points))
-      for (const auto& [zeta, wz] : gauss(points)) {
-        const double t = (g.thickness[0] * (1 - r) * (1 - s) + g.thickness[1] * (1 + r) * (1 - s) +
-                          g.thickness[2] * (1 + r) * (1 + s) + g.thickness[3] * (1 - r) * (1 + s)) /
-                         4;
-        const double z = zeta * std::sqrt(section.bending_factor) * t / 2;
-        const ShellStrainMatrix B = shell_mitc4_strain(g, section, membrane, r, s, z);
-        const Vector3d eps = B.in_plane * u;
-        const Eigen::Vector2d gamma = B.shear * u;
-        energy += wr * ws * wz * t / 2 * B.volume *
-                  (eps.dot(law.in_plane * eps) + gamma.dot(law.shear * gamma)) / 2;
-      }
-  return energy;
-}
-
-TEST(ShellEnergy, quadratic_form_equals_integrated_strain_energy) {
-  ShellSection section = steel;
-  section.drilling = 0; // its penalty is no strain
-  for (const auto& [name, g] : shell_cases())
-    for (const auto& [membrane_name, membrane] : membranes)
-      for (double factor : {1., 0.25})
-        for (unsigned seed : {1, 2, 3}) {
-          section.bending_factor = factor;
-          const VectorXd u = random_vector(24, seed);
-          const double half = u.dot(shell_mitc4_stiffness(g, section, membrane) * u) / 2;
-          EXPECT_NEAR(strain_energy(g, section, membrane, u, 2), half, 1e-12 * half)
-              << name << " " << membrane_name;
-        }
-}
-
-// On a parallelogram the metric is constant and 3x3x3 points are exact too.
-TEST(ShellEnergy, two_points_integrate_a_parallelogram_exactly) {
-  ShellSection section = steel;
-  section.drilling = 0;
-  for (const ShellGeometry& g : {flat(), parallelogram()})
-    for (const auto& [name, membrane] : membranes)
-      for (unsigned seed : {1, 2, 3}) {
-        const VectorXd u = random_vector(24, seed);
-        const double half = u.dot(shell_mitc4_stiffness(g, section, membrane) * u) / 2;
-        EXPECT_NEAR(strain_energy(g, section, membrane, u, 3), half, 1e-12 * half) << name;
-      }
-}
-
-TEST(ShellEnergy, drilling_turn_without_membrane_costs_its_penalty) {
-  const ShellGeometry g = flat();
-  VectorXd u = VectorXd::Zero(24);
-  for (int i = 0; i < 4; ++i) u[6 * i + 5] = 0.01;
-  const double half = u.dot(shell_mitc4_stiffness(g, steel, MembraneStrain::displacement) * u) / 2;
-  const double G = steel.E / (2 * (1 + steel.nu));
-  EXPECT_NEAR(half, steel.drilling * G * 0.1 * 1.2 * 0.8 * 0.01 * 0.01 / 2, 1e-12 * half);
-}
-
-TEST(ShellMembrane, mitc4_plus_equals_displacement_on_flat_elements) {
-  for (const ShellGeometry& g : {flat(), parallelogram(), skewed(), turned()}) {
-    const Matrix24 K = shell_mitc4_stiffness(g, steel, MembraneStrain::displacement);
-    const Matrix24 K_plus = shell_mitc4_stiffness(g, steel, MembraneStrain::mitc4_plus);
-    EXPECT_LE((K_plus - K).norm(), 1e-13 * K.norm());
+TEST(EveryElement, is_symmetric) {
+  for (const auto& [name, nodes, K, M] : all_elements()) {
+    EXPECT_LE((K - K.transpose()).norm(), 1e-14 * K.norm()) << name;
+    EXPECT_LE((M - M.transpose()).norm(), 1e-14 * M.norm()) << name;
   }
 }
 
-// Taylor, Beresford & Wilson (1976): the condition for passing the patch test.
-TEST(ShellMembrane, incompatible_modes_do_no_work_on_constant_stress) {
-  for (const ShellGeometry& g : {flat(), parallelogram(), skewed(), turned()}) {
-    const auto with = shell_mitc4_points(g, steel, MembraneStrain::incompatible);
-    const auto without = shell_mitc4_points(g, steel, MembraneStrain::displacement);
-    // Constant stress is the same tensor everywhere: sum the strains in global axes.
-    const VectorXd u = random_vector(24, 5);
-    Matrix3d sum = Matrix3d::Zero();
-    double size = 0;
-    for (std::size_t p = 0; p < with.size(); ++p) {
-      const Vector3d e = (with[p].strain.in_plane - without[p].strain.in_plane) * u;
-      Eigen::Matrix2d local;
-      local << e[0], e[2] / 2, e[2] / 2, e[1];
-      const auto axes = with[p].strain.basis.leftCols<2>();
-      const Matrix3d strain = with[p].weight * axes * local * axes.transpose();
-      sum += strain;
-      size += strain.norm();
-    }
-    EXPECT_LE(sum.norm(), 1e-13 * size);
-    EXPECT_GT(size, 0);
+TEST(EveryElement, stores_no_energy_in_rigid_motions) {
+  for (const auto& [name, nodes, K, M] : all_elements()) {
+    const MatrixXd R = rigid_motions(nodes, {0.3, -0.2, 0.1});
+    for (int j = 0; j < 6; ++j)
+      EXPECT_LE((K * R.col(j)).norm(), 1e-9 * K.norm() * R.col(j).norm()) << name << ", " << j;
+  }
+}
+
+TEST(EveryElement, has_exactly_six_zero_eigenvalues) {
+  for (const auto& [name, nodes, K, M] : all_elements()) {
+    const VectorXd lambda = K.selfadjointView<Eigen::Lower>().eigenvalues();
+    const double largest = lambda.tail(1)[0];
+    EXPECT_LE(lambda.head(6).cwiseAbs().maxCoeff(), 1e-13 * largest) << name;
+    EXPECT_GT(lambda[6], 1e-4 * steel.drilling * largest) << name;
+  }
+}
+
+// Whatever the body, R'MR has the form of a rigid body: one mass, one centre, some inertia.
+TEST(EveryElement, moves_rigidly_with_one_mass_and_centre) {
+  for (const auto& [name, nodes, K, M] : all_elements()) {
+    if (M.isZero()) continue;
+    const MatrixXd R = rigid_motions(nodes, Vector3d::Zero());
+    const Matrix6 m = R.transpose() * M * R;
+    RigidMass body{.mass = m(0, 0), .offset = Vector3d(m(1, 5), m(2, 3), m(0, 4)) / m(0, 0)};
+    body.inertia = (m - rigid_mass_matrix(body)).bottomRightCorner<3, 3>();
+    EXPECT_LE((m - rigid_mass_matrix(body)).norm(), 1e-12 * m.norm()) << name;
+    EXPECT_GT(body.inertia.selfadjointView<Eigen::Lower>().eigenvalues()[0], 0) << name;
   }
 }
 
@@ -305,7 +126,7 @@ TEST(RigidBody, flat_shell_has_the_inertia_of_a_plate) {
   // The drilling rotation of a corner has no inertia; all of J_zz comes from the translations.
   plate.inertia.diagonal() << m * (b * b + t * t) / 12, m * (a * a + t * t) / 12,
       m * (a * a + b * b) / 12;
-  const ShellGeometry g = flat();
+  const ShellGeometry g = flat_shell();
   const MatrixXd R = rigid_motions(corners(g), Vector3d::Zero());
   const Matrix6 expected = rigid_mass_matrix(plate);
   EXPECT_LE((R.transpose() * shell_mitc4_mass(g, steel) * R - expected).norm(),

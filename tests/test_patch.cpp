@@ -5,6 +5,7 @@
 //   |  5 ------- 6    |
 //   1-----------------2     MacNeal & Harder, Finite Elem. Anal. Des. 1 (1985) 3-20.
 #include "tests/support/fields.hpp"
+#include "tests/support/shell_cases.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -58,12 +59,7 @@ VectorXd solve_patch(const Model& model, const Field& field) {
   return u;
 }
 
-using NamedMembrane = std::pair<std::string, MembraneStrain>;
-const std::vector<NamedMembrane> membranes{{"displacement", MembraneStrain::displacement},
-                                           {"mitc4_plus", MembraneStrain::mitc4_plus},
-                                           {"incompatible", MembraneStrain::incompatible}};
-
-class Patch : public testing::TestWithParam<NamedMembrane> {
+class Patch : public testing::TestWithParam<std::pair<std::string, MembraneStrain>> {
 protected:
   Model model = shell_model(patch_mesh(), {.E = E, .nu = nu, .rho = 1}, GetParam().second);
 
