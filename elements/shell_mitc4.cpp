@@ -147,7 +147,8 @@ LocalFrame local_frame(const ShellGeometry& g, const Shape& n, double z) {
   LocalFrame f;
   f.volume = G.determinant() / G.col(2).norm();
   const Vector3d e3 = G.col(2).normalized();
-  const Vector3d e1 = (G.col(0) - G.col(0).dot(e3) * e3).normalized();
+  const Vector3d along = g.X * corner_r; // one direction for the whole element
+  const Vector3d e1 = (along - along.dot(e3) * e3).normalized();
   f.basis << e1, e3.cross(e1), e3;
   const Matrix3d c = f.basis.transpose() * G.inverse().transpose(); // c(a, i) = e_a . g^i
   const auto strain_row = [&](int a, int b) {
@@ -171,16 +172,18 @@ ShellStrainMatrix local_strain(const CovariantStrain& c, const LocalFrame& f, do
           .volume = f.volume};
 }
 
-// Rotation of the membrane about the director minus that of the director about itself.
-Row drilling_strain(const ShellGeometry& g, const Shape& n, const Matrix3d& basis) {
-  const Vector3d e1 = basis.col(0), e2 = basis.col(1), e3 = basis.col(2);
+// Rotation of the membrane about its normal minus the nodal rotation about it.
+Row drilling_strain(const ShellGeometry& g, const Shape& n) {
+  const Vector3d x_r = g.X * n.dr, x_s = g.X * n.ds;
+  const Vector3d normal = x_r.cross(x_s).normalized();
+  const Vector3d e1 = x_r.normalized(), e2 = normal.cross(e1);
   Matrix3d G;
-  G << g.X * n.dr, g.X * n.ds, e3;
+  G << x_r, x_s, normal;
   const Matrix3d dual = G.inverse().transpose();
   Row rotation = Row::Zero();
   add_translation(rotation, e2 / 2, e1.dot(dual.col(0)) * n.dr + e1.dot(dual.col(1)) * n.ds);
   add_translation(rotation, -e1 / 2, e2.dot(dual.col(0)) * n.dr + e2.dot(dual.col(1)) * n.ds);
-  for (int i = 0; i < 4; ++i) rotation.segment<3>(6 * i + 3) -= n.N[i] * e3.transpose();
+  for (int i = 0; i < 4; ++i) rotation.segment<3>(6 * i + 3) -= n.N[i] * normal.transpose();
   return rotation;
 }
 
@@ -267,9 +270,9 @@ Matrix24 shell_mitc4_stiffness(const ShellGeometry& g, const ShellSection& secti
   }
   for (int i = 0; i < 4; ++i) {
     const Shape n = shape_functions(gauss_point * corner_r[i], gauss_point * corner_s[i]);
-    const LocalFrame f = local_frame(g, n, 0);
-    const Row drilling = drilling_strain(g, n, f.basis);
-    K.noalias() += law.drilling * g.thickness.dot(n.N) * f.volume * drilling.transpose() * drilling;
+    const double dA = local_frame(g, n, 0).volume;
+    const Row drilling = drilling_strain(g, n);
+    K.noalias() += law.drilling * g.thickness.dot(n.N) * dA * drilling.transpose() * drilling;
   }
   return (K + K.transpose()) / 2;
 }

@@ -41,7 +41,8 @@ struct ShellGeometry {
   Eigen::Vector4d thickness;             // m
 };
 
-// Strains at one point from the 24 nodal displacements, in the local basis e1 e2 e3.
+// Strains at one point from the 24 nodal displacements, in the local basis e1 e2 e3
+// (e3 the director, e1 along the middle of the element from edge r = -1 to r = 1).
 struct ShellStrainMatrix {
   Eigen::Matrix<double, 3, 24> in_plane; // eps11 eps22 gamma12
   Eigen::Matrix<double, 2, 24> shear;    // gamma13 gamma23

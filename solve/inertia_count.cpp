@@ -37,8 +37,7 @@ std::vector<int> neighbourhood(const SparseMatrix& K, std::vector<int> front, in
 // After each round a patch round the chosen DOFs is left out, so that the next ones lie elsewhere:
 // to hold a shell at one more point of the same place would not make it stiffer.
 std::vector<int> pivot_dofs(const SparseMatrix& full, const VectorXd& weight,
-                            const MatrixXd& vectors, int rounds) {
-  const int steps = std::max(2, static_cast<int>(std::sqrt(double(full.rows()) / 2000)));
+                            const MatrixXd& vectors, int rounds, int steps) {
   MatrixXd rows = (weight.asDiagonal() * vectors).transpose();
   std::vector<int> chosen;
   for (int round = 0; round < rounds; ++round) {
@@ -111,21 +110,17 @@ InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double si
   const SparseMatrix A = shifted(K, M, sigma);
   const SparseMatrix full = K.selfadjointView<Eigen::Lower>();
   const VectorXd weight = VectorXd(M.diagonal()).cwiseMax(0).cwiseSqrt();
-  constexpr int first_rounds = 6, more_rounds = 4, attempts = 6;
+  constexpr int first_rounds = 6, more_rounds = 4, attempts = 5;
+  int steps = std::max(2, static_cast<int>(std::sqrt(double(K.rows()) / 2000)));
   std::vector<int> p;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    p = with(p, pivot_dofs(full, weight, vectors, first_rounds + more_rounds * attempt));
+  for (int attempt = 0; attempt < attempts; ++attempt, steps /= 2) {
+    p = with(p, pivot_dofs(full, weight, vectors, first_rounds + more_rounds * attempt, steps));
     const Partition part = partition(A, p);
     const FactorStatus status = factor.factorise(part.rest);
     if (status.ok) return count_schur(part, factor);
     if (status.failed_column >= 0) p = with(p, {status.failed_column});
   }
-  InertiaCount none;
-  none.removed = static_cast<int>(p.size());
-  none.reason = "K - sigma M without " + std::to_string(p.size()) +
-                " degrees of freedom is still indefinite: more modes lie below sigma than the "
-                "vectors span";
-  return none;
+  return count_below_ldlt(K, M, sigma);
 }
 
 InertiaCount count_below_ldlt(const SparseMatrix& K, const SparseMatrix& M, double sigma) {

@@ -7,7 +7,8 @@
 //   S = A_pp - A_pr A_rr^-1 A_rp,   A = K - sigma M
 //
 // are then all there are (Haynsworth, Linear Algebra Appl. 1 (1968) 73-81). Vectors only steer the
-// choice of p: a wrong or missing vector costs time, never the truth of the count.
+// choice of p: a wrong or missing vector costs time, never the truth of the count. When no choice
+// leaves a definite rest, the count comes from LDL'.
 //
 // count_below_ldlt: negative pivots of a simplicial LDL'. Slower, independent, not pivoted for
 // size; the referee in tests.

@@ -1,0 +1,10 @@
+// Runs the tests with the threads of the program.
+#include "solve/sparse_factor.hpp"
+
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  plica::set_threads(0);
+  return RUN_ALL_TESTS();
+}
