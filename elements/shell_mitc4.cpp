@@ -27,6 +27,12 @@ Shape shape_functions(double r, double s) {
   return {.N = R * S / 4, .dr = corner_r.array() * S / 4, .ds = corner_s.array() * R / 4};
 }
 
+// Area of the mid-surface per unit r s.
+double area(const ShellGeometry& g, const Shape& n) {
+  const Vector3d x_r = g.X * n.dr, x_s = g.X * n.ds;
+  return x_r.cross(x_s).norm();
+}
+
 // Row of a . (sum f_i u_i) over the nodal displacements.
 void add_translation(Row& row, const Vector3d& a, const Vector4d& f) {
   for (int i = 0; i < 4; ++i) row.segment<3>(6 * i) += f[i] * a.transpose();
@@ -270,7 +276,7 @@ Matrix24 shell_mitc4_stiffness(const ShellGeometry& g, const ShellSection& secti
   }
   for (int i = 0; i < 4; ++i) {
     const Shape n = shape_functions(gauss_point * corner_r[i], gauss_point * corner_s[i]);
-    const double dA = local_frame(g, n, 0).volume;
+    const double dA = area(g, n);
     const Row drilling = drilling_strain(g, n);
     K.noalias() += law.drilling * g.thickness.dot(n.N) * dA * drilling.transpose() * drilling;
   }
@@ -282,7 +288,7 @@ Matrix24 shell_mitc4_mass(const ShellGeometry& g, const ShellSection& section) {
   for (int p = 0; p < 4; ++p) {
     const Shape n = shape_functions(gauss_point * corner_r[p], gauss_point * corner_s[p]);
     const double t = g.thickness.dot(n.N);
-    const double dA = local_frame(g, n, 0).volume;
+    const double dA = area(g, n);
     Matrix3x24 u = Matrix3x24::Zero(), w = Matrix3x24::Zero();
     for (int i = 0; i < 4; ++i) {
       u.block<3, 3>(0, 6 * i) = n.N[i] * Matrix3d::Identity();
@@ -298,7 +304,7 @@ Eigen::Matrix<double, 24, 1> shell_mitc4_area_load(const ShellGeometry& g, const
   Eigen::Matrix<double, 24, 1> F = Eigen::Matrix<double, 24, 1>::Zero();
   for (int p = 0; p < 4; ++p) {
     const Shape n = shape_functions(gauss_point * corner_r[p], gauss_point * corner_s[p]);
-    const double dA = local_frame(g, n, 0).volume;
+    const double dA = area(g, n);
     for (int i = 0; i < 4; ++i) F.segment<3>(6 * i) += n.N[i] * dA * load;
   }
   return F;

@@ -50,11 +50,18 @@ VectorXd residuals(const SparseMatrix& K, const SparseMatrix& M, const VectorXd&
   return r;
 }
 
-// Smallest number of modes >= wanted that does not cut a pair.
+// Size below which a value is not told from zero, relative to the largest found: keeps the rigid
+// modes of a free body together.
+double smallest_size(const VectorXd& lambda) {
+  return lambda.size() > 0 ? 1e-2 * std::abs(lambda[lambda.size() - 1]) : 0;
+}
+
+// Smallest number of modes >= wanted that does not cut a pair, nor the rigid modes.
 int whole_pairs(const VectorXd& lambda, int wanted) {
+  const double size = smallest_size(lambda);
   int keep = std::min<int>(wanted, static_cast<int>(lambda.size()));
   while (keep > 0 && keep < lambda.size() &&
-         lambda[keep] - lambda[keep - 1] < pair_tolerance * std::abs(lambda[keep]))
+         lambda[keep] - lambda[keep - 1] < pair_tolerance * std::max(lambda[keep], size))
     ++keep;
   return keep;
 }
@@ -64,7 +71,8 @@ int widest_gap(const VectorXd& lambda, int keep) {
   int best = keep;
   double widest = -1;
   for (int m = std::max(keep, 1); m < lambda.size(); ++m) {
-    const double gap = (lambda[m] - lambda[m - 1]) / std::max(std::abs(lambda[m]), 1e-300);
+    const double gap =
+        (lambda[m] - lambda[m - 1]) / std::max(std::abs(lambda[m]), smallest_size(lambda));
     if (gap > widest) {
       widest = gap;
       best = m;
@@ -159,7 +167,9 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
   ModeSet modes;
   Stopwatch watch;
   LanczosSettings settings;
-  settings.count = (request.count > 0 ? request.count : 16) + guard_modes;
+  // A free body: beyond its rigid modes, or nothing tells them from small elastic ones.
+  const int least = base.sigma < 0 ? 6 : 1;
+  settings.count = (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes;
   constexpr int attempts = 3;
   bool scaled = base.sigma == 0;
   double factored_at = base.sigma;

@@ -27,7 +27,7 @@ struct Sector {
   ShellSection section;
   double thickness = 0;
   std::array<End, 2> ends{};
-  int around = 10, along = 24; // elements of the quarter wave, of the meridian
+  int around = 16, along = 24; // elements of the quarter wave, of the meridian
 };
 
 double sector_angle(int n) {
@@ -71,20 +71,23 @@ std::vector<double> harmonic(const Sector& sector, int n, int wanted) {
   const Modes modes = find_modes(model, n == 1 ? 26 : 8);
   std::vector<double> found;
   for (Eigen::Index mode = 0; mode < modes.hertz.size(); ++mode) {
-    double of_n = 0, all = 0; // squares of the radial motion, along each line of constant b
+    double of_n = 0, normal_motion = 0, motion = 0; // squares, summed over the nodes
     for (int j = 0; j <= sector.along; ++j) {
       double projection = 0;
       for (int i = 0; i <= sector.around; ++i) {
         const int node = i * (sector.along + 1) + j;
         const double a = double(i) / sector.around, weight = i % sector.around == 0 ? 0.5 : 1;
         const Vector3d normal = surface(a, double(j) / sector.along).normal;
-        const double w = normal.dot(modes.u.col(mode).segment<3>(6 * node));
+        const Vector3d u = modes.u.col(mode).segment<3>(6 * node);
+        const double w = normal.dot(u);
         projection += weight * w * (n == 0 ? std::sqrt(0.5) : std::sin(n * a * angle));
-        all += weight * w * w;
+        normal_motion += weight * w * w;
+        motion += weight * u.squaredNorm();
       }
       of_n += 2 * projection * projection / sector.around;
     }
-    if (of_n > 0.9 * all) found.push_back(modes.hertz[mode]);
+    if (of_n > 0.9 * normal_motion && normal_motion > 0.01 * motion)
+      found.push_back(modes.hertz[mode]);
   }
   EXPECT_GE(found.size(), static_cast<std::size_t>(wanted)) << "harmonic " << n;
   found.resize(wanted);

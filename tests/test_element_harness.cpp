@@ -133,6 +133,24 @@ TEST(RigidBody, flat_shell_has_the_inertia_of_a_plate) {
             1e-13 * expected.norm());
 }
 
+// rho times the integral of t |x_r x x_s|, wherever the directors point.
+TEST(RigidBody, shell_weighs_its_mid_surface) {
+  for (const auto& [name, g] : all_shells()) {
+    double mass = 0;
+    for (double r : {-std::sqrt(1. / 3), std::sqrt(1. / 3)})
+      for (double s : {-std::sqrt(1. / 3), std::sqrt(1. / 3)}) {
+        const Eigen::Vector4d N((1 - r) * (1 - s), (1 + r) * (1 - s), (1 + r) * (1 + s),
+                                (1 - r) * (1 + s));
+        const Vector3d x_r = g.X * Eigen::Vector4d(s - 1, 1 - s, 1 + s, -1 - s) / 4;
+        const Vector3d x_s = g.X * Eigen::Vector4d(r - 1, -1 - r, 1 + r, 1 - r) / 4;
+        mass += steel.rho * g.thickness.dot(N) / 4 * x_r.cross(x_s).norm();
+      }
+    const MatrixXd R = rigid_motions(corners(g), Vector3d::Zero());
+    const Matrix24 M = shell_mitc4_mass(g, steel);
+    EXPECT_NEAR(R.col(0).dot(M * R.col(0)), mass, 1e-13 * mass) << name;
+  }
+}
+
 TEST(RigidBody, beam_with_offsets_has_the_inertia_of_a_bar) {
   const BeamProperties s = rectangle_section({2e11, 0.3, 8000}, 0.2, 0.1);
   const BeamGeometry g{.node1 = {0.1, 0.2, 0.3},
