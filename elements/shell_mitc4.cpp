@@ -136,23 +136,23 @@ CovariantStrain covariant_strain(const ShellGeometry& g, MembraneStrain choice, 
   return c;
 }
 
-// Local Cartesian basis (third axis: director) and the maps of covariant strains into it, at the
-// distance z from the mid-surface.
+// Local Cartesian basis and the maps of covariant strains into it, at the distance z from the
+// mid-surface. Third axis: normal of the lamina z = const, so that directors, which are not normal
+// to the facet, tilt in-plane strain into the transverse shear but not the other way round.
 struct LocalFrame {
   Matrix3d basis;
-  Matrix3d in_plane; // (rr, ss, 2rs) -> (11, 22, 2*12)
-  Eigen::Matrix<double, 3, 2>
-      skewed;            // (2rz, 2sz) -> (11, 22, 2*12): director not normal to x_r, x_s
-  Eigen::Matrix2d shear; // (2rz, 2sz) -> (2*13, 2*23)
-  double volume = 0;     // det [x_r x_s V], per unit r s z
+  Matrix3d in_plane;                      // (rr, ss, 2rs) -> (11, 22, 2*12)
+  Eigen::Matrix<double, 2, 3> into_shear; // (rr, ss, 2rs) -> (2*13, 2*23)
+  Eigen::Matrix2d shear;                  // (2rz, 2sz) -> (2*13, 2*23)
+  double volume = 0;                      // det [x_r x_s V], per unit r s z
 };
 
 LocalFrame local_frame(const ShellGeometry& g, const Shape& n, double z) {
   Matrix3d G;
   G << (g.X + z * g.directors) * n.dr, (g.X + z * g.directors) * n.ds, g.directors * n.N;
   LocalFrame f;
-  f.volume = G.determinant() / G.col(2).norm();
-  const Vector3d e3 = G.col(2).normalized();
+  f.volume = G.determinant();
+  const Vector3d e3 = G.col(0).cross(G.col(1)).normalized();
   const Vector3d along = g.X * corner_r; // one direction for the whole element
   const Vector3d e1 = (along - along.dot(e3) * e3).normalized();
   f.basis << e1, e3.cross(e1), e3;
@@ -161,19 +161,16 @@ LocalFrame local_frame(const ShellGeometry& g, const Shape& n, double z) {
     return Eigen::RowVector3d(c(a, 0) * c(b, 0), c(a, 1) * c(b, 1),
                               (c(a, 0) * c(b, 1) + c(a, 1) * c(b, 0)) / 2);
   };
-  const auto skew_row = [&](int a, int b) {
-    return Eigen::RowVector2d((c(a, 0) * c(b, 2) + c(a, 2) * c(b, 0)) / 2,
-                              (c(a, 1) * c(b, 2) + c(a, 2) * c(b, 1)) / 2);
-  };
   f.in_plane << strain_row(0, 0), strain_row(1, 1), 2 * strain_row(0, 1);
-  f.skewed << skew_row(0, 0), skew_row(1, 1), 2 * skew_row(0, 1);
-  f.shear << 2 * skew_row(0, 2), 2 * skew_row(1, 2);
+  f.into_shear << 2 * strain_row(0, 2), 2 * strain_row(1, 2);
+  f.shear = c.topLeftCorner<2, 2>() * c(2, 2); // e_1 and e_2 have no part along g^z
   return f;
 }
 
 ShellStrainMatrix local_strain(const CovariantStrain& c, const LocalFrame& f, double z) {
-  return {.in_plane = f.in_plane * (c.e + z * c.k + z * z * c.q) + f.skewed * c.shear,
-          .shear = f.shear * c.shear,
+  const Matrix3x24 in_plane = c.e + z * c.k + z * z * c.q;
+  return {.in_plane = f.in_plane * in_plane,
+          .shear = f.shear * c.shear + f.into_shear * in_plane,
           .basis = f.basis,
           .volume = f.volume};
 }

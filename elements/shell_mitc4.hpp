@@ -6,10 +6,10 @@
 // V_i are the exact unit directors at the corners, z the distance from the mid-surface in m. The
 // covariant strains in the plane are quadratic in z (constant part: membrane); the transverse shear
 // is tied at the middle of the edges (Dvorkin & Bathe, eq. 10).
-// Stress follows in a Cartesian basis whose third axis is the director. 2x2x2 Gauss points, with
-// the metric at each z: walls whose thickness is a third of their radius of curvature are common
-// here, and a mid-surface metric is then 1 % too soft. Slipping plies bend about their own
-// mid-surfaces: the points through the thickness move in by sqrt(bending_factor).
+// Stress follows in a Cartesian basis whose third axis is the normal of the lamina z = const. 2x2x2
+// Gauss points, with the metric at each z: walls whose thickness is a third of their radius of
+// curvature are common here, and a mid-surface metric is then 1 % too soft. Slipping plies bend
+// about their own mid-surfaces: the points through the thickness move in by sqrt(bending_factor).
 //
 // Membrane strains, by choice (Membrane in the section of the model):
 //   displacement   from the bilinear displacements, as in the first MITC4
@@ -42,7 +42,7 @@ struct ShellGeometry {
 };
 
 // Strains at one point from the 24 nodal displacements, in the local basis e1 e2 e3
-// (e3 the director, e1 along the middle of the element from edge r = -1 to r = 1).
+// (e3 normal to the lamina, e1 along the middle of the element from edge r = -1 to r = 1).
 struct ShellStrainMatrix {
   Eigen::Matrix<double, 3, 24> in_plane; // eps11 eps22 gamma12
   Eigen::Matrix<double, 2, 24> shear;    // gamma13 gamma23

@@ -1,10 +1,10 @@
 // Static obstacle course of shells, MITC4 with displacement membrane.
 //
 // Each problem: its source value on a fine mesh, and per mesh the values of an independent MITC4
-// (degenerated shell, exact nodal normals, 2x2x2 Gauss), tolerance 0.5 %.
-// Sources: Ko, Lee & Bathe, Comput. Struct. 182 (2017) 404-418; MacNeal & Harder, Finite Elem.
-// Anal. Des. 1 (1985) 3-20; Bathe, Iosilevich & Chapelle, Comput. Struct. 75 (2000); Knight, AIAA
-// J. 35 (1997) and Abaqus Benchmarks 2.3.6.
+// (degenerated shell, exact nodal normals, 2x2x2 Gauss, hardly any drilling stiffness), tolerance
+// 0.2 %. Sources: Ko, Lee & Bathe, Comput. Struct. 182 (2017) 404-418; MacNeal & Harder, Finite
+// Elem. Anal. Des. 1 (1985) 3-20; Bathe, Iosilevich & Chapelle, Comput. Struct. 75 (2000); Knight,
+// AIAA J. 35 (1997) and Abaqus Benchmarks 2.3.6.
 #include "tests/support/fields.hpp"
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr double per_mesh = 0.005;
+constexpr double per_mesh = 0.002;
 
 ShellSection material(double E, double nu) {
   return {.E = E, .nu = nu, .rho = 1};
@@ -70,7 +70,7 @@ double pinched_cylinder(int n) {
   return -at(model, solve_static(model, force), top, 2);
 }
 
-TEST(ShellStaticsPerMeshSlow, pinched_cylinder_with_diaphragms) {
+TEST(ShellStatics, pinched_cylinder_with_diaphragms) {
   for (const auto& [n, value] : {std::pair{4, 0.3803}, {8, 0.7484}, {16, 0.9300}, {32, 0.9887}})
     expect_ratio(pinched_cylinder(n) / 1.8248e-5, value, per_mesh, std::to_string(n));
   expect_ratio(pinched_cylinder(32), 1.8248e-5, 0.02, "Ko et al. 2017");
@@ -97,7 +97,7 @@ double hemisphere(int n, double drilling = ShellSection{}.drilling) {
   return solve_static(model, force)[6 * out];
 }
 
-TEST(ShellStaticsPerMeshSlow, hemisphere_with_hole) {
+TEST(ShellStatics, hemisphere_with_hole) {
   for (const auto& [n, value] : {std::pair{4, 1.0483}, {8, 1.0077}, {16, 1.0012}, {32, 1.0036}})
     expect_ratio(hemisphere(n) / 0.0930, value, per_mesh, std::to_string(n));
   expect_ratio(hemisphere(16), 0.0940, 0.02, "MacNeal & Harder 1985");
@@ -123,7 +123,7 @@ Saddle hypar(int n, double thickness, double weight) {
   return {-at(model, u, saddle(1, 0).position, 2), force.dot(u)};
 }
 
-TEST(ShellStaticsPerMeshSlow, clamped_hyperbolic_paraboloid) {
+TEST(ShellStatics, clamped_hyperbolic_paraboloid) {
   struct Case {
     double thickness, weight, reference;
     std::array<double, 3> ratio; // N = 8, 16, 32
@@ -206,7 +206,7 @@ double raasch_hook(int along, int across, double nu, double drilling = ShellSect
   return solve_static(model, force)[6 * model.mesh.sets["a1"][0] + 1];
 }
 
-TEST(ShellStaticsPerMeshSlow, raasch_hook) {
+TEST(ShellStatics, raasch_hook) {
   expect_ratio(raasch_hook(9, 1, 0.35), 4.858, per_mesh, "9x1");
   expect_ratio(raasch_hook(18, 3, 0.35), 4.850, per_mesh, "18x3");
   expect_ratio(raasch_hook(36, 5, 0.35), 4.872, per_mesh, "36x5");
