@@ -144,14 +144,15 @@ struct LocalFrame {
   Matrix3d in_plane;                      // (rr, ss, 2rs) -> (11, 22, 2*12)
   Eigen::Matrix<double, 2, 3> into_shear; // (rr, ss, 2rs) -> (2*13, 2*23)
   Eigen::Matrix2d shear;                  // (2rz, 2sz) -> (2*13, 2*23)
-  double volume = 0;                      // det [x_r x_s V], per unit r s z
+  double volume = 0;                      // per unit r s z
 };
 
-LocalFrame local_frame(const ShellGeometry& g, const Shape& n, double z) {
+LocalFrame local_frame(const ShellGeometry& g, MembraneStrain membrane, const Shape& n, double z) {
   Matrix3d G;
   G << (g.X + z * g.directors) * n.dr, (g.X + z * g.directors) * n.ds, g.directors * n.N;
   LocalFrame f;
   f.volume = G.determinant();
+  if (membrane == MembraneStrain::incompatible) f.volume /= G.col(2).norm(); // keeps its thickness
   const Vector3d e3 = G.col(0).cross(G.col(1)).normalized();
   const Vector3d along = g.X * corner_r; // one direction for the whole element
   const Vector3d e1 = (along - along.dot(e3) * e3).normalized();
@@ -206,7 +207,7 @@ Matrix3x4 internal_modes(const LocalFrame& centre, double r, double s, double vo
 // Amplitudes of the internal modes per nodal displacement, from their own equilibrium.
 Matrix4x24 internal_amplitudes(const ShellGeometry& g, const ShellSection& section,
                                const std::vector<ShellPoint>& points) {
-  const LocalFrame centre = local_frame(g, shape_functions(0, 0), 0);
+  const LocalFrame centre = local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
   const Matrix3d C = shell_law(section).in_plane;
   Eigen::Matrix4d K_aa = Eigen::Matrix4d::Zero();
   Matrix4x24 K_au = Matrix4x24::Zero();
@@ -229,7 +230,7 @@ std::vector<ShellPoint> compatible_points(const ShellGeometry& g, const ShellSec
     for (double side : {-1., 1.}) {
       const double z = side * std::sqrt(section.bending_factor) * t / 2 * gauss_point;
       ShellPoint p{.r = r, .s = s, .z = z, .weight = 0, .strain = {}};
-      p.strain = local_strain(c, local_frame(g, n, z), z);
+      p.strain = local_strain(c, local_frame(g, membrane, n, z), z);
       p.weight = p.strain.volume * t / 2;
       points.push_back(p);
     }
@@ -243,7 +244,7 @@ std::vector<ShellPoint> shell_mitc4_points(const ShellGeometry& g, const ShellSe
                                            MembraneStrain membrane) {
   std::vector<ShellPoint> points = compatible_points(g, section, membrane);
   if (membrane != MembraneStrain::incompatible) return points;
-  const LocalFrame centre = local_frame(g, shape_functions(0, 0), 0);
+  const LocalFrame centre = local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
   const Matrix4x24 amplitudes = internal_amplitudes(g, section, points);
   for (ShellPoint& p : points)
     p.strain.in_plane += internal_modes(centre, p.r, p.s, p.strain.volume) * amplitudes;
@@ -253,9 +254,10 @@ std::vector<ShellPoint> shell_mitc4_points(const ShellGeometry& g, const ShellSe
 ShellStrainMatrix shell_mitc4_strain(const ShellGeometry& g, const ShellSection& section,
                                      MembraneStrain membrane, double r, double s, double z) {
   const Shape n = shape_functions(r, s);
-  ShellStrainMatrix B = local_strain(covariant_strain(g, membrane, r, s), local_frame(g, n, z), z);
+  ShellStrainMatrix B =
+      local_strain(covariant_strain(g, membrane, r, s), local_frame(g, membrane, n, z), z);
   if (membrane != MembraneStrain::incompatible) return B;
-  const LocalFrame centre = local_frame(g, shape_functions(0, 0), 0);
+  const LocalFrame centre = local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
   B.in_plane += internal_modes(centre, r, s, B.volume) *
                 internal_amplitudes(g, section, compatible_points(g, section, membrane));
   return B;

@@ -17,7 +17,9 @@
 //                  lock when the element is warped; the same as `displacement` when it is flat
 //   incompatible   four internal modes, r and s in each normal strain and in shear (Simo & Rifai,
 //                  IJNME 29 (1990) 1595-1638; Taylor, Beresford & Wilson 1976), condensed: bends in
-//                  its plane without parasitic shear
+//                  its plane without parasitic shear. The interpolated director is shorter than one
+//                  between the corners of an arc, which thins the wall of the other two by
+//                  (turn of the normal)^2 / 8; here the wall keeps its thickness
 //
 // The drilling rotation is tied to the rotation of the membrane, (e2.u,1 - e1.u,2)/2, by a penalty
 // of `drilling` G t; no spring to ground. DOF order per node: ux uy uz rx ry rz (global axes).

@@ -76,7 +76,7 @@ ElementCounts element_counts(const Bellows& bellows) {
   constexpr double default_accuracy = 0.01;
   const double each = (mesh.accuracy > 0 ? mesh.accuracy : default_accuracy) / 2;
   const double around_constant = bellows.membrane == Membrane::incompatible ? 7 : 60;
-  constexpr double meridian_error = 0.006; // at 4 elements per quarter arc, 5 per wall
+  constexpr double meridian_error = 0.007; // at 4 elements per quarter arc, 5 per wall
   const double refine = std::sqrt(meridian_error / each);
   const Slenderness s = slenderness(bellows);
   const auto up = [](double x) { return static_cast<int>(std::ceil(x - 1e-9)); };

@@ -171,7 +171,10 @@ TEST(Modes, a_band_gives_every_mode_in_it_and_no_other) {
   const Model model = model_named("bellows_two").make();
   const Solved all = solve(model, {.count = 40});
   VectorXd hertz = all.modes.lambda.unaryExpr(&frequency);
-  for (const auto& [first, last] : {std::pair{0, 1}, {0, 9}, {3, 12}, {5, 30}}) {
+  const auto parts_a_pair = [&](int i) { return hertz[i] / hertz[i - 1] < 1 + 1e-6; };
+  for (auto [first, last] : {std::pair{0, 1}, {0, 9}, {3, 12}, {5, 30}}) {
+    if (first > 0 && parts_a_pair(first)) ++first;
+    if (parts_a_pair(last + 1)) ++last;
     const double low = first == 0 ? 0 : (hertz[first - 1] + hertz[first]) / 2;
     const double high = (hertz[last] + hertz[last + 1]) / 2;
     const Solved s = solve(model, {.band = {low, high}});
