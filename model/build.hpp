@@ -26,7 +26,7 @@ BuiltCase build(const Case& data);
 
 // Elements for a density: counts as given, or from the accuracy. The rule is measured (docs/
 // elements.md): with the incompatible membrane the error of the axial stiffness is about 7 / N^2
-// for N elements around (60 / N^2 with the others) and 0.6 % for 4 elements per quarter arc and 5
+// for N elements around (60 / N^2 with the others) and 0.7 % for 4 elements per quarter arc and 5
 // per wall, falling with the square; half the accuracy goes to each direction. Arcs and walls
 // longer than the bending length sqrt(R t) get more, in proportion.
 struct ElementCounts {

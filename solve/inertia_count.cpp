@@ -36,8 +36,9 @@ std::vector<int> neighbourhood(const SparseMatrix& K, std::vector<int> front, in
 // DOFs where the vectors are large and independent of each other: `rounds` rounds of pivoted QR.
 // After each round a patch round the chosen DOFs is left out, so that the next ones lie elsewhere:
 // to hold a shell at one more point of the same place would not make it stiffer.
-std::vector<int> pivot_dofs(const SparseMatrix& full, const VectorXd& weight,
-                            const MatrixXd& vectors, int rounds, int steps) {
+std::vector<int> pivot_dofs(const SparseMatrix& K, const VectorXd& weight, const MatrixXd& vectors,
+                            int rounds, int steps) {
+  const SparseMatrix full = K.selfadjointView<Eigen::Lower>();
   MatrixXd rows = (weight.asDiagonal() * vectors).transpose();
   std::vector<int> chosen;
   for (int round = 0; round < rounds; ++round) {
@@ -63,23 +64,26 @@ std::vector<int> with(const std::vector<int>& a, const std::vector<int>& b) {
 
 struct Partition {
   SparseMatrix rest; // A with the rows and columns p replaced by those of the identity
-  MatrixXd pp, rp;   // rp has zeros in the rows p
+  MatrixXd pp;
+  SparseMatrix rp; // empty in the rows p
 };
 
-Partition partition(const SparseMatrix& A, const std::vector<int>& p) {
-  const auto k = static_cast<Eigen::Index>(p.size());
-  std::vector<int> number(A.rows(), -1);
+Partition partition(SparseMatrix A, const std::vector<int>& p) {
+  const auto k = static_cast<Eigen::Index>(p.size()), n = A.rows();
+  std::vector<int> number(n, -1);
   for (Eigen::Index i = 0; i < k; ++i) number[p[i]] = static_cast<int>(i);
-  Partition part{A, MatrixXd::Zero(k, k), MatrixXd::Zero(A.rows(), k)};
-  for (int j = 0; j < A.outerSize(); ++j)
+  Partition part{std::move(A), MatrixXd::Zero(k, k), SparseMatrix(n, k)};
+  std::vector<Eigen::Triplet<double>> rp;
+  for (int j = 0; j < n; ++j)
     for (SparseMatrix::InnerIterator it(part.rest, j); it; ++it) {
       const int i = static_cast<int>(it.row()), a = number[i], b = number[j];
       if (a < 0 && b < 0) continue;
       if (a >= 0 && b >= 0) part.pp(a, b) = part.pp(b, a) = it.value();
-      if (a >= 0 && b < 0) part.rp(j, a) = it.value();
-      if (a < 0 && b >= 0) part.rp(i, b) = it.value();
+      if (a >= 0 && b < 0) rp.emplace_back(j, a, it.value());
+      if (a < 0 && b >= 0) rp.emplace_back(i, b, it.value());
       it.valueRef() = i == j ? 1 : 0;
     }
+  part.rp.setFromTriplets(rp.begin(), rp.end());
   return part;
 }
 
@@ -107,15 +111,13 @@ SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma)
 
 InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double sigma,
                          const MatrixXd& vectors, SparseFactor& factor) {
-  const SparseMatrix A = shifted(K, M, sigma);
-  const SparseMatrix full = K.selfadjointView<Eigen::Lower>();
   const VectorXd weight = VectorXd(M.diagonal()).cwiseMax(0).cwiseSqrt();
-  constexpr int first_rounds = 6, more_rounds = 4, attempts = 5;
-  int steps = std::max(2, static_cast<int>(std::sqrt(double(K.rows()) / 2000)));
+  constexpr int first_rounds = 8, more_rounds = 4, attempts = 5;
+  int steps = std::max(2, static_cast<int>(std::sqrt(double(K.rows()) / 900)));
   std::vector<int> p;
   for (int attempt = 0; attempt < attempts; ++attempt, steps /= 2) {
-    p = with(p, pivot_dofs(full, weight, vectors, first_rounds + more_rounds * attempt, steps));
-    const Partition part = partition(A, p);
+    p = with(p, pivot_dofs(K, weight, vectors, first_rounds + more_rounds * attempt, steps));
+    const Partition part = partition(shifted(K, M, sigma), p);
     const FactorStatus status = factor.factorise(part.rest);
     if (status.ok) return count_schur(part, factor);
     if (status.failed_column >= 0) p = with(p, {status.failed_column});

@@ -42,16 +42,16 @@ VectorXd start_vector(const SparseMatrix& M, const SparseFactor& factor, unsigne
   return factor.solve(symmetric_product(M, v));
 }
 
-// One pass through the operator removes what is not in its range; then Rayleigh-Ritz on the span.
+// One pass x = A^-1 M v, A = K - sigma M, removes what is not in the range of the operator; then
+// Rayleigh-Ritz on the span of x, whose stiffness x' A x = x' M v needs no product with A.
 void purify(EigenPairs& pairs, const SparseMatrix& M, const SparseFactor& factor, double sigma) {
-  const MatrixXd x = factor.solve(symmetric_product(M, pairs.vectors));
-  const MatrixXd Mx = symmetric_product(M, x);
-  const MatrixXd gram = x.transpose() * Mx;
-  const MatrixXd operated = Mx.transpose() * factor.solve(Mx); // x' M A^-1 M x
+  const MatrixXd Mv = symmetric_product(M, pairs.vectors);
+  const MatrixXd x = factor.solve(Mv);
+  const MatrixXd stiffness = x.transpose() * Mv, gram = x.transpose() * symmetric_product(M, x);
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(
-      (operated + operated.transpose()) / 2, (gram + gram.transpose()) / 2);
-  pairs.vectors = x * ritz.eigenvectors().rowwise().reverse();
-  pairs.values = sigma + ritz.eigenvalues().reverse().array().inverse();
+      (stiffness + stiffness.transpose()) / 2, (gram + gram.transpose()) / 2);
+  pairs.vectors = x * ritz.eigenvectors();
+  pairs.values = sigma + ritz.eigenvalues().array();
 }
 
 } // namespace
@@ -60,7 +60,9 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
                    const LanczosSettings& settings) {
   const int n = static_cast<int>(M.rows());
   const int count = std::min(settings.count, n - 1);
-  const int subspace = std::min(n, std::max(settings.subspace, 2 * count + 20));
+  // Wide enough for most runs to need no restart; at least 2 count + 20.
+  const int subspace =
+      std::min(n, std::max(settings.subspace, std::max(2 * count + 20, 3 * count + 16)));
   ShiftInvert shift_invert{factor};
   const SparseMatrix pruned =
       M.pruned(); // M has the pattern of K; two thirds of a shell's are zero
@@ -70,7 +72,7 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
   const VectorXd start = start_vector(pruned, factor, settings.seed);
   constexpr int max_restarts = 300;
   solver.init(start.data());
-  const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-9,
+  const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-8,
                                     Spectra::SortRule::SmallestAlge);
   EigenPairs pairs;
   pairs.operations = static_cast<int>(solver.num_operations());

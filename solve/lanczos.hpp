@@ -21,7 +21,7 @@ struct EigenPairs {
 
 struct LanczosSettings {
   int count = 10;    // pairs wanted
-  int subspace = 0;  // 0 = 2 count + 20, and never less
+  int subspace = 0;  // 0 = 3 count + 16; never less than that or 2 count + 20
   unsigned seed = 1; // of the start vector
 };
 

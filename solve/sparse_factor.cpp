@@ -2,6 +2,7 @@
 #define EIGEN_USE_BLAS
 #include "solve/sparse_factor.hpp"
 
+#include <algorithm>
 #include <cholmod.h>
 #include <cstring>
 #include <omp.h>
@@ -146,18 +147,25 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
   return result;
 }
 
-Eigen::MatrixXd SparseFactor::quadratic_form(const Eigen::MatrixXd& b) const {
+Eigen::MatrixXd SparseFactor::quadratic_form(const SparseMatrix& b) const {
   const OneOpenMpThread scope;
-  cholmod_dense B = view(b.data(), b.rows(), b.cols());
-  cholmod_dense* permuted = cholmod_solve(CHOLMOD_P, impl_->factor, &B, &impl_->common);
-  cholmod_dense* y =
-      permuted ? cholmod_solve(CHOLMOD_L, impl_->factor, permuted, &impl_->common) : nullptr;
-  cholmod_free_dense(&permuted, &impl_->common);
-  if (y == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
-  const Eigen::Map<Eigen::MatrixXd> Y(static_cast<double*>(y->x), b.rows(), b.cols());
-  const Eigen::MatrixXd form = Y.transpose() * Y;
-  cholmod_free_dense(&y, &impl_->common);
-  return form;
+  constexpr Eigen::Index block = 64; // columns at a time: CHOLMOD holds three copies of them
+  Eigen::MatrixXd Y(b.rows(), b.cols());
+  for (Eigen::Index first = 0; first < b.cols(); first += block) {
+    const Eigen::Index count = std::min(block, b.cols() - first);
+    const Eigen::MatrixXd columns = b.middleCols(first, count);
+    cholmod_dense B = view(columns.data(), b.rows(), count);
+    cholmod_dense* permuted = cholmod_solve(CHOLMOD_P, impl_->factor, &B, &impl_->common);
+    cholmod_dense* y =
+        permuted ? cholmod_solve(CHOLMOD_L, impl_->factor, permuted, &impl_->common) : nullptr;
+    cholmod_free_dense(&permuted, &impl_->common);
+    if (y == nullptr)
+      throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
+    Y.middleCols(first, count) =
+        Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(y->x), b.rows(), count);
+    cholmod_free_dense(&y, &impl_->common);
+  }
+  return Y.transpose() * Y;
 }
 
 void SparseFactor::solve(const double* b, double* x) const {

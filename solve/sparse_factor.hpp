@@ -35,7 +35,7 @@ public:
   // A^-1 b for all columns at once. Needs a successful factorise().
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   // b' A^-1 b, symmetric, from one forward solve. Cholesky only.
-  Eigen::MatrixXd quadratic_form(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd quadratic_form(const SparseMatrix& b) const;
   // A^-1 b for one vector of rows() numbers, without allocation after the first call.
   void solve(const double* b, double* x) const;
 

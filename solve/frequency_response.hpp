@@ -1,0 +1,36 @@
+// Steady response of a modal model, and of the whole model directly.
+//
+//   (lambda_j (1 + i eta_j) - omega^2 + 2 i zeta_j sqrt(lambda_j) omega) q_j = Phi_j' F
+//   u = sum Phi_j q_j
+//
+// Base motion: the held DOFs move as a rigid body with unit acceleration, the rest is u_rel + r.
+// Then F = -M r over the free DOFs, r holding the held ones too. Absolute acceleration: r - omega^2
+// u_rel; on a rigid part it equals that of the base.
+#pragma once
+
+#include "solve/static_correction.hpp"
+
+#include <complex>
+
+namespace plica {
+
+struct ModalModel {
+  Eigen::VectorXd lambda;
+  Eigen::VectorXd zeta;   // viscous, fraction of critical
+  Eigen::VectorXd eta;    // structural loss factor
+  Eigen::MatrixXd output; // channels x modes: displacement of a channel per modal coordinate
+  Eigen::MatrixXd input;  // modes x loads: Phi' F
+};
+
+// Displacements, frequencies x channels, under one load. In parallel over the frequencies.
+// omega in rad/s.
+Eigen::MatrixXcd frequency_response(const ModalModel& model, int load,
+                                    const Eigen::VectorXd& omega);
+
+// The same from one factorisation per frequency of K (1 + i eta) - omega^2 M, by UMFPACK (CHOLMOD
+// takes no complex symmetric matrix): free DOFs x frequencies. Proves the modal sum.
+// Throws std::runtime_error when a factorisation fails.
+Eigen::MatrixXcd direct_response(const SparseMatrix& K, const SparseMatrix& M, double eta,
+                                 const Eigen::VectorXd& force, const Eigen::VectorXd& omega);
+
+} // namespace plica
