@@ -112,7 +112,7 @@ SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma)
 InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double sigma,
                          const MatrixXd& vectors, SparseFactor& factor) {
   const VectorXd weight = VectorXd(M.diagonal()).cwiseMax(0).cwiseSqrt();
-  constexpr int first_rounds = 8, more_rounds = 4, attempts = 5;
+  constexpr int first_rounds = 7, more_rounds = 4, attempts = 5;
   int steps = std::max(2, static_cast<int>(std::sqrt(double(K.rows()) / 900)));
   std::vector<int> p;
   for (int attempt = 0; attempt < attempts; ++attempt, steps /= 2) {

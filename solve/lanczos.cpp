@@ -23,15 +23,20 @@ struct ShiftInvert {
   void perform_op(const double* x, double* y) const { factor.solve(x, y); }
 };
 
-// y = M x.
+// y = M x, on all cores: a column of the full matrix is also a row, summed in one order. Spectra
+// asks for several products in each step.
 struct MassProduct {
   using Scalar = double;
-  const SparseMatrix& M;
-  Eigen::Index rows() const { return M.rows(); }
-  Eigen::Index cols() const { return M.cols(); }
+  SparseMatrix full;
+  Eigen::Index rows() const { return full.rows(); }
+  Eigen::Index cols() const { return full.cols(); }
   void perform_op(const double* x, double* y) const {
-    Eigen::Map<VectorXd>(y, rows()) =
-        M.selfadjointView<Eigen::Lower>() * Eigen::Map<const VectorXd>(x, cols());
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < full.outerSize(); ++i) {
+      double sum = 0;
+      for (SparseMatrix::InnerIterator it(full, i); it; ++it) sum += it.value() * x[it.row()];
+      y[i] = sum;
+    }
   }
 };
 
@@ -66,7 +71,7 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
   ShiftInvert shift_invert{factor};
   const SparseMatrix pruned =
       M.pruned(); // M has the pattern of K; two thirds of a shell's are zero
-  MassProduct mass{pruned};
+  MassProduct mass{pruned.selfadjointView<Eigen::Lower>()};
   Spectra::SymGEigsShiftSolver<ShiftInvert, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
       shift_invert, mass, count, subspace, sigma);
   const VectorXd start = start_vector(pruned, factor, settings.seed);

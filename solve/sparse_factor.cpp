@@ -2,12 +2,12 @@
 #define EIGEN_USE_BLAS
 #include "solve/sparse_factor.hpp"
 
-#include <algorithm>
 #include <cholmod.h>
 #include <cstring>
 #include <omp.h>
 #include <stdexcept>
 #include <sys/resource.h>
+#include <vector>
 
 // OpenBLAS has its own threads; with another BLAS the symbol is absent and BLAS keeps its default.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -149,23 +149,24 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
 
 Eigen::MatrixXd SparseFactor::quadratic_form(const SparseMatrix& b) const {
   const OneOpenMpThread scope;
-  constexpr Eigen::Index block = 64; // columns at a time: CHOLMOD holds three copies of them
-  Eigen::MatrixXd Y(b.rows(), b.cols());
-  for (Eigen::Index first = 0; first < b.cols(); first += block) {
-    const Eigen::Index count = std::min(block, b.cols() - first);
-    const Eigen::MatrixXd columns = b.middleCols(first, count);
-    cholmod_dense B = view(columns.data(), b.rows(), count);
-    cholmod_dense* permuted = cholmod_solve(CHOLMOD_P, impl_->factor, &B, &impl_->common);
-    cholmod_dense* y =
-        permuted ? cholmod_solve(CHOLMOD_L, impl_->factor, permuted, &impl_->common) : nullptr;
-    cholmod_free_dense(&permuted, &impl_->common);
-    if (y == nullptr)
-      throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
-    Y.middleCols(first, count) =
-        Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(y->x), b.rows(), count);
-    cholmod_free_dense(&y, &impl_->common);
-  }
-  return Y.transpose() * Y;
+  const auto n = static_cast<std::size_t>(b.rows()), k = static_cast<std::size_t>(b.cols());
+  std::vector<int> place(n); // of a row in the order of the factor
+  const int* order = static_cast<const int*>(impl_->factor->Perm);
+  for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<int>(i);
+  cholmod_dense* permuted = cholmod_zeros(n, k, CHOLMOD_REAL, &impl_->common);
+  if (permuted == nullptr) throw std::runtime_error("sparse solve: not enough memory");
+  for (int j = 0; j < b.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(b, j); it; ++it)
+      static_cast<double*>(permuted->x)[n * static_cast<std::size_t>(j) + place[it.row()]] =
+          it.value();
+  cholmod_dense* y = cholmod_solve(CHOLMOD_L, impl_->factor, permuted, &impl_->common);
+  cholmod_free_dense(&permuted, &impl_->common);
+  if (y == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
+  const Eigen::Map<Eigen::MatrixXd> Y(static_cast<double*>(y->x), b.rows(), b.cols());
+  Eigen::MatrixXd form = Eigen::MatrixXd::Zero(b.cols(), b.cols());
+  form.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());
+  cholmod_free_dense(&y, &impl_->common);
+  return form.selfadjointView<Eigen::Lower>();
 }
 
 void SparseFactor::solve(const double* b, double* x) const {
