@@ -31,7 +31,8 @@ struct MassProduct {
   Eigen::Index rows() const { return full.rows(); }
   Eigen::Index cols() const { return full.cols(); }
   void perform_op(const double* x, double* y) const {
-#pragma omp parallel for schedule(static)
+    constexpr Eigen::Index worth_a_team = 500000;
+#pragma omp parallel for schedule(static) if (full.nonZeros() > worth_a_team)
     for (int i = 0; i < full.outerSize(); ++i) {
       double sum = 0;
       for (SparseMatrix::InnerIterator it(full, i); it; ++it) sum += it.value() * x[it.row()];
