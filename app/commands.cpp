@@ -36,7 +36,8 @@ template <class F> auto located(const CaseFile& file, F&& work) {
 VariantResult run_variant(const CaseFile& file, const Variant& variant, Progress& progress) {
   progress.title(file.data.name + ", " + variant.name);
   CaseFile changed = read_case(file.path, variant.set);
-  if (changed.data.analyses.modes) { // headline numbers only: the first mode of each shape
+  changed.data.analyses.response.reset(); // a variant shows headline numbers only
+  if (changed.data.analyses.modes) {      // headline numbers only: the first mode of each shape
     Modes& modes = *changed.data.analyses.modes;
     modes.count = modes.count > 0 ? std::min(modes.count, 6) : 0;
     modes.proof = false;

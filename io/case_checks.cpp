@@ -92,8 +92,25 @@ void check_sensors(const Case& data, CheckLog& log) {
   }
 }
 
+void check_response(const Case& data, CheckLog& log) {
+  const Analyses& a = data.analyses;
+  if (!a.response || !log.fine("analyses.response")) return;
+  if (a.response->band[0] <= 0 || a.response->band[1] <= a.response->band[0])
+    log.add("analyses.response.band", "is not a band", "give [from, to] with 0 < from < to");
+  if (!a.modes)
+    log.add("analyses.response", "is a sum of modes, and the case asks for none",
+            "give analyses.modes");
+  if (a.modal_damping <= 0 && log.fine("analyses.modal_damping"))
+    log.add("analyses.response", "without damping has no finite peak",
+            "give analyses.modal_damping above zero");
+  if (data.sensors.empty() && log.fine("sensors"))
+    log.add("analyses.response", "is that of the sensors, and the case has none",
+            "give at least one sensor");
+}
+
 void check_analyses(const Case& data, CheckLog& log) {
   const Analyses& a = data.analyses;
+  check_response(data, log);
   const std::size_t n = data.caps.size();
   if (a.statics && n != 2 && !data.parts.empty() && log.fine("caps") && log.fine("analyses.static"))
     log.add("analyses.static",

@@ -58,6 +58,23 @@ std::string modes_csv(const Results& results) {
   return text;
 }
 
+std::string response_csv(const ResponseResult& response) {
+  std::vector<std::string> head{"frequency [Hz]"};
+  for (const auto& [sensor, direction] : response.channels)
+    for (const char* part : {"real", "imaginary"})
+      head.push_back(fmt::format("{} {} {}", sensor, direction, part));
+  std::string text = line(head);
+  for (Eigen::Index i = 0; i < response.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(response.hertz[i])};
+    for (const std::complex<double> value : response.transmissibility.row(i)) {
+      cells.push_back(number(value.real()));
+      cells.push_back(number(value.imag()));
+    }
+    text += line(cells);
+  }
+  return text;
+}
+
 std::string static_csv(const Results& results) {
   std::string text = line({"axial [N/m]", "transverse x [N/m]", "transverse z [N/m]",
                            "bending x [Nm/rad]", "bending z [Nm/rad]", "torsion [Nm/rad]"});

@@ -10,9 +10,10 @@
 namespace plica {
 
 std::string modes_csv(const Results& results);
-std::string static_csv(const Results& results);     // no rows without static stiffness
-std::string comparison_csv(const Results& results); // measured beside computed
-std::string variants_csv(const Results& results);   // first row: the nominal case
+std::string response_csv(const ResponseResult& response); // real and imaginary part per channel
+std::string static_csv(const Results& results);           // no rows without static stiffness
+std::string comparison_csv(const Results& results);       // measured beside computed
+std::string variants_csv(const Results& results);         // first row: the nominal case
 
 // One cell, in quotes when it holds a comma, a quote or a line break.
 std::string csv_cell(const std::string& text);

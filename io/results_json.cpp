@@ -95,6 +95,20 @@ Json json_of(const MeshQuality& quality) {
           {"min_jacobian", number(quality.min_jacobian)}};
 }
 
+Json json_of(const ResponseResult& r) {
+  Json peaks = Json::array();
+  for (const ResponsePeak& p : r.peaks)
+    peaks.push_back({{"sensor", r.channels[p.channel].first},
+                     {"direction", r.channels[p.channel].second},
+                     {"frequency", number(p.frequency)},
+                     {"amplitude", number(p.amplitude)},
+                     {"damping", number(p.damping)}});
+  return {{"base", r.base},
+          {"level", nullptr},
+          {"file", "response_" + r.base + ".csv"},
+          {"peaks", peaks}};
+}
+
 template <class Item> Json list_of(const std::vector<Item>& items) {
   Json list = Json::array();
   for (const Item& item : items) list.push_back(json_of(item));
@@ -115,6 +129,7 @@ std::string results_json(const Results& r) {
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
   json["modes"] = list_of(r.modes);
   json["verification"] = json_of(r.verification);
+  json["responses"] = list_of(r.responses);
   json["headline"] = named_numbers(headline(r));
   json["comparison"] = list_of(r.comparison);
   json["variants"] = list_of(r.variants);

@@ -59,6 +59,8 @@ std::vector<OutputFile> output_files(const Results& results, const fs::path& fol
       {"comparison.csv", comparison_csv(results)}, {"variants.csv", variants_csv(results)},
       {"modes.vtu", modes_vtu(results)},           {"report.html", report_html(results)},
       {"results.json", results_json(results)}};
+  for (const ResponseResult& r : results.responses)
+    contents.emplace_back("response_" + r.base + ".csv", response_csv(r));
   std::vector<OutputFile> files;
   files.reserve(contents.size());
   for (auto& [name, content] : contents) {

@@ -160,10 +160,18 @@ struct Modes {
   bool proof = true;
 };
 
+// Response of the sensors to motion of the base, each direction on its own.
+struct Response {
+  std::vector<int> bases;              // 0..5 = x y z rx ry rz; rotations about the origin
+  std::array<double, 2> band{10, 500}; // Hz
+  int points = 491; // even steps; eigenfrequencies and clusters round them besides
+};
+
 struct Analyses {
   bool statics = true; // end stiffness between two caps (needs exactly two)
   std::optional<Modes> modes;
-  double modal_damping = 0; // fraction of critical, reported with each mode
+  std::optional<Response> response;
+  double modal_damping = 0; // fraction of critical, of each mode
 };
 
 // The same case with some numbers changed: shown beside the nominal results.

@@ -234,12 +234,22 @@ template <class V> void fields(V& v, Modes& m) {
   v.flag(m.proof, "proof", "prove that no mode is missing");
 }
 
+template <class V> void fields(V& v, Response& r) {
+  v.choices(r.bases, "base", {{0, "x"}, {1, "y"}, {2, "z"}, {3, "rx"}, {4, "ry"}, {5, "rz"}},
+            {.required = true, .min_items = 1}, "directions in which the base moves, one by one");
+  v.quantities(r.band, "band", {.unit = Dimension::frequency, .min = 0},
+               "[from, to] of the frequencies");
+  v.whole(r.points, "points", {.min = 2, .max = 1000000},
+          "even steps over the band; every eigenfrequency and a cluster round it are added");
+}
+
 template <class V> void fields(V& v, Analyses& a) {
   v.flag(a.statics, "static", "static stiffness between the two caps");
   v.object(a.modes, "modes", optional_key, "natural modes");
+  v.object(a.response, "response", optional_key, "response of the sensors to base motion");
   v.quantity(a.modal_damping, "modal_damping",
              {.unit = Dimension::ratio, .min = 0, .max = 1, .exclusive_max = true},
-             "fraction of critical damping, reported with each mode");
+             "fraction of critical damping of each mode");
 }
 
 template <class V> void fields(V& v, Variant& x) {

@@ -61,6 +61,21 @@ struct VariantResult { // headline numbers of a variant of the case
   std::map<std::string, double> headline; // same keys in every variant, see headline()
 };
 
+struct ResponsePeak {
+  int channel = 0;
+  double frequency = 0, amplitude = 0;
+  double damping = 0; // half power; NaN where a neighbour covers a flank
+};
+
+// Absolute acceleration of the sensors per base acceleration.
+struct ResponseResult {
+  std::string base; // x y z rx ry rz
+  Eigen::VectorXd hertz;
+  std::vector<std::pair<std::string, std::string>> channels; // sensor, direction
+  Eigen::MatrixXcd transmissibility;                         // frequencies x channels
+  std::vector<ResponsePeak> peaks;
+};
+
 struct SensorResult {
   std::string name;
   int node = 0;
@@ -75,6 +90,7 @@ struct Results {
   std::optional<StaticStiffness> statics;
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;
+  std::vector<ResponseResult> responses;
   std::array<double, 6>
       free_mass{}; // r' M r over the free unknowns: what effective masses add up to
   std::array<double, 6> effective_mass_sum{};

@@ -1,6 +1,7 @@
 #include "model/run.hpp"
 
 #include "model/input_error.hpp"
+#include "model/run_response.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/modes.hpp"
@@ -8,6 +9,7 @@
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace plica {
@@ -144,6 +146,9 @@ private:
     BaseFactor& factor = base();
     stage_("modes");
     const bool free_body = factor.sigma < 0;
+    std::optional<ResponseLoads> loads;
+    if (case_.analyses.response)
+      loads = response_loads(*case_.analyses.response, built_, system_, part_.free, factor);
     ModeSet set = find_modes(part_.K, part_.M, request, factor);
     for (const auto& [name, seconds] : set.timing) results_.timing[name] += seconds;
     watch_ = Stopwatch();
@@ -157,6 +162,19 @@ private:
     add_modes(set, u, free_body);
     verify(set);
     lap("labels");
+    if (loads) responses(set, *loads);
+  }
+
+  void responses(const ModeSet& set, const ResponseLoads& loads) {
+    stage_("response");
+    const Response& asked = *case_.analyses.response;
+    results_.responses = base_responses(asked, case_.analyses.modal_damping, built_, system_,
+                                        part_.free, part_.K, part_.M, set, loads);
+    const double last = frequency(set.lambda[set.lambda.size() - 1]);
+    if (last < asked.band[1])
+      results_.warnings.push_back("the modes end at " + std::to_string(std::lround(last)) +
+                                  " Hz: above, the response holds only their static part");
+    lap("response");
   }
 
   void add_modes(const ModeSet& set, const MatrixXd& u, bool free_body) {

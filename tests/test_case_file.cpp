@@ -132,7 +132,7 @@ TEST(ReadCase, a2_has_the_numbers_of_its_file_in_si) {
   EXPECT_EQ(std::get<Interlock>(data.parts.at(1).body).attachment, Attachment::synchronous);
   ASSERT_EQ(data.mount.size(), 2u);
   EXPECT_EQ(data.mount[0].kind, MountKind::rigid);
-  EXPECT_EQ(data.analyses.modes->count, 10);
+  EXPECT_EQ(data.analyses.modes->count, 12);
   EXPECT_EQ(data.variants.at(2).set.at("parts.bellows.wall.plies"), "[0.5 mm]");
 }
 

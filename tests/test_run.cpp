@@ -162,6 +162,37 @@ TEST(Interlock, tied_along_the_wall_is_stiffer_and_weighs_the_same) {
   }
 }
 
+// A stiff tube with the mass at its ends on springs: one DOF along y, whose sensor answers the base
+// like the closed form (1 + 2 i zeta r) / (1 - r^2 + 2 i zeta r) without the damper's path.
+TEST(BaseResponse, of_a_tube_on_springs_is_that_of_one_dof) {
+  Case data = tube(1e-6);
+  for (Cap& cap : data.caps) cap.mass = 2;
+  for (Mount& mount : data.mount) {
+    mount.kind = MountKind::springs;
+    mount.stiffness = {1e4, 4e4, 9e4, 1, 1, 1};
+  }
+  constexpr double zeta = 0.02;
+  data.analyses.modes = Modes{.count = 6};
+  data.analyses.modal_damping = zeta;
+  data.analyses.response = Response{.bases = {1}, .band = {1, 60}, .points = 100};
+  data.sensors = {{.name = "end", .at = {0, L, 0}}};
+  const Results results = run_silently(data);
+  ASSERT_EQ(results.responses.size(), 1u);
+  const ResponseResult& r = results.responses[0];
+  ASSERT_EQ(r.channels.size(), 3u);
+  const double f = std::sqrt(4e4 / 2) / (2 * pi);
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    const double x = r.hertz[i] / f;
+    const std::complex<double> wanted =
+        1. + x * x / std::complex<double>(1 - x * x, 2 * zeta * x); // relative motion on the base
+    EXPECT_LT(std::abs(r.transmissibility(i, 1) - wanted), 1e-3 * std::abs(wanted) + 1e-6);
+    EXPECT_LT(std::abs(r.transmissibility(i, 0)), 1e-6) << "no motion across";
+  }
+  ASSERT_FALSE(r.peaks.empty());
+  EXPECT_NEAR(r.peaks[0].frequency / f, 1, 2e-3);
+  EXPECT_NEAR(r.peaks[0].damping / zeta, 1, 0.02);
+}
+
 TEST(Run, refuses_a_sensor_off_the_part_and_names_it) {
   Case data = verification_case("bellows_a", {24, 2, 3}, 1);
   data.sensors = {{.name = "middle", .at = {0.2, 0.03, 0}}};

@@ -1,0 +1,11 @@
+// Response to base motion in the report: a plot per direction and its peaks.
+#pragma once
+
+#include "model/results.hpp"
+
+namespace plica {
+
+// Empty when the run has no response.
+std::string responses_html(const Results& results);
+
+} // namespace plica
