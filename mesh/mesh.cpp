@@ -49,7 +49,9 @@ int append(Mesh& mesh, const Mesh& part, const std::string& name, int section) {
     mesh.rings.push_back(std::move(ring));
   }
   for (const auto& [set, nodes] : part.sets) {
-    std::vector<int>& moved = mesh.sets[name + "." + set];
+    std::string path = name;
+    path.append(".").append(set);
+    std::vector<int>& moved = mesh.sets[path];
     for (int node : nodes) moved.push_back(node + first);
   }
   return first;

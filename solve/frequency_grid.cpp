@@ -30,6 +30,7 @@ double flank(const Eigen::VectorXd& hertz, const Eigen::VectorXd& magnitude, Eig
 Eigen::VectorXd frequency_grid(double low, double high, int points, const Eigen::VectorXd& hertz,
                                const Eigen::VectorXd& zeta) {
   std::vector<double> all;
+  all.reserve(static_cast<std::size_t>(points));
   const double step = (high - low) / std::max(1, points - 1);
   for (int i = 0; i < points; ++i) all.push_back(low + step * i);
   for (Eigen::Index j = 0; j < hertz.size(); ++j) {

@@ -68,11 +68,11 @@ struct Partition {
   SparseMatrix rp; // empty in the rows p
 };
 
-Partition partition(SparseMatrix A, const std::vector<int>& p) {
+Partition partition(const SparseMatrix& A, const std::vector<int>& p) {
   const auto k = static_cast<Eigen::Index>(p.size()), n = A.rows();
   std::vector<int> number(n, -1);
   for (Eigen::Index i = 0; i < k; ++i) number[p[i]] = static_cast<int>(i);
-  Partition part{std::move(A), MatrixXd::Zero(k, k), SparseMatrix(n, k)};
+  Partition part{A, MatrixXd::Zero(k, k), SparseMatrix(n, k)};
   std::vector<Eigen::Triplet<double>> rp;
   for (int j = 0; j < n; ++j)
     for (SparseMatrix::InnerIterator it(part.rest, j); it; ++it) {
