@@ -8,6 +8,7 @@
 #include "io/summary.hpp"
 #include "io/write_results.hpp"
 #include "mesh/gmsh_session.hpp"
+#include "model/error_bars.hpp"
 #include "model/run.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -36,14 +37,9 @@ template <class F> auto located(const CaseFile& file, F&& work) {
 VariantResult run_variant(const CaseFile& file, const Variant& variant, Progress& progress) {
   progress.title(file.data.name + ", " + variant.name);
   CaseFile changed = read_case(file.path, variant.set);
-  changed.data.analyses.response.reset(); // a variant shows headline numbers only
-  if (changed.data.analyses.modes) {      // headline numbers only: the first mode of each shape
-    Modes& modes = *changed.data.analyses.modes;
-    modes.count = modes.count > 0 ? std::min(modes.count, 6) : 0;
-    modes.proof = false;
-  }
-  const Results results = located(
-      file, [&] { return run(changed.data, [&](const std::string& s) { progress.stage(s); }); });
+  const Results results = located(file, [&] {
+    return run(for_headline(changed.data), [&](const std::string& s) { progress.stage(s); });
+  });
   VariantResult result{.name = variant.name, .set = {}, .headline = headline(results)};
   result.set.assign(variant.set.begin(), variant.set.end());
   return result;
@@ -66,9 +62,14 @@ int run_command(const RunOptions& options) {
   results.plica_version = PLICA_VERSION;
   if (measured) {
     results.comparison = compare(results, *measured);
+    results.unanswered = unanswered(results, *measured);
     for (const std::string& caveat : measured->caveats)
       results.assumptions.push_back("Measurement: " + caveat);
   }
+  const auto stage = [&](const std::string& s) { progress.stage(s); };
+  if (options.error_bars && file.data.analyses.error_bars)
+    results.error_bars =
+        located(file, [&] { return error_bars(file.data, headline(results), stage); });
   if (options.variants)
     for (const Variant& variant : file.data.variants)
       results.variants.push_back(run_variant(file, variant, progress));

@@ -14,6 +14,7 @@ struct RunOptions {
   bool quiet = false;
   bool write_mesh = false; // mesh.msh beside the results
   bool variants = true;
+  bool error_bars = true;
 };
 
 int run_command(const RunOptions& options);

@@ -23,6 +23,8 @@ int dispatch(int argc, char** argv) {
   run_app->add_flag("--quiet", run.quiet, "print errors only");
   run_app->add_flag("--msh", run.write_mesh, "write mesh.msh (Gmsh) beside the results");
   run_app->add_flag("!--no-variants", run.variants, "leave the variants of the case out");
+  run_app->add_flag("!--no-error-bars", run.error_bars,
+                    "leave out the runs on finer meshes and over the tolerances");
 
   std::string checked;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");

@@ -35,7 +35,70 @@ const char* shape_name(MeasuredShape shape) {
   return names[static_cast<std::size_t>(shape)];
 }
 
+char letter(Axis axis) {
+  return "xyz"[static_cast<std::size_t>(axis)];
+}
+
+// Response to motion of the base along an axis; null when there is none.
+const ResponseResult* response_to(const Results& results, Axis base) {
+  for (const ResponseResult& r : results.responses)
+    if (!r.is_force && r.excitation == std::string(1, letter(base))) return &r;
+  return nullptr;
+}
+
+// Largest peak of the channels in a direction; null when none of them has one.
+const ResponsePeak* largest_peak(const ResponseResult& r, Axis direction) {
+  const ResponsePeak* largest = nullptr;
+  for (const ResponsePeak& p : r.peaks)
+    if (r.channels[p.channel].second == std::string(1, letter(direction)) &&
+        (!largest || p.amplitude > largest->amplitude))
+      largest = &p;
+  return largest;
+}
+
+void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
+              const ResponsePeak& peak) {
+  const std::string of = std::string(" of the peak, base ") + letter(*m.base);
+  rows.push_back({.quantity = "frequency" + of,
+                  .unit = "Hz",
+                  .measured = m.frequency,
+                  .sigma = m.sigma.value_or(0),
+                  .computed = peak.frequency});
+  if (m.damping)
+    rows.push_back({.quantity = "half-power damping" + of,
+                    .unit = "%",
+                    .measured = 100 * *m.damping,
+                    .sigma = 100 * m.sigma_damping.value_or(0),
+                    .computed = 100 * peak.damping});
+}
+
 } // namespace
+
+std::vector<std::string> unanswered(const Results& results, const Measured& measured) {
+  std::vector<std::string> remarks;
+  for (const MeasuredMode& m : measured.modes) {
+    if (!m.base || !m.direction) continue;
+    const ResponseResult* response = response_to(results, *m.base);
+    if (!response || largest_peak(*response, *m.direction)) continue;
+    double cross = 0, largest = 0;
+    for (std::size_t c = 0; c < response->channels.size(); ++c) {
+      const double high = response->acceleration.col(Eigen::Index(c)).cwiseAbs().maxCoeff();
+      largest = std::max(largest, high);
+      if (response->channels[c].second == std::string(1, letter(*m.direction)))
+        cross = std::max(cross, high);
+    }
+    std::array<char, 400> text{};
+    std::snprintf(text.data(), text.size(),
+                  "the test saw %.0f Hz in %c while the base moved in %c; the model answers in %c "
+                  "with %.1g of its largest channel. A body of revolution on a rigid mount has no "
+                  "path from one to the other: only what breaks the symmetry (a dent, a sensor's "
+                  "mass, a flexible fixture, a base that also moves in %c) can make one.",
+                  m.frequency, letter(*m.direction), letter(*m.base), letter(*m.direction),
+                  largest > 0 ? cross / largest : 0, letter(*m.direction));
+    remarks.emplace_back(text.data());
+  }
+  return remarks;
+}
 
 std::vector<MeasuredComparison> compare(const Results& results, const Measured& measured) {
   std::vector<MeasuredComparison> rows;
@@ -55,8 +118,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
                     .computed = entry.value});
   }
   for (const MeasuredMode& m : measured.modes) {
-    const std::string direction =
-        m.direction ? std::string(1, "xyz"[static_cast<std::size_t>(*m.direction)]) : "";
+    const std::string direction = m.direction ? std::string(1, letter(*m.direction)) : "";
     const auto found =
         std::find_if(results.modes.begin(), results.modes.end(), [&](const ModeResult& mode) {
           return mode.shape == shape_name(m.shape) &&
@@ -68,6 +130,12 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
                     .measured = m.frequency,
                     .sigma = m.sigma.value_or(0),
                     .computed = found->frequency});
+  }
+  for (const MeasuredMode& m : measured.modes) {
+    const ResponseResult* response = m.base ? response_to(results, *m.base) : nullptr;
+    if (!response) continue;
+    if (const ResponsePeak* peak = largest_peak(*response, m.direction.value_or(*m.base)))
+      add_peak(rows, m, *peak);
   }
   return rows;
 }

@@ -5,7 +5,9 @@
 // Shear coefficients after Cowper, J. Appl. Mech. 33 (1966) 335-340; torsion after Saint-Venant.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <vector>
 
 namespace plica {
 
@@ -15,6 +17,11 @@ struct BeamProperties {
   double GA_z = std::numeric_limits<double>::infinity(); // N
   double mass = 0;                                       // kg/m
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;    // rotary inertia per length, kg m
+  // Where stress is recovered: [y, z] of outermost fibres, m, and Young's modulus. None for a
+  // section given by its stiffness. Of a round one 24 points, so that the largest bending stress is
+  // missed by at most 0.9 %.
+  std::vector<std::array<double, 2>> fibres = {};
+  double E = 0;
 };
 
 struct BeamMaterial {

@@ -95,9 +95,9 @@ Matrix4d bending_mass(double mass, double inertia, double phi, double L) {
 
 } // namespace
 
-Matrix12 beam_stiffness(const BeamGeometry& g, const BeamProperties& s) {
-  const LocalAxis local = local_axis(g);
-  const double L = local.length;
+namespace {
+
+Matrix12 local_stiffness(const BeamProperties& s, double L) {
   Matrix12 K = Matrix12::Zero();
   for (const auto& [i, k] : {std::pair{0, s.EA / L}, std::pair{3, s.GJ / L}}) {
     K(i, i) = K(i + 6, i + 6) = k;
@@ -105,7 +105,32 @@ Matrix12 beam_stiffness(const BeamGeometry& g, const BeamProperties& s) {
   }
   scatter(K, plane_xy, bending_stiffness(s.EI_z, shear_parameter(s.EI_z, s.GA_y, L), L));
   scatter(K, plane_xz, bending_stiffness(s.EI_y, shear_parameter(s.EI_y, s.GA_z, L), L));
-  return local.T.transpose() * K * local.T;
+  return K;
+}
+
+} // namespace
+
+Matrix12 beam_stiffness(const BeamGeometry& g, const BeamProperties& s) {
+  const LocalAxis local = local_axis(g);
+  return local.T.transpose() * local_stiffness(s, local.length) * local.T;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 12> beam_end_stress(const BeamGeometry& g,
+                                                          const BeamProperties& s) {
+  const LocalAxis local = local_axis(g);
+  const Matrix12 force = local_stiffness(s, local.length) * local.T; // of the nodes on the beam
+  const auto count = static_cast<Eigen::Index>(s.fibres.size());
+  Eigen::Matrix<double, Eigen::Dynamic, 12> stress(2 * count, 12);
+  for (int end : {0, 1}) {
+    const double sign = end == 0 ? -1 : 1; // node 1 holds against what node 2 pulls
+    const auto strain = sign / s.EA * force.row(6 * end);
+    const auto curvature_y = sign / s.EI_z * force.row(6 * end + 5);  // v''
+    const auto curvature_z = -sign / s.EI_y * force.row(6 * end + 4); // w'', w' = -ry
+    for (Eigen::Index k = 0; k < count; ++k)
+      stress.row(end * count + k) =
+          s.E * (strain - s.fibres[k][0] * curvature_y - s.fibres[k][1] * curvature_z);
+  }
+  return stress;
 }
 
 Matrix12 beam_mass(const BeamGeometry& g, const BeamProperties& s) {

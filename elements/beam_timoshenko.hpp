@@ -25,4 +25,9 @@ struct BeamGeometry {
 Matrix12 beam_stiffness(const BeamGeometry& geometry, const BeamProperties& section);
 Matrix12 beam_mass(const BeamGeometry& geometry, const BeamProperties& section);
 
+// Axial stress of the fibres of the section at node 1, then at node 2, from the nodal
+// displacements: 2 x fibres rows, Pa. From the end forces K u: exact where no load acts in between.
+Eigen::Matrix<double, Eigen::Dynamic, 12> beam_end_stress(const BeamGeometry& geometry,
+                                                          const BeamProperties& section);
+
 } // namespace plica

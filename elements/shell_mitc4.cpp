@@ -194,6 +194,10 @@ Row drilling_strain(const ShellGeometry& g, const Shape& n) {
 using Matrix3x4 = Eigen::Matrix<double, 3, 4>;
 using Matrix4x24 = Eigen::Matrix<double, 4, 24>;
 
+LocalFrame centre_frame(const ShellGeometry& g) {
+  return local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
+}
+
 // Internal membrane modes at (r, s), scaled so that they do no work on a constant stress.
 Matrix3x4 internal_modes(const LocalFrame& centre, double r, double s, double volume) {
   Matrix3x4 covariant = Matrix3x4::Zero();
@@ -207,7 +211,7 @@ Matrix3x4 internal_modes(const LocalFrame& centre, double r, double s, double vo
 // Amplitudes of the internal modes per nodal displacement, from their own equilibrium.
 Matrix4x24 internal_amplitudes(const ShellGeometry& g, const ShellSection& section,
                                const std::vector<ShellPoint>& points) {
-  const LocalFrame centre = local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
+  const LocalFrame centre = centre_frame(g);
   const Matrix3d C = shell_law(section).in_plane;
   Eigen::Matrix4d K_aa = Eigen::Matrix4d::Zero();
   Matrix4x24 K_au = Matrix4x24::Zero();
@@ -244,7 +248,7 @@ std::vector<ShellPoint> shell_mitc4_points(const ShellGeometry& g, const ShellSe
                                            MembraneStrain membrane) {
   std::vector<ShellPoint> points = compatible_points(g, section, membrane);
   if (membrane != MembraneStrain::incompatible) return points;
-  const LocalFrame centre = local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
+  const LocalFrame centre = centre_frame(g);
   const Matrix4x24 amplitudes = internal_amplitudes(g, section, points);
   for (ShellPoint& p : points)
     p.strain.in_plane += internal_modes(centre, p.r, p.s, p.strain.volume) * amplitudes;
@@ -257,7 +261,7 @@ ShellStrainMatrix shell_mitc4_strain(const ShellGeometry& g, const ShellSection&
   ShellStrainMatrix B =
       local_strain(covariant_strain(g, membrane, r, s), local_frame(g, membrane, n, z), z);
   if (membrane != MembraneStrain::incompatible) return B;
-  const LocalFrame centre = local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
+  const LocalFrame centre = centre_frame(g);
   B.in_plane += internal_modes(centre, r, s, B.volume) *
                 internal_amplitudes(g, section, compatible_points(g, section, membrane));
   return B;
@@ -297,6 +301,38 @@ Matrix24 shell_mitc4_mass(const ShellGeometry& g, const ShellSection& section) {
     M.noalias() += section.rho * dA * (t * u.transpose() * u + t * t * t / 12 * w.transpose() * w);
   }
   return M;
+}
+
+Eigen::Matrix<double, 48, 24> shell_mitc4_face_stress(const ShellGeometry& g,
+                                                      const ShellSection& section,
+                                                      MembraneStrain membrane) {
+  const bool internal = membrane == MembraneStrain::incompatible;
+  const LocalFrame centre = centre_frame(g);
+  Matrix4x24 amplitudes = Matrix4x24::Zero();
+  if (internal)
+    amplitudes = internal_amplitudes(g, section, compatible_points(g, section, membrane));
+  const Matrix3d C = shell_law(section).in_plane;
+  const double fibre = std::sqrt(section.bending_factor) / 2; // of one ply, see above
+  Eigen::Matrix<double, 48, 24> stress;
+  for (int corner = 0; corner < 4; ++corner) {
+    const double r = corner_r[corner], s = corner_s[corner];
+    const Shape n = shape_functions(r, s);
+    const CovariantStrain c = covariant_strain(g, membrane, r, s);
+    for (int face : {0, 1}) {
+      const double z = (face == 0 ? -fibre : fibre) * g.thickness[corner];
+      const LocalFrame f = local_frame(g, membrane, n, z);
+      Matrix3x24 strain = local_strain(c, f, z).in_plane;
+      if (internal) strain += internal_modes(centre, r, s, f.volume) * amplitudes;
+      const Vector3d e1 = f.basis.col(0), e2 = f.basis.col(1);
+      Eigen::Matrix<double, 6, 3> turn; // (11, 22, 12) -> (xx, yy, zz, xy, yz, zx)
+      for (int k = 0; k < 6; ++k) {
+        const int i = k % 3, j = k < 3 ? i : (i + 1) % 3;
+        turn.row(k) << e1[i] * e1[j], e2[i] * e2[j], e1[i] * e2[j] + e2[i] * e1[j];
+      }
+      stress.middleRows<6>(12 * corner + 6 * face) = turn * C * strain;
+    }
+  }
+  return stress;
 }
 
 Eigen::Matrix<double, 24, 1> shell_mitc4_area_load(const ShellGeometry& g, const Vector3d& load) {

@@ -74,6 +74,15 @@ Matrix24 shell_mitc4_stiffness(const ShellGeometry& geometry, const ShellSection
 // kg, kg m, kg m2.
 Matrix24 shell_mitc4_mass(const ShellGeometry& geometry, const ShellSection& section);
 
+// In-plane stress at the four corners, on the face below (-director) and above (+director) each, in
+// global axes: rows xx yy zz xy yz zx of corner 1 below, corner 1 above, corner 2 below, ... Pa.
+// The transverse shear vanishes at a face. Slipping plies: the outermost fibre of the bending of
+// one of n equal plies, t/2 sqrt(bending_factor) from the middle; for a partial bond or unequal
+// plies that is an equivalent.
+Eigen::Matrix<double, 48, 24> shell_mitc4_face_stress(const ShellGeometry& geometry,
+                                                      const ShellSection& section,
+                                                      MembraneStrain membrane);
+
 // Consistent nodal forces of a load per unit area, constant vector (N/m2) in global axes.
 Eigen::Matrix<double, 24, 1> shell_mitc4_area_load(const ShellGeometry& geometry,
                                                    const Eigen::Vector3d& load);

@@ -4,6 +4,7 @@
 #include "io/did_you_mean.hpp"
 #include "io/node_sets.hpp"
 #include "io/part_checks.hpp"
+#include "io/response_checks.hpp"
 #include "io/units.hpp"
 #include "model/profile_checks.hpp"
 
@@ -70,6 +71,10 @@ double distance(const Triple&, const PointMass&) {
 }
 
 void check_sensors(const Case& data, CheckLog& log) {
+  for (std::size_t i = 0; i < data.sensors.size(); ++i)
+    if (const std::string key = item("sensors", i) + ".axes";
+        log.fine(key) && !are_three_axes(data.sensors[i].axes))
+      log.add(key, "names a direction twice or not at all", three_axes);
   const bool places_known =
       log.fine("parts") && std::none_of(log.problems.begin(), log.problems.end(),
                                         [](const auto& p) { return is_below(p.key, "parts"); });
@@ -92,25 +97,9 @@ void check_sensors(const Case& data, CheckLog& log) {
   }
 }
 
-void check_response(const Case& data, CheckLog& log) {
-  const Analyses& a = data.analyses;
-  if (!a.response || !log.fine("analyses.response")) return;
-  if (a.response->band[0] <= 0 || a.response->band[1] <= a.response->band[0])
-    log.add("analyses.response.band", "is not a band", "give [from, to] with 0 < from < to");
-  if (!a.modes)
-    log.add("analyses.response", "is a sum of modes, and the case asks for none",
-            "give analyses.modes");
-  if (a.modal_damping <= 0 && log.fine("analyses.modal_damping"))
-    log.add("analyses.response", "without damping has no finite peak",
-            "give analyses.modal_damping above zero");
-  if (data.sensors.empty() && log.fine("sensors"))
-    log.add("analyses.response", "is that of the sensors, and the case has none",
-            "give at least one sensor");
-}
-
 void check_analyses(const Case& data, CheckLog& log) {
   const Analyses& a = data.analyses;
-  check_response(data, log);
+  check_responses(data, log);
   const std::size_t n = data.caps.size();
   if (a.statics && n != 2 && !data.parts.empty() && log.fine("caps") && log.fine("analyses.static"))
     log.add("analyses.static",
@@ -125,18 +114,12 @@ void check_analyses(const Case& data, CheckLog& log) {
     log.add("analyses.modes.band", "ends below its start", "give [from, to] with from below to");
 }
 
-void once(CheckLog& log, std::set<std::string>& names, const std::string& name,
-          const std::string& key, const std::string& kind) {
-  if (log.fine(key) && !names.insert(name).second)
-    log.add(key, "the name '" + shown(name) + "' is used by another " + kind, "names must differ");
-}
-
 void check_names(const Case& data, CheckLog& log) {
   std::set<std::string> sensors, variants;
   for (std::size_t i = 0; i < data.sensors.size(); ++i)
-    once(log, sensors, data.sensors[i].name, item("sensors", i) + ".name", "sensor");
+    log.once(sensors, data.sensors[i].name, item("sensors", i) + ".name", "sensor");
   for (std::size_t i = 0; i < data.variants.size(); ++i)
-    once(log, variants, data.variants[i].name, item("variants", i) + ".name", "variant");
+    log.once(variants, data.variants[i].name, item("variants", i) + ".name", "variant");
 }
 
 void check_measured(const Case& data, const std::string& directory, CheckLog& log) {

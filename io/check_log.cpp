@@ -36,6 +36,18 @@ bool CheckLog::sets_known(const std::string& set) const {
   return fine(part + ".type") && fine(part + ".profile") && fine(part + ".points");
 }
 
+bool are_three_axes(std::vector<int> axes) {
+  for (int& axis : axes) axis = std::abs(axis);
+  std::sort(axes.begin(), axes.end());
+  return axes == std::vector<int>{1, 2, 3};
+}
+
+void CheckLog::once(std::set<std::string>& names, const std::string& name, const std::string& key,
+                    const std::string& kind) {
+  if (fine(key) && !names.insert(name).second)
+    add(key, "the name '" + shown(name) + "' is used by another " + kind, "names must differ");
+}
+
 void CheckLog::reference(const std::string& key, const std::string& kind, const std::string& name,
                          const std::vector<std::string>& names) {
   if (!fine(key) || std::find(names.begin(), names.end(), name) != names.end()) return;

@@ -5,6 +5,7 @@
 #include "model/case.hpp"
 #include "model/input_error.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ bool is_below(const std::string& key, const std::string& ancestor);
 
 // "list[i]"
 std::string item(const std::string& list, std::size_t i);
+
+// Axes of a sensor: each of 1, 2, 3 once, with a sign.
+bool are_three_axes(std::vector<int> axes);
+inline constexpr const char* three_axes =
+    "allowed: x, y and z once each, with a sign, e.g. [x, -z, y]";
 
 class CheckLog {
 public:
@@ -27,6 +33,10 @@ public:
 
   // Nothing at, above or below this key was found wrong while reading.
   bool fine(const std::string& key) const;
+
+  // `name` at `key` differs from those already in `names`, and joins them.
+  void once(std::set<std::string>& names, const std::string& name, const std::string& key,
+            const std::string& kind);
 
   // `name` at `key` must be one of `names`; `kind` says what it names.
   void reference(const std::string& key, const std::string& kind, const std::string& name,

@@ -1,7 +1,7 @@
 #include "io/field_reader.hpp"
 
 #include "io/did_you_mean.hpp"
-#include "io/units.hpp"
+#include "io/tolerance.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -81,18 +81,29 @@ bool FieldReader::number(const YamlNode& node, const std::string& path, double& 
              "allowed: " + describe(q, unit));
     return false;
   }
-  const ParsedQuantity parsed = parse_quantity(node.text, unit);
+  const TolerancedQuantity toleranced = parse_toleranced(node.text, unit);
+  const ParsedQuantity& parsed = toleranced.value;
   if (!parsed.wrong.empty()) {
     log_.add(node.line, path, parsed.wrong, parsed.allowed);
     return false;
   }
-  const double v = parsed.value;
-  if (v < q.min || v > q.max || (q.exclusive_min && v == q.min) ||
-      (q.exclusive_max && v == q.max)) {
+  const auto outside = [&](double v) {
+    return v < q.min || v > q.max || (q.exclusive_min && v == q.min) ||
+           (q.exclusive_max && v == q.max);
+  };
+  if (outside(parsed.value)) {
     log_.add(node.line, path, kind_of(node) + " is out of range", "allowed: " + describe(q, unit));
     return false;
   }
-  x = v;
+  if (const auto& limits = toleranced.limits) {
+    if (outside(limits->low) || outside(limits->high)) {
+      log_.add(node.line, path, kind_of(node) + " has a tolerance that leads out of range",
+               "allowed: " + describe(q, unit));
+      return false;
+    }
+    log_.tolerances.push_back({path, parsed.value, limits->low, limits->high, limits->interval});
+  }
+  x = parsed.value;
   return true;
 }
 
@@ -101,7 +112,7 @@ void FieldReader::numbers(const YamlNode& node, const std::string& path, double*
   if (!items(node, path, int(n), int(n), "numbers")) return;
   for (std::size_t i = 0; i < n; ++i)
     number(node.items[i], path + "[" + std::to_string(i) + "]", x[i], q,
-           q.last_three && i >= 3 ? *q.last_three : q.unit);
+           q.tail && int(i) >= q.tail_from ? *q.tail : q.unit);
 }
 
 void FieldReader::quantity(double& x, const char* key, const Quantity& q, const char* help) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "io/yaml_tree.hpp"
+#include "model/case.hpp"
 #include "model/field_types.hpp"
 
 #include <array>
@@ -18,9 +19,11 @@ namespace plica {
 
 struct ReadLog {
   std::string file;
-  std::vector<InputProblem> problems;
-  std::map<std::string, int> lines;  // key path -> line
-  std::vector<std::string> misspelt; // required keys that are missing because of a misspelt one
+  std::vector<InputProblem> problems = {};
+  std::map<std::string, int> lines = {}; // key path -> line
+  std::vector<std::string> misspelt =
+      {}; // required keys that are missing because of a misspelt one
+  std::vector<Tolerance> tolerances = {}; // numbers written with one
 
   void add(int line, std::string key, std::string wrong, std::string allowed);
 };

@@ -26,12 +26,9 @@ void check_sensors(const Measured& m, ReadLog& log) {
       if (!s.name.empty() && m.sensors[j].name == s.name)
         log.add(line(log, key + ".name"), key + ".name",
                 "the name '" + shown(s.name) + "' is used by another sensor", "names must differ");
-    std::vector<int> axes;
-    for (const int axis : s.axes) axes.push_back(std::abs(axis));
-    std::sort(axes.begin(), axes.end());
-    if (s.axes.size() == 3 && axes != std::vector<int>{1, 2, 3})
+    if (s.axes.size() == 3 && !are_three_axes(s.axes))
       log.add(line(log, key + ".axes"), key + ".axes", "two axes of the sensor coincide",
-              "allowed: x, y and z once each, with a sign, e.g. [x, -z, y]");
+              three_axes);
   }
 }
 
@@ -84,7 +81,7 @@ void check_hold_out(const Measured& m, ReadLog& log) {
 } // namespace
 
 Measured read_measured(const std::string& path) {
-  ReadLog log{.file = path, .problems = {}, .lines = {}, .misspelt = {}};
+  ReadLog log{.file = path};
   const YamlNode root = read_yaml(path, log.problems);
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
   Measured data;
@@ -93,6 +90,8 @@ Measured read_measured(const std::string& path) {
   check_peaks(data, log);
   check_files(data, path, log);
   check_hold_out(data, log);
+  for (const Tolerance& t : log.tolerances)
+    log.add(line(log, t.path), t.path, "takes no tolerance", "give its sigma");
   if (!log.problems.empty()) {
     sort_by_line(log.problems);
     throw InputError(std::move(log.problems));

@@ -47,10 +47,12 @@ std::string report_html(const Results& results) {
   html += head_html(results);
   html += html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
                        comparison_html(results));
+  html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
   html += html_section("part", "The part", profile_drawing(results) + part_picture(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
-  html += html_section("response", "Response to base motion", responses_html(results));
+  html += html_section("response", "Response", responses_html(results));
+  html += html_section("stress", "Stress", stresses_html(results));
   html += html_section("variants", "What the assumed quantities do", variants_html(results));
   html += html_section("assumptions", "Assumptions", html_list(results.assumptions));
   html += "<div class=\"pair\">\n" + html_section("model", "Model and mesh", model_html(results));

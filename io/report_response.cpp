@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plica {
@@ -24,16 +25,6 @@ struct Axes {
     return height - bottom - share * (height - bottom - top);
   }
 };
-
-// Channels that stay below a thousandth of the largest are left out: rounding, or no path.
-std::vector<int> shown_channels(const ResponseResult& r) {
-  const double largest = r.transmissibility.cwiseAbs().maxCoeff();
-  std::vector<int> shown;
-  for (Eigen::Index c = 0; c < r.transmissibility.cols(); ++c)
-    if (r.transmissibility.col(c).cwiseAbs().maxCoeff() > 1e-3 * largest)
-      shown.push_back(static_cast<int>(c));
-  return shown;
-}
 
 std::string grid_lines(const Axes& axes) {
   std::string svg;
@@ -55,24 +46,24 @@ std::string grid_lines(const Axes& axes) {
   return svg;
 }
 
-std::string plot(const ResponseResult& r, const std::vector<int>& shown) {
+std::string plot(const ResponseResult& r) {
+  const std::vector<int>& shown = r.shown;
   double lowest = 1, highest = 1;
   for (int c : shown) {
-    const Eigen::VectorXd magnitude = r.transmissibility.col(c).cwiseAbs();
+    const Eigen::VectorXd magnitude = r.acceleration.col(c).cwiseAbs();
     highest = std::max(highest, magnitude.maxCoeff());
     lowest = std::min(lowest, std::max(magnitude.minCoeff(), 1e-3 * magnitude.maxCoeff()));
   }
   const Axes axes{r.hertz[0], r.hertz[r.hertz.size() - 1], std::floor(std::log10(lowest)),
                   std::ceil(std::log10(highest) + 1e-9)};
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Response to "
-                                "motion of the base in {}\">",
-                                width, height, r.base);
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", width,
+                                height, html_escape(response_title(r)));
   svg += grid_lines(axes);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     std::string points;
     for (Eigen::Index i = 0; i < r.hertz.size(); ++i)
       points += fmt::format("{:.1f},{:.1f} ", axes.x(r.hertz[i]),
-                            axes.y(std::abs(r.transmissibility(i, shown[k]))));
+                            axes.y(std::abs(r.acceleration(i, shown[k]))));
     svg += fmt::format("<polyline fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.5\" "
                        "stroke-dasharray=\"{}\" points=\"{}\"/>",
                        dashes[k % dashes.size()], points);
@@ -80,48 +71,86 @@ std::string plot(const ResponseResult& r, const std::vector<int>& shown) {
   return svg + "</svg>\n";
 }
 
-std::string legend(const ResponseResult& r, const std::vector<int>& shown) {
-  constexpr std::array names{"full line", "dashed", "dotted", "dash-dotted"};
-  std::string text;
-  for (std::size_t k = 0; k < shown.size(); ++k) {
-    const auto& [sensor, direction] = r.channels[shown[k]];
-    text +=
-        fmt::format("{}{} {} ({})", k == 0 ? "" : ", ", sensor, direction, names[k % names.size()]);
-  }
-  return "<p>" + html_escape(text) + "</p>\n";
+std::string channel(const ResponseResult& r, int c) {
+  return html_escape(r.channels[c].first) + " " + r.channels[c].second;
 }
 
-std::string peaks_html(const ResponseResult& r, const std::vector<int>& shown) {
-  std::string rows;
-  for (const ResponsePeak& p : r.peaks) {
-    if (std::find(shown.begin(), shown.end(), p.channel) == shown.end()) continue;
-    const auto& [sensor, direction] = r.channels[p.channel];
-    rows += fmt::format("<tr><td>{} {}</td><td>{:.1f}</td><td>{}</td><td>{}</td></tr>\n",
-                        html_escape(sensor), direction, p.frequency, significant(p.amplitude, 3),
-                        std::isfinite(p.damping) ? significant(100 * p.damping, 3) : "-");
+std::string legend(const ResponseResult& r) {
+  constexpr std::array names{"full line", "dashed", "dotted", "dash-dotted"};
+  std::string text;
+  for (std::size_t k = 0; k < r.shown.size(); ++k)
+    text += fmt::format("{}{} ({})", k == 0 ? "" : ", ", channel(r, r.shown[k]),
+                        names[k % names.size()]);
+  return "<p>" + text + "</p>\n";
+}
+
+std::string peaks_html(const ResponseResult& r) {
+  std::vector<HtmlRow> rows;
+  for (const ResponsePeak& p : r.peaks)
+    rows.push_back({{channel(r, p.channel), html_fixed(p.frequency, 1), html_number(p.amplitude, 3),
+                     html_number(100 * p.damping, 3)},
+                    ""});
+  const bool force = r.is_force;
+  return html_table(
+      "",
+      {{"sensor", "", false},
+       {"peak", "Hz"},
+       {force ? "acceleration / force" : "acceleration / base", force ? "m/s² per N" : ""},
+       {"half-power damping", "%"}},
+      rows);
+}
+
+std::string random_html(const ResponseResult& r) {
+  if (!r.random) return "";
+  std::vector<HtmlColumn> columns{{"RMS in", "Hz", false}, {"input", r.is_force ? "N" : "m/s²"}};
+  for (int c : r.shown) columns.push_back({channel(r, c), "m/s²"});
+  std::vector<HtmlRow> rows;
+  for (const BandRms& b : r.random->bands) {
+    HtmlRow row{{fmt::format("{:g} to {:g}", b.band[0], b.band[1]), html_number(b.input, 3)}, ""};
+    for (int c : r.shown) row.cells.push_back(html_number(b.rms[c], 3));
+    rows.push_back(std::move(row));
   }
-  return "<table><thead><tr><th>sensor</th><th>peak, Hz</th><th>acceleration / "
-         "base</th><th>half-power "
-         "damping, %</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table>\n";
+  return html_table("Under the random input of the case.", columns, rows);
 }
 
 } // namespace
 
 std::string responses_html(const Results& results) {
   std::string html;
+  bool base = false;
   for (const ResponseResult& r : results.responses) {
     if (r.channels.empty() || r.hertz.size() < 2) continue;
-    const std::vector<int> shown = shown_channels(r);
-    html += fmt::format("<h3>Base moved in {}</h3>\n", r.base) + plot(r, shown) + legend(r, shown) +
-            peaks_html(r, shown);
+    base = base || !r.is_force;
+    html += fmt::format("<h3>{}</h3>\n", html_escape(response_title(r))) + plot(r) + legend(r) +
+            peaks_html(r) + random_html(r);
   }
-  if (!html.empty())
-    html +=
-        "<p>Absolute acceleration of the sensor over that of the base. A perfect body of "
-        "revolution moved sideways does not answer at right angles to the motion, so a measured "
-        "vertical response under transverse excitation is outside of this model.</p>\n";
+  if (base)
+    html += "<p>Absolute acceleration of the sensor in its own axes over that of the base.</p>\n";
+  if (!results.unanswered.empty())
+    html += "<h3>What this model cannot show</h3>\n" + html_list(results.unanswered);
   return html;
+}
+
+std::string stresses_html(const Results& results) {
+  if (results.stresses.empty()) return "";
+  bool beams = false;
+  for (const StressResult& s : results.stresses) beams = beams || s.largest_beam > 0;
+  std::vector<HtmlColumn> columns{
+      {"stress of", "", false}, {"von Mises", "MPa"}, {"face", "", false},
+      {"at x", "mm"},           {"y", "mm"},          {"z", "mm"}};
+  if (beams) columns.push_back({"beams, axial", "MPa"});
+  std::vector<HtmlRow> rows;
+  for (const StressResult& s : results.stresses) {
+    HtmlRow row{{html_escape(s.name), html_number(s.largest / 1e6, 4), s.face}, ""};
+    for (const double x : s.at) row.cells.push_back(html_fixed(1e3 * x, 1));
+    if (beams) row.cells.push_back(html_number(s.largest_beam / 1e6, 4));
+    rows.push_back(std::move(row));
+  }
+  return html_table(
+      "Largest over the part. Shells on both faces (above: the side the normal points "
+      "to, outside of a pipe); harmonic: largest over a cycle. Fields in "
+      "<code>stress.vtu</code>.",
+      columns, rows);
 }
 
 } // namespace plica

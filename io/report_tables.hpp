@@ -12,6 +12,7 @@ namespace plica {
 // measured error bar around zero and the computed value as a dot. Headline numbers if nothing was
 // measured.
 std::string comparison_html(const Results& results);
+std::string error_bars_html(const Results& results); // mesh and tolerances
 std::string statics_html(const Results& results);
 std::string modes_html(const Results& results); // with effective masses and their sum
 std::string variants_html(const Results& results);

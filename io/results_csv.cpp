@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <vector>
 
 namespace plica {
@@ -58,18 +60,99 @@ std::string modes_csv(const Results& results) {
   return text;
 }
 
-std::string response_csv(const ResponseResult& response) {
-  std::vector<std::string> head{"frequency [Hz]"};
-  for (const auto& [sensor, direction] : response.channels)
-    for (const char* part : {"real", "imaginary"})
-      head.push_back(fmt::format("{} {} {}", sensor, direction, part));
+namespace {
+
+std::vector<std::string> channel_heads(const ResponseResult& r,
+                                       const std::vector<std::string>& parts) {
+  std::vector<std::string> heads;
+  for (const auto& [sensor, direction] : r.channels)
+    for (const std::string& part : parts)
+      heads.push_back(fmt::format("{} {} {}", sensor, direction, part));
+  return heads;
+}
+
+std::vector<std::string> with_frequency(std::vector<std::string> heads) {
+  heads.insert(heads.begin(), "frequency [Hz]");
+  return heads;
+}
+
+void add_complex(std::vector<std::string>& cells, std::complex<double> value) {
+  cells.push_back(number(value.real()));
+  cells.push_back(number(value.imag()));
+}
+
+} // namespace
+
+std::string response_csv(const ResponseResult& r) {
+  std::vector<std::string> head = with_frequency(channel_heads(r, {"real", "imaginary"}));
+  for (std::size_t c = 0; c < r.channels.size(); c += 3)
+    head.push_back(r.channels[c].first + " sum");
   std::string text = line(head);
-  for (Eigen::Index i = 0; i < response.hertz.size(); ++i) {
-    std::vector<std::string> cells{number(response.hertz[i])};
-    for (const std::complex<double> value : response.transmissibility.row(i)) {
-      cells.push_back(number(value.real()));
-      cells.push_back(number(value.imag()));
-    }
+  const Eigen::MatrixXd sums = vector_sum(r);
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(r.hertz[i])};
+    for (const std::complex<double> value : r.acceleration.row(i)) add_complex(cells, value);
+    for (const double value : sums.row(i)) cells.push_back(number(value));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string motion_csv(const ResponseResult& r) {
+  std::string text = line(with_frequency(
+      channel_heads(r, {"acceleration [m/s2]", "velocity [m/s]", "displacement [m]"})));
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(r.hertz[i])};
+    const double omega = 2 * std::numbers::pi * r.hertz[i];
+    for (const std::complex<double> value : r.acceleration.row(i))
+      for (const double divisor : {1., omega, omega * omega})
+        cells.push_back(number(r.level * std::abs(value) / divisor));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string random_csv(const ResponseResult& r) {
+  const RandomResult& random = *r.random;
+  std::vector<std::string> head = with_frequency(channel_heads(r, {"[(m/s2)2/Hz]"}));
+  head.insert(head.begin() + 1, r.is_force ? "input [N2/Hz]" : "input [(m/s2)2/Hz]");
+  const auto name = [&](int c) { return r.channels[c].first + " " + r.channels[c].second; };
+  for (const CrossDensity& cross : random.cross)
+    for (const char* part : {"real", "imaginary"})
+      head.push_back(fmt::format("{} with {} {}", name(cross.a), name(cross.b), part));
+  std::string text = line(head);
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(r.hertz[i]), number(random.input[i])};
+    for (const double value : random.density.row(i)) cells.push_back(number(value));
+    for (const CrossDensity& cross : random.cross) add_complex(cells, cross.density[i]);
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string stress_csv(const Results& results) {
+  std::string text = line({"kind", "stress of", "von Mises [Pa]", "face", "x [m]", "y [m]", "z [m]",
+                           "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]"});
+  for (const StressResult& s : results.stresses) {
+    std::vector<std::string> cells{s.kind, s.name, number(s.largest), s.face};
+    for (const double x : s.at) cells.push_back(number(x));
+    cells.push_back(number(s.largest_beam));
+    for (const double x : s.beam_at) cells.push_back(number(x));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string error_bars_csv(const Results& results) {
+  const ErrorBars& errors = results.error_bars;
+  std::vector<std::string> head{"quantity", "value", "mesh along", "mesh around", "5 %", "95 %"};
+  for (const std::string& path : errors.tolerances) head.push_back("share of " + path);
+  std::string text = line(head);
+  for (const ErrorBar& bar : errors.bars) {
+    std::vector<std::string> cells{bar.key, number(bar.value), number(bar.along),
+                                   number(bar.around)};
+    for (std::size_t i : {0, 1}) cells.push_back(bar.interval ? number((*bar.interval)[i]) : "");
+    for (const double share : bar.shares) cells.push_back(number(share));
     text += line(cells);
   }
   return text;

@@ -10,10 +10,14 @@
 namespace plica {
 
 std::string modes_csv(const Results& results);
-std::string response_csv(const ResponseResult& response); // real and imaginary part per channel
-std::string static_csv(const Results& results);           // no rows without static stiffness
-std::string comparison_csv(const Results& results);       // measured beside computed
-std::string variants_csv(const Results& results);         // first row: the nominal case
+std::string response_csv(const ResponseResult& response); // real, imaginary; sum of each sensor
+std::string motion_csv(const ResponseResult& response);   // amplitudes at the level
+std::string random_csv(const ResponseResult& response);   // densities; needs response.random
+std::string stress_csv(const Results& results);
+std::string error_bars_csv(const Results& results);
+std::string static_csv(const Results& results);     // no rows without static stiffness
+std::string comparison_csv(const Results& results); // measured beside computed
+std::string variants_csv(const Results& results);   // first row: the nominal case
 
 // One cell, in quotes when it holds a comma, a quote or a line break.
 std::string csv_cell(const std::string& text);

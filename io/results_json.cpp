@@ -95,6 +95,19 @@ Json json_of(const MeshQuality& quality) {
           {"min_jacobian", number(quality.min_jacobian)}};
 }
 
+Json json_of(const RandomResult& random, const ResponseResult& r) {
+  Json bands = Json::array();
+  for (const BandRms& b : random.bands) {
+    Json rms = Json::array();
+    for (std::size_t c = 0; c < r.channels.size(); ++c)
+      rms.push_back({{"sensor", r.channels[c].first},
+                     {"direction", r.channels[c].second},
+                     {"value", number(b.rms[Eigen::Index(c)])}});
+    bands.push_back({{"band", numbers(b.band)}, {"input", number(b.input)}, {"rms", rms}});
+  }
+  return {{"file", "random_" + response_name(r) + ".csv"}, {"bands", bands}};
+}
+
 Json json_of(const ResponseResult& r) {
   Json peaks = Json::array();
   for (const ResponsePeak& p : r.peaks)
@@ -103,10 +116,39 @@ Json json_of(const ResponseResult& r) {
                      {"frequency", number(p.frequency)},
                      {"amplitude", number(p.amplitude)},
                      {"damping", number(p.damping)}});
-  return {{"base", r.base},
-          {"level", nullptr},
-          {"file", "response_" + r.base + ".csv"},
-          {"peaks", peaks}};
+  return {{"base", r.is_force ? Json(nullptr) : Json(r.excitation)},
+          {"force", r.is_force ? Json(r.excitation) : Json(nullptr)},
+          {"level", number(r.level)},
+          {"file", "response_" + response_name(r) + ".csv"},
+          {"motion_file", "motion_" + response_name(r) + ".csv"},
+          {"peaks", peaks},
+          {"random", r.random ? json_of(*r.random, r) : Json(nullptr)}};
+}
+
+Json json_of(const StressResult& s) {
+  return {{"kind", s.kind},
+          {"name", s.name},
+          {"von_mises", number(s.largest)},
+          {"at", s.face.empty() ? Json(nullptr) : numbers(s.at)},
+          {"face", s.face},
+          {"beam_axial", number(s.largest_beam)},
+          {"beam_at", s.largest_beam > 0 ? numbers(s.beam_at) : Json(nullptr)}};
+}
+
+Json json_of(const ErrorBars& errors) {
+  Json list = Json::array();
+  for (const ErrorBar& bar : errors.bars) {
+    Json shares = Json::object();
+    for (std::size_t i = 0; i < bar.shares.size(); ++i)
+      shares[errors.tolerances[i]] = number(bar.shares[i]);
+    list.push_back({{"quantity", bar.key},
+                    {"value", number(bar.value)},
+                    {"mesh_along", number(bar.along)},
+                    {"mesh_around", number(bar.around)},
+                    {"interval_90", bar.interval ? numbers(*bar.interval) : Json(nullptr)},
+                    {"shares", shares}});
+  }
+  return {{"quantities", list}, {"interaction", number(errors.interaction)}};
 }
 
 template <class Item> Json list_of(const std::vector<Item>& items) {
@@ -130,8 +172,11 @@ std::string results_json(const Results& r) {
   json["modes"] = list_of(r.modes);
   json["verification"] = json_of(r.verification);
   json["responses"] = list_of(r.responses);
+  json["stresses"] = list_of(r.stresses);
+  json["error_bars"] = json_of(r.error_bars);
   json["headline"] = named_numbers(headline(r));
   json["comparison"] = list_of(r.comparison);
+  json["unanswered"] = r.unanswered;
   json["variants"] = list_of(r.variants);
   json["free_mass"] = numbers(r.free_mass);
   json["effective_mass_sum"] = numbers(r.effective_mass_sum);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -52,6 +53,27 @@ std::string grouped(long long value, const std::string& separator) {
     text.insert(static_cast<std::size_t>(place), separator);
   }
   return text;
+}
+
+std::string shares_text(const ErrorBars& errors, const ErrorBar& bar) {
+  std::vector<std::size_t> order(bar.shares.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return bar.shares[a] > bar.shares[b]; });
+  std::string text;
+  for (const std::size_t i : order)
+    if (bar.shares[i] >= 0.01)
+      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", errors.tolerances[i],
+                          100 * bar.shares[i]);
+  return text;
+}
+
+std::string response_name(const ResponseResult& r) {
+  return (r.is_force ? "force_" : "") + r.excitation;
+}
+
+std::string response_title(const ResponseResult& r) {
+  return (r.is_force ? "Force " : "Base moved in ") + r.excitation;
 }
 
 void require_one_row_per_node(const Results& results) {

@@ -25,6 +25,16 @@ std::string with_sign(double value, int decimals);
 // Thousands apart: 125856 gives "125 856" with the separator " ".
 std::string grouped(long long value, const std::string& separator);
 
+// "height 95 %, plies 5 %": paths of the tolerances with at least 1 % of the variance, largest
+// first.
+std::string shares_text(const ErrorBars& errors, const ErrorBar& bar);
+
+// "y", or "force_tap": what the files of a response are named after.
+std::string response_name(const ResponseResult& response);
+
+// "Base moved in y", "Force tap"
+std::string response_title(const ResponseResult& response);
+
 // Throws std::invalid_argument when a mode shape has not one row of translations per mesh node.
 void require_one_row_per_node(const Results& results);
 

@@ -72,21 +72,44 @@ void add_shapes(vtkUnstructuredGrid& grid, const Results& results) {
   }
 }
 
-} // namespace
+// Von Mises stress in Pa on both faces of the shells.
+void add_stresses(vtkUnstructuredGrid& grid, const Results& results) {
+  for (const StressResult& s : results.stresses)
+    for (const auto& [face, values] :
+         {std::pair{"below", &s.below}, std::pair{"above", &s.above}}) {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(fmt::format("{} {}: {}", s.kind, face, s.name).c_str());
+      array->SetNumberOfTuples(values->size());
+      for (Eigen::Index node = 0; node < values->size(); ++node)
+        array->SetValue(node, (*values)[node]);
+      grid.GetPointData()->AddArray(array);
+    }
+}
 
-std::string modes_vtu(const Results& results) {
+// The mesh with the fields that `add` puts on it.
+std::string vtu(const Results& results, void (*add)(vtkUnstructuredGrid&, const Results&)) {
   vtkNew<vtkUnstructuredGrid> grid;
   add_points(*grid, results.mesh);
   add_cells(*grid, results);
-  add_shapes(*grid, results);
+  add(*grid, results);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
   writer->WriteToOutputStringOn();
-  if (writer->Write() == 0) throw std::runtime_error("VTK could not write modes.vtu");
+  if (writer->Write() == 0) throw std::runtime_error("VTK could not write the results");
   return writer->GetOutputString();
+}
+
+} // namespace
+
+std::string modes_vtu(const Results& results) {
+  return vtu(results, add_shapes);
+}
+
+std::string stress_vtu(const Results& results) {
+  return vtu(results, add_stresses);
 }
 
 } // namespace plica

@@ -16,4 +16,8 @@ namespace plica {
 // std::runtime_error when VTK fails.
 std::string modes_vtu(const Results& results);
 
+// The same mesh with von Mises stress (Pa) on both faces of the shells, point data named
+// "mode above: mode 1, 1 mm at most".
+std::string stress_vtu(const Results& results);
+
 } // namespace plica

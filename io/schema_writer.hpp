@@ -185,10 +185,10 @@ private:
     return result;
   }
   static Json row(int n, const Quantity& q, const std::string& help) {
-    if (!q.last_three) return list_schema(quantity_schema(q, q.unit, ""), n, n, help);
+    if (!q.tail) return list_schema(quantity_schema(q, q.unit, ""), n, n, help);
     Json items = Json::array();
     for (int i = 0; i < n; ++i)
-      items.push_back(quantity_schema(q, i < 3 ? q.unit : *q.last_three, ""));
+      items.push_back(quantity_schema(q, i < q.tail_from ? q.unit : *q.tail, ""));
     return list_schema(items, n, n, help);
   }
   static Json described(Json schema, const char* help) {

@@ -58,6 +58,36 @@ std::string headline_table(const Results& results) {
   return "\nComputed\n" + aligned(rows, "<><");
 }
 
+std::string error_table(const Results& results) {
+  const ErrorBars& errors = results.error_bars;
+  if (errors.bars.empty()) return "";
+  std::vector<Row> rows{{"", "unit", "computed", "mesh along %", "around %", "90 % interval", ""}};
+  for (const HeadlineQuantity& quantity : headline_quantities(results))
+    for (const ErrorBar& bar : errors.bars) {
+      if (bar.key != quantity.key) continue;
+      const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
+      const auto fixed = [&, f = factor](double x) { return significant(x * f, 4); };
+      rows.push_back(
+          {quantity.name, unit, fixed(bar.value), with_sign(100 * bar.along / bar.value, 2),
+           with_sign(100 * bar.around / bar.value, 2),
+           bar.interval ? fixed((*bar.interval)[0]) + " to " + fixed((*bar.interval)[1]) : "-",
+           shares_text(errors, bar)});
+    }
+  return "\nError bars: still missing for want of mesh; from the tolerances of the case\n" +
+         aligned(rows, "<<>>>><");
+}
+
+std::string peaks_table(const Results& results) {
+  std::vector<Row> rows{{"", "sensor", "Hz", "amplitude", "damping %"}};
+  for (const ResponseResult& r : results.responses)
+    for (const ResponsePeak& p : r.peaks)
+      rows.push_back({response_title(r),
+                      r.channels[p.channel].first + " " + r.channels[p.channel].second,
+                      fmt::format("{:.1f}", p.frequency), significant(p.amplitude, 3),
+                      significant(100 * p.damping, 3)});
+  return rows.size() == 1 ? "" : "\nPeaks of the response\n" + aligned(rows, "<<>>>");
+}
+
 std::string modes_table(const Results& results) {
   if (results.modes.empty()) return "";
   std::vector<Row> rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};
@@ -84,7 +114,9 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
                       grouped(results.model.elements, " "), grouped(results.model.nodes, " "),
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
-  text += modes_table(results);
+  text += error_table(results) + modes_table(results) + peaks_table(results);
+  for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
+  if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;
   if (!results.warnings.empty()) text += "\n";
   if (!report.empty()) text += "\nReport: " + report.string() + "\n";

@@ -45,7 +45,11 @@ const std::vector<DimensionInfo>& table() {
       {Dimension::mass_per_length, "mass per length", {{"kg/m", 1}, {"g/m", 1e-3}, {"g/mm", 1}}},
       {Dimension::inertia_per_length, "moment of inertia per length", {{"kg m", 1}}},
       {Dimension::frequency, "frequency", {{"Hz", 1}, {"kHz", 1e3}}},
-      {Dimension::acceleration, "acceleration", {{"m/s2", 1}, {"mm/s2", 1e-3}, {"g", 9.80665}}}};
+      {Dimension::acceleration, "acceleration", {{"m/s2", 1}, {"mm/s2", 1e-3}, {"g", 9.80665}}},
+      {Dimension::acceleration_density,
+       "spectral density of acceleration",
+       {{"(m/s2)2/Hz", 1}, {"g2/Hz", 9.80665 * 9.80665}}},
+      {Dimension::force_density, "spectral density of force", {{"N2/Hz", 1}}}};
   return dimensions;
 }
 
@@ -170,9 +174,12 @@ std::string quantity_pattern(Dimension dimension, bool negative) {
     replace_all(unit, " ", "[ *]*");
     units += (units.empty() ? "" : "|") + unit;
   }
-  const std::string sign = negative ? "^[+-]?" : "^[+]?";
-  const std::string number = sign + "([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?";
-  return number + (units.empty() ? "$" : "( *(" + units + "))?$");
+  const std::string number = "([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?";
+  const std::string unit = units.empty() ? "" : "( *(" + units + "))?";
+  const std::string limit = " *[+-]?" + number + unit + " *";
+  const std::string tolerance =
+      " *([+]-|±) *" + number + "( *%|" + unit + ")|" + " *\\[" + limit + "," + limit + "\\]";
+  return std::string(negative ? "^[+-]?" : "^[+]?") + number + unit + "(" + tolerance + ")?$";
 }
 
 } // namespace plica

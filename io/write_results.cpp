@@ -3,6 +3,7 @@
 #include "io/report.hpp"
 #include "io/results_csv.hpp"
 #include "io/results_json.hpp"
+#include "io/results_text.hpp"
 #include "io/results_vtu.hpp"
 
 #include <cerrno>
@@ -59,8 +60,17 @@ std::vector<OutputFile> output_files(const Results& results, const fs::path& fol
       {"comparison.csv", comparison_csv(results)}, {"variants.csv", variants_csv(results)},
       {"modes.vtu", modes_vtu(results)},           {"report.html", report_html(results)},
       {"results.json", results_json(results)}};
-  for (const ResponseResult& r : results.responses)
-    contents.emplace_back("response_" + r.base + ".csv", response_csv(r));
+  for (const ResponseResult& r : results.responses) {
+    contents.emplace_back("response_" + response_name(r) + ".csv", response_csv(r));
+    contents.emplace_back("motion_" + response_name(r) + ".csv", motion_csv(r));
+    if (r.random) contents.emplace_back("random_" + response_name(r) + ".csv", random_csv(r));
+  }
+  if (!results.stresses.empty()) {
+    contents.emplace_back("stress.csv", stress_csv(results));
+    contents.emplace_back("stress.vtu", stress_vtu(results));
+  }
+  if (!results.error_bars.bars.empty())
+    contents.emplace_back("error_bars.csv", error_bars_csv(results));
   std::vector<OutputFile> files;
   files.reserve(contents.size());
   for (auto& [name, content] : contents) {

@@ -72,6 +72,12 @@ public:
   }
 
 private:
+  // New name under which elements store their strain energy.
+  int component(const std::string& name) {
+    built_.model.components.push_back(name);
+    return static_cast<int>(built_.model.components.size()) - 1;
+  }
+
   void add(const std::string& name, const Bellows& bellows) {
     const Meridian meridian = bellows_meridian(bellows);
     const int section = static_cast<int>(built_.model.shells.size());
@@ -82,7 +88,8 @@ private:
           .nu = m.nu,
           .rho = m.rho,
           .bending_factor = ply_bending_factor(bellows.wall.plies, bellows.wall.bond)},
-         bellows.membrane});
+         bellows.membrane,
+         component(name)});
     if (!built_.meridian.empty()) return;
     for (const auto& curve : mesh_meridian(meridian))
       for (const MeridianPoint& p : curve)
@@ -97,11 +104,13 @@ private:
            mesh_plate(corners, plate.elements[0], plate.elements[1], plate.thickness), name,
            section);
     const Material& m = case_.materials.at(plate.material);
-    built_.model.shells.push_back({{.E = m.E, .nu = m.nu, .rho = m.rho}, plate.membrane});
+    built_.model.shells.push_back(
+        {{.E = m.E, .nu = m.nu, .rho = m.rho}, plate.membrane, component(name)});
   }
 
   void add(const std::string& name, const BeamPart& beam) {
     const BeamProperties section = beam_properties(beam.section);
+    const int own = component(name);
     const int first = add_node(built_.model, vector(beam.points.front()));
     built_.model.mesh.sets[name + ".point[1]"] = {first};
     int previous = first;
@@ -109,8 +118,11 @@ private:
       const Vector3d a = vector(beam.points[p - 1]), b = vector(beam.points[p]);
       for (int e = 1; e <= beam.elements; ++e) {
         const int next = add_node(built_.model, a + (b - a) * e / beam.elements);
-        built_.model.beams.push_back(
-            {.node1 = previous, .node2 = next, .section = section, .up = vector(beam.up)});
+        built_.model.beams.push_back({.node1 = previous,
+                                      .node2 = next,
+                                      .section = section,
+                                      .up = vector(beam.up),
+                                      .component = own});
         previous = next;
       }
       built_.model.mesh.sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
@@ -215,7 +227,7 @@ private:
       }
     }
     nodes.push_back(liner_end(name, liner.along + ".right", right));
-    add_liner_elements(liner, nodes, length);
+    add_liner_elements(liner, nodes, length, component(name));
     built_.model.mesh.sets[name + ".start"] = {nodes.front()};
     built_.model.mesh.sets[name + ".end"] = {nodes.back()};
     built_.model.mesh.sets[name + ".all"] = nodes;
@@ -223,7 +235,8 @@ private:
 
   // Between the caps the liner is a beam with mass. Tied to the bellows its coils move with the
   // circles, so each tied node carries the coils half way to its neighbours as a rigid ring.
-  void add_liner_elements(const Interlock& liner, const std::vector<int>& nodes, double length) {
+  void add_liner_elements(const Interlock& liner, const std::vector<int>& nodes, double length,
+                          int own) {
     const double m = liner.mass / length, r2 = liner.radius * liner.radius;
     BeamProperties section{.EA = liner.EA, .EI_y = liner.EI, .EI_z = liner.EI, .GJ = liner.GJ};
     const bool rings = liner.attachment != Attachment::caps;
@@ -239,6 +252,7 @@ private:
       beam.node1 = nodes[i - 1];
       beam.node2 = nodes[i];
       beam.section = section;
+      beam.component = own;
       if (stiff || !rings) built_.model.beams.push_back(beam);
       if (!rings) continue;
       const double half = m * (x[nodes[i]] - x[nodes[i - 1]]).norm() / 2;
@@ -265,6 +279,7 @@ private:
       if (mount.kind != MountKind::springs) continue;
       BushingElement spring;
       spring.node1 = node;
+      spring.component = component("mount." + mount.cap);
       for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = mount.stiffness[i];
       built_.model.bushings.push_back(spring);
     }
@@ -283,7 +298,9 @@ private:
              "at most 5 mm; the nearest point of the part is [" + std::to_string(x.x()) + ", " +
                  std::to_string(x.y()) + ", " + std::to_string(x.z()) + "] m");
       }
-      built_.sensors.push_back({sensor.name, node, distance});
+      built_.sensors.push_back(
+          {sensor.name, node, distance, {sensor.axes[0], sensor.axes[1], sensor.axes[2]}});
+      if (sensor.mass > 0) built_.model.masses.push_back({node, rigid_mass(sensor.mass, {}, {})});
     }
   }
 

@@ -9,7 +9,8 @@ namespace plica {
 struct BuiltSensor {
   std::string name;
   int node = 0;
-  double distance = 0; // from the place in the case to the node, m
+  double distance = 0;              // from the place in the case to the node, m
+  std::array<int, 3> axes{1, 2, 3}; // as in Sensor
 };
 
 struct BuiltCase {

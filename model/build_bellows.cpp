@@ -49,6 +49,25 @@ int cuff_elements(const Bellows& bellows, const MeridianSection& cuff, double ra
   return std::max(1, static_cast<int>(std::ceil(cuff.length / longest - 1e-9)));
 }
 
+// Adds a section whose cuffs have their elements.
+void add_section(Meridian& meridian, const MeridianSection& s, const ElementCounts& n) {
+  if (s.shape == SectionShape::cuff) {
+    meridian.add_cuff(s.length, s.end_radius > 0 ? s.end_radius : meridian.radius(), s.elements);
+    return;
+  }
+  const MeridianDensity density{n.arc, n.wall};
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& p : s.points) points.emplace_back(p[0], p[1]);
+  for (int k = 0; k < s.count; ++k) {
+    if (s.shape == SectionShape::disc)
+      meridian.add_disc(s.height, s.pitch, density);
+    else if (s.shape == SectionShape::points)
+      meridian.add_points(points, s.interpolation == Interpolation::smooth, density);
+    else
+      meridian.add_convolution(convolution(s), density);
+  }
+}
+
 std::function<double(double)> thickness_law(const Bellows& bellows) {
   const double t = total_thickness(bellows.wall), root = bellows.root_radius;
   double height = 0;
@@ -89,28 +108,24 @@ ElementCounts element_counts(const Bellows& bellows) {
   return n;
 }
 
-Meridian bellows_meridian(const Bellows& bellows) {
+Bellows with_counts(Bellows bellows) {
   const ElementCounts n = element_counts(bellows);
-  const MeridianDensity density{n.arc, n.wall};
-  Meridian meridian(bellows.start, bellows.root_radius);
-  for (const MeridianSection& s : bellows.profile) {
-    if (s.shape == SectionShape::cuff) {
-      const double radius = meridian.radius();
-      meridian.add_cuff(s.length, s.end_radius > 0 ? s.end_radius : radius,
-                        cuff_elements(bellows, s, radius, n));
-      continue;
-    }
-    std::vector<Eigen::Vector2d> points;
-    for (const auto& p : s.points) points.emplace_back(p[0], p[1]);
-    for (int k = 0; k < s.count; ++k) {
-      if (s.shape == SectionShape::disc)
-        meridian.add_disc(s.height, s.pitch, density);
-      else if (s.shape == SectionShape::points)
-        meridian.add_points(points, s.interpolation == Interpolation::smooth, density);
-      else
-        meridian.add_convolution(convolution(s), density);
-    }
+  Meridian meridian(bellows.start, bellows.root_radius); // tells the radius at each cuff
+  const Bellows given = bellows;
+  for (MeridianSection& s : bellows.profile) {
+    if (s.shape == SectionShape::cuff) s.elements = cuff_elements(given, s, meridian.radius(), n);
+    add_section(meridian, s, n);
   }
+  bellows.mesh = {.around = n.around, .arc = n.arc, .wall = n.wall};
+  return bellows;
+}
+
+Meridian bellows_meridian(const Bellows& given) {
+  const Bellows bellows = with_counts(given);
+  const MeshDensity& mesh = bellows.mesh;
+  Meridian meridian(bellows.start, bellows.root_radius);
+  for (const MeridianSection& s : bellows.profile)
+    add_section(meridian, s, {.around = mesh.around, .arc = mesh.arc, .wall = mesh.wall});
   return meridian;
 }
 

@@ -7,6 +7,9 @@
 
 namespace plica {
 
+// The same mesh with every density given as counts, cuffs included.
+Bellows with_counts(Bellows bellows);
+
 Meridian bellows_meridian(const Bellows& bellows);
 Mesh bellows_mesh(const Bellows& bellows, const Meridian& meridian);
 

@@ -152,6 +152,8 @@ struct Support {
 struct Sensor {
   std::string name;
   Triple at{}; // sits on the nearest node; more than 5 mm off the part is an error
+  std::vector<int> axes{1, 2, 3}; // its own three axes: 1 x, 2 y, 3 z, negative = reversed
+  double mass = 0;                // rides on that node
 };
 
 struct Modes {
@@ -160,24 +162,88 @@ struct Modes {
   bool proof = true;
 };
 
-// Response of the sensors to motion of the base, each direction on its own.
+struct DampingRange {
+  std::array<double, 2> band{}; // Hz
+  double ratio = 0;
+};
+struct ModeDamping {
+  int mode = 0; // counted from 1
+  double ratio = 0;
+};
+struct LossFactor {
+  std::string of; // a part, or "mount.<cap>" of a spring mount
+  double value = 0;
+};
+
+// Fractions of critical, the narrower statement before the wider: a mode by its number, a band,
+// all. Loss factors come on top, weighted by the strain energy of their component.
+struct Damping {
+  double modal = 0;
+  std::vector<DampingRange> ranges;
+  std::vector<ModeDamping> modes;
+  std::vector<LossFactor> loss_factors;
+};
+
+// One-sided spectral density of an input, (unit)^2/Hz: a constant level, or a table of [Hz,
+// density] joined by straight lines in a log-log plot.
+struct Noise {
+  double level = 0;
+  std::vector<std::array<double, 2>> table;
+};
+struct BaseNoise : Noise {};  // (m/s2)2/Hz; (rad/s2)2/Hz for a rotation
+struct ForceNoise : Noise {}; // N2/Hz; (Nm)2/Hz for a moment
+
+struct Force {
+  std::string name;
+  std::string at;       // set, the force spread evenly over its nodes
+  int direction = 1;    // 0..5 = x y z rx ry rz
+  double amplitude = 1; // N or Nm, for stresses and motion in absolute numbers
+  std::optional<ForceNoise> random;
+};
+
+struct CrossPair { // two channels, "sensor.direction"
+  std::string a, b;
+};
+
+// Response of the sensors to motion of the base and to forces, each direction and force on its own.
 struct Response {
-  std::vector<int> bases;              // 0..5 = x y z rx ry rz; rotations about the origin
+  std::vector<int> bases; // 0..5 = x y z rx ry rz; rotations about the origin
+  double level = 1;       // amplitude of the base, m/s2 or rad/s2
+  std::optional<BaseNoise> random = {};
+  std::vector<Force> forces = {};
   std::array<double, 2> band{10, 500}; // Hz
   int points = 491; // even steps; eigenfrequencies and clusters round them besides
+  std::vector<std::array<double, 2>> rms_bands = {}; // Hz; beside the whole band
+  std::vector<CrossPair> cross = {};                 // cross densities of a random response
+};
+
+// Stresses of shells and beams: static, of each mode, harmonic, RMS under a random input.
+struct Stress {
+  std::vector<double> frequencies; // harmonic at these, for every base direction and force, Hz
 };
 
 struct Analyses {
   bool statics = true; // end stiffness between two caps (needs exactly two)
   std::optional<Modes> modes;
+  Damping damping;
   std::optional<Response> response;
-  double modal_damping = 0; // fraction of critical, of each mode
+  std::optional<Stress> stress;
+  bool error_bars = true; // discretisation and tolerances of the headline numbers
 };
 
 // The same case with some numbers changed: shown beside the nominal results.
 struct Variant {
   std::string name;
   std::map<std::string, std::string> set; // path of the case file: new value, as written there
+};
+
+// A number known only within limits, from "8 mm +- 1 mm" (evenly within them) or
+// "3 kN [0.3, 30]" (half of the probability on each side of the value, on a log scale when both
+// limits are above zero). Values in SI.
+struct Tolerance {
+  std::string path; // of the number in the case file
+  double value = 0, low = 0, high = 0;
+  bool interval = false; // written as [low, high]
 };
 
 struct Case {
@@ -192,6 +258,7 @@ struct Case {
   std::vector<Sensor> sensors;
   Analyses analyses;
   std::vector<Variant> variants;
+  std::vector<Tolerance> tolerances;
   std::string measured; // path of measured.yaml beside the case file; empty = none
 };
 

@@ -40,7 +40,9 @@ enum class Dimension {
   mass_per_length,
   inertia_per_length,
   frequency,
-  acceleration
+  acceleration,
+  acceleration_density,
+  force_density
 };
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -51,7 +53,8 @@ struct Quantity {
   bool required = false;
   double min = -unbounded, max = unbounded;
   bool exclusive_min = false, exclusive_max = false;
-  std::optional<Dimension> last_three = {}; // of six numbers: the unit of the last three
+  std::optional<Dimension> tail = {}; // unit of the numbers of a row from tail_from on
+  int tail_from = 3;
   int min_items = 1, max_items = 2000;
 };
 

@@ -14,4 +14,12 @@ std::map<std::string, double> headline(const Results& results) {
   return numbers;
 }
 
+Eigen::MatrixXd vector_sum(const ResponseResult& response) {
+  const Eigen::Index sensors = response.acceleration.cols() / 3;
+  Eigen::MatrixXd sum(response.acceleration.rows(), sensors);
+  for (Eigen::Index s = 0; s < sensors; ++s)
+    sum.col(s) = response.acceleration.middleCols(3 * s, 3).rowwise().norm();
+  return sum;
+}
+
 } // namespace plica

@@ -67,13 +67,70 @@ struct ResponsePeak {
   double damping = 0; // half power; NaN where a neighbour covers a flank
 };
 
-// Absolute acceleration of the sensors per base acceleration.
+struct BandRms {
+  std::array<double, 2> band{}; // Hz
+  double input = 0;             // of the base or the force
+  Eigen::VectorXd rms;          // per channel, m/s2
+};
+
+struct CrossDensity {
+  int a = 0, b = 0; // channels
+  Eigen::VectorXcd density;
+};
+
+// Stationary response to a random input; one-sided densities, (m/s2)^2/Hz per channel.
+struct RandomResult {
+  Eigen::VectorXd input;      // per frequency
+  Eigen::MatrixXd density;    // frequencies x channels
+  std::vector<BandRms> bands; // the whole band first
+  std::vector<CrossDensity> cross;
+};
+
+// Acceleration of the sensors in their own axes: absolute and per base acceleration
+// (transmissibility), or per N (Nm) of a force with the base at rest.
 struct ResponseResult {
-  std::string base; // x y z rx ry rz
+  std::string excitation; // base: x y z rx ry rz; or the name of the force
+  bool is_force = false;
+  double level = 1; // amplitude of the excitation, m/s2 (rad/s2) or N (Nm)
   Eigen::VectorXd hertz;
-  std::vector<std::pair<std::string, std::string>> channels; // sensor, direction
-  Eigen::MatrixXcd transmissibility;                         // frequencies x channels
+  std::vector<std::pair<std::string, std::string>> channels; // sensor, axis: three per sensor
+  Eigen::MatrixXcd acceleration;                             // frequencies x channels
+  std::vector<int> shown; // channels that are more than a thousandth of the largest
   std::vector<ResponsePeak> peaks;
+  std::optional<RandomResult> random;
+};
+
+// Largest resultant of the three axes of each sensor, frequencies x sensors: root of the sum of the
+// squared amplitudes.
+Eigen::MatrixXd vector_sum(const ResponseResult& response);
+
+// Von Mises stress of the shells on both faces and the axial stress of beams, with the places of
+// the largest.
+struct StressResult {
+  std::string kind; // static | mode | harmonic | rms
+  std::string name; // what it is the stress of, with its amplitude
+  double largest = 0;
+  std::array<double, 3> at{}; // m
+  std::string face;           // below or above: against or along the director (inner, outer)
+  double largest_beam = 0;    // magnitude of the axial stress of a fibre, Pa
+  std::array<double, 3> beam_at{};
+  Eigen::VectorXd below, above; // per node, Pa
+};
+
+// A headline number with its errors. Interval: 5 % and 95 % points over the tolerances.
+struct ErrorBar {
+  std::string key; // as in headline()
+  double value = 0;
+  double along = 0, around = 0; // still missing to the converged value, estimated, signed
+  std::optional<std::array<double, 2>> interval;
+  std::vector<double> shares; // of the variance, per tolerance
+};
+
+struct ErrorBars {
+  std::vector<ErrorBar> bars;
+  std::vector<std::string> tolerances; // paths
+  double interaction = 0; // largest deviation of a run with all tolerances drawn at random from the
+                          // sum of the single effects, relative
 };
 
 struct SensorResult {
@@ -91,12 +148,15 @@ struct Results {
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;
   std::vector<ResponseResult> responses;
+  std::vector<StressResult> stresses;
+  ErrorBars error_bars;
   std::array<double, 6>
       free_mass{}; // r' M r over the free unknowns: what effective masses add up to
   std::array<double, 6> effective_mass_sum{};
   Verification verification;
   MeshQuality quality;
   std::vector<MeasuredComparison> comparison;
+  std::vector<std::string> unanswered; // measured responses that this model has no path for
   std::vector<VariantResult> variants;
   std::map<std::string, double> timing; // stage: seconds
   double peak_memory = 0;               // bytes

@@ -1,12 +1,15 @@
 #include "model/run.hpp"
 
+#include "model/damping.hpp"
 #include "model/input_error.hpp"
-#include "model/run_response.hpp"
+#include "model/run_stress.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 #include "solve/stopwatch.hpp"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +126,10 @@ private:
         throw std::runtime_error(
             "static stiffness: the part is a mechanism when both caps are held");
     }
-    MatrixXd condensed = condense(K, boundary, shared ? base().factor : *own);
+    const SparseFactor& inner = shared ? base().factor : *own;
+    MatrixXd condensed = condense(K, boundary, inner);
+    if (case_.analyses.stress)
+      static_stress(K, boundary, inner, condensed, caps[0] > caps[1] ? 0 : 6);
     if (caps[0] > caps[1]) { // order of the caps in the case
       const Eigen::PermutationMatrix<12> swap(
           (Eigen::Matrix<int, 12, 1>() << 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5).finished());
@@ -140,44 +146,85 @@ private:
     lap("statics");
   }
 
+  // One end moved 1 mm along and across, kept parallel; `end`: its first row in the boundary.
+  void static_stress(const SparseMatrix& K, const std::vector<int>& boundary,
+                     const SparseFactor& inner, const MatrixXd& condensed, int end) {
+    StaticShapes shapes{.u = {}, .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}};
+    MatrixXd at_boundary = MatrixXd::Zero(12, 3);
+    const Eigen::Matrix3d parallel = condensed.block<3, 3>(end, end).inverse();
+    for (const auto& [column, axis] : {std::pair{0, 1}, std::pair{1, 0}, std::pair{2, 2}})
+      at_boundary.block<3, 1>(end, column) = 1e-3 / parallel(axis, axis) * parallel.col(axis);
+    shapes.u = expand(system_.map, follow_boundary(K, boundary, inner, at_boundary));
+    results_.stresses = static_stresses(shapes, built_.model);
+  }
+
   void modes() {
     const Modes& asked = *case_.analyses.modes;
     const ModesRequest request{.count = asked.count, .band = asked.band, .proof = asked.proof};
     BaseFactor& factor = base();
     stage_("modes");
     const bool free_body = factor.sigma < 0;
-    std::optional<ResponseLoads> loads;
-    if (case_.analyses.response)
-      loads = response_loads(*case_.analyses.response, built_, system_, part_.free, factor);
+    const std::optional<Response>& response = case_.analyses.response;
+    std::optional<Excitations> excited;
+    if (response) excited = excitations(*response, built_, system_, part_.free, factor);
     ModeSet set = find_modes(part_.K, part_.M, request, factor);
     for (const auto& [name, seconds] : set.timing) results_.timing[name] += seconds;
     watch_ = Stopwatch();
     stage_("labels");
-    MatrixXd q = MatrixXd::Zero(system_.map.size(), set.Phi.cols());
-    for (std::size_t i = 0; i < part_.free.size(); ++i) q.row(part_.free[i]) = set.Phi.row(i);
-    MatrixXd u = expand(system_.map, q);
+    MatrixXd u = expand_free(set.Phi);
     std::vector<int> sensors;
     for (const BuiltSensor& s : built_.sensors) sensors.push_back(s.node);
     orient_modes(built_.model, sensors, set.lambda, set.Phi, u);
-    add_modes(set, u, free_body);
+    const DampedModes damped = damped_modes(set, excited, u);
+    add_modes(set, damped, free_body);
     verify(set);
     lap("labels");
-    if (loads) responses(set, *loads);
+    if (excited) respond(*response, damped, *excited);
+    if (!case_.analyses.stress) return;
+    stage_("stress");
+    for (StressResult& s : dynamic_stresses(*case_.analyses.stress, response ? &*response : nullptr,
+                                            built_.model, damped, excited ? &*excited : nullptr))
+      results_.stresses.push_back(std::move(s));
+    lap("stress");
   }
 
-  void responses(const ModeSet& set, const ResponseLoads& loads) {
+  // Over all DOFs from the free ones.
+  MatrixXd expand_free(const MatrixXd& free) const {
+    MatrixXd q = MatrixXd::Zero(system_.map.size(), free.cols());
+    q(part_.free, Eigen::all) = free;
+    return expand(system_.map, q);
+  }
+
+  DampedModes damped_modes(const ModeSet& set, const std::optional<Excitations>& excited,
+                           const MatrixXd& u) const {
+    const MatrixXd none(part_.K.rows(), 0);
+    DampedModes modes{.basis = add_static_correction(part_.K, part_.M, set.lambda, set.Phi,
+                                                     excited ? excited->static_solutions : none),
+                      .u = {},
+                      .zeta = {},
+                      .eta = {}};
+    const Eigen::Index pseudo = modes.basis.lambda.size() - set.lambda.size();
+    modes.u.resize(u.rows(), u.cols() + pseudo);
+    modes.u << u, expand_free(modes.basis.Phi.rightCols(pseudo));
+    const ModalDamping damping = modal_damping(case_.analyses.damping, built_.model,
+                                               modes.basis.lambda, modes.u, modes.basis.modes);
+    modes.zeta = damping.zeta;
+    modes.eta = damping.eta;
+    return modes;
+  }
+
+  void respond(const Response& asked, const DampedModes& modes, const Excitations& excited) {
     stage_("response");
-    const Response& asked = *case_.analyses.response;
-    results_.responses = base_responses(asked, case_.analyses.modal_damping, built_, system_,
-                                        part_.free, part_.K, part_.M, set, loads);
-    const double last = frequency(set.lambda[set.lambda.size() - 1]);
+    results_.responses = responses(asked, built_, modes, excited);
+    const double last = frequency(modes.basis.lambda[modes.basis.modes - 1]);
     if (last < asked.band[1])
       results_.warnings.push_back("the modes end at " + std::to_string(std::lround(last)) +
                                   " Hz: above, the response holds only their static part");
     lap("response");
   }
 
-  void add_modes(const ModeSet& set, const MatrixXd& u, bool free_body) {
+  void add_modes(const ModeSet& set, const DampedModes& damped, bool free_body) {
+    const MatrixXd& u = damped.u;
     const FreeMass free = free_mass(built_.model, system_.map, part_.free, part_.M);
     const MatrixXd effective = effective_masses(free, part_.M, set.Phi);
     double elastic = 0; // lowest eigenvalue well above zero
@@ -189,7 +236,7 @@ private:
       const ModeLabel label =
           label_mode(built_.model, u.col(i), rigid, m.cwiseQuotient(free.total.cwiseMax(1e-300)));
       ModeResult mode{.frequency = frequency(set.lambda[i]),
-                      .damping = case_.analyses.modal_damping,
+                      .damping = damped.zeta[i] + damped.eta[i] / 2,
                       .effective_mass = {},
                       .shape = label.shape,
                       .direction = label.direction,

@@ -1,93 +1,195 @@
 #include "model/run_response.hpp"
 
 #include "model/input_error.hpp"
+#include "solve/base_motion.hpp"
 #include "solve/frequency_grid.hpp"
-#include "solve/frequency_response.hpp"
 
 #include <numbers>
 
 namespace plica {
 namespace {
 
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using std::numbers::pi;
 
 constexpr std::array axis_names{"x", "y", "z", "rx", "ry", "rz"};
 
-// Rows of the three displacements of each sensor in a field over all DOFs.
+[[noreturn]] void fail(const std::string& key, const std::string& wrong,
+                       const std::string& allowed) {
+  throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
+}
+
+SpectralDensity spectral_density(const Noise& noise, const std::array<double, 2>& band) {
+  if (noise.table.empty()) return {{{band[0], noise.level}, {band[1], noise.level}}};
+  return {noise.table};
+}
+
+// Over all DOFs, spread evenly over the nodes of the set.
+VectorXd nodal_force(const Force& force, const std::string& key, const Model& model) {
+  const auto set = model.mesh.sets.find(force.at);
+  if (set == model.mesh.sets.end())
+    fail(key, "there is no set \"" + force.at + "\" on the mesh", "the sets of the parts");
+  VectorXd F = VectorXd::Zero(dof_count(model));
+  for (int node : set->second) F[6 * node + force.direction] += 1. / double(set->second.size());
+  return F;
+}
+
+// Rows of the three axes of each sensor in a field over all DOFs.
 MatrixXd at_sensors(const BuiltCase& built, const MatrixXd& u) {
   MatrixXd rows(3 * built.sensors.size(), u.cols());
   for (std::size_t s = 0; s < built.sensors.size(); ++s)
-    rows.middleRows(3 * Eigen::Index(s), 3) = u.middleRows(6 * built.sensors[s].node, 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int axis = built.sensors[s].axes[k];
+      rows.row(Eigen::Index(3 * s + k)) =
+          (axis < 0 ? -1. : 1.) * u.row(6 * built.sensors[s].node + std::abs(axis) - 1);
+    }
   return rows;
 }
 
-// Channels that stay below a thousandth of the largest are rounding, or have no path.
-void add_peaks(ResponseResult& response) {
-  const double largest = response.transmissibility.cwiseAbs().maxCoeff();
-  for (Eigen::Index c = 0; c < response.transmissibility.cols(); ++c) {
-    if (response.transmissibility.col(c).cwiseAbs().maxCoeff() < 1e-3 * largest) continue;
-    for (const Peak& p : find_peaks(response.hertz, response.transmissibility.col(c).cwiseAbs()))
-      response.peaks.push_back({.channel = static_cast<int>(c),
-                                .frequency = p.frequency,
-                                .amplitude = p.height,
-                                .damping = p.damping});
+void require_damping(const Response& asked, const DampedModes& modes) {
+  for (int j = 0; j < modes.basis.modes; ++j) {
+    const double f = frequency(modes.basis.lambda[j]);
+    if (f < asked.band[0] || f > asked.band[1] || modes.zeta[j] + modes.eta[j] / 2 > 0) continue;
+    fail("analyses.response",
+         "mode " + std::to_string(j + 1) + " at " + std::to_string(f) +
+             " Hz has no damping, so its peak is infinite",
+         "give analyses.damping.modal, a range, a mode or a loss factor that reaches it");
   }
+}
+
+// Channels below a thousandth of the largest are rounding, or have no path.
+std::vector<int> channels_with_path(const MatrixXcd& acceleration) {
+  const Eigen::RowVectorXd highest = acceleration.cwiseAbs().colwise().maxCoeff();
+  std::vector<int> channels;
+  for (Eigen::Index c = 0; c < highest.size(); ++c)
+    if (highest[c] > 1e-3 * highest.maxCoeff()) channels.push_back(static_cast<int>(c));
+  return channels;
+}
+
+void add_peaks(ResponseResult& response) {
+  for (int c : response.shown)
+    for (const Peak& p : find_peaks(response.hertz, response.acceleration.col(c).cwiseAbs()))
+      response.peaks.push_back(
+          {.channel = c, .frequency = p.frequency, .amplitude = p.height, .damping = p.damping});
+}
+
+int channel_of(const ResponseResult& response, const std::string& name, const std::string& key) {
+  for (std::size_t c = 0; c < response.channels.size(); ++c)
+    if (name == response.channels[c].first + "." + response.channels[c].second)
+      return static_cast<int>(c);
+  fail(key, "there is no channel \"" + name + "\"", "a sensor and its axis, e.g. mid.y");
+}
+
+RandomResult random_result(const Response& asked, const SpectralDensity& input,
+                           const ResponseResult& response) {
+  RandomResult random;
+  const VectorXd& f = response.hertz;
+  random.input = f.unaryExpr([&](double hertz) { return density_at(input, hertz); });
+  random.density = response_density(input, f, response.acceleration);
+  std::vector<std::array<double, 2>> bands{asked.band};
+  bands.insert(bands.end(), asked.rms_bands.begin(), asked.rms_bands.end());
+  for (const auto& band : bands) {
+    BandRms rms_of{.band = band, .input = rms(f, random.input, band[0], band[1]), .rms = {}};
+    rms_of.rms.resize(random.density.cols());
+    for (Eigen::Index c = 0; c < random.density.cols(); ++c)
+      rms_of.rms[c] = rms(f, random.density.col(c), band[0], band[1]);
+    random.bands.push_back(std::move(rms_of));
+  }
+  for (std::size_t i = 0; i < asked.cross.size(); ++i) {
+    const std::string key = "analyses.response.cross[" + std::to_string(i) + "].";
+    const int a = channel_of(response, asked.cross[i].a, key + "a");
+    const int b = channel_of(response, asked.cross[i].b, key + "b");
+    random.cross.push_back(
+        {.a = a, .b = b, .density = cross_density(input, f, response.acceleration, a, b)});
+  }
+  return random;
 }
 
 } // namespace
 
-ResponseLoads response_loads(const Response& asked, const BuiltCase& built, const System& system,
-                             const std::vector<int>& free, const BaseFactor& factor) {
+Excitations excitations(const Response& asked, const BuiltCase& built, const System& system,
+                        const std::vector<int>& free, const BaseFactor& factor) {
   if (factor.sigma != 0)
-    throw InputError({{.file = "",
-                       .line = 0,
-                       .key = "analyses.response",
-                       .wrong = "nothing holds the part, so the table cannot shake it",
-                       .allowed = "a mount or supports that leave no rigid motion free"}});
-  ResponseLoads loads{.base = base_motion(built.model, system, free, {0, 0, 0}),
-                      .force = {},
-                      .static_solutions = {}};
-  loads.force = loads.base.force(Eigen::all, asked.bases);
-  loads.static_solutions = factor.factor.solve(loads.force);
-  return loads;
+    fail("analyses.response", "nothing holds the part, so it has no steady response",
+         "a mount or supports that leave no rigid motion free");
+  const auto count = static_cast<Eigen::Index>(asked.bases.size() + asked.forces.size());
+  Excitations all{.list = {},
+                  .force = MatrixXd::Zero(Eigen::Index(free.size()), count),
+                  .rigid = MatrixXd::Zero(dof_count(built.model), count),
+                  .static_solutions = {}};
+  const BaseMotion base = base_motion(built.model, system, free, {0, 0, 0});
+  for (int direction : asked.bases) {
+    const auto column = static_cast<Eigen::Index>(all.list.size());
+    all.force.col(column) = base.force.col(direction);
+    all.rigid.col(column) = expand(system.map, base.r.col(direction));
+    all.list.push_back({.name = axis_names[direction], .amplitude = asked.level, .random = {}});
+    if (asked.random) all.list.back().random = spectral_density(*asked.random, asked.band);
+  }
+  for (std::size_t i = 0; i < asked.forces.size(); ++i) {
+    const Force& force = asked.forces[i];
+    const std::string key = "analyses.response.forces[" + std::to_string(i) + "].at";
+    const VectorXd F = gather(system.map, nodal_force(force, key, built.model));
+    all.force.col(Eigen::Index(all.list.size())) = F(free);
+    all.list.push_back(
+        {.name = force.name, .is_force = true, .amplitude = force.amplitude, .random = {}});
+    if (force.random) all.list.back().random = spectral_density(*force.random, asked.band);
+  }
+  all.static_solutions = factor.factor.solve(all.force);
+  return all;
 }
 
-std::vector<ResponseResult> base_responses(const Response& asked, double damping,
-                                           const BuiltCase& built, const System& system,
-                                           const std::vector<int>& free, const SparseMatrix& K,
-                                           const SparseMatrix& M, const ModeSet& set,
-                                           const ResponseLoads& loads) {
-  const ModalBasis basis = add_static_correction(K, M, set.lambda, set.Phi, loads.static_solutions);
-  MatrixXd q = MatrixXd::Zero(system.map.size(), basis.Phi.cols());
-  q(free, Eigen::all) = basis.Phi;
-  const auto count = basis.lambda.size();
-  const ModalModel modal{.lambda = basis.lambda,
-                         .zeta = VectorXd::Constant(count, damping),
-                         .eta = VectorXd::Zero(count),
-                         .output = at_sensors(built, expand(system.map, q)),
-                         .input = basis.Phi.transpose() * loads.force};
-  const MatrixXd rigid = at_sensors(built, expand(system.map, loads.base.r));
-  const VectorXd modes = set.lambda.unaryExpr(&frequency);
-  const VectorXd hertz = frequency_grid(asked.band[0], asked.band[1], asked.points, modes,
-                                        VectorXd::Constant(modes.size(), damping));
-  const VectorXd omega = 2 * std::numbers::pi * hertz;
-  std::vector<ResponseResult> responses;
-  for (std::size_t k = 0; k < asked.bases.size(); ++k) {
-    ResponseResult response{.base = axis_names[asked.bases[k]],
+VectorXd response_grid(const Response& asked, const DampedModes& modes) {
+  const VectorXd found = modes.basis.lambda.head(modes.basis.modes).unaryExpr(&frequency);
+  return frequency_grid(asked.band[0], asked.band[1], asked.points, found,
+                        (modes.zeta + modes.eta / 2).head(modes.basis.modes));
+}
+
+MatrixXcd modal_coordinates(const DampedModes& modes, const Excitations& excited, int which,
+                            const VectorXd& hertz) {
+  const Eigen::Index n = modes.basis.lambda.size();
+  const ModalModel modal{.lambda = modes.basis.lambda,
+                         .zeta = modes.zeta,
+                         .eta = modes.eta,
+                         .output = MatrixXd::Identity(n, n),
+                         .input = modes.basis.Phi.transpose() * excited.force.col(which)};
+  return frequency_response(modal, 0, 2 * pi * hertz);
+}
+
+std::vector<ResponseResult> responses(const Response& asked, const BuiltCase& built,
+                                      const DampedModes& modes, const Excitations& excited) {
+  require_damping(asked, modes);
+  const ModalModel modal{.lambda = modes.basis.lambda,
+                         .zeta = modes.zeta,
+                         .eta = modes.eta,
+                         .output = at_sensors(built, modes.u),
+                         .input = modes.basis.Phi.transpose() * excited.force};
+  const MatrixXd rigid = at_sensors(built, excited.rigid);
+  const VectorXd hertz = response_grid(asked, modes), omega = 2 * pi * hertz;
+  std::vector<ResponseResult> results;
+  for (std::size_t k = 0; k < excited.list.size(); ++k) {
+    const Excitation& e = excited.list[k];
+    ResponseResult response{.excitation = e.name,
+                            .is_force = e.is_force,
+                            .level = e.amplitude,
                             .hertz = hertz,
                             .channels = {},
-                            .transmissibility = {},
-                            .peaks = {}};
+                            .acceleration = {},
+                            .shown = {},
+                            .peaks = {},
+                            .random = {}};
     for (const BuiltSensor& s : built.sensors)
       for (int axis : {0, 1, 2}) response.channels.push_back({s.name, axis_names[axis]});
-    const Eigen::MatrixXcd relative = frequency_response(modal, static_cast<int>(k), omega);
-    response.transmissibility = -(omega.cwiseAbs2().asDiagonal() * relative);
-    response.transmissibility.rowwise() += rigid.col(asked.bases[k]).transpose();
+    const MatrixXcd relative = frequency_response(modal, static_cast<int>(k), omega);
+    response.acceleration = -(omega.cwiseAbs2().asDiagonal() * relative);
+    response.acceleration.rowwise() += rigid.col(Eigen::Index(k)).transpose();
+    response.shown = channels_with_path(response.acceleration);
     add_peaks(response);
-    responses.push_back(std::move(response));
+    if (!e.random.table.empty()) response.random = random_result(asked, e.random, response);
+    results.push_back(std::move(response));
   }
-  return responses;
+  return results;
 }
 
 } // namespace plica

@@ -1,5 +1,7 @@
 #include "solve/assembly.hpp"
 
+#include "solve/element_view.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -9,68 +11,6 @@ namespace plica {
 namespace {
 
 using Eigen::MatrixXd;
-
-// Every element of a model by one running number.
-struct ElementView {
-  const Model& model;
-
-  int size() const { return element_count(model); }
-
-  // Calls f(nodes, K, M) with the matrices of element e.
-  template <class F> void visit(int e, F&& f) const {
-    const int quads = static_cast<int>(model.mesh.quads.size());
-    if (e < quads) {
-      const ShellQuad& quad = model.mesh.quads[e];
-      const ShellProperties& p = model.shells[quad.section];
-      const ShellGeometry g = shell_geometry(model.mesh, quad);
-      return f(quad.nodes, shell_mitc4_stiffness(g, p.section, p.membrane),
-               shell_mitc4_mass(g, p.section));
-    }
-    e -= quads;
-    if (e < static_cast<int>(model.beams.size())) {
-      const BeamElement& b = model.beams[e];
-      const BeamGeometry g{model.mesh.nodes[b.node1], model.mesh.nodes[b.node2], b.up, b.offset1,
-                           b.offset2};
-      return f(std::array{b.node1, b.node2}, beam_stiffness(g, b.section), beam_mass(g, b.section));
-    }
-    e -= static_cast<int>(model.beams.size());
-    if (e < static_cast<int>(model.masses.size())) {
-      const MassElement& m = model.masses[e];
-      return f(std::array{m.node}, Matrix6(Matrix6::Zero()), rigid_mass_matrix(m.body));
-    }
-    e -= static_cast<int>(model.masses.size());
-    if (e < static_cast<int>(model.bushings.size())) {
-      const BushingElement& b = model.bushings[e];
-      if (b.node2 < 0)
-        return f(std::array{b.node1}, ground_bushing_matrix(b.bushing), Matrix6(Matrix6::Zero()));
-      const auto& x = model.mesh.nodes;
-      return f(std::array{b.node1, b.node2},
-               bushing_matrix(b.bushing, x[b.node1], x[b.node2], (x[b.node1] + x[b.node2]) / 2),
-               Matrix12(Matrix12::Zero()));
-    }
-    e -= static_cast<int>(model.bushings.size());
-    const MatrixElement& m = model.matrices[e];
-    f(m.nodes, m.K, m.M);
-  }
-
-  std::vector<int> nodes(int e) const {
-    const int quads = static_cast<int>(model.mesh.quads.size());
-    if (e < quads) return {model.mesh.quads[e].nodes.begin(), model.mesh.quads[e].nodes.end()};
-    e -= quads;
-    const int beams = static_cast<int>(model.beams.size());
-    if (e < beams) return {model.beams[e].node1, model.beams[e].node2};
-    e -= beams;
-    const int masses = static_cast<int>(model.masses.size());
-    if (e < masses) return {model.masses[e].node};
-    e -= masses;
-    const int bushings = static_cast<int>(model.bushings.size());
-    if (e < bushings) {
-      const BushingElement& b = model.bushings[e];
-      return b.node2 < 0 ? std::vector{b.node1} : std::vector{b.node1, b.node2};
-    }
-    return model.matrices[e - bushings].nodes;
-  }
-};
 
 // Nodes whose independent DOFs an element reaches, itself or through constraints.
 std::vector<int> reached_nodes(const DofMap& map, const std::vector<int>& nodes) {

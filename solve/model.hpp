@@ -17,6 +17,7 @@ namespace plica {
 struct ShellProperties {
   ShellSection section;
   MembraneStrain membrane = MembraneStrain::displacement;
+  int component = 0; // index into Model::components, here and below
 };
 
 struct BeamElement {
@@ -24,6 +25,7 @@ struct BeamElement {
   BeamProperties section;
   Eigen::Vector3d up{0, 0, 1};
   Eigen::Vector3d offset1{0, 0, 0}, offset2{0, 0, 0};
+  int component = 0;
 };
 
 struct MassElement {
@@ -34,12 +36,14 @@ struct MassElement {
 struct BushingElement {
   int node1 = 0, node2 = -1; // node2 = -1: to the ground
   Bushing bushing;
+  int component = 0;
 };
 
 // Any element given by its matrices: a superelement. DOFs: the six of each node, in order.
 struct MatrixElement {
   std::vector<int> nodes;
   Eigen::MatrixXd K, M;
+  int component = 0;
 };
 
 // u(node, dof) = sum of factor * u(term); no terms: held at zero.
@@ -54,6 +58,7 @@ struct Constraint {
 };
 
 struct Model {
+  std::vector<std::string> components; // names; every elastic element belongs to one
   Mesh mesh;
   std::vector<ShellProperties> shells; // index = ShellQuad::section
   std::vector<BeamElement> beams;
@@ -67,6 +72,8 @@ int add_node(Model& model, const Eigen::Vector3d& position);
 int dof_count(const Model& model);
 int element_count(const Model& model);
 ShellGeometry shell_geometry(const Mesh& mesh, const ShellQuad& quad);
+BeamGeometry beam_geometry(const Mesh& mesh, const BeamElement& beam);
+Eigen::MatrixXd bushing_matrix(const Mesh& mesh, const BushingElement& bushing); // its nodes' DOFs
 
 const char* dof_name(int dof); // "ux" .. "rz"
 

@@ -32,6 +32,16 @@ MatrixXd condense(const SparseMatrix& K, const std::vector<int>& boundary,
   return (reduced + reduced.transpose()) / 2;
 }
 
+MatrixXd follow_boundary(const SparseMatrix& K, const std::vector<int>& boundary,
+                         const SparseFactor& inner, const MatrixXd& u_b) {
+  const std::vector<int> kept = complement(static_cast<int>(K.rows()), boundary);
+  MatrixXd u = MatrixXd::Zero(K.rows(), u_b.cols());
+  u(boundary, Eigen::all) = u_b;
+  const MatrixXd pull = symmetric_product(K, u)(kept, Eigen::all);
+  u(kept, Eigen::all) = -inner.solve(pull);
+  return u;
+}
+
 EndStiffness end_stiffness(const Matrix66& K) {
   const Eigen::LLT<MatrixXd> cholesky{MatrixXd(K)};
   if (cholesky.info() != Eigen::Success)

@@ -12,6 +12,11 @@ using Matrix66 = Eigen::Matrix<double, 6, 6>;
 Eigen::MatrixXd condense(const SparseMatrix& K, const std::vector<int>& boundary,
                          const SparseFactor& inner);
 
+// All DOFs of K when those of the boundary move by the columns of u_b and nothing else acts:
+// u_i = -K_ii^-1 K_ib u_b.
+Eigen::MatrixXd follow_boundary(const SparseMatrix& K, const std::vector<int>& boundary,
+                                const SparseFactor& inner, const Eigen::MatrixXd& u_b);
+
 // DOFs 0..n-1 that are not in `removed` (increasing).
 std::vector<int> complement(int n, const std::vector<int>& removed);
 

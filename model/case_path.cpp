@@ -1,0 +1,93 @@
+#include "model/case_path.hpp"
+
+#include "model/case_fields.hpp"
+
+namespace plica {
+namespace {
+
+// Visits the fields of one struct below a path and stops at the wanted one.
+class PathFinder {
+public:
+  PathFinder(std::string at, const std::string& wanted) : at_(std::move(at)), wanted_(wanted) {}
+
+  double* found = nullptr;
+
+  void quantity(double& x, const char* key, const Quantity&, const char*) { meet(x, below(key)); }
+  void quantity(std::optional<double>& x, const char* key, const Quantity&, const char*) {
+    if (x) meet(*x, below(key));
+  }
+  template <class List> void quantities(List& x, const char* key, const Quantity&, const char*) {
+    for (std::size_t i = 0; i < x.size(); ++i) meet(x[i], below(key, i));
+  }
+  template <class Rows> void points(Rows& rows, const char* key, const Quantity&, const char*) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        meet(rows[i][j], below(key, i) + "[" + std::to_string(j) + "]");
+  }
+  template <class T> void object(T& x, const char* key, const Need&, const char*) {
+    enter(x, below(key));
+  }
+  template <class T> void object(std::optional<T>& x, const char* key, const Need&, const char*) {
+    if (x) enter(*x, below(key));
+  }
+  template <class T> void list(std::vector<T>& x, const char* key, const Need&, const char*) {
+    for (std::size_t i = 0; i < x.size(); ++i) enter(x[i], below(key, i));
+  }
+  template <class T>
+  void named(std::vector<T>& x, std::string T::*name, const char* key, const Need&, const char*) {
+    for (T& item : x) enter(item, below(key) + "." + item.*name);
+  }
+  template <class T>
+  void named(std::map<std::string, T>& x, const char* key, const Need&, const char*) {
+    for (auto& [name, item] : x) enter(item, below(key) + "." + name);
+  }
+  template <class... T>
+  void one_of(std::variant<T...>& x, const char*, const std::vector<std::string>&, const char*) {
+    std::visit([this](auto& body) { fields(*this, body); }, x);
+  }
+  // What holds no numbers.
+  template <class W> void whole(W&, const char*, const Whole&, const char*) {}
+  void flag(bool&, const char*, const char*) {}
+  void text(std::string&, const char*, const Text&, const char*) {}
+  void texts(std::vector<std::string>&, const char*, const char*) {}
+  template <class E>
+  void choice(E&, const char*, const std::type_identity_t<std::vector<Named<E>>>&, const Need&,
+              const char*) {}
+  template <class E>
+  void tag(E&, const char*, const std::type_identity_t<std::vector<Named<E>>>&, const Need&,
+           const char*) {}
+  void choices(std::vector<int>&, const char*, const std::vector<Named<int>>&, const Need&,
+               const char*) {}
+  template <class E>
+  void word(E&, const std::type_identity_t<std::vector<Named<E>>>&, const std::type_identity_t<E>&,
+            const char*) {}
+  void replacements(std::map<std::string, std::string>&, const char*, const Need&, const char*) {}
+
+private:
+  std::string below(const std::string& key) const { return at_.empty() ? key : at_ + "." + key; }
+  std::string below(const std::string& key, std::size_t i) const {
+    return below(key) + "[" + std::to_string(i) + "]";
+  }
+  void meet(double& x, const std::string& path) {
+    if (path == wanted_) found = &x;
+  }
+  template <class T> void enter(T& x, const std::string& path) {
+    if (found || wanted_.compare(0, path.size(), path) != 0) return;
+    PathFinder inner(path, wanted_);
+    fields(inner, x);
+    found = inner.found;
+  }
+
+  std::string at_;
+  const std::string& wanted_;
+};
+
+} // namespace
+
+double* number_at(Case& data, const std::string& path) {
+  PathFinder finder("", path);
+  fields(finder, data);
+  return finder.found;
+}
+
+} // namespace plica

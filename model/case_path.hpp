@@ -1,0 +1,13 @@
+// Numbers of a case by their path in the case file: "parts.bellows.profile[1].height".
+#pragma once
+
+#include "model/case.hpp"
+
+#include <string>
+
+namespace plica {
+
+// The number at that path, in SI; null when there is none, or when it was left out and is optional.
+double* number_at(Case& data, const std::string& path);
+
+} // namespace plica

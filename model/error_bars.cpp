@@ -1,0 +1,177 @@
+#include "model/error_bars.hpp"
+
+#include "model/case_path.hpp"
+#include "model/refine.hpp"
+#include "model/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace plica {
+namespace {
+
+using Headline = std::map<std::string, double>;
+using Stage = std::function<void(const std::string&)>;
+
+constexpr double low_point = 0.05, high_point = 0.95;
+constexpr int draws = 20000;
+
+Headline headline_of(const Case& data) {
+  return headline(run(for_headline(data), [](const std::string&) {}));
+}
+
+bool on_log_scale(const Tolerance& t) {
+  return t.interval && t.low > 0;
+}
+
+double scaled(const Tolerance& t, double value) {
+  return on_log_scale(t) ? std::log(value) : value;
+}
+
+Case with_number(Case data, const std::string& path, double value) {
+  *number_at(data, path) = value;
+  return data;
+}
+
+// What one tolerance does to the logarithm of one number: a parabola through zero at the nominal.
+struct Effect {
+  double slope = 0, curvature = 0, nominal = 0; // over the scaled value
+
+  double at(double x) const { return (slope + curvature * (x - nominal)) * (x - nominal); }
+};
+
+Effect effect(const Tolerance& t, double nominal, double at_low, double at_high) {
+  const double x0 = scaled(t, t.value);
+  const double a = scaled(t, quantile(t, low_point)) - x0,
+               b = scaled(t, quantile(t, high_point)) - x0;
+  if (!(nominal > 0 && at_low > 0 && at_high > 0) || a == b) return {};
+  const double ya = std::log(at_low / nominal), yb = std::log(at_high / nominal);
+  if (a == 0) return {.slope = yb / b, .curvature = 0, .nominal = x0};
+  if (b == 0) return {.slope = ya / a, .curvature = 0, .nominal = x0};
+  const double curvature = (yb / b - ya / a) / (b - a);
+  return {.slope = ya / a - curvature * a, .curvature = curvature, .nominal = x0};
+}
+
+double value_or(const Headline& numbers, const std::string& key, double otherwise) {
+  const auto found = numbers.find(key);
+  return found == numbers.end() ? otherwise : found->second;
+}
+
+// The effects of all tolerances on one number, in the order of the tolerances.
+using Effects = std::vector<Effect>;
+
+double sum(const std::vector<Tolerance>& tolerances, const Effects& effects,
+           const std::vector<double>& u) {
+  double total = 0;
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    total += effects[i].at(scaled(tolerances[i], quantile(tolerances[i], u[i])));
+  return total;
+}
+
+void add_interval(ErrorBar& bar, const std::vector<Tolerance>& tolerances, const Effects& effects) {
+  std::mt19937_64 random(1);
+  const auto unit = [&] { return double(random() >> 11) * 0x1p-53; };
+  const std::size_t count = effects.size();
+  std::vector<double> results(draws), mean(count), square(count), u(count);
+  for (double& result : results) {
+    for (double& x : u) x = unit();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double y = effects[i].at(scaled(tolerances[i], quantile(tolerances[i], u[i])));
+      mean[i] += y / draws;
+      square[i] += y * y / draws;
+      result += y;
+    }
+  }
+  std::sort(results.begin(), results.end());
+  const auto point = [&](double p) {
+    return bar.value * std::exp(results[std::size_t(p * draws)]);
+  };
+  bar.interval = {point(low_point), point(high_point)};
+  double total = 0;
+  for (std::size_t i = 0; i < count; ++i) total += square[i] - mean[i] * mean[i];
+  for (std::size_t i = 0; i < count; ++i)
+    bar.shares.push_back(total > 0 ? (square[i] - mean[i] * mean[i]) / total : 0);
+}
+
+void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
+  const Case data = with_coarse_bellows(fine);
+  const std::vector<Tolerance>& tolerances = data.tolerances;
+  stage("tolerances");
+  const Headline nominal = headline_of(data);
+  std::map<std::string, Effects> effects;
+  for (const Tolerance& t : tolerances) {
+    all.tolerances.push_back(t.path);
+    stage("tolerance of " + t.path);
+    const Headline low = headline_of(with_number(data, t.path, quantile(t, low_point)));
+    const Headline high = headline_of(with_number(data, t.path, quantile(t, high_point)));
+    for (const auto& [key, value] : nominal)
+      effects[key].push_back(
+          effect(t, value, value_or(low, key, value), value_or(high, key, value)));
+  }
+  for (ErrorBar& bar : all.bars)
+    if (effects.contains(bar.key)) add_interval(bar, tolerances, effects[bar.key]);
+  if (tolerances.size() < 2) return;
+  stage("tolerances together");
+  Case together = data;
+  std::mt19937_64 random(2);
+  std::vector<double> u;
+  for (const Tolerance& t : tolerances) {
+    u.push_back(low_point + (high_point - low_point) * double(random() >> 11) * 0x1p-53);
+    *number_at(together, t.path) = quantile(t, u.back());
+  }
+  const Headline found = headline_of(together);
+  for (const auto& [key, value] : nominal) {
+    const double predicted = value * std::exp(sum(tolerances, effects[key], u));
+    const double deviation = std::abs(value_or(found, key, predicted) / predicted - 1);
+    all.interaction = std::max(all.interaction, deviation);
+  }
+}
+
+} // namespace
+
+double quantile(const Tolerance& t, double u) {
+  if (!t.interval) return t.low + u * (t.high - t.low);
+  const double from = u < 0.5 ? t.low : t.value, to = u < 0.5 ? t.value : t.high;
+  const double share = u < 0.5 ? 2 * u : 2 * u - 1;
+  if (!on_log_scale(t)) return from + share * (to - from);
+  return from * std::pow(to / from, share);
+}
+
+Case for_headline(Case data) {
+  data.analyses.response.reset();
+  data.analyses.stress.reset();
+  data.analyses.error_bars = false;
+  data.analyses.damping = {};
+  if (data.analyses.modes) { // the first mode of each shape
+    Modes& modes = *data.analyses.modes;
+    modes.count = modes.count > 0 ? std::min(modes.count, 6) : 0;
+    modes.proof = false;
+  }
+  return data;
+}
+
+ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& stage) {
+  constexpr double finer = 1.5;
+  ErrorBars all;
+  for (const auto& [key, value] : nominal) {
+    all.bars.emplace_back();
+    all.bars.back().key = key;
+    all.bars.back().value = value;
+  }
+  for (const bool along : {true, false}) {
+    const Refinement factor{.along = along ? finer : 1, .around = along ? 1 : finer};
+    const Refinement ratio = refinement_ratio(data, factor);
+    const double q = along ? ratio.along : ratio.around;
+    if (q == 1) continue; // nothing in the case has that direction
+    stage(along ? "finer along" : "finer around");
+    const Headline fine = headline_of(refined(data, factor));
+    for (ErrorBar& bar : all.bars)
+      (along ? bar.along : bar.around) =
+          (value_or(fine, bar.key, bar.value) - bar.value) / (1 - 1 / (q * q));
+  }
+  if (!data.tolerances.empty()) add_tolerances(all, data, stage);
+  return all;
+}
+
+} // namespace plica

@@ -1,0 +1,81 @@
+// Shells, beams, masses, bushings and matrix elements of a model under one running number.
+#pragma once
+
+#include "solve/model.hpp"
+
+namespace plica {
+
+struct ElementView {
+  const Model& model;
+
+  int size() const { return element_count(model); }
+
+  // Index into Model::components; -1 for a mass, which has no stiffness.
+  int component(int e) const {
+    const int quads = static_cast<int>(model.mesh.quads.size());
+    if (e < quads) return model.shells[model.mesh.quads[e].section].component;
+    e -= quads;
+    const int beams = static_cast<int>(model.beams.size());
+    if (e < beams) return model.beams[e].component;
+    e -= beams;
+    const int masses = static_cast<int>(model.masses.size());
+    if (e < masses) return -1;
+    e -= masses;
+    const int bushings = static_cast<int>(model.bushings.size());
+    return e < bushings ? model.bushings[e].component : model.matrices[e - bushings].component;
+  }
+
+  // Calls f(nodes, K, M) with the matrices of element e.
+  template <class F> void visit(int e, F&& f) const {
+    const int quads = static_cast<int>(model.mesh.quads.size());
+    if (e < quads) {
+      const ShellQuad& quad = model.mesh.quads[e];
+      const ShellProperties& p = model.shells[quad.section];
+      const ShellGeometry g = shell_geometry(model.mesh, quad);
+      return f(quad.nodes, shell_mitc4_stiffness(g, p.section, p.membrane),
+               shell_mitc4_mass(g, p.section));
+    }
+    e -= quads;
+    if (e < static_cast<int>(model.beams.size())) {
+      const BeamElement& b = model.beams[e];
+      const BeamGeometry g = beam_geometry(model.mesh, b);
+      return f(std::array{b.node1, b.node2}, beam_stiffness(g, b.section), beam_mass(g, b.section));
+    }
+    e -= static_cast<int>(model.beams.size());
+    if (e < static_cast<int>(model.masses.size())) {
+      const MassElement& m = model.masses[e];
+      return f(std::array{m.node}, Matrix6(Matrix6::Zero()), rigid_mass_matrix(m.body));
+    }
+    e -= static_cast<int>(model.masses.size());
+    if (e < static_cast<int>(model.bushings.size())) {
+      const BushingElement& b = model.bushings[e];
+      const Eigen::MatrixXd K = bushing_matrix(model.mesh, b);
+      const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(K.rows(), K.cols());
+      if (b.node2 < 0) return f(std::array{b.node1}, K, none);
+      return f(std::array{b.node1, b.node2}, K, none);
+    }
+    e -= static_cast<int>(model.bushings.size());
+    const MatrixElement& m = model.matrices[e];
+    f(m.nodes, m.K, m.M);
+  }
+
+  std::vector<int> nodes(int e) const {
+    const int quads = static_cast<int>(model.mesh.quads.size());
+    if (e < quads) return {model.mesh.quads[e].nodes.begin(), model.mesh.quads[e].nodes.end()};
+    e -= quads;
+    const int beams = static_cast<int>(model.beams.size());
+    if (e < beams) return {model.beams[e].node1, model.beams[e].node2};
+    e -= beams;
+    const int masses = static_cast<int>(model.masses.size());
+    if (e < masses) return {model.masses[e].node};
+    e -= masses;
+    const int bushings = static_cast<int>(model.bushings.size());
+    if (e < bushings) {
+      const BushingElement& b = model.bushings[e];
+      return b.node2 < 0 ? std::vector{b.node1} : std::vector{b.node1, b.node2};
+    }
+    return model.matrices[e - bushings].nodes;
+  }
+};
+
+} // namespace plica

@@ -1,0 +1,75 @@
+// Stress of shells and beams from displacements, and the measures read off it.
+//
+// Shells: in-plane stress on both faces in global axes, recovered at the corners of every quad and
+// averaged over the quads that meet in a node (the jump between them is the error of the mesh;
+// where walls of different thickness meet the average hides a true step). Beams: axial stress of
+// the outermost fibres at both ends of every element.
+//
+// Everything is linear in the displacements, so a field of many columns serves modes, static shapes
+// and, by superposition, harmonic and random responses.
+#pragma once
+
+#include "solve/model.hpp"
+
+#include <array>
+#include <complex>
+
+namespace plica {
+
+enum class Face { below, above }; // against and along the directors
+
+struct StressField {
+  // Row 12 node + 6 face + component (xx yy zz xy yz zx), Pa; zero at nodes without a shell.
+  Eigen::MatrixXd shell;
+  Eigen::MatrixXd beam;         // row: fibre, Pa
+  std::vector<int> node_of_row; // where that fibre is
+};
+
+// u: all DOFs x columns.
+StressField recover_stress(const Model& model, const Eigen::MatrixXd& u);
+
+// Von Mises stress of one tensor (xx yy zz xy yz zx).
+double von_mises(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& stress);
+
+// Largest von Mises stress over a cycle of Re(stress e^{i w t}): the largest root of the quadratic
+// form of von Mises in the phase.
+double von_mises_of_cycle(const Eigen::Ref<const Eigen::Matrix<std::complex<double>, 6, 1>>& s);
+
+// Root of the mean square of von Mises stress under stationary coordinates q with the covariance C:
+// sum_jk C_jk s_j' A s_k, s the columns of `stress` (6 x coordinates), A the form of von Mises
+// (Segalman, Fulcher, Reese & Field, IMAC 1998).
+double von_mises_rms(const Eigen::Ref<const Eigen::MatrixXd>& stress, const Eigen::MatrixXd& C);
+
+// One number per node and face, and the largest with its place.
+struct StressPeaks {
+  Eigen::VectorXd below, above; // per node, Pa
+  double largest = 0;
+  int node = -1;
+  Face face = Face::above;
+  double largest_beam = 0; // magnitude of the axial stress
+  int beam_node = -1;
+};
+
+// `shell`: from the twelve rows of a node, per face, as a 6 x columns block; `beam`: from one row.
+template <class ShellMeasure, class BeamMeasure>
+StressPeaks stress_peaks(const StressField& field, ShellMeasure&& shell, BeamMeasure&& beam) {
+  const Eigen::Index nodes = field.shell.rows() / 12;
+  StressPeaks peaks{.below = Eigen::VectorXd::Zero(nodes), .above = Eigen::VectorXd::Zero(nodes)};
+  for (Eigen::Index node = 0; node < nodes; ++node)
+    for (Face face : {Face::below, Face::above}) {
+      const double value = shell(field.shell.middleRows<6>(12 * node + 6 * int(face)));
+      (face == Face::below ? peaks.below : peaks.above)[node] = value;
+      if (value <= peaks.largest) continue;
+      peaks.largest = value;
+      peaks.node = static_cast<int>(node);
+      peaks.face = face;
+    }
+  for (Eigen::Index row = 0; row < field.beam.rows(); ++row)
+    if (const double value = beam(field.beam.row(row)); value > peaks.largest_beam) {
+      peaks.largest_beam = value;
+      peaks.beam_node = field.node_of_row[row];
+    }
+  return peaks;
+}
+
+} // namespace plica

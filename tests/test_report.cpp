@@ -1,0 +1,106 @@
+// The report: well formed whatever is missing, complete in itself, small.
+#include "tests/sample_results.hpp"
+
+#include "io/report.hpp"
+#include "io/report_markup.hpp"
+#include "io/report_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace plica;
+using namespace plica::test;
+
+// Every opened tag is closed in order; the first offence, or nothing.
+std::string unbalanced_tag(const std::string& html) {
+  std::vector<std::string> open;
+  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at)) {
+    const std::size_t end = html.find('>', at);
+    if (end == std::string::npos) return html.substr(at);
+    const bool closes = html[at + 1] == '/', is_empty = html[end - 1] == '/';
+    const std::size_t from = at + 1 + closes;
+    const std::string name = html.substr(from, html.find_first_of(" />", from) - from);
+    if (closes) {
+      if (open.empty() || open.back() != name) return "</" + name + ">";
+      open.pop_back();
+    } else if (!is_empty && name != "meta" && name != "!DOCTYPE") {
+      open.push_back(name);
+    }
+    at = end;
+  }
+  return open.empty() ? "" : "<" + open.back() + ">";
+}
+
+TEST(Report, escapes_text_of_the_case) {
+  EXPECT_EQ(html_escape("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
+  const std::string html = report_html(sample());
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_NE(html.find("&lt;script&gt;alert(1)&lt;/script&gt;"), std::string::npos);
+  EXPECT_NE(html.find("Bellows A2 &lt;clamped&gt; &amp; &quot;welded&quot;"), std::string::npos);
+}
+
+TEST(Report, closes_every_tag_whatever_is_missing) {
+  EXPECT_EQ(unbalanced_tag(report_html(sample())), "");
+  EXPECT_EQ(unbalanced_tag(report_html(Results{})), "");
+  Results r = sample();
+  r.shapes.clear();
+  r.meridian = {{0, 0.065}, {0.1, 0.065}};
+  r.comparison.clear();
+  r.mesh.rings.clear();
+  r.verification = {true, 410.2, 8, 7, 3.4e-10, 2.2e-14, false, "one mode is missing"};
+  const std::string html = report_html(r);
+  EXPECT_EQ(unbalanced_tag(html), "");
+  EXPECT_NE(html.find("one mode is missing"), std::string::npos);
+}
+
+TEST(Report, draws_a_shape_with_holes) {
+  Results r = sample();
+  r.shapes[0](7, 1) = std::numeric_limits<double>::quiet_NaN();
+  r.shapes[1].setZero();
+  const std::string html = report_html(r);
+  EXPECT_EQ(html.find("nan"), std::string::npos);
+  EXPECT_EQ(unbalanced_tag(html), "");
+}
+
+TEST(Report, needs_no_other_file) {
+  const std::string html = report_html(sample());
+  for (const char* part : {"http:", "https:", "src=", "@import", "<link", "url(//"}) {
+    EXPECT_EQ(html.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(Report, of_a_fine_mesh_keeps_every_convolution_and_stays_below_3_MB) {
+  const Results fine = sample(40, 24, 96);
+  const auto quads = drawn_quads(fine.mesh, 4000);
+  EXPECT_LE(quads.size(), 4000U);
+  int crowns = 0, roots = 0;
+  for (const auto& quad : quads) {
+    const Eigen::Vector3d& node = fine.mesh.nodes[quad[1]];
+    const double radius = std::hypot(node.x(), node.z());
+    crowns += radius > 0.0729;
+    roots += radius < 0.0651;
+  }
+  EXPECT_GE(crowns, 40 * 36);
+  EXPECT_GE(roots, 39 * 36);
+  EXPECT_LT(report_html(fine).size(), 3000000U);
+}
+
+TEST(Report, thins_out_a_fine_mesh_without_rings) {
+  Results fine = sample(20, 16, 64);
+  fine.mesh.rings.clear();
+  const auto quads = drawn_quads(fine.mesh, 4000);
+  EXPECT_LE(quads.size(), 4000U);
+  EXPECT_GT(quads.size(), 1500U);
+}
+
+TEST(Report, shows_responses_stress_and_error_bars) {
+  const std::string html = report_html(sample());
+  for (const char* part : {"Base moved in y", "131.3", "RMS in", "1 mm &lt;axial&gt;",
+                           "parts.a&lt;b.height 25 %", "What this model cannot show", "z &amp; x"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+} // namespace
