@@ -104,9 +104,11 @@ int check_command(const std::string& case_path, int threads) {
   for (const BuiltSensor& sensor : built.sensors)
     fmt::print("  sensor {}: {:.2f} mm from node {}\n", sensor.name, 1e3 * sensor.distance,
                sensor.node + 1);
-  const std::size_t runs = 1 + file.data.variants.size();
-  fmt::print("  estimate: {:.1f} GB, {:.0f} s", cost.memory / 1e9, cost.seconds);
-  if (runs > 1) fmt::print(" a run, {} runs with the variants", runs);
+  const std::size_t variants = file.data.variants.size(), limits = 2 * file.data.tolerances.size();
+  fmt::print("  estimate: {:.1f} GB, {:.0f} s a run", cost.memory / 1e9, cost.seconds);
+  if (variants > 0) fmt::print("; {} variants about as long each", variants);
+  if (file.data.analyses.error_bars)
+    fmt::print("; error bars: 2 runs on finer meshes, {} on coarse ones", limits > 0 ? limits + 2 : 0);
   fmt::print("\n");
   return 0;
 }

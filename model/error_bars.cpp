@@ -152,7 +152,8 @@ Case for_headline(Case data) {
 }
 
 ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& stage) {
-  constexpr double finer = 1.5;
+  // Twice along: anything else would refine arcs and walls by different ratios.
+  constexpr double finer_along = 2, finer_around = 1.5;
   ErrorBars all;
   for (const auto& [key, value] : nominal) {
     all.bars.emplace_back();
@@ -160,7 +161,7 @@ ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& sta
     all.bars.back().value = value;
   }
   for (const bool along : {true, false}) {
-    const Refinement factor{.along = along ? finer : 1, .around = along ? 1 : finer};
+    const Refinement factor{.along = along ? finer_along : 1, .around = along ? 1 : finer_around};
     const Refinement ratio = refinement_ratio(data, factor);
     const double q = along ? ratio.along : ratio.around;
     if (q == 1) continue; // nothing in the case has that direction
