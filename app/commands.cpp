@@ -108,7 +108,8 @@ int check_command(const std::string& case_path, int threads) {
   fmt::print("  estimate: {:.1f} GB, {:.0f} s a run", cost.memory / 1e9, cost.seconds);
   if (variants > 0) fmt::print("; {} variants about as long each", variants);
   if (file.data.analyses.error_bars)
-    fmt::print("; error bars: 2 runs on finer meshes, {} on coarse ones", limits > 0 ? limits + 2 : 0);
+    fmt::print("; error bars: 2 runs on finer meshes, {} on coarse ones",
+               limits > 0 ? limits + 2 : 0);
   fmt::print("\n");
   return 0;
 }

@@ -73,8 +73,8 @@ TEST(Refinement, leaves_the_mesh_alone_at_one_and_keeps_cuffs_in_step) {
   EXPECT_EQ(quads(refined(data, {.around = 2})), 2 * quads(data));
 }
 
-// About the density that bellows get by default, against what one three times finer in both shows, which
-// still misses a ninth: within a quarter of the two parts.
+// About the density that bellows get by default, against what one three times finer in both shows,
+// which still misses a ninth: within a quarter of the two parts.
 TEST(MeshError, of_a_bellows_is_estimated_with_its_sign) {
   Case data = verification_case("bellows_a", {32, 4, 5}, 4);
   const Results nominal = run_silently(for_headline(data));
