@@ -222,7 +222,12 @@ struct Stress {
   std::vector<double> frequencies; // harmonic at these, for every base direction and force, Hz
 };
 
+// Solve harmonic by harmonic where the part repeats around its axis: where possible, or an error
+// when it is not, or never.
+enum class Symmetry { automatic, required, off };
+
 struct Analyses {
+  Symmetry symmetry = Symmetry::automatic;
   bool statics = true; // end stiffness between two caps (needs exactly two)
   std::optional<Modes> modes;
   Damping damping;

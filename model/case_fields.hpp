@@ -329,6 +329,11 @@ template <class V> void fields(V& v, Stress& s) {
 }
 
 template <class V> void fields(V& v, Analyses& a) {
+  v.choice(a.symmetry, "symmetry",
+           {{Symmetry::automatic, "automatic"},
+            {Symmetry::required, "required"},
+            {Symmetry::off, "off"}},
+           optional_key, "solve harmonic by harmonic where the part repeats around its axis");
   v.flag(a.statics, "static", "static stiffness between the two caps");
   v.object(a.modes, "modes", optional_key, "natural modes");
   v.object(a.damping, "damping", optional_key, "damping of the modes");

@@ -144,6 +144,7 @@ struct Results {
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
   ModelSize model;
+  std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
   std::optional<StaticStiffness> statics;
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;

@@ -1,9 +1,9 @@
 #include "model/run_response.hpp"
 
 #include "model/input_error.hpp"
-#include "solve/base_motion.hpp"
 #include "solve/frequency_grid.hpp"
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 namespace plica {
@@ -11,6 +11,7 @@ namespace {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
@@ -49,8 +50,8 @@ MatrixXd at_sensors(const BuiltCase& built, const MatrixXd& u) {
 }
 
 void require_damping(const Response& asked, const DampedModes& modes) {
-  for (int j = 0; j < modes.basis.modes; ++j) {
-    const double f = frequency(modes.basis.lambda[j]);
+  for (int j = 0; j < modes.solution.modes; ++j) {
+    const double f = frequency(modes.solution.lambda[j]);
     if (f < asked.band[0] || f > asked.band[1] || modes.zeta[j] + modes.eta[j] / 2 > 0) continue;
     fail("analyses.response",
          "mode " + std::to_string(j + 1) + " at " + std::to_string(f) +
@@ -109,63 +110,59 @@ RandomResult random_result(const Response& asked, const SpectralDensity& input,
 
 } // namespace
 
-Excitations excitations(const Response& asked, const BuiltCase& built, const System& system,
-                        const std::vector<int>& free, const BaseFactor& factor) {
-  if (factor.sigma != 0)
-    fail("analyses.response", "nothing holds the part, so it has no steady response",
-         "a mount or supports that leave no rigid motion free");
+Excitations excitations(const Response& asked, const Model& model) {
   const auto count = static_cast<Eigen::Index>(asked.bases.size() + asked.forces.size());
-  Excitations all{.list = {},
-                  .force = MatrixXd::Zero(Eigen::Index(free.size()), count),
-                  .rigid = MatrixXd::Zero(dof_count(built.model), count),
-                  .static_solutions = {}};
-  const BaseMotion base = base_motion(built.model, system, free, {0, 0, 0});
+  const MatrixXd none = MatrixXd::Zero(dof_count(model), count);
+  Excitations all{.list = {}, .loads = {.base = {}, .force = none, .rigid = none}};
   for (int direction : asked.bases) {
     const auto column = static_cast<Eigen::Index>(all.list.size());
-    all.force.col(column) = base.force.col(direction);
-    all.rigid.col(column) = expand(system.map, base.r.col(direction));
+    for (std::size_t node = 0; node < model.mesh.nodes.size(); ++node) {
+      auto u = all.loads.rigid.col(column).segment<6>(6 * Eigen::Index(node));
+      u[direction] = 1;
+      if (direction >= 3)
+        u.head<3>() = Vector3d(Vector3d::Unit(direction - 3)).cross(model.mesh.nodes[node]);
+    }
+    all.loads.base.push_back(direction);
     all.list.push_back({.name = axis_names[direction], .amplitude = asked.level, .random = {}});
     if (asked.random) all.list.back().random = spectral_density(*asked.random, asked.band);
   }
   for (std::size_t i = 0; i < asked.forces.size(); ++i) {
     const Force& force = asked.forces[i];
     const std::string key = "analyses.response.forces[" + std::to_string(i) + "].at";
-    const VectorXd F = gather(system.map, nodal_force(force, key, built.model));
-    all.force.col(Eigen::Index(all.list.size())) = F(free);
+    all.loads.force.col(Eigen::Index(all.list.size())) = nodal_force(force, key, model);
+    all.loads.base.push_back(-1);
     all.list.push_back(
         {.name = force.name, .is_force = true, .amplitude = force.amplitude, .random = {}});
     if (force.random) all.list.back().random = spectral_density(*force.random, asked.band);
   }
-  all.static_solutions = factor.factor.solve(all.force);
   return all;
 }
 
 VectorXd response_grid(const Response& asked, const DampedModes& modes) {
-  const VectorXd found = modes.basis.lambda.head(modes.basis.modes).unaryExpr(&frequency);
+  const VectorXd found = modes.solution.lambda.head(modes.solution.modes).unaryExpr(&frequency);
   return frequency_grid(asked.band[0], asked.band[1], asked.points, found,
-                        (modes.zeta + modes.eta / 2).head(modes.basis.modes));
+                        (modes.zeta + modes.eta / 2).head(modes.solution.modes));
 }
 
-MatrixXcd modal_coordinates(const DampedModes& modes, const Excitations& excited, int which,
-                            const VectorXd& hertz) {
-  const Eigen::Index n = modes.basis.lambda.size();
-  const ModalModel modal{.lambda = modes.basis.lambda,
+MatrixXcd modal_coordinates(const DampedModes& modes, int which, const VectorXd& hertz) {
+  const Eigen::Index n = modes.solution.lambda.size();
+  const ModalModel modal{.lambda = modes.solution.lambda,
                          .zeta = modes.zeta,
                          .eta = modes.eta,
                          .output = MatrixXd::Identity(n, n),
-                         .input = modes.basis.Phi.transpose() * excited.force.col(which)};
+                         .input = modes.solution.input.col(which)};
   return frequency_response(modal, 0, 2 * pi * hertz);
 }
 
 std::vector<ResponseResult> responses(const Response& asked, const BuiltCase& built,
                                       const DampedModes& modes, const Excitations& excited) {
   require_damping(asked, modes);
-  const ModalModel modal{.lambda = modes.basis.lambda,
+  const ModalModel modal{.lambda = modes.solution.lambda,
                          .zeta = modes.zeta,
                          .eta = modes.eta,
-                         .output = at_sensors(built, modes.u),
-                         .input = modes.basis.Phi.transpose() * excited.force};
-  const MatrixXd rigid = at_sensors(built, excited.rigid);
+                         .output = at_sensors(built, modes.solution.u),
+                         .input = modes.solution.input};
+  const MatrixXd rigid = at_sensors(built, excited.loads.rigid);
   const VectorXd hertz = response_grid(asked, modes), omega = 2 * pi * hertz;
   std::vector<ResponseResult> results;
   for (std::size_t k = 0; k < excited.list.size(); ++k) {

@@ -1,10 +1,9 @@
 // The response analyses of a run: motion of the mount and forces, each on its own.
 #pragma once
 
-#include "model/build.hpp"
 #include "model/results.hpp"
+#include "model/route.hpp"
 #include "solve/frequency_response.hpp"
-#include "solve/modes.hpp"
 #include "solve/random_response.hpp"
 
 namespace plica {
@@ -17,30 +16,24 @@ struct Excitation {
   SpectralDensity random; // empty table = none
 };
 
-// Everything that must be solved while the factor is that of K, before the modes are.
 struct Excitations {
   std::vector<Excitation> list;
-  Eigen::MatrixXd force;            // free DOFs x excitations, per unit amplitude
-  Eigen::MatrixXd rigid;            // all DOFs x excitations: motion of the base; 0 for a force
-  Eigen::MatrixXd static_solutions; // K^-1 force
+  Loads loads; // one column each
 };
 
-// Throws InputError when the factor is shifted: a free part has no static solution.
-Excitations excitations(const Response& asked, const BuiltCase& built, const System& system,
-                        const std::vector<int>& free, const BaseFactor& factor);
+// Throws InputError for a force on a set that is not on the mesh.
+Excitations excitations(const Response& asked, const Model& model);
 
-// Modes and pseudo-modes, the shapes over all DOFs, and their damping.
 struct DampedModes {
-  ModalBasis basis;
-  Eigen::MatrixXd u; // all DOFs x columns of the basis
-  Eigen::VectorXd zeta, eta;
+  const ModalSolution& solution;
+  Eigen::VectorXd zeta, eta; // of all its columns
 };
 
 // Frequencies of the response: the band of the case, refined around its modes.
 Eigen::VectorXd response_grid(const Response& asked, const DampedModes& modes);
 
-// Modal coordinates per unit amplitude: frequencies x columns of the basis.
-Eigen::MatrixXcd modal_coordinates(const DampedModes& modes, const Excitations& excited, int which,
+// Modal coordinates per unit amplitude of one load: frequencies x columns.
+Eigen::MatrixXcd modal_coordinates(const DampedModes& modes, int which,
                                    const Eigen::VectorXd& hertz);
 
 // One response per excitation. Throws InputError for a mode of the band without any damping and for

@@ -102,10 +102,10 @@ std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Mode
 std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* response,
                                            const Model& model, const DampedModes& modes,
                                            const Excitations* excited) {
-  const StressField field = recover_stress(model, modes.u);
+  const StressField field = recover_stress(model, modes.solution.u);
   std::vector<StressResult> results;
-  for (Eigen::Index j = 0; j < modes.basis.modes; ++j)
-    if (const double largest = largest_displacement(modes.u, j); largest > 0)
+  for (Eigen::Index j = 0; j < modes.solution.modes; ++j)
+    if (const double largest = largest_displacement(modes.solution.u, j); largest > 0)
       results.push_back(column_stress("mode", "mode " + std::to_string(j + 1) + ", 1 mm at most",
                                       field, j, 1e-3 / largest, model.mesh));
   if (!excited || !response) return results;
@@ -114,11 +114,11 @@ std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* 
   const VectorXd grid = response_grid(*response, modes);
   for (std::size_t k = 0; k < excited->list.size(); ++k) {
     const Excitation& e = excited->list[k];
-    const MatrixXcd q = e.amplitude * modal_coordinates(modes, *excited, int(k), at);
+    const MatrixXcd q = e.amplitude * modal_coordinates(modes, int(k), at);
     for (Eigen::Index i = 0; i < at.size(); ++i)
       results.push_back(harmonic(e, at[i], q.row(i).transpose(), field, model.mesh));
     if (e.random.table.empty()) continue;
-    const MatrixXcd unit = modal_coordinates(modes, *excited, int(k), grid);
+    const MatrixXcd unit = modal_coordinates(modes, int(k), grid);
     results.push_back(random_stress(e, covariance(e.random, grid, unit), field, model.mesh));
   }
   return results;
