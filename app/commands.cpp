@@ -55,6 +55,7 @@ int run_command(const RunOptions& options) {
     measured = read_measured(
         (std::filesystem::path(file.path).parent_path() / file.data.measured).string());
 
+  make_folder(options.out);
   Progress progress(options.quiet);
   progress.title(file.data.name);
   Results results = located(
@@ -67,9 +68,13 @@ int run_command(const RunOptions& options) {
       results.assumptions.push_back("Measurement: " + caveat);
   }
   const auto stage = [&](const std::string& s) { progress.stage(s); };
-  if (options.error_bars && file.data.analyses.error_bars)
-    results.error_bars =
-        located(file, [&] { return error_bars(file.data, headline(results), stage); });
+  if (options.error_bars && file.data.analyses.error_bars) {
+    try {
+      results.error_bars = error_bars(file.data, headline(results), stage);
+    } catch (const std::exception& error) { // the run itself is good
+      results.warnings.push_back(std::string("error bars left out: ") + error.what());
+    }
+  }
   if (options.variants)
     for (const Variant& variant : file.data.variants)
       results.variants.push_back(run_variant(file, variant, progress));

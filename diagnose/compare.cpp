@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plica {
 namespace {
@@ -46,14 +47,28 @@ const ResponseResult* response_to(const Results& results, Axis base) {
   return nullptr;
 }
 
-// Largest peak of the channels in a direction; null when none of them has one.
-const ResponsePeak* largest_peak(const ResponseResult& r, Axis direction) {
-  const ResponsePeak* largest = nullptr;
+bool in_direction(const ResponseResult& r, int channel, Axis direction) {
+  return r.channels[channel].second == std::string(1, letter(direction));
+}
+
+// The `count` largest peaks of the channels in a direction, by frequency; one per frequency.
+std::vector<ResponsePeak> largest_peaks(const ResponseResult& r, Axis direction,
+                                        std::size_t count) {
+  std::vector<ResponsePeak> peaks;
   for (const ResponsePeak& p : r.peaks)
-    if (r.channels[p.channel].second == std::string(1, letter(direction)) &&
-        (!largest || p.amplitude > largest->amplitude))
-      largest = &p;
-  return largest;
+    if (in_direction(r, p.channel, direction)) peaks.push_back(p);
+  std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak& a, const ResponsePeak& b) {
+    return a.amplitude > b.amplitude;
+  });
+  std::vector<ResponsePeak> kept;
+  for (const ResponsePeak& p : peaks)
+    if (kept.size() < count && std::none_of(kept.begin(), kept.end(), [&](const ResponsePeak& k) {
+          return std::abs(k.frequency - p.frequency) < 0.01 * p.frequency; // seen by two sensors
+        }))
+      kept.push_back(p);
+  std::sort(kept.begin(), kept.end(),
+            [](const ResponsePeak& a, const ResponsePeak& b) { return a.frequency < b.frequency; });
+  return kept;
 }
 
 void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
@@ -64,7 +79,7 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
                   .measured = m.frequency,
                   .sigma = m.sigma.value_or(0),
                   .computed = peak.frequency});
-  if (m.damping)
+  if (m.damping && std::isfinite(peak.damping))
     rows.push_back({.quantity = "half-power damping" + of,
                     .unit = "%",
                     .measured = 100 * *m.damping,
@@ -77,24 +92,27 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
 std::vector<std::string> unanswered(const Results& results, const Measured& measured) {
   std::vector<std::string> remarks;
   for (const MeasuredMode& m : measured.modes) {
-    if (!m.base || !m.direction) continue;
+    if (!m.base || !m.direction || *m.base == *m.direction) continue;
     const ResponseResult* response = response_to(results, *m.base);
-    if (!response || largest_peak(*response, *m.direction)) continue;
+    if (!response || m.frequency < response->hertz[0] ||
+        m.frequency > response->hertz[response->hertz.size() - 1])
+      continue;
     double cross = 0, largest = 0;
     for (std::size_t c = 0; c < response->channels.size(); ++c) {
       const double high = response->acceleration.col(Eigen::Index(c)).cwiseAbs().maxCoeff();
       largest = std::max(largest, high);
-      if (response->channels[c].second == std::string(1, letter(*m.direction)))
-        cross = std::max(cross, high);
+      if (in_direction(*response, static_cast<int>(c), *m.direction)) cross = std::max(cross, high);
     }
+    if (cross > 1e-3 * largest) continue;
     std::array<char, 400> text{};
-    std::snprintf(text.data(), text.size(),
-                  "the test saw %.0f Hz in %c while the base moved in %c; the model answers in %c "
-                  "with %.1g of its largest channel. A body of revolution on a rigid mount has no "
-                  "path from one to the other: only what breaks the symmetry (a dent, a sensor's "
-                  "mass, a flexible fixture, a base that also moves in %c) can make one.",
-                  m.frequency, letter(*m.direction), letter(*m.base), letter(*m.direction),
-                  largest > 0 ? cross / largest : 0, letter(*m.direction));
+    std::snprintf(
+        text.data(), text.size(),
+        "the test saw %.0f Hz in %c while the base moved in %c; the model answers in %c "
+        "with %.1g of its largest channel. It has no path from one to the other: only what "
+        "breaks its symmetry (a dent, a sensor's mass, a flexible fixture, a base that "
+        "also moves in %c) can make one.",
+        m.frequency, letter(*m.direction), letter(*m.base), letter(*m.direction),
+        largest > 0 ? cross / largest : 0, letter(*m.direction));
     remarks.emplace_back(text.data());
   }
   return remarks;
@@ -118,24 +136,26 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
                     .computed = entry.value});
   }
   for (const MeasuredMode& m : measured.modes) {
-    const std::string direction = m.direction ? std::string(1, letter(*m.direction)) : "";
-    const auto found =
-        std::find_if(results.modes.begin(), results.modes.end(), [&](const ModeResult& mode) {
-          return mode.shape == shape_name(m.shape) &&
-                 (direction.empty() || mode.direction == direction);
-        });
-    if (found == results.modes.end()) continue;
-    rows.push_back({.quantity = std::string(shape_name(m.shape)) + " mode 1",
-                    .unit = "Hz",
-                    .measured = m.frequency,
-                    .sigma = m.sigma.value_or(0),
-                    .computed = found->frequency});
+    int order = 0;
+    for (const ModeResult& mode : results.modes) {
+      const bool same = mode.shape == shape_name(m.shape) &&
+                        (!m.direction || mode.direction == std::string(1, letter(*m.direction)));
+      if (!same || ++order < m.order) continue;
+      rows.push_back(
+          {.quantity = std::string(shape_name(m.shape)) + " mode " + std::to_string(m.order),
+           .unit = "Hz",
+           .measured = m.frequency,
+           .sigma = m.sigma.value_or(0),
+           .computed = mode.frequency});
+      break;
+    }
   }
   for (const MeasuredMode& m : measured.modes) {
     const ResponseResult* response = m.base ? response_to(results, *m.base) : nullptr;
     if (!response) continue;
-    if (const ResponsePeak* peak = largest_peak(*response, m.direction.value_or(*m.base)))
-      add_peak(rows, m, *peak);
+    const auto order = static_cast<std::size_t>(m.order);
+    const auto peaks = largest_peaks(*response, m.direction.value_or(*m.base), order);
+    if (peaks.size() == order) add_peak(rows, m, peaks.back());
   }
   return rows;
 }

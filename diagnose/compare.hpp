@@ -6,12 +6,13 @@
 
 namespace plica {
 
-// Mass, static stiffnesses and modes that both sides have. A measured mode is paired with the first
-// computed mode of its shape (and direction, where the measurement states one).
+// Mass, static stiffnesses, modes and peaks that both sides have. Measured modes of one shape (and
+// direction, where stated) are paired with the computed ones of it from the lowest up; as peaks,
+// with the largest peaks of the response to their base motion in their direction, by frequency.
 std::vector<MeasuredComparison> compare(const Results& results, const Measured& measured);
 
-// In words: measured modes that answer in a direction in which the model's response to that base
-// motion has no peak at all.
+// In words: measured modes that answer across their base motion where, within the band, the model
+// does not (below a thousandth of its largest channel).
 std::vector<std::string> unanswered(const Results& results, const Measured& measured);
 
 } // namespace plica

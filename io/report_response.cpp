@@ -90,19 +90,17 @@ std::string peaks_html(const ResponseResult& r) {
     rows.push_back({{channel(r, p.channel), html_fixed(p.frequency, 1), html_number(p.amplitude, 3),
                      html_number(100 * p.damping, 3)},
                     ""});
-  const bool force = r.is_force;
-  return html_table(
-      "",
-      {{"sensor", "", false},
-       {"peak", "Hz"},
-       {force ? "acceleration / force" : "acceleration / base", force ? "m/s² per N" : ""},
-       {"half-power damping", "%"}},
-      rows);
+  return html_table("",
+                    {{"sensor", "", false},
+                     {"peak", "Hz"},
+                     {"acceleration", "m/s² per " + r.unit},
+                     {"half-power damping", "%"}},
+                    rows);
 }
 
 std::string random_html(const ResponseResult& r) {
   if (!r.random) return "";
-  std::vector<HtmlColumn> columns{{"RMS in", "Hz", false}, {"input", r.is_force ? "N" : "m/s²"}};
+  std::vector<HtmlColumn> columns{{"RMS in", "Hz", false}, {"input", r.unit}};
   for (int c : r.shown) columns.push_back({channel(r, c), "m/s²"});
   std::vector<HtmlRow> rows;
   for (const BandRms& b : r.random->bands) {

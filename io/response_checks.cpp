@@ -1,5 +1,6 @@
 #include "io/response_checks.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace plica {
@@ -10,18 +11,25 @@ void check_band(const std::array<double, 2>& band, const std::string& key, Check
     log.add(key, "is not a band", "give [from, to] with 0 < from < to");
 }
 
-void check_noise(const Noise* noise, const std::string& key, CheckLog& log) {
-  if (!noise || !log.fine(key)) return;
-  if ((noise->level > 0) == !noise->table.empty()) {
+// `band`: of the response, which must hold the whole table.
+void check_noise(const Noise* noise, const std::array<double, 2>& band, const std::string& key,
+                 CheckLog& log) {
+  if (!noise) return;
+  if (log.fine(key) && (noise->level > 0) == !noise->table.empty()) {
     log.add(key, noise->table.empty() ? "has neither level nor table" : "has a level and a table",
             "give level (constant over the band) or table ([frequency, density])");
     return;
   }
+  const bool band_known = log.fine("analyses.response.band");
   for (std::size_t i = 0; i < noise->table.size(); ++i) {
     const std::string row = item(key + ".table", i);
-    if (i > 0 && noise->table[i][0] <= noise->table[i - 1][0])
+    const auto& [hertz, density] = noise->table[i];
+    if (!log.fine(row)) continue;
+    if (band_known && (hertz < band[0] || hertz > band[1]))
+      log.add(row, "lies outside of the band of the response", "widen analyses.response.band");
+    if (i > 0 && log.fine(item(key + ".table", i - 1)) && hertz <= noise->table[i - 1][0])
       log.add(row, "is not above the frequency before it", "frequencies must increase");
-    if (noise->table[i][1] <= 0)
+    if (density <= 0)
       log.add(row, "has a density that is not above zero", "straight in a log-log plot needs that");
   }
 }
@@ -36,7 +44,6 @@ std::vector<std::string> channel_names(const Case& data) {
 void check_damping(const Case& data, CheckLog& log) {
   const Damping& d = data.analyses.damping;
   const std::string key = "analyses.damping";
-  if (!log.fine(key)) return;
   for (std::size_t i = 0; i < d.ranges.size(); ++i)
     check_band(d.ranges[i].band, item(key + ".ranges", i) + ".band", log);
   for (std::size_t i = 0; i < d.modes.size(); ++i)
@@ -48,27 +55,35 @@ void check_damping(const Case& data, CheckLog& log) {
     if (!std::holds_alternative<PointMass>(part.body)) components.push_back(part.name);
   for (const Mount& m : data.mount)
     if (m.kind == MountKind::springs) components.push_back("mount." + m.cap);
-  for (std::size_t i = 0; i < d.loss_factors.size(); ++i)
-    log.reference(item(key + ".loss_factors", i) + ".of", "component", d.loss_factors[i].of,
-                  components);
+  std::set<std::string> damped;
+  for (std::size_t i = 0; i < d.loss_factors.size(); ++i) {
+    const std::string place = item(key + ".loss_factors", i) + ".of";
+    log.reference(place, "component", d.loss_factors[i].of, components);
+    log.once(damped, d.loss_factors[i].of, place, "loss factor");
+  }
 }
 
 void check_response(const Case& data, CheckLog& log) {
   const Analyses& a = data.analyses;
   const std::string key = "analyses.response";
-  if (!a.response || !log.fine(key)) return;
+  if (!a.response) return;
   const Response& r = *a.response;
   check_band(r.band, key + ".band", log);
-  for (std::size_t i = 0; i < r.rms_bands.size(); ++i)
-    check_band(r.rms_bands[i], item(key + ".rms_bands", i), log);
-  check_noise(r.random ? &*r.random : nullptr, key + ".random", log);
+  for (std::size_t i = 0; i < r.rms_bands.size(); ++i) {
+    const std::string place = item(key + ".rms_bands", i);
+    check_band(r.rms_bands[i], place, log);
+    if (log.fine(place) && log.fine(key + ".band") &&
+        (r.rms_bands[i][0] < r.band[0] || r.rms_bands[i][1] > r.band[1]))
+      log.add(place, "reaches out of the band of the response", "widen analyses.response.band");
+  }
+  check_noise(r.random ? &*r.random : nullptr, r.band, key + ".random", log);
   std::set<std::string> names;
   for (std::size_t i = 0; i < r.forces.size(); ++i) {
     const Force& force = r.forces[i];
     const std::string place = item(key + ".forces", i);
     log.once(names, force.name, place + ".name", "force");
     log.set_reference(place + ".at", force.at);
-    check_noise(force.random ? &*force.random : nullptr, place + ".random", log);
+    check_noise(force.random ? &*force.random : nullptr, r.band, place + ".random", log);
   }
   for (std::size_t i = 0; i < r.cross.size(); ++i) {
     const std::string place = item(key + ".cross", i);
@@ -79,6 +94,12 @@ void check_response(const Case& data, CheckLog& log) {
     log.add(key, "has nothing that excites", "give base (directions), forces, or both");
   if (r.random && r.bases.empty())
     log.add(key + ".random", "is that of the base, which does not move", "give base (directions)");
+  const bool held = !data.supports.empty() ||
+                    std::any_of(data.mount.begin(), data.mount.end(),
+                                [](const Mount& m) { return m.kind != MountKind::free; });
+  if (!held && log.fine("mount") && log.fine("supports"))
+    log.add(key, "has nothing that holds the part, so it has no steady response",
+            "give a mount or supports that leave no rigid motion free");
   if (!a.modes)
     log.add(key, "is a sum of modes, and the case asks for none", "give analyses.modes");
   const Damping& d = a.damping;
@@ -95,6 +116,11 @@ void check_stress(const Case& data, CheckLog& log) {
   if (!a.modes && !a.statics)
     log.add("analyses.stress", "has neither modes nor a static analysis to recover stress from",
             "give analyses.modes or static: true");
+  for (std::size_t i = 0; a.response && i < a.stress->frequencies.size(); ++i)
+    if (const double f = a.stress->frequencies[i];
+        log.fine("analyses.response.band") && (f < a.response->band[0] || f > a.response->band[1]))
+      log.add(item("analyses.stress.frequencies", i), "lies outside of the band of the response",
+              "widen analyses.response.band");
   if (!a.stress->frequencies.empty() && !a.response)
     log.add("analyses.stress.frequencies", "is a harmonic response, and the case asks for none",
             "give analyses.response");

@@ -84,9 +84,11 @@ void add_complex(std::vector<std::string>& cells, std::complex<double> value) {
 } // namespace
 
 std::string response_csv(const ResponseResult& r) {
-  std::vector<std::string> head = with_frequency(channel_heads(r, {"real", "imaginary"}));
+  const std::string per = "[m/s2 per " + r.unit + "]";
+  std::vector<std::string> head =
+      with_frequency(channel_heads(r, {"real " + per, "imaginary " + per}));
   for (std::size_t c = 0; c < r.channels.size(); c += 3)
-    head.push_back(r.channels[c].first + " sum");
+    head.push_back(r.channels[c].first + " sum " + per);
   std::string text = line(head);
   const Eigen::MatrixXd sums = vector_sum(r);
   for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
@@ -115,11 +117,11 @@ std::string motion_csv(const ResponseResult& r) {
 std::string random_csv(const ResponseResult& r) {
   const RandomResult& random = *r.random;
   std::vector<std::string> head = with_frequency(channel_heads(r, {"[(m/s2)2/Hz]"}));
-  head.insert(head.begin() + 1, r.is_force ? "input [N2/Hz]" : "input [(m/s2)2/Hz]");
+  head.insert(head.begin() + 1, fmt::format("input [({})2/Hz]", r.unit));
   const auto name = [&](int c) { return r.channels[c].first + " " + r.channels[c].second; };
   for (const CrossDensity& cross : random.cross)
     for (const char* part : {"real", "imaginary"})
-      head.push_back(fmt::format("{} with {} {}", name(cross.a), name(cross.b), part));
+      head.push_back(fmt::format("{} with {} {} [(m/s2)2/Hz]", name(cross.a), name(cross.b), part));
   std::string text = line(head);
   for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
     std::vector<std::string> cells{number(r.hertz[i]), number(random.input[i])};
@@ -135,9 +137,10 @@ std::string stress_csv(const Results& results) {
                            "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]"});
   for (const StressResult& s : results.stresses) {
     std::vector<std::string> cells{s.kind, s.name, number(s.largest), s.face};
-    for (const double x : s.at) cells.push_back(number(x));
-    cells.push_back(number(s.largest_beam));
-    for (const double x : s.beam_at) cells.push_back(number(x));
+    for (const double x : s.at) cells.push_back(s.face.empty() ? "" : number(x));
+    const bool beam = s.largest_beam > 0;
+    cells.push_back(beam ? number(s.largest_beam) : "");
+    for (const double x : s.beam_at) cells.push_back(beam ? number(x) : "");
     text += line(cells);
   }
   return text;
@@ -152,7 +155,8 @@ std::string error_bars_csv(const Results& results) {
     std::vector<std::string> cells{bar.key, number(bar.value), number(bar.along),
                                    number(bar.around)};
     for (std::size_t i : {0, 1}) cells.push_back(bar.interval ? number((*bar.interval)[i]) : "");
-    for (const double share : bar.shares) cells.push_back(number(share));
+    for (std::size_t i = 0; i < errors.tolerances.size(); ++i)
+      cells.push_back(i < bar.shares.size() ? number(bar.shares[i]) : "");
     text += line(cells);
   }
   return text;

@@ -74,7 +74,11 @@ std::string error_table(const Results& results) {
            shares_text(errors, bar)});
     }
   return "\nError bars: still missing for want of mesh; from the tolerances of the case\n" +
-         aligned(rows, "<<>>>><");
+         aligned(rows, "<<>>>><") +
+         (errors.interaction > 0
+              ? fmt::format("  all tolerances at once: {} % off the sum of their effects\n",
+                            significant(100 * errors.interaction, 2))
+              : "");
 }
 
 std::string peaks_table(const Results& results) {

@@ -45,6 +45,8 @@ private:
 
   // A number of the tolerance.
   ParsedQuantity limit(std::string_view text, const std::string& unit) const {
+    if (trimmed(text).empty())
+      return {0, "'" + shown(text_) + "' has no number in its tolerance", how};
     const std::string own = unit_of(text);
     return parse_quantity(std::string(text) + (own.empty() ? " " + unit : ""), dimension_);
   }

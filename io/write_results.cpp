@@ -6,6 +6,7 @@
 #include "io/results_text.hpp"
 #include "io/results_vtu.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -29,6 +30,8 @@ struct OutputFile {
   throw std::runtime_error("cannot " + what + " " + path.string() + ": " + why);
 }
 
+} // namespace
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -36,6 +39,28 @@ void make_folder(const fs::path& folder) {
   if (!fs::is_directory(folder, error)) {
     fail("write the results into", folder, "it is a file, not a folder");
   }
+}
+
+namespace {
+
+// Files that some runs write and others do not.
+bool is_optional_output(const std::string& name) {
+  const auto named = [&](const char* prefix) {
+    return name.starts_with(prefix) && name.ends_with(".csv");
+  };
+  return named("response_") || named("motion_") || named("random_") || name == "stress.csv" ||
+         name == "stress.vtu" || name == "error_bars.csv";
+}
+
+void remove_stale(const fs::path& folder, const std::vector<OutputFile>& written) {
+  std::vector<fs::path> stale;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (is_optional_output(entry.path().filename().string()) &&
+        std::none_of(written.begin(), written.end(),
+                     [&](const OutputFile& f) { return f.target == entry.path(); }))
+      stale.push_back(entry.path());
+  std::error_code ignored;
+  for (const fs::path& path : stale) fs::remove(path, ignored);
 }
 
 void write_temporary(const OutputFile& file) {
@@ -90,6 +115,7 @@ void write_results(const Results& results, const fs::path& out_dir) {
       write_temporary(file);
     }
     for (const OutputFile& file : files) move_into_place(file);
+    remove_stale(out_dir, files);
   } catch (...) {
     std::error_code ignored;
     for (const OutputFile& file : files) fs::remove(file.temporary, ignored);

@@ -20,6 +20,12 @@ constexpr std::initializer_list<int> all_dofs{0, 1, 2, 3, 4, 5};
   throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
 }
 
+std::string millimetres(double length) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f mm", 1e3 * length);
+  return text.data();
+}
+
 Vector3d vector(const Triple& t) {
   return {t[0], t[1], t[2]};
 }
@@ -286,17 +292,16 @@ private:
   }
 
   void place_sensors() {
-    constexpr double reach = 5e-3;
     for (std::size_t i = 0; i < case_.sensors.size(); ++i) {
       const Sensor& sensor = case_.sensors[i];
       const auto [node, distance] = nearest_node(built_.model.mesh, vector(sensor.at));
-      if (distance > reach) {
+      if (distance > sensor.reach) {
         const Vector3d& x = built_.model.mesh.nodes[node];
         fail("sensors[" + std::to_string(i) + "].at",
-             "sensor \"" + sensor.name + "\" is " + std::to_string(distance * 1e3) +
-                 " mm off the part",
-             "at most 5 mm; the nearest point of the part is [" + std::to_string(x.x()) + ", " +
-                 std::to_string(x.y()) + ", " + std::to_string(x.z()) + "] m");
+             "sensor \"" + sensor.name + "\" is " + millimetres(distance) +
+                 " away from the nearest node",
+             "at most 5 mm; that node is at [" + millimetres(x.x()) + ", " + millimetres(x.y()) +
+                 ", " + millimetres(x.z()) + "]");
       }
       built_.sensors.push_back(
           {sensor.name, node, distance, {sensor.axes[0], sensor.axes[1], sensor.axes[2]}});

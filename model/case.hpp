@@ -151,9 +151,10 @@ struct Support {
 
 struct Sensor {
   std::string name;
-  Triple at{}; // sits on the nearest node; more than 5 mm off the part is an error
+  Triple at{};                    // sits on the nearest node; one farther than `reach` is an error
   std::vector<int> axes{1, 2, 3}; // its own three axes: 1 x, 2 y, 3 z, negative = reversed
   double mass = 0;                // rides on that node
+  double reach = 5e-3;            // m, how far the nearest node may be
 };
 
 struct Modes {

@@ -272,23 +272,23 @@ template <class V> void fields(V& v, Damping& d) {
          "of components, on top, weighted by their strain energy in each mode");
 }
 
-template <class V> void noise_fields(V& v, Noise& n, Dimension unit, Dimension rotation) {
-  v.quantity(n.level, "level", {.unit = unit, .min = 0, .exclusive_min = true},
+template <class V> void noise_fields(V& v, Noise& n, Dimension density) {
+  v.quantity(n.level, "level", {.unit = density, .min = 0, .exclusive_min = true},
              "constant one-sided density over the band, or");
   v.points(n.table, "table",
            {.unit = Dimension::frequency,
             .min = 0,
             .exclusive_min = true,
-            .tail = rotation,
+            .tail = density,
             .tail_from = 1,
             .min_items = 2},
            "[frequency, density], straight lines in a log-log plot");
 }
 template <class V> void fields(V& v, BaseNoise& n) {
-  noise_fields(v, n, Dimension::acceleration_density, Dimension::acceleration_density);
+  noise_fields(v, n, Dimension::acceleration_density);
 }
 template <class V> void fields(V& v, ForceNoise& n) {
-  noise_fields(v, n, Dimension::force_density, Dimension::force_density);
+  noise_fields(v, n, Dimension::force_density);
 }
 
 template <class V> void fields(V& v, Force& f) {

@@ -226,11 +226,12 @@ private:
     const MatrixXd Phi = family.Phi.cols() > 0 ? MatrixXd(family.Phi(Eigen::all, kept))
                                                : MatrixXd(family.K.rows(), 0);
     const VectorXd lambda = kept.empty() ? VectorXd(0) : VectorXd(family.lambda(kept));
-    MatrixXd F = loads_of(family, loads, Mr), X(F.rows(), 0);
-    if (F.cols() > 0 && F.cwiseAbs().maxCoeff() > 0) {
+    const MatrixXd F = loads_of(family, loads, Mr), active = acting(F, loads);
+    MatrixXd X(F.rows(), 0);
+    if (active.cols() > 0) {
       SparseFactor factor(family.K);
       factor.factorise(family.K);
-      X = factor.solve(loaded_columns(F));
+      X = factor.solve(active);
     }
     const ModalBasis basis = add_static_correction(family.K, family.M, lambda, Phi, X);
     if (basis.lambda.size() == 0) return;
@@ -249,12 +250,13 @@ private:
            .participation = participation.row(j).transpose()});
   }
 
-  // Loads that act on this harmonic at all.
-  static MatrixXd loaded_columns(const MatrixXd& F) {
+  // Loads that act on this harmonic at all: gathering leaves rounding of those that do not.
+  static MatrixXd acting(const MatrixXd& F, const Loads& loads) {
     std::vector<int> columns;
-    const double largest = F.colwise().norm().maxCoeff();
-    for (Eigen::Index k = 0; k < F.cols(); ++k)
-      if (F.col(k).norm() > 1e-12 * largest) columns.push_back(int(k));
+    for (Eigen::Index k = 0; k < F.cols(); ++k) {
+      const double size = loads.base[k] >= 0 ? 0 : 1e-10 * loads.force.col(k).norm();
+      if (F.col(k).norm() > size) columns.push_back(int(k));
+    }
     return F(Eigen::all, columns);
   }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace plica {
@@ -45,7 +46,7 @@ Effect effect(const Tolerance& t, double nominal, double at_low, double at_high)
   const double x0 = scaled(t, t.value);
   const double a = scaled(t, quantile(t, low_point)) - x0,
                b = scaled(t, quantile(t, high_point)) - x0;
-  if (!(nominal > 0 && at_low > 0 && at_high > 0) || a == b) return {};
+  if (a == b) return {};
   const double ya = std::log(at_low / nominal), yb = std::log(at_high / nominal);
   if (a == 0) return {.slope = yb / b, .curvature = 0, .nominal = x0};
   if (b == 0) return {.slope = ya / a, .curvature = 0, .nominal = x0};
@@ -53,9 +54,10 @@ Effect effect(const Tolerance& t, double nominal, double at_low, double at_high)
   return {.slope = ya / a - curvature * a, .curvature = curvature, .nominal = x0};
 }
 
-double value_or(const Headline& numbers, const std::string& key, double otherwise) {
+// Not a number when the run did not meet that shape.
+double value_of(const Headline& numbers, const std::string& key) {
   const auto found = numbers.find(key);
-  return found == numbers.end() ? otherwise : found->second;
+  return found == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
 // The effects of all tolerances on one number, in the order of the tolerances.
@@ -69,7 +71,10 @@ double sum(const std::vector<Tolerance>& tolerances, const Effects& effects,
   return total;
 }
 
+// Left out when a run did not meet the shape: half an effect would be too narrow an interval.
 void add_interval(ErrorBar& bar, const std::vector<Tolerance>& tolerances, const Effects& effects) {
+  for (const Effect& e : effects)
+    if (!std::isfinite(e.slope + e.curvature)) return;
   std::mt19937_64 random(1);
   const auto unit = [&] { return double(random() >> 11) * 0x1p-53; };
   const std::size_t count = effects.size();
@@ -106,8 +111,7 @@ void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
     const Headline low = headline_of(with_number(data, t.path, quantile(t, low_point)));
     const Headline high = headline_of(with_number(data, t.path, quantile(t, high_point)));
     for (const auto& [key, value] : nominal)
-      effects[key].push_back(
-          effect(t, value, value_or(low, key, value), value_or(high, key, value)));
+      effects[key].push_back(effect(t, value, value_of(low, key), value_of(high, key)));
   }
   for (ErrorBar& bar : all.bars)
     if (effects.contains(bar.key)) add_interval(bar, tolerances, effects[bar.key]);
@@ -123,8 +127,8 @@ void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
   const Headline found = headline_of(together);
   for (const auto& [key, value] : nominal) {
     const double predicted = value * std::exp(sum(tolerances, effects[key], u));
-    const double deviation = std::abs(value_or(found, key, predicted) / predicted - 1);
-    all.interaction = std::max(all.interaction, deviation);
+    const double deviation = std::abs(value_of(found, key) / predicted - 1);
+    if (deviation > all.interaction) all.interaction = deviation;
   }
 }
 
@@ -143,11 +147,10 @@ Case for_headline(Case data) {
   data.analyses.stress.reset();
   data.analyses.error_bars = false;
   data.analyses.damping = {};
-  if (data.analyses.modes) { // the first mode of each shape
-    Modes& modes = *data.analyses.modes;
-    modes.count = modes.count > 0 ? std::min(modes.count, 6) : 0;
-    modes.proof = false;
-  }
+  if (data.analyses.modes) data.analyses.modes->proof = false;
+  std::erase_if(data.sensors, [](const Sensor& s) { return s.mass == 0; }); // they only look on
+  for (Sensor& s : data.sensors)
+    s.reach = std::numeric_limits<double>::infinity(); // other meshes have other nodes
   return data;
 }
 
@@ -168,8 +171,7 @@ ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& sta
     stage(along ? "finer along" : "finer around");
     const Headline fine = headline_of(refined(data, factor));
     for (ErrorBar& bar : all.bars)
-      (along ? bar.along : bar.around) =
-          (value_or(fine, bar.key, bar.value) - bar.value) / (1 - 1 / (q * q));
+      (along ? bar.along : bar.around) = (value_of(fine, bar.key) - bar.value) / (1 - 1 / (q * q));
   }
   if (!data.tolerances.empty()) add_tolerances(all, data, stage);
   return all;

@@ -23,7 +23,7 @@ namespace plica {
 // `u` in [0, 1] to the value with that probability below it.
 double quantile(const Tolerance& tolerance, double u);
 
-// The case for headline numbers only: no response, no stress, few modes, no proof.
+// The case for headline numbers only: no response, no stress, no proof, no sensors without mass.
 Case for_headline(Case data);
 
 // `stage` is told what runs. `nominal`: headline of the case as it stands, from for_headline or

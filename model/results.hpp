@@ -91,7 +91,8 @@ struct RandomResult {
 struct ResponseResult {
   std::string excitation; // base: x y z rx ry rz; or the name of the force
   bool is_force = false;
-  double level = 1; // amplitude of the excitation, m/s2 (rad/s2) or N (Nm)
+  double level = 1; // amplitude of the excitation
+  std::string unit; // of the excitation: m/s2 rad/s2 N Nm
   Eigen::VectorXd hertz;
   std::vector<std::pair<std::string, std::string>> channels; // sensor, axis: three per sensor
   Eigen::MatrixXcd acceleration;                             // frequencies x channels
@@ -121,7 +122,9 @@ struct StressResult {
 struct ErrorBar {
   std::string key; // as in headline()
   double value = 0;
-  double along = 0, around = 0; // still missing to the converged value, estimated, signed
+  // Still missing to the converged value, estimated, signed; not a number when a finer run did not
+  // meet the shape.
+  double along = 0, around = 0;
   std::optional<std::array<double, 2>> interval;
   std::vector<double> shares; // of the variance, per tolerance
 };

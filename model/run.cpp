@@ -98,6 +98,7 @@ private:
     const ModalDamping damping = modal_damping(case_.analyses.damping, built_.model,
                                                solution.lambda, solution.u, solution.modes);
     const DampedModes damped{solution, damping.zeta, damping.eta};
+    warn_of_what_does_nothing(damped, excited ? &*excited : nullptr);
     add_modes(damped);
     verify(solution.proof);
     lap("labels");
@@ -108,6 +109,19 @@ private:
                                             built_.model, damped, excited ? &*excited : nullptr))
       results_.stresses.push_back(std::move(s));
     lap("stress");
+  }
+
+  void warn_of_what_does_nothing(const DampedModes& modes, const Excitations* excited) {
+    for (const ModeDamping& m : case_.analyses.damping.modes)
+      if (m.mode > modes.solution.modes)
+        results_.warnings.push_back("damping of mode " + std::to_string(m.mode) + ": only " +
+                                    std::to_string(modes.solution.modes) + " modes were found");
+    if (!excited) return;
+    for (std::size_t k = 0; k < excited->list.size(); ++k)
+      if (modes.solution.input.col(Eigen::Index(k)).cwiseAbs().maxCoeff() == 0)
+        results_.warnings.push_back(
+            (excited->list[k].is_force ? "force " : "motion of the base in ") +
+            excited->list[k].name + " moves nothing: what it acts on is held");
   }
 
   void respond(const Response& asked, const DampedModes& modes, const Excitations& excited) {

@@ -4,6 +4,7 @@
 #include "solve/frequency_grid.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
 
 namespace plica {
@@ -123,7 +124,10 @@ Excitations excitations(const Response& asked, const Model& model) {
         u.head<3>() = Vector3d(Vector3d::Unit(direction - 3)).cross(model.mesh.nodes[node]);
     }
     all.loads.base.push_back(direction);
-    all.list.push_back({.name = axis_names[direction], .amplitude = asked.level, .random = {}});
+    all.list.push_back({.name = axis_names[direction],
+                        .amplitude = asked.level,
+                        .unit = direction < 3 ? "m/s2" : "rad/s2",
+                        .random = {}});
     if (asked.random) all.list.back().random = spectral_density(*asked.random, asked.band);
   }
   for (std::size_t i = 0; i < asked.forces.size(); ++i) {
@@ -131,8 +135,11 @@ Excitations excitations(const Response& asked, const Model& model) {
     const std::string key = "analyses.response.forces[" + std::to_string(i) + "].at";
     all.loads.force.col(Eigen::Index(all.list.size())) = nodal_force(force, key, model);
     all.loads.base.push_back(-1);
-    all.list.push_back(
-        {.name = force.name, .is_force = true, .amplitude = force.amplitude, .random = {}});
+    all.list.push_back({.name = force.name,
+                        .is_force = true,
+                        .amplitude = force.amplitude,
+                        .unit = force.direction < 3 ? "N" : "Nm",
+                        .random = {}});
     if (force.random) all.list.back().random = spectral_density(*force.random, asked.band);
   }
   return all;
@@ -140,8 +147,21 @@ Excitations excitations(const Response& asked, const Model& model) {
 
 VectorXd response_grid(const Response& asked, const DampedModes& modes) {
   const VectorXd found = modes.solution.lambda.head(modes.solution.modes).unaryExpr(&frequency);
-  return frequency_grid(asked.band[0], asked.band[1], asked.points, found,
-                        (modes.zeta + modes.eta / 2).head(modes.solution.modes));
+  const VectorXd grid = frequency_grid(asked.band[0], asked.band[1], asked.points, found,
+                                       (modes.zeta + modes.eta / 2).head(modes.solution.modes));
+  std::vector<double> all(grid.begin(), grid.end());
+  const auto add_corners = [&](const Noise& noise) {
+    for (const auto& [hertz, density] : noise.table)
+      for (const double side : {1 - 1e-9, 1., 1 + 1e-9})
+        if (hertz * side > asked.band[0] && hertz * side < asked.band[1])
+          all.push_back(hertz * side);
+  };
+  if (asked.random) add_corners(*asked.random);
+  for (const Force& force : asked.forces)
+    if (force.random) add_corners(*force.random);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return VectorXd::Map(all.data(), Eigen::Index(all.size()));
 }
 
 MatrixXcd modal_coordinates(const DampedModes& modes, int which, const VectorXd& hertz) {
@@ -170,6 +190,7 @@ std::vector<ResponseResult> responses(const Response& asked, const BuiltCase& bu
     ResponseResult response{.excitation = e.name,
                             .is_force = e.is_force,
                             .level = e.amplitude,
+                            .unit = e.unit,
                             .hertz = hertz,
                             .channels = {},
                             .acceleration = {},

@@ -12,7 +12,8 @@ namespace plica {
 struct Excitation {
   std::string name; // x y z rx ry rz, or the name of the force
   bool is_force = false;
-  double amplitude = 1;   // m/s2 or rad/s2; N or Nm
+  double amplitude = 1;
+  std::string unit;       // m/s2 rad/s2 N Nm
   SpectralDensity random; // empty table = none
 };
 
@@ -29,7 +30,8 @@ struct DampedModes {
   Eigen::VectorXd zeta, eta; // of all its columns
 };
 
-// Frequencies of the response: the band of the case, refined around its modes.
+// Frequencies of the response: the band of the case, refined around its modes, with the corners of
+// the random inputs and both sides of their ends.
 Eigen::VectorXd response_grid(const Response& asked, const DampedModes& modes);
 
 // Modal coordinates per unit amplitude of one load: frequencies x columns.

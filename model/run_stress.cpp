@@ -2,8 +2,6 @@
 
 #include "solve/stress.hpp"
 
-#include <numbers>
-
 namespace plica {
 namespace {
 
@@ -17,13 +15,19 @@ std::string text(double value) { // four significant digits
   return buffer.data();
 }
 
+int nodes_of(const Mesh& mesh) {
+  return static_cast<int>(mesh.nodes.size());
+}
+
 StressResult result(const std::string& kind, const std::string& name, StressPeaks peaks,
                     const Mesh& mesh) {
   StressResult r{.kind = kind,
                  .name = name,
                  .largest = peaks.largest,
                  .at = {},
-                 .face = peaks.face == Face::above ? "above" : "below",
+                 .face = peaks.node < 0              ? ""
+                         : peaks.face == Face::above ? "above"
+                                                     : "below",
                  .largest_beam = peaks.largest_beam,
                  .beam_at = {},
                  .below = std::move(peaks.below),
@@ -39,16 +43,15 @@ StressResult column_stress(const std::string& kind, const std::string& name,
                            const Mesh& mesh) {
   return result(kind, name,
                 stress_peaks(
-                    field, [&](const auto& s) { return scale * von_mises(s.col(column)); },
+                    field, nodes_of(mesh),
+                    [&](const auto& s) { return scale * von_mises(s.col(column)); },
                     [&](const auto& s) { return scale * std::abs(s[column]); }),
                 mesh);
 }
 
 // "base y, 10 m/s2" or "force tap, 1 N"
 std::string name_of(const Excitation& e) {
-  const bool turns = e.name.size() == 2 && e.name[0] == 'r';
-  if (e.is_force) return "force " + e.name + ", amplitude " + text(e.amplitude);
-  return "base " + e.name + ", " + text(e.amplitude) + (turns ? " rad/s2" : " m/s2");
+  return (e.is_force ? "force " : "base ") + e.name + ", " + text(e.amplitude) + " " + e.unit;
 }
 
 double largest_displacement(const MatrixXd& u, Eigen::Index column) {
@@ -62,7 +65,7 @@ StressResult harmonic(const Excitation& e, double hertz, const Eigen::VectorXcd&
                       const StressField& field, const Mesh& mesh) {
   return result("harmonic", name_of(e) + ", " + text(hertz) + " Hz",
                 stress_peaks(
-                    field, [&](const auto& s) { return von_mises_of_cycle(s * q); },
+                    field, nodes_of(mesh), [&](const auto& s) { return von_mises_of_cycle(s * q); },
                     [&](const auto& s) { return std::abs((s * q).value()); }),
                 mesh);
 }
@@ -84,7 +87,7 @@ StressResult random_stress(const Excitation& e, const MatrixXd& C, const StressF
   const std::string name = std::string(e.is_force ? "force " : "base ") + e.name + ", RMS";
   return result("rms", name,
                 stress_peaks(
-                    field, [&](const auto& s) { return von_mises_rms(s, C); },
+                    field, nodes_of(mesh), [&](const auto& s) { return von_mises_rms(s, C); },
                     [&](const auto& s) { return std::sqrt((s * C * s.transpose()).value()); }),
                 mesh);
 }

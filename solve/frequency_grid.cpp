@@ -35,6 +35,8 @@ Eigen::VectorXd frequency_grid(double low, double high, int points, const Eigen:
   for (int i = 0; i < points; ++i) all.push_back(low + step * i);
   for (Eigen::Index j = 0; j < hertz.size(); ++j) {
     if (hertz[j] < low || hertz[j] > high) continue;
+    const bool again = j > 0 && hertz[j] - hertz[j - 1] < 1e-6 * hertz[j] && zeta[j] == zeta[j - 1];
+    if (again) continue; // the other mode of a pair
     const double width = std::max(zeta[j], 1e-9) * hertz[j];
     all.push_back(hertz[j]);
     // Up to where a step of the even grid is as fine as the cluster.
@@ -66,8 +68,11 @@ std::vector<Peak> find_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd
     const double shift = curvature < 0 ? -slope / (2 * curvature) : 0;
     Peak p{.frequency = hertz[i] + shift, .height = b + slope * shift / 2, .damping = 0};
     const double level = p.height / std::numbers::sqrt2;
-    p.damping = (flank(hertz, magnitude, i, 1, level) - flank(hertz, magnitude, i, -1, level)) /
-                (2 * p.frequency);
+    const double up = flank(hertz, magnitude, i, 1, level) - p.frequency;
+    const double down = p.frequency - flank(hertz, magnitude, i, -1, level);
+    p.damping = std::max(up, down) < 3 * std::min(up, down)
+                    ? (up + down) / (2 * p.frequency)
+                    : std::numeric_limits<double>::quiet_NaN();
     peaks.push_back(p);
   }
   return peaks;

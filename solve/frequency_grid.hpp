@@ -15,7 +15,8 @@ Eigen::VectorXd frequency_grid(double low, double high, int points, const Eigen:
 // A local maximum of a curve. Frequency and height from the parabola through three points.
 struct Peak {
   double frequency = 0, height = 0;
-  double damping = 0; // half power: (f2 - f1) / (2 f); NaN where a neighbour covers a flank
+  double damping = 0; // half power: (f2 - f1) / (2 f); NaN where a neighbour covers a flank or one
+                      // is three times as wide as the other: no resonance of its own
 };
 
 // Peaks higher than `floor` times the highest.

@@ -106,6 +106,25 @@ bool dominant(const Matrix2d& gram, double scale, Eigen::Vector2d& c) {
   return eigen.eigenvalues()[1] > (1 + 1e-6) * eigen.eigenvalues()[0];
 }
 
+// False for a mode of what stands inside the wall, a liner that turns on its own.
+bool wall_takes_part(const Model& model, const VectorXd& u) {
+  std::vector<bool> on_wall(model.mesh.nodes.size(), false);
+  double radius = 0, wall = 0, inside = 0;
+  for (const Ring& ring : model.mesh.rings) {
+    radius = std::max(radius, ring.radius);
+    for (int node : ring.nodes) on_wall[node] = true;
+  }
+  for (std::size_t node = 0; node < on_wall.size(); ++node) {
+    const auto at = 6 * static_cast<Index>(node);
+    const double moves = u.segment<3>(at).norm();
+    if (on_wall[node])
+      wall = std::max(wall, moves);
+    else
+      inside = std::max({inside, moves, radius * u.segment<3>(at + 3).norm()});
+  }
+  return wall > 0.05 * inside;
+}
+
 Matrix2d gram_of(const MatrixXd& u, Index first, const std::vector<int>& dofs) {
   Matrix2d gram = Matrix2d::Zero();
   for (int dof : dofs) {
@@ -124,7 +143,7 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
     label.shape = "rigid";
     return label;
   }
-  if (!model.mesh.rings.empty()) return label_by_rings(model, u);
+  if (!model.mesh.rings.empty() && wall_takes_part(model, u)) return label_by_rings(model, u);
   label.shape = "mode";
   Index direction = 0;
   const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);

@@ -1,5 +1,6 @@
 #include "solve/stress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -18,9 +19,45 @@ Eigen::Matrix<double, 6, 6> von_mises_form() {
   return A;
 }
 
-MatrixXd shell_stress(const Model& model, const MatrixXd& u) {
+// Which point each corner of each quad belongs to: corners that meet in a node with one director
+// and one thickness share a point.
+struct Points {
+  std::vector<std::array<int, 4>> of_quad;
+  std::vector<int> node;
+};
+
+Points stress_points(const Mesh& mesh) {
+  struct Side {
+    Eigen::Vector3d director;
+    double thickness = 0;
+    std::vector<std::pair<int, int>> corners; // quad, corner
+  };
+  std::vector<std::vector<Side>> sides(mesh.nodes.size());
+  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e)
+    for (int a = 0; a < 4; ++a) {
+      const ShellQuad& quad = mesh.quads[e];
+      const Eigen::Vector3d V = quad.directors.col(a);
+      const double t = quad.thickness[a];
+      std::vector<Side>& known = sides[quad.nodes[a]];
+      auto side = std::find_if(known.begin(), known.end(), [&](const Side& s) {
+        return (s.director - V).norm() < 1e-3 && std::abs(s.thickness - t) < 1e-6 * t;
+      });
+      if (side == known.end()) side = known.insert(known.end(), {V, t, {}});
+      side->corners.emplace_back(e, a);
+    }
+  Points points;
+  points.of_quad.resize(mesh.quads.size());
+  for (std::size_t node = 0; node < sides.size(); ++node)
+    for (const Side& side : sides[node]) {
+      for (const auto& [e, a] : side.corners)
+        points.of_quad[e][a] = static_cast<int>(points.node.size());
+      points.node.push_back(static_cast<int>(node));
+    }
+  return points;
+}
+
+MatrixXd shell_stress(const Model& model, const Points& points, const MatrixXd& u) {
   const std::vector<ShellQuad>& quads = model.mesh.quads;
-  const auto nodes = static_cast<Eigen::Index>(model.mesh.nodes.size());
   const int count = static_cast<int>(quads.size());
   std::vector<MatrixXd> corner(quads.size()); // summed in order afterwards, whatever the threads
 #pragma omp parallel for schedule(static) if (count > 64)
@@ -31,22 +68,28 @@ MatrixXd shell_stress(const Model& model, const MatrixXd& u) {
     corner[e] =
         shell_mitc4_face_stress(shell_geometry(model.mesh, quads[e]), p.section, p.membrane) * own;
   }
-  MatrixXd stress = MatrixXd::Zero(12 * nodes, u.cols());
-  Eigen::VectorXd meeting = Eigen::VectorXd::Zero(nodes);
+  const auto total = static_cast<Eigen::Index>(points.node.size());
+  MatrixXd stress = MatrixXd::Zero(12 * total, u.cols());
+  Eigen::VectorXd meeting = Eigen::VectorXd::Zero(total);
   for (int e = 0; e < count; ++e)
     for (int a = 0; a < 4; ++a) {
-      stress.middleRows<12>(12 * quads[e].nodes[a]) += corner[e].middleRows<12>(12 * a);
-      meeting[quads[e].nodes[a]] += 1;
+      const int point = points.of_quad[e][a];
+      stress.middleRows<12>(12 * point) += corner[e].middleRows<12>(12 * a);
+      meeting[point] += 1;
     }
-  for (Eigen::Index node = 0; node < nodes; ++node)
-    if (meeting[node] > 1) stress.middleRows<12>(12 * node) /= meeting[node];
+  for (Eigen::Index point = 0; point < total; ++point)
+    stress.middleRows<12>(12 * point) /= meeting[point];
   return stress;
 }
 
 } // namespace
 
 StressField recover_stress(const Model& model, const MatrixXd& u) {
-  StressField field{.shell = shell_stress(model, u), .beam = {}, .node_of_row = {}};
+  Points points = stress_points(model.mesh);
+  StressField field{.shell = shell_stress(model, points, u),
+                    .node_of_point = std::move(points.node),
+                    .beam = {},
+                    .node_of_row = {}};
   const std::size_t fibres =
       std::transform_reduce(model.beams.begin(), model.beams.end(), std::size_t{0}, std::plus<>(),
                             [](const BeamElement& beam) { return 2 * beam.section.fibres.size(); });

@@ -1,8 +1,8 @@
 // Stress of shells and beams from displacements, and the measures read off it.
 //
 // Shells: in-plane stress on both faces in global axes, recovered at the corners of every quad and
-// averaged over the quads that meet in a node (the jump between them is the error of the mesh;
-// where walls of different thickness meet the average hides a true step). Beams: axial stress of
+// averaged over the quads that meet in a node with the same director and thickness: a kink or a
+// step of the wall keeps a value for each side. Beams: axial stress of
 // the outermost fibres at both ends of every element.
 //
 // Everything is linear in the displacements, so a field of many columns serves modes, static shapes
@@ -19,8 +19,9 @@ namespace plica {
 enum class Face { below, above }; // against and along the directors
 
 struct StressField {
-  // Row 12 node + 6 face + component (xx yy zz xy yz zx), Pa; zero at nodes without a shell.
+  // Row 12 point + 6 face + component (xx yy zz xy yz zx), Pa. Points in the order of their nodes.
   Eigen::MatrixXd shell;
+  std::vector<int> node_of_point;
   Eigen::MatrixXd beam;         // row: fibre, Pa
   std::vector<int> node_of_row; // where that fibre is
 };
@@ -40,7 +41,7 @@ double von_mises_of_cycle(const Eigen::Ref<const Eigen::Matrix<std::complex<doub
 // (Segalman, Fulcher, Reese & Field, IMAC 1998).
 double von_mises_rms(const Eigen::Ref<const Eigen::MatrixXd>& stress, const Eigen::MatrixXd& C);
 
-// One number per node and face, and the largest with its place.
+// One number per node (the larger side of a kink) and face, and the largest with its place.
 struct StressPeaks {
   Eigen::VectorXd below, above; // per node, Pa
   double largest = 0;
@@ -50,18 +51,21 @@ struct StressPeaks {
   int beam_node = -1;
 };
 
-// `shell`: from the twelve rows of a node, per face, as a 6 x columns block; `beam`: from one row.
+// `shell`: from the rows of a point, per face, as a 6 x columns block; `beam`: from one row.
 template <class ShellMeasure, class BeamMeasure>
-StressPeaks stress_peaks(const StressField& field, ShellMeasure&& shell, BeamMeasure&& beam) {
-  const Eigen::Index nodes = field.shell.rows() / 12;
+StressPeaks stress_peaks(const StressField& field, int nodes, ShellMeasure&& shell,
+                         BeamMeasure&& beam) {
   StressPeaks peaks{.below = Eigen::VectorXd::Zero(nodes), .above = Eigen::VectorXd::Zero(nodes)};
-  for (Eigen::Index node = 0; node < nodes; ++node)
+  for (std::size_t point = 0; point < field.node_of_point.size(); ++point)
     for (Face face : {Face::below, Face::above}) {
-      const double value = shell(field.shell.middleRows<6>(12 * node + 6 * int(face)));
-      (face == Face::below ? peaks.below : peaks.above)[node] = value;
+      const int node = field.node_of_point[point];
+      const double value =
+          shell(field.shell.middleRows<6>(12 * Eigen::Index(point) + 6 * int(face)));
+      double& at_node = (face == Face::below ? peaks.below : peaks.above)[node];
+      at_node = std::max(at_node, value);
       if (value <= peaks.largest) continue;
       peaks.largest = value;
-      peaks.node = static_cast<int>(node);
+      peaks.node = node;
       peaks.face = face;
     }
   for (Eigen::Index row = 0; row < field.beam.rows(); ++row)

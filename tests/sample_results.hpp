@@ -103,6 +103,7 @@ inline ResponseResult sample_response() {
   ResponseResult r;
   r.excitation = "y";
   r.level = 10;
+  r.unit = "m/s2";
   r.hertz = Eigen::VectorXd::LinSpaced(50, 10, 500);
   r.channels = {{"mid", "x"}, {"mid", "y"}, {"mid", "z"}};
   r.acceleration.setZero(50, 3);

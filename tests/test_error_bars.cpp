@@ -89,6 +89,22 @@ TEST(MeshError, of_a_bellows_is_estimated_with_its_sign) {
   }
 }
 
+// A sensor between the nodes of the coarse mesh, and a shape that is not among the modes of a run.
+TEST(ErrorBars, need_no_sensor_and_make_up_no_number) {
+  Case data = verification_case("bellows_a", {40, 2, 3}, 4);
+  const BuiltCase built = build(data);
+  const Eigen::Vector3d node = built.model.mesh.nodes[built.model.mesh.rings[5].nodes[1]];
+  data.sensors = {{.name = "mid", .at = {node.x(), node.y(), node.z()}}};
+  data.tolerances = {{.path = "materials.steel.E", .value = 193e9, .low = 183e9, .high = 203e9}};
+  std::map<std::string, double> nominal = headline(run_silently(for_headline(data)));
+  nominal["f_torsion"] = 7000; // beyond the four modes
+  const ErrorBars errors = error_bars(data, nominal, [](const std::string&) {});
+  for (const ErrorBar& bar : errors.bars) {
+    EXPECT_EQ(std::isnan(bar.along), bar.key == "f_torsion") << bar.key;
+    EXPECT_EQ(bar.interval.has_value(), bar.key != "f_torsion") << bar.key;
+  }
+}
+
 // Everything scales with E: stiffness in proportion, frequencies with the root, the mass not at
 // all.
 TEST(ToleranceInterval, of_the_modulus_is_that_of_the_scaling) {

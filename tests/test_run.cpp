@@ -239,6 +239,15 @@ TEST(RandomResponse, of_a_case_is_that_of_miles) {
   EXPECT_LT((random.cross[0].density.real() - random.density.col(1)).norm(), 1e-12);
 }
 
+// Noise between two frequencies that are not on the grid: the RMS of the input is exact.
+TEST(RandomResponse, holds_the_corners_of_its_table) {
+  Case data = sprung_tube(4e4);
+  data.analyses.response = Response{.bases = {1}, .band = {1, 2000}, .points = 100};
+  data.analyses.response->random.emplace().table = {{21, 1}, {23, 1}};
+  const Results results = run_silently(data);
+  EXPECT_NEAR(results.responses.at(0).random->bands[0].input, std::sqrt(2.), 1e-6);
+}
+
 TEST(Damping, of_a_mode_goes_before_its_range_and_that_before_all) {
   Case data = sprung_tube(4e4); // modes near 11.3 11.3 22.5 33.8 33.8 Hz
   Damping& d = data.analyses.damping;
@@ -311,6 +320,80 @@ TEST(StressAnalysis, of_static_modal_harmonic_and_random_load_are_one_linear_fie
   EXPECT_GT(by_kind["rms"][0].largest, 0);
   for (const StressResult& s : results.stresses)
     EXPECT_EQ(std::max(s.below.maxCoeff(), s.above.maxCoeff()), s.largest) << s.name;
+}
+
+TEST(Labels, do_not_take_a_liner_that_turns_on_its_own_for_the_wall) {
+  Case data = verification_case("bellows_a", {24, 2, 3}, 6);
+  data.parts.push_back({"liner", Interlock{.along = "bellows",
+                                           .attachment = Attachment::caps,
+                                           .EA = 1e6,
+                                           .EI = 500,
+                                           .GJ = 0.01,
+                                           .mass = 0.05,
+                                           .radius = 0.02}});
+  const Results results = run_silently(data);
+  ASSERT_TRUE(results.verification.passed) << results.verification.reason;
+  EXPECT_EQ(results.modes[0].shape, "mode") << results.modes[0].frequency;
+  EXPECT_EQ(headline(results).count("f_torsion"), 0u);
+}
+
+TEST(Symmetry, gives_the_numbers_of_the_full_mesh) {
+  Case data = verification_case("bellows_a", {24, 2, 3}, 12);
+  data.caps[1].mass = 0.2;
+  data.mount[1].kind = MountKind::free;
+  const BuiltCase built = build(data);
+  const Eigen::Vector3d at = built.model.mesh.nodes[built.model.mesh.rings[30].nodes[2]];
+  data.sensors = {{.name = "crown", .at = {at.x(), at.y(), at.z()}}};
+  data.analyses.damping.modal = 0.02;
+  data.analyses.response = Response{.bases = {0, 1, 3}, .band = {5, 900}, .points = 60};
+  Force ring;
+  ring.name = "ring";
+  ring.at = "bellows.crown[3]";
+  ring.direction = 2;
+  data.analyses.response->forces = {ring};
+  data.analyses.stress = Stress{.frequencies = {100}};
+  data.analyses.symmetry = Symmetry::required;
+  const Results fast = run_silently(data);
+  data.analyses.symmetry = Symmetry::off;
+  const Results full = run_silently(data);
+  EXPECT_EQ(fast.route, "rotational symmetry, 24 sectors");
+  EXPECT_LT((fast.statics->end_stiffness - full.statics->end_stiffness).norm(),
+            1e-8 * full.statics->end_stiffness.norm());
+  EXPECT_NEAR(fast.model.mass, full.model.mass, 1e-10);
+  EXPECT_EQ(fast.model.dofs, full.model.dofs);
+  ASSERT_EQ(fast.modes.size(), full.modes.size());
+  for (std::size_t i = 0; i < full.modes.size(); ++i) {
+    EXPECT_NEAR(fast.modes[i].frequency / full.modes[i].frequency, 1, 1e-8) << i;
+    EXPECT_EQ(fast.modes[i].shape + fast.modes[i].direction,
+              full.modes[i].shape + full.modes[i].direction);
+    for (int d = 0; d < 6; ++d)
+      EXPECT_NEAR(fast.modes[i].effective_mass[d], full.modes[i].effective_mass[d],
+                  1e-5 * full.free_mass[d]);
+    const double off = std::min((fast.shapes[i] - full.shapes[i]).norm(),
+                                (fast.shapes[i] + full.shapes[i]).norm()); // largest twice: +-
+    EXPECT_LT(off, 1e-4 * full.shapes[i].norm()) << i;
+  }
+  ASSERT_EQ(fast.responses[0].hertz.size(), full.responses[0].hertz.size());
+  for (std::size_t k = 0; k < full.responses.size(); ++k)
+    EXPECT_LT((fast.responses[k].acceleration - full.responses[k].acceleration).norm(),
+              1e-6 * full.responses[k].acceleration.norm())
+        << full.responses[k].excitation;
+  ASSERT_EQ(fast.stresses.size(), full.stresses.size());
+  for (std::size_t k = 0; k < full.stresses.size(); ++k)
+    EXPECT_NEAR(fast.stresses[k].largest / full.stresses[k].largest, 1, 1e-4)
+        << full.stresses[k].name;
+}
+
+TEST(Symmetry, required_of_a_part_without_it_is_an_error) {
+  Case data = tube(1);
+  data.analyses.symmetry = Symmetry::required;
+  try {
+    run_silently(data);
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("does not repeat around its axis"), std::string::npos)
+        << e.what();
+  }
 }
 
 TEST(Run, refuses_a_sensor_off_the_part_and_names_it) {

@@ -96,6 +96,31 @@ TEST(ShellStress, of_a_tube_under_pressure_is_the_membrane_stress) {
   }
 }
 
+// Two plates at a right angle: a point for each side of the kink, the bending of one does not
+// dilute the other.
+TEST(ShellStress, of_a_kink_keeps_a_value_for_each_side) {
+  Model model;
+  model.mesh.nodes = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {1, 1, 1}};
+  for (const bool upright : {false, true}) {
+    ShellQuad quad{
+        .nodes = {0, 2, 3, 1}, .directors = {}, .thickness = Eigen::Vector4d::Constant(0.01)};
+    if (upright) quad.nodes = {2, 4, 5, 3};
+    quad.directors.colwise() = upright ? Eigen::Vector3d(-1, 0, 0) : Eigen::Vector3d(0, 0, 1);
+    model.mesh.quads.push_back(quad);
+  }
+  model.shells.push_back({{.E = 1e9, .nu = 0, .rho = 1}, MembraneStrain::displacement});
+  VectorXd u = no_force(model);
+  for (int node : {2, 3, 4, 5})
+    u[6 * node] = 1e-3; // the flat plate is pulled, the other moves along
+  const StressField field = recover_stress(model, u);
+  EXPECT_EQ(field.node_of_point, (std::vector<int>{0, 1, 2, 2, 3, 3, 4, 5}));
+  EXPECT_NEAR(field.shell(12 * 2, 0), 1e6, 1e-3);
+  EXPECT_NEAR(field.shell.middleRows<12>(12 * 3).norm(), 0, 1e-3);
+  const StressPeaks peaks = stress_peaks(
+      field, 6, [](const auto& s) { return von_mises(s.col(0)); }, [](const auto&) { return 0.; });
+  EXPECT_NEAR(peaks.above[2], 1e6, 1e-3) << "the larger side";
+}
+
 // Cantilever under a tip force: F (L - x) c / I at the ends of every element, exact.
 TEST(BeamStress, of_a_cantilever_is_the_moment_over_the_section_modulus) {
   constexpr double L = 2, F = 1000, b = 0.04, h = 0.06;

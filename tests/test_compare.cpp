@@ -1,0 +1,61 @@
+// Measured beside computed: which numbers are paired, and what the model cannot show.
+#include "tests/sample_results.hpp"
+
+#include "diagnose/compare.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plica::test {
+namespace {
+
+MeasuredMode measured(double frequency, MeasuredShape shape, Axis direction, Axis base) {
+  MeasuredMode m;
+  m.frequency = frequency;
+  m.shape = shape;
+  m.direction = direction;
+  m.base = base;
+  return m;
+}
+
+TEST(Compare, pairs_modes_by_shape_direction_and_order) {
+  Measured data;
+  data.modes = {measured(130, MeasuredShape::axial, Axis::y, Axis::y),
+                measured(260, MeasuredShape::axial, Axis::y, Axis::y),
+                measured(140, MeasuredShape::axial, Axis::y, Axis::y)};
+  data.modes[1].order = 2;
+  Results results = sample();
+  results.responses.clear();
+  const auto rows = compare(results, data);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].computed, 131.26);
+  EXPECT_EQ(rows[1].quantity, "axial mode 2");
+  EXPECT_EQ(rows[1].computed, 262.1);
+  EXPECT_EQ(rows[2].computed, 131.26) << "another test of the first mode";
+}
+
+TEST(Compare, never_pairs_a_second_mode_with_the_first_peak) {
+  Measured data;
+  data.modes = {measured(130, MeasuredShape::other, Axis::y, Axis::y),
+                measured(480, MeasuredShape::other, Axis::y, Axis::y)};
+  data.modes[0].damping = 0.011;
+  data.modes[1].order = 2;
+  const auto rows = compare(sample(), data);
+  ASSERT_EQ(rows.size(), 2u) << "one peak: its frequency and its damping";
+  EXPECT_EQ(rows[0].computed, 131.26);
+  EXPECT_NEAR(rows[1].computed, 1.0, 1e-12);
+}
+
+TEST(Compare, says_what_has_no_path_and_only_that) {
+  Measured data;
+  data.modes = {measured(166, MeasuredShape::transverse, Axis::z, Axis::y)};
+  ASSERT_EQ(unanswered(sample(), data).size(), 1u);
+  EXPECT_NE(unanswered(sample(), data)[0].find("166 Hz in z while the base moved in y"),
+            std::string::npos);
+  data.modes = {measured(166, MeasuredShape::axial, Axis::y, Axis::y),       // along the base
+                measured(900, MeasuredShape::transverse, Axis::z, Axis::y),  // beyond the band
+                measured(166, MeasuredShape::transverse, Axis::z, Axis::x)}; // no such response
+  EXPECT_TRUE(unanswered(sample(), data).empty());
+}
+
+} // namespace
+} // namespace plica::test
