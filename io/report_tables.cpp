@@ -149,7 +149,8 @@ std::string model_html(const Results& results) {
        {{"aspect ratio, mean", html_number(quality.mean_aspect, 3)}, ""},
        {{"aspect ratio, largest", html_number(quality.max_aspect, 3)}, ""},
        {{"smallest corner Jacobian / largest of its quad", html_number(quality.min_jacobian, 2)},
-        ""}});
+        ""},
+       {{"solved by", html_escape(results.route)}, ""}});
   if (results.sensors.empty()) return html;
   std::vector<HtmlRow> rows;
   for (const SensorResult& sensor : results.sensors) {

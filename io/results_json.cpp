@@ -168,6 +168,7 @@ std::string results_json(const Results& r) {
                    {"elements", r.model.elements},
                    {"dofs", r.model.dofs},
                    {"mass", number(r.model.mass)}};
+  json["route"] = r.route;
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
   json["modes"] = list_of(r.modes);
   json["verification"] = json_of(r.verification);

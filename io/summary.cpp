@@ -117,6 +117,7 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   text += fmt::format("\n{} elements, {} nodes, {} unknowns, {} kg\n",
                       grouped(results.model.elements, " "), grouped(results.model.nodes, " "),
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));
+  if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
   text += error_table(results) + modes_table(results) + peaks_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;

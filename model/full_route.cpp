@@ -59,20 +59,15 @@ public:
     // The rig holds both caps; with another mount the stiffness is that of the part alone.
     const bool shared = boundary_ == held_ && base().sigma == 0;
     stage_("statics");
-    without_mount_ = system_.K;
-    for (const BushingElement& b : built_.model.bushings) // a spring mount is not the part
-      if (b.node2 < 0)
-        add_dense(without_mount_, node_dofs(system_.map, {b.node1}),
-                  -ground_bushing_matrix(b.bushing));
+    remove_mount();
     if (!shared) {
-      const SparseMatrix inner =
-          restrict_to(without_mount_, complement(system_.map.size(), boundary_));
+      const SparseMatrix inner = restrict_to(part(), complement(system_.map.size(), boundary_));
       own_.emplace(inner);
       if (!own_->factorise(inner).ok)
         throw std::runtime_error(
             "static stiffness: the part is a mechanism when both caps are held");
     }
-    const MatrixXd condensed = condense(without_mount_, boundary_, inner());
+    const MatrixXd condensed = condense(part(), boundary_, inner());
     watch_.lap(timing_, "statics");
     const auto order = order_of(caps);
     return Matrix1212(condensed(order, order));
@@ -82,7 +77,7 @@ public:
     const auto order = order_of(caps);
     MatrixXd at_boundary(12, motion.cols());
     at_boundary(order, Eigen::all) = motion;
-    return expand(system_.map, follow_boundary(without_mount_, boundary_, inner(), at_boundary));
+    return expand(system_.map, follow_boundary(part(), boundary_, inner(), at_boundary));
   }
 
   ModalSolution modes(const ModesRequest& request, const Loads& loads,
@@ -129,6 +124,17 @@ private:
     return *base_;
   }
 
+  // A spring mount is not the part. Without one, no second matrix is kept.
+  void remove_mount() {
+    for (const BushingElement& b : built_.model.bushings) {
+      if (b.node2 >= 0) continue;
+      if (!without_mount_) without_mount_ = system_.K;
+      add_dense(*without_mount_, node_dofs(system_.map, {b.node1}),
+                -ground_bushing_matrix(b.bushing));
+    }
+  }
+  const SparseMatrix& part() const { return without_mount_ ? *without_mount_ : system_.K; }
+
   const SparseFactor& inner() { return own_ ? *own_ : base().factor; }
 
   // Row of each DOF of the caps, in their order, among the boundary DOFs.
@@ -168,7 +174,8 @@ private:
   Stopwatch watch_;
   System system_;
   std::vector<int> free_, held_, boundary_;
-  SparseMatrix K_, M_, without_mount_;
+  SparseMatrix K_, M_;
+  std::optional<SparseMatrix> without_mount_;
   std::optional<BaseFactor> base_;
   std::optional<SparseFactor> own_;
 };
