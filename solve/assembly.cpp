@@ -262,6 +262,7 @@ MatrixXd rigid_body_motions(const Model& model, const DofMap& map, const Eigen::
   MatrixXd R = MatrixXd::Zero(map.size(), 6);
   for (int i = 0; i < map.size(); ++i) {
     const int node = map.full[i] / 6, dof = map.full[i] % 6;
+    if (model.scalar_nodes.contains(node)) continue;
     const Eigen::Vector3d d = model.mesh.nodes[node] - about;
     R(i, dof) = 1;
     if (dof == 0) R.row(i).tail<3>() << 0, d.z(), -d.y();

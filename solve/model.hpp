@@ -9,6 +9,7 @@
 #include "elements/shell_mitc4.hpp"
 #include "mesh/mesh.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ struct Model {
   std::vector<MassElement> masses;
   std::vector<BushingElement> bushings;
   std::vector<MatrixElement> matrices;
+  std::set<int> scalar_nodes; // their six DOFs are coordinates without place or direction
   std::vector<Constraint> constraints;
 };
 

@@ -1,0 +1,65 @@
+// Superelement: a part by its matrices over boundary nodes and modal coordinates (Craig & Bampton,
+// AIAA J. 6 (1968) 1313-1319).
+//
+//   u = Psi u_b + Phi q,   Psi = -K_ii^-1 K_ib,   Phi: modes with the boundary held
+//   K = [K_bb 0; 0 Lambda],   M = [M_bb M_bq; M_qb I]
+//
+// Coordinates: ux uy uz rx ry rz of each boundary node in order, then the modal ones. Rigid motions
+// lie in Psi, so they are exact. SI units.
+#pragma once
+
+#include "solve/model.hpp"
+
+#include <functional>
+
+namespace plica {
+
+struct RecoveryRows { // displacements and rotations of one node inside
+  std::string name;
+  Eigen::Vector3d place;
+  Eigen::MatrixXd rows; // 6 x coordinates
+};
+
+struct Superelement {
+  std::string name;
+  std::vector<std::string> node_names;
+  std::vector<Eigen::Vector3d> nodes; // boundary, m
+  Eigen::MatrixXd K, M;               // symmetric, full
+  Eigen::MatrixXd C;                  // viscous damping, N s/m; empty = none
+  Eigen::MatrixXd D;                  // structural damping: K (1 + i eta) = K + i D; empty = none
+  std::vector<RecoveryRows> recovery;
+
+  int boundary() const { return 6 * static_cast<int>(nodes.size()); }
+  int modal() const { return static_cast<int>(K.rows()) - boundary(); }
+};
+
+// The six rigid motions about a point, coordinates x 6.
+Eigen::MatrixXd rigid_motions(const Superelement& s, const Eigen::Vector3d& about);
+
+struct MassProperties {
+  double mass = 0;
+  Eigen::Vector3d centre{0, 0, 0};
+  Eigen::Matrix3d inertia; // about the centre, kg m2
+};
+MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& about_origin); // r' M r
+MassProperties mass_properties(const Superelement& s);
+
+// Another instance: x -> R x + t. R may be a rotation or a mirror image (det R = -1); rotations are
+// axial vectors and follow det(R) R. Throws std::invalid_argument when R is not orthogonal.
+Superelement placed(const Superelement& s, const Eigen::Matrix3d& R, const Eigen::Vector3d& t);
+
+// Adds the element between nodes of a model, its modal coordinates as scalar points (six to a
+// node), and returns those nodes.
+std::vector<int> add_superelement(Model& model, const Superelement& s,
+                                  const std::vector<int>& nodes, int component);
+
+// Element and the way back: `field` gives all DOFs of the part (six per node, columns as given).
+struct Reduction {
+  Superelement element;
+  Eigen::VectorXd lambda; // of the fixed-interface modes
+  std::function<Eigen::MatrixXd(const Eigen::MatrixXd& coordinates)> field;
+  bool proved = false; // no fixed-interface mode below the cut-off is missing
+  std::string reason;  // why not
+};
+
+} // namespace plica
