@@ -7,8 +7,10 @@
 #include "io/schema.hpp"
 #include "io/summary.hpp"
 #include "io/write_results.hpp"
+#include "io/write_superelement.hpp"
 #include "mesh/gmsh_session.hpp"
 #include "model/error_bars.hpp"
+#include "model/reduce.hpp"
 #include "model/run.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -89,6 +91,21 @@ int run_command(const RunOptions& options) {
     return 2;
   }
   return 0;
+}
+
+int reduce_command(const ReduceOptions& options) {
+  set_threads(options.threads);
+  const CaseFile file = read_case(options.case_path);
+  make_folder(options.out);
+  Progress progress(options.quiet);
+  progress.title(file.data.name);
+  const ReducedCase reduced = located(file, [&] {
+    return reduce_case(file.data, options.cutoff, [&](const std::string& s) { progress.stage(s); });
+  });
+  write_superelement(reduced, options.out);
+  progress.finish();
+  if (!options.quiet) fmt::print("{}", certificate_text(reduced));
+  return reduced.certificate.passed && reduced.proved ? 0 : 2;
 }
 
 int check_command(const std::string& case_path, int threads) {

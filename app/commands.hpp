@@ -18,6 +18,15 @@ struct RunOptions {
 };
 
 int run_command(const RunOptions& options);
+struct ReduceOptions {
+  std::string case_path;
+  std::filesystem::path out = "out";
+  int threads = 0;
+  bool quiet = false;
+  double cutoff = 0; // Hz, 0 = twice the response band
+};
+
+int reduce_command(const ReduceOptions& options);
 int check_command(const std::string& case_path, int threads);
 int schema_command(const std::string& what); // "case" or "measured"
 

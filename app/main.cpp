@@ -26,6 +26,20 @@ int dispatch(int argc, char** argv) {
   run_app->add_flag("!--no-error-bars", run.error_bars,
                     "leave out the runs on finer meshes and over the tolerances");
 
+  plica::ReduceOptions reduce;
+  CLI::App* reduce_app =
+      app.add_subcommand("reduce", "a case as a Craig-Bampton superelement with its certificate");
+  reduce_app->add_option("CASE", reduce.case_path, "case file")->required();
+  reduce_app->add_option("--out", reduce.out, "folder for the files")->capture_default_str();
+  reduce_app->add_option("--threads", reduce.threads, "threads, 0 = all cores")
+      ->check(CLI::Range(0, 256));
+  reduce_app->add_flag("--quiet", reduce.quiet, "print errors only");
+  reduce_app
+      ->add_option("--cutoff", reduce.cutoff,
+                   "modes with held boundary up to this frequency, Hz; left out: twice the upper "
+                   "end of the response band")
+      ->check(CLI::PositiveNumber);
+
   std::string checked;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");
   check_app->add_option("CASE", checked, "case file")->required();
@@ -44,6 +58,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 1;
   }
   if (*run_app) return plica::run_command(run);
+  if (*reduce_app) return plica::reduce_command(reduce);
   if (*check_app) return plica::check_command(checked, run.threads);
   return plica::schema_command(schema);
 }

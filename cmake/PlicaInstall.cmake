@@ -8,7 +8,7 @@ set(plica_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plica)
 install(TARGETS plica RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${plica_libraries} EXPORT plica-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/plica)
-foreach(folder mesh elements solve model diagnose io)
+foreach(folder mesh elements solve reduction model diagnose io)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plica
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()

@@ -29,6 +29,7 @@ BeamProperties properties(const BeamMaterial& m, double A, double I_y, double I_
 
 std::vector<std::array<double, 2>> circle(double radius) {
   std::vector<std::array<double, 2>> points;
+  points.reserve(24);
   for (int k = 0; k < 24; ++k)
     points.push_back({radius * std::cos(k * pi / 12), radius * std::sin(k * pi / 12)});
   return points;

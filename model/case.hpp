@@ -180,9 +180,9 @@ struct LossFactor {
 // all. Loss factors come on top, weighted by the strain energy of their component.
 struct Damping {
   double modal = 0;
-  std::vector<DampingRange> ranges;
-  std::vector<ModeDamping> modes;
-  std::vector<LossFactor> loss_factors;
+  std::vector<DampingRange> ranges = {};
+  std::vector<ModeDamping> modes = {};
+  std::vector<LossFactor> loss_factors = {};
 };
 
 // One-sided spectral density of an input, (unit)^2/Hz: a constant level, or a table of [Hz,

@@ -110,6 +110,11 @@ Superelement empty_element(const Model& model, const std::vector<int>& boundary,
   return s;
 }
 
+void clean(Superelement& s) {
+  const Eigen::Index n = s.boundary();
+  s.K.topLeftCorner(n, n) = without_grounding(s.K.topLeftCorner(n, n), s.nodes);
+}
+
 // Adds blocks whose boundary coordinates are D' u_b, their modes from `first` on.
 void add_blocks(Superelement& s, const Blocks& b, const MatrixXd& D, Eigen::Index first) {
   const Eigen::Index n = s.boundary(), m = b.lambda.size();
@@ -143,6 +148,7 @@ Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, do
               .proved = blocks->proved,
               .reason = blocks->reason};
   add_blocks(r.element, *blocks, D, 0);
+  clean(r.element);
   r.field = [system, blocks, D](const MatrixXd& c) {
     const Eigen::Index n = D.rows();
     const MatrixXd q =
@@ -211,6 +217,7 @@ Reduction craig_bampton(const CyclicModel& given, const std::vector<int>& bounda
     if (!f.blocks.proved)
       r.reason = "harmonic " + std::to_string(f.system.harmonic.n) + ": " + f.blocks.reason;
   }
+  clean(r.element);
   r.field = [model, families](const MatrixXd& c) {
     MatrixXd u = MatrixXd::Zero(dof_count(model->model()), c.cols());
     for (const Family& f : *families) {

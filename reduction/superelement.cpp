@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <stdexcept>
 
 namespace plica {
@@ -11,16 +12,40 @@ namespace plica {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-MatrixXd rigid_motions(const Superelement& s, const Vector3d& about) {
-  MatrixXd R = MatrixXd::Zero(s.K.rows(), 6);
-  for (std::size_t node = 0; node < s.nodes.size(); ++node)
+namespace {
+
+MatrixXd rigid_motions(const std::vector<Vector3d>& nodes, const Vector3d& about) {
+  MatrixXd R = MatrixXd::Zero(6 * Eigen::Index(nodes.size()), 6);
+  for (std::size_t node = 0; node < nodes.size(); ++node)
     for (int m = 0; m < 6; ++m) {
       const auto at = 6 * static_cast<Eigen::Index>(node);
       R(at + m, m) = 1;
-      if (m >= 3)
-        R.block<3, 1>(at, m) = Vector3d(Vector3d::Unit(m - 3)).cross(s.nodes[node] - about);
+      if (m >= 3) R.block<3, 1>(at, m) = Vector3d(Vector3d::Unit(m - 3)).cross(nodes[node] - about);
     }
   return R;
+}
+
+} // namespace
+
+MatrixXd rigid_motions(const Superelement& s, const Vector3d& about) {
+  MatrixXd R = MatrixXd::Zero(s.K.rows(), 6);
+  R.topRows(s.boundary()) = rigid_motions(s.nodes, about);
+  return R;
+}
+
+MatrixXd without_grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
+  constexpr double rounding = 1e-6;
+  // Scaled to unit diagonal, so that N/m and Nm/rad count alike.
+  const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd balanced = scale.asDiagonal() * K * scale.asDiagonal();
+  const MatrixXd R = scale.cwiseInverse().asDiagonal() * rigid_motions(nodes, nodes.front());
+  const Eigen::HouseholderQR<MatrixXd> qr(R);
+  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(R.rows(), 6);
+  if ((balanced * Q).norm() > rounding) return K;
+  const MatrixXd P = MatrixXd::Identity(K.rows(), K.rows()) - Q * Q.transpose();
+  const MatrixXd unscale = scale.cwiseInverse().asDiagonal();
+  const MatrixXd clean = unscale * P * balanced * P * unscale;
+  return (clean + clean.transpose()) / 2;
 }
 
 MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& m) {

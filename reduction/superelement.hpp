@@ -36,6 +36,13 @@ struct Superelement {
 // The six rigid motions about a point, coordinates x 6.
 Eigen::MatrixXd rigid_motions(const Superelement& s, const Eigen::Vector3d& about);
 
+// Stiffness between nodes with the forces that rigid motions raise taken out. They are the rounding
+// of the part's own K (1e-16 of a membrane's stiffness, 1e-8 of a bellows'), and left in they would
+// ground a larger model. K is returned as it is when a rigid motion raises more than 1e-6 of it:
+// then the part is held.
+Eigen::MatrixXd without_grounding(const Eigen::MatrixXd& K,
+                                  const std::vector<Eigen::Vector3d>& nodes);
+
 struct MassProperties {
   double mass = 0;
   Eigen::Vector3d centre{0, 0, 0};

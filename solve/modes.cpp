@@ -223,7 +223,7 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
                          " or the modes are not orthogonal to " +
                          std::to_string(modes.proof.orthogonality);
   }
-  if (request.count == 0) drop_below_band(modes, request.band[0]);
+  if (request.count == 0 && request.band[0] > 0) drop_below_band(modes, request.band[0]);
   return modes;
 }
 

@@ -26,4 +26,20 @@ MatrixXd strain_energy(const Model& model, const MatrixXd& u) {
   return sum;
 }
 
+std::vector<MatrixXd> component_stiffness(const Model& model, const MatrixXd& u) {
+  const ElementView elements{model};
+  std::vector<MatrixXd> sum(model.components.size(), MatrixXd::Zero(u.cols(), u.cols()));
+  for (int e = 0; e < elements.size(); ++e) {
+    const int c = elements.component(e);
+    if (c < 0 || c >= static_cast<int>(sum.size())) continue;
+    elements.visit(e, [&](const auto& nodes, const auto& K, const auto&) {
+      MatrixXd own(6 * nodes.size(), u.cols());
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        own.middleRows(6 * Eigen::Index(a), 6) = u.middleRows(6 * nodes[a], 6);
+      sum[c] += own.transpose() * (K * own);
+    });
+  }
+  return sum;
+}
+
 } // namespace plica

@@ -1,5 +1,6 @@
 // What a run writes can be read again by those it is for: JSON and CSV readers, VTK.
 #include "tests/sample_results.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include "io/report.hpp"
 #include "io/results_csv.hpp"
@@ -31,19 +32,6 @@ using namespace plica;
 using namespace plica::test;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-struct TemporaryFolder {
-  fs::path path;
-  TemporaryFolder() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path = fs::path(testing::TempDir()) / (std::string("plica_output_") + test->name());
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~TemporaryFolder() { fs::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 std::string content_of(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -242,7 +230,7 @@ TEST(Numbers, keep_integer_digits_and_drop_what_is_not_finite) {
 }
 
 TEST(WriteResults, writes_all_files_and_the_same_bytes_twice) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("output");
   const fs::path out = folder.path / "new" / "out";
   write_results(sample(), out);
   std::map<std::string, std::string> first;
@@ -261,7 +249,7 @@ TEST(WriteResults, writes_all_files_and_the_same_bytes_twice) {
 }
 
 TEST(WriteResults, says_which_folder_cannot_be_written) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("output");
   const fs::path file = folder.path / "a_file";
   std::ofstream(file) << "old";
   for (const fs::path& out : {file, file / "below"}) {
@@ -276,7 +264,7 @@ TEST(WriteResults, says_which_folder_cannot_be_written) {
 }
 
 TEST(WriteResults, leaves_old_files_alone_when_one_cannot_be_written) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("output");
   std::ofstream(folder.path / "results.json") << "old";
   fs::create_directories(folder.path / "report.html");
   EXPECT_THROW(write_results(sample(), folder.path), std::runtime_error);

@@ -1,0 +1,20 @@
+// Plica's own file of a superelement (HDF5): everything, without loss.
+//
+//   /              attributes format = "plica superelement", version = 1, name, units, dof_order
+//   /node_names    text, one per boundary node          /nodes   n x 3, m
+//   /K /M          square, coordinates of superelement.hpp; /C /D where there is damping
+//   /recovery/k    attribute name; place (3), rows (6 x coordinates)
+#pragma once
+
+#include "reduction/superelement.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+// Written beside the target first and renamed. Both throw std::runtime_error with path and reason;
+// reading checks format, version and every size.
+void write_hdf5(const Superelement& s, const std::filesystem::path& path);
+Superelement read_hdf5(const std::filesystem::path& path);
+
+} // namespace plica

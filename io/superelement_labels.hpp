@@ -1,0 +1,30 @@
+// Numbers under which the coordinates of a superelement stand in the files of other programs.
+//
+// Boundary node k is grid 101 + k with DOFs 1..6; modal coordinate j is scalar point 1001 + j (DOF
+// 1 where a program wants one).
+#pragma once
+
+#include "reduction/superelement.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+constexpr int first_grid = 101, first_scalar = 1001;
+
+struct CoordinateLabel {
+  int point = 0, dof = 0; // dof 0 = scalar point
+};
+CoordinateLabel coordinate_label(const Superelement& s, int coordinate);
+
+// Writes into a temporary file beside the target and renames it: nothing is ever half-written.
+// Throws std::runtime_error with path and reason.
+void write_whole(const std::filesystem::path& target, const std::string& content);
+
+// Text of a file; std::runtime_error when it cannot be read.
+std::string read_whole(const std::filesystem::path& path);
+
+// std::runtime_error "file:line: what".
+[[noreturn]] void bad_line(const std::filesystem::path& path, int line, const std::string& what);
+
+} // namespace plica

@@ -1,0 +1,140 @@
+#include "io/superelement_nastran.hpp"
+
+#include "io/superelement_labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+
+// A real in 16 columns with as many digits as fit, the exponent without its
+// letter: 1.23456789012+5.
+std::string field16(double x) {
+  for (int digits = 14; digits > 0; --digits) {
+    std::string text = fmt::format("{:.{}e}", x, digits);
+    const std::size_t e = text.find('e');
+    const int exponent = std::stoi(text.substr(e + 1));
+    text = text.substr(0, e) + fmt::format("{:+d}", exponent);
+    if (text.size() <= 16) return text;
+  }
+  return "0.0";
+}
+
+double number_of(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  const std::size_t sign = text.find_first_of("+-", 1);
+  if (sign != std::string::npos && text[sign - 1] != 'e' && text[sign - 1] != 'E')
+    text.insert(text[sign - 1] == 'D' ? sign : sign, "e");
+  std::size_t used = 0;
+  const double x = std::stod(text, &used);
+  if (used != text.size()) throw std::invalid_argument(text);
+  return x;
+}
+
+void add_matrix(std::string& deck, const std::string& name, const Superelement& s,
+                const MatrixXd& A) {
+  deck += fmt::format("DMIG    {:<8}{:>8}{:>8}{:>8}{:>8}\n", name, 0, 6, 2, 0);
+  for (int j = 0; j < A.cols(); ++j) {
+    const CoordinateLabel column = coordinate_label(s, j);
+    std::string rows;
+    for (int i = j; i < A.rows(); ++i) {
+      if (A(i, j) == 0) continue;
+      const CoordinateLabel row = coordinate_label(s, i);
+      rows += fmt::format("{:<8}{:>16}{:>16}{:>16}\n", "*", row.point, row.dof, field16(A(i, j)));
+    }
+    if (!rows.empty())
+      deck +=
+          fmt::format("{:<8}{:<16}{:>16}{:>16}\n", "DMIG*", name, column.point, column.dof) + rows;
+  }
+}
+
+// What is left of A when it stands in the 12 digits of a field.
+MatrixXd rest(const MatrixXd& A) {
+  return A.unaryExpr([](double x) { return x == 0 ? 0 : x - number_of(field16(x)); });
+}
+
+} // namespace
+
+std::string nastran_deck(const Superelement& s) {
+  std::string deck =
+      fmt::format("$ Superelement {}: SI units (m, kg, s, N, rad)\n"
+                  "$ Case control: K2GG = KPLICA + KPLICAL, M2GG = MPLICA + MPLICAL\n"
+                  "$ GRID: boundary nodes, SPOINT: modal coordinates\n",
+                  s.name);
+  for (std::size_t k = 0; k < s.nodes.size(); ++k) {
+    const Eigen::Vector3d& x = s.nodes[k];
+    deck +=
+        fmt::format("$ {}\n{:<8}{:>16}{:>16}{:>16}{:>16}\n{:<8}{:>16}\n", s.node_names[k], "GRID*",
+                    first_grid + k, "", field16(x[0]), field16(x[1]), "*", field16(x[2]));
+  }
+  for (int j = 0; j < s.modal(); ++j) deck += fmt::format("SPOINT  {:>8}\n", first_scalar + j);
+  add_matrix(deck, "KPLICA", s, s.K);
+  add_matrix(deck, "KPLICAL", s, rest(s.K));
+  add_matrix(deck, "MPLICA", s, s.M);
+  add_matrix(deck, "MPLICAL", s, rest(s.M));
+  return deck;
+}
+
+Superelement read_nastran_deck(const std::filesystem::path& path) {
+  std::istringstream stream(read_whole(path));
+  Superelement s;
+  std::map<int, int> coordinate; // of the first DOF of a point
+  std::string line, matrix;
+  int number = 0, column = -1, size = 0;
+  Eigen::Vector3d place;
+  bool grid_open = false;
+  const auto cut = [&](std::size_t at, std::size_t width) {
+    return line.size() > at ? line.substr(at, width) : std::string();
+  };
+  const auto at_label = [&](const std::string& point, const std::string& dof) {
+    const auto found = coordinate.find(std::stoi(point));
+    if (found == coordinate.end()) bad_line(path, number, "there is no point " + point);
+    return found->second + std::max(0, std::stoi(dof) - 1);
+  };
+  while (std::getline(stream, line)) {
+    ++number;
+    if (line.empty() || line[0] == '$') continue;
+    try {
+      const std::string card = cut(0, 8);
+      if (card.starts_with("GRID*")) {
+        coordinate[std::stoi(cut(8, 16))] = size;
+        size += 6;
+        place.x() = number_of(cut(40, 16));
+        place.y() = number_of(cut(56, 16));
+        grid_open = true;
+      } else if (card.starts_with("*") && grid_open) {
+        place.z() = number_of(cut(8, 16));
+        s.nodes.push_back(place);
+        s.node_names.push_back("grid " + std::to_string(first_grid + int(s.nodes.size()) - 1));
+        grid_open = false;
+      } else if (card.starts_with("SPOINT")) {
+        coordinate[std::stoi(cut(8, 8))] = size++;
+      } else if (card.starts_with("DMIG*")) {
+        if (s.K.size() == 0) s.K = s.M = MatrixXd::Zero(size, size);
+        matrix = cut(8, 16);
+        column = at_label(cut(24, 16), cut(40, 16));
+      } else if (card.starts_with("*") && column >= 0) {
+        MatrixXd& A = matrix[0] == 'K' ? s.K : s.M;
+        const int row = at_label(cut(8, 16), cut(24, 16));
+        const double value = number_of(cut(40, 16));
+        A(row, column) += value;
+        if (row != column) A(column, row) += value;
+      } else if (!card.starts_with("DMIG")) {
+        bad_line(path, number, "unknown card '" + card + "'");
+      }
+    } catch (const std::logic_error&) { // std::stoi, std::stod
+      bad_line(path, number, "a field is not a number");
+    }
+  }
+  if (s.K.size() == 0) bad_line(path, number, "there is no DMIG matrix");
+  return s;
+}
+
+} // namespace plica

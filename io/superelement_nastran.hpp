@@ -1,0 +1,20 @@
+// A superelement for Nastran: DMIG matrices with a deck around them.
+//
+// A field of DMIG* holds 12 digits; each matrix is therefore the sum of two, K2GG = KPLICA +
+// KPLICAL (likewise M), the second with what the first rounds away. Boundary nodes are GRIDs, modal
+// coordinates SPOINTs. Symmetric, lower triangle. Units of the deck: SI.
+#pragma once
+
+#include "reduction/superelement.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+std::string nastran_deck(const Superelement& s);
+
+// K and M back, in the order of the file's GRIDs, then SPOINTs; nodes with their places. Throws
+// std::runtime_error with file and line.
+Superelement read_nastran_deck(const std::filesystem::path& path);
+
+} // namespace plica

@@ -1,0 +1,17 @@
+// Everything that `plica reduce` leaves behind: superelement.h5, the decks and matrices for other
+// programs, certificate.json, and the certificate in words.
+#pragma once
+
+#include "model/reduce.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+// Throws std::runtime_error with path and reason; each file is whole or the old one.
+void write_superelement(const ReducedCase& reduced, const std::filesystem::path& folder);
+
+std::string certificate_text(const ReducedCase& reduced);
+std::string certificate_json(const ReducedCase& reduced);
+
+} // namespace plica

@@ -1,0 +1,129 @@
+#include "reduction/certificate.hpp"
+
+#include "solve/modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double frequency_limit = 0.005; // what "good" means: the usual 0.5 %
+
+double asymmetry(const MatrixXd& A) {
+  return (A - A.transpose()).norm() / A.norm();
+}
+
+// Sine of the largest angle between the column spaces.
+double angle_between(const MatrixXd& A, const MatrixXd& B) {
+  const auto orthonormal = [](const MatrixXd& X) {
+    const Eigen::HouseholderQR<MatrixXd> qr(X);
+    return MatrixXd(qr.householderQ() * MatrixXd::Identity(X.rows(), X.cols()));
+  };
+  const MatrixXd Qa = orthonormal(A), Qb = orthonormal(B);
+  return Eigen::JacobiSVD<MatrixXd>(Qb - Qa * (Qa.transpose() * Qb)).singularValues()[0];
+}
+
+// Rows and columns scaled to unit diagonal, so that N/m and Nm/rad count alike.
+MatrixXd balanced(const MatrixXd& K) {
+  const VectorXd s = K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  return s.asDiagonal() * K * s.asDiagonal();
+}
+
+// Null space of K normalised to unit motion of the first node: rigid motions as the stiffness sees
+// them. A rotation about z moves the node at x by e_z x (x - x_1).
+double coordinate_error(const Superelement& s, const MatrixXd& null_space) {
+  const MatrixXd N = null_space * null_space.topRows(6).inverse();
+  double error = 0;
+  for (std::size_t node = 1; node < s.nodes.size(); ++node) {
+    const auto at = 6 * static_cast<Index>(node);
+    const Eigen::Matrix3d W = N.block<3, 3>(at, 3); // columns e_j x d
+    const Vector3d d(W(1, 2) - W(2, 1), W(2, 0) - W(0, 2), W(0, 1) - W(1, 0));
+    error = std::max(error, (d / 2 - (s.nodes[node] - s.nodes[0])).norm());
+  }
+  return error;
+}
+
+std::vector<FrequencyCheck> elastic(const VectorXd& full, const VectorXd& reduced, int rigid) {
+  std::vector<FrequencyCheck> checks;
+  for (Index i = rigid; i < std::min(full.size(), reduced.size()); ++i)
+    checks.push_back({frequency(full[i]), frequency(reduced[i])});
+  return checks;
+}
+
+VectorXd generalized(const MatrixXd& K, const MatrixXd& M) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+} // namespace
+
+Certificate certificate(const Superelement& s, const PartReference& part) {
+  Certificate c;
+  c.asymmetry = std::max(asymmetry(s.K), asymmetry(s.M));
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> mass(balanced(s.M)), stiffness(balanced(s.K));
+  c.smallest_mass = mass.eigenvalues()[0] / mass.eigenvalues().maxCoeff();
+  const VectorXd k = stiffness.eigenvalues() / stiffness.eigenvalues().maxCoeff();
+  constexpr double zero = 1e-9;
+  c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
+  c.negative_stiffness = std::min(0., k[0]);
+  const int rigid = part.grounded ? 0 : 6;
+  if (rigid == 6) {
+    const MatrixXd R = rigid_motions(s, s.nodes.front());
+    c.grounding = (s.K * R).cwiseAbs().maxCoeff() /
+                  s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
+    c.rigid_modes = angle_between(modes.eigenvectors().leftCols(6), R);
+    // Back from the balanced matrix.
+    const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    c.coordinates = coordinate_error(s, scale.asDiagonal() * stiffness.eigenvectors().leftCols(6));
+  }
+  const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
+  c.mass = std::abs(own.mass / whole.mass - 1);
+  c.centre = (own.centre - whole.centre).norm();
+  c.inertia = (own.inertia - whole.inertia).norm() / whole.inertia.norm();
+  if (part.static_stiffness.size() > 0) {
+    const MatrixXd K_bb = s.K.topLeftCorner(s.boundary(), s.boundary());
+    const VectorXd size = part.static_stiffness.diagonal().cwiseSqrt();
+    const MatrixXd scale = size * size.transpose();
+    c.statics = (K_bb - part.static_stiffness).cwiseQuotient(scale).cwiseAbs().maxCoeff();
+  }
+  c.free = elastic(part.free_lambda, generalized(s.K, s.M), rigid);
+  const Index m = s.modal();
+  VectorXd fixed = VectorXd(0);
+  if (m > 0) fixed = generalized(s.K.bottomRightCorner(m, m), s.M.bottomRightCorner(m, m));
+  c.fixed = elastic(part.fixed_lambda, fixed, 0);
+  for (const FrequencyCheck& f : c.free) {
+    if (std::abs(f.error()) > frequency_limit) break;
+    c.good_up_to = f.full;
+    c.error = std::max(c.error, std::abs(f.error()));
+  }
+  const auto require = [&](bool good, const std::string& what) {
+    if (!good) c.failures.push_back(what);
+  };
+  require(c.asymmetry < 1e-12, "K or M is not symmetric");
+  require(c.smallest_mass > 0, "M is not positive definite");
+  require(c.zero_stiffness == rigid && c.negative_stiffness > -zero,
+          "K has " + std::to_string(c.zero_stiffness) + " zero eigenvalues, not " +
+              std::to_string(rigid) + ", or a negative one");
+  require(c.grounding < 1e-8, "a rigid motion raises forces");
+  require(c.rigid_modes < 1e-4, "the lowest modes are not the rigid motions of the geometry");
+  require(c.coordinates < 1e-5, "the stiffness does not know where its nodes are");
+  require(c.mass < 1e-8 && c.centre < 1e-8 && c.inertia < 1e-7, "mass, centre or inertia differ");
+  require(c.statics < 1e-9, "the static stiffness is not that of the part");
+  for (const FrequencyCheck& f : c.free)
+    require(f.error() > -1e-6, "a frequency lies below that of the part: not a Ritz reduction");
+  c.passed = c.failures.empty();
+  return c;
+}
+
+} // namespace plica

@@ -1,0 +1,43 @@
+// What a superelement is worth: its checks against the part it stands for.
+#pragma once
+
+#include "reduction/superelement.hpp"
+
+#include <vector>
+
+namespace plica {
+
+// The part itself, computed without the superelement.
+struct PartReference {
+  Eigen::Matrix<double, 6, 6> rigid_mass; // r' M r about the origin
+  Eigen::MatrixXd static_stiffness;       // condensed onto the boundary; empty = not known
+  Eigen::VectorXd free_lambda;            // boundary free, increasing, rigid modes included
+  Eigen::VectorXd fixed_lambda;           // boundary held
+  bool grounded = false;                  // a support inside the part: no rigid motion is free
+};
+
+struct FrequencyCheck {
+  double full = 0, reduced = 0; // Hz
+  double error() const { return reduced / full - 1; }
+};
+
+struct Certificate {
+  double asymmetry = 0;          // |A - A'| / |A|, the larger of K and M
+  double smallest_mass = 0;      // smallest eigenvalue of M / largest: above 0
+  int zero_stiffness = 0;        // eigenvalues of K that count as zero: 6 for a free part
+  double negative_stiffness = 0; // most negative eigenvalue of K / largest
+  double grounding = 0;   // largest force that a rigid motion (1 m, 1 rad) raises / largest of K
+  double rigid_modes = 0; // sine of the angle between the lowest six modes and the geometry's
+  double coordinates = 0; // m: boundary nodes found from the null space of K, off the true ones
+  double mass = 0, centre = 0, inertia = 0; // relative; m; relative
+  double statics = 0; // largest |dK_ij| / sqrt(K_ii K_jj) against the condensed part
+  std::vector<FrequencyCheck> free, fixed; // elastic ones
+  double good_up_to = 0;                   // Hz: below, every free frequency is met within `error`
+  double error = 0;
+  bool passed = false;
+  std::vector<std::string> failures; // what did not pass, in words
+};
+
+Certificate certificate(const Superelement& element, const PartReference& part);
+
+} // namespace plica
