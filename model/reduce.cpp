@@ -5,6 +5,7 @@
 #include "model/route.hpp"
 #include "reduction/craig_bampton.hpp"
 #include "reduction/cyclic_modes.hpp"
+#include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
 
@@ -40,16 +41,26 @@ VectorXd spectrum(const SparseMatrix& K, const SparseMatrix& M, double high) {
   return find_modes(K, M, {.band = {0, high}, .proof = false}, base).lambda;
 }
 
-// Of the harmonics that reach the boundary.
-VectorXd symmetric_spectrum(const CyclicModel& model, const std::vector<int>& held, double high) {
-  std::vector<double> values;
-  for (const Harmonic& h : {Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}}) {
-    const CyclicFamily f = cyclic_family(model, h, held);
-    for (double lambda : spectrum(f.K, f.M, high))
-      values.insert(values.end(), h.n == 1 ? 2 : 1, lambda);
+// Of the harmonics that reach the boundary, pairs twice; first free, then held at the caps.
+std::array<VectorXd, 2> symmetric_spectra(const CyclicModel& model, const std::vector<int>& caps,
+                                          double high) {
+  constexpr std::array families{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
+  std::array<VectorXd, 2 * families.size()> lambda;
+  in_parallel(int(lambda.size()), [&](int i) {
+    const CyclicFamily f =
+        cyclic_family(model, families[i / 2], i % 2 == 0 ? std::vector<int>{} : caps);
+    lambda[i] = spectrum(f.K, f.M, high);
+  });
+  std::array<VectorXd, 2> spectra;
+  for (int held : {0, 1}) {
+    std::vector<double> values;
+    for (std::size_t f = 0; f < families.size(); ++f)
+      for (double x : lambda[2 * f + held])
+        values.insert(values.end(), families[f].n == 1 ? 2 : 1, x);
+    std::sort(values.begin(), values.end());
+    spectra[held] = VectorXd::Map(values.data(), Eigen::Index(values.size()));
   }
-  std::sort(values.begin(), values.end());
-  return VectorXd::Map(values.data(), Eigen::Index(values.size()));
+  return spectra;
 }
 
 PartReference symmetric_reference(const CyclicModel& model, const std::vector<int>& caps,
@@ -62,8 +73,9 @@ PartReference symmetric_reference(const CyclicModel& model, const std::vector<in
     const MatrixXd r = model.rigid_motions(s);
     part.rigid_mass += r.transpose() * symmetric_product(s.M, r);
   }
-  part.free_lambda = symmetric_spectrum(model, {}, high);
-  part.fixed_lambda = symmetric_spectrum(model, caps, high);
+  auto [free, fixed] = symmetric_spectra(model, caps, high);
+  part.free_lambda = std::move(free);
+  part.fixed_lambda = std::move(fixed);
   return part;
 }
 
@@ -86,14 +98,14 @@ PartReference full_reference(const Model& model, const std::vector<int>& caps, d
 void complete(Superelement& s, const Reduction& reduction, const BuiltCase& built,
               const Damping& damping) {
   const auto size = s.K.rows();
-  if (built.sensors.empty() && damping.loss_factors.empty() && damping.modal == 0 &&
-      damping.ranges.empty())
-    return;
-  const MatrixXd u = reduction.field(MatrixXd::Identity(size, size));
-  for (const BuiltSensor& sensor : built.sensors)
-    s.recovery.push_back({.name = sensor.name,
-                          .place = built.model.mesh.nodes[sensor.node],
-                          .rows = u.middleRows<6>(6 * sensor.node)});
+  const MatrixXd identity = MatrixXd::Identity(size, size);
+  std::vector<int> nodes;
+  for (const BuiltSensor& sensor : built.sensors) nodes.push_back(sensor.node);
+  const MatrixXd rows = reduction.field_at(identity, nodes);
+  for (std::size_t k = 0; k < built.sensors.size(); ++k)
+    s.recovery.push_back({.name = built.sensors[k].name,
+                          .place = built.model.mesh.nodes[nodes[k]],
+                          .rows = rows.middleRows<6>(6 * Eigen::Index(k))});
   const VectorXd lambda = reduction.lambda;
   const ModalDamping modal =
       modal_damping({.modal = damping.modal, .ranges = damping.ranges}, built.model, lambda, {}, 0);
@@ -103,7 +115,7 @@ void complete(Superelement& s, const Reduction& reduction, const BuiltCase& buil
   }
   if (damping.loss_factors.empty()) return;
   s.D = MatrixXd::Zero(size, size);
-  const std::vector<MatrixXd> parts = component_stiffness(built.model, u);
+  const std::vector<MatrixXd> parts = component_stiffness(built.model, reduction.field(identity));
   for (const LossFactor& loss : damping.loss_factors)
     for (std::size_t c = 0; c < parts.size(); ++c)
       if (built.model.components[c] == loss.of)

@@ -1,6 +1,7 @@
 #include "reduction/craig_bampton.hpp"
 
 #include "solve/modes.hpp"
+#include "solve/parallel.hpp"
 #include "solve/statics.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -145,6 +146,7 @@ Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, do
   Reduction r{.element = empty_element(model, boundary, blocks->lambda.size()),
               .lambda = blocks->lambda,
               .field = {},
+              .field_at = {},
               .proved = blocks->proved,
               .reason = blocks->reason};
   add_blocks(r.element, *blocks, D, 0);
@@ -154,6 +156,13 @@ Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, do
     const MatrixXd q =
         blocks->Psi * (D.transpose() * c.topRows(n)) + blocks->Phi * c.bottomRows(c.rows() - n);
     return expand(system->map, q);
+  };
+  r.field_at = [field = r.field](const MatrixXd& c, const std::vector<int>& nodes) {
+    const MatrixXd u = field(c);
+    MatrixXd chosen(6 * Eigen::Index(nodes.size()), c.cols());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      chosen.middleRows<6>(6 * Eigen::Index(i)) = u.middleRows<6>(6 * nodes[i]);
+    return chosen;
   };
   return r;
 }
@@ -168,7 +177,8 @@ Reduction craig_bampton(const CyclicModel& given, const std::vector<int>& bounda
   };
   const auto model = std::make_shared<CyclicModel>(given);
   const auto families = std::make_shared<std::vector<Family>>();
-  const auto add = [&](HarmonicSystem system, const Blocks* known) {
+  // The boundary unknowns of a harmonic, and D: the DOFs of the boundary nodes by them.
+  const auto family_of = [&](HarmonicSystem system, const Blocks* known) {
     std::vector<std::pair<int, Eigen::VectorXd>> unknowns; // number, column of D
     for (std::size_t b = 0; b < boundary.size(); ++b)
       for (const AxisUnknown& a : system.axis) {
@@ -188,18 +198,19 @@ Reduction craig_bampton(const CyclicModel& given, const std::vector<int>& bounda
     }
     family.blocks = known ? *known : reduce(system.K, system.M, numbers, cutoff);
     family.system = std::move(system);
-    families->push_back(std::move(family));
+    return family;
   };
   for (int node : boundary)
     for (const Ring& ring : given.model().mesh.rings)
       if (std::find(ring.nodes.begin(), ring.nodes.end(), node) != ring.nodes.end())
         throw std::invalid_argument("boundary node " + std::to_string(node + 1) +
                                     " lies on the wall; by symmetry only nodes on the axis can be");
-  add(model->system({0, false}), nullptr);
-  add(model->system({0, true}), nullptr);
-  add(model->system({1, false}), nullptr);
+  constexpr std::array solved{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
+  families->resize(solved.size());
+  in_parallel(int(solved.size()),
+              [&](int i) { (*families)[i] = family_of(model->system(solved[i]), nullptr); });
   const Blocks cosine = families->back().blocks;
-  add(model->quarter_turned(families->back().system), &cosine);
+  families->push_back(family_of(model->quarter_turned(families->back().system), &cosine));
   Eigen::Index modes = 0;
   for (Family& f : *families) {
     f.first = modes;
@@ -208,6 +219,7 @@ Reduction craig_bampton(const CyclicModel& given, const std::vector<int>& bounda
   Reduction r{.element = empty_element(given.model(), boundary, modes),
               .lambda = VectorXd(modes),
               .field = {},
+              .field_at = {},
               .proved = true,
               .reason = ""};
   for (const Family& f : *families) {
@@ -218,13 +230,18 @@ Reduction craig_bampton(const CyclicModel& given, const std::vector<int>& bounda
       r.reason = "harmonic " + std::to_string(f.system.harmonic.n) + ": " + f.blocks.reason;
   }
   clean(r.element);
-  r.field = [model, families](const MatrixXd& c) {
+  const auto coordinates = [](const Family& f, const MatrixXd& c) {
+    return MatrixXd(f.blocks.Psi * (f.D.transpose() * c.topRows(f.D.rows())) +
+                    f.blocks.Phi * c.middleRows(f.D.rows() + f.first, f.blocks.lambda.size()));
+  };
+  r.field = [model, families, coordinates](const MatrixXd& c) {
     MatrixXd u = MatrixXd::Zero(dof_count(model->model()), c.cols());
-    for (const Family& f : *families) {
-      const MatrixXd q = f.blocks.Psi * (f.D.transpose() * c.topRows(f.D.rows())) +
-                         f.blocks.Phi * c.middleRows(f.D.rows() + f.first, f.blocks.lambda.size());
-      u += model->expand(f.system, q);
-    }
+    for (const Family& f : *families) u += model->expand(f.system, coordinates(f, c));
+    return u;
+  };
+  r.field_at = [model, families, coordinates](const MatrixXd& c, const std::vector<int>& nodes) {
+    MatrixXd u = MatrixXd::Zero(6 * Eigen::Index(nodes.size()), c.cols());
+    for (const Family& f : *families) u += model->expand(f.system, coordinates(f, c), nodes);
     return u;
   };
   return r;

@@ -77,7 +77,7 @@ private:
   }
 
   // Rings and sides of the corners of a quad, and its sector; -1 = not between two neighbours.
-  int sector_of(const ShellQuad& quad, CyclicModel::Belt& belt) const {
+  int sector_of(const ShellQuad& quad, CyclicModel::BeltPlace& belt) const {
     const int N = view_.around_;
     std::array<int, 4> step{};
     int low = view_.rings_, high = -1;
@@ -104,7 +104,7 @@ private:
     const int N = view_.around_;
     std::map<int, const ShellQuad*> first; // by left ring: the quad of sector 0
     std::vector<std::vector<int>> of_sector(N);
-    std::vector<CyclicModel::Belt> belts(model_.mesh.quads.size());
+    std::vector<CyclicModel::BeltPlace> belts(model_.mesh.quads.size());
     for (std::size_t e = 0; e < belts.size(); ++e) {
       const int sector = sector_of(model_.mesh.quads[e], belts[e]);
       if (sector < 0) return "a quad does not lie between two neighbouring rings and steps";
@@ -115,7 +115,7 @@ private:
         return "its sectors differ in number of quads";
       const Eigen::Matrix3d back = turn(-2 * M_PI * j / N).topLeftCorner<3, 3>();
       for (std::size_t k = 0; k < of_sector[j].size(); ++k) {
-        const CyclicModel::Belt &own = belts[of_sector[j][k]], &zero = belts[of_sector[0][k]];
+        const CyclicModel::BeltPlace &own = belts[of_sector[j][k]], &zero = belts[of_sector[0][k]];
         const ShellQuad &a = model_.mesh.quads[of_sector[j][k]],
                         &b = model_.mesh.quads[of_sector[0][k]];
         if (own.ring != zero.ring || own.side != zero.side || a.section != b.section ||
@@ -135,7 +135,9 @@ private:
     return mirrored ? "" : "a sector is not its own mirror image";
   }
 
-  CyclicModel::Belt with_matrices(CyclicModel::Belt belt, const ShellQuad& quad) const {
+  CyclicModel::Belt with_matrices(const CyclicModel::BeltPlace& place,
+                                  const ShellQuad& quad) const {
+    CyclicModel::Belt belt{place, {}, {}};
     const ShellProperties& p = model_.shells[quad.section];
     const ShellGeometry g = shell_geometry(model_.mesh, quad);
     Matrix24 B = Matrix24::Zero();

@@ -264,6 +264,25 @@ MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q) const {
   return u;
 }
 
+MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q,
+                             const std::vector<int>& nodes) const {
+  const MatrixXd all = s.T * q;
+  MatrixXd u = MatrixXd::Zero(6 * Eigen::Index(nodes.size()), q.cols());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const NodePlace& place = place_[nodes[i]];
+    auto own = u.middleRows<6>(6 * Eigen::Index(i));
+    if (place.ring >= 0) {
+      Eigen::Matrix<double, 6, 6> B = cyclic_components(place.step, around_);
+      for (int c = 0; c < 6; ++c) B.col(c) *= weight(s.harmonic, c, place.step);
+      own = B * all.middleRows<6>(6 * Eigen::Index(place.ring));
+    }
+    for (std::size_t k = 0; k < s.axis.size(); ++k)
+      if (s.axis[k].node == nodes[i])
+        own += s.axis[k].direction * all.row(6 * rings_ + Eigen::Index(k));
+  }
+  return u;
+}
+
 MatrixXd CyclicModel::gather(const HarmonicSystem& s, const MatrixXd& force) const {
   MatrixXd all = MatrixXd::Zero(s.T.rows(), force.cols());
   for (int ring = 0; ring < rings_; ++ring)

@@ -61,15 +61,20 @@ public:
 
   // All DOFs (six per node) from independent unknowns, and forces the other way, column by column.
   Eigen::MatrixXd expand(const HarmonicSystem& system, const Eigen::MatrixXd& q) const;
+  // The six DOFs of chosen nodes alone.
+  Eigen::MatrixXd expand(const HarmonicSystem& system, const Eigen::MatrixXd& q,
+                         const std::vector<int>& nodes) const;
   Eigen::MatrixXd gather(const HarmonicSystem& system, const Eigen::MatrixXd& force) const;
 
   // Rigid motions about the origin that the harmonic holds, independent unknowns x 6; zero columns
   // for the others.
   Eigen::MatrixXd rigid_motions(const HarmonicSystem& system) const;
 
-  struct Belt { // one quad of the sector: rings and sides (0 or 1) of its corners, matrices
+  struct BeltPlace { // rings and sides (0 or 1) of the corners of a quad
     std::array<int, 4> ring{}, side{};
-    Matrix24 K, M; // in the components (u_r u_y phi_t u_t phi_r phi_y) of each corner
+  };
+  struct Belt : BeltPlace { // one quad of the sector
+    Matrix24 K, M;          // in the components (u_r u_y phi_t u_t phi_r phi_y) of each corner
   };
   struct NodePlace {
     int ring = -1, step = 0; // ring -1: on the axis

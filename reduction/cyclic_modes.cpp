@@ -1,10 +1,10 @@
 #include "reduction/cyclic_modes.hpp"
 
+#include "solve/parallel.hpp"
 #include "solve/statics.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <numbers>
 
 namespace plica {
@@ -15,21 +15,6 @@ using Eigen::VectorXd;
 
 constexpr int guard_modes = 4; // found beyond those asked for, to place sigma in a gap
 constexpr double pair_tolerance = 1e-5;
-
-// Runs f(i) for i in [0, count) on all cores; the first error is thrown again.
-template <class F> void in_parallel(int count, F&& f) {
-  std::exception_ptr error;
-#pragma omp parallel for schedule(dynamic)
-  for (int i = 0; i < count; ++i) {
-    try {
-      f(i);
-    } catch (...) {
-#pragma omp critical(plica_cyclic_error)
-      error = std::current_exception();
-    }
-  }
-  if (error) std::rethrow_exception(error);
-}
 
 // Finds at least `count` modes of the family.
 void solve_family(CyclicFamily& family, int count) {

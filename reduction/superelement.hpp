@@ -65,6 +65,9 @@ struct Reduction {
   Superelement element;
   Eigen::VectorXd lambda; // of the fixed-interface modes
   std::function<Eigen::MatrixXd(const Eigen::MatrixXd& coordinates)> field;
+  // The same at chosen nodes, six rows each.
+  std::function<Eigen::MatrixXd(const Eigen::MatrixXd& coordinates, const std::vector<int>& nodes)>
+      field_at;
   bool proved = false; // no fixed-interface mode below the cut-off is missing
   std::string reason;  // why not
 };
