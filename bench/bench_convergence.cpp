@@ -45,7 +45,8 @@ Case clamped(const Drawing& d, MembraneStrain membrane, const MeshDensity& mesh)
   Case data;
   data.materials["steel"] = {d.E, 0.3, d.rho};
   data.parts = {{"bellows", bellows}};
-  data.caps = {{.name = "left", .of = "bellows.left"}, {.name = "right", .of = "bellows.right"}};
+  data.caps = {{.name = "left", .of = {"bellows.left"}},
+               {.name = "right", .of = {"bellows.right"}}};
   data.mount = {{.cap = "left"}, {.cap = "right"}};
   data.analyses.modes = Modes{.count = 3};
   data.analyses.modes->proof = false;

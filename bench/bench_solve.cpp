@@ -32,7 +32,8 @@ Case clamped_a2(const Density& n) {
   Case data;
   data.materials["steel"] = {193e9, 0.3, 8000};
   data.parts = {{"bellows", bellows}};
-  data.caps = {{.name = "left", .of = "bellows.left"}, {.name = "right", .of = "bellows.right"}};
+  data.caps = {{.name = "left", .of = {"bellows.left"}},
+               {.name = "right", .of = {"bellows.right"}}};
   data.mount = {{.cap = "left"}, {.cap = "right"}};
   data.analyses.modes = Modes{.count = 10};
   return data;

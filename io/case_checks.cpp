@@ -21,10 +21,15 @@ void check_caps(const Case& data, CheckLog& log) {
   std::map<std::string, std::string> closed;
   for (const Cap& cap : data.caps) {
     const std::string key = "caps." + cap.name;
-    log.reference(key + ".of", "end", cap.of, end_names(data));
-    if (log.fine(key + ".of") && !closed.emplace(cap.of, cap.name).second)
-      log.add(key + ".of", cap.of + " is already closed by cap '" + closed[cap.of] + "'",
-              "one cap per end");
+    for (const std::string& end : cap.of) {
+      log.reference(key + ".of", "end", end, end_names(data));
+      if (log.fine(key + ".of") && !closed.emplace(end, cap.name).second)
+        log.add(key + ".of", end + " is already closed by cap '" + closed[end] + "'",
+                "one cap per end");
+    }
+    if (cap.stiffness && cap.of.size() < 2 && log.fine(key + ".of"))
+      log.add(key + ".stiffness", "is that of a joint, and the cap joins nothing",
+              "give of: [first end, second end]");
     check_inertia(key + ".inertia", cap.inertia, log);
   }
 }

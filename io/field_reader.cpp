@@ -190,6 +190,20 @@ void FieldReader::texts(std::vector<std::string>& x, const char* key, const char
   }
 }
 
+void FieldReader::one_or_more(std::vector<std::string>& x, const char* key, const char* help) {
+  const YamlNode* node = take(key, true, help);
+  if (!node) return;
+  const auto add = [&](const YamlNode& item, const std::string& path) {
+    if (item.kind == YamlNode::Kind::scalar && !item.text.empty())
+      x.push_back(item.text);
+    else
+      log_.add(item.line, path, "is " + kind_of(item), "allowed: a text, or a list of texts");
+  };
+  if (node->kind != YamlNode::Kind::list) return add(*node, at(key));
+  if (!items(*node, at(key), 1, 100, help)) return;
+  for (std::size_t i = 0; i < node->items.size(); ++i) add(node->items[i], at(key, i));
+}
+
 std::string FieldReader::one_word_of(const char* help, const std::vector<std::string>& names) {
   std::string text = help;
   for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? ": " : ", ") + names[i];

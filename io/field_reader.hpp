@@ -44,6 +44,12 @@ public:
     if (const YamlNode* node = take(key, q.required, help)) numbers(*node, at(key), x.data(), N, q);
   }
   template <std::size_t N>
+  void quantities(std::optional<std::array<double, N>>& x, const char* key, const Quantity& q,
+                  const char* help) {
+    if (const YamlNode* node = take(key, q.required, help))
+      numbers(*node, at(key), x.emplace().data(), N, q);
+  }
+  template <std::size_t N>
   void points(std::vector<std::array<double, N>>& x, const char* key, const Quantity& q,
               const char* help) {
     const YamlNode* node = take(key, q.required, help);
@@ -69,6 +75,7 @@ public:
   void flag(bool& x, const char* key, const char* help);
   void text(std::string& x, const char* key, const Text& t, const char* help);
   void texts(std::vector<std::string>& x, const char* key, const char* help);
+  void one_or_more(std::vector<std::string>& x, const char* key, const char* help);
 
   template <class E>
   void choice(E& x, const char* key, const std::type_identity_t<std::vector<Named<E>>>& names,

@@ -61,7 +61,9 @@ void check(const std::string& key, const Interlock& i, const Case& data, CheckLo
     return;
   for (const char* end : {".left", ".right"}) {
     const std::string set = i.along + end;
-    if (std::none_of(data.caps.begin(), data.caps.end(), [&](const Cap& c) { return c.of == set; }))
+    if (std::none_of(data.caps.begin(), data.caps.end(), [&](const Cap& c) {
+          return std::find(c.of.begin(), c.of.end(), set) != c.of.end();
+        }))
       log.add(key + ".attachment", "there is no cap of " + set + " to tie it to",
               "add that cap, or attachment: synchronous");
   }

@@ -55,6 +55,8 @@ void check_damping(const Case& data, CheckLog& log) {
     if (!std::holds_alternative<PointMass>(part.body)) components.push_back(part.name);
   for (const Mount& m : data.mount)
     if (m.kind == MountKind::springs) components.push_back("mount." + m.cap);
+  for (const Cap& cap : data.caps)
+    if (cap.stiffness) components.push_back("caps." + cap.name);
   std::set<std::string> damped;
   for (std::size_t i = 0; i < d.loss_factors.size(); ++i) {
     const std::string place = item(key + ".loss_factors", i) + ".of";

@@ -77,6 +77,15 @@ public:
   void texts(std::vector<std::string>&, const char* key, const char* help) {
     add(key, list_schema(text_schema({}, ""), 0, 1000, help), false);
   }
+  void one_or_more(std::vector<std::string>&, const char* key, const char* help) {
+    const Json one = text_schema({}, "");
+    add(key, {{"oneOf", {one, list_schema(one, 1, 100, "")}}, {"description", help}}, true);
+  }
+  template <std::size_t N>
+  void quantities(std::optional<std::array<double, N>>&, const char* key, const Quantity& q,
+                  const char* help) {
+    add(key, row(int(N), q, help), q.required);
+  }
   template <class E>
   void choice(E& x, const char* key, const std::type_identity_t<std::vector<Named<E>>>& names,
               const Need& need, const char* help) {

@@ -167,22 +167,42 @@ private:
     return pipe_section(material, s.radius, s.thickness);
   }
 
+  // Reference node in the middle of the circles, tied rigidly to them.
+  int add_spider(const std::string& cap, const std::vector<int>& circles) {
+    const int node = add_node(built_.model, centroid(built_.model.mesh, circles));
+    add_kinematic_coupling(built_.model, node, circles, all_dofs, "spider of cap " + cap);
+    return node;
+  }
+
   void add_caps() {
     for (const Cap& cap : case_.caps) {
-      const std::vector<int> circle = set_of(built_.model, cap.of, "caps." + cap.name + ".of");
-      const int node = add_node(built_.model, centroid(built_.model.mesh, circle));
+      std::vector<int> first, others;
+      for (const std::string& end : cap.of) {
+        const std::vector<int>& circle = set_of(built_.model, end, "caps." + cap.name + ".of");
+        std::vector<int>& side = first.empty() || !cap.stiffness ? first : others;
+        side.insert(side.end(), circle.begin(), circle.end());
+      }
+      const int node = add_spider(cap.name, first);
       built_.cap_nodes[cap.name] = node;
-      add_kinematic_coupling(built_.model, node, circle, all_dofs, "spider of cap " + cap.name);
+      for (const std::string& end : cap.of) cap_of_end_[end] = node;
       if (has_mass(cap.mass, cap.inertia))
         built_.model.masses.push_back({node, rigid_mass(cap.mass, cap.inertia, cap.offset)});
+      if (!others.empty()) add_joint(cap, node, others);
     }
+  }
+
+  void add_joint(const Cap& cap, int node, const std::vector<int>& others) {
+    BushingElement joint{.node1 = node, .node2 = add_spider(cap.name, others), .bushing = {}};
+    joint.component = component("caps." + cap.name);
+    for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = (*cap.stiffness)[i];
+    built_.model.bushings.push_back(joint);
+    for (std::size_t i = 1; i < cap.of.size(); ++i) cap_of_end_[cap.of[i]] = joint.node2;
   }
 
   // Reference node of the cap on a set, -1 = none.
   int cap_on(const std::string& set) const {
-    for (const Cap& cap : case_.caps)
-      if (cap.of == set) return built_.cap_nodes.at(cap.name);
-    return -1;
+    const auto found = cap_of_end_.find(set);
+    return found == cap_of_end_.end() ? -1 : found->second;
   }
 
   void add_mass(const std::string& name, const PointMass& mass) {
@@ -311,6 +331,7 @@ private:
 
   const Case& case_;
   BuiltCase built_;
+  std::map<std::string, int> cap_of_end_;
 };
 
 } // namespace

@@ -126,10 +126,13 @@ struct Part {
   std::variant<Bellows, Interlock, Plate, BeamPart, PointMass> body;
 };
 
-// Rigid end cap or flange: reference node in the middle of an end circle, tied to it.
+// Rigid end cap or flange: reference node in the middle of an end circle, tied to it. On the ends
+// of several parts it joins them, a clamp.
 struct Cap {
   std::string name;
-  std::string of; // set it closes, e.g. "bellows.left"
+  std::vector<std::string> of = {}; // sets it closes, e.g. "bellows.left"
+  std::optional<Sextuple> stiffness =
+      {}; // springs between the first end and the others; none = rigid
   double mass = 0;
   Sextuple inertia{}; // about its centre of mass, kg m2
   Triple offset{};    // reference node to centre of mass

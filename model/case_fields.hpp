@@ -200,7 +200,14 @@ template <class V> void fields(V& v, Part& p) {
 }
 
 template <class V> void fields(V& v, Cap& c) {
-  v.text(c.of, "of", {.required = true}, "end circle it closes, e.g. bellows.left");
+  v.one_or_more(c.of, "of", "end circle it closes, e.g. bellows.left, or a list of ends it joins");
+  v.quantities(c.stiffness, "stiffness",
+               {.unit = Dimension::stiffness,
+                .min = 0,
+                .exclusive_min = true,
+                .tail = Dimension::rotational_stiffness},
+               "of a joint between the first end and the others: [ux, uy, uz, rx, ry, rz]; left "
+               "out: rigid");
   v.quantity(c.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
   v.quantities(c.inertia, "inertia", {.unit = Dimension::inertia},
                "about its centre of mass: [xx, yy, zz, xy, yz, zx]");

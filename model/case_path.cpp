@@ -16,6 +16,12 @@ public:
   void quantity(std::optional<double>& x, const char* key, const Quantity&, const char*) {
     if (x) meet(*x, below(key));
   }
+  template <std::size_t N>
+  void quantities(std::optional<std::array<double, N>>& x, const char* key, const Quantity& q,
+                  const char* help) {
+    if (x) quantities(*x, key, q, help);
+  }
+  void one_or_more(std::vector<std::string>&, const char*, const char*) {}
   template <class List> void quantities(List& x, const char* key, const Quantity&, const char*) {
     for (std::size_t i = 0; i < x.size(); ++i) meet(x[i], below(key, i));
   }

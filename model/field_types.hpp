@@ -7,6 +7,7 @@
 //   points      a list of lists, into a vector or array of std::array<double, N>
 //   whole       an integer, or std::array<int, N>
 //   flag, text, texts
+//   one_or_more one text, or a list of them; required
 //   choice      one word out of several; `tag`: the same, and it decides which keys follow
 //   choices     a list of words, into std::vector<int>
 //   object      a nested struct; also into std::optional<T>

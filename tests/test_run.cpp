@@ -2,6 +2,7 @@
 #include "tests/bellows_case.hpp"
 
 #include "model/input_error.hpp"
+#include "model/route.hpp"
 
 #include <numbers>
 
@@ -28,7 +29,7 @@ Case tube(double mass_per_length) {
   Case data;
   data.name = "tube";
   data.parts = {{"tube", beam}};
-  data.caps = {{.name = "left", .of = "tube.start"}, {.name = "right", .of = "tube.end"}};
+  data.caps = {{.name = "left", .of = {"tube.start"}}, {.name = "right", .of = {"tube.end"}}};
   data.mount = {{.cap = "left"}, {.cap = "right"}};
   return data;
 }
@@ -83,6 +84,32 @@ TEST(SpringMount, carries_a_stiff_tube_on_six_springs) {
   const std::array wanted{1e4, 1e4 + turning, 4e4, 9e4, 9e4 + turning};
   for (int i = 0; i < 5; ++i)
     EXPECT_NEAR(results.modes[i].frequency / (std::sqrt(wanted[i] / 2) / (2 * pi)), 1, 1e-5) << i;
+}
+
+// Two tubes end to end joined by a cap: one tube of twice the length; with a soft joint in between,
+// springs in series.
+TEST(Joint, of_two_parts_is_rigid_or_a_spring) {
+  Case data = tube(1);
+  BeamPart second = std::get<BeamPart>(data.parts[0].body);
+  second.points = {{0, L, 0}, {0, 2 * L, 0}};
+  data.parts.push_back({"more", second});
+  data.caps = {{.name = "left", .of = {"tube.start"}}, {.name = "right", .of = {"more.end"}}};
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.caps.push_back({.name = "clamp", .of = {"tube.end", "more.start"}});
+  data.analyses.statics = false;
+  const auto axial = [](const Case& c) {
+    const BuiltCase built = build(c);
+    std::map<std::string, double> timing;
+    const auto route = full_route(
+        built, "", [](const std::string&) {}, timing);
+    return end_stiffness(
+               (*route->end_stiffness({built.cap_nodes.at("left"), built.cap_nodes.at("right")}))
+                   .bottomRightCorner<6, 6>())
+        .axial;
+  };
+  EXPECT_NEAR(axial(data) / (EA / (2 * L)), 1, 1e-9);
+  data.caps.back().stiffness = Sextuple{1e8, 1e6, 1e8, 1e6, 1e6, 1e6};
+  EXPECT_NEAR(axial(data) / (1 / (2 * L / EA + 1e-6)), 1, 1e-9);
 }
 
 TEST(FreeMount, has_six_rigid_modes_and_the_bending_of_a_free_beam) {
