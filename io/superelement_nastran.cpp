@@ -27,11 +27,13 @@ std::string field16(double x) {
   return "0.0";
 }
 
+// Reads 1.5+3, 1.5D+3 and 1.5e+3.
 double number_of(std::string text) {
   text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  std::replace(text.begin(), text.end(), 'D', 'e');
   const std::size_t sign = text.find_first_of("+-", 1);
-  if (sign != std::string::npos && text[sign - 1] != 'e' && text[sign - 1] != 'E')
-    text.insert(text[sign - 1] == 'D' ? sign : sign, "e");
+  if (sign != std::string::npos && text.find_first_of("eE") == std::string::npos)
+    text.insert(sign, "e");
   std::size_t used = 0;
   const double x = std::stod(text, &used);
   if (used != text.size()) throw std::invalid_argument(text);
