@@ -96,7 +96,7 @@ private:
           .bending_factor = ply_bending_factor(bellows.wall.plies, bellows.wall.bond)},
          bellows.membrane,
          component(name)});
-    if (!built_.meridian.empty()) return;
+    if (!built_.meridian.empty() && bellows.start < built_.meridian.back()[0] - 1e-9) return;
     for (const auto& curve : mesh_meridian(meridian))
       for (const MeridianPoint& p : curve)
         built_.meridian.push_back({p.position.x(), p.position.y()});

@@ -18,7 +18,8 @@ struct BuiltCase {
   std::map<std::string, int> cap_nodes; // reference node of each cap
   std::vector<int> held_nodes;          // reference nodes of rigidly mounted caps
   std::vector<BuiltSensor> sensors;
-  std::vector<std::array<double, 2>> meridian; // [y, r] of the first shell of revolution
+  std::vector<std::array<double, 2>>
+      meridian; // [y, r] of the shells of revolution that follow one another
 };
 
 // Throws InputError (key paths, no file or line) for what only the mesh can tell: a sensor off the

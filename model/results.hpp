@@ -169,7 +169,7 @@ struct Results {
   Mesh mesh;
   std::vector<std::array<int, 2>> lines;
   std::vector<Eigen::MatrixXd> shapes;
-  std::vector<std::array<double, 2>> meridian; // [y, r] along the first shell of revolution
+  std::vector<std::array<double, 2>> meridian; // [y, r] along the shells of revolution
 };
 
 // Headline numbers by name: "k_axial", "f_axial", "f_transverse", "f_torsion", "mass".
