@@ -249,19 +249,28 @@ HarmonicSystem CyclicModel::quarter_turned(HarmonicSystem s) const {
   return s;
 }
 
+Eigen::Matrix<double, 6, 6> CyclicModel::components(const Harmonic& h, int step) const {
+  Eigen::Matrix<double, 6, 6> B = cyclic_components(step, around_);
+  for (int c = 0; c < 6; ++c) B.col(c) *= weight(h, c, step);
+  return B;
+}
+
 MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q) const {
-  const MatrixXd all = s.T * q;
   MatrixXd u = MatrixXd::Zero(dof_count(*model_), q.cols());
-  for (int ring = 0; ring < rings_; ++ring)
-    for (int step = 0; step < around_; ++step) {
-      Eigen::Matrix<double, 6, 6> B = cyclic_components(step, around_);
-      for (int c = 0; c < 6; ++c) B.col(c) *= weight(s.harmonic, c, step);
-      u.middleRows<6>(6 * model_->mesh.rings[ring].nodes[step]) =
+  add_expanded(s, q, u);
+  return u;
+}
+
+void CyclicModel::add_expanded(const HarmonicSystem& s, const MatrixXd& q, MatrixXd& u) const {
+  const MatrixXd all = s.T * q;
+  for (int step = 0; step < around_; ++step) {
+    const Eigen::Matrix<double, 6, 6> B = components(s.harmonic, step);
+    for (int ring = 0; ring < rings_; ++ring)
+      u.middleRows<6>(6 * model_->mesh.rings[ring].nodes[step]) +=
           B * all.middleRows<6>(6 * Eigen::Index(ring));
-    }
+  }
   for (std::size_t k = 0; k < s.axis.size(); ++k)
     u.middleRows<6>(6 * s.axis[k].node) += s.axis[k].direction * all.row(6 * rings_ + k);
-  return u;
 }
 
 MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q,
@@ -271,11 +280,8 @@ MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q,
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const NodePlace& place = place_[nodes[i]];
     auto own = u.middleRows<6>(6 * Eigen::Index(i));
-    if (place.ring >= 0) {
-      Eigen::Matrix<double, 6, 6> B = cyclic_components(place.step, around_);
-      for (int c = 0; c < 6; ++c) B.col(c) *= weight(s.harmonic, c, place.step);
-      own = B * all.middleRows<6>(6 * Eigen::Index(place.ring));
-    }
+    if (place.ring >= 0)
+      own = components(s.harmonic, place.step) * all.middleRows<6>(6 * Eigen::Index(place.ring));
     for (std::size_t k = 0; k < s.axis.size(); ++k)
       if (s.axis[k].node == nodes[i])
         own += s.axis[k].direction * all.row(6 * rings_ + Eigen::Index(k));
@@ -285,13 +291,12 @@ MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q,
 
 MatrixXd CyclicModel::gather(const HarmonicSystem& s, const MatrixXd& force) const {
   MatrixXd all = MatrixXd::Zero(s.T.rows(), force.cols());
-  for (int ring = 0; ring < rings_; ++ring)
-    for (int step = 0; step < around_; ++step) {
-      Eigen::Matrix<double, 6, 6> B = cyclic_components(step, around_);
-      for (int c = 0; c < 6; ++c) B.col(c) *= weight(s.harmonic, c, step);
+  for (int step = 0; step < around_; ++step) {
+    const Eigen::Matrix<double, 6, 6> B = components(s.harmonic, step);
+    for (int ring = 0; ring < rings_; ++ring)
       all.middleRows<6>(6 * Eigen::Index(ring)) +=
           B.transpose() * force.middleRows<6>(6 * model_->mesh.rings[ring].nodes[step]);
-    }
+  }
   for (std::size_t k = 0; k < s.axis.size(); ++k)
     all.row(6 * rings_ + k) +=
         s.axis[k].direction.transpose() * force.middleRows<6>(6 * s.axis[k].node);

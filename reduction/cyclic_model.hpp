@@ -61,6 +61,8 @@ public:
 
   // All DOFs (six per node) from independent unknowns, and forces the other way, column by column.
   Eigen::MatrixXd expand(const HarmonicSystem& system, const Eigen::MatrixXd& q) const;
+  void add_expanded(const HarmonicSystem& system, const Eigen::MatrixXd& q,
+                    Eigen::MatrixXd& u) const;
   // The six DOFs of chosen nodes alone.
   Eigen::MatrixXd expand(const HarmonicSystem& system, const Eigen::MatrixXd& q,
                          const std::vector<int>& nodes) const;
@@ -70,14 +72,19 @@ public:
   // for the others.
   Eigen::MatrixXd rigid_motions(const HarmonicSystem& system) const;
 
+  struct NodePlace {
+    int ring = -1, step = 0; // ring -1: on the axis
+  };
+  NodePlace place(int node) const { return place_[node]; }
+
+  // The six DOFs of the node at a step by the six components of its ring.
+  Eigen::Matrix<double, 6, 6> components(const Harmonic& harmonic, int step) const;
+
   struct BeltPlace { // rings and sides (0 or 1) of the corners of a quad
     std::array<int, 4> ring{}, side{};
   };
   struct Belt : BeltPlace { // one quad of the sector
     Matrix24 K, M;          // in the components (u_r u_y phi_t u_t phi_r phi_y) of each corner
-  };
-  struct NodePlace {
-    int ring = -1, step = 0; // ring -1: on the axis
   };
 
 private:

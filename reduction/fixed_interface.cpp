@@ -1,0 +1,113 @@
+#include "reduction/fixed_interface.hpp"
+
+#include "solve/modes.hpp"
+#include "solve/statics.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct FixedModes {
+  VectorXd lambda;
+  MatrixXd Phi;
+  bool proved = false;
+  std::string reason;
+};
+
+// All of a small system at once: M x = mu K x, for M may be semidefinite.
+FixedModes all_modes(const SparseMatrix& K, const SparseMatrix& M, double highest) {
+  const MatrixXd k = MatrixXd(K).selfadjointView<Eigen::Lower>(),
+                 m = MatrixXd(M).selfadjointView<Eigen::Lower>();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(m, k);
+  std::vector<int> kept;
+  for (Eigen::Index j = solver.eigenvalues().size() - 1; j >= 0; --j)
+    if (solver.eigenvalues()[j] * highest >= 1) kept.push_back(int(j));
+  FixedModes modes{.lambda = solver.eigenvalues()(kept).cwiseInverse(),
+                   .Phi = solver.eigenvectors()(Eigen::all, kept),
+                   .proved = true,
+                   .reason = ""};
+  for (Eigen::Index j = 0; j < modes.lambda.size(); ++j) // from K- to mass-normalised
+    modes.Phi.col(j) *= std::sqrt(modes.lambda[j]);
+  return modes;
+}
+
+FixedModes fixed_modes(const SparseMatrix& K, const SparseMatrix& M, double cutoff,
+                       BaseFactor& base) {
+  constexpr int small = 150; // unknowns for which all modes at once are the simplest way
+  const double highest = std::pow(2 * std::numbers::pi * cutoff, 2);
+  if (K.rows() <= small) return all_modes(K, M, highest);
+  if (base.factor.factorise(shifted(K, M, highest)).ok) // definite: no mode below
+    return {.lambda = VectorXd(0), .Phi = MatrixXd(K.rows(), 0), .proved = true, .reason = ""};
+  base.factor.factorise(K);
+  const ModeSet set = find_modes(K, M, {.band = {0, cutoff}}, base);
+  return {set.lambda, set.Phi, set.proof.passed, set.proof.reason};
+}
+
+MatrixXd symmetrised(const MatrixXd& A) {
+  return (A + A.transpose()) / 2;
+}
+
+} // namespace
+
+FixedInterface fixed_interface(const SparseMatrix& K, const SparseMatrix& M,
+                               const std::vector<int>& boundary, double cutoff,
+                               const MatrixXd& loads) {
+  const auto n = static_cast<int>(K.rows());
+  const auto nb = static_cast<Eigen::Index>(boundary.size());
+  const std::vector<int> inner = complement(n, boundary);
+  const SparseMatrix K_ii = restrict_to(K, inner), M_ii = restrict_to(M, inner);
+  BaseFactor base = factor_below_spectrum(K_ii, M_ii);
+  if (base.sigma != 0)
+    throw std::runtime_error("the part is a mechanism when its boundary is held");
+  FixedInterface f;
+  f.Psi = nb > 0 ? follow_boundary(K, boundary, base.factor, MatrixXd::Identity(nb, nb))
+                 : MatrixXd(n, 0);
+  f.X = MatrixXd::Zero(n, loads.cols());
+  if (loads.cols() > 0) f.X(inner, Eigen::all) = base.factor.solve(loads(inner, Eigen::all));
+  const MatrixXd MPsi = symmetric_product(M, f.Psi);
+  f.K_bb = symmetrised(symmetric_product(K, f.Psi)(boundary, Eigen::all)); // zero elsewhere
+  f.M_bb = symmetrised(f.Psi.transpose() * MPsi);
+  const FixedModes fixed = fixed_modes(K_ii, M_ii, cutoff, base);
+  f.lambda = fixed.lambda;
+  f.Phi = MatrixXd::Zero(n, fixed.Phi.cols());
+  f.Phi(inner, Eigen::all) = fixed.Phi;
+  f.M_bq = MPsi.transpose() * f.Phi;
+  f.proved = fixed.proved;
+  f.reason = fixed.reason;
+  return f;
+}
+
+void check_boundary(const Model& model, const std::vector<int>& boundary) {
+  if (boundary.empty()) throw std::invalid_argument("a superelement needs a boundary node");
+  std::vector<int> sorted = boundary;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    throw std::invalid_argument("boundary node " + std::to_string(*twice + 1) + " is given twice");
+  for (const Constraint& c : model.constraints)
+    if (std::binary_search(sorted.begin(), sorted.end(), c.node))
+      throw std::invalid_argument("boundary node " + std::to_string(c.node + 1) +
+                                  " is the dependent side of " + c.origin +
+                                  "; take its reference node");
+}
+
+Superelement empty_superelement(const Model& model, const std::vector<int>& boundary,
+                                Eigen::Index modes) {
+  Superelement s;
+  for (int node : boundary) {
+    s.nodes.push_back(model.mesh.nodes[node]);
+    s.node_names.push_back("node " + std::to_string(node + 1));
+  }
+  s.K = MatrixXd::Zero(s.boundary() + modes, s.boundary() + modes);
+  s.M = s.K;
+  return s;
+}
+
+} // namespace plica
