@@ -230,8 +230,15 @@ struct Stress {
 // when it is not, or never.
 enum class Symmetry { automatic, required, off };
 
+// Solve with a superelement in place of every part between caps.
+struct ReductionRequest {
+  double cutoff =
+      0; // of the modes with the caps held, Hz; 0 = twice the highest frequency asked for
+};
+
 struct Analyses {
   Symmetry symmetry = Symmetry::automatic;
+  std::optional<ReductionRequest> reduction;
   bool statics = true; // end stiffness between two caps (needs exactly two)
   std::optional<Modes> modes;
   Damping damping;
@@ -239,6 +246,10 @@ struct Analyses {
   std::optional<Stress> stress;
   bool error_bars = true; // discretisation and tolerances of the headline numbers
 };
+
+// Cut-off of a reduction, Hz: as asked, or twice the upper end of the bands of response and modes,
+// or 1000 Hz where there is none.
+double reduction_cutoff(const Analyses& analyses);
 
 // The same case with some numbers changed: shown beside the nominal results.
 struct Variant {

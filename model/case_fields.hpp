@@ -335,12 +335,19 @@ template <class V> void fields(V& v, Stress& s) {
                "harmonic stress at these, under every base direction and force");
 }
 
+template <class V> void fields(V& v, ReductionRequest& r) {
+  v.quantity(r.cutoff, "cutoff", {.unit = Dimension::frequency, .min = 0, .exclusive_min = true},
+             "of the modes of a part with its caps held; twice the highest frequency asked for");
+}
+
 template <class V> void fields(V& v, Analyses& a) {
   v.choice(a.symmetry, "symmetry",
            {{Symmetry::automatic, "automatic"},
             {Symmetry::required, "required"},
             {Symmetry::off, "off"}},
            optional_key, "solve harmonic by harmonic where the part repeats around its axis");
+  v.object(a.reduction, "reduction", optional_key,
+           "solve with a superelement in place of every part between caps");
   v.flag(a.statics, "static", "static stiffness between the two caps");
   v.object(a.modes, "modes", optional_key, "natural modes");
   v.object(a.damping, "damping", optional_key, "damping of the modes");

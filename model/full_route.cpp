@@ -196,8 +196,11 @@ std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& rea
   return std::make_unique<FullRoute>(built, reason, stage, timing);
 }
 
-std::unique_ptr<Route> choose_route(const BuiltCase& built, Symmetry symmetry,
+std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing) {
+  const Symmetry symmetry = analyses.symmetry;
+  if (analyses.reduction)
+    return reduced_route(built, reduction_cutoff(analyses), symmetry, stage, timing);
   if (symmetry == Symmetry::off) return full_route(built, "as the case asks", stage, timing);
   Stopwatch watch;
   stage("symmetry");

@@ -131,9 +131,7 @@ ReducedCase reduce_case(const Case& given, double cutoff,
   if (data.caps.empty())
     fail("caps", "has none, and they are the boundary of a superelement", "give at least one cap");
   ReducedCase result;
-  result.cutoff = cutoff > 0               ? cutoff
-                  : data.analyses.response ? 2 * data.analyses.response->band[1]
-                                           : 1000;
+  result.cutoff = cutoff > 0 ? cutoff : reduction_cutoff(data.analyses);
   Stopwatch watch;
   stage("mesh");
   const BuiltCase built = build(data);

@@ -1,5 +1,5 @@
 // How a run is solved: on the full mesh, or harmonic by harmonic where the part repeats around its
-// axis. Both give the same numbers.
+// axis, which gives the same numbers; or with superelements in place of the parts between caps.
 #pragma once
 
 #include "model/build.hpp"
@@ -64,16 +64,18 @@ using Timing = std::map<std::string, double>;
 
 // `stage` hears what begins; times go into `timing`, which must outlive the route. Throws
 // InputError when the case asks for symmetry and the part has none, and as assemble() does.
-std::unique_ptr<Route> choose_route(const BuiltCase& built, Symmetry symmetry,
+std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing);
 
 // Throws InputError: loads need a part that is held.
 void require_held(bool free_body);
 
-// The two routes, for tests and benchmarks.
+// The routes, for tests and benchmarks.
 std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& reason,
                                   const StageListener& stage, Timing& timing);
 std::unique_ptr<Route> cyclic_route(const BuiltCase& built, CyclicModel model,
                                     const StageListener& stage, Timing& timing);
+std::unique_ptr<Route> reduced_route(const BuiltCase& built, double cutoff, Symmetry symmetry,
+                                     const StageListener& stage, Timing& timing);
 
 } // namespace plica

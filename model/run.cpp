@@ -23,7 +23,7 @@ public:
     stage_("mesh");
     built_ = build(case_);
     lap("mesh");
-    route_ = choose_route(built_, case_.analyses.symmetry, stage_, results_.timing);
+    route_ = choose_route(built_, case_.analyses, stage_, results_.timing);
     describe();
     if (case_.analyses.statics && case_.caps.size() == 2) statics();
     if (case_.analyses.modes) modes();

@@ -1,0 +1,152 @@
+#include "model/input_error.hpp"
+#include "model/route.hpp"
+#include "reduction/substructures.hpp"
+#include "solve/constraints.hpp"
+#include "solve/mode_labels.hpp"
+#include "solve/stopwatch.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+// Caps, and what carries a body or a spring on a wall: where parts meet or symmetry would end.
+std::vector<int> interface_nodes(const BuiltCase& built) {
+  std::set<int> nodes;
+  for (const auto& [name, node] : built.cap_nodes) nodes.insert(node);
+  std::set<int> wall;
+  for (const Ring& ring : built.model.mesh.rings) wall.insert(ring.nodes.begin(), ring.nodes.end());
+  for (const Constraint& c : built.model.constraints) wall.erase(c.node);
+  const auto attached = [&](int node) {
+    if (wall.contains(node)) nodes.insert(node);
+  };
+  for (const MassElement& m : built.model.masses) attached(m.node);
+  for (const BushingElement& b : built.model.bushings) {
+    attached(b.node1);
+    attached(b.node2);
+  }
+  for (const BeamElement& b : built.model.beams) {
+    attached(b.node1);
+    attached(b.node2);
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+ReducedModel reduced_model(const BuiltCase& built, double cutoff, bool symmetry) {
+  try {
+    return reduce_substructures(built.model, interface_nodes(built), cutoff, symmetry);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{.file = "",
+                       .line = 0,
+                       .key = "analyses.reduction",
+                       .wrong = error.what(),
+                       .allowed = "parts that are joined by caps"}});
+  }
+}
+
+// Solves the full route's way what is left when every part between caps is a superelement.
+class ReducedRoute : public Route {
+public:
+  ReducedRoute(const BuiltCase& built, double cutoff, Symmetry symmetry, const StageListener& stage,
+               Timing& timing)
+      : built_(built), stage_(stage), timing_(timing), unknowns_(eliminate(built.model).size()) {
+    stage_("reduction");
+    reduced_ = reduced_model(built, cutoff, symmetry != Symmetry::off);
+    if (symmetry == Symmetry::required) require_symmetry();
+    watch_.lap(timing_, "reduction");
+    frame_.model = reduced_.model;
+    for (const auto& [name, node] : built.cap_nodes) frame_.cap_nodes[name] = reduced_.number[node];
+    for (int node : built.held_nodes) frame_.held_nodes.push_back(reduced_.number[node]);
+    frame_route_ = full_route(frame_, "", stage_, timing_);
+  }
+
+  std::string name() const override {
+    std::set<std::string> routes;
+    for (const Instance& i : reduced_.instances)
+      routes.insert(i.reduced->sectors > 0
+                        ? "rotational symmetry, " + std::to_string(i.reduced->sectors) + " sectors"
+                        : "full mesh: " + i.reduced->because);
+    std::string text = std::to_string(reduced_.instances.size()) + " superelements of " +
+                       std::to_string(reduced_.reductions) + " reductions";
+    for (const std::string& route : routes) text += "; " + route;
+    return text;
+  }
+  int unknowns() const override { return unknowns_; }
+  double mass() const override { return frame_route_->mass(); }
+
+  std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
+    return frame_route_->end_stiffness(in_frame(caps));
+  }
+  MatrixXd follow(const std::array<int, 2>& caps, const MatrixXd& motion) override {
+    return reduced_.field(frame_route_->follow(in_frame(caps), motion));
+  }
+
+  ModalSolution modes(const ModesRequest& request, const Loads& loads,
+                      const std::vector<int>& sensors) override {
+    const Loads reduced{.base = loads.base,
+                        .force = loads.base.empty() ? MatrixXd() : reduced_.gather(loads.force),
+                        .rigid = {}};
+    ModalSolution s = frame_route_->modes(request, reduced, {});
+    if (!reduced_.proved) {
+      s.proof.passed = false;
+      s.proof.reason = "a substructure: " + reduced_.reason;
+    }
+    stage_("recovery");
+    watch_ = Stopwatch();
+    s.u = reduced_.field(s.u);
+    orient(sensors, s);
+    watch_.lap(s.timing, "recovery");
+    return s;
+  }
+
+private:
+  void require_symmetry() const {
+    for (const Instance& i : reduced_.instances)
+      if (i.reduced->sectors == 0)
+        throw InputError({{.file = "",
+                           .line = 0,
+                           .key = "analyses.symmetry",
+                           .wrong = "is required, but a part between caps does not repeat around "
+                                    "its axis: " +
+                                    i.reduced->because,
+                           .allowed = "mend that, or let symmetry be automatic"}});
+  }
+
+  std::array<int, 2> in_frame(const std::array<int, 2>& caps) const {
+    return {reduced_.number[caps[0]], reduced_.number[caps[1]]};
+  }
+
+  // What turns with the vectors of a pair: their inputs and participations.
+  void orient(const std::vector<int>& sensors, ModalSolution& s) const {
+    const Index loads = s.input.cols();
+    MatrixXd along(loads + 6, s.modes);
+    along << s.input.topRows(s.modes).transpose(), s.participation.transpose();
+    MatrixXd u = s.u.leftCols(s.modes);
+    orient_modes(built_.model, sensors, s.lambda.head(s.modes), along, u);
+    s.u.leftCols(s.modes) = u;
+    s.input.topRows(s.modes) = along.topRows(loads).transpose();
+    s.participation = along.bottomRows(6).transpose();
+  }
+
+  const BuiltCase& built_;
+  const StageListener& stage_;
+  Timing& timing_;
+  Stopwatch watch_;
+  int unknowns_;
+  ReducedModel reduced_;
+  BuiltCase frame_;
+  std::unique_ptr<Route> frame_route_;
+};
+
+} // namespace
+
+std::unique_ptr<Route> reduced_route(const BuiltCase& built, double cutoff, Symmetry symmetry,
+                                     const StageListener& stage, Timing& timing) {
+  return std::make_unique<ReducedRoute>(built, cutoff, symmetry, stage, timing);
+}
+
+} // namespace plica

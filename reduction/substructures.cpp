@@ -1,0 +1,222 @@
+#include "reduction/substructures.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+// Sets of nodes that grow together (Tarjan, J. ACM 22 (1975) 215).
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int root(int node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+  void join(int a, int b) { parent_[root(a)] = root(b); }
+
+private:
+  std::vector<int> parent_;
+};
+
+std::vector<int> nodes_of(const ShellQuad& q) {
+  return {q.nodes.begin(), q.nodes.end()};
+}
+std::vector<int> nodes_of(const BeamElement& b) {
+  return {b.node1, b.node2};
+}
+std::vector<int> nodes_of(const MassElement& m) {
+  return {m.node};
+}
+std::vector<int> nodes_of(const BushingElement& b) {
+  return b.node2 < 0 ? std::vector<int>{b.node1} : std::vector<int>{b.node1, b.node2};
+}
+std::vector<int> nodes_of(const MatrixElement& m) {
+  return m.nodes;
+}
+std::vector<int> nodes_of(const Constraint& c) {
+  std::vector<int> nodes{c.node};
+  for (const ConstraintTerm& t : c.terms) nodes.push_back(t.node);
+  return nodes;
+}
+
+template <class F> void for_each_item(const Model& model, F&& f) {
+  for (const ShellQuad& x : model.mesh.quads) f(x);
+  for (const BeamElement& x : model.beams) f(x);
+  for (const MassElement& x : model.masses) f(x);
+  for (const BushingElement& x : model.bushings) f(x);
+  for (const MatrixElement& x : model.matrices) f(x);
+  for (const Constraint& x : model.constraints) f(x);
+}
+
+using Numbers = std::vector<int>; // new number per node, -1 = not there
+
+void renumber(ShellQuad& q, const Numbers& to) {
+  for (int& node : q.nodes) node = to[node];
+}
+void renumber(BeamElement& b, const Numbers& to) {
+  b.node1 = to[b.node1];
+  b.node2 = to[b.node2];
+}
+void renumber(MassElement& m, const Numbers& to) {
+  m.node = to[m.node];
+}
+void renumber(BushingElement& b, const Numbers& to) {
+  b.node1 = to[b.node1];
+  if (b.node2 >= 0) b.node2 = to[b.node2];
+}
+void renumber(MatrixElement& m, const Numbers& to) {
+  for (int& node : m.nodes) node = to[node];
+}
+void renumber(Constraint& c, const Numbers& to) {
+  c.node = to[c.node];
+  for (ConstraintTerm& t : c.terms) t.node = to[t.node];
+}
+
+void add(Model& model, ShellQuad x) {
+  model.mesh.quads.push_back(std::move(x));
+}
+void add(Model& model, BeamElement x) {
+  model.beams.push_back(std::move(x));
+}
+void add(Model& model, MassElement x) {
+  model.masses.push_back(std::move(x));
+}
+void add(Model& model, BushingElement x) {
+  model.bushings.push_back(std::move(x));
+}
+void add(Model& model, MatrixElement x) {
+  model.matrices.push_back(std::move(x));
+}
+void add(Model& model, Constraint x) {
+  model.constraints.push_back(std::move(x));
+}
+
+class Cutter {
+public:
+  Cutter(const Model& model, const std::vector<int>& interface_nodes)
+      : model_(model), is_interface_(model.mesh.nodes.size(), false),
+        group_(model.mesh.nodes.size(), -1) {
+    for (int node : interface_nodes) is_interface_[node] = true;
+  }
+
+  CutModel result() {
+    const int groups = find_groups();
+    cut_.parts.resize(groups);
+    for (Substructure& part : cut_.parts) copy_frame(part.model);
+    copy_frame(cut_.frame);
+    number_nodes();
+    copy_rings();
+    for_each_item(model_, [&](const auto& item) {
+      const int group = group_of(item);
+      auto copy = item;
+      renumber(copy, group < 0 ? cut_.number : numbers_[group]);
+      add(group < 0 ? cut_.frame : cut_.parts[group].model, std::move(copy));
+    });
+    return std::move(cut_);
+  }
+
+private:
+  // The group of the inner nodes of an item; -1 = all of them are interface nodes.
+  template <class Item> int group_of(const Item& item) const {
+    for (int node : nodes_of(item))
+      if (!is_interface_[node]) return group_[node];
+    return -1;
+  }
+
+  void copy_frame(Model& model) const {
+    model.components = model_.components;
+    model.shells = model_.shells;
+  }
+
+  int find_groups() {
+    DisjointSets sets(model_.mesh.nodes.size());
+    std::vector<bool> used(model_.mesh.nodes.size(), false);
+    for_each_item(model_, [&](const auto& item) {
+      int first = -1;
+      for (int node : nodes_of(item)) {
+        used[node] = true;
+        if (is_interface_[node]) continue;
+        if (first >= 0) sets.join(node, first);
+        first = node;
+      }
+    });
+    meets_.clear();
+    for_each_item(model_, [&](const auto& item) {
+      const std::vector<int> nodes = nodes_of(item);
+      for (int node : nodes)
+        if (!is_interface_[node])
+          for (int other : nodes)
+            if (is_interface_[other]) meets_[sets.root(node)].insert(other);
+    });
+    std::map<std::set<int>, int> by_interface;
+    int groups = 0;
+    for (std::size_t node = 0; node < group_.size(); ++node) {
+      if (is_interface_[node] || !used[node]) continue;
+      const auto met = meets_.find(sets.root(int(node)));
+      if (met == meets_.end())
+        throw std::invalid_argument("node " + std::to_string(node + 1) +
+                                    " belongs to a part that meets no cap");
+      const auto [entry, is_new] = by_interface.try_emplace(met->second, groups);
+      if (is_new) {
+        ++groups;
+        interface_of_.push_back(met->second);
+      }
+      group_[node] = entry->second;
+    }
+    return groups;
+  }
+
+  void number_nodes() {
+    const auto all = static_cast<int>(group_.size());
+    numbers_.assign(cut_.parts.size(), Numbers(all, -1));
+    cut_.number.assign(all, -1);
+    const auto put = [&](int part, int node) {
+      Substructure& s = cut_.parts[part];
+      numbers_[part][node] = add_node(s.model, model_.mesh.nodes[node]);
+      if (model_.scalar_nodes.contains(node)) s.model.scalar_nodes.insert(numbers_[part][node]);
+      s.nodes.push_back(node);
+    };
+    for (int node = 0; node < all; ++node) {
+      if (group_[node] >= 0) put(group_[node], node);
+      if (!is_interface_[node]) continue;
+      cut_.number[node] = add_node(cut_.frame, model_.mesh.nodes[node]);
+      for (int part = 0; part < static_cast<int>(cut_.parts.size()); ++part)
+        if (interface_of_[part].contains(node)) put(part, node);
+    }
+    for (std::size_t part = 0; part < cut_.parts.size(); ++part)
+      for (int node : interface_of_[part])
+        cut_.parts[part].boundary.push_back(numbers_[part][node]);
+  }
+
+  void copy_rings() {
+    for (const Ring& ring : model_.mesh.rings)
+      for (std::size_t part = 0; part < cut_.parts.size(); ++part) {
+        Ring own = ring;
+        for (int& node : own.nodes) node = numbers_[part][node];
+        if (std::find(own.nodes.begin(), own.nodes.end(), -1) == own.nodes.end())
+          cut_.parts[part].model.mesh.rings.push_back(std::move(own));
+      }
+  }
+
+  const Model& model_;
+  std::vector<bool> is_interface_;
+  std::vector<int> group_;             // per node, -1 = interface
+  std::map<int, std::set<int>> meets_; // interface nodes by root of the set
+  std::vector<std::set<int>> interface_of_;
+  std::vector<Numbers> numbers_; // per group
+  CutModel cut_;
+};
+
+} // namespace
+
+CutModel cut(const Model& model, const std::vector<int>& interface_nodes) {
+  return Cutter(model, interface_nodes).result();
+}
+
+} // namespace plica

@@ -1,0 +1,63 @@
+// A model cut at interface nodes into substructures, each replaced by a superelement.
+//
+// Nodes that elements or couplings join without passing an interface node belong together, and so
+// do all that hang between the same interface nodes: a bellows and the liner inside it. What lies
+// on interface nodes alone (masses of caps, mounts, joints) stays as it is.
+#pragma once
+
+#include "reduction/superelement.hpp"
+
+#include <memory>
+
+namespace plica {
+
+struct Substructure {
+  Model model;               // with its own numbers
+  std::vector<int> nodes;    // number in the whole, per own node; increasing
+  std::vector<int> boundary; // own numbers of the interface nodes it meets
+};
+
+struct CutModel {
+  std::vector<Substructure> parts;
+  Model frame;             // interface nodes and what lies on them alone
+  std::vector<int> number; // in the frame, per node of the whole; -1 = inside a part
+};
+
+// Throws std::invalid_argument naming a node of a part that meets no interface node.
+CutModel cut(const Model& model, const std::vector<int>& interface_nodes);
+
+// True when b is a moved along: the same elements, sections and couplings between nodes at the same
+// distances.
+bool is_copy(const Substructure& a, const Substructure& b);
+
+struct PartReduction { // of one substructure; copies share one
+  Reduction reduction;
+  int sectors = 0;     // of its rotational symmetry; 0 = by the full mesh
+  std::string because; // why by the full mesh
+};
+
+struct Instance {
+  std::shared_ptr<const Substructure> part;
+  std::shared_ptr<const PartReduction> reduced;
+  std::vector<int> scalar_nodes; // of its modal coordinates in the frame
+};
+
+struct ReducedModel {
+  Model model; // the frame with the superelements
+  std::vector<int> number;
+  std::vector<Instance> instances;
+  int reductions = 0;  // done for them
+  bool proved = false; // of every substructure
+  std::string reason;
+
+  // All DOFs of the whole from those of the reduced model, and forces the other way.
+  Eigen::MatrixXd field(const Eigen::MatrixXd& reduced) const;
+  Eigen::MatrixXd gather(const Eigen::MatrixXd& force) const;
+};
+
+// By symmetry where `symmetry` allows it and the substructure has it. Modes with the interface held
+// up to `cutoff` (Hz). Throws as cut() and craig_bampton().
+ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
+                                  double cutoff, bool symmetry);
+
+} // namespace plica

@@ -1,0 +1,143 @@
+// Assemblies of superelements: copies share one reduction, frequencies and responses are those of
+// the unreduced assembly within what the cut-off allows, bodies on a wall keep the rest symmetric.
+#include "tests/bellows_case.hpp"
+
+#include "model/route.hpp"
+#include "reduction/substructures.hpp"
+
+namespace plica::test {
+namespace {
+
+Case assembly_case(const MeshDensity& mesh) {
+  Case data =
+      read_case(std::string(PLICA_SOURCE_DIR) + "/cases/dual_assembly/dual_assembly.yaml").data;
+  for (Part& part : data.parts)
+    if (auto* b = std::get_if<Bellows>(&part.body)) b->mesh = mesh;
+  data.analyses.response->points = 100;
+  return data;
+}
+
+Results reduced(Case data, double cutoff) {
+  data.analyses.reduction = ReductionRequest{.cutoff = cutoff};
+  return run_silently(data);
+}
+
+double largest_error_below(const Results& reduced, const Results& full, double hertz) {
+  double error = 0;
+  for (std::size_t i = 0; i < full.modes.size() && full.modes[i].frequency < hertz; ++i)
+    error = std::max(error, reduced.modes.at(i).frequency / full.modes[i].frequency - 1);
+  return error;
+}
+
+// The limits are those of the benchmark: 0.5 % at twice, 0.1 % at three times the highest
+// frequency.
+void expect_reduced_is_full(const Case& data) {
+  const Results full = run_silently(data), at_2 = reduced(data, 1000), at_3 = reduced(data, 1500);
+  ASSERT_TRUE(at_2.verification.passed && at_3.verification.passed);
+  ASSERT_GT(full.modes.back().frequency, 500);
+  EXPECT_LT(largest_error_below(at_2, full, 500), 5e-3);
+  EXPECT_LT(largest_error_below(at_3, full, 500), 1e-3);
+  for (std::size_t i = 0; i < full.modes.size() && full.modes[i].frequency < 500; ++i) {
+    EXPECT_GE(at_2.modes[i].frequency / full.modes[i].frequency, 1 - 1e-7) << i; // Rayleigh-Ritz
+    EXPECT_EQ(at_2.modes[i].shape, full.modes[i].shape) << i;
+  }
+  EXPECT_EQ(at_2.model.dofs, full.model.dofs);
+  EXPECT_NEAR(at_2.model.mass / full.model.mass, 1, 1e-9);
+}
+
+TEST(ReducedAssembly, dual_pipe_is_the_unreduced_one_within_the_limits) {
+  const std::string path =
+      std::string(PLICA_SOURCE_DIR) + "/cases/dual_assembly/dual_assembly.yaml";
+  Case data = read_case(path).data;
+  data.analyses.response.reset();
+  expect_reduced_is_full(data);
+  EXPECT_NE(reduced(data, 1000).route.find("5 superelements of 3 reductions"), std::string::npos);
+}
+
+// Every high peak of the one is a peak of the other.
+void expect_same_peaks(const ResponseResult& full, const ResponseResult& fast) {
+  int compared = 0;
+  for (const ResponsePeak& a : full.peaks) {
+    const double highest = full.acceleration.cwiseAbs().maxCoeff();
+    if (a.frequency > 400 || a.amplitude < 0.05 * highest) continue;
+    ++compared;
+    const bool found =
+        std::any_of(fast.peaks.begin(), fast.peaks.end(), [&](const ResponsePeak& b) {
+          return b.channel == a.channel && std::abs(b.frequency / a.frequency - 1) < 1e-3 &&
+                 std::abs(b.amplitude / a.amplitude - 1) < 1e-2;
+        });
+    EXPECT_TRUE(found) << full.excitation << ": channel " << a.channel << ", " << a.frequency
+                       << " Hz";
+  }
+  EXPECT_GE(compared, 2);
+}
+
+TEST(ReducedAssembly, responds_as_the_unreduced_one) {
+  const Case data = assembly_case({16, 2, 3});
+  const Results full = run_silently(data), fast = reduced(data, 3000);
+  for (std::size_t k = 0; k < full.responses.size(); ++k)
+    expect_same_peaks(full.responses[k], fast.responses[k]);
+}
+
+// A force inside a part, compliant clamps, and a body on the wall of the centre pipe.
+TEST(ReducedAssembly, takes_forces_joints_and_bodies_on_a_wall) {
+  Case data = assembly_case({12, 1, 2});
+  for (Cap& cap : data.caps)
+    if (cap.name == "clamp_2") cap.stiffness = Sextuple{20e6, 20e6, 20e6, 5e4, 5e4, 5e4};
+  data.sensors[0].mass = 0.05;
+  Force force;
+  force.name = "crown";
+  force.at = "bellows_left.crown[9]";
+  force.direction = 1;
+  data.analyses.response->bases = {1};
+  data.analyses.response->forces = {force};
+  const Results full = run_silently(data), fast = reduced(data, 2000);
+  EXPECT_NE(fast.route.find("rotational symmetry"), std::string::npos) << fast.route;
+  EXPECT_EQ(fast.route.find("full mesh"), std::string::npos) << fast.route;
+  EXPECT_LT(largest_error_below(fast, full, 500), 1e-3);
+  for (std::size_t k = 0; k < 2; ++k) expect_same_peaks(full.responses[k], fast.responses[k]);
+}
+
+TEST(ReducedAssembly, static_stiffness_is_that_of_the_part) {
+  Case data = verification_case("bellows_a", {24, 2, 3}, 8);
+  const Results full = run_silently(data), fast = reduced(data, 1000);
+  EXPECT_LT((fast.statics->end_stiffness - full.statics->end_stiffness).norm(),
+            1e-8 * full.statics->end_stiffness.norm());
+}
+
+TEST(Cut, a_part_that_meets_no_cap_is_named) {
+  Case data = verification_case("bellows_a", {24, 2, 3}, 8);
+  BeamPart loose;
+  loose.points = {{1, 0, 0}, {2, 0, 0}};
+  loose.section.shape = BeamShape::solid;
+  loose.section.material = data.materials.begin()->first;
+  loose.section.radius = 0.01;
+  data.parts.push_back({"loose", loose});
+  try {
+    reduced(data, 1000);
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("meets no cap"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Cut, copies_are_found_and_others_are_not) {
+  const auto parts = [](const Case& data) {
+    const BuiltCase built = build(data);
+    std::vector<int> caps;
+    for (const auto& [name, node] : built.cap_nodes) caps.push_back(node);
+    return cut(built.model, caps).parts;
+  };
+  Case data = assembly_case({16, 2, 3});
+  const auto same = parts(data);
+  ASSERT_EQ(same.size(), 5u);
+  EXPECT_TRUE(is_copy(same[1], same[3]));
+  EXPECT_FALSE(is_copy(same[0], same[1]));
+  std::get<Bellows>(data.parts[3].body).wall.plies[0] *= 1.001;
+  const auto thicker = parts(data);
+  EXPECT_FALSE(is_copy(thicker[1], thicker[3]));
+  EXPECT_TRUE(is_copy(thicker[0], thicker[4]));
+}
+
+} // namespace
+} // namespace plica::test
