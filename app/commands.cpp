@@ -100,9 +100,10 @@ int reduce_command(const ReduceOptions& options) {
   Progress progress(options.quiet);
   progress.title(file.data.name);
   const ReducedCase reduced = located(file, [&] {
-    return reduce_case(file.data, options.cutoff, [&](const std::string& s) { progress.stage(s); });
+    return reduce_case(file.data, options.request,
+                       [&](const std::string& s) { progress.stage(s); });
   });
-  write_superelement(reduced, options.out);
+  write_superelement(reduced, options.units, options.out);
   progress.finish();
   if (!options.quiet) fmt::print("{}", certificate_text(reduced));
   return reduced.certificate.passed && reduced.proved ? 0 : 2;

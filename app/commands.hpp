@@ -2,6 +2,8 @@
 // errors are thrown as InputError (exit code 1).
 #pragma once
 
+#include "io/write_superelement.hpp"
+
 #include <filesystem>
 #include <string>
 
@@ -23,7 +25,8 @@ struct ReduceOptions {
   std::filesystem::path out = "out";
   int threads = 0;
   bool quiet = false;
-  double cutoff = 0; // Hz, 0 = twice the response band
+  ReduceRequest request;
+  Units units = Units::metres;
 };
 
 int reduce_command(const ReduceOptions& options);

@@ -35,10 +35,22 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(0, 256));
   reduce_app->add_flag("--quiet", reduce.quiet, "print errors only");
   reduce_app
-      ->add_option("--cutoff", reduce.cutoff,
-                   "modes with held boundary up to this frequency, Hz; left out: twice the upper "
-                   "end of the response band")
+      ->add_option("--cutoff", reduce.request.cutoff,
+                   "modes with held boundary up to this frequency, Hz; left out: twice the highest "
+                   "frequency the case asks for")
       ->check(CLI::PositiveNumber);
+  reduce_app
+      ->add_option("--boundary", reduce.request.boundary,
+                   "names of caps and sensors, with commas; left out: all caps")
+      ->delimiter(',');
+  reduce_app
+      ->add_option("--least-interface-mass", reduce.request.least_interface_mass,
+                   "leave out modes that carry a smaller share of the interface mass, e.g. 0.001")
+      ->check(CLI::Range(0., 1.));
+  const std::map<std::string, plica::Units> units{{"m", plica::Units::metres},
+                                                  {"mm", plica::Units::millimetres}};
+  reduce_app->add_option("--units", reduce.units, "of the files: m (kg, s, N) or mm (t, s, N)")
+      ->transform(CLI::CheckedTransformer(units));
 
   std::string checked;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");

@@ -2,7 +2,8 @@
 // deck.
 //
 // A line of a matrix file is "row node, row DOF, column node, column DOF, value", lower triangle.
-// Modal coordinates are nodes of their own with DOF 1. Units: SI.
+// Modal coordinates are nodes of their own with DOF 1. Damping, where there is some, beside K
+// and M.
 #pragma once
 
 #include "reduction/superelement.hpp"
@@ -11,16 +12,21 @@
 
 namespace plica {
 
-std::string abaqus_deck(const Superelement& s, const std::string& stiffness_file,
-                        const std::string& mass_file);
+std::string abaqus_deck(const Superelement& s);
+std::string abaqus_matrix_file(char letter); // "superelement_k.inp"
 std::string abaqus_matrix(const Superelement& s, const Eigen::MatrixXd& A);
 
 // A matrix file back, size known from the superelement it belongs to. Throws std::runtime_error
 // with file and line.
 Eigen::MatrixXd read_abaqus_matrix(const Superelement& s, const std::filesystem::path& path);
 
-// Matrix Market (coordinate, real, symmetric) of the same matrices, for anything else.
-std::string matrix_market(const Eigen::MatrixXd& A, const std::string& comment);
-Eigen::MatrixXd read_matrix_market(const std::filesystem::path& path);
+// The same as one linear user element U1 over all boundary nodes and modal points: upper triangles,
+// column by column, four numbers a line. For Abaqus/Standard, where a user element may be used in
+// any step that its matrices are enough for.
+std::string abaqus_user_element(const Superelement& s);
+
+// K and M of a user element back, size known. Throws std::runtime_error with file and line.
+std::pair<Eigen::MatrixXd, Eigen::MatrixXd>
+read_abaqus_user_element(const Superelement& s, const std::filesystem::path& path);
 
 } // namespace plica

@@ -12,7 +12,7 @@ using Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr const char* format = "plica superelement";
-constexpr int version = 1;
+constexpr int version = 2;
 
 template <class Place>
 void set_text(Place& place, const std::string& key, const std::string& text) {
@@ -49,6 +49,22 @@ void require(bool good, const std::string& what) {
   if (!good) throw std::runtime_error(what);
 }
 
+template <class F> void for_each_group(const H5::Group& root, const std::string& name, F&& f) {
+  const H5::Group groups = root.openGroup(name);
+  for (hsize_t k = 0; k < groups.getNumObjs(); ++k) f(groups.openGroup(std::to_string(k)));
+}
+
+// One group an entry, with its name.
+template <class List, class F>
+void put_list(H5::Group& root, const std::string& name, const List& list, F&& put_entry) {
+  H5::Group groups = root.createGroup(name);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    H5::Group group = groups.createGroup(std::to_string(k));
+    set_text(group, "name", list[k].name);
+    put_entry(group, list[k]);
+  }
+}
+
 Superelement read(const H5::H5File& file) {
   require(text_of(file, "format") == format, "it is no superelement of Plica");
   int number = 0;
@@ -57,6 +73,7 @@ Superelement read(const H5::H5File& file) {
           "version " + std::to_string(number) + ", this program reads " + std::to_string(version));
   Superelement s;
   s.name = text_of(file, "name");
+  s.units = text_of(file, "units");
   const H5::Group root = file.openGroup("/");
   const MatrixXd places = get(root, "nodes");
   require(places.cols() == 3, "nodes are not given by three coordinates");
@@ -73,12 +90,18 @@ Superelement read(const H5::H5File& file) {
   for (const MatrixXd* m : {&s.K, &s.M, &s.C, &s.D})
     require(m->size() == 0 || (m->rows() == n && m->cols() == n && m->allFinite()),
             "a matrix has not the size of K or is not finite");
-  const H5::Group recovery = root.openGroup("recovery");
-  for (hsize_t k = 0; k < recovery.getNumObjs(); ++k) {
-    const H5::Group group = recovery.openGroup(std::to_string(k));
+  for_each_group(root, "recovery", [&](const H5::Group& group) {
     s.recovery.push_back({text_of(group, "name"), get(group, "place").col(0), get(group, "rows")});
     require(s.recovery.back().rows.cols() == n, "recovery rows have not the size of K");
-  }
+  });
+  for_each_group(root, "stresses", [&](const H5::Group& group) {
+    s.stresses.push_back({text_of(group, "name"), get(group, "place").col(0), get(group, "rows")});
+    require(s.stresses.back().rows.cols() == n, "stress rows have not the size of K");
+  });
+  for_each_group(root, "loads", [&](const H5::Group& group) {
+    s.loads.push_back({text_of(group, "name"), get(group, "force").col(0)});
+    require(s.loads.back().force.size() == n, "a load has not the size of K");
+  });
   return s;
 }
 
@@ -87,7 +110,7 @@ void write(const Superelement& s, H5::H5File& file) {
   file.createAttribute("version", H5::PredType::STD_I32LE, H5::DataSpace(H5S_SCALAR))
       .write(H5::PredType::NATIVE_INT, &version);
   set_text(file, "name", s.name);
-  set_text(file, "units", "m kg s N rad");
+  set_text(file, "units", s.units);
   set_text(file, "dof_order", "ux uy uz rx ry rz per boundary node, then modal coordinates");
   H5::Group root = file.openGroup("/");
   MatrixXd places(Eigen::Index(s.nodes.size()), 3);
@@ -101,13 +124,14 @@ void write(const Superelement& s, H5::H5File& file) {
   put(root, "M", s.M);
   if (s.C.size() > 0) put(root, "C", s.C);
   if (s.D.size() > 0) put(root, "D", s.D);
-  H5::Group recovery = root.createGroup("recovery");
-  for (std::size_t k = 0; k < s.recovery.size(); ++k) {
-    H5::Group group = recovery.createGroup(std::to_string(k));
-    set_text(group, "name", s.recovery[k].name);
-    put(group, "place", s.recovery[k].place);
-    put(group, "rows", s.recovery[k].rows);
-  }
+  const auto put_rows = [](H5::Group& group, const auto& entry) {
+    put(group, "place", entry.place);
+    put(group, "rows", entry.rows);
+  };
+  put_list(root, "recovery", s.recovery, put_rows);
+  put_list(root, "stresses", s.stresses, put_rows);
+  put_list(root, "loads", s.loads,
+           [](H5::Group& group, const LoadVector& load) { put(group, "force", load.force); });
 }
 
 } // namespace

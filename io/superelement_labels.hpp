@@ -17,6 +17,16 @@ struct CoordinateLabel {
 };
 CoordinateLabel coordinate_label(const Superelement& s, int coordinate);
 
+// "left.uy", "mode 3": the DOF order of every file.
+std::vector<std::string> coordinate_names(const Superelement& s);
+
+// The matrices that are there: K, M and, with damping, C (viscous) and D (structural).
+struct NamedMatrix {
+  char letter = 'K';
+  const Eigen::MatrixXd* matrix = nullptr;
+};
+std::vector<NamedMatrix> matrices_of(const Superelement& s);
+
 // Writes into a temporary file beside the target and renames it: nothing is ever half-written.
 // Throws std::runtime_error with path and reason.
 void write_whole(const std::filesystem::path& target, const std::string& content);

@@ -65,11 +65,12 @@ MatrixXd rest(const MatrixXd& A) {
 } // namespace
 
 std::string nastran_deck(const Superelement& s) {
-  std::string deck =
-      fmt::format("$ Superelement {}: SI units (m, kg, s, N, rad)\n"
-                  "$ Case control: K2GG = KPLICA + KPLICAL, M2GG = MPLICA + MPLICAL\n"
-                  "$ GRID: boundary nodes, SPOINT: modal coordinates\n",
-                  s.name);
+  std::string deck = fmt::format(
+      "$ Superelement {}, units: {}\n"
+      "$ Case control: K2GG = KPLICA + KPLICAL, M2GG = MPLICA + MPLICAL{}{}\n"
+      "$ GRID: boundary nodes, SPOINT: modal coordinates\n",
+      s.name, s.units, s.C.size() > 0 ? "\n$ Viscous damping: B2GG = BPLICA + BPLICAL" : "",
+      s.D.size() > 0 ? "\n$ Structural damping: K42GG = K4PLICA + K4PLICL" : "");
   for (std::size_t k = 0; k < s.nodes.size(); ++k) {
     const Eigen::Vector3d& x = s.nodes[k];
     deck +=
@@ -81,6 +82,14 @@ std::string nastran_deck(const Superelement& s) {
   add_matrix(deck, "KPLICAL", s, rest(s.K));
   add_matrix(deck, "MPLICA", s, s.M);
   add_matrix(deck, "MPLICAL", s, rest(s.M));
+  if (s.C.size() > 0) {
+    add_matrix(deck, "BPLICA", s, s.C);
+    add_matrix(deck, "BPLICAL", s, rest(s.C));
+  }
+  if (s.D.size() > 0) {
+    add_matrix(deck, "K4PLICA", s, s.D);
+    add_matrix(deck, "K4PLICL", s, rest(s.D));
+  }
   return deck;
 }
 
@@ -94,6 +103,10 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
   bool grid_open = false;
   const auto cut = [&](std::size_t at, std::size_t width) {
     return line.size() > at ? line.substr(at, width) : std::string();
+  };
+  const auto matrix_of = [&](const std::string& name) -> MatrixXd& {
+    if (name.starts_with("K4")) return s.D;
+    return name[0] == 'K' ? s.K : name[0] == 'M' ? s.M : s.C;
   };
   const auto at_label = [&](const std::string& point, const std::string& dof) {
     const auto found = coordinate.find(std::stoi(point));
@@ -121,9 +134,11 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
       } else if (card.starts_with("DMIG*")) {
         if (s.K.size() == 0) s.K = s.M = MatrixXd::Zero(size, size);
         matrix = cut(8, 16);
+        MatrixXd& A = matrix_of(matrix);
+        if (A.size() == 0) A = MatrixXd::Zero(size, size);
         column = at_label(cut(24, 16), cut(40, 16));
       } else if (card.starts_with("*") && column >= 0) {
-        MatrixXd& A = matrix[0] == 'K' ? s.K : s.M;
+        MatrixXd& A = matrix_of(matrix);
         const int row = at_label(cut(8, 16), cut(24, 16));
         const double value = number_of(cut(40, 16));
         A(row, column) += value;

@@ -2,7 +2,8 @@
 //
 // A field of DMIG* holds 12 digits; each matrix is therefore the sum of two, K2GG = KPLICA +
 // KPLICAL (likewise M), the second with what the first rounds away. Boundary nodes are GRIDs, modal
-// coordinates SPOINTs. Symmetric, lower triangle. Units of the deck: SI.
+// coordinates SPOINTs. Symmetric, lower triangle. With damping also
+// B2GG (viscous) and K42GG (structural).
 #pragma once
 
 #include "reduction/superelement.hpp"
@@ -13,8 +14,8 @@ namespace plica {
 
 std::string nastran_deck(const Superelement& s);
 
-// K and M back, in the order of the file's GRIDs, then SPOINTs; nodes with their places. Throws
-// std::runtime_error with file and line.
+// The matrices back, in the order of the file's GRIDs, then SPOINTs; nodes with their places.
+// Throws std::runtime_error with file and line.
 Superelement read_nastran_deck(const std::filesystem::path& path);
 
 } // namespace plica

@@ -4,7 +4,10 @@
 #include "io/superelement_abaqus.hpp"
 #include "io/superelement_hdf5.hpp"
 #include "io/superelement_labels.hpp"
+#include "io/superelement_matlab.hpp"
+#include "io/superelement_matrix_market.hpp"
 #include "io/superelement_nastran.hpp"
+#include "io/superelement_op4.hpp"
 #include "io/write_results.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +18,7 @@
 namespace plica {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct CheckLine {
@@ -33,7 +37,8 @@ std::vector<CheckLine> checks(const Certificate& c) {
           {"mass", "mass off that of the part", c.mass},
           {"centre", "centre of mass off that of the part, m", c.centre},
           {"inertia", "inertia off that of the part", c.inertia},
-          {"statics", "static stiffness off that of the part", c.statics}};
+          {"statics", "static stiffness off that of the part", c.statics},
+          {"statics_known_to", "the part's own is known to", c.statics_known_to}};
 }
 
 Json json_of(const std::vector<FrequencyCheck>& checks) {
@@ -43,17 +48,27 @@ Json json_of(const std::vector<FrequencyCheck>& checks) {
   return list;
 }
 
-Json sidecar(const Superelement& s) {
-  Json labels = Json::array();
-  for (int i = 0; i < s.K.rows(); ++i) {
-    if (i < s.boundary())
-      labels.push_back(s.node_names[i / 6] + "." + dof_name(i % 6));
-    else
-      labels.push_back("mode " + std::to_string(i - s.boundary() + 1));
+Json rows_of(const Eigen::MatrixXd& A) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < A.cols(); ++j) row.push_back(A(i, j));
+    rows.push_back(row);
   }
+  return rows;
+}
+
+// What the columns mean and whose matrices they are.
+Json sidecar(const Superelement& s, const ReducedCase& r) {
   Json nodes = Json::array();
   for (const Eigen::Vector3d& x : s.nodes) nodes.push_back({x[0], x[1], x[2]});
-  return {{"name", s.name}, {"units", "m kg s N rad"}, {"nodes", nodes}, {"coordinates", labels}};
+  Json recovery = Json::object(), loads = Json::object();
+  for (const RecoveryRows& x : s.recovery) recovery[x.name] = rows_of(x.rows);
+  for (const LoadVector& x : s.loads) loads[x.name] = rows_of(x.force.transpose())[0];
+  return {{"name", s.name},       {"units", s.units},
+          {"nodes", nodes},       {"coordinates", coordinate_names(s)},
+          {"route", r.route},     {"cutoff", r.cutoff},
+          {"recovery", recovery}, {"loads", loads}};
 }
 
 } // namespace
@@ -66,6 +81,12 @@ std::string certificate_text(const ReducedCase& r) {
                   s.nodes.size(), s.modal(), significant(r.cutoff, 4), r.route);
   text += r.proved ? "Proved, no fixed-interface mode below the cut-off is missing.\n"
                    : "Not proved: " + r.reason + "\n";
+  if (r.left_out.count > 0)
+    text +=
+        fmt::format("Left out: {} modes from {} Hz on that carry at most {} % of the interface "
+                    "mass each, {} % together.\n",
+                    r.left_out.count, significant(r.left_out.lowest, 4),
+                    significant(100 * r.left_out.largest, 2), significant(100 * r.left_out.sum, 2));
   for (const CheckLine& line : checks(c))
     text += fmt::format("  {:<48} {:>9}\n", line.text, significant(line.value, 2));
   text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
@@ -86,6 +107,10 @@ std::string certificate_json(const ReducedCase& r) {
             {"modes", r.element.modal()}, {"proved", r.proved}, {"reason", r.reason}};
   for (const CheckLine& line : checks(c)) json["checks"][line.key] = line.value;
   json["checks"]["zero_stiffness"] = c.zero_stiffness;
+  json["left_out"] = {{"modes", r.left_out.count},
+                      {"lowest", r.left_out.lowest},
+                      {"largest_interface_mass", r.left_out.largest},
+                      {"interface_mass", r.left_out.sum}};
   json["free_interface"] = json_of(c.free);
   json["fixed_interface"] = json_of(c.fixed);
   json["good_up_to"] = c.good_up_to;
@@ -97,18 +122,27 @@ std::string certificate_json(const ReducedCase& r) {
   return json.dump(2) + "\n";
 }
 
-void write_superelement(const ReducedCase& r, const std::filesystem::path& folder) {
+void write_superelement(const ReducedCase& r, Units units, const std::filesystem::path& folder) {
   make_folder(folder);
-  const Superelement& s = r.element;
+  const Superelement s = units == Units::millimetres ? in_millimetres(r.element) : r.element;
   write_hdf5(s, folder / "superelement.h5");
+  write_matlab(s, folder / "superelement.mat");
   write_whole(folder / "superelement.bdf", nastran_deck(s));
-  write_whole(folder / "superelement_k.inp", abaqus_matrix(s, s.K));
-  write_whole(folder / "superelement_m.inp", abaqus_matrix(s, s.M));
-  write_whole(folder / "superelement.inp",
-              abaqus_deck(s, "superelement_k.inp", "superelement_m.inp"));
-  write_whole(folder / "superelement_k.mtx", matrix_market(s.K, "stiffness, SI"));
-  write_whole(folder / "superelement_m.mtx", matrix_market(s.M, "mass, SI"));
-  write_whole(folder / "superelement.json", sidecar(s).dump(2) + "\n");
+  write_whole(folder / "superelement.op4", op4_file(s));
+  write_whole(folder / "superelement.inp", abaqus_deck(s));
+  write_whole(folder / "superelement_user.inp", abaqus_user_element(s));
+  for (const char letter : {'K', 'M', 'C', 'D'}) {
+    const fs::path abaqus = folder / abaqus_matrix_file(letter);
+    const fs::path market = fs::path(abaqus).replace_extension(".mtx");
+    fs::remove(abaqus); // of an earlier run
+    fs::remove(market);
+    for (const NamedMatrix& m : matrices_of(s)) {
+      if (m.letter != letter) continue;
+      write_whole(abaqus, abaqus_matrix(s, *m.matrix));
+      write_whole(market, matrix_market(*m.matrix, s.name + ", units: " + s.units));
+    }
+  }
+  write_whole(folder / "superelement.json", sidecar(s, r).dump(2) + "\n");
   write_whole(folder / "certificate.json", certificate_json(r));
 }
 

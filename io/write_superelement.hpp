@@ -8,8 +8,11 @@
 
 namespace plica {
 
+enum class Units { metres, millimetres }; // m kg s N, or mm t s N
+
 // Throws std::runtime_error with path and reason; each file is whole or the old one.
-void write_superelement(const ReducedCase& reduced, const std::filesystem::path& folder);
+void write_superelement(const ReducedCase& reduced, Units units,
+                        const std::filesystem::path& folder);
 
 std::string certificate_text(const ReducedCase& reduced);
 std::string certificate_json(const ReducedCase& reduced);

@@ -15,11 +15,6 @@ using Eigen::Vector3d;
 
 constexpr std::initializer_list<int> all_dofs{0, 1, 2, 3, 4, 5};
 
-[[noreturn]] void fail(const std::string& key, const std::string& wrong,
-                       const std::string& allowed) {
-  throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
-}
-
 std::string millimetres(double length) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.2f mm", 1e3 * length);
@@ -44,7 +39,8 @@ const std::vector<int>& set_of(const Model& model, const std::string& name,
                                const std::string& key) {
   const auto found = model.mesh.sets.find(name);
   if (found == model.mesh.sets.end())
-    fail(key, "there is no set \"" + name + "\" on the mesh", "the sets of the parts of the case");
+    input_error(key, "there is no set \"" + name + "\" on the mesh",
+                "the sets of the parts of the case");
   return found->second;
 }
 
@@ -224,10 +220,10 @@ private:
       roots.push_back(sets.at(liner.along + ".root[" + std::to_string(k) + "]"));
     if (liner.attachment == Attachment::synchronous) return roots;
     if (liner.stations > static_cast<int>(roots.size()))
-      fail("parts." + name + ".stations",
-           std::to_string(liner.stations) + " stations on a bellows with " +
-               std::to_string(roots.size()) + " roots",
-           "at most one station per root");
+      input_error("parts." + name + ".stations",
+                  std::to_string(liner.stations) + " stations on a bellows with " +
+                      std::to_string(roots.size()) + " roots",
+                  "at most one station per root");
     std::vector<std::vector<int>> chosen;
     for (int i = 1; i <= liner.stations; ++i)
       chosen.push_back(roots[(roots.size() - 1) * i / (liner.stations + 1)]);
@@ -317,11 +313,11 @@ private:
       const auto [node, distance] = nearest_node(built_.model.mesh, vector(sensor.at));
       if (distance > sensor.reach) {
         const Vector3d& x = built_.model.mesh.nodes[node];
-        fail("sensors[" + std::to_string(i) + "].at",
-             "sensor \"" + sensor.name + "\" is " + millimetres(distance) +
-                 " away from the nearest node",
-             "at most 5 mm; that node is at [" + millimetres(x.x()) + ", " + millimetres(x.y()) +
-                 ", " + millimetres(x.z()) + "]");
+        input_error("sensors[" + std::to_string(i) + "].at",
+                    "sensor \"" + sensor.name + "\" is " + millimetres(distance) +
+                        " away from the nearest node",
+                    "at most 5 mm; that node is at [" + millimetres(x.x()) + ", " +
+                        millimetres(x.y()) + ", " + millimetres(x.z()) + "]");
       }
       built_.sensors.push_back(
           {sensor.name, node, distance, {sensor.axes[0], sensor.axes[1], sensor.axes[2]}});

@@ -31,7 +31,7 @@ DofMap eliminate_case(const Model& model) {
   try {
     return eliminate(model);
   } catch (const ConstraintError& error) {
-    throw InputError({{.file = "", .line = 0, .key = "", .wrong = error.what(), .allowed = ""}});
+    input_error("", error.what(), "");
   }
 }
 

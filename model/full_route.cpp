@@ -27,9 +27,9 @@ System assemble_case(const BuiltCase& built) {
   try {
     return assemble(built.model);
   } catch (const ConstraintError& error) {
-    throw InputError({{.file = "", .line = 0, .key = "", .wrong = error.what(), .allowed = ""}});
+    input_error("", error.what(), "");
   } catch (const std::invalid_argument& error) {
-    throw InputError({{.file = "", .line = 0, .key = "", .wrong = error.what(), .allowed = ""}});
+    input_error("", error.what(), "");
   }
 }
 
@@ -184,11 +184,8 @@ private:
 
 void require_held(bool free_body) {
   if (free_body)
-    throw InputError({{.file = "",
-                       .line = 0,
-                       .key = "analyses.response",
-                       .wrong = "nothing holds the part, so it has no steady response",
-                       .allowed = "a mount or supports that leave no rigid motion free"}});
+    input_error("analyses.response", "nothing holds the part, so it has no steady response",
+                "a mount or supports that leave no rigid motion free");
 }
 
 std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& reason,

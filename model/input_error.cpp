@@ -28,4 +28,8 @@ std::string to_string(const InputProblem& problem) {
 InputError::InputError(std::vector<InputProblem> problems)
     : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
 
+void input_error(const std::string& key, const std::string& wrong, const std::string& allowed) {
+  throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
+}
+
 } // namespace plica

@@ -27,4 +27,8 @@ private:
   std::vector<InputProblem> problems_;
 };
 
+// One problem of the case, named by its key; whoever read the file adds file and line.
+[[noreturn]] void input_error(const std::string& key, const std::string& wrong,
+                              const std::string& allowed);
+
 } // namespace plica

@@ -2,12 +2,15 @@
 
 #include "model/damping.hpp"
 #include "model/input_error.hpp"
+#include "model/reduced_case.hpp"
 #include "model/route.hpp"
+#include "model/run_response.hpp"
 #include "reduction/craig_bampton.hpp"
 #include "reduction/cyclic_modes.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
+#include "solve/stress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +18,55 @@
 namespace plica {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 using SymmetricView = std::variant<CyclicModel, std::string>;
 
-[[noreturn]] void fail(const std::string& key, const std::string& wrong,
-                       const std::string& allowed) {
-  throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
+struct Boundary {
+  std::vector<std::string> names;
+  std::vector<int> nodes;
+  int caps = 0; // they come first
+};
+
+Boundary boundary_of(const Case& data, const BuiltCase& built,
+                     const std::vector<std::string>& asked) {
+  const auto wanted = [&](const std::string& name) {
+    return std::find(asked.begin(), asked.end(), name) != asked.end();
+  };
+  Boundary b;
+  for (const Cap& cap : data.caps) {
+    if (!asked.empty() && !wanted(cap.name)) continue;
+    b.names.push_back(cap.name);
+    b.nodes.push_back(built.cap_nodes.at(cap.name));
+    ++b.caps;
+  }
+  for (const BuiltSensor& sensor : built.sensors) {
+    if (!wanted(sensor.name)) continue;
+    b.names.push_back(sensor.name);
+    b.nodes.push_back(sensor.node);
+  }
+  for (const std::string& name : asked)
+    if (std::find(b.names.begin(), b.names.end(), name) == b.names.end())
+      input_error("caps", "there is no cap and no sensor \"" + name + "\" for the boundary",
+                  "names of caps and sensors of the case");
+  if (b.caps == 0)
+    input_error("caps", "gives no cap for the boundary, and that is how a superelement is held",
+                "at least one cap");
+  return b;
 }
 
-Reduction reduce(const Model& model, const SymmetricView& view, const std::vector<int>& boundary,
+Reduction reduce(const BuiltCase& built, const SymmetricView& view,
+                 const std::shared_ptr<const ReducedModel>& nested, const Boundary& boundary,
                  double cutoff) {
   try {
+    if (nested) return craig_bampton(nested, boundary.nodes, cutoff);
     if (const auto* symmetric = std::get_if<CyclicModel>(&view))
-      return craig_bampton(*symmetric, boundary, cutoff);
-    return craig_bampton(model, boundary, cutoff);
+      return craig_bampton(*symmetric, boundary.nodes, cutoff);
+    return craig_bampton(built.model, boundary.nodes, cutoff);
   } catch (const std::invalid_argument& error) {
-    fail("caps", error.what(), "caps whose reference nodes nothing else holds");
+    input_error("caps", error.what(), "caps and sensors that nothing else holds, each once");
   }
 }
 
@@ -41,7 +75,7 @@ VectorXd spectrum(const SparseMatrix& K, const SparseMatrix& M, double high) {
   return find_modes(K, M, {.band = {0, high}, .proof = false}, base).lambda;
 }
 
-// Of the harmonics that reach the boundary, pairs twice; first free, then held at the caps.
+// Of the harmonics that reach the caps, pairs twice; first free, then held at the caps.
 std::array<VectorXd, 2> symmetric_spectra(const CyclicModel& model, const std::vector<int>& caps,
                                           double high) {
   constexpr std::array families{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
@@ -58,13 +92,12 @@ std::array<VectorXd, 2> symmetric_spectra(const CyclicModel& model, const std::v
       for (double x : lambda[2 * f + held])
         values.insert(values.end(), families[f].n == 1 ? 2 : 1, x);
     std::sort(values.begin(), values.end());
-    spectra[held] = VectorXd::Map(values.data(), Eigen::Index(values.size()));
+    spectra[held] = VectorXd::Map(values.data(), Index(values.size()));
   }
   return spectra;
 }
 
-PartReference symmetric_reference(const CyclicModel& model, const std::vector<int>& caps,
-                                  double high) {
+PartReference symmetric_reference(const CyclicModel& model, const Boundary& boundary, double high) {
   PartReference part;
   part.rigid_mass.setZero();
   for (const Harmonic& h :
@@ -73,19 +106,27 @@ PartReference symmetric_reference(const CyclicModel& model, const std::vector<in
     const MatrixXd r = model.rigid_motions(s);
     part.rigid_mass += r.transpose() * symmetric_product(s.M, r);
   }
-  auto [free, fixed] = symmetric_spectra(model, caps, high);
-  part.free_lambda = std::move(free);
-  part.fixed_lambda = std::move(fixed);
+  if (boundary.caps == static_cast<int>(boundary.nodes.size())) {
+    auto [free, fixed] = symmetric_spectra(model, boundary.nodes, high);
+    part.free_lambda = std::move(free);
+    part.fixed_lambda = std::move(fixed);
+    return part;
+  }
+  // A node on the wall is reached by every harmonic; held, it would end the symmetry.
+  const CyclicModes modes = find_cyclic_modes(model, {}, {.band = {0, high}, .proof = false});
+  part.free_lambda.resize(Index(modes.modes.size()));
+  for (std::size_t i = 0; i < modes.modes.size(); ++i)
+    part.free_lambda[Index(i)] = modes.modes[i].lambda;
   return part;
 }
 
-PartReference full_reference(const Model& model, const std::vector<int>& caps, double high) {
+PartReference full_reference(const Model& model, const Boundary& boundary, double high) {
   const System system = assemble(model);
   PartReference part;
   const MatrixXd r = rigid_body_motions(model, system.map, Eigen::Vector3d::Zero());
   part.rigid_mass = r.transpose() * symmetric_product(system.M, r);
   std::vector<int> held;
-  for (int node : caps)
+  for (int node : boundary.nodes)
     for (int dof = 6 * node; dof < 6 * node + 6; ++dof) held.push_back(system.map.independent[dof]);
   std::sort(held.begin(), held.end());
   const std::vector<int> inner = complement(system.map.size(), held);
@@ -94,18 +135,92 @@ PartReference full_reference(const Model& model, const std::vector<int>& caps, d
   return part;
 }
 
-// Recovery rows, viscous damping of the modes, structural damping of the components.
+// Quads that meet in a node, as a model of their own; the node's own number there.
+struct Patch {
+  Model model;
+  std::vector<int> nodes; // number in the whole
+  int centre = 0;
+};
+
+Patch patch_around(const Model& model, int node) {
+  Patch patch;
+  patch.model.shells = model.shells;
+  for (const ShellQuad& quad : model.mesh.quads) {
+    if (std::find(quad.nodes.begin(), quad.nodes.end(), node) == quad.nodes.end()) continue;
+    ShellQuad own = quad;
+    for (int& n : own.nodes) {
+      const auto known = std::find(patch.nodes.begin(), patch.nodes.end(), n);
+      if (n == node) patch.centre = int(known - patch.nodes.begin());
+      if (known == patch.nodes.end()) {
+        patch.nodes.push_back(n);
+        n = add_node(patch.model, model.mesh.nodes[n]);
+      } else {
+        n = int(known - patch.nodes.begin());
+      }
+    }
+    patch.model.mesh.quads.push_back(own);
+  }
+  return patch;
+}
+
+// Stress of the wall at a sensor; a kink has one entry per side.
+void add_stress_rows(Superelement& s, const Reduction& reduction, const Model& model,
+                     const BuiltSensor& sensor) {
+  const Patch patch = patch_around(model, sensor.node);
+  if (patch.nodes.empty()) return;
+  const MatrixXd u = reduction.field_at(MatrixXd::Identity(s.K.rows(), s.K.rows()), patch.nodes);
+  const StressField field = recover_stress(patch.model, u);
+  int side = 0;
+  for (std::size_t point = 0; point < field.node_of_point.size(); ++point) {
+    if (field.node_of_point[point] != patch.centre) continue;
+    ++side;
+    s.stresses.push_back({.name = sensor.name + (side > 1 ? ", side " + std::to_string(side) : ""),
+                          .place = model.mesh.nodes[sensor.node],
+                          .rows = field.shell.middleRows<12>(12 * Index(point))});
+  }
+}
+
+void add_loads(Superelement& s, const Reduction& reduction, const BuiltCase& built,
+               const std::optional<Response>& response) {
+  constexpr std::array axes{"x", "y", "z", "rx", "ry", "rz"};
+  const MatrixXd base = s.M * rigid_motions(s, Eigen::Vector3d::Zero());
+  for (int d = 0; d < 6; ++d)
+    s.loads.push_back(
+        {.name = std::string("base ") + axes[d] + (d < 3 ? " per m/s2" : " per rad/s2"),
+         .force = -base.col(d)});
+  if (!response || response->forces.empty()) return;
+  const Excitations forces = excitations(*response, built.model);
+  const MatrixXd identity = MatrixXd::Identity(s.K.rows(), s.K.rows());
+  for (std::size_t k = 0; k < forces.list.size(); ++k) {
+    if (!forces.list[k].is_force) continue;
+    const auto column = forces.loads.force.col(Index(k));
+    std::vector<int> nodes;
+    for (int node = 0; node < column.size() / 6; ++node)
+      if (!column.segment<6>(6 * node).isZero(0)) nodes.push_back(node);
+    VectorXd own(6 * Index(nodes.size()));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      own.segment<6>(6 * Index(i)) = column.segment<6>(6 * nodes[i]);
+    s.loads.push_back({.name = forces.list[k].name + " per " + forces.list[k].unit,
+                       .force = reduction.field_at(identity, nodes).transpose() * own});
+  }
+}
+
+// Recovery rows, loads, viscous damping of the modes, structural damping of the components.
 void complete(Superelement& s, const Reduction& reduction, const BuiltCase& built,
-              const Damping& damping) {
+              const Analyses& analyses) {
   const auto size = s.K.rows();
   const MatrixXd identity = MatrixXd::Identity(size, size);
   std::vector<int> nodes;
   for (const BuiltSensor& sensor : built.sensors) nodes.push_back(sensor.node);
   const MatrixXd rows = reduction.field_at(identity, nodes);
-  for (std::size_t k = 0; k < built.sensors.size(); ++k)
+  for (std::size_t k = 0; k < built.sensors.size(); ++k) {
     s.recovery.push_back({.name = built.sensors[k].name,
                           .place = built.model.mesh.nodes[nodes[k]],
-                          .rows = rows.middleRows<6>(6 * Eigen::Index(k))});
+                          .rows = rows.middleRows<6>(6 * Index(k))});
+    add_stress_rows(s, reduction, built.model, built.sensors[k]);
+  }
+  add_loads(s, reduction, built, analyses.response);
+  const Damping& damping = analyses.damping;
   const VectorXd lambda = reduction.lambda;
   const ModalDamping modal =
       modal_damping({.modal = damping.modal, .ranges = damping.ranges}, built.model, lambda, {}, 0);
@@ -122,59 +237,97 @@ void complete(Superelement& s, const Reduction& reduction, const BuiltCase& buil
         s.D += loss.value / 2 * (parts[c] + parts[c].transpose());
 }
 
+// Leaves out the modes that the boundary hardly feels.
+ModesLeftOut select_modes(Reduction& reduction, double least) {
+  const VectorXd share = effective_interface_mass(reduction.element);
+  std::vector<int> kept;
+  ModesLeftOut out;
+  for (Index j = 0; j < share.size(); ++j) {
+    if (share[j] >= least) {
+      kept.push_back(int(j));
+      continue;
+    }
+    const double hertz = frequency(reduction.lambda[j]);
+    out.lowest = out.count == 0 ? hertz : std::min(out.lowest, hertz);
+    ++out.count;
+    out.largest = std::max(out.largest, share[j]);
+    out.sum += share[j];
+  }
+  if (out.count > 0) reduction = with_modes(reduction, kept);
+  return out;
+}
+
+// By another way than the reduction.
+void add_statics(PartReference& part, const BuiltCase& built, const SymmetricView& view,
+                 const Boundary& boundary, bool nested) {
+  std::map<std::string, double> ignored;
+  const StageListener quiet = [](const std::string&) {};
+  const auto* symmetric = std::get_if<CyclicModel>(&view);
+  const auto route = symmetric ? cyclic_route(built, *symmetric, quiet, ignored)
+                               : full_route(built, "", quiet, ignored);
+  const std::array<int, 2> caps{boundary.nodes[0], boundary.nodes[1]};
+  const std::vector<Eigen::Vector3d> places{built.model.mesh.nodes[caps[0]],
+                                            built.model.mesh.nodes[caps[1]]};
+  const Matrix1212 K = *route->end_stiffness(caps);
+  // A superelement of superelements sums its parts in another order than the mesh does.
+  if (nested && !part.grounded) part.statics_known_to = grounding(K, places);
+  part.static_stiffness = without_grounding(K, places);
+}
+
 } // namespace
 
-ReducedCase reduce_case(const Case& given, double cutoff,
+ReducedCase reduce_case(const Case& given, const ReduceRequest& request,
                         const std::function<void(const std::string&)>& stage) {
   Case data = given;
   data.mount.clear(); // whoever takes the superelement holds it
-  if (data.caps.empty())
-    fail("caps", "has none, and they are the boundary of a superelement", "give at least one cap");
   ReducedCase result;
-  result.cutoff = cutoff > 0 ? cutoff : reduction_cutoff(data.analyses);
+  result.cutoff = request.cutoff > 0 ? request.cutoff : reduction_cutoff(data.analyses);
   Stopwatch watch;
   stage("mesh");
   const BuiltCase built = build(data);
-  std::vector<int> caps;
-  for (const Cap& cap : data.caps) caps.push_back(built.cap_nodes.at(cap.name));
+  const Boundary boundary = boundary_of(data, built, request.boundary);
   watch.lap(result.timing, "mesh");
   stage("symmetry");
   SymmetricView view = std::string("as the case asks");
   if (data.analyses.symmetry != Symmetry::off) view = cyclic_model(built.model);
   const auto* symmetric = std::get_if<CyclicModel>(&view);
   if (!symmetric && data.analyses.symmetry == Symmetry::required)
-    fail("analyses.symmetry",
-         "is required, but the part does not repeat around its axis: " +
-             std::get<std::string>(view),
-         "mend that, or let symmetry be automatic");
-  result.route = symmetric
-                     ? "rotational symmetry, " + std::to_string(symmetric->around()) + " sectors"
-                     : "full mesh: " + std::get<std::string>(view);
+    input_error("analyses.symmetry",
+                "is required, but the part does not repeat around its axis: " +
+                    std::get<std::string>(view),
+                "mend that, or let symmetry be automatic");
   watch.lap(result.timing, "symmetry");
   stage("reduction");
-  Reduction reduction = reduce(built.model, view, caps, result.cutoff);
-  result.element = std::move(reduction.element);
-  result.element.name = data.name;
-  for (std::size_t i = 0; i < data.caps.size(); ++i)
-    result.element.node_names[i] = data.caps[i].name;
-  result.proved = reduction.proved;
-  result.reason = reduction.reason;
-  complete(result.element, reduction, built, data.analyses.damping);
+  std::shared_ptr<const ReducedModel> nested;
+  if (data.analyses.reduction) {
+    std::vector<int> meeting = interface_nodes(built);
+    meeting.insert(meeting.end(), boundary.nodes.begin(), boundary.nodes.end());
+    nested = std::make_shared<const ReducedModel>(
+        reduced_model(built, meeting, result.cutoff, data.analyses.symmetry != Symmetry::off));
+  }
+  result.route = nested ? route_name(*nested)
+                 : symmetric
+                     ? "rotational symmetry, " + std::to_string(symmetric->around()) + " sectors"
+                     : "full mesh: " + std::get<std::string>(view);
+  Reduction reduction = reduce(built, view, nested, boundary, result.cutoff);
+  reduction.element.name = data.name;
+  reduction.element.node_names = boundary.names;
   watch.lap(result.timing, "reduction");
   stage("certificate");
-  PartReference part = symmetric ? symmetric_reference(*symmetric, caps, result.cutoff)
-                                 : full_reference(built.model, caps, result.cutoff);
+  PartReference part = symmetric ? symmetric_reference(*symmetric, boundary, result.cutoff)
+                                 : full_reference(built.model, boundary, result.cutoff);
   part.grounded = !data.supports.empty();
-  if (caps.size() == 2) { // by another way than the reduction
-    std::map<std::string, double> ignored;
-    const StageListener quiet = [](const std::string&) {};
-    const auto route = symmetric ? cyclic_route(built, *symmetric, quiet, ignored)
-                                 : full_route(built, "", quiet, ignored);
-    part.static_stiffness =
-        without_grounding(*route->end_stiffness({caps[0], caps[1]}), result.element.nodes);
-  }
-  result.certificate = certificate(result.element, part);
+  if (boundary.caps == 2) add_statics(part, built, view, boundary, nested != nullptr);
+  result.left_out = select_modes(reduction, request.least_interface_mass);
+  part.left_out = result.left_out.count;
+  result.certificate = certificate(reduction.element, part);
   watch.lap(result.timing, "certificate");
+  stage("recovery");
+  result.element = reduction.element;
+  result.proved = reduction.proved;
+  result.reason = reduction.reason;
+  complete(result.element, reduction, built, data.analyses);
+  watch.lap(result.timing, "recovery");
   result.peak_memory = peak_memory();
   return result;
 }

@@ -1,6 +1,6 @@
 #include "model/input_error.hpp"
+#include "model/reduced_case.hpp"
 #include "model/route.hpp"
-#include "reduction/substructures.hpp"
 #include "solve/constraints.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
@@ -9,12 +9,10 @@
 #include <stdexcept>
 
 namespace plica {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// Caps, and what carries a body or a spring on a wall: where parts meet or symmetry would end.
 std::vector<int> interface_nodes(const BuiltCase& built) {
   std::set<int> nodes;
   for (const auto& [name, node] : built.cap_nodes) nodes.insert(node);
@@ -36,17 +34,28 @@ std::vector<int> interface_nodes(const BuiltCase& built) {
   return {nodes.begin(), nodes.end()};
 }
 
-ReducedModel reduced_model(const BuiltCase& built, double cutoff, bool symmetry) {
+ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
+                           double cutoff, bool symmetry) {
   try {
-    return reduce_substructures(built.model, interface_nodes(built), cutoff, symmetry);
+    return reduce_substructures(built.model, interface_nodes, cutoff, symmetry);
   } catch (const std::invalid_argument& error) {
-    throw InputError({{.file = "",
-                       .line = 0,
-                       .key = "analyses.reduction",
-                       .wrong = error.what(),
-                       .allowed = "parts that are joined by caps"}});
+    input_error("analyses.reduction", error.what(), "parts that are joined by caps");
   }
 }
+
+std::string route_name(const ReducedModel& reduced) {
+  std::set<std::string> routes;
+  for (const Instance& i : reduced.instances)
+    routes.insert(i.reduced->sectors > 0
+                      ? "rotational symmetry, " + std::to_string(i.reduced->sectors) + " sectors"
+                      : "full mesh: " + i.reduced->because);
+  std::string text = std::to_string(reduced.instances.size()) + " superelements of " +
+                     std::to_string(reduced.reductions) + " reductions";
+  for (const std::string& route : routes) text += "; " + route;
+  return text;
+}
+
+namespace {
 
 // Solves the full route's way what is left when every part between caps is a superelement.
 class ReducedRoute : public Route {
@@ -55,7 +64,7 @@ public:
                Timing& timing)
       : built_(built), stage_(stage), timing_(timing), unknowns_(eliminate(built.model).size()) {
     stage_("reduction");
-    reduced_ = reduced_model(built, cutoff, symmetry != Symmetry::off);
+    reduced_ = reduced_model(built, interface_nodes(built), cutoff, symmetry != Symmetry::off);
     if (symmetry == Symmetry::required) require_symmetry();
     watch_.lap(timing_, "reduction");
     frame_.model = reduced_.model;
@@ -64,17 +73,7 @@ public:
     frame_route_ = full_route(frame_, "", stage_, timing_);
   }
 
-  std::string name() const override {
-    std::set<std::string> routes;
-    for (const Instance& i : reduced_.instances)
-      routes.insert(i.reduced->sectors > 0
-                        ? "rotational symmetry, " + std::to_string(i.reduced->sectors) + " sectors"
-                        : "full mesh: " + i.reduced->because);
-    std::string text = std::to_string(reduced_.instances.size()) + " superelements of " +
-                       std::to_string(reduced_.reductions) + " reductions";
-    for (const std::string& route : routes) text += "; " + route;
-    return text;
-  }
+  std::string name() const override { return route_name(reduced_); }
   int unknowns() const override { return unknowns_; }
   double mass() const override { return frame_route_->mass(); }
 
@@ -107,13 +106,11 @@ private:
   void require_symmetry() const {
     for (const Instance& i : reduced_.instances)
       if (i.reduced->sectors == 0)
-        throw InputError({{.file = "",
-                           .line = 0,
-                           .key = "analyses.symmetry",
-                           .wrong = "is required, but a part between caps does not repeat around "
-                                    "its axis: " +
-                                    i.reduced->because,
-                           .allowed = "mend that, or let symmetry be automatic"}});
+        input_error("analyses.symmetry",
+                    "is required, but a part between caps does not repeat around "
+                    "its axis: " +
+                        i.reduced->because,
+                    "mend that, or let symmetry be automatic");
   }
 
   std::array<int, 2> in_frame(const std::array<int, 2>& caps) const {

@@ -18,11 +18,6 @@ using std::numbers::pi;
 
 constexpr std::array axis_names{"x", "y", "z", "rx", "ry", "rz"};
 
-[[noreturn]] void fail(const std::string& key, const std::string& wrong,
-                       const std::string& allowed) {
-  throw InputError({{.file = "", .line = 0, .key = key, .wrong = wrong, .allowed = allowed}});
-}
-
 SpectralDensity spectral_density(const Noise& noise, const std::array<double, 2>& band) {
   if (noise.table.empty()) return {{{band[0], noise.level}, {band[1], noise.level}}};
   return {noise.table};
@@ -32,7 +27,7 @@ SpectralDensity spectral_density(const Noise& noise, const std::array<double, 2>
 VectorXd nodal_force(const Force& force, const std::string& key, const Model& model) {
   const auto set = model.mesh.sets.find(force.at);
   if (set == model.mesh.sets.end())
-    fail(key, "there is no set \"" + force.at + "\" on the mesh", "the sets of the parts");
+    input_error(key, "there is no set \"" + force.at + "\" on the mesh", "the sets of the parts");
   VectorXd F = VectorXd::Zero(dof_count(model));
   for (int node : set->second) F[6 * node + force.direction] += 1. / double(set->second.size());
   return F;
@@ -54,10 +49,10 @@ void require_damping(const Response& asked, const DampedModes& modes) {
   for (int j = 0; j < modes.solution.modes; ++j) {
     const double f = frequency(modes.solution.lambda[j]);
     if (f < asked.band[0] || f > asked.band[1] || modes.zeta[j] + modes.eta[j] / 2 > 0) continue;
-    fail("analyses.response",
-         "mode " + std::to_string(j + 1) + " at " + std::to_string(f) +
-             " Hz has no damping, so its peak is infinite",
-         "give analyses.damping.modal, a range, a mode or a loss factor that reaches it");
+    input_error("analyses.response",
+                "mode " + std::to_string(j + 1) + " at " + std::to_string(f) +
+                    " Hz has no damping, so its peak is infinite",
+                "give analyses.damping.modal, a range, a mode or a loss factor that reaches it");
   }
 }
 
@@ -81,7 +76,7 @@ int channel_of(const ResponseResult& response, const std::string& name, const st
   for (std::size_t c = 0; c < response.channels.size(); ++c)
     if (name == response.channels[c].first + "." + response.channels[c].second)
       return static_cast<int>(c);
-  fail(key, "there is no channel \"" + name + "\"", "a sensor and its axis, e.g. mid.y");
+  input_error(key, "there is no channel \"" + name + "\"", "a sensor and its axis, e.g. mid.y");
 }
 
 RandomResult random_result(const Response& asked, const SpectralDensity& input,

@@ -10,10 +10,14 @@ namespace plica {
 // The part itself, computed without the superelement.
 struct PartReference {
   Eigen::Matrix<double, 6, 6> rigid_mass; // r' M r about the origin
-  Eigen::MatrixXd static_stiffness;       // condensed onto the boundary; empty = not known
-  Eigen::VectorXd free_lambda;            // boundary free, increasing, rigid modes included
-  Eigen::VectorXd fixed_lambda;           // boundary held
-  bool grounded = false;                  // a support inside the part: no rigid motion is free
+  Eigen::MatrixXd static_stiffness;       // condensed onto its first DOFs; empty = not known
+  // Force that a rigid motion raises in it, of its size; 0 = the superelement was made of the same
+  // matrices and shares their rounding.
+  double statics_known_to = 0;
+  Eigen::VectorXd free_lambda;  // boundary free, increasing, rigid modes included
+  Eigen::VectorXd fixed_lambda; // boundary held
+  int left_out = 0;             // modes left out on purpose: so many frequencies may be missing
+  bool grounded = false;        // a support inside the part: no rigid motion is free
 };
 
 struct FrequencyCheck {
@@ -30,7 +34,8 @@ struct Certificate {
   double rigid_modes = 0; // sine of the angle between the lowest six modes and the geometry's
   double coordinates = 0; // m: boundary nodes found from the null space of K, off the true ones
   double mass = 0, centre = 0, inertia = 0; // relative; m; relative
-  double statics = 0; // largest |dK_ij| / sqrt(K_ii K_jj) against the condensed part
+  double statics_known_to = 0; // as far as the part's own stiffness is known: its rounding
+  double statics = 0;          // largest |dK_ij| / sqrt(K_ii K_jj) against the condensed part
   std::vector<FrequencyCheck> free, fixed; // elastic ones
   double good_up_to = 0;                   // Hz: below, every free frequency is met within `error`
   double error = 0;

@@ -65,6 +65,7 @@ public:
     s.K.bottomRows(modes_).setZero();
     s.K.diagonal().tail(modes_) = lambda_;
     s.M = T->transpose() * M_ * *T;
+    s.M = ((s.M + s.M.transpose()) / 2).eval();
     s.M.bottomRightCorner(modes_, modes_).setIdentity();
     add_recovery(r, T);
     return r;

@@ -73,7 +73,7 @@ FixedInterface fixed_interface(const SparseMatrix& K, const SparseMatrix& M,
   f.X = MatrixXd::Zero(n, loads.cols());
   if (loads.cols() > 0) f.X(inner, Eigen::all) = base.factor.solve(loads(inner, Eigen::all));
   const MatrixXd MPsi = symmetric_product(M, f.Psi);
-  f.K_bb = symmetrised(symmetric_product(K, f.Psi)(boundary, Eigen::all)); // zero elsewhere
+  f.K_bb = boundary_stiffness(K, boundary, f.Psi);
   f.M_bb = symmetrised(f.Psi.transpose() * MPsi);
   const FixedModes fixed = fixed_modes(K_ii, M_ii, cutoff, base);
   f.lambda = fixed.lambda;

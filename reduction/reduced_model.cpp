@@ -1,6 +1,9 @@
 #include "reduction/craig_bampton.hpp"
 #include "reduction/substructures.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace plica {
 namespace {
 
@@ -85,6 +88,51 @@ MatrixXd ReducedModel::field(const MatrixXd& q) const {
         u.middleRows<6>(6 * Index(nodes[i])) = own.middleRows<6>(6 * Index(i));
   }
   return u;
+}
+
+MatrixXd ReducedModel::field_at(const MatrixXd& q, const std::vector<int>& nodes) const {
+  MatrixXd u(6 * Index(nodes.size()), q.cols());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (number[nodes[i]] >= 0)
+      u.middleRows<6>(6 * Index(i)) = q.middleRows<6>(6 * Index(number[nodes[i]]));
+  for (const Instance& instance : instances) {
+    std::vector<int> own;        // numbers in the part
+    std::vector<std::size_t> to; // places in the list
+    const std::vector<int>& known = instance.part->nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto found = std::lower_bound(known.begin(), known.end(), nodes[i]);
+      if (number[nodes[i]] >= 0 || found == known.end() || *found != nodes[i]) continue;
+      own.push_back(static_cast<int>(found - known.begin()));
+      to.push_back(i);
+    }
+    if (own.empty()) continue;
+    const MatrixXd rows =
+        instance.reduced->reduction.field_at(q(rows_of(instance, number), Eigen::all), own);
+    for (std::size_t i = 0; i < to.size(); ++i)
+      u.middleRows<6>(6 * Index(to[i])) = rows.middleRows<6>(6 * Index(i));
+  }
+  return u;
+}
+
+Reduction craig_bampton(std::shared_ptr<const ReducedModel> model, const std::vector<int>& boundary,
+                        double cutoff) {
+  std::vector<int> own;
+  for (int node : boundary) {
+    if (model->number[node] < 0)
+      throw std::invalid_argument("boundary node " + std::to_string(node + 1) +
+                                  " lies inside a superelement");
+    own.push_back(model->number[node]);
+  }
+  Reduction r = craig_bampton(model->model, own, cutoff);
+  if (r.proved && !model->proved) {
+    r.proved = false;
+    r.reason = model->reason;
+  }
+  r.field_at = [model, inner = r.field](const MatrixXd& c, const std::vector<int>& nodes) {
+    return model->field_at(inner(c), nodes);
+  };
+  r.field = [model, inner = r.field](const MatrixXd& c) { return model->field(inner(c)); };
+  return r;
 }
 
 MatrixXd ReducedModel::gather(const MatrixXd& force) const {

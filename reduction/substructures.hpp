@@ -50,10 +50,17 @@ struct ReducedModel {
   bool proved = false; // of every substructure
   std::string reason;
 
-  // All DOFs of the whole from those of the reduced model, and forces the other way.
+  // All DOFs of the whole, or the six of chosen nodes, from those of the reduced model; and forces
+  // the other way.
   Eigen::MatrixXd field(const Eigen::MatrixXd& reduced) const;
+  Eigen::MatrixXd field_at(const Eigen::MatrixXd& reduced, const std::vector<int>& nodes) const;
   Eigen::MatrixXd gather(const Eigen::MatrixXd& force) const;
 };
+
+// A superelement of superelements: the reduced model with these nodes of the whole as its boundary.
+// Fields are those of the whole. Throws as craig_bampton().
+Reduction craig_bampton(std::shared_ptr<const ReducedModel> model, const std::vector<int>& boundary,
+                        double cutoff);
 
 // By symmetry where `symmetry` allows it and the substructure has it. Modes with the interface held
 // up to `cutoff` (Hz). Throws as cut() and craig_bampton().

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace plica {
@@ -25,6 +27,23 @@ MatrixXd rigid_motions(const std::vector<Vector3d>& nodes, const Vector3d& about
   return R;
 }
 
+MatrixXd symmetrised(const MatrixXd& A) {
+  return (A + A.transpose()) / 2;
+}
+
+// R s R' on both faces, s = xx yy zz xy yz zx.
+Eigen::Matrix<double, 12, 12> turned_stress(const Eigen::Matrix3d& R) {
+  constexpr std::array<std::array<int, 2>, 6> at{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
+  Eigen::Matrix<double, 12, 12> T = Eigen::Matrix<double, 12, 12>::Zero();
+  for (int j = 0; j < 6; ++j) {
+    Eigen::Matrix3d unit = Eigen::Matrix3d::Zero();
+    unit(at[j][0], at[j][1]) = unit(at[j][1], at[j][0]) = 1;
+    const Eigen::Matrix3d turned = R * unit * R.transpose();
+    for (int i = 0; i < 6; ++i) T(i, j) = T(6 + i, 6 + j) = turned(at[i][0], at[i][1]);
+  }
+  return T;
+}
+
 } // namespace
 
 MatrixXd rigid_motions(const Superelement& s, const Vector3d& about) {
@@ -33,19 +52,38 @@ MatrixXd rigid_motions(const Superelement& s, const Vector3d& about) {
   return R;
 }
 
+namespace {
+
+// Stiffness scaled to unit diagonal, so that N/m and Nm/rad count alike, and an orthonormal basis
+// of the rigid motions in its coordinates.
+struct Balanced {
+  Eigen::VectorXd scale;
+  MatrixXd K, Q;
+};
+
+Balanced balance(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
+  Balanced b;
+  b.scale = K.diagonal().cwiseSqrt().cwiseInverse();
+  b.K = b.scale.asDiagonal() * K * b.scale.asDiagonal();
+  const MatrixXd R = b.scale.cwiseInverse().asDiagonal() * rigid_motions(nodes, nodes.front());
+  b.Q = Eigen::HouseholderQR<MatrixXd>(R).householderQ() * MatrixXd::Identity(R.rows(), 6);
+  return b;
+}
+
+} // namespace
+
+double grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
+  const Balanced b = balance(K, nodes);
+  return (b.K * b.Q).norm();
+}
+
 MatrixXd without_grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
   constexpr double rounding = 1e-6;
-  // Scaled to unit diagonal, so that N/m and Nm/rad count alike.
-  const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd balanced = scale.asDiagonal() * K * scale.asDiagonal();
-  const MatrixXd R = scale.cwiseInverse().asDiagonal() * rigid_motions(nodes, nodes.front());
-  const Eigen::HouseholderQR<MatrixXd> qr(R);
-  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(R.rows(), 6);
-  if ((balanced * Q).norm() > rounding) return K;
-  const MatrixXd P = MatrixXd::Identity(K.rows(), K.rows()) - Q * Q.transpose();
-  const MatrixXd unscale = scale.cwiseInverse().asDiagonal();
-  const MatrixXd clean = unscale * P * balanced * P * unscale;
-  return (clean + clean.transpose()) / 2;
+  const Balanced b = balance(K, nodes);
+  if ((b.K * b.Q).norm() > rounding) return symmetrised(K);
+  const MatrixXd P = MatrixXd::Identity(K.rows(), K.rows()) - b.Q * b.Q.transpose();
+  const MatrixXd unscale = b.scale.cwiseInverse().asDiagonal();
+  return symmetrised(unscale * P * b.K * P * unscale);
 }
 
 MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& m) {
@@ -62,6 +100,34 @@ MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& m) {
 MassProperties mass_properties(const Superelement& s) {
   const MatrixXd R = rigid_motions(s, Vector3d::Zero());
   return mass_properties(Eigen::Matrix<double, 6, 6>(R.transpose() * s.M * R));
+}
+
+Superelement in_millimetres(const Superelement& s) {
+  constexpr double mm = 1000;
+  Superelement t = s;
+  t.units = "mm t s N rad";
+  // u' = scale u; energies are 1000 times the number in N mm.
+  Eigen::VectorXd scale = Eigen::VectorXd::Constant(s.K.rows(), std::sqrt(mm));
+  for (int b = 0; b < s.boundary(); b += 6) {
+    scale.segment<3>(b).setConstant(mm);
+    scale.segment<3>(b + 3).setOnes();
+  }
+  const Eigen::VectorXd down = scale.cwiseInverse();
+  for (MatrixXd* A : {&t.K, &t.M, &t.C, &t.D})
+    if (A->size() > 0) *A = (mm * (down.asDiagonal() * *A * down.asDiagonal())).eval();
+  for (Vector3d& x : t.nodes) x *= mm;
+  for (RecoveryRows& r : t.recovery) {
+    r.place *= mm;
+    r.rows = (r.rows * down.asDiagonal()).eval();
+    r.rows.topRows<3>() *= mm;
+  }
+  for (StressRows& r : t.stresses) {
+    r.place *= mm;
+    r.rows = (r.rows * down.asDiagonal() * 1e-6).eval(); // MPa
+  }
+  // Work of a unit force is a thousand N mm per N m.
+  for (LoadVector& load : t.loads) load.force = (mm * down.asDiagonal() * load.force).eval();
+  return t;
 }
 
 Superelement placed(const Superelement& s, const Eigen::Matrix3d& R, const Vector3d& t) {
@@ -81,6 +147,11 @@ Superelement placed(const Superelement& s, const Eigen::Matrix3d& R, const Vecto
     r.place = R * r.place + t;
     r.rows = (turn * r.rows * T.transpose()).eval();
   }
+  for (StressRows& r : instance.stresses) {
+    r.place = R * r.place + t;
+    r.rows = (turned_stress(R) * r.rows * T.transpose()).eval();
+  }
+  for (LoadVector& load : instance.loads) load.force = (T * load.force).eval();
   return instance;
 }
 
@@ -104,6 +175,41 @@ std::vector<int> add_superelement(Model& model, const Superelement& s,
   element.M.topLeftCorner(s.M.rows(), s.M.rows()) = s.M;
   model.matrices.push_back(std::move(element));
   return scalar;
+}
+
+Eigen::VectorXd effective_interface_mass(const Superelement& s) {
+  const Eigen::Index n = s.boundary();
+  const Eigen::VectorXd total = s.M.diagonal().head(n);
+  return (total.cwiseInverse().asDiagonal() * s.M.topRightCorner(n, s.modal()).cwiseAbs2())
+      .colwise()
+      .mean()
+      .transpose();
+}
+
+Reduction with_modes(const Reduction& reduction, const std::vector<int>& kept) {
+  Reduction r = reduction;
+  Superelement& s = r.element;
+  const int all = static_cast<int>(s.K.rows());
+  std::vector<int> rows;
+  for (int i = 0; i < s.boundary(); ++i) rows.push_back(i);
+  for (int j : kept) rows.push_back(s.boundary() + j);
+  for (MatrixXd* A : {&s.K, &s.M, &s.C, &s.D})
+    if (A->size() > 0) *A = MatrixXd((*A)(rows, rows));
+  for (RecoveryRows& x : s.recovery) x.rows = MatrixXd(x.rows(Eigen::all, rows));
+  for (StressRows& x : s.stresses) x.rows = MatrixXd(x.rows(Eigen::all, rows));
+  for (LoadVector& x : s.loads) x.force = Eigen::VectorXd(x.force(rows));
+  r.lambda = Eigen::VectorXd(reduction.lambda(kept));
+  const auto spread = [rows, all](const MatrixXd& c) {
+    MatrixXd full = MatrixXd::Zero(all, c.cols());
+    full(rows, Eigen::all) = c;
+    return full;
+  };
+  r.field = [field = reduction.field, spread](const MatrixXd& c) { return field(spread(c)); };
+  r.field_at = [field = reduction.field_at, spread](const MatrixXd& c,
+                                                    const std::vector<int>& nodes) {
+    return field(spread(c), nodes);
+  };
+  return r;
 }
 
 } // namespace plica

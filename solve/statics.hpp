@@ -12,8 +12,12 @@ using Matrix66 = Eigen::Matrix<double, 6, 6>;
 Eigen::MatrixXd condense(const SparseMatrix& K, const std::vector<int>& boundary,
                          const SparseFactor& inner);
 
+// The same from the static shapes Psi of unit motions of the boundary: its reactions.
+Eigen::MatrixXd boundary_stiffness(const SparseMatrix& K, const std::vector<int>& boundary,
+                                   const Eigen::MatrixXd& Psi);
+
 // All DOFs of K when those of the boundary move by the columns of u_b and nothing else acts:
-// u_i = -K_ii^-1 K_ib u_b.
+// u_i = -K_ii^-1 K_ib u_b, refined with residuals in extended precision.
 Eigen::MatrixXd follow_boundary(const SparseMatrix& K, const std::vector<int>& boundary,
                                 const SparseFactor& inner, const Eigen::MatrixXd& u_b);
 

@@ -5,10 +5,20 @@
 #include "io/superelement_abaqus.hpp"
 #include "io/superelement_hdf5.hpp"
 #include "io/superelement_labels.hpp"
+#include "io/superelement_matlab.hpp"
+#include "io/superelement_matrix_market.hpp"
 #include "io/superelement_nastran.hpp"
+#include "io/superelement_op4.hpp"
 #include "io/write_superelement.hpp"
+#include "model/input_error.hpp"
 #include "model/reduce.hpp"
+#include "model/run_response.hpp"
+#include "solve/base_motion.hpp"
+#include "solve/sparse_factor.hpp"
+#include "solve/statics.hpp"
+#include "solve/stress.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -25,12 +35,16 @@ Case sample_case() {
   const BuiltCase built = build(data);
   const Eigen::Vector3d x = built.model.mesh.nodes[built.model.mesh.rings[40].nodes[3]];
   data.sensors = {{.name = "crown", .at = {x[0], x[1], x[2]}}};
+  Force force;
+  force.name = "tap";
+  force.at = "bellows.crown[4]";
+  data.analyses.response = Response{.bases = {1}, .forces = {force}, .band = {5, 900}};
   data.analyses.damping = {.modal = 0.02, .loss_factors = {{"bellows", 0.01}}};
   return data;
 }
 
 ReducedCase reduced(const Case& data, double cutoff = 2000) {
-  return reduce_case(data, cutoff, [](const std::string&) {});
+  return reduce_case(data, {.cutoff = cutoff, .boundary = {}}, [](const std::string&) {});
 }
 
 void expect_same(const MatrixXd& a, const MatrixXd& b, double tolerance) {
@@ -93,10 +107,125 @@ TEST(ReducedCase, recovers_its_sensor_and_carries_damping) {
   }
 }
 
+// A load of the case, the stress of the wall and a base motion from the superelement alone are
+// those of the run that keeps the mesh.
+TEST(ReducedCase, carries_loads_and_stresses_of_the_part) {
+  Case data = sample_case();
+  const ReducedCase r = reduced(data, 4000);
+  const Superelement& s = r.element;
+  ASSERT_EQ(s.loads[6].name, "tap per N");
+  // Both caps held: statics of the modal coordinates, exact but for the modes above the cut-off.
+  const Eigen::Index m = s.modal();
+  const auto response = [&](const Eigen::VectorXd& force) {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(s.K.rows());
+    q.tail(m) = s.K.bottomRightCorner(m, m).ldlt().solve(force.tail(m));
+    return q;
+  };
+  const BuiltCase built = build(data);
+  const System full = assemble(built.model);
+  std::vector<int> held;
+  for (int node : built.held_nodes)
+    for (int d = 0; d < 6; ++d) held.push_back(full.map.independent[6 * node + d]);
+  std::sort(held.begin(), held.end());
+  const std::vector<int> inner = complement(full.map.size(), held);
+  SparseFactor factor(restrict_to(full.K, inner));
+  factor.factorise(restrict_to(full.K, inner));
+  const Excitations forces = excitations(*data.analyses.response, built.model);
+  const BaseMotion base = base_motion(built.model, full, inner, {0, 0, 0});
+  const Eigen::VectorXd tap = gather(full.map, forces.loads.force.col(1))(inner);
+  for (const auto& [load, right] :
+       {std::pair{6, tap}, std::pair{1, Eigen::VectorXd(base.force.col(1))}}) {
+    MatrixXd x = MatrixXd::Zero(full.map.size(), 1);
+    x(inner, 0) = factor.solve(right);
+    const MatrixXd u = expand(full.map, x);
+    const Eigen::VectorXd q = response(s.loads[std::size_t(load)].force);
+    const int node = built.sensors[0].node;
+    EXPECT_LT((s.recovery[0].rows.topRows<3>() * q - u.middleRows<3>(6 * node)).norm(),
+              0.02 * u.middleRows<3>(6 * node).norm())
+        << s.loads[std::size_t(load)].name;
+    const StressField field = recover_stress(built.model, u);
+    for (std::size_t point = 0; point < field.node_of_point.size(); ++point) {
+      if (field.node_of_point[point] != node || load != 1) continue;
+      EXPECT_LT(
+          (s.stresses[0].rows * q - field.shell.middleRows<12>(12 * Eigen::Index(point))).norm(),
+          0.05 * field.shell.middleRows<12>(12 * Eigen::Index(point)).norm());
+    }
+  }
+}
+
+TEST(ReducedCase, takes_sensors_into_the_boundary_by_symmetry) {
+  const Case data = sample_case();
+  const ReducedCase r = reduce_case(data, {.cutoff = 2000, .boundary = {"crown", "left", "right"}},
+                                    [](const auto&) {});
+  EXPECT_EQ(r.element.node_names, (std::vector<std::string>{"left", "right", "crown"}));
+  EXPECT_NE(r.route.find("rotational symmetry"), std::string::npos);
+  EXPECT_TRUE(r.certificate.passed)
+      << (r.certificate.failures.empty() ? "" : r.certificate.failures[0]);
+  EXPECT_GT(r.certificate.good_up_to, 900);
+  try {
+    reduce_case(data, {.boundary = {"left", "crwon"}}, [](const auto&) {});
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("\"crwon\""), std::string::npos) << e.what();
+  }
+}
+
+TEST(ReducedCase, leaves_out_modes_the_boundary_hardly_feels_and_says_so) {
+  const Case data = sample_case();
+  const ReducedCase all = reduced(data, 4000);
+  const ReducedCase some = reduce_case(
+      data, {.cutoff = 4000, .boundary = {}, .least_interface_mass = 5e-3}, [](const auto&) {});
+  EXPECT_GT(some.left_out.count, 0);
+  EXPECT_EQ(some.element.modal() + some.left_out.count, all.element.modal());
+  EXPECT_LT(some.left_out.largest, 5e-3);
+  EXPECT_TRUE(some.certificate.passed);
+  EXPECT_GT(some.certificate.good_up_to, 500);
+  EXPECT_EQ(some.element.recovery[0].rows.cols(), some.element.K.cols());
+}
+
+// A superelement of superelements against the unreduced part.
+TEST(ReducedCase, may_be_nested) {
+  Case data =
+      read_case(std::string(PLICA_SOURCE_DIR) + "/cases/dual_assembly/dual_assembly.yaml").data;
+  for (Part& part : data.parts)
+    if (auto* b = std::get_if<Bellows>(&part.body)) b->mesh = {.around = 16, .arc = 2, .wall = 3};
+  data.analyses.reduction = ReductionRequest{};
+  const ReducedCase r = reduce_case(data, {.cutoff = 1000, .boundary = {"edge_left", "edge_right"}},
+                                    [](const auto&) {});
+  EXPECT_EQ(r.element.boundary(), 12);
+  EXPECT_NE(r.route.find("5 superelements of 3 reductions"), std::string::npos) << r.route;
+  EXPECT_TRUE(r.proved) << r.reason;
+  EXPECT_TRUE(r.certificate.passed)
+      << (r.certificate.failures.empty() ? "" : r.certificate.failures[0]);
+  EXPECT_GT(r.certificate.good_up_to, 500);
+  const MatrixXd rigid =
+      r.element.recovery.at(0).rows * rigid_motions(r.element, r.element.recovery[0].place);
+  EXPECT_LT((rigid - MatrixXd::Identity(6, 6)).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+// In millimetres the same physics: frequencies, a deflection a thousand times the number.
+TEST(ReducedCase, in_millimetres_is_the_same_part) {
+  const Superelement s = reduced(sample_case()).element, t = in_millimetres(s);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> a(s.K, s.M), b(t.K, t.M);
+  for (Eigen::Index i = 6; i < s.K.rows(); ++i)
+    EXPECT_NEAR(b.eigenvalues()[i] / a.eigenvalues()[i], 1, 1e-8);
+  EXPECT_NEAR(t.K(1, 1), 1e-3 * s.K(1, 1), 1e-12 * s.K(1, 1)) << "N/mm";
+  EXPECT_NEAR(t.K(4, 4), 1e3 * s.K(4, 4), 1e-9 * s.K(4, 4)) << "N mm";
+  EXPECT_NEAR(mass_properties(t).mass, 1e-3 * mass_properties(s).mass, 1e-9) << "t";
+  const Eigen::Index n = s.K.rows();
+  Eigen::VectorXd q = Eigen::VectorXd::Random(n), p = q;
+  for (Eigen::Index i = 0; i < n; ++i) p[i] *= i < 12 ? (i % 6 < 3 ? 1e3 : 1) : std::sqrt(1e3);
+  EXPECT_LT(
+      (t.recovery[0].rows.topRows<3>() * p - 1e3 * s.recovery[0].rows.topRows<3>() * q).norm(),
+      1e-9 * (1e3 * s.recovery[0].rows.topRows<3>() * q).norm());
+  EXPECT_LT((t.stresses[0].rows * p - 1e-6 * s.stresses[0].rows * q).norm(),
+            1e-9 * (1e-6 * s.stresses[0].rows * q).norm());
+}
+
 TEST(SuperelementFiles, come_back_as_they_were) {
   const TemporaryFolder folder("superelement");
   const ReducedCase r = reduced(sample_case());
-  write_superelement(r, folder.path);
+  write_superelement(r, Units::metres, folder.path);
   const Superelement& s = r.element;
   const Superelement own = read_hdf5(folder.path / "superelement.h5");
   EXPECT_EQ(own.name, s.name);
@@ -106,11 +235,37 @@ TEST(SuperelementFiles, come_back_as_they_were) {
     expect_same(*a, *b, 0);
   for (std::size_t k = 0; k < s.nodes.size(); ++k) EXPECT_EQ(own.nodes[k], s.nodes[k]);
   expect_same(own.recovery.at(0).rows, s.recovery[0].rows, 0);
+  ASSERT_EQ(own.stresses.size(), s.stresses.size());
+  expect_same(own.stresses.at(0).rows, s.stresses[0].rows, 0);
+  ASSERT_EQ(own.loads.size(), 7u) << "six base motions and a force";
+  for (std::size_t k = 0; k < s.loads.size(); ++k) {
+    EXPECT_EQ(own.loads[k].name, s.loads[k].name);
+    expect_same(own.loads[k].force, s.loads[k].force, 0);
+  }
   const Superelement nastran = read_nastran_deck(folder.path / "superelement.bdf");
   expect_same(nastran.K, s.K, 1e-12);
   expect_same(nastran.M, s.M, 1e-12);
   for (std::size_t k = 0; k < s.nodes.size(); ++k)
     EXPECT_LT((nastran.nodes[k] - s.nodes[k]).norm(), 1e-11);
+  expect_same(nastran.C, s.C, 1e-12);
+  expect_same(nastran.D, s.D, 1e-12);
+  const auto op4 = read_op4(folder.path / "superelement.op4");
+  ASSERT_EQ(op4.size(), 4u);
+  expect_same(op4.at("KPLICA"), s.K, 0);
+  expect_same(op4.at("MPLICA"), s.M, 0);
+  expect_same(op4.at("BPLICA"), s.C, 0);
+  expect_same(op4.at("K4PLICA"), s.D, 0);
+  const Superelement matlab = read_matlab(folder.path / "superelement.mat");
+  EXPECT_EQ(matlab.node_names, s.node_names);
+  EXPECT_EQ(matlab.units, s.units);
+  for (const auto& [a, b] : {std::pair{&matlab.K, &s.K}, std::pair{&matlab.M, &s.M},
+                             std::pair{&matlab.C, &s.C}, std::pair{&matlab.D, &s.D}})
+    expect_same(*a, *b, 0);
+  for (std::size_t k = 0; k < s.nodes.size(); ++k) EXPECT_EQ(matlab.nodes[k], s.nodes[k]);
+  const auto [user_k, user_m] = read_abaqus_user_element(s, folder.path / "superelement_user.inp");
+  expect_same(user_k, s.K, 0);
+  expect_same(user_m, s.M, 0);
+  expect_same(read_abaqus_matrix(s, folder.path / "superelement_d.inp"), s.D, 0);
   expect_same(read_abaqus_matrix(s, folder.path / "superelement_k.inp"), s.K, 0);
   expect_same(read_abaqus_matrix(s, folder.path / "superelement_m.inp"), s.M, 0);
   expect_same(read_matrix_market(folder.path / "superelement_k.mtx"), s.K, 0);
@@ -127,7 +282,7 @@ TEST(SuperelementFiles, come_back_as_they_were) {
 TEST(SuperelementFiles, damaged_are_refused_with_their_name_and_line) {
   const TemporaryFolder folder("superelement_damaged");
   const ReducedCase r = reduced(sample_case(), 500);
-  write_superelement(r, folder.path);
+  write_superelement(r, Units::metres, folder.path);
   const auto message = [](const auto& read) -> std::string {
     try {
       read();
@@ -153,6 +308,20 @@ TEST(SuperelementFiles, damaged_are_refused_with_their_name_and_line) {
             std::string::npos);
   write_whole(matrix, text + "999, 1, 101, 1, 3\n");
   EXPECT_NE(message([&] { read_abaqus_matrix(r.element, matrix); }).find("has not"),
+            std::string::npos);
+  const fs::path op4 = folder.path / "superelement.op4", mat = folder.path / "superelement.mat",
+                 user = folder.path / "superelement_user.inp";
+  text = read_whole(op4);
+  write_whole(op4, text.substr(0, text.size() / 3));
+  EXPECT_NE(message([&] { read_op4(op4); }).find("superelement.op4:"), std::string::npos);
+  text.replace(text.find("E+0"), 2, "Ex");
+  write_whole(op4, text);
+  EXPECT_NE(message([&] { read_op4(op4); }).find("is not a number"), std::string::npos);
+  write_whole(mat, read_whole(mat).substr(0, 100));
+  EXPECT_NE(message([&] { read_matlab(mat); }).find("superelement.mat: "), std::string::npos);
+  text = read_whole(user);
+  write_whole(user, text.substr(0, text.find("*MATRIX, TYPE=MASS")));
+  EXPECT_NE(message([&] { read_abaqus_user_element(r.element, user); }).find("mass matrix"),
             std::string::npos);
   EXPECT_NE(message([&] { read_hdf5(folder.path / "absent.h5"); }).find("absent.h5"),
             std::string::npos);

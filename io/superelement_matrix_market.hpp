@@ -1,0 +1,14 @@
+// Matrix Market (coordinate, real, symmetric), for programs without a format of their own.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <string>
+
+namespace plica {
+
+std::string matrix_market(const Eigen::MatrixXd& A, const std::string& comment);
+Eigen::MatrixXd read_matrix_market(const std::filesystem::path& path);
+
+} // namespace plica

@@ -1,0 +1,22 @@
+// A superelement's matrices as a Nastran OUTPUT4 file (text, dense, double precision): KPLICA,
+// MPLICA and, with damping, BPLICA (viscous) and K4PLICA (structural), symmetric, in the order of
+// coordinate_names().
+//
+//   header   columns, rows, form 6, type 2 (I8 each), name (A8), 1P,3E23.16
+//   column   number, first row, count of numbers (I8 each); the numbers, three a line
+//   end      a column one past the last
+#pragma once
+
+#include "reduction/superelement.hpp"
+
+#include <filesystem>
+#include <map>
+
+namespace plica {
+
+std::string op4_file(const Superelement& s);
+
+// Matrices by name. Throws std::runtime_error with file and line.
+std::map<std::string, Eigen::MatrixXd> read_op4(const std::filesystem::path& path);
+
+} // namespace plica
