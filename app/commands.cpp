@@ -3,9 +3,12 @@
 #include "app/progress.hpp"
 #include "diagnose/compare.hpp"
 #include "io/case_file.hpp"
+#include "io/deck_abaqus.hpp"
+#include "io/deck_nastran.hpp"
 #include "io/measured_file.hpp"
 #include "io/schema.hpp"
 #include "io/summary.hpp"
+#include "io/superelement_labels.hpp"
 #include "io/write_results.hpp"
 #include "io/write_superelement.hpp"
 #include "mesh/gmsh_session.hpp"
@@ -47,6 +50,14 @@ VariantResult run_variant(const CaseFile& file, const Variant& variant, Progress
   return result;
 }
 
+void write_deck(const CaseFile& file, const RunOptions& options) {
+  const BuiltCase built = build(file.data);
+  if (options.deck == "nastran")
+    write_whole(options.out / "model.bdf", nastran_model(file.data, built));
+  else
+    write_whole(options.out / "model.inp", abaqus_model(file.data, built));
+}
+
 } // namespace
 
 int run_command(const RunOptions& options) {
@@ -84,6 +95,7 @@ int run_command(const RunOptions& options) {
   progress.stage("writing " + options.out.string());
   write_results(results, options.out);
   if (options.write_mesh) write_msh(results.mesh, results.lines, options.out / "mesh.msh");
+  if (!options.deck.empty()) write_deck(file, options);
   progress.finish();
   if (!options.quiet) fmt::print("{}", summary_text(results, options.out / "report.html"));
   if (results.verification.made && !results.verification.passed) {

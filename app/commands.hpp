@@ -15,6 +15,7 @@ struct RunOptions {
   int threads = 0; // 0 = all cores
   bool quiet = false;
   bool write_mesh = false; // mesh.msh beside the results
+  std::string deck;        // abaqus or nastran: the model for another solver
   bool variants = true;
   bool error_bars = true;
 };

@@ -22,6 +22,10 @@ int dispatch(int argc, char** argv) {
       ->capture_default_str();
   run_app->add_flag("--quiet", run.quiet, "print errors only");
   run_app->add_flag("--msh", run.write_mesh, "write mesh.msh (Gmsh) beside the results");
+  run_app
+      ->add_option("--write-deck", run.deck,
+                   "write the whole model as a deck for another solver: model.inp or model.bdf")
+      ->check(CLI::IsMember({"abaqus", "nastran"}));
   run_app->add_flag("!--no-variants", run.variants, "leave the variants of the case out");
   run_app->add_flag("!--no-error-bars", run.error_bars,
                     "leave out the runs on finer meshes and over the tolerances");

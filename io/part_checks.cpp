@@ -40,6 +40,14 @@ void check(const std::string& key, const Bellows& b, const Case& data, CheckLog&
   if (log.fine(key + ".profile") && convolutions(b) > 5000)
     log.add(key + ".profile", "has " + std::to_string(convolutions(b)) + " convolutions",
             "allowed: at most 5000 in one bellows");
+  for (std::size_t i = 0; i < b.dents.size(); ++i) {
+    const std::string dent = item(key + ".dents", i);
+    if (!log.fine(dent)) continue;
+    const double off_axis = std::hypot(b.dents[i].at[0], b.dents[i].at[2]);
+    if (off_axis <= b.dents[i].depth)
+      log.add(dent + ".at", "lies on the axis, or the dent reaches it",
+              "a place on the wall and a depth smaller than its distance from the axis");
+  }
   const MeshDensity& m = b.mesh;
   if (!log.fine(key + ".mesh")) return;
   const int counts = (m.around > 0) + (m.arc > 0) + (m.wall > 0);

@@ -1,5 +1,6 @@
 #include "io/superelement_nastran.hpp"
 
+#include "io/nastran_cards.hpp"
 #include "io/superelement_labels.hpp"
 
 #include <fmt/format.h>
@@ -14,32 +15,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-// A real in 16 columns with as many digits as fit, the exponent without its
-// letter: 1.23456789012+5.
-std::string field16(double x) {
-  for (int digits = 14; digits > 0; --digits) {
-    std::string text = fmt::format("{:.{}e}", x, digits);
-    const std::size_t e = text.find('e');
-    const int exponent = std::stoi(text.substr(e + 1));
-    text = text.substr(0, e) + fmt::format("{:+d}", exponent);
-    if (text.size() <= 16) return text;
-  }
-  return "0.0";
-}
-
-// Reads 1.5+3, 1.5D+3 and 1.5e+3.
-double number_of(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  std::replace(text.begin(), text.end(), 'D', 'e');
-  const std::size_t sign = text.find_first_of("+-", 1);
-  if (sign != std::string::npos && text.find_first_of("eE") == std::string::npos)
-    text.insert(sign, "e");
-  std::size_t used = 0;
-  const double x = std::stod(text, &used);
-  if (used != text.size()) throw std::invalid_argument(text);
-  return x;
-}
-
 void add_matrix(std::string& deck, const std::string& name, const Superelement& s,
                 const MatrixXd& A) {
   deck += fmt::format("DMIG    {:<8}{:>8}{:>8}{:>8}{:>8}\n", name, 0, 6, 2, 0);
@@ -49,7 +24,8 @@ void add_matrix(std::string& deck, const std::string& name, const Superelement& 
     for (int i = j; i < A.rows(); ++i) {
       if (A(i, j) == 0) continue;
       const CoordinateLabel row = coordinate_label(s, i);
-      rows += fmt::format("{:<8}{:>16}{:>16}{:>16}\n", "*", row.point, row.dof, field16(A(i, j)));
+      rows +=
+          fmt::format("{:<8}{:>16}{:>16}{:>16}\n", "*", row.point, row.dof, nastran_real(A(i, j)));
     }
     if (!rows.empty())
       deck +=
@@ -59,7 +35,7 @@ void add_matrix(std::string& deck, const std::string& name, const Superelement& 
 
 // What is left of A when it stands in the 12 digits of a field.
 MatrixXd rest(const MatrixXd& A) {
-  return A.unaryExpr([](double x) { return x == 0 ? 0 : x - number_of(field16(x)); });
+  return A.unaryExpr([](double x) { return x == 0 ? 0 : x - nastran_number(nastran_real(x)); });
 }
 
 } // namespace
@@ -73,9 +49,9 @@ std::string nastran_deck(const Superelement& s) {
       s.D.size() > 0 ? "\n$ Structural damping: K42GG = K4PLICA + K4PLICL" : "");
   for (std::size_t k = 0; k < s.nodes.size(); ++k) {
     const Eigen::Vector3d& x = s.nodes[k];
-    deck +=
-        fmt::format("$ {}\n{:<8}{:>16}{:>16}{:>16}{:>16}\n{:<8}{:>16}\n", s.node_names[k], "GRID*",
-                    first_grid + k, "", field16(x[0]), field16(x[1]), "*", field16(x[2]));
+    deck += fmt::format("$ {}\n{:<8}{:>16}{:>16}{:>16}{:>16}\n{:<8}{:>16}\n", s.node_names[k],
+                        "GRID*", first_grid + k, "", nastran_real(x[0]), nastran_real(x[1]), "*",
+                        nastran_real(x[2]));
   }
   for (int j = 0; j < s.modal(); ++j) deck += fmt::format("SPOINT  {:>8}\n", first_scalar + j);
   add_matrix(deck, "KPLICA", s, s.K);
@@ -121,11 +97,11 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
       if (card.starts_with("GRID*")) {
         coordinate[std::stoi(cut(8, 16))] = size;
         size += 6;
-        place.x() = number_of(cut(40, 16));
-        place.y() = number_of(cut(56, 16));
+        place.x() = nastran_number(cut(40, 16));
+        place.y() = nastran_number(cut(56, 16));
         grid_open = true;
       } else if (card.starts_with("*") && grid_open) {
-        place.z() = number_of(cut(8, 16));
+        place.z() = nastran_number(cut(8, 16));
         s.nodes.push_back(place);
         s.node_names.push_back("grid " + std::to_string(first_grid + int(s.nodes.size()) - 1));
         grid_open = false;
@@ -140,7 +116,7 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
       } else if (card.starts_with("*") && column >= 0) {
         MatrixXd& A = matrix_of(matrix);
         const int row = at_label(cut(8, 16), cut(24, 16));
-        const double value = number_of(cut(40, 16));
+        const double value = nastran_number(cut(40, 16));
         A(row, column) += value;
         if (row != column) A(column, row) += value;
       } else if (!card.starts_with("DMIG")) {

@@ -1,5 +1,6 @@
 #include "model/build.hpp"
 
+#include "mesh/dent.hpp"
 #include "mesh/plate.hpp"
 #include "model/build_bellows.hpp"
 #include "model/input_error.hpp"
@@ -83,7 +84,15 @@ private:
   void add(const std::string& name, const Bellows& bellows) {
     const Meridian meridian = bellows_meridian(bellows);
     const int section = static_cast<int>(built_.model.shells.size());
-    append(built_.model.mesh, bellows_mesh(bellows, meridian), name, section);
+    Mesh mesh = bellows_mesh(bellows, meridian);
+    for (std::size_t i = 0; i < bellows.dents.size(); ++i) {
+      const DentSpot& dent = bellows.dents[i];
+      if (press(mesh, {vector(dent.at), dent.depth, dent.radius}) == 0)
+        input_error("parts." + name + ".dents[" + std::to_string(i) + "]",
+                    "has no node of the wall within its radius",
+                    "a place on the wall, and a radius of a few elements");
+    }
+    append(built_.model.mesh, mesh, name, section);
     const Material& m = case_.materials.at(bellows.material);
     built_.model.shells.push_back(
         {{.E = m.E,

@@ -62,12 +62,19 @@ struct MeshDensity {
 
 using Membrane = MembraneStrain;
 
+// A dent of the wall (mesh/dent.hpp).
+struct DentSpot {
+  Triple at{}; // on the wall or near it
+  double depth = 0, radius = 0;
+};
+
 struct Bellows {
   std::string material;
   double root_radius = 0; // mid-surface radius at the left end
   double start = 0;       // y of the left end
   std::vector<MeridianSection> profile;
   Wall wall;
+  std::vector<DentSpot> dents;
   MeshDensity mesh;
   Membrane membrane = Membrane::incompatible;
 };

@@ -99,6 +99,15 @@ template <class V> void fields(V& v, Membrane& m) {
            optional_key, "membrane part of the shell element");
 }
 
+template <class V> void fields(V& v, DentSpot& d) {
+  const Quantity length{
+      .unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true};
+  v.quantities(d.at, "at", {.unit = Dimension::length, .required = true},
+               "[x, y, z] on the wall, or near it; off the axis");
+  v.quantity(d.depth, "depth", length, "how far its middle is pressed towards the axis");
+  v.quantity(d.radius, "radius", length, "of the sphere within which the wall is moved");
+}
+
 template <class V> void fields(V& v, Bellows& b) {
   v.text(b.material, "material", {.required = true}, "name of a material");
   v.quantity(b.root_radius, "root_radius",
@@ -107,6 +116,7 @@ template <class V> void fields(V& v, Bellows& b) {
   v.quantity(b.start, "start", {.unit = Dimension::length}, "y of the left end");
   v.list(b.profile, "profile", required_key, "sections of the meridian from left to right");
   v.object(b.wall, "wall", required_key, "plies of the wall");
+  v.list(b.dents, "dents", optional_key, "local damage: dents");
   v.object(b.mesh, "mesh", optional_key, "density of the mesh: counts, or one accuracy");
   fields(v, b.membrane);
 }

@@ -300,10 +300,11 @@ ReducedCase reduce_case(const Case& given, const ReduceRequest& request,
   stage("reduction");
   std::shared_ptr<const ReducedModel> nested;
   if (data.analyses.reduction) {
-    std::vector<int> meeting = interface_nodes(built);
+    const bool by_symmetry = data.analyses.symmetry != Symmetry::off;
+    std::vector<int> meeting = interface_nodes(built, by_symmetry);
     meeting.insert(meeting.end(), boundary.nodes.begin(), boundary.nodes.end());
     nested = std::make_shared<const ReducedModel>(
-        reduced_model(built, meeting, result.cutoff, data.analyses.symmetry != Symmetry::off));
+        reduced_model(built, meeting, result.cutoff, by_symmetry));
   }
   result.route = nested ? route_name(*nested)
                  : symmetric

@@ -6,9 +6,9 @@
 
 namespace plica {
 
-// Caps, and what carries a body, a spring or a beam on a wall: where parts meet or symmetry would
-// end.
-std::vector<int> interface_nodes(const BuiltCase& built);
+// Caps, and, with symmetry, what carries a body, a spring or a beam on a wall and what surrounds a
+// dent: where parts meet or symmetry would end.
+std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry);
 
 // Throws InputError for a part that no cap joins.
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,

@@ -13,9 +13,12 @@ namespace plica {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::vector<int> interface_nodes(const BuiltCase& built) {
+std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry) {
   std::set<int> nodes;
   for (const auto& [name, node] : built.cap_nodes) nodes.insert(node);
+  if (!symmetry) return {nodes.begin(), nodes.end()};
+  const std::vector<int> broken = nodes_around_breaks(built.model);
+  nodes.insert(broken.begin(), broken.end());
   std::set<int> wall;
   for (const Ring& ring : built.model.mesh.rings) wall.insert(ring.nodes.begin(), ring.nodes.end());
   for (const Constraint& c : built.model.constraints) wall.erase(c.node);
@@ -64,7 +67,8 @@ public:
                Timing& timing)
       : built_(built), stage_(stage), timing_(timing), unknowns_(eliminate(built.model).size()) {
     stage_("reduction");
-    reduced_ = reduced_model(built, interface_nodes(built), cutoff, symmetry != Symmetry::off);
+    reduced_ = reduced_model(built, interface_nodes(built, symmetry != Symmetry::off), cutoff,
+                             symmetry != Symmetry::off);
     if (symmetry == Symmetry::required) require_symmetry();
     watch_.lap(timing_, "reduction");
     frame_.model = reduced_.model;

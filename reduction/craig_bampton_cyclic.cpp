@@ -2,9 +2,11 @@
 #include "reduction/fixed_interface.hpp"
 #include "solve/parallel.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -182,9 +184,12 @@ private:
     const MatrixXd F = wall_motion_.middleCols(na, nw);
     const VectorXd scale = F.diagonal().cwiseSqrt().cwiseInverse(); // m/N beside rad/Nm
     const MatrixXd balanced = scale.asDiagonal() * F * scale.asDiagonal();
+    const Eigen::LLT<MatrixXd> flexibility((balanced + balanced.transpose()) / 2);
+    if (flexibility.info() != Eigen::Success)
+      throw std::runtime_error("the boundary nodes on the wall cannot be moved one by one");
     T.middleRows(na, nw) =
-        scale.asDiagonal() *
-        ((balanced + balanced.transpose()) / 2).llt().solve(MatrixXd(scale.asDiagonal() * wanted));
+        scale.asDiagonal() * flexibility.solve(MatrixXd(scale.asDiagonal() * wanted));
+    if (modes_ == 0) return T;
     const auto modal = T.rightCols(modes_);
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
         MatrixXd(modal.transpose() * K_ * modal), MatrixXd(modal.transpose() * M_ * modal));

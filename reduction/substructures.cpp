@@ -106,7 +106,8 @@ public:
   }
 
   CutModel result() {
-    const int groups = find_groups();
+    int groups = find_groups();
+    if (keep_what_floats()) groups = find_groups();
     cut_.parts.resize(groups);
     for (Substructure& part : cut_.parts) copy_frame(part.model);
     copy_frame(cut_.frame);
@@ -147,6 +148,8 @@ private:
       }
     });
     meets_.clear();
+    interface_of_.clear();
+    std::fill(group_.begin(), group_.end(), -1);
     for_each_item(model_, [&](const auto& item) {
       const std::vector<int> nodes = nodes_of(item);
       for (int node : nodes)
@@ -170,6 +173,23 @@ private:
       group_[node] = entry->second;
     }
     return groups;
+  }
+
+  // A stretch of wall between two dents meets wall nodes alone: nothing would hold it when it is
+  // reduced. It stays in the frame.
+  bool keep_what_floats() {
+    std::vector<bool> on_wall(model_.mesh.nodes.size(), false);
+    for (const Ring& ring : model_.mesh.rings)
+      for (int node : ring.nodes) on_wall[node] = true;
+    std::set<int> floating;
+    for (std::size_t group = 0; group < interface_of_.size(); ++group)
+      if (std::all_of(interface_of_[group].begin(), interface_of_[group].end(),
+                      [&](int node) { return on_wall[node]; }))
+        floating.insert(static_cast<int>(group));
+    if (floating.empty()) return false;
+    for (std::size_t node = 0; node < group_.size(); ++node)
+      if (floating.contains(group_[node])) is_interface_[node] = true;
+    return true;
   }
 
   void number_nodes() {

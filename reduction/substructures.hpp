@@ -2,7 +2,8 @@
 //
 // Nodes that elements or couplings join without passing an interface node belong together, and so
 // do all that hang between the same interface nodes: a bellows and the liner inside it. What lies
-// on interface nodes alone (masses of caps, mounts, joints) stays as it is.
+// on interface nodes alone (masses of caps, mounts, joints) stays as it is, and so does a stretch of
+// wall that meets interface nodes of the wall alone.
 #pragma once
 
 #include "reduction/superelement.hpp"
@@ -56,6 +57,12 @@ struct ReducedModel {
   Eigen::MatrixXd field_at(const Eigen::MatrixXd& reduced, const std::vector<int>& nodes) const;
   Eigen::MatrixXd gather(const Eigen::MatrixXd& force) const;
 };
+
+// Nodes that keep a local break of the symmetry out of the superelements: of every ring that has
+// left its circle (a dent) and the ring on either side, with the axis nodes tied to them. Taken
+// among the interface nodes, the broken stretch stays as shells, and what is left of the part is
+// symmetric.
+std::vector<int> nodes_around_breaks(const Model& model);
 
 // A superelement of superelements: the reduced model with these nodes of the whole as its boundary.
 // Fields are those of the whole. Throws as craig_bampton().

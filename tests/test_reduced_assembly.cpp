@@ -98,6 +98,38 @@ TEST(ReducedAssembly, takes_forces_joints_and_bodies_on_a_wall) {
   for (std::size_t k = 0; k < 2; ++k) expect_same_peaks(full.responses[k], fast.responses[k]);
 }
 
+// A dent at one crown: its convolution stays as shells between two symmetric superelements.
+TEST(ReducedAssembly, keeps_a_dent_as_shells) {
+  Case data = verification_case("bellows_a", {16, 2, 3}, 8);
+  data.parts.push_back({"liner", Interlock{.along = "bellows",
+                                           .attachment = Attachment::synchronous,
+                                           .EA = 2e3,
+                                           .EI = 1,
+                                           .GJ = 0.5,
+                                           .mass = 0.1,
+                                           .radius = 0.02}});
+  const Results round = run_silently(data);
+  const Mesh mesh = build(data).model.mesh;
+  const Eigen::Vector3d crown = mesh.nodes[mesh.sets.at("bellows.crown[2]").front()];
+  bellows_of(data).dents = {
+      {.at = {crown.x(), crown.y(), crown.z()}, .depth = 4e-3, .radius = 6e-3}};
+  const Results full = run_silently(data), fast = reduced(data, 3000);
+  EXPECT_NE(full.route.find("off its ring"), std::string::npos) << full.route;
+  EXPECT_NE(fast.route.find("2 superelements of 2 reductions; rotational symmetry, 16 sectors"),
+            std::string::npos)
+      << fast.route;
+  ASSERT_TRUE(fast.verification.passed) << fast.verification.reason;
+  double moved = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_GE(fast.modes[i].frequency / full.modes[i].frequency, 1 - 1e-7) << i;
+    EXPECT_LE(fast.modes[i].frequency / full.modes[i].frequency, 1.001) << i;
+    moved = std::max(moved, std::abs(full.modes[i].frequency / round.modes[i].frequency - 1));
+  }
+  EXPECT_GT(moved, 0.005) << "the dent does something";
+  EXPECT_LT((fast.statics->end_stiffness - full.statics->end_stiffness).norm(),
+            1e-7 * full.statics->end_stiffness.norm());
+}
+
 TEST(ReducedAssembly, static_stiffness_is_that_of_the_part) {
   Case data = verification_case("bellows_a", {24, 2, 3}, 8);
   const Results full = run_silently(data), fast = reduced(data, 1000);
