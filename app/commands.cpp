@@ -39,13 +39,17 @@ template <class F> auto located(const CaseFile& file, F&& work) {
   }
 }
 
-VariantResult run_variant(const CaseFile& file, const Variant& variant, Progress& progress) {
+VariantResult run_variant(const CaseFile& file, const Variant& variant,
+                          const std::optional<Measured>& measured, Progress& progress) {
   progress.title(file.data.name + ", " + variant.name);
   CaseFile changed = read_case(file.path, variant.set);
   const Results results = located(file, [&] {
-    return run(for_headline(changed.data), [&](const std::string& s) { progress.stage(s); });
+    return run(measured ? for_comparison(changed.data) : for_headline(changed.data),
+               [&](const std::string& s) { progress.stage(s); });
   });
-  VariantResult result{.name = variant.name, .set = {}, .headline = headline(results)};
+  VariantResult result{
+      .name = variant.name, .set = {}, .headline = headline(results), .comparison = {}};
+  if (measured) result.comparison = compare(results, *measured);
   result.set.assign(variant.set.begin(), variant.set.end());
   return result;
 }
@@ -90,7 +94,7 @@ int run_command(const RunOptions& options) {
   }
   if (options.variants)
     for (const Variant& variant : file.data.variants)
-      results.variants.push_back(run_variant(file, variant, progress));
+      results.variants.push_back(run_variant(file, variant, measured, progress));
   progress.title(file.data.name);
   progress.stage("writing " + options.out.string());
   write_results(results, options.out);
@@ -117,7 +121,9 @@ int reduce_command(const ReduceOptions& options) {
   });
   write_superelement(reduced, options.units, options.out);
   progress.finish();
-  if (!options.quiet) fmt::print("{}", certificate_text(reduced));
+  if (!options.quiet)
+    fmt::print("{}\nReport: {}\n", certificate_text(reduced),
+               (options.out / "report.html").string());
   return reduced.certificate.passed && reduced.proved ? 0 : 2;
 }
 

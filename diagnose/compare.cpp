@@ -51,12 +51,15 @@ bool in_direction(const ResponseResult& r, int channel, Axis direction) {
   return r.channels[channel].second == std::string(1, letter(direction));
 }
 
-// The `count` largest peaks of the channels in a direction, by frequency; one per frequency.
+// The `count` largest peaks of the channels in a direction, of one sensor if it is named, by
+// frequency; one per frequency.
 std::vector<ResponsePeak> largest_peaks(const ResponseResult& r, Axis direction,
-                                        std::size_t count) {
+                                        const std::string& sensor, std::size_t count) {
   std::vector<ResponsePeak> peaks;
   for (const ResponsePeak& p : r.peaks)
-    if (in_direction(r, p.channel, direction)) peaks.push_back(p);
+    if (in_direction(r, p.channel, direction) &&
+        (sensor.empty() || r.channels[p.channel].first == sensor))
+      peaks.push_back(p);
   std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak& a, const ResponsePeak& b) {
     return a.amplitude > b.amplitude;
   });
@@ -73,7 +76,9 @@ std::vector<ResponsePeak> largest_peaks(const ResponseResult& r, Axis direction,
 
 void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
               const ResponsePeak& peak) {
-  const std::string of = std::string(" of the peak, base ") + letter(*m.base);
+  std::string of = " of the peak";
+  if (!m.sensor.empty()) of += " at " + m.sensor + " in " + letter(m.direction.value_or(*m.base));
+  of += std::string(", base ") + letter(*m.base);
   rows.push_back({.quantity = "frequency" + of,
                   .unit = "Hz",
                   .measured = m.frequency,
@@ -85,6 +90,25 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
                     .measured = 100 * *m.damping,
                     .sigma = 100 * m.sigma_damping.value_or(0),
                     .computed = 100 * peak.damping});
+}
+
+// Peaks of one sensor and direction in order: the i-th measured with the i-th of as many largest
+// computed ones. Without a sensor the order of the mode says which peak it is.
+struct PeakPlace {
+  std::size_t rank = 0, count = 0; // from 1
+};
+
+PeakPlace place_of(const MeasuredMode& mode, const std::vector<MeasuredMode>& all) {
+  if (mode.sensor.empty()) return {std::size_t(mode.order), std::size_t(mode.order)};
+  PeakPlace place;
+  for (const MeasuredMode& other : all) {
+    if (other.sensor != mode.sensor || other.base != mode.base ||
+        other.direction.value_or(*other.base) != mode.direction.value_or(*mode.base))
+      continue;
+    ++place.count;
+    if (other.frequency <= mode.frequency) ++place.rank;
+  }
+  return place;
 }
 
 } // namespace
@@ -153,9 +177,10 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   for (const MeasuredMode& m : measured.modes) {
     const ResponseResult* response = m.base ? response_to(results, *m.base) : nullptr;
     if (!response) continue;
-    const auto order = static_cast<std::size_t>(m.order);
-    const auto peaks = largest_peaks(*response, m.direction.value_or(*m.base), order);
-    if (peaks.size() == order) add_peak(rows, m, peaks.back());
+    const PeakPlace place = place_of(m, measured.modes);
+    const auto peaks =
+        largest_peaks(*response, m.direction.value_or(*m.base), m.sensor, place.count);
+    if (peaks.size() == place.count) add_peak(rows, m, peaks[place.rank - 1]);
   }
   return rows;
 }

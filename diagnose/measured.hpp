@@ -45,6 +45,7 @@ struct MeasuredMode {
   std::optional<Axis> direction; // in which the mode moves, where known
   std::optional<Axis> base;      // excited along
   std::optional<double> level;
+  std::string sensor; // at which the peak was seen; empty = not known
   std::string note;
 };
 

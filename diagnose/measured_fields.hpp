@@ -74,6 +74,8 @@ template <class V> void fields(V& v, MeasuredMode& m) {
   v.choice(m.direction, "direction", axis_names, optional_key, "axis along which the mode moves");
   v.choice(m.base, "base", axis_names, optional_key, "axis along which the table moved");
   v.quantity(m.level, "level", measured_level, "base acceleration");
+  v.text(m.sensor, "sensor", {},
+         "name of the sensor that showed it: its peaks are paired in order");
   v.text(m.note, "note", {}, "remark");
 }
 

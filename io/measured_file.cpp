@@ -32,16 +32,30 @@ void check_sensors(const Measured& m, ReadLog& log) {
   }
 }
 
-void check_peaks(const Measured& m, ReadLog& log) {
+void check_sensor_named(const Measured& m, const std::string& key, const std::string& name,
+                        ReadLog& log) {
   std::vector<std::string> sensors;
   for (const MeasuredSensor& s : m.sensors) sensors.push_back(s.name);
+  if (!name.empty() && std::find(sensors.begin(), sensors.end(), name) == sensors.end())
+    log.add(line(log, key + ".sensor"), key + ".sensor", "there is no sensor '" + shown(name) + "'",
+            sensors.empty() ? "this file has none" : suggestion(name, sensors));
+}
+
+void check_modes(const Measured& m, ReadLog& log) {
+  for (std::size_t i = 0; i < m.modes.size(); ++i) {
+    const std::string key = item("modes", i);
+    check_sensor_named(m, key, m.modes[i].sensor, log);
+    if (!m.modes[i].sensor.empty() && !m.modes[i].base)
+      log.add(line(log, key), key, "has a sensor but no base, so no response it belongs to",
+              "give the axis along which the table moved");
+  }
+}
+
+void check_peaks(const Measured& m, ReadLog& log) {
   for (std::size_t i = 0; i < m.peaks.size(); ++i) {
     const MeasuredPeaks& p = m.peaks[i];
     const std::string key = item("peaks", i);
-    if (!p.sensor.empty() && std::find(sensors.begin(), sensors.end(), p.sensor) == sensors.end())
-      log.add(line(log, key + ".sensor"), key + ".sensor",
-              "there is no sensor '" + shown(p.sensor) + "'",
-              sensors.empty() ? "this file has none" : suggestion(p.sensor, sensors));
+    check_sensor_named(m, key, p.sensor, log);
     const auto same_length = [&](const std::vector<double>& list, const char* name) {
       if (!list.empty() && !p.level.empty() && list.size() != p.level.size())
         log.add(line(log, key + "." + name), key + "." + name,
@@ -87,6 +101,7 @@ Measured read_measured(const std::string& path) {
   Measured data;
   FieldReader::read(root, "", data, log);
   check_sensors(data, log);
+  check_modes(data, log);
   check_peaks(data, log);
   check_files(data, path, log);
   check_hold_out(data, log);

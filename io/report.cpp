@@ -5,6 +5,7 @@
 #include "io/report_picture.hpp"
 #include "io/report_profile.hpp"
 #include "io/report_response.hpp"
+#include "io/report_superelements.hpp"
 #include "io/report_tables.hpp"
 #include "io/results_text.hpp"
 
@@ -50,10 +51,12 @@ std::string report_html(const Results& results) {
   html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
   html += html_section("part", "The part", profile_drawing(results) + part_picture(results));
+  html += html_section("superelements", "Superelements", superelements_html(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
   html += html_section("response", "Response", responses_html(results));
   html += html_section("stress", "Stress", stresses_html(results));
-  html += html_section("variants", "What the assumed quantities do", variants_html(results));
+  html += html_section("variants", "What the assumed quantities do",
+                       variants_html(results) + variants_comparison_html(results));
   html += html_section("assumptions", "Assumptions", html_list(results.assumptions));
   html += "<div class=\"pair\">\n" + html_section("model", "Model and mesh", model_html(results));
   html += html_section("timing", "Time and memory", timing_html(results)) + "</div>\n";

@@ -135,6 +135,32 @@ std::string variants_html(const Results& results) {
                     columns, rows);
 }
 
+std::string variants_comparison_html(const Results& results) {
+  if (results.variants.empty() || results.comparison.empty()) return "";
+  std::vector<HtmlColumn> columns{
+      {"quantity", "", false}, {"unit", "", false}, {"measured", ""}, {"nominal", ""}};
+  for (const VariantResult& variant : results.variants)
+    columns.push_back({html_escape(variant.name), ""});
+  std::vector<HtmlRow> rows;
+  for (const MeasuredComparison& row : results.comparison) {
+    const auto [factor, unit] = shown_unit(row.measured, row.unit);
+    const int decimals = decimals_of(row, factor);
+    HtmlRow cells{{html_escape(row.quantity), html_escape(unit),
+                   html_fixed(row.measured * factor, decimals),
+                   "<strong>" + html_fixed(row.computed * factor, decimals) + "</strong>"},
+                  ""};
+    for (const VariantResult& variant : results.variants) {
+      std::string cell = "–";
+      for (const MeasuredComparison& other : variant.comparison)
+        if (other.quantity == row.quantity && other.measured == row.measured)
+          cell = html_fixed(other.computed * factor, decimals);
+      cells.cells.push_back(cell);
+    }
+    rows.push_back(std::move(cells));
+  }
+  return html_table("What was measured, as each variant computes it.", columns, rows);
+}
+
 std::string model_html(const Results& results) {
   const ModelSize& model = results.model;
   const MeshQuality& quality = results.quality;

@@ -15,6 +15,7 @@ std::string comparison_html(const Results& results);
 std::string error_bars_html(const Results& results); // mesh and tolerances
 std::string statics_html(const Results& results);
 std::string modes_html(const Results& results); // with effective masses and their sum
+std::string variants_comparison_html(const Results& results);
 std::string variants_html(const Results& results);
 std::string model_html(const Results& results); // size, mesh quality, sensors
 std::string timing_html(const Results& results);

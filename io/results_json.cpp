@@ -79,9 +79,12 @@ Json json_of(const MeasuredComparison& row) {
 Json json_of(const VariantResult& variant) {
   Json set = Json::object();
   for (const auto& [path, value] : variant.set) set[path] = value;
+  Json comparison = Json::array();
+  for (const MeasuredComparison& row : variant.comparison) comparison.push_back(json_of(row));
   return {{"name", variant.name},
           {"set", std::move(set)},
-          {"headline", named_numbers(variant.headline)}};
+          {"headline", named_numbers(variant.headline)},
+          {"comparison", comparison}};
 }
 
 Json json_of(const SensorResult& sensor) {
@@ -135,6 +138,21 @@ Json json_of(const StressResult& s) {
           {"beam_at", s.largest_beam > 0 ? numbers(s.beam_at) : Json(nullptr)}};
 }
 
+Json json_of(const Reduced& reduced) {
+  Json list = Json::array();
+  for (const SuperelementResult& s : reduced.superelements)
+    list.push_back({{"parts", s.parts},
+                    {"between", s.between},
+                    {"boundary", s.boundary},
+                    {"modes", s.modes},
+                    {"unknowns", s.unknowns},
+                    {"copy_of", s.copy_of > 0 ? Json(s.copy_of) : Json(nullptr)},
+                    {"route", s.route},
+                    {"proved", s.proved}});
+  return {
+      {"cutoff", number(reduced.cutoff)}, {"unknowns", reduced.unknowns}, {"superelements", list}};
+}
+
 Json json_of(const ErrorBars& errors) {
   Json list = Json::array();
   for (const ErrorBar& bar : errors.bars) {
@@ -169,6 +187,7 @@ std::string results_json(const Results& r) {
                    {"dofs", r.model.dofs},
                    {"mass", number(r.model.mass)}};
   json["route"] = r.route;
+  if (r.reduced) json["reduction"] = json_of(*r.reduced);
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
   json["modes"] = list_of(r.modes);
   json["verification"] = json_of(r.verification);

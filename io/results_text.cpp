@@ -152,4 +152,15 @@ double sigma_deviation(const MeasuredComparison& row) {
   return (row.computed - row.measured) / row.sigma;
 }
 
+std::array<double, 2> spread_over_variants(const Results& results, const MeasuredComparison& row) {
+  std::array<double, 2> range{row.computed, row.computed};
+  for (const VariantResult& variant : results.variants)
+    for (const MeasuredComparison& other : variant.comparison)
+      if (other.quantity == row.quantity && other.measured == row.measured) {
+        range[0] = std::min(range[0], other.computed);
+        range[1] = std::max(range[1], other.computed);
+      }
+  return range;
+}
+
 } // namespace plica

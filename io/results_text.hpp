@@ -35,6 +35,9 @@ std::string response_name(const ResponseResult& response);
 // "Base moved in y", "Force tap"
 std::string response_title(const ResponseResult& response);
 
+// Lowest and highest value of a compared quantity over the nominal run and the variants.
+std::array<double, 2> spread_over_variants(const Results& results, const MeasuredComparison& row);
+
 // Throws std::invalid_argument when a mode shape has not one row of translations per mesh node.
 void require_one_row_per_node(const Results& results);
 

@@ -46,6 +46,21 @@ std::string comparison_table(const Results& results) {
   return "\nComputed beside measured\n" + aligned(rows, "<<>>>>>");
 }
 
+// What the variants make of the compared quantities.
+std::string spread_table(const Results& results) {
+  if (results.variants.empty() || results.comparison.empty()) return "";
+  std::vector<Row> rows{{"", "unit", "measured", "computed", "lowest", "highest"}};
+  for (const MeasuredComparison& row : results.comparison) {
+    const ShownUnit shown = shown_unit(row.measured, row.unit);
+    const int decimals = decimals_of(row, shown.factor);
+    const auto fixed = [&](double x) { return fmt::format("{:.{}f}", x * shown.factor, decimals); };
+    const auto [low, high] = spread_over_variants(results, row);
+    rows.push_back({row.quantity, shown.unit, fixed(row.measured), fixed(row.computed), fixed(low),
+                    fixed(high)});
+  }
+  return "\nOver the variants\n" + aligned(rows, "<<>>>>");
+}
+
 std::string headline_table(const Results& results) {
   const std::map<std::string, double> numbers = headline(results);
   std::vector<Row> rows;
@@ -119,7 +134,8 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
-  text += error_table(results) + modes_table(results) + peaks_table(results);
+  text +=
+      spread_table(results) + error_table(results) + modes_table(results) + peaks_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

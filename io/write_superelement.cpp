@@ -1,5 +1,7 @@
 #include "io/write_superelement.hpp"
 
+#include "io/certificate_lines.hpp"
+#include "io/report_superelements.hpp"
 #include "io/results_text.hpp"
 #include "io/superelement_abaqus.hpp"
 #include "io/superelement_hdf5.hpp"
@@ -20,26 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-struct CheckLine {
-  const char* key;
-  const char* text;
-  double value;
-};
-
-std::vector<CheckLine> checks(const Certificate& c) {
-  return {{"asymmetry", "asymmetry of K and M", c.asymmetry},
-          {"smallest_mass", "smallest eigenvalue of M / largest", c.smallest_mass},
-          {"negative_stiffness", "most negative eigenvalue of K / largest", c.negative_stiffness},
-          {"grounding", "force of a rigid motion / stiffness", c.grounding},
-          {"rigid_modes", "lowest six modes off the rigid motions", c.rigid_modes},
-          {"coordinates", "coordinates found from K off the drawn ones, m", c.coordinates},
-          {"mass", "mass off that of the part", c.mass},
-          {"centre", "centre of mass off that of the part, m", c.centre},
-          {"inertia", "inertia off that of the part", c.inertia},
-          {"statics", "static stiffness off that of the part", c.statics},
-          {"statics_known_to", "the part's own is known to", c.statics_known_to}};
-}
 
 Json json_of(const std::vector<FrequencyCheck>& checks) {
   Json list = Json::array();
@@ -87,7 +69,7 @@ std::string certificate_text(const ReducedCase& r) {
                     "mass each, {} % together.\n",
                     r.left_out.count, significant(r.left_out.lowest, 4),
                     significant(100 * r.left_out.largest, 2), significant(100 * r.left_out.sum, 2));
-  for (const CheckLine& line : checks(c))
+  for (const CertificateLine& line : certificate_lines(c))
     text += fmt::format("  {:<48} {:>9}\n", line.text, significant(line.value, 2));
   text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
   text += "  free-interface frequencies, Hz: part, superelement, error %\n";
@@ -105,7 +87,7 @@ std::string certificate_json(const ReducedCase& r) {
   const Certificate& c = r.certificate;
   Json json{{"name", r.element.name},     {"route", r.route},   {"cutoff", r.cutoff},
             {"modes", r.element.modal()}, {"proved", r.proved}, {"reason", r.reason}};
-  for (const CheckLine& line : checks(c)) json["checks"][line.key] = line.value;
+  for (const CertificateLine& line : certificate_lines(c)) json["checks"][line.key] = line.value;
   json["checks"]["zero_stiffness"] = c.zero_stiffness;
   json["left_out"] = {{"modes", r.left_out.count},
                       {"lowest", r.left_out.lowest},
@@ -143,6 +125,7 @@ void write_superelement(const ReducedCase& r, Units units, const std::filesystem
     }
   }
   write_whole(folder / "superelement.json", sidecar(s, r).dump(2) + "\n");
+  write_whole(folder / "report.html", certificate_report(r));
   write_whole(folder / "certificate.json", certificate_json(r));
 }
 

@@ -154,6 +154,20 @@ Case for_headline(Case data) {
   return data;
 }
 
+Case for_comparison(const Case& given) {
+  Case data = for_headline(given);
+  data.analyses.response = given.analyses.response;
+  data.analyses.damping = given.analyses.damping;
+  if (data.analyses.response) {
+    data.analyses.response->random.reset();
+    data.analyses.response->forces.clear();
+    if (data.analyses.response->bases.empty()) data.analyses.response.reset();
+  }
+  data.sensors = given.sensors;
+  for (Sensor& s : data.sensors) s.reach = std::numeric_limits<double>::infinity();
+  return data;
+}
+
 ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& stage) {
   // Twice along: anything else would refine arcs and walls by different ratios.
   constexpr double finer_along = 2, finer_around = 1.5;

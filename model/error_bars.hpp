@@ -25,6 +25,8 @@ double quantile(const Tolerance& tolerance, double u);
 
 // The case for headline numbers only: no response, no stress, no proof, no sensors without mass.
 Case for_headline(Case data);
+// The same with the motion of the base, for what stands beside measured peaks.
+Case for_comparison(const Case& data);
 
 // `stage` is told what runs. `nominal`: headline of the case as it stands, from for_headline or
 // more.

@@ -46,12 +46,18 @@ ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& inter
   }
 }
 
+namespace {
+
+std::string route_name(const PartReduction& part) {
+  return part.sectors > 0 ? "rotational symmetry, " + std::to_string(part.sectors) + " sectors"
+                          : "full mesh: " + part.because;
+}
+
+} // namespace
+
 std::string route_name(const ReducedModel& reduced) {
   std::set<std::string> routes;
-  for (const Instance& i : reduced.instances)
-    routes.insert(i.reduced->sectors > 0
-                      ? "rotational symmetry, " + std::to_string(i.reduced->sectors) + " sectors"
-                      : "full mesh: " + i.reduced->because);
+  for (const Instance& i : reduced.instances) routes.insert(route_name(*i.reduced));
   std::string text = std::to_string(reduced.instances.size()) + " superelements of " +
                      std::to_string(reduced.reductions) + " reductions";
   for (const std::string& route : routes) text += "; " + route;
@@ -65,7 +71,8 @@ class ReducedRoute : public Route {
 public:
   ReducedRoute(const BuiltCase& built, double cutoff, Symmetry symmetry, const StageListener& stage,
                Timing& timing)
-      : built_(built), stage_(stage), timing_(timing), unknowns_(eliminate(built.model).size()) {
+      : built_(built), cutoff_(cutoff), stage_(stage), timing_(timing),
+        unknowns_(eliminate(built.model).size()) {
     stage_("reduction");
     reduced_ = reduced_model(built, interface_nodes(built, symmetry != Symmetry::off), cutoff,
                              symmetry != Symmetry::off);
@@ -78,6 +85,11 @@ public:
   }
 
   std::string name() const override { return route_name(reduced_); }
+  std::optional<Reduced> reduced() const override {
+    Reduced r{.cutoff = cutoff_, .superelements = {}, .unknowns = frame_route_->unknowns()};
+    for (const Instance& i : reduced_.instances) r.superelements.push_back(described(i));
+    return r;
+  }
   int unknowns() const override { return unknowns_; }
   double mass() const override { return frame_route_->mass(); }
 
@@ -121,6 +133,33 @@ private:
     return {reduced_.number[caps[0]], reduced_.number[caps[1]]};
   }
 
+  SuperelementResult described(const Instance& instance) const {
+    const Model& own = instance.part->model;
+    std::set<std::string> components;
+    for (const ShellQuad& q : own.mesh.quads)
+      components.insert(own.components[own.shells[q.section].component]);
+    for (const BeamElement& b : own.beams) components.insert(own.components[b.component]);
+    for (const BushingElement& b : own.bushings) components.insert(own.components[b.component]);
+    const Reduction& r = instance.reduced->reduction;
+    SuperelementResult result{.parts = {},
+                              .between = {},
+                              .boundary = r.element.boundary(),
+                              .modes = r.element.modal(),
+                              .unknowns = eliminate(own).size(),
+                              .copy_of = 0,
+                              .route = route_name(*instance.reduced),
+                              .proved = r.proved};
+    for (const std::string& name : components)
+      result.parts += (result.parts.empty() ? "" : ", ") + name;
+    for (const auto& [name, node] : built_.cap_nodes)
+      for (int own_node : instance.part->boundary)
+        if (instance.part->nodes[own_node] == node) result.between.push_back(name);
+    for (std::size_t k = 0; &reduced_.instances[k] != &instance; ++k)
+      if (result.copy_of == 0 && reduced_.instances[k].reduced == instance.reduced)
+        result.copy_of = static_cast<int>(k) + 1;
+    return result;
+  }
+
   // What turns with the vectors of a pair: their inputs and participations.
   void orient(const std::vector<int>& sensors, ModalSolution& s) const {
     const Index loads = s.input.cols();
@@ -134,6 +173,7 @@ private:
   }
 
   const BuiltCase& built_;
+  double cutoff_;
   const StageListener& stage_;
   Timing& timing_;
   Stopwatch watch_;

@@ -58,7 +58,8 @@ struct MeasuredComparison { // one measured number beside the computed one
 struct VariantResult { // headline numbers of a variant of the case
   std::string name;
   std::vector<std::pair<std::string, std::string>> set; // path, new value
-  std::map<std::string, double> headline; // same keys in every variant, see headline()
+  std::map<std::string, double> headline;     // same keys in every variant, see headline()
+  std::vector<MeasuredComparison> comparison; // empty when nothing was measured
 };
 
 struct ResponsePeak {
@@ -142,12 +143,30 @@ struct SensorResult {
   double distance = 0; // from where the case puts it to the node, m
 };
 
+// A superelement in place of a part of the model.
+struct SuperelementResult {
+  std::string parts;                // names of what it holds: "bellows_left, interlock_left"
+  std::vector<std::string> between; // caps it meets
+  int boundary = 0, modes = 0;      // coordinates: of the boundary, modal
+  int unknowns = 0;                 // it stands for
+  int copy_of = 0;                  // number of the superelement whose reduction it shares, from 1
+  std::string route;                // "rotational symmetry, 40 sectors" or "full mesh: ..."
+  bool proved = false;              // no mode below the cut-off is missing
+};
+
+struct Reduced {
+  double cutoff = 0; // Hz
+  std::vector<SuperelementResult> superelements;
+  int unknowns = 0; // of the reduced model
+};
+
 struct Results {
   std::string case_name, title, plica_version;
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
   ModelSize model;
   std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
+  std::optional<Reduced> reduced;
   std::optional<StaticStiffness> statics;
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/build.hpp"
+#include "model/results.hpp"
 #include "reduction/cyclic_model.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
@@ -46,6 +47,7 @@ public:
   virtual std::string name() const = 0;
   virtual double mass() const = 0;  // held nodes included
   virtual int unknowns() const = 0; // of the full mesh, before the mount holds any
+  virtual std::optional<Reduced> reduced() const { return std::nullopt; }
 
   // Stiffness between the two reference nodes without spring mounts, in the order given. Empty when
   // a support holds one of them. Throws std::runtime_error for a mechanism.

@@ -41,6 +41,7 @@ private:
     results_.quality = mesh_quality(built_.model.mesh);
     results_.meridian = built_.meridian;
     results_.route = route_->name();
+    results_.reduced = route_->reduced();
     for (const BeamElement& b : built_.model.beams) results_.lines.push_back({b.node1, b.node2});
     for (const BuiltSensor& s : built_.sensors)
       results_.sensors.push_back({s.name, s.node, s.distance});

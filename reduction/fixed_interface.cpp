@@ -3,7 +3,6 @@
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,28 +21,9 @@ struct FixedModes {
   std::string reason;
 };
 
-// All of a small system at once: M x = mu K x, for M may be semidefinite.
-FixedModes all_modes(const SparseMatrix& K, const SparseMatrix& M, double highest) {
-  const MatrixXd k = MatrixXd(K).selfadjointView<Eigen::Lower>(),
-                 m = MatrixXd(M).selfadjointView<Eigen::Lower>();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(m, k);
-  std::vector<int> kept;
-  for (Eigen::Index j = solver.eigenvalues().size() - 1; j >= 0; --j)
-    if (solver.eigenvalues()[j] * highest >= 1) kept.push_back(int(j));
-  FixedModes modes{.lambda = solver.eigenvalues()(kept).cwiseInverse(),
-                   .Phi = solver.eigenvectors()(Eigen::all, kept),
-                   .proved = true,
-                   .reason = ""};
-  for (Eigen::Index j = 0; j < modes.lambda.size(); ++j) // from K- to mass-normalised
-    modes.Phi.col(j) *= std::sqrt(modes.lambda[j]);
-  return modes;
-}
-
 FixedModes fixed_modes(const SparseMatrix& K, const SparseMatrix& M, double cutoff,
                        BaseFactor& base) {
-  constexpr int small = 150; // unknowns for which all modes at once are the simplest way
   const double highest = std::pow(2 * std::numbers::pi * cutoff, 2);
-  if (K.rows() <= small) return all_modes(K, M, highest);
   if (base.factor.factorise(shifted(K, M, highest)).ok) // definite: no mode below
     return {.lambda = VectorXd(0), .Phi = MatrixXd(K.rows(), 0), .proved = true, .reason = ""};
   base.factor.factorise(K);

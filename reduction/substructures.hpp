@@ -2,8 +2,8 @@
 //
 // Nodes that elements or couplings join without passing an interface node belong together, and so
 // do all that hang between the same interface nodes: a bellows and the liner inside it. What lies
-// on interface nodes alone (masses of caps, mounts, joints) stays as it is, and so does a stretch of
-// wall that meets interface nodes of the wall alone.
+// on interface nodes alone (masses of caps, mounts, joints) stays as it is, and so does a stretch
+// of wall that meets interface nodes of the wall alone.
 #pragma once
 
 #include "reduction/superelement.hpp"

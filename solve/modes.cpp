@@ -1,5 +1,6 @@
 #include "solve/modes.hpp"
 
+#include "solve/dense_modes.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
@@ -177,7 +178,9 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     if (factored_at != base.sigma && !base.factor.factorise(shifted(K, M, base.sigma)).ok)
       throw std::runtime_error("K - sigma M could not be factored again");
     factored_at = base.sigma;
-    const EigenPairs pairs = lanczos(M, base.factor, base.sigma, settings);
+    const EigenPairs pairs = K.rows() <= small_system
+                                 ? dense_modes(K, M, base.sigma)
+                                 : lanczos(M, base.factor, base.sigma, settings);
     modes.operations += pairs.operations;
     watch.lap(modes.timing, "lanczos");
     if (!scaled && pairs.converged) {
@@ -187,7 +190,8 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
       watch.lap(modes.timing, "factorise");
       continue;
     }
-    if (pairs.converged && !reaches_far_enough(request, pairs.values, K.rows())) {
+    if (pairs.converged && K.rows() > small_system &&
+        !reaches_far_enough(request, pairs.values, K.rows())) {
       settings.count = std::min<int>(2 * settings.count, static_cast<int>(K.rows()) - 1);
       continue;
     }

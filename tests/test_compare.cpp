@@ -45,6 +45,28 @@ TEST(Compare, never_pairs_a_second_mode_with_the_first_peak) {
   EXPECT_NEAR(rows[1].computed, 1.0, 1e-12);
 }
 
+TEST(Compare, pairs_the_peaks_of_one_sensor_in_order) {
+  Measured data;
+  data.modes = {measured(300, MeasuredShape::other, Axis::y, Axis::y),
+                measured(130, MeasuredShape::other, Axis::y, Axis::y)};
+  Results results = sample();
+  ResponseResult& r = results.responses[0];
+  const std::string sensor = r.channels[0].first;
+  int channel = 0;
+  while (r.channels[channel].second != "y") ++channel;
+  for (MeasuredMode& m : data.modes) m.sensor = r.channels[channel].first;
+  r.peaks = {{.channel = channel, .frequency = 131, .amplitude = 50, .damping = 0.01},
+             {.channel = channel, .frequency = 200, .amplitude = 2, .damping = 0.01},
+             {.channel = channel, .frequency = 310, .amplitude = 9, .damping = 0.01}};
+  const auto rows = compare(results, data);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].computed, 310) << "the second largest";
+  EXPECT_EQ(rows[1].computed, 131);
+  EXPECT_EQ(rows[1].quantity, "frequency of the peak at " + sensor + " in y, base y");
+  data.modes[0].sensor = "elsewhere";
+  EXPECT_EQ(compare(results, data).size(), 1u);
+}
+
 TEST(Compare, says_what_has_no_path_and_only_that) {
   Measured data;
   data.modes = {measured(166, MeasuredShape::transverse, Axis::z, Axis::y)};

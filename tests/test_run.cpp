@@ -251,6 +251,18 @@ TEST(Symmetry, required_of_a_part_without_it_is_an_error) {
   }
 }
 
+TEST(Run, refuses_a_dent_that_misses_the_wall) {
+  Case data = verification_case("bellows_a", {24, 2, 3}, 1);
+  bellows_of(data).dents = {{.at = {0.026, 0.5, 0}, .depth = 1e-3, .radius = 5e-3}};
+  try {
+    run_silently(data);
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("dents[0]: has no node of the wall"), std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(Run, refuses_a_sensor_off_the_part_and_names_it) {
   Case data = verification_case("bellows_a", {24, 2, 3}, 1);
   data.sensors = {{.name = "middle", .at = {0.2, 0.03, 0}}};
