@@ -12,6 +12,7 @@ namespace {
 
 std::string frequencies_html(const std::string& caption, const std::vector<FrequencyCheck>& list) {
   std::vector<HtmlRow> rows;
+  rows.reserve(list.size());
   for (const FrequencyCheck& f : list)
     rows.push_back(
         {{html_fixed(f.full, 3), html_fixed(f.reduced, 3), html_signed(100 * f.error(), 4)}, ""});
@@ -25,6 +26,7 @@ std::string superelements_html(const Results& results) {
   if (!results.reduced) return "";
   const Reduced& reduced = *results.reduced;
   std::vector<HtmlRow> rows;
+  rows.reserve(reduced.superelements.size());
   for (const SuperelementResult& s : reduced.superelements) {
     std::string between;
     for (const std::string& cap : s.between) between += (between.empty() ? "" : ", ") + cap;

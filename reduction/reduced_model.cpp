@@ -114,8 +114,8 @@ MatrixXd ReducedModel::field_at(const MatrixXd& q, const std::vector<int>& nodes
   return u;
 }
 
-Reduction craig_bampton(std::shared_ptr<const ReducedModel> model, const std::vector<int>& boundary,
-                        double cutoff) {
+Reduction craig_bampton(const std::shared_ptr<const ReducedModel>& model,
+                        const std::vector<int>& boundary, double cutoff) {
   std::vector<int> own;
   for (int node : boundary) {
     if (model->number[node] < 0)

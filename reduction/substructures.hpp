@@ -66,8 +66,8 @@ std::vector<int> nodes_around_breaks(const Model& model);
 
 // A superelement of superelements: the reduced model with these nodes of the whole as its boundary.
 // Fields are those of the whole. Throws as craig_bampton().
-Reduction craig_bampton(std::shared_ptr<const ReducedModel> model, const std::vector<int>& boundary,
-                        double cutoff);
+Reduction craig_bampton(const std::shared_ptr<const ReducedModel>& model,
+                        const std::vector<int>& boundary, double cutoff);
 
 // By symmetry where `symmetry` allows it and the substructure has it. Modes with the interface held
 // up to `cutoff` (Hz). Throws as cut() and craig_bampton().

@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace plica {
@@ -190,8 +191,8 @@ Reduction with_modes(const Reduction& reduction, const std::vector<int>& kept) {
   Reduction r = reduction;
   Superelement& s = r.element;
   const int all = static_cast<int>(s.K.rows());
-  std::vector<int> rows;
-  for (int i = 0; i < s.boundary(); ++i) rows.push_back(i);
+  std::vector<int> rows(s.boundary());
+  std::iota(rows.begin(), rows.end(), 0);
   for (int j : kept) rows.push_back(s.boundary() + j);
   for (MatrixXd* A : {&s.K, &s.M, &s.C, &s.D})
     if (A->size() > 0) *A = MatrixXd((*A)(rows, rows));
