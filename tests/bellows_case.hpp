@@ -33,6 +33,17 @@ inline Results run_silently(const Case& data) {
   return run(data, [](const std::string&) {});
 }
 
+// A soft liner beside the wall of bellows A.
+inline void add_liner(Case& data, Attachment attachment) {
+  data.parts.push_back({"liner", Interlock{.along = "bellows",
+                                           .attachment = attachment,
+                                           .EA = 2e3,
+                                           .EI = 1,
+                                           .GJ = 0.5,
+                                           .mass = 0.1,
+                                           .radius = 0.02}});
+}
+
 // The bellows alone: what harmonic_model.hpp takes.
 struct BareBellows {
   Mesh mesh;

@@ -96,13 +96,7 @@ Pipe pipe_of(const Case& data) {
 Pipe pipe(const MeshDensity& mesh = {20, 2, 3}) {
   Case data = verification_case("bellows_a", mesh, 12);
   data.caps[0].mass = 0.2;
-  data.parts.push_back({"liner", Interlock{.along = "bellows",
-                                           .attachment = Attachment::synchronous,
-                                           .EA = 2e3,
-                                           .EI = 1,
-                                           .GJ = 0.5,
-                                           .mass = 0.1,
-                                           .radius = 0.02}});
+  add_liner(data, Attachment::synchronous);
   return pipe_of(data);
 }
 

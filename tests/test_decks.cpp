@@ -133,13 +133,7 @@ std::vector<Card> bulk_data(const std::string& deck) {
 
 TEST(NastranDeck, says_field_by_field_what_the_model_is) {
   Case data = pipe_with_body();
-  data.parts.push_back({"liner", Interlock{.along = "bellows",
-                                           .attachment = Attachment::caps,
-                                           .EA = 2e3,
-                                           .EI = 1,
-                                           .GJ = 0.5,
-                                           .mass = 0.1,
-                                           .radius = 0.02}});
+  add_liner(data, Attachment::caps);
   bellows_of(data).wall.bond = 0;
   data.analyses.damping.modal = 0.02;
   data.analyses.response = Response{.bases = {1, 0}, .forces = {}, .band = {5, 400}};

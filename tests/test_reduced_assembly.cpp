@@ -101,13 +101,7 @@ TEST(ReducedAssembly, takes_forces_joints_and_bodies_on_a_wall) {
 // A dent at one crown: its convolution stays as shells between two symmetric superelements.
 TEST(ReducedAssembly, keeps_a_dent_as_shells) {
   Case data = verification_case("bellows_a", {16, 2, 3}, 8);
-  data.parts.push_back({"liner", Interlock{.along = "bellows",
-                                           .attachment = Attachment::synchronous,
-                                           .EA = 2e3,
-                                           .EI = 1,
-                                           .GJ = 0.5,
-                                           .mass = 0.1,
-                                           .radius = 0.02}});
+  add_liner(data, Attachment::synchronous);
   const Results round = run_silently(data);
   const Mesh mesh = build(data).model.mesh;
   const Eigen::Vector3d crown = mesh.nodes[mesh.sets.at("bellows.crown[2]").front()];
