@@ -5,6 +5,7 @@
 #include "io/case_file.hpp"
 #include "io/deck_abaqus.hpp"
 #include "io/deck_nastran.hpp"
+#include "io/files.hpp"
 #include "io/measured_file.hpp"
 #include "io/schema.hpp"
 #include "io/summary.hpp"
@@ -14,6 +15,7 @@
 #include "mesh/gmsh_session.hpp"
 #include "model/error_bars.hpp"
 #include "model/reduce.hpp"
+#include "model/route.hpp"
 #include "model/run.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -54,12 +56,13 @@ VariantResult run_variant(const CaseFile& file, const Variant& variant,
   return result;
 }
 
-void write_deck(const CaseFile& file, const RunOptions& options) {
+int write_deck(const CaseFile& file, const RunOptions& options) {
   const BuiltCase built = build(file.data);
-  if (options.deck == "nastran")
-    write_whole(options.out / "model.bdf", nastran_model(file.data, built));
-  else
-    write_whole(options.out / "model.inp", abaqus_model(file.data, built));
+  const bool nastran = options.deck == "nastran";
+  const std::filesystem::path path = options.out / (nastran ? "model.bdf" : "model.inp");
+  write_whole(path, nastran ? nastran_model(file.data, built) : abaqus_model(file.data, built));
+  if (!options.quiet) fmt::print("{}\n", path.string());
+  return 0;
 }
 
 } // namespace
@@ -73,6 +76,7 @@ int run_command(const RunOptions& options) {
         (std::filesystem::path(file.path).parent_path() / file.data.measured).string());
 
   make_folder(options.out);
+  if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
   Progress progress(options.quiet);
   progress.title(file.data.name);
   Results results = located(
@@ -99,7 +103,6 @@ int run_command(const RunOptions& options) {
   progress.stage("writing " + options.out.string());
   write_results(results, options.out);
   if (options.write_mesh) write_msh(results.mesh, results.lines, options.out / "mesh.msh");
-  if (!options.deck.empty()) write_deck(file, options);
   progress.finish();
   if (!options.quiet) fmt::print("{}", summary_text(results, options.out / "report.html"));
   if (results.verification.made && !results.verification.passed) {
@@ -133,6 +136,8 @@ int check_command(const std::string& case_path, int threads) {
   if (!file.data.measured.empty())
     read_measured((std::filesystem::path(file.path).parent_path() / file.data.measured).string());
   const BuiltCase built = located(file, [&] { return build(file.data); });
+  if (file.data.analyses.symmetry == Symmetry::required && !file.data.analyses.reduction)
+    located(file, [&] { symmetric_view(built.model, Symmetry::required); });
   const Estimate cost = located(file, [&] { return estimate(built, file.data.analyses); });
   const MeshQuality quality = mesh_quality(built.model.mesh);
   fmt::print("{}: the case is valid\n", case_path);

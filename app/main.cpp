@@ -3,10 +3,23 @@
 #include "model/input_error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <fmt/core.h>
 #include <new>
 
 namespace {
+
+// A number that is finite and, by `top`, above zero (0) or from zero to `top`.
+CLI::Validator number_in(double top, const std::string& allowed) {
+  return CLI::Validator(
+      [top, allowed](std::string& text) -> std::string {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        const bool good = number && (top > 0 ? value >= 0 && value <= top : value > 0);
+        return good ? "" : "'" + text + "' is no number " + allowed;
+      },
+      "");
+}
 
 int dispatch(int argc, char** argv) {
   CLI::App app{"Plica: dynamics of flexible exhaust pipes"};
@@ -23,12 +36,15 @@ int dispatch(int argc, char** argv) {
   run_app->add_flag("--quiet", run.quiet, "print errors only");
   run_app->add_flag("--msh", run.write_mesh, "write mesh.msh (Gmsh) beside the results");
   run_app
-      ->add_option("--write-deck", run.deck,
-                   "write the whole model as a deck for another solver: model.inp or model.bdf")
+      ->add_option(
+          "--write-deck", run.deck,
+          "only write the whole model as a deck for another solver: model.inp or model.bdf")
       ->check(CLI::IsMember({"abaqus", "nastran"}));
-  run_app->add_flag("!--no-variants", run.variants, "leave the variants of the case out");
-  run_app->add_flag("!--no-error-bars", run.error_bars,
-                    "leave out the runs on finer meshes and over the tolerances");
+  run_app->add_flag_callback(
+      "--no-variants", [&] { run.variants = false; }, "leave the variants of the case out");
+  run_app->add_flag_callback(
+      "--no-error-bars", [&] { run.error_bars = false; },
+      "leave out the runs on finer meshes and over the tolerances");
 
   plica::ReduceOptions reduce;
   CLI::App* reduce_app =
@@ -42,19 +58,23 @@ int dispatch(int argc, char** argv) {
       ->add_option("--cutoff", reduce.request.cutoff,
                    "modes with held boundary up to this frequency, Hz; left out: twice the highest "
                    "frequency the case asks for")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(0, "above 0 and finite"))
+      ->type_name("HZ");
   reduce_app
       ->add_option("--boundary", reduce.request.boundary,
                    "names of caps and sensors, with commas; left out: all caps")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,NAME,...");
   reduce_app
       ->add_option("--least-interface-mass", reduce.request.least_interface_mass,
                    "leave out modes that carry a smaller share of the interface mass, e.g. 0.001")
-      ->check(CLI::Range(0., 1.));
-  const std::map<std::string, plica::Units> units{{"m", plica::Units::metres},
-                                                  {"mm", plica::Units::millimetres}};
-  reduce_app->add_option("--units", reduce.units, "of the files: m (kg, s, N) or mm (t, s, N)")
-      ->transform(CLI::CheckedTransformer(units));
+      ->check(number_in(1, "from 0 to 1"))
+      ->type_name("SHARE");
+  std::string units = "m";
+  reduce_app->add_option("--units", units, "of the files: m (kg, s, N) or mm (t, s, N)")
+      ->check(CLI::IsMember({"m", "mm"}))
+      ->type_name("m|mm");
 
   std::string checked;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");
@@ -74,7 +94,10 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 1;
   }
   if (*run_app) return plica::run_command(run);
-  if (*reduce_app) return plica::reduce_command(reduce);
+  if (*reduce_app) {
+    if (units == "mm") reduce.units = plica::Units::millimetres;
+    return plica::reduce_command(reduce);
+  }
   if (*check_app) return plica::check_command(checked, run.threads);
   return plica::schema_command(schema);
 }

@@ -110,6 +110,11 @@ void check_analyses(const Case& data, CheckLog& log) {
     log.add("analyses.static",
             "static stiffness is between two caps, this case has " + std::to_string(n),
             "give exactly two caps, or static: false");
+  const double highest =
+      std::max(a.response ? a.response->band[1] : 0, a.modes ? a.modes->band[1] : 0);
+  if (a.reduction && a.reduction->cutoff > 0 && a.reduction->cutoff < highest)
+    log.add("analyses.reduction.cutoff", "lies below the highest frequency that is asked for",
+            "give twice or three times " + std::to_string(std::lround(highest)) + " Hz");
   if (!a.modes || !log.fine("analyses.modes")) return;
   const bool band = a.modes->band[1] > 0 || a.modes->band[0] > 0;
   if (band == (a.modes->count > 0))

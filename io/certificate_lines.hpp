@@ -3,6 +3,8 @@
 
 #include "reduction/certificate.hpp"
 
+#include <cmath>
+
 namespace plica {
 
 struct CertificateLine {
@@ -21,8 +23,9 @@ inline std::vector<CertificateLine> certificate_lines(const Certificate& c) {
       {"coordinates", "coordinates found from K off the drawn ones, m", c.coordinates},
       {"mass", "mass off that of the part", c.mass},
       {"centre", "centre of mass off that of the part, m", c.centre},
-      {"inertia", "inertia off that of the part", c.inertia},
-      {"statics", "static stiffness off that of the part", c.statics}};
+      {"inertia", "inertia off that of the part", c.inertia}};
+  if (std::isfinite(c.statics))
+    lines.push_back({"statics", "static stiffness off that of the part", c.statics});
   if (c.statics_known_to > 0)
     lines.push_back({"statics_known_to", "the part's own is known to", c.statics_known_to});
   return lines;

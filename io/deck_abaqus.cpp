@@ -242,7 +242,9 @@ private:
     if (!case_.analyses.modes) return;
     const Modes& modes = *case_.analyses.modes;
     constexpr int room = 1000; // for a band: as many as there are in it
-    add("*STEP\n*FREQUENCY, STORAGE=YES\n");
+    add("*STEP\n** CalculiX: add STORAGE=YES to *FREQUENCY when steps of motion of the base "
+        "follow.\n"
+        "*FREQUENCY\n");
     if (modes.count > 0)
       add("{}\n", modes.count);
     else

@@ -17,6 +17,8 @@ std::string error_bars_html(const Results& results) {
                                   {"computed", ""},
                                   {"mesh, along", "%"},
                                   {"mesh, around", "%"}};
+  const bool reduced = results.reduced.has_value();
+  if (reduced) columns.push_back({"cut-off of the superelements", "%"});
   if (tolerances) {
     columns.push_back({"90 % interval", ""});
     columns.push_back({"shares of the variance", "", false});
@@ -30,6 +32,7 @@ std::string error_bars_html(const Results& results) {
                    html_signed(100 * bar.along / bar.value, 2),
                    html_signed(100 * bar.around / bar.value, 2)},
                   ""};
+      if (reduced) row.cells.push_back(html_signed(100 * bar.cutoff / bar.value, 2));
       if (tolerances && bar.interval) {
         row.cells.push_back(html_number((*bar.interval)[0] * factor, 3) + " to " +
                             html_number((*bar.interval)[1] * factor, 3));
@@ -39,6 +42,7 @@ std::string error_bars_html(const Results& results) {
     }
   std::string note = "Mesh: what the converged value would differ by, estimated from two further "
                      "meshes, one finer along the meridian and one around. ";
+  if (reduced) note += "Cut-off: what twice the cut-off changes. ";
   if (tolerances)
     note += fmt::format("Interval: from the tolerances stated in the case, effects added; with all "
                         "of them drawn at random one run differed from the sum by {} %.",

@@ -148,12 +148,13 @@ std::string stress_csv(const Results& results) {
 
 std::string error_bars_csv(const Results& results) {
   const ErrorBars& errors = results.error_bars;
-  std::vector<std::string> head{"quantity", "value", "mesh along", "mesh around", "5 %", "95 %"};
+  std::vector<std::string> head{"quantity", "value", "mesh along", "mesh around",
+                                "cut-off",  "5 %",   "95 %"};
   for (const std::string& path : errors.tolerances) head.push_back("share of " + path);
   std::string text = line(head);
   for (const ErrorBar& bar : errors.bars) {
     std::vector<std::string> cells{bar.key, number(bar.value), number(bar.along),
-                                   number(bar.around)};
+                                   number(bar.around), results.reduced ? number(bar.cutoff) : ""};
     for (std::size_t i : {0, 1}) cells.push_back(bar.interval ? number((*bar.interval)[i]) : "");
     for (std::size_t i = 0; i < errors.tolerances.size(); ++i)
       cells.push_back(i < bar.shares.size() ? number(bar.shares[i]) : "");

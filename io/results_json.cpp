@@ -163,6 +163,7 @@ Json json_of(const ErrorBars& errors) {
                     {"value", number(bar.value)},
                     {"mesh_along", number(bar.along)},
                     {"mesh_around", number(bar.around)},
+                    {"cutoff", number(bar.cutoff)},
                     {"interval_90", bar.interval ? numbers(*bar.interval) : Json(nullptr)},
                     {"shares", shares}});
   }

@@ -93,7 +93,9 @@ std::string proof_sentence(const Verification& v, std::string (*number)(double, 
       v.inertia_count, v.inertia_count == 1 ? "mode" : "modes", number(v.sigma_frequency, 4),
       v.found, v.found == 1 ? "was" : "were", number(v.max_residual, 2),
       number(v.orthogonality, 2));
-  if (v.passed) return "Proved, no mode is missing: " + counts + ".";
+  if (v.passed)
+    return "Proved, no mode " + (v.of.empty() ? "" : "of " + v.of + " ") + "is missing: " + counts +
+           ".";
   const std::string reason = v.reason.empty() ? "." : ": " + v.reason;
   return "Not proved, the check failed: " + counts + reason;
 }

@@ -76,20 +76,25 @@ std::string headline_table(const Results& results) {
 std::string error_table(const Results& results) {
   const ErrorBars& errors = results.error_bars;
   if (errors.bars.empty()) return "";
-  std::vector<Row> rows{{"", "unit", "computed", "mesh along %", "around %", "90 % interval", ""}};
+  std::vector<Row> rows{{"", "unit", "computed", "mesh along %", "around %"}};
+  const bool reduced = results.reduced.has_value();
+  if (reduced) rows[0].push_back("cut-off %");
+  rows[0].insert(rows[0].end(), {"90 % interval", ""});
   for (const HeadlineQuantity& quantity : headline_quantities(results))
     for (const ErrorBar& bar : errors.bars) {
       if (bar.key != quantity.key) continue;
       const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
       const auto fixed = [&, f = factor](double x) { return significant(x * f, 4); };
-      rows.push_back(
-          {quantity.name, unit, fixed(bar.value), with_sign(100 * bar.along / bar.value, 2),
-           with_sign(100 * bar.around / bar.value, 2),
-           bar.interval ? fixed((*bar.interval)[0]) + " to " + fixed((*bar.interval)[1]) : "-",
-           shares_text(errors, bar)});
+      rows.push_back({quantity.name, unit, fixed(bar.value),
+                      with_sign(100 * bar.along / bar.value, 2),
+                      with_sign(100 * bar.around / bar.value, 2)});
+      if (reduced) rows.back().push_back(with_sign(100 * bar.cutoff / bar.value, 2));
+      rows.back().push_back(
+          bar.interval ? fixed((*bar.interval)[0]) + " to " + fixed((*bar.interval)[1]) : "-");
+      rows.back().push_back(shares_text(errors, bar));
     }
   return "\nError bars: still missing for want of mesh; from the tolerances of the case\n" +
-         aligned(rows, "<<>>>><") +
+         aligned(rows, reduced ? "<<>>>>><" : "<<>>>><") +
          (errors.interaction > 0
               ? fmt::format("  all tolerances at once: {} % off the sum of their effects\n",
                             significant(100 * errors.interaction, 2))

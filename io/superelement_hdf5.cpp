@@ -30,7 +30,12 @@ template <class Place> std::string text_of(const Place& place, const std::string
 void put(H5::Group& group, const std::string& name, const MatrixXd& matrix) {
   const std::array<hsize_t, 2> size{hsize_t(matrix.rows()), hsize_t(matrix.cols())};
   const RowMajor rows = matrix;
-  group.createDataSet(name, H5::PredType::IEEE_F64LE, H5::DataSpace(2, size.data()))
+  H5::DSetCreatPropList checked; // a checksum with every matrix
+  if (matrix.size() > 0) {
+    checked.setChunk(2, size.data());
+    checked.setFletcher32();
+  }
+  group.createDataSet(name, H5::PredType::IEEE_F64LE, H5::DataSpace(2, size.data()), checked)
       .write(rows.data(), H5::PredType::NATIVE_DOUBLE);
 }
 

@@ -27,13 +27,6 @@ struct NamedMatrix {
 };
 std::vector<NamedMatrix> matrices_of(const Superelement& s);
 
-// Writes into a temporary file beside the target and renames it: nothing is ever half-written.
-// Throws std::runtime_error with path and reason.
-void write_whole(const std::filesystem::path& target, const std::string& content);
-
-// Text of a file; std::runtime_error when it cannot be read.
-std::string read_whole(const std::filesystem::path& path);
-
 // std::runtime_error "file:line: what".
 [[noreturn]] void bad_line(const std::filesystem::path& path, int line, const std::string& what);
 

@@ -1,5 +1,6 @@
 #include "io/superelement_matrix_market.hpp"
 
+#include "io/files.hpp"
 #include "io/superelement_labels.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "io/superelement_nastran.hpp"
 
+#include "io/files.hpp"
 #include "io/nastran_cards.hpp"
 #include "io/superelement_labels.hpp"
 
@@ -33,6 +34,9 @@ void add_matrix(std::string& deck, const std::string& name, const Superelement& 
   }
 }
 
+// Tells a whole deck from one that was cut off.
+constexpr const char* last_line = "$ End of the superelement";
+
 // What is left of A when it stands in the 12 digits of a field.
 MatrixXd rest(const MatrixXd& A) {
   return A.unaryExpr([](double x) { return x == 0 ? 0 : x - nastran_number(nastran_real(x)); });
@@ -43,10 +47,10 @@ MatrixXd rest(const MatrixXd& A) {
 std::string nastran_deck(const Superelement& s) {
   std::string deck = fmt::format(
       "$ Superelement {}, units: {}\n"
-      "$ Case control: K2GG = KPLICA + KPLICAL, M2GG = MPLICA + MPLICAL{}{}\n"
+      "$ Case control: K2GG = KPLICA, KPLICAL and M2GG = MPLICA, MPLICAL{}{}\n"
       "$ GRID: boundary nodes, SPOINT: modal coordinates\n",
-      s.name, s.units, s.C.size() > 0 ? "\n$ Viscous damping: B2GG = BPLICA + BPLICAL" : "",
-      s.D.size() > 0 ? "\n$ Structural damping: K42GG = K4PLICA + K4PLICL" : "");
+      s.name, s.units, s.C.size() > 0 ? "\n$ Viscous damping: B2GG = BPLICA, BPLICAL" : "",
+      s.D.size() > 0 ? "\n$ Structural damping: K42GG = K4PLICA, K4PLICL" : "");
   for (std::size_t k = 0; k < s.nodes.size(); ++k) {
     const Eigen::Vector3d& x = s.nodes[k];
     deck += fmt::format("$ {}\n{:<8}{:>16}{:>16}{:>16}{:>16}\n{:<8}{:>16}\n", s.node_names[k],
@@ -66,7 +70,7 @@ std::string nastran_deck(const Superelement& s) {
     add_matrix(deck, "K4PLICA", s, s.D);
     add_matrix(deck, "K4PLICL", s, rest(s.D));
   }
-  return deck;
+  return deck + last_line + "\n";
 }
 
 Superelement read_nastran_deck(const std::filesystem::path& path) {
@@ -76,7 +80,7 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
   std::string line, matrix;
   int number = 0, column = -1, size = 0;
   Eigen::Vector3d place;
-  bool grid_open = false;
+  bool grid_open = false, whole = false;
   const auto cut = [&](std::size_t at, std::size_t width) {
     return line.size() > at ? line.substr(at, width) : std::string();
   };
@@ -86,11 +90,16 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
   };
   const auto at_label = [&](const std::string& point, const std::string& dof) {
     const auto found = coordinate.find(std::stoi(point));
-    if (found == coordinate.end()) bad_line(path, number, "there is no point " + point);
+    if (found == coordinate.end())
+      bad_line(path, number, "there is no point " + std::to_string(std::stoi(point)));
     return found->second + std::max(0, std::stoi(dof) - 1);
   };
   while (std::getline(stream, line)) {
     ++number;
+    if (line == last_line) whole = true;
+    if (const auto at = line.find(", units: ");
+        line.starts_with("$ Superelement ") && at != line.npos)
+      s.units = line.substr(at + 9);
     if (line.empty() || line[0] == '$') continue;
     try {
       const std::string card = cut(0, 8);
@@ -126,7 +135,11 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
       bad_line(path, number, "a field is not a number");
     }
   }
-  if (s.K.size() == 0) bad_line(path, number, "there is no DMIG matrix");
+  if (!whole)
+    bad_line(path, number,
+             std::string("the deck is cut off: its last line should be '") + last_line + "'");
+  if (s.K.isZero(0) && s.modal() > 0) bad_line(path, number, "there is no DMIG matrix KPLICA");
+  if (s.M.size() == 0 || s.M.isZero(0)) bad_line(path, number, "there is no DMIG matrix MPLICA");
   return s;
 }
 

@@ -1,6 +1,6 @@
 // A superelement for Nastran: DMIG matrices with a deck around them.
 //
-// A field of DMIG* holds 12 digits; each matrix is therefore the sum of two, K2GG = KPLICA +
+// A field of DMIG* holds 12 digits; each matrix is therefore the sum of two, K2GG = KPLICA,
 // KPLICAL (likewise M), the second with what the first rounds away. Boundary nodes are GRIDs, modal
 // coordinates SPOINTs. Symmetric, lower triangle. With damping also
 // B2GG (viscous) and K42GG (structural).

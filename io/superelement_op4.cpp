@@ -1,5 +1,6 @@
 #include "io/superelement_op4.hpp"
 
+#include "io/files.hpp"
 #include "io/superelement_labels.hpp"
 
 #include <fmt/format.h>

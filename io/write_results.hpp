@@ -8,14 +8,11 @@
 
 namespace plica {
 
-// Makes the folder; throws as write_results, so that a run finds out before it computes.
-void make_folder(const std::filesystem::path& folder);
-
 // Makes the folder when it is not there. All files are written under temporary names first and
 // renamed at the end, results.json last: a run that fails or is stopped leaves the old files as
 // they were, and a results.json always stands beside the files of the same run. Files of an older
-// run that this one does not write are removed. Throws std::runtime_error with the path and the
-// reason when something cannot be written.
+// run that this one does not write are removed. InputError with the path and the reason when
+// something cannot be written.
 void write_results(const Results& results, const std::filesystem::path& out_dir);
 
 } // namespace plica

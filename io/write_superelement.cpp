@@ -1,6 +1,7 @@
 #include "io/write_superelement.hpp"
 
 #include "io/certificate_lines.hpp"
+#include "io/files.hpp"
 #include "io/report_superelements.hpp"
 #include "io/results_text.hpp"
 #include "io/superelement_abaqus.hpp"
@@ -10,7 +11,6 @@
 #include "io/superelement_matrix_market.hpp"
 #include "io/superelement_nastran.hpp"
 #include "io/superelement_op4.hpp"
-#include "io/write_results.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,6 +76,7 @@ std::string certificate_text(const ReducedCase& r) {
   for (const FrequencyCheck& f : c.free)
     text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}\n", f.full, f.reduced,
                         with_sign(100 * f.error(), 4));
+  if (c.free.empty()) text += "    none below the cut-off: nothing compared\n";
   text += fmt::format("Good up to {} Hz with an error of {} %.\n", significant(c.good_up_to, 4),
                       significant(100 * c.error, 2));
   text += c.passed ? "The certificate is passed.\n" : "The certificate FAILED:\n";
@@ -105,28 +106,34 @@ std::string certificate_json(const ReducedCase& r) {
 }
 
 void write_superelement(const ReducedCase& r, Units units, const std::filesystem::path& folder) {
-  make_folder(folder);
   const Superelement s = units == Units::millimetres ? in_millimetres(r.element) : r.element;
-  write_hdf5(s, folder / "superelement.h5");
-  write_matlab(s, folder / "superelement.mat");
-  write_whole(folder / "superelement.bdf", nastran_deck(s));
-  write_whole(folder / "superelement.op4", op4_file(s));
-  write_whole(folder / "superelement.inp", abaqus_deck(s));
-  write_whole(folder / "superelement_user.inp", abaqus_user_element(s));
-  for (const char letter : {'K', 'M', 'C', 'D'}) {
-    const fs::path abaqus = folder / abaqus_matrix_file(letter);
-    const fs::path market = fs::path(abaqus).replace_extension(".mtx");
-    fs::remove(abaqus); // of an earlier run
-    fs::remove(market);
-    for (const NamedMatrix& m : matrices_of(s)) {
-      if (m.letter != letter) continue;
-      write_whole(abaqus, abaqus_matrix(s, *m.matrix));
-      write_whole(market, matrix_market(*m.matrix, s.name + ", units: " + s.units));
-    }
+  if (!s.K.allFinite() || !s.M.allFinite())
+    throw std::runtime_error(
+        "the superelement has numbers that are not finite; nothing is written");
+  FileSet files(folder);
+  write_hdf5(s, files.place("superelement.h5"));
+  write_matlab(s, files.place("superelement.mat"));
+  files.add("superelement.bdf", nastran_deck(s));
+  files.add("superelement.op4", op4_file(s));
+  files.add("superelement.inp", abaqus_deck(s));
+  files.add("superelement_user.inp", abaqus_user_element(s));
+  for (const NamedMatrix& m : matrices_of(s)) {
+    const std::string name = abaqus_matrix_file(m.letter);
+    files.add(name, abaqus_matrix(s, *m.matrix));
+    files.add(fs::path(name).replace_extension(".mtx").string(),
+              matrix_market(*m.matrix, s.name + ", units: " + s.units));
   }
-  write_whole(folder / "superelement.json", sidecar(s, r).dump(2) + "\n");
-  write_whole(folder / "report.html", certificate_report(r));
-  write_whole(folder / "certificate.json", certificate_json(r));
+  files.add("superelement.json", sidecar(s, r).dump(2) + "\n");
+  files.add("report.html", certificate_report(r));
+  files.add("certificate.json", certificate_json(r));
+  files.commit();
+  for (const char letter : {'C', 'D'}) { // of an earlier run with damping
+    const std::string name = abaqus_matrix_file(letter);
+    if (files.holds(name)) continue;
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+    fs::remove(fs::path(folder / name).replace_extension(".mtx"), ignored);
+  }
 }
 
 } // namespace plica

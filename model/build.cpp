@@ -87,9 +87,9 @@ private:
     Mesh mesh = bellows_mesh(bellows, meridian);
     for (std::size_t i = 0; i < bellows.dents.size(); ++i) {
       const DentSpot& dent = bellows.dents[i];
-      if (press(mesh, {vector(dent.at), dent.depth, dent.radius}) == 0)
+      if (press(mesh, {vector(dent.at), dent.depth, dent.radius}) < 3)
         input_error("parts." + name + ".dents[" + std::to_string(i) + "]",
-                    "has no node of the wall within its radius",
+                    "has fewer than three nodes of the wall within its radius",
                     "a place on the wall, and a radius of a few elements");
     }
     append(built_.model.mesh, mesh, name, section);

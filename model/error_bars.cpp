@@ -187,6 +187,13 @@ ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& sta
     for (ErrorBar& bar : all.bars)
       (along ? bar.along : bar.around) = (value_of(fine, bar.key) - bar.value) / (1 - 1 / (q * q));
   }
+  if (data.analyses.reduction) {
+    stage("cut-off");
+    Case more = data;
+    more.analyses.reduction->cutoff = 2 * reduction_cutoff(data.analyses);
+    const Headline fine = headline_of(more);
+    for (ErrorBar& bar : all.bars) bar.cutoff = value_of(fine, bar.key) - bar.value;
+  }
   if (!data.tolerances.empty()) add_tolerances(all, data, stage);
   return all;
 }

@@ -201,19 +201,21 @@ std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& anal
   if (symmetry == Symmetry::off) return full_route(built, "as the case asks", stage, timing);
   Stopwatch watch;
   stage("symmetry");
-  auto view = cyclic_model(built.model);
+  SymmetricView view = symmetric_view(built.model, symmetry);
   watch.lap(timing, "symmetry");
   if (auto* model = std::get_if<CyclicModel>(&view))
     return cyclic_route(built, std::move(*model), stage, timing);
-  const std::string& reason = std::get<std::string>(view);
-  if (symmetry == Symmetry::required)
-    throw InputError(
-        {{.file = "",
-          .line = 0,
-          .key = "analyses.symmetry",
-          .wrong = "is required, but the part does not repeat around its axis: " + reason,
-          .allowed = "mend that, or let symmetry be automatic"}});
-  return full_route(built, reason, stage, timing);
+  return full_route(built, std::get<std::string>(view), stage, timing);
+}
+
+SymmetricView symmetric_view(const Model& model, Symmetry asked) {
+  if (asked == Symmetry::off) return std::string("as the case asks");
+  SymmetricView view = cyclic_model(model);
+  if (const auto* reason = std::get_if<std::string>(&view); reason && asked == Symmetry::required)
+    input_error("analyses.symmetry",
+                "is required, but the part does not repeat around its axis: " + *reason,
+                "mend that, or let symmetry be automatic");
+  return view;
 }
 
 } // namespace plica

@@ -22,19 +22,42 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-using SymmetricView = std::variant<CyclicModel, std::string>;
-
 struct Boundary {
   std::vector<std::string> names;
   std::vector<int> nodes;
   int caps = 0; // they come first
 };
 
+void check_boundary_names(const Case& data, const std::vector<std::string>& asked) {
+  std::vector<std::string> known;
+  for (const Cap& cap : data.caps) known.push_back(cap.name);
+  for (const Sensor& sensor : data.sensors) known.push_back(sensor.name);
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  std::vector<InputProblem> problems;
+  const auto problem = [&](const std::string& wrong) {
+    problems.push_back({.file = "",
+                        .line = 0,
+                        .key = "boundary",
+                        .wrong = wrong,
+                        .allowed = "allowed: names of caps and sensors, each once: " + list});
+  };
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const auto matches = std::count(known.begin(), known.end(), asked[i]);
+    if (matches == 0) problem("there is no cap and no sensor '" + asked[i] + "'");
+    if (matches > 1) problem("'" + asked[i] + "' is the name of a cap and of a sensor");
+    if (std::find(asked.begin(), asked.begin() + long(i), asked[i]) != asked.begin() + long(i))
+      problem("'" + asked[i] + "' is given twice");
+  }
+  if (!problems.empty()) throw InputError(problems);
+}
+
 Boundary boundary_of(const Case& data, const BuiltCase& built,
                      const std::vector<std::string>& asked) {
   const auto wanted = [&](const std::string& name) {
     return std::find(asked.begin(), asked.end(), name) != asked.end();
   };
+  check_boundary_names(data, asked);
   Boundary b;
   for (const Cap& cap : data.caps) {
     if (!asked.empty() && !wanted(cap.name)) continue;
@@ -47,10 +70,6 @@ Boundary boundary_of(const Case& data, const BuiltCase& built,
     b.names.push_back(sensor.name);
     b.nodes.push_back(sensor.node);
   }
-  for (const std::string& name : asked)
-    if (std::find(b.names.begin(), b.names.end(), name) == b.names.end())
-      input_error("caps", "there is no cap and no sensor \"" + name + "\" for the boundary",
-                  "names of caps and sensors of the case");
   if (b.caps == 0)
     input_error("caps", "gives no cap for the boundary, and that is how a superelement is held",
                 "at least one cap");
@@ -269,8 +288,10 @@ void add_statics(PartReference& part, const BuiltCase& built, const SymmetricVie
   const std::vector<Eigen::Vector3d> places{built.model.mesh.nodes[caps[0]],
                                             built.model.mesh.nodes[caps[1]]};
   const Matrix1212 K = *route->end_stiffness(caps);
-  // A superelement of superelements sums its parts in another order than the mesh does.
-  if (nested && !part.grounded) part.statics_known_to = grounding(K, places);
+  // A superelement of superelements sums its parts in another order than the mesh does, and one
+  // with further boundary nodes has its rounding spread over them before it is taken out.
+  if ((nested || boundary.nodes.size() > 2) && !part.grounded)
+    part.statics_known_to = grounding(K, places);
   part.static_stiffness = without_grounding(K, places);
 }
 
@@ -288,14 +309,8 @@ ReducedCase reduce_case(const Case& given, const ReduceRequest& request,
   const Boundary boundary = boundary_of(data, built, request.boundary);
   watch.lap(result.timing, "mesh");
   stage("symmetry");
-  SymmetricView view = std::string("as the case asks");
-  if (data.analyses.symmetry != Symmetry::off) view = cyclic_model(built.model);
+  const SymmetricView view = symmetric_view(built.model, data.analyses.symmetry);
   const auto* symmetric = std::get_if<CyclicModel>(&view);
-  if (!symmetric && data.analyses.symmetry == Symmetry::required)
-    input_error("analyses.symmetry",
-                "is required, but the part does not repeat around its axis: " +
-                    std::get<std::string>(view),
-                "mend that, or let symmetry be automatic");
   watch.lap(result.timing, "symmetry");
   stage("reduction");
   std::shared_ptr<const ReducedModel> nested;

@@ -38,9 +38,9 @@ std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry) {
 }
 
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           double cutoff, bool symmetry) {
+                           double cutoff, bool symmetry, bool all_harmonics) {
   try {
-    return reduce_substructures(built.model, interface_nodes, cutoff, symmetry);
+    return reduce_substructures(built.model, interface_nodes, cutoff, symmetry, all_harmonics);
   } catch (const std::invalid_argument& error) {
     input_error("analyses.reduction", error.what(), "parts that are joined by caps");
   }
@@ -75,13 +75,16 @@ public:
         unknowns_(eliminate(built.model).size()) {
     stage_("reduction");
     reduced_ = reduced_model(built, interface_nodes(built, symmetry != Symmetry::off), cutoff,
-                             symmetry != Symmetry::off);
+                             symmetry != Symmetry::off, true);
     if (symmetry == Symmetry::required) require_symmetry();
     watch_.lap(timing_, "reduction");
     frame_.model = reduced_.model;
     for (const auto& [name, node] : built.cap_nodes) frame_.cap_nodes[name] = reduced_.number[node];
     for (int node : built.held_nodes) frame_.held_nodes.push_back(reduced_.number[node]);
     frame_route_ = full_route(frame_, "", stage_, timing_);
+    if (eliminate(reduced_.model).size() == 6 * int(built.held_nodes.size()))
+      input_error("analyses.reduction.cutoff", "leaves nothing that could move",
+                  "a cut-off above the first mode of a part with its caps held");
   }
 
   std::string name() const override { return route_name(reduced_); }

@@ -47,6 +47,7 @@ struct Verification {
   double orthogonality = 0; // max |Phi' M Phi - I|
   bool passed = false;
   std::string reason; // why not passed
+  std::string of;     // "the reduced model" where that was counted; empty = the model
 };
 
 struct MeasuredComparison { // one measured number beside the computed one
@@ -126,6 +127,7 @@ struct ErrorBar {
   // Still missing to the converged value, estimated, signed; not a number when a finer run did not
   // meet the shape.
   double along = 0, around = 0;
+  double cutoff = 0; // the same for want of modes of the superelements
   std::optional<std::array<double, 2>> interval;
   std::vector<double> shares; // of the variance, per tolerance
 };

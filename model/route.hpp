@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <variant>
 
 namespace plica {
 
@@ -38,6 +39,10 @@ struct ModalSolution {
   Eigen::Matrix<double, 6, 1> free_mass;
   std::map<std::string, double> timing;
 };
+
+// The model by its rotational symmetry, or why it has none. Throws InputError when it is required.
+using SymmetricView = std::variant<CyclicModel, std::string>;
+SymmetricView symmetric_view(const Model& model, Symmetry asked);
 
 class Route {
 public:

@@ -165,6 +165,21 @@ private:
     std::copy(sum.begin(), sum.end(), results_.effective_mass_sum.begin());
   }
 
+  void warn_of_the_cutoff(const Modes& asked) {
+    const double cutoff = results_.reduced->cutoff;
+    const auto above = std::count_if(results_.modes.begin(), results_.modes.end(),
+                                     [&](const ModeResult& m) { return m.frequency > cutoff; });
+    const std::string hertz = std::to_string(std::lround(cutoff)) + " Hz";
+    if (above > 0)
+      results_.warnings.push_back(std::to_string(above) + " modes lie above the cut-off of " +
+                                  hertz +
+                                  " of analyses.reduction and are not those of the whole model");
+    if (asked.band[1] == 0 && static_cast<int>(results_.modes.size()) < asked.count)
+      results_.warnings.push_back("the reduced model has " + std::to_string(results_.modes.size()) +
+                                  " modes, fewer than asked for: raise the cut-off of " + hertz +
+                                  " of analyses.reduction");
+  }
+
   void verify(const ModesProof& proof) {
     results_.verification = {.made = proof.made,
                              .sigma_frequency = frequency(proof.sigma),
@@ -173,7 +188,9 @@ private:
                              .max_residual = proof.max_residual,
                              .orthogonality = proof.orthogonality,
                              .passed = proof.passed,
-                             .reason = proof.reason};
+                             .reason = proof.reason,
+                             .of = results_.reduced ? "the reduced model" : ""};
+    if (results_.reduced) warn_of_the_cutoff(*case_.analyses.modes);
   }
 
   const Case& case_;

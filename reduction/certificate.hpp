@@ -3,6 +3,7 @@
 
 #include "reduction/superelement.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace plica {
@@ -35,7 +36,9 @@ struct Certificate {
   double coordinates = 0; // m: boundary nodes found from the null space of K, off the true ones
   double mass = 0, centre = 0, inertia = 0; // relative; m; relative
   double statics_known_to = 0; // as far as the part's own stiffness is known: its rounding
-  double statics = 0;          // largest |dK_ij| / sqrt(K_ii K_jj) against the condensed part
+  // Largest |dK_ij| / sqrt(K_ii K_jj) against the condensed part; NaN = not compared (not two
+  // caps).
+  double statics = std::numeric_limits<double>::quiet_NaN();
   std::vector<FrequencyCheck> free, fixed; // elastic ones
   double good_up_to = 0;                   // Hz: below, every free frequency is met within `error`
   double error = 0;

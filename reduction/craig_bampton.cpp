@@ -23,7 +23,8 @@ Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, do
   for (std::size_t i = 0; i < dofs.size(); ++i)
     D(i, std::lower_bound(sorted.begin(), sorted.end(), dofs[i]) - sorted.begin()) = 1;
   const auto blocks = std::make_shared<FixedInterface>(
-      fixed_interface(system->K, system->M, sorted, cutoff, MatrixXd(system->map.size(), 0)));
+      fixed_interface(system->K, system->M, sorted, cutoff, MatrixXd(system->map.size(), 0),
+                      rigid_body_motions(model, system->map, Eigen::Vector3d::Zero())));
   const Eigen::Index modes = blocks->lambda.size();
   Reduction r{.element = empty_superelement(model, boundary, modes),
               .lambda = blocks->lambda,
@@ -33,7 +34,8 @@ Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, do
               .reason = blocks->reason};
   Superelement& s = r.element;
   const Eigen::Index n = s.boundary();
-  s.K.topLeftCorner(n, n) = without_grounding(D * blocks->K_bb * D.transpose(), s.nodes);
+  s.K.topLeftCorner(n, n) =
+      without_grounding(D * blocks->K_bb * D.transpose(), s.nodes, blocks->unreduced);
   s.K.diagonal().tail(modes) = blocks->lambda;
   s.M.topLeftCorner(n, n) = D * blocks->M_bb * D.transpose();
   s.M.topRightCorner(n, modes) = D * blocks->M_bq;

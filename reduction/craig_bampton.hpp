@@ -13,13 +13,15 @@ namespace plica {
 Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, double cutoff);
 
 // The same by rotational symmetry. Boundary nodes on the axis are reached by the harmonics 0 and 1
-// alone; the others are left out. Nodes on the wall (a sensor with mass, a bracket, the ring at
-// which a dented stretch begins) are reached by all N/2 + 1 harmonics, and all are taken, so that
-// statics stay those of the full mesh. Holding a wall node would break the symmetry; the modes are
-// therefore those with the axis nodes held and the wall nodes free, and with the answers X to unit
-// forces at the wall nodes they span the coordinates (Craig & Chang, NASA CR-145204 (1976)):
+// alone; the others, whose modes no boundary node feels, are left out unless `all_harmonics` asks
+// for them. Nodes on the wall (a sensor with mass, a bracket, the ring at which a dented stretch
+// begins) are reached by all N/2 + 1 harmonics, and all are taken, so that statics stay those of
+// the full mesh. Holding a wall node would break the symmetry; the modes are therefore those with
+// the axis nodes held and the wall nodes free, and with the answers X to unit forces at the wall
+// nodes they span the coordinates (Craig & Chang, NASA CR-145204 (1976)):
 //
 //   F = X_p,  Psi_p = X F^-1,  Psi = Psi_axis - Psi_p (Psi_axis)_p,  Phi = Phi_free - Psi_p (Phi)_p
-Reduction craig_bampton(const CyclicModel& model, const std::vector<int>& boundary, double cutoff);
+Reduction craig_bampton(const CyclicModel& model, const std::vector<int>& boundary, double cutoff,
+                        bool all_harmonics = false);
 
 } // namespace plica

@@ -30,8 +30,10 @@ struct Family {
 
 class Reducer {
 public:
-  Reducer(const CyclicModel& model, const std::vector<int>& boundary, double cutoff)
-      : model_(std::make_shared<CyclicModel>(model)), boundary_(boundary), cutoff_(cutoff) {
+  Reducer(const CyclicModel& model, const std::vector<int>& boundary, double cutoff,
+          bool all_harmonics)
+      : model_(std::make_shared<CyclicModel>(model)), boundary_(boundary), cutoff_(cutoff),
+        all_harmonics_(all_harmonics) {
     for (std::size_t i = 0; i < boundary.size(); ++i) {
       const int ring = model.place(boundary[i]).ring;
       std::vector<int>& nodes = ring < 0 ? axis_ : wall_;
@@ -54,7 +56,9 @@ public:
                 .field_at = {},
                 .proved = true,
                 .reason = ""};
+    double unreduced = 0;
     for (const Family& f : *families_) {
+      unreduced = std::max(unreduced, f.blocks->unreduced);
       r.proved = r.proved && f.blocks->proved;
       if (!f.blocks->proved)
         r.reason = "harmonic " + std::to_string(f.system.harmonic.n) + ": " + f.blocks->reason;
@@ -62,7 +66,7 @@ public:
     Superelement& s = r.element;
     const Index n = s.boundary();
     s.K = T->transpose() * K_ * *T;
-    s.K.topLeftCorner(n, n) = without_grounding(s.K.topLeftCorner(n, n), s.nodes);
+    s.K.topLeftCorner(n, n) = without_grounding(s.K.topLeftCorner(n, n), s.nodes, unreduced);
     s.K.topRightCorner(n, modes_).setZero(); // K Psi is a force at the boundary, where Phi rests
     s.K.bottomRows(modes_).setZero();
     s.K.diagonal().tail(modes_) = lambda_;
@@ -77,10 +81,10 @@ private:
   Index axis_dofs() const { return 6 * Index(axis_.size()); }
   Index wall_dofs() const { return 6 * Index(wall_.size()); }
 
-  // The harmonics that reach the boundary; of a pair the cosine one is solved.
+  // The harmonics that are taken; of a pair the cosine one is solved.
   void find_families() {
     std::vector<Harmonic> solved{{0, false}, {0, true}, {1, false}};
-    if (!wall_.empty())
+    if (all_harmonics_ || !wall_.empty())
       for (int n = 2; n < model_->harmonics(); ++n) {
         solved.push_back({n, false});
         if (!model_->is_pair(n)) solved.push_back({n, true});
@@ -90,8 +94,8 @@ private:
       Family f = placed(model_->system(solved[i]));
       std::vector<int> numbers;
       for (const auto& [number, column] : unknowns(f.system)) numbers.push_back(number);
-      f.blocks = std::make_shared<FixedInterface>(
-          fixed_interface(f.system.K, f.system.M, numbers, cutoff_, f.loads));
+      f.blocks = std::make_shared<FixedInterface>(fixed_interface(
+          f.system.K, f.system.M, numbers, cutoff_, f.loads, model_->rigid_motions(f.system)));
       (*families_)[i] = std::move(f);
     });
     for (std::size_t i = 0; i < solved.size(); ++i) {
@@ -223,6 +227,7 @@ private:
   std::shared_ptr<const CyclicModel> model_;
   const std::vector<int>& boundary_;
   double cutoff_;
+  bool all_harmonics_;
   std::vector<int> axis_, wall_;                 // boundary nodes
   std::vector<int> axis_columns_, wall_columns_; // their DOFs among the coordinates
   std::vector<int> rings_;                       // that hold wall nodes
@@ -234,9 +239,10 @@ private:
 
 } // namespace
 
-Reduction craig_bampton(const CyclicModel& model, const std::vector<int>& boundary, double cutoff) {
+Reduction craig_bampton(const CyclicModel& model, const std::vector<int>& boundary, double cutoff,
+                        bool all_harmonics) {
   check_boundary(model.model(), boundary);
-  return Reducer(model, boundary, cutoff).reduction();
+  return Reducer(model, boundary, cutoff, all_harmonics).reduction();
 }
 
 } // namespace plica

@@ -3,6 +3,7 @@
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,6 +32,15 @@ FixedModes fixed_modes(const SparseMatrix& K, const SparseMatrix& M, double cuto
   return {set.lambda, set.Phi, set.proof.passed, set.proof.reason};
 }
 
+// Psi R_b = R, to the last digit. Left alone when the part is held, so that R is no answer of it.
+void keep_rigid(MatrixXd& Psi, const std::vector<int>& boundary, const MatrixXd& R) {
+  if (boundary.empty() || R.cols() == 0) return;
+  const MatrixXd R_b = R(boundary, Eigen::all);
+  const MatrixXd missing = R - Psi * R_b;
+  if (missing.norm() > 1e-5 * R.norm()) return;
+  Psi += missing * R_b.completeOrthogonalDecomposition().pseudoInverse();
+}
+
 MatrixXd symmetrised(const MatrixXd& A) {
   return (A + A.transpose()) / 2;
 }
@@ -39,7 +49,7 @@ MatrixXd symmetrised(const MatrixXd& A) {
 
 FixedInterface fixed_interface(const SparseMatrix& K, const SparseMatrix& M,
                                const std::vector<int>& boundary, double cutoff,
-                               const MatrixXd& loads) {
+                               const MatrixXd& loads, const MatrixXd& rigid) {
   const auto n = static_cast<int>(K.rows());
   const auto nb = static_cast<Eigen::Index>(boundary.size());
   const std::vector<int> inner = complement(n, boundary);
@@ -52,8 +62,10 @@ FixedInterface fixed_interface(const SparseMatrix& K, const SparseMatrix& M,
                  : MatrixXd(n, 0);
   f.X = MatrixXd::Zero(n, loads.cols());
   if (loads.cols() > 0) f.X(inner, Eigen::all) = base.factor.solve(loads(inner, Eigen::all));
-  const MatrixXd MPsi = symmetric_product(M, f.Psi);
+  for (int i : boundary) f.unreduced = std::max(f.unreduced, K.coeff(i, i));
   f.K_bb = boundary_stiffness(K, boundary, f.Psi);
+  keep_rigid(f.Psi, boundary, rigid);
+  const MatrixXd MPsi = symmetric_product(M, f.Psi);
   f.M_bb = symmetrised(f.Psi.transpose() * MPsi);
   const FixedModes fixed = fixed_modes(K_ii, M_ii, cutoff, base);
   f.lambda = fixed.lambda;

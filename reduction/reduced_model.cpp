@@ -10,14 +10,14 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::shared_ptr<const PartReduction> reduce(const Substructure& part, double cutoff,
-                                            bool symmetry) {
+std::shared_ptr<const PartReduction> reduce(const Substructure& part, double cutoff, bool symmetry,
+                                            bool all_harmonics) {
   auto reduced = std::make_shared<PartReduction>();
   if (symmetry) {
     auto view = cyclic_model(part.model);
     if (const auto* cyclic = std::get_if<CyclicModel>(&view)) {
       reduced->sectors = cyclic->around();
-      reduced->reduction = craig_bampton(*cyclic, part.boundary, cutoff);
+      reduced->reduction = craig_bampton(*cyclic, part.boundary, cutoff, all_harmonics);
       return reduced;
     }
     reduced->because = std::get<std::string>(view);
@@ -41,7 +41,7 @@ std::vector<int> rows_of(const Instance& instance, const std::vector<int>& numbe
 } // namespace
 
 ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
-                                  double cutoff, bool symmetry) {
+                                  double cutoff, bool symmetry, bool all_harmonics) {
   CutModel pieces = cut(model, interface_nodes);
   ReducedModel reduced{.model = std::move(pieces.frame),
                        .number = std::move(pieces.number),
@@ -57,7 +57,7 @@ ReducedModel reduce_substructures(const Model& model, const std::vector<int>& in
       if (!instance.reduced && is_copy(*other.part, *instance.part))
         instance.reduced = other.reduced;
     if (!instance.reduced) {
-      instance.reduced = reduce(*instance.part, cutoff, symmetry);
+      instance.reduced = reduce(*instance.part, cutoff, symmetry, all_harmonics);
       ++reduced.reductions;
     }
     const Reduction& r = instance.reduced->reduction;

@@ -70,8 +70,9 @@ Reduction craig_bampton(const std::shared_ptr<const ReducedModel>& model,
                         const std::vector<int>& boundary, double cutoff);
 
 // By symmetry where `symmetry` allows it and the substructure has it. Modes with the interface held
-// up to `cutoff` (Hz). Throws as cut() and craig_bampton().
+// up to `cutoff` (Hz), by symmetry those that the interface feels or `all_harmonics`. Throws as
+// cut() and craig_bampton().
 ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
-                                  double cutoff, bool symmetry);
+                                  double cutoff, bool symmetry, bool all_harmonics = false);
 
 } // namespace plica

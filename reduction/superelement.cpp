@@ -64,7 +64,7 @@ struct Balanced {
 
 Balanced balance(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
   Balanced b;
-  b.scale = K.diagonal().cwiseSqrt().cwiseInverse();
+  b.scale = K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   b.K = b.scale.asDiagonal() * K * b.scale.asDiagonal();
   const MatrixXd R = b.scale.cwiseInverse().asDiagonal() * rigid_motions(nodes, nodes.front());
   b.Q = Eigen::HouseholderQR<MatrixXd>(R).householderQ() * MatrixXd::Identity(R.rows(), 6);
@@ -78,8 +78,12 @@ double grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
   return (b.K * b.Q).norm();
 }
 
-MatrixXd without_grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
+MatrixXd without_grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes,
+                           double unreduced) {
   constexpr double rounding = 1e-6;
+  // At a single node all motions are rigid: what stands there is a spring to ground, or rounding.
+  if (nodes.size() == 1 && K.cwiseAbs().maxCoeff() < 1e-9 * unreduced)
+    return MatrixXd::Zero(K.rows(), K.cols());
   const Balanced b = balance(K, nodes);
   if ((b.K * b.Q).norm() > rounding) return symmetrised(K);
   const MatrixXd P = MatrixXd::Identity(K.rows(), K.rows()) - b.Q * b.Q.transpose();

@@ -57,9 +57,10 @@ double grounding(const Eigen::MatrixXd& K, const std::vector<Eigen::Vector3d>& n
 // Stiffness between nodes with the forces that rigid motions raise taken out. They are the rounding
 // of the part's own K (1e-16 of a membrane's stiffness, 1e-8 of a bellows'), and left in they would
 // ground a larger model. K is returned as it is when a rigid motion raises more than 1e-6 of it:
-// then the part is held.
+// then the part is held. A single node has rigid motions alone: K is zero when it is rounding of
+// `unreduced`, the largest number of the part's own K there.
 Eigen::MatrixXd without_grounding(const Eigen::MatrixXd& K,
-                                  const std::vector<Eigen::Vector3d>& nodes);
+                                  const std::vector<Eigen::Vector3d>& nodes, double unreduced = 0);
 
 struct MassProperties {
   double mass = 0;

@@ -66,10 +66,11 @@ std::vector<Peak> find_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd
     const double curvature = (dc - da) / (hertz[i + 1] - hertz[i - 1]);
     const double slope = da + curvature * (hertz[i] - hertz[i - 1]); // at the middle point
     const double shift = curvature < 0 ? -slope / (2 * curvature) : 0;
-    Peak p{.frequency = hertz[i] + shift, .height = b + slope * shift / 2, .damping = 0};
+    Peak p{.frequency = hertz[i] + shift, .height = b + slope * shift / 2};
     const double level = p.height / std::numbers::sqrt2;
-    const double up = flank(hertz, magnitude, i, 1, level) - p.frequency;
-    const double down = p.frequency - flank(hertz, magnitude, i, -1, level);
+    p.f1 = flank(hertz, magnitude, i, -1, level);
+    p.f2 = flank(hertz, magnitude, i, 1, level);
+    const double up = p.f2 - p.frequency, down = p.frequency - p.f1;
     p.damping = std::max(up, down) < 3 * std::min(up, down)
                     ? (up + down) / (2 * p.frequency)
                     : std::numeric_limits<double>::quiet_NaN();

@@ -17,6 +17,7 @@ struct Peak {
   double frequency = 0, height = 0;
   double damping = 0; // half power: (f2 - f1) / (2 f); NaN where a neighbour covers a flank or one
                       // is three times as wide as the other: no resonance of its own
+  double f1 = 0, f2 = 0; // where the curve has fallen to the root of half, Hz; NaN if it does not
 };
 
 // Peaks higher than `floor` times the highest.

@@ -5,6 +5,7 @@
 
 #include "io/deck_abaqus.hpp"
 #include "io/deck_nastran.hpp"
+#include "io/files.hpp"
 #include "io/nastran_cards.hpp"
 #include "io/superelement_labels.hpp"
 

@@ -54,6 +54,19 @@ TEST(ReducedAssembly, dual_pipe_is_the_unreduced_one_within_the_limits) {
   EXPECT_NE(reduced(data, 1000).route.find("5 superelements of 3 reductions"), std::string::npos);
 }
 
+// Modes of harmonics above 1, which no cap feels, are there too.
+TEST(ReducedAssembly, has_the_shell_modes_of_its_parts) {
+  Case data = verification_case("bellows_a", {16, 2, 3}, 30);
+  const Results full = run_silently(data), fast = reduced(data, 3 * full.modes.back().frequency);
+  ASSERT_EQ(fast.modes.size(), full.modes.size());
+  EXPECT_TRUE(std::any_of(full.modes.begin(), full.modes.end(),
+                          [](const ModeResult& m) { return m.harmonic > 1; }));
+  for (std::size_t i = 0; i < full.modes.size(); ++i) {
+    EXPECT_NEAR(fast.modes[i].frequency / full.modes[i].frequency, 1, 1e-3) << i;
+    EXPECT_EQ(fast.modes[i].harmonic, full.modes[i].harmonic) << i;
+  }
+}
+
 // Every high peak of the one is a peak of the other.
 void expect_same_peaks(const ResponseResult& full, const ResponseResult& fast) {
   int compared = 0;

@@ -258,7 +258,8 @@ TEST(Run, refuses_a_dent_that_misses_the_wall) {
     run_silently(data);
     FAIL() << "no error";
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("dents[0]: has no node of the wall"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("dents[0]: has fewer than three nodes of the wall"),
+              std::string::npos)
         << e.what();
   }
 }

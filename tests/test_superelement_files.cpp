@@ -2,6 +2,7 @@
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include "io/files.hpp"
 #include "io/superelement_abaqus.hpp"
 #include "io/superelement_hdf5.hpp"
 #include "io/superelement_labels.hpp"
@@ -166,7 +167,7 @@ TEST(ReducedCase, takes_sensors_into_the_boundary_by_symmetry) {
     reduce_case(data, {.boundary = {"left", "crwon"}}, [](const auto&) {});
     FAIL() << "no error";
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("\"crwon\""), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("'crwon'"), std::string::npos) << e.what();
   }
 }
 
@@ -184,6 +185,19 @@ TEST(ReducedCase, leaves_out_modes_the_boundary_hardly_feels_and_says_so) {
 }
 
 // A superelement of superelements against the unreduced part.
+TEST(ReducedCase, may_have_one_node_alone_or_a_sensor_beside_its_caps) {
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"left"}, {"left", "right", "crown"}, {"crown", "right"}}) {
+    const ReducedCase r =
+        reduce_case(sample_case(), {.cutoff = 2000, .boundary = names}, [](const std::string&) {});
+    EXPECT_TRUE(r.certificate.passed)
+        << names.size() << ": "
+        << (r.certificate.failures.empty() ? "" : r.certificate.failures[0]);
+    EXPECT_EQ(r.element.nodes.size(), names.size());
+    EXPECT_TRUE(r.element.K.allFinite());
+  }
+}
+
 TEST(ReducedCase, may_be_nested) {
   Case data =
       read_case(std::string(PLICA_SOURCE_DIR) + "/cases/dual_assembly/dual_assembly.yaml").data;
@@ -296,9 +310,18 @@ TEST(SuperelementFiles, damaged_are_refused_with_their_name_and_line) {
   std::string bytes = read_whole(h5);
   write_whole(h5, bytes.substr(0, bytes.size() / 2));
   EXPECT_NE(message([&] { read_hdf5(h5); }).find("superelement.h5: "), std::string::npos);
+  const std::size_t inside =
+      bytes.find(std::string(reinterpret_cast<const char*>(&r.element.K(0, 0)), sizeof(double)));
+  ASSERT_NE(inside, std::string::npos);
+  std::string flipped = bytes;
+  flipped[inside + 2] = char(flipped[inside + 2] ^ 1);
+  write_whole(h5, flipped);
+  EXPECT_NE(message([&] { read_hdf5(h5); }).find("superelement.h5: "), std::string::npos);
   write_whole(h5, "no HDF5");
   EXPECT_NE(message([&] { read_hdf5(h5); }).find("damaged, or no HDF5 file"), std::string::npos);
   std::string text = read_whole(deck);
+  write_whole(deck, text.substr(0, text.find('\n', text.size() / 2) + 1));
+  EXPECT_NE(message([&] { read_nastran_deck(deck); }).find("is cut off"), std::string::npos);
   text.replace(text.find("DMIG* "), 5, "DMGI*");
   write_whole(deck, text);
   EXPECT_NE(message([&] { read_nastran_deck(deck); }).find("unknown card"), std::string::npos);
@@ -325,7 +348,9 @@ TEST(SuperelementFiles, damaged_are_refused_with_their_name_and_line) {
             std::string::npos);
   EXPECT_NE(message([&] { read_hdf5(folder.path / "absent.h5"); }).find("absent.h5"),
             std::string::npos);
-  EXPECT_NE(message([&] { write_whole(folder.path / "no" / "such", "x"); }).find("cannot write"),
+  EXPECT_NE(message([&] {
+              write_whole(folder.path / "superelement.h5" / "such", "x");
+            }).find("cannot make the folder"),
             std::string::npos);
 }
 
