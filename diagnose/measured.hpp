@@ -6,6 +6,8 @@
 // deviation; absent where the source gives none.
 #pragma once
 
+#include "diagnose/frf_set.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -22,11 +24,15 @@ struct MeasuredSensor {
   std::array<double, 3> at{};
   std::vector<int> axes{1, 2, 3}; // its own three axes: 1 x, 2 y, 3 z, negative = reversed
   double mass = 0;
+  int node = 0; // its number in universal files; 0 = found by its name
 };
+
+// `repeats` are single results; where no sigma is given it is their standard deviation.
 
 struct MeasuredMass {
   double value = 0;
   std::optional<double> sigma;
+  std::vector<double> repeats;
 };
 
 struct MeasuredStatic {
@@ -34,7 +40,14 @@ struct MeasuredStatic {
   double value = 0; // N/m; bending and torsion Nm/rad
   std::optional<double> sigma;
   std::optional<double> stroke; // m; rad for bending and torsion
+  std::vector<double> repeats;
   std::string note;
+};
+
+// A mode shape at some channels, "mid.y"; complex where `imaginary` is given.
+struct MeasuredVector {
+  std::vector<std::string> channels;
+  std::vector<double> real, imaginary;
 };
 
 struct MeasuredMode {
@@ -46,6 +59,8 @@ struct MeasuredMode {
   std::optional<Axis> base;      // excited along
   std::optional<double> level;
   std::string sensor; // at which the peak was seen; empty = not known
+  std::vector<double> repeats; // of the frequency
+  std::optional<MeasuredVector> vector;
   std::string note;
 };
 
@@ -59,16 +74,45 @@ struct MeasuredPeaks {
   std::string note;
 };
 
+// Names in a MATLAB file: the abscissa (frequency or time) and the values, one channel a column;
+// fields of structures by a point.
+struct MatlabVariables {
+  std::string abscissa, values;
+};
+
 struct FrfSigma {
   double relative = 0; // of the magnitude
   double floor = 0;    // transmissibility
 };
 
 struct MeasuredFrf {
-  std::string file; // UFF 58 or CSV, relative to the file that names it
-  Axis base = Axis::y;
+  std::string file; // UFF 58, CSV or MATLAB, relative to the file that names it
+  std::optional<Axis> base;
+  std::string force; // channel that was driven, "floor1.x"; either this or `base`
+  std::optional<FrfQuantity> quantity; // transmissibility by the base, accelerance by a force
   std::optional<double> level;
   std::optional<FrfSigma> sigma;
+  std::vector<std::string> channels; // of the columns, "-" = left out; empty = by their names
+  MatlabVariables variables;
+
+  FrfQuantity what() const {
+    return quantity.value_or(base ? FrfQuantity::transmissibility : FrfQuantity::accelerance);
+  }
+};
+
+enum class Excitation { random, sine };
+
+// Time signals of one run.
+struct MeasuredSignals {
+  std::string file;
+  std::optional<Axis> base; // along which the table moved
+  std::string reference;    // channel of the input: "base.y" or "floor1.force"
+  std::vector<std::string> channels; // of the columns without the time
+  std::optional<double> rate;        // Hz; absent where the file has the time
+  std::optional<double> level;
+  Excitation excitation = Excitation::random;
+  std::optional<FrfQuantity> quantity;
+  MatlabVariables variables;
 };
 
 struct Measured {
@@ -80,6 +124,7 @@ struct Measured {
   std::vector<MeasuredMode> modes;
   std::vector<MeasuredPeaks> peaks;
   std::vector<MeasuredFrf> frf;
+  std::vector<MeasuredSignals> signals;
   std::vector<std::string> hold_out; // paths of entries that no fit may use
   std::vector<std::string> caveats;  // in words, printed in the report
 };

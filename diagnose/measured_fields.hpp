@@ -8,6 +8,12 @@ namespace plica {
 
 inline const std::vector<Named<Axis>> axis_names{{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
 
+inline const std::vector<Named<FrfQuantity>> quantity_names{
+    {FrfQuantity::receptance, "receptance"},
+    {FrfQuantity::mobility, "mobility"},
+    {FrfQuantity::accelerance, "accelerance"},
+    {FrfQuantity::transmissibility, "transmissibility"}};
+
 inline constexpr Quantity measured_level{
     .unit = Dimension::acceleration, .min = 0, .exclusive_min = true};
 inline constexpr Quantity measured_damping{
@@ -25,6 +31,7 @@ template <class V> void fields(V& v, MeasuredSensor& s) {
             {.required = false, .min_items = 3},
             "directions of the part frame its three axes point in");
   v.quantity(s.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
+  v.whole(s.node, "node", {.min = 1}, "its number in universal files");
 }
 
 template <class V> void fields(V& v, MeasuredMass& m) {
@@ -33,6 +40,8 @@ template <class V> void fields(V& v, MeasuredMass& m) {
              "weighed mass of the specimen");
   v.quantity(m.sigma, "sigma", {.unit = Dimension::mass, .min = 0, .exclusive_min = true},
              "standard deviation");
+  v.quantities(m.repeats, "repeats", {.unit = Dimension::mass, .min = 0, .exclusive_min = true, .min_items = 2},
+               "single results, where no sigma is given");
 }
 
 template <class V> void fields(V& v, MeasuredStatic& s) {
@@ -54,7 +63,15 @@ template <class V> void fields(V& v, MeasuredStatic& s) {
       s.stroke, "stroke",
       {.unit = turns ? Dimension::angle : Dimension::length, .min = 0, .exclusive_min = true},
       "largest displacement or rotation of the test");
+  v.quantities(s.repeats, "repeats", {.unit = unit, .min = 0, .exclusive_min = true, .min_items = 2},
+               "single results, where no sigma is given");
   v.text(s.note, "note", {}, "remark");
+}
+
+template <class V> void fields(V& v, MeasuredVector& s) {
+  v.one_or_more(s.channels, "channels", "sensor and axis, such as mid.y");
+  v.quantities(s.real, "real", {.required = true}, "real parts");
+  v.quantities(s.imaginary, "imaginary", {}, "imaginary parts");
 }
 
 template <class V> void fields(V& v, MeasuredMode& m) {
@@ -76,6 +93,10 @@ template <class V> void fields(V& v, MeasuredMode& m) {
   v.quantity(m.level, "level", measured_level, "base acceleration");
   v.text(m.sensor, "sensor", {},
          "name of the sensor that showed it: its peaks are paired in order");
+  v.quantities(m.repeats, "repeats",
+               {.unit = Dimension::frequency, .min = 0, .exclusive_min = true, .min_items = 2},
+               "single results of the frequency, where no sigma is given");
+  v.object(m.vector, "vector", optional_key, "shape at the sensors");
   v.text(m.note, "note", {}, "remark");
 }
 
@@ -94,16 +115,40 @@ template <class V> void fields(V& v, MeasuredPeaks& p) {
   v.text(p.note, "note", {}, "remark");
 }
 
+template <class V> void fields(V& v, MatlabVariables& m) {
+  v.text(m.abscissa, "abscissa", {}, "frequencies or times");
+  v.text(m.values, "values", {}, "one channel a column");
+}
+
 template <class V> void fields(V& v, FrfSigma& s) {
   v.quantity(s.relative, "relative", {.unit = Dimension::ratio, .min = 0}, "part of the magnitude");
   v.quantity(s.floor, "floor", {.min = 0}, "transmissibility that is never undercut");
 }
 
 template <class V> void fields(V& v, MeasuredFrf& f) {
-  v.text(f.file, "file", {.required = true}, "UFF 58 or CSV, relative to this file");
-  v.choice(f.base, "base", axis_names, required_key, "axis along which the table moved");
+  v.text(f.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
+  v.choice(f.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.text(f.force, "force", {}, "channel that was driven, instead of base");
+  v.choice(f.quantity, "quantity", quantity_names, optional_key,
+           "what the responses are; by the base transmissibility, by a force accelerance");
   v.quantity(f.level, "level", measured_level, "base acceleration");
   v.object(f.sigma, "sigma", optional_key, "standard deviation");
+  v.texts(f.channels, "channels", "sensor and axis of every column, such as mid.y; - leaves it out");
+  v.object(f.variables, "variables", optional_key, "names in a MATLAB file");
+}
+
+template <class V> void fields(V& v, MeasuredSignals& s) {
+  v.text(s.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
+  v.choice(s.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.text(s.reference, "reference", {.required = true}, "channel of the input, such as base.y");
+  v.texts(s.channels, "channels", "sensor and axis of every column, such as mid.y; - leaves it out");
+  v.quantity(s.rate, "rate", sigma_frequency, "sampling rate, where the file has no time");
+  v.quantity(s.level, "level", measured_level, "base acceleration");
+  v.choice(s.excitation, "excitation", {{Excitation::random, "random"}, {Excitation::sine, "sine"}},
+           optional_key, "random noise, or a stepped or swept sine");
+  v.choice(s.quantity, "quantity", quantity_names, optional_key,
+           "what the responses are; by the base transmissibility, by a force accelerance");
+  v.object(s.variables, "variables", optional_key, "names in a MATLAB file");
 }
 
 template <class V> void fields(V& v, Measured& m) {
@@ -114,7 +159,8 @@ template <class V> void fields(V& v, Measured& m) {
   v.list(m.statics, "static", optional_key, "static stiffnesses from a rig");
   v.list(m.modes, "modes", optional_key, "identified modes");
   v.list(m.peaks, "peaks", optional_key, "peaks against the level of excitation");
-  v.list(m.frf, "frf", optional_key, "measured transmissibilities");
+  v.list(m.frf, "frf", optional_key, "measured frequency responses");
+  v.list(m.signals, "signals", optional_key, "time signals");
   v.texts(m.hold_out, "hold_out", "paths of entries that no fit may use, e.g. modes[1]");
   v.texts(m.caveats, "caveats", "what a user of these numbers must know");
 }

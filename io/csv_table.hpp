@@ -1,0 +1,27 @@
+// Tables of numbers as text: commas, semicolons or tabs; decimal point, or decimal comma beside
+// semicolons or tabs; complex cells (1.5-2e-3j); quoted cells; comment lines (# or %); with a header
+// line or without. Cells are split by libcsv.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+struct CsvColumn {
+  std::string name, unit;          // "mid y real", "m/s2" of "mid y real [m/s2]"; empty without header
+  Eigen::VectorXd real, imaginary; // the second empty when all cells are real
+};
+
+struct CsvTable {
+  std::vector<CsvColumn> columns;
+  bool header = false;
+};
+
+// Throws InputError with file, line and column: cells that are no finite numbers, rows of different
+// length, no rows.
+CsvTable read_csv(const std::filesystem::path& path);
+
+} // namespace plica

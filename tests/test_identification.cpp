@@ -1,0 +1,264 @@
+// Identification of modes: peak picking, circle fit, pLSCF, least squares on the responses; and the
+// numbers that compare shapes.
+#include "diagnose/circle_fit.hpp"
+#include "diagnose/modal_fit.hpp"
+#include "diagnose/mode_correlation.hpp"
+#include "diagnose/peak_picking.hpp"
+#include "diagnose/stabilisation.hpp"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using Complex = std::complex<double>;
+constexpr double two_pi = 2 * std::numbers::pi;
+
+struct TrueMode {
+  double frequency, damping;
+  VectorXd shape; // mass-normalised
+};
+
+// H = (i w)^d sum phi_o phi_i / (w_r^2 - w^2 + 2 i zeta w_r w), references the first channels.
+FrfSet synthetic(const std::vector<TrueMode>& modes, FrfQuantity quantity, double low, double high,
+                 int lines, int references) {
+  FrfSet set;
+  set.quantity = quantity;
+  set.hertz = VectorXd::LinSpaced(lines, low, high);
+  const Index n = modes[0].shape.size();
+  for (Index o = 0; o < n; ++o) set.responses.push_back("p" + std::to_string(o + 1) + ".x");
+  for (int i = 0; i < references; ++i) {
+    set.references.push_back("p" + std::to_string(i + 1) + ".x");
+    MatrixXcd H = MatrixXcd::Zero(lines, n);
+    for (int f = 0; f < lines; ++f) {
+      const double w = two_pi * set.hertz[f];
+      for (const TrueMode& m : modes) {
+        const double wr = two_pi * m.frequency;
+        H.row(f) += (m.shape[i] / Complex(wr * wr - w * w, 2 * m.damping * wr * w) *
+                     std::pow(Complex(0, w), derivatives(quantity)) * m.shape.cast<Complex>())
+                        .transpose();
+      }
+    }
+    set.H.push_back(H);
+  }
+  return set;
+}
+
+void add_noise(FrfSet& set, double part, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal(0, 1);
+  double largest = 0;
+  for (const MatrixXcd& H : set.H) largest = std::max(largest, H.norm() / std::sqrt(H.size()));
+  for (MatrixXcd& H : set.H)
+    for (Index k = 0; k < H.size(); ++k)
+      H.data()[k] += part * largest / std::numbers::sqrt2 * Complex(normal(random), normal(random));
+}
+
+std::vector<TrueMode> four_dof() {
+  const auto v = [](double a, double b, double c, double d) {
+    return (VectorXd(4) << a, b, c, d).finished();
+  };
+  return {{12, 0.008, v(0.4, 0.7, 0.9, 1)},
+          {31, 0.012, v(0.9, 0.8, -0.1, -1)},
+          {47, 0.006, v(1, -0.5, -0.8, 0.7)},
+          {58, 0.015, v(0.6, -1, 0.9, -0.4)}};
+}
+
+// Exact formulae of the reference values: errors of the three half-power formulas.
+TEST(HalfPower, errs_as_the_table_says) {
+  const std::vector<std::array<double, 4>> table{{0.01, 0.02, 0.01, -0.005},
+                                                 {0.05, 0.50, 0.25, -0.125},
+                                                 {0.10, 2.1, 1.0, -0.50},
+                                                 {0.20, 9.1, 4.7, -2.0}};
+  const std::array limits{0.006, 0.006, 0.06, 0.06};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const auto [zeta, peak, natural, squares] = table[i];
+    EXPECT_NEAR(100 * half_power_bias(zeta, HalfPowerFormula::by_peak), peak, limits[i]);
+    EXPECT_NEAR(100 * half_power_bias(zeta, HalfPowerFormula::by_natural), natural, limits[i]);
+    EXPECT_NEAR(100 * half_power_bias(zeta, HalfPowerFormula::by_squares), squares, limits[i]);
+  }
+}
+
+// The picked damping of a receptance has that very bias.
+TEST(PeakPicking, has_the_bias_of_the_formula) {
+  for (double zeta : {0.01, 0.05, 0.1}) {
+    const FrfSet set =
+        synthetic({{40, zeta, VectorXd::Ones(1)}}, FrfQuantity::receptance, 10, 80, 20001, 1);
+    const auto peaks = pick_peaks(set.hertz, set.H[0].col(0).cwiseAbs());
+    ASSERT_EQ(peaks.size(), 1U);
+    EXPECT_NEAR(peaks[0].frequency, 40 * std::sqrt(1 - 2 * zeta * zeta), 1e-4);
+    EXPECT_NEAR(peaks[0].damping / zeta - 1, half_power_bias(zeta), 1e-4);
+  }
+}
+
+TEST(PeakPicking, passes_over_ripples) {
+  FrfSet set = synthetic(four_dof(), FrfQuantity::accelerance, 5, 70, 2000, 1);
+  add_noise(set, 0.02, 1);
+  const auto peaks = pick_peaks(set.hertz, set.H[0].rowwise().norm(), 1.4, 0.05);
+  EXPECT_EQ(peaks.size(), 4U);
+}
+
+TEST(CircleFit, is_exact_on_its_own_models) {
+  const double wn = two_pi * 40, A = 3;
+  const VectorXd hertz = VectorXd::LinSpaced(21, 38.5, 41.2);
+  for (const DampingModel model : {DampingModel::viscous, DampingModel::structural}) {
+    const bool viscous = model == DampingModel::viscous;
+    VectorXcd values(hertz.size());
+    for (Index f = 0; f < hertz.size(); ++f) {
+      const double w = two_pi * hertz[f];
+      const Complex below = viscous ? Complex(wn * wn - w * w, 2 * 0.02 * wn * w)
+                                    : Complex(wn * wn - w * w, 0.04 * wn * wn);
+      values[f] = (viscous ? Complex(0, w) : Complex(1, 0)) * A / below;
+      values[f] += Complex(0.2, -0.1) * A / (wn * wn); // other modes
+    }
+    const CircleFit fit =
+        fit_circle(hertz, values, viscous ? FrfQuantity::mobility : FrfQuantity::receptance, model);
+    ASSERT_TRUE(fit.good) << fit.reason;
+    EXPECT_NEAR(fit.frequency / 40, 1, 1e-10);
+    EXPECT_NEAR(fit.damping / 0.02, 1, 1e-9);
+    EXPECT_NEAR(std::abs(fit.residue - A), 0, 1e-8);
+    EXPECT_NEAR(2 * fit.radius / (viscous ? A / (2 * 0.02 * wn) : A / (0.04 * wn * wn)), 1, 1e-10);
+    EXPECT_LT(fit.misfit, 1e-10);
+  }
+  EXPECT_FALSE(
+      fit_circle(hertz.head(4), VectorXcd::Ones(4), FrfQuantity::mobility, DampingModel::viscous)
+          .good);
+  EXPECT_FALSE(
+      fit_circle(hertz, VectorXcd::Ones(21), FrfQuantity::mobility, DampingModel::viscous).good);
+}
+
+std::vector<Complex> found_poles(const FrfSet& set, int highest) {
+  std::vector<Complex> poles;
+  for (const StableGroup& g : stable_groups(stabilisation(lscf(set, highest))))
+    poles.push_back(g.pole.lambda);
+  return poles;
+}
+
+// Noise-free: frequencies to 1e-8, damping to 1e-6; with 1 % noise to 0.05 % and 5 %.
+TEST(Lscf, finds_four_degrees_of_freedom) {
+  for (const int references : {1, 2}) {
+    for (const double noise : {0., 0.01}) {
+      FrfSet set = synthetic(four_dof(), FrfQuantity::accelerance, 5, 70, 1301, references);
+      if (noise > 0) add_noise(set, noise, 3);
+      const std::vector<Complex> poles = found_poles(set, references == 1 ? 30 : 20);
+      ASSERT_EQ(poles.size(), 4U) << references << " references, noise " << noise;
+      const ModalFit fit = fit_modes(set, poles);
+      EXPECT_TRUE(fit.converged);
+      for (std::size_t r = 0; r < 4; ++r) {
+        const TrueMode m = four_dof()[r];
+        EXPECT_NEAR(fit.modes[r].frequency() / m.frequency, 1, noise > 0 ? 5e-4 : 1e-8);
+        EXPECT_NEAR(fit.modes[r].damping() / m.damping, 1, noise > 0 ? 0.05 : 1e-6);
+        EXPECT_GT(mac(fit.modes[r].residue.col(0), m.shape.cast<Complex>()),
+                  noise > 0 ? 0.999 : 1 - 1e-9);
+      }
+    }
+  }
+}
+
+// pLSCF alone, without the fit that follows.
+TEST(Lscf, alone_is_close) {
+  const FrfSet set = synthetic(four_dof(), FrfQuantity::receptance, 5, 70, 1301, 2);
+  const std::vector<Complex> poles = found_poles(set, 20);
+  ASSERT_EQ(poles.size(), 4U);
+  for (std::size_t r = 0; r < 4; ++r) {
+    EXPECT_NEAR(std::abs(poles[r]) / two_pi / four_dof()[r].frequency, 1, 1e-5);
+    EXPECT_NEAR(-poles[r].real() / std::abs(poles[r]) / four_dof()[r].damping, 1, 1e-2);
+  }
+}
+
+// Two modes 1 % apart at 0.3 % damping, 1 % noise, two references.
+TEST(Lscf, separates_a_close_pair) {
+  const std::vector<TrueMode> modes{{100, 0.003, (VectorXd(4) << 1, 0.3, 0.8, -0.5).finished()},
+                                    {101, 0.003, (VectorXd(4) << -0.2, 1, 0.5, 0.9).finished()}};
+  FrfSet set = synthetic(modes, FrfQuantity::accelerance, 80, 120, 1601, 2);
+  add_noise(set, 0.01, 5);
+  const std::vector<Complex> poles = found_poles(set, 20);
+  ASSERT_EQ(poles.size(), 2U);
+  const ModalFit fit = fit_modes(set, poles);
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_NEAR(fit.modes[r].frequency() / modes[r].frequency, 1, 5e-4);
+    EXPECT_NEAR(fit.modes[r].damping() / 0.003, 1, 0.05);
+    const Eigen::JacobiSVD<MatrixXcd> svd(fit.modes[r].residue, Eigen::ComputeThinU);
+    EXPECT_GT(mac(svd.matrixU().col(0), modes[r].shape.cast<Complex>()), 0.99);
+  }
+}
+
+// The stated standard deviations are those of a hundred trials, within 25 %.
+TEST(ModalFit, states_its_own_scatter) {
+  const std::vector<TrueMode> modes = four_dof();
+  std::vector<Complex> start;
+  for (const TrueMode& m : modes) {
+    const double w = two_pi * m.frequency;
+    start.emplace_back(-m.damping * w, w * std::sqrt(1 - m.damping * m.damping));
+  }
+  const int trials = 100;
+  MatrixXd f(trials, 4), z(trials, 4), sf(trials, 4), sz(trials, 4);
+  for (int t = 0; t < trials; ++t) {
+    FrfSet set = synthetic(modes, FrfQuantity::accelerance, 5, 70, 400, 1);
+    add_noise(set, 0.02, 1000 + unsigned(t));
+    const ModalFit fit = fit_modes(set, start);
+    for (int r = 0; r < 4; ++r) {
+      f(t, r) = fit.modes[r].frequency();
+      z(t, r) = fit.modes[r].damping();
+      sf(t, r) = fit.modes[r].sigma_frequency();
+      sz(t, r) = fit.modes[r].sigma_damping();
+    }
+  }
+  for (int r = 0; r < 4; ++r) {
+    const auto deviation = [](const VectorXd& x) {
+      return std::sqrt((x.array() - x.mean()).square().sum() / double(x.size() - 1));
+    };
+    EXPECT_NEAR(deviation(f.col(r)) / sf.col(r).mean(), 1, 0.25) << r;
+    EXPECT_NEAR(deviation(z.col(r)) / sz.col(r).mean(), 1, 0.25) << r;
+    EXPECT_LT(std::abs(f.col(r).mean() - modes[r].frequency), 0.4 * sf.col(r).mean());
+  }
+}
+
+TEST(ModeCorrelation, follows_its_definitions) {
+  VectorXcd a(3), b(3);
+  a << 1, Complex(0, 2), -1;
+  b << 2, 1, Complex(1, 1);
+  // a'b = 2 - 2i - 1 - i = 1 - 3i, |.|^2 = 10; a'a = 6, b'b = 7.
+  EXPECT_NEAR(mac(a, b), 10. / 42, 1e-14);
+  EXPECT_NEAR(mac(a, Complex(3, -4) * a), 1, 1e-14);
+  EXPECT_EQ(mac(a, VectorXcd::Zero(3)), 0);
+  MatrixXcd A(3, 2), B(3, 2);
+  A << a, b;
+  B << b, a;
+  const MatrixXd M = mac_matrix(A, A);
+  EXPECT_NEAR(M(0, 1), M(1, 0), 1e-15);
+  EXPECT_NEAR(M(0, 0), 1, 1e-15);
+  // Channel 1: |1 2| + |2 1| = 4 over (1 + 4)(4 + 1).
+  EXPECT_NEAR(comac(A, B)[0], 16. / 25, 1e-14);
+  EXPECT_NEAR(comac(A, A).minCoeff(), 1, 1e-14);
+  EXPECT_NEAR(frac(A, B)[0], 10. / 42, 1e-14);
+  // Line 1: channels (1, 2) against (2, 1): 16 / 25; CSF 2 * 4 / 10.
+  EXPECT_NEAR(csac(A, B)[0], 16. / 25, 1e-14);
+  EXPECT_NEAR(csf(A, B)[0], 0.8, 1e-14);
+  EXPECT_NEAR(csac(A, 2 * A).minCoeff(), 1, 1e-14);
+  EXPECT_NEAR(csf(A, 2 * A)[0], 0.8, 1e-14); // sees the size
+}
+
+TEST(ModeCorrelation, knows_how_real_a_shape_is) {
+  VectorXcd real(3);
+  real << 1, -2, 0.5;
+  EXPECT_NEAR(phase_collinearity(std::polar(3., 1.1) * real), 1, 1e-14);
+  const VectorXcd turned = turned_real(std::polar(3., 1.1) * real);
+  EXPECT_LT(turned.imag().norm(), 1e-12);
+  EXPECT_GT(turned[1].real(), 0); // the largest is positive
+  VectorXcd round(2);
+  round << 1, Complex(0, 1);
+  EXPECT_NEAR(phase_collinearity(round), 0, 1e-14); // a travelling wave
+}
+
+} // namespace
+} // namespace plica
