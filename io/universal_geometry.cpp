@@ -34,9 +34,12 @@ std::vector<int> read_labels(UniversalLines& lines, const std::string& record, s
 bool has_orientation(const UniversalElement& e, UniversalLines& lines) {
   const bool beam = e.descriptor == 11 || (e.descriptor >= 21 && e.descriptor <= 24);
   constexpr std::size_t of_beam = 3, of_header = 6;
-  if (!beam || tokens(lines.text()).size() != of_beam) return false;
+  const auto count = [](std::string_view line) {
+    return whole_numbers(line).value_or(std::vector<int>()).size();
+  };
+  if (!beam || count(lines.text()) != of_beam) return false;
   const std::string after = lines.peek();
-  return tokens(after).size() != of_header && !is_delimiter(after) && !after.empty();
+  return count(after) != of_header && !is_delimiter(after) && !after.empty();
 }
 
 UniversalElement read_element(UniversalLines& lines) {
@@ -124,14 +127,15 @@ UniversalUnits read_units(UniversalLines& lines, const SetHeader& header) {
   const std::string_view line = next_record(lines, "record 1");
   // I10,20A1,I10; tokens when shifted. Old files have no mode of temperature.
   const auto code = whole_columns(line, 0, 10), mode = whole_columns(line, 30, 10);
-  if (code && mode && *code != 0) {
+  if (code && mode && *code > 0) {
     u.code = *code;
     u.description = trimmed(columns(line, 10, 20));
     u.temperature_mode = *mode;
   } else {
     const auto t = tokens(line);
     const auto first = t.empty() ? std::nullopt : whole_number(t.front());
-    if (!first) lines.fail("record 1", shown(line) + " is not a code of units", "1 to 9");
+    if (!first || *first < 1)
+      lines.fail("record 1", shown(line) + " is not a code of units", "1 to 9");
     const auto last = t.size() > 1 ? whole_number(t.back()) : std::nullopt;
     u.code = *first;
     u.temperature_mode = last.value_or(0);

@@ -151,14 +151,15 @@ std::string UniversalLines::peek() {
 bool UniversalLines::ends_set(Wanted wanted) {
   if (!is_delimiter(text())) return false;
   if (wanted == Wanted::nothing) return true;
-  if (wanted == Wanted::anything && (is_exact_delimiter(text()) || !exact_columns_)) return true;
+  const bool as_opened = is_exact_delimiter(text()) || !exact_columns_;
+  if (wanted == Wanted::anything && as_opened) return true;
   const Line line = line_;
   const std::uint64_t cursor = cursor_;
   keep_ = line.begin;
   bool ends = true;
   if (next_with_text()) {
     if (is_delimiter(text())) // of the next data set, if the number of one follows
-      ends = !next_with_text() || data_set_number(text()).has_value() || is_delimiter(text());
+      ends = (next_with_text() && data_set_number(text()).has_value()) || as_opened;
     else
       ends = wanted == Wanted::numbers && !is_numeric(text());
   }

@@ -159,19 +159,21 @@ std::optional<int> whole_columns(std::string_view line, std::size_t at, std::siz
 }
 
 std::optional<std::vector<int>> whole_numbers(std::string_view line) {
+  constexpr std::size_t width = 10; // what is wider is two numbers that touch
   std::vector<int> values;
   const auto all = [&](const std::vector<std::string_view>& fields) {
     values.clear();
     for (std::string_view field : fields) {
       const std::optional<int> value = whole_number(field);
-      if (!value) return false;
+      if (!value || field.size() > width) return false;
       values.push_back(*value);
     }
     return true;
   };
   if (all(tokens(line))) return values;
   std::vector<std::string_view> fields;
-  for (std::size_t at = 0; at < line.size(); at += 10) fields.push_back(columns(line, at, 10));
+  for (std::size_t at = 0; at < line.size(); at += width)
+    fields.push_back(columns(line, at, width));
   if (all(fields)) return values;
   return std::nullopt;
 }

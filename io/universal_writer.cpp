@@ -125,6 +125,7 @@ std::string universal_text(const UniversalTraceline& t) {
 
 std::string universal_text(const UniversalUnits& u) {
   UniversalFields fields("164", "   164");
+  if (u.code < 1) fields.fail("the code of units is " + std::to_string(u.code), "1 to 9");
   fields.record(1).whole(u.code, label_width).name(u.description, 20);
   fields.whole(u.temperature_mode, label_width).end_line().record(2);
   for (double factor : {u.length, u.force, u.temperature}) fields.real(factor, 25, 17, 'D');

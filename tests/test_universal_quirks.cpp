@@ -107,6 +107,8 @@ TEST(UniversalDelimiter, is_not_taken_from_ids_or_data) {
   EXPECT_EQ(id.ids[0], "    -1");
   EXPECT_EQ(values(of_data("1.0\n-1\n2.0\n" + closing, 3)), (std::vector<double>{1, -1, 2}));
   EXPECT_EQ(values(of_data("1.0\n    -1\n2.0\n" + closing, 3)), (std::vector<double>{1, -1, 2}));
+  EXPECT_EQ(values(of_data("1.0\n-1\n" + closing, 2)), (std::vector<double>{1, -1}));
+  EXPECT_EQ(values(of_data("1.0\n-1\n" + closing, 1)), (std::vector<double>{1})) << "doubled";
   EXPECT_EQ(values(of_data(" -1 -1\n" + closing, 2)), (std::vector<double>{-1, -1}));
   const auto shape =
       only<UniversalShape>("    -1\n    55\nA\nB\nC\nD\n    -1\n"
