@@ -111,7 +111,8 @@ IdentifiedMode described(const FrfSet& set, const FittedMode& m) {
   mode.shape = turned_real(svd.matrixU().col(0));
   mode.participation = svd.matrixV().col(0).conjugate();
   mode.collinearity = phase_collinearity(mode.shape);
-  const VectorXd scatter = (m.sigma_residue.cwiseAbs2() * mode.participation.cwiseAbs2()).cwiseSqrt();
+  const VectorXd scatter =
+      (m.sigma_residue.cwiseAbs2() * mode.participation.cwiseAbs2()).cwiseSqrt();
   mode.sigma_shape = s[0] > 0 ? VectorXd(scatter / s[0]) : scatter;
   mode.mass_normalised = mass_normalise(set, m, mode);
   if (!mode.mass_normalised) {
@@ -138,7 +139,8 @@ void add_single_estimates(const FrfSet& set, const FittedMode& m, IdentifiedMode
   m.residue.cwiseAbs().maxCoeff(&o, &i);
   mode.strongest = set.responses[o] + " by " + set.references[i];
   const VectorXcd h = set.H[i].col(o);
-  const double reach = std::max(2 * mode.damping * mode.frequency, 3 * (set.hertz[1] - set.hertz[0]));
+  const double reach =
+      std::max(2 * mode.damping * mode.frequency, 3 * (set.hertz[1] - set.hertz[0]));
   for (const PickedPeak& p : pick_peaks(set.hertz, h.cwiseAbs(), 1.05, 0))
     if (std::abs(p.frequency - mode.frequency) < reach &&
         !(std::abs(mode.peak_frequency - mode.frequency) <=
@@ -172,18 +174,20 @@ void add_warnings(Identification& found) {
   const FrfSet& set = found.set;
   if (set.responses.size() < 3)
     found.warnings.emplace_back(
-        "with " + std::to_string(set.responses.size()) +
-        " response" + (set.responses.size() == 1 ? "" : "s") +
+        "with " + std::to_string(set.responses.size()) + " response" +
+        (set.responses.size() == 1 ? "" : "s") +
         " a shape says little: modes of different form cannot be told apart by it");
-  const double step = (set.hertz[set.hertz.size() - 1] - set.hertz[0]) / double(set.hertz.size() - 1);
+  const double step =
+      (set.hertz[set.hertz.size() - 1] - set.hertz[0]) / double(set.hertz.size() - 1);
   for (const IdentifiedMode& m : found.modes) {
     if (2 * m.damping * m.frequency < 5 * step)
       found.warnings.push_back("mode at " + hertz(m.frequency) +
                                ": fewer than five lines within the half-power bandwidth");
     if (m.rank > 0.3)
-      found.warnings.push_back("mode at " + hertz(m.frequency) +
-                               ": its residues are not of one mode; a close pair, or references that "
-                               "were not measured on the same structure");
+      found.warnings.push_back(
+          "mode at " + hertz(m.frequency) +
+          ": its residues are not of one mode; a close pair, or references that "
+          "were not measured on the same structure");
     if (m.collinearity < 0.8 && set.responses.size() > 1)
       found.warnings.push_back("mode at " + hertz(m.frequency) + ": the shape is far from real");
   }

@@ -21,7 +21,7 @@ struct IdentifiedMode {
   Eigen::VectorXd sigma_shape;    // of real and imaginary part each
   Eigen::VectorXcd participation; // per reference
   bool mass_normalised = false;   // a reference is also a response of it, per force
-  double collinearity = 0; // of the shape, 1 = real
+  double collinearity = 0;        // of the shape, 1 = real
   double rank = 0;  // second singular value of the residues / first: 0 = one mode, not two
   double share = 0; // RMS of what the mode gives to all responses / RMS of these, in the band
   int orders = 0;   // of the diagram that show it
@@ -32,9 +32,9 @@ struct IdentifiedMode {
 };
 
 struct Identification {
-  FrfSet set;                               // the band that was used
+  FrfSet set;                                // the band that was used
   std::vector<Eigen::MatrixXcd> synthesised; // its responses from the modes
-  std::vector<IdentifiedMode> modes;        // by frequency
+  std::vector<IdentifiedMode> modes;         // by frequency
   std::vector<DiagramPole> diagram;
   Eigen::MatrixXd frac; // measured beside synthesised, responses x references
   Eigen::MatrixXd auto_mac;

@@ -58,7 +58,7 @@ struct MeasuredMode {
   std::optional<Axis> direction; // in which the mode moves, where known
   std::optional<Axis> base;      // excited along
   std::optional<double> level;
-  std::string sensor; // at which the peak was seen; empty = not known
+  std::string sensor;          // at which the peak was seen; empty = not known
   std::vector<double> repeats; // of the frequency
   std::optional<MeasuredVector> vector;
   std::string note;
@@ -88,7 +88,7 @@ struct FrfSigma {
 struct MeasuredFrf {
   std::string file; // UFF 58, CSV or MATLAB, relative to the file that names it
   std::optional<Axis> base;
-  std::string force; // channel that was driven, "floor1.x"; either this or `base`
+  std::string force;                   // channel that was driven, "floor1.x"; either this or `base`
   std::optional<FrfQuantity> quantity; // transmissibility by the base, accelerance by a force
   std::optional<double> level;
   std::optional<FrfSigma> sigma;
@@ -105,8 +105,8 @@ enum class Excitation { random, sine };
 // Time signals of one run.
 struct MeasuredSignals {
   std::string file;
-  std::optional<Axis> base; // along which the table moved
-  std::string reference;    // channel of the input: "base.y" or "floor1.force"
+  std::optional<Axis> base;          // along which the table moved
+  std::string reference;             // channel of the input: "base.y" or "floor1.force"
   std::vector<std::string> channels; // of the columns without the time
   std::optional<double> rate;        // Hz; absent where the file has the time
   std::optional<double> level;

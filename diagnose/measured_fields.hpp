@@ -40,7 +40,8 @@ template <class V> void fields(V& v, MeasuredMass& m) {
              "weighed mass of the specimen");
   v.quantity(m.sigma, "sigma", {.unit = Dimension::mass, .min = 0, .exclusive_min = true},
              "standard deviation");
-  v.quantities(m.repeats, "repeats", {.unit = Dimension::mass, .min = 0, .exclusive_min = true, .min_items = 2},
+  v.quantities(m.repeats, "repeats",
+               {.unit = Dimension::mass, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results, where no sigma is given");
 }
 
@@ -63,7 +64,8 @@ template <class V> void fields(V& v, MeasuredStatic& s) {
       s.stroke, "stroke",
       {.unit = turns ? Dimension::angle : Dimension::length, .min = 0, .exclusive_min = true},
       "largest displacement or rotation of the test");
-  v.quantities(s.repeats, "repeats", {.unit = unit, .min = 0, .exclusive_min = true, .min_items = 2},
+  v.quantities(s.repeats, "repeats",
+               {.unit = unit, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results, where no sigma is given");
   v.text(s.note, "note", {}, "remark");
 }
@@ -133,7 +135,8 @@ template <class V> void fields(V& v, MeasuredFrf& f) {
            "what the responses are; by the base transmissibility, by a force accelerance");
   v.quantity(f.level, "level", measured_level, "base acceleration");
   v.object(f.sigma, "sigma", optional_key, "standard deviation");
-  v.texts(f.channels, "channels", "sensor and axis of every column, such as mid.y; - leaves it out");
+  v.texts(f.channels, "channels",
+          "sensor and axis of every column, such as mid.y; - leaves it out");
   v.object(f.variables, "variables", optional_key, "names in a MATLAB file");
 }
 
@@ -141,7 +144,8 @@ template <class V> void fields(V& v, MeasuredSignals& s) {
   v.text(s.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
   v.choice(s.base, "base", axis_names, optional_key, "axis along which the table moved");
   v.text(s.reference, "reference", {.required = true}, "channel of the input, such as base.y");
-  v.texts(s.channels, "channels", "sensor and axis of every column, such as mid.y; - leaves it out");
+  v.texts(s.channels, "channels",
+          "sensor and axis of every column, such as mid.y; - leaves it out");
   v.quantity(s.rate, "rate", sigma_frequency, "sampling rate, where the file has no time");
   v.quantity(s.level, "level", measured_level, "base acceleration");
   v.choice(s.excitation, "excitation", {{Excitation::random, "random"}, {Excitation::sine, "sine"}},

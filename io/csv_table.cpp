@@ -33,7 +33,9 @@ struct Line {
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  return first == std::string::npos
+             ? ""
+             : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 // A number without a blank before it; moves `at` behind it.
@@ -160,8 +162,8 @@ CsvTable read_csv(const std::filesystem::path& path) {
     for (std::size_t c = 0; c < width; ++c) {
       const auto value = complex_of(row[c], decimal_comma);
       if (!value || !std::isfinite(value->real()) || !std::isfinite(value->imag()))
-        bad(path, line, "column " + std::to_string(c + 1), "'" + row[c].substr(0, 40) + "' is no number",
-            "finite numbers, real or like 1.5-0.2j");
+        bad(path, line, "column " + std::to_string(c + 1),
+            "'" + row[c].substr(0, 40) + "' is no number", "finite numbers, real or like 1.5-0.2j");
       values(Eigen::Index(r), Eigen::Index(c)) = *value;
       is_complex[c] = is_complex[c] || row[c].find_first_of("ij") != std::string::npos;
     }

@@ -1,6 +1,6 @@
 // Tables of numbers as text: commas, semicolons or tabs; decimal point, or decimal comma beside
-// semicolons or tabs; complex cells (1.5-2e-3j); quoted cells; comment lines (# or %); with a header
-// line or without. Cells are split by libcsv.
+// semicolons or tabs; complex cells (1.5-2e-3j); quoted cells; comment lines (# or %); with a
+// header line or without. Cells are split by libcsv.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 namespace plica {
 
 struct CsvColumn {
-  std::string name, unit;          // "mid y real", "m/s2" of "mid y real [m/s2]"; empty without header
+  std::string name, unit; // "mid y real", "m/s2" of "mid y real [m/s2]"; empty without header
   Eigen::VectorXd real, imaginary; // the second empty when all cells are real
 };
 
