@@ -3,8 +3,6 @@
 // suite, 300,000 unless told.
 #include "tests/universal_samples.hpp"
 
-#include "model/input_error.hpp"
-
 #include <cstdlib>
 #include <random>
 

@@ -2,8 +2,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/universal_samples.hpp"
 
-#include "model/input_error.hpp"
-
 #include <cmath>
 #include <cstring>
 #include <fstream>
