@@ -2,6 +2,9 @@
 // errors are thrown as InputError (exit code 1).
 #pragma once
 
+#include "diagnose/frf_estimate.hpp"
+#include "diagnose/identify.hpp"
+#include "diagnose/sine_tracking.hpp"
 #include "io/write_superelement.hpp"
 
 #include <filesystem>
@@ -21,6 +24,7 @@ struct RunOptions {
 };
 
 int run_command(const RunOptions& options);
+
 struct ReduceOptions {
   std::string case_path;
   std::filesystem::path out = "out";
@@ -31,6 +35,19 @@ struct ReduceOptions {
 };
 
 int reduce_command(const ReduceOptions& options);
+
+struct IdentifyOptions {
+  std::vector<std::string> files; // one measured.yaml, or files of frequency responses
+  std::filesystem::path out = "out";
+  bool quiet = false;
+  IdentifySettings settings;
+  FrfQuantity quantity = FrfQuantity::accelerance; // of bare files
+  WelchSettings welch;
+  FrfEstimator estimator = FrfEstimator::H1;
+  SineTracking tracking;
+};
+
+int identify_command(const IdentifyOptions& options);
 int check_command(const std::string& case_path, int threads);
 int schema_command(const std::string& what); // "case" or "measured"
 

@@ -21,6 +21,23 @@ CLI::Validator number_in(double top, const std::string& allowed) {
       "");
 }
 
+// One word out of several; the help lists them.
+template <class E>
+void add_choice(CLI::App& app, const std::string& name, E& value,
+                const std::vector<std::pair<std::string, E>>& names, const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : names) words.push_back(word);
+  app.add_option_function<std::string>(
+         name,
+         [&value, names](const std::string& word) {
+           for (const auto& [known, meaning] : names)
+             if (known == word) value = meaning;
+         },
+         help)
+      ->check(CLI::IsMember(words))
+      ->type_name("");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Plica: dynamics of flexible exhaust pipes"};
   app.set_version_flag("--version", "plica " PLICA_VERSION);
@@ -76,6 +93,54 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::IsMember({"m", "mm"}))
       ->type_name("m|mm");
 
+  plica::IdentifyOptions identify;
+  std::vector<double> band;
+  CLI::App* identify_app = app.add_subcommand(
+      "identify", "frequencies, damping and shapes from measured responses or time signals");
+  identify_app
+      ->add_option("FILES", identify.files,
+                   "a measured.yaml, or files of frequency responses (UFF, CSV), one per reference")
+      ->required();
+  identify_app->add_option("--out", identify.out, "folder for the results")->capture_default_str();
+  identify_app->add_flag("--quiet", identify.quiet, "print errors only");
+  identify_app->add_option("--band", band, "lowest and highest frequency, Hz; left out: all lines")
+      ->expected(2)
+      ->delimiter(',')
+      ->type_name("HZ HZ");
+  identify_app
+      ->add_option("--order", identify.settings.highest_order,
+                   "highest order of the stabilisation diagram; left out: by the references")
+      ->check(CLI::Range(2, 200));
+  add_choice(*identify_app, "--quantity", identify.quantity,
+             {{"receptance", plica::FrfQuantity::receptance},
+              {"mobility", plica::FrfQuantity::mobility},
+              {"accelerance", plica::FrfQuantity::accelerance},
+              {"transmissibility", plica::FrfQuantity::transmissibility}},
+             "of bare files; left out: accelerance");
+  identify_app->add_option("--block", identify.welch.block, "samples of a block (noise)")
+      ->check(CLI::Range(8, 1 << 24))
+      ->capture_default_str();
+  identify_app->add_option("--overlap", identify.welch.overlap, "of blocks, 0 to 0.95")
+      ->check(CLI::Range(0., 0.95))
+      ->capture_default_str();
+  add_choice(*identify_app, "--window", identify.welch.window,
+             {{"rectangular", plica::Window::rectangular},
+              {"hann", plica::Window::hann},
+              {"hamming", plica::Window::hamming},
+              {"flat_top", plica::Window::flat_top}},
+             "of blocks; left out: hann");
+  add_choice(*identify_app, "--estimator", identify.estimator,
+             {{"H1", plica::FrfEstimator::H1},
+              {"H2", plica::FrfEstimator::H2},
+              {"Hv", plica::FrfEstimator::Hv}},
+             "of the frequency responses of noise; left out: H1");
+  identify_app->add_option("--lines", identify.tracking.lines, "frequencies of a sweep")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  identify_app->add_option("--cycles", identify.tracking.cycles, "periods in a window of a sweep")
+      ->check(CLI::Range(1., 10000.))
+      ->capture_default_str();
+
   std::string checked;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");
   check_app->add_option("CASE", checked, "case file")->required();
@@ -94,6 +159,13 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 1;
   }
   if (*run_app) return plica::run_command(run);
+  if (*identify_app) {
+    if (!band.empty()) {
+      identify.settings.low = band[0];
+      identify.settings.high = band[1];
+    }
+    return plica::identify_command(identify);
+  }
   if (*reduce_app) {
     if (units == "mm") reduce.units = plica::Units::millimetres;
     return plica::reduce_command(reduce);

@@ -29,7 +29,7 @@ double peak_memory() {
   return double(usage.ru_maxrss) * 1024;
 }
 
-UniversalFunction sample(DataType type, bool binary) {
+UniversalFunction sample(UniversalDataType type, bool binary) {
   constexpr Eigen::Index points = 65536;
   std::mt19937 random(1);
   std::normal_distribution<double> noise;
@@ -37,12 +37,12 @@ UniversalFunction sample(DataType type, bool binary) {
     return Eigen::VectorXd::NullaryExpr(points, [&] { return noise(random); }).eval();
   };
   UniversalFunction f;
-  f.type = FunctionType::time_response;
+  f.type = UniversalFunctionType::time_response;
   f.data_type = type;
   f.dx = 1. / 4096;
   f.real = column();
   if (is_complex(type)) f.imaginary = column();
-  if (binary) f.binary = BinaryForm{};
+  if (binary) f.binary = UniversalBinaryForm{};
   return f;
 }
 
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   const double bytes = 1e6 * (argc > 1 ? std::atof(argv[1]) : 200);
   fmt::print("{:<22} {:>8} {:>6} {:>8} {:>8}   {}\n", "form", "MB", "sets", "MB/s", "peak MB",
              "sum");
-  measure("ASCII single E13.5", sample(DataType::real_single, false), bytes);
-  measure("ASCII double E20.12", sample(DataType::complex_double, false), bytes);
-  measure("binary double", sample(DataType::complex_double, true), bytes);
+  measure("ASCII single E13.5", sample(UniversalDataType::real_single, false), bytes);
+  measure("ASCII double E20.12", sample(UniversalDataType::complex_double, false), bytes);
+  measure("binary double", sample(UniversalDataType::complex_double, true), bytes);
 }

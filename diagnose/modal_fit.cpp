@@ -96,6 +96,7 @@ State evaluate(const Lines& l, const MatrixXd& H, const Poles& poles) {
 struct Normal {
   MatrixXd JJ;
   VectorXd JE;
+  MatrixXd score; // JE by line: lines x parameters
 };
 
 Normal normal_equations(const Lines& l, const State& s) {
@@ -108,11 +109,16 @@ Normal normal_equations(const Lines& l, const State& s) {
   const MatrixXd G = D - thin * (thin.transpose() * D);
   const MatrixXd Q = G.transpose() * G, GE = G.transpose() * s.E;
   const MatrixXd CC = s.C * s.C.transpose();
-  Normal n{.JJ = MatrixXd::Zero(2 * modes, 2 * modes), .JE = VectorXd::Zero(2 * modes)};
+  const Index lines = s.A.rows() / 2;
+  Normal n{.JJ = MatrixXd::Zero(2 * modes, 2 * modes),
+           .JE = VectorXd::Zero(2 * modes),
+           .score = MatrixXd::Zero(lines, 2 * modes)};
   for (Index j = 0; j < 2 * modes; ++j)
     for (Index a = 0; a < 2; ++a) {
       const Index ca = 2 * (j / 2) + a;
       n.JE[j] += GE.row(2 * j + a).dot(s.C.row(ca));
+      const VectorXd product = G.col(2 * j + a).cwiseProduct(s.E * s.C.row(ca).transpose());
+      n.score.col(j) += product.head(lines) + product.tail(lines);
       for (Index k = 0; k < 2 * modes; ++k)
         for (Index b = 0; b < 2; ++b)
           n.JJ(j, k) += Q(2 * j + a, 2 * k + b) * CC(ca, 2 * (k / 2) + b);
@@ -169,18 +175,20 @@ MatrixXd stacked(const FrfSet& set) {
   return H;
 }
 
-// Factor by which the correlation of the residual between neighbouring lines widens the variance of
-// what is averaged over them: (1 + rho) / (1 - rho).
-double widening(const MatrixXd& E) {
-  const Index lines = E.rows() / 2;
-  if (lines < 3 || E.squaredNorm() == 0) return 1;
-  double product = 0;
-  for (Index part = 0; part < 2; ++part) {
-    const auto half = E.middleRows(part * lines, lines);
-    product += half.topRows(lines - 1).cwiseProduct(half.bottomRows(lines - 1)).sum();
+// Covariance of the poles in the units of normal_equations(): the sandwich (J'J)^-1 V (J'J)^-1, V
+// the scatter of the scores of the lines with their correlation over three neighbours (Bartlett's
+// weights). It takes the residual as it is: larger at a resonance that wanders, correlated under a
+// window (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
+MatrixXd covariance_of(const Normal& n, double freedom_share) {
+  constexpr Index lags = 3;
+  MatrixXd V = n.score.transpose() * n.score;
+  for (Index lag = 1; lag <= lags && lag < n.score.rows(); ++lag) {
+    const Index common = n.score.rows() - lag;
+    const MatrixXd cross = n.score.topRows(common).transpose() * n.score.bottomRows(common);
+    V += (1 - double(lag) / (lags + 1)) * (cross + cross.transpose());
   }
-  const double rho = std::clamp(product / E.squaredNorm(), 0., 0.99);
-  return (1 + rho) / (1 - rho);
+  const MatrixXd inverse = n.JJ.ldlt().solve(MatrixXd::Identity(n.JJ.rows(), n.JJ.cols()));
+  return inverse * V * inverse / freedom_share;
 }
 
 } // namespace
@@ -231,9 +239,7 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
   fit.iterations = iterations;
   fit.converged = found.converged;
   const double freedom = std::max(1., double(H.size()) - double(s.C.size()) - 2. * double(modes));
-  const double variance = s.cost / freedom * widening(s.E);
-  const MatrixXd covariance =
-      variance * normal_equations(l, s).JJ.ldlt().solve(MatrixXd::Identity(2 * modes, 2 * modes));
+  const MatrixXd covariance = covariance_of(normal_equations(l, s), freedom / double(H.size()));
   const VectorXd unit = s.scale.cwiseInverse();
   const MatrixXd R = s.factor.matrixQR().topRows(s.A.cols()).triangularView<Eigen::Upper>();
   const MatrixXd inverse =

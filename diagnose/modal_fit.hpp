@@ -6,8 +6,8 @@
 // L and U stand for what lies below and above the band. Given the poles all else is linear and is
 // eliminated (variable projection, Golub and Pereyra 1973; Kaufman's Jacobian); the poles follow by
 // Levenberg-Marquardt. With responses weighted by their own noise this is the maximum-likelihood
-// estimate, and its covariance that of the linearised problem, widened by the correlation of the
-// residual from line to line.
+// estimate; its covariance is that of the linearised problem for the residual that is there, not
+// for white noise.
 #pragma once
 
 #include "diagnose/lscf.hpp"

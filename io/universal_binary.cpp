@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace plica {
+namespace plica::universal {
 namespace {
 
 using Eigen::Index;
@@ -18,11 +18,11 @@ using Eigen::Index;
 constexpr const char* record = "record 12";
 
 struct Form {
-  ByteOrder order = ByteOrder::little_endian;
+  UniversalByteOrder order = UniversalByteOrder::little_endian;
   std::uint64_t bytes = 0;
 };
 
-Form read_form(const UniversalLines& lines, const SetHeader& header) {
+Form read_form(const Lines& lines, const SetHeader& header) {
   const auto fail = [&](const std::string& wrong, const std::string& allowed) {
     lines.fail_at(header.line + 1, "record 0", wrong, allowed);
   };
@@ -30,12 +30,12 @@ Form read_form(const UniversalLines& lines, const SetHeader& header) {
       std::string_view(header.text).substr(header.text.find_first_of("bB") + 1);
   const auto r = numeric_record(rest, {6, 6, 12, 12, 6, 6, 12, 12}, 8, 4);
   if (!r)
-    fail(shown(header.text) + " does not describe binary data",
+    fail(in_quotes(header.text) + " does not describe binary data",
          "58b, byte order, floating point format, ASCII lines, bytes");
   const std::vector<double>& v = *r;
   constexpr double most = 1e15;
   if (std::any_of(v.begin(), v.end(), [](double x) { return std::abs(x) > most; }))
-    fail(shown(header.text) + " has a number beyond all files", "at most 1e15");
+    fail(in_quotes(header.text) + " has a number beyond all files", "at most 1e15");
   if (v[0] != 1 && v[0] != 2)
     fail("unknown byte order " + std::to_string(int(v[0])), "1 little endian, 2 big endian");
   if (v[1] != 2) {
@@ -47,12 +47,14 @@ Form read_form(const UniversalLines& lines, const SetHeader& header) {
   if (v[2] != 11 && v[2] != 0)
     fail("the number of ASCII lines is " + std::to_string(long(v[2])), "11");
   if (v[3] < 0) fail("the number of bytes is negative", "0 or more");
-  return {ByteOrder(int(v[0])), std::uint64_t(v[3])};
+  return {UniversalByteOrder(int(v[0])), std::uint64_t(v[3])};
 }
 
 struct Layout {
   int abscissa = 0, ordinate = 0, ordinates = 1; // bytes, bytes of each, how many
-  std::uint64_t stride() const { return std::uint64_t(abscissa + ordinate * ordinates); }
+  std::uint64_t stride() const {
+    return std::uint64_t(abscissa) + std::uint64_t(ordinate) * std::uint64_t(ordinates);
+  }
 };
 
 std::vector<Layout> layouts(const UniversalFunction& f) {
@@ -68,7 +70,7 @@ struct Block {
 
 // How the data lie between header and -1: by the stated points with either abscissa, else by the
 // stated bytes when only one abscissa divides them.
-Block find_block(UniversalLines& lines, std::uint64_t stated_bytes, std::uint64_t stated_points,
+Block find_block(Lines& lines, std::uint64_t stated_bytes, std::uint64_t stated_points,
                  const UniversalFunction& f) {
   const std::vector<Layout> all = layouts(f);
   const int line = lines.number() + 1; // where the data begin
@@ -109,14 +111,13 @@ template <class Float> double decode(const char* at, bool swap) {
 
 } // namespace
 
-void read_binary_values(UniversalLines& lines, const SetHeader& header, Index stated,
-                        UniversalFunction& f) {
+void read_binary_values(Lines& lines, const SetHeader& header, Index stated, UniversalFunction& f) {
   const Form form = read_form(lines, header);
   const Block block = find_block(lines, form.bytes, std::uint64_t(stated), f);
   const int line = lines.number() + 1;
   const std::string data = lines.bytes(block.bytes);
-  const bool swap =
-      (form.order == ByteOrder::little_endian) != (std::endian::native == std::endian::little);
+  const bool swap = (form.order == UniversalByteOrder::little_endian) !=
+                    (std::endian::native == std::endian::little);
   const auto number = [&](std::size_t at, int width) {
     return width == 4 ? decode<float>(data.data() + at, swap)
                       : decode<double>(data.data() + at, swap);
@@ -143,10 +144,11 @@ void read_binary_values(UniversalLines& lines, const SetHeader& header, Index st
   if (block.bytes != form.bytes)
     f.warnings.push_back(
         {line, "the number of bytes is not the one stated", Index(form.bytes), Index(block.bytes)});
-  f.binary = BinaryForm{form.order, FloatFormat::ieee, f.even ? 4 : block.layout.abscissa};
+  f.binary = UniversalBinaryForm{form.order, UniversalFloatFormat::ieee,
+                                 f.even ? 4 : block.layout.abscissa};
   take_points(f, values);
-  while (lines.next() && !lines.ends_set(UniversalLines::Wanted::nothing)) {
+  while (lines.next() && !lines.ends_set(Lines::Wanted::nothing)) {
   }
 }
 
-} // namespace plica
+} // namespace plica::universal

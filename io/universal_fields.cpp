@@ -7,22 +7,22 @@
 #include <charconv>
 #include <cmath>
 
-namespace plica {
+namespace plica::universal {
 
-UniversalFields::UniversalFields(std::string set, const std::string& number_line)
+Fields::Fields(std::string set, const std::string& number_line)
     : set_(std::move(set)), text_("    -1\n" + number_line + "\n") {}
 
-UniversalFields& UniversalFields::record(int number) {
+Fields& Fields::record(int number) {
   record_ = number;
   return *this;
 }
 
-void UniversalFields::fail(const std::string& wrong, const std::string& allowed) const {
+void Fields::fail(const std::string& wrong, const std::string& allowed) const {
   const std::string record = record_ > 0 ? ", record " + std::to_string(record_) : "";
   input_error("data set " + set_ + record, wrong, allowed);
 }
 
-UniversalFields& UniversalFields::whole(long value, int width) {
+Fields& Fields::whole(long value, int width) {
   const std::string digits = std::to_string(value);
   if (int(digits.size()) > width)
     fail(digits + " is too wide", "an integer of at most " + std::to_string(width) + " columns");
@@ -31,7 +31,7 @@ UniversalFields& UniversalFields::whole(long value, int width) {
   return *this;
 }
 
-UniversalFields& UniversalFields::name(const std::string& text, int width) {
+Fields& Fields::name(const std::string& text, int width) {
   if (int(text.size()) > width || text.find_first_of("\r\n\t") != std::string::npos)
     fail("'" + text + "' does not fit",
          "one line of at most " + std::to_string(width) + " characters without tabs");
@@ -40,7 +40,7 @@ UniversalFields& UniversalFields::name(const std::string& text, int width) {
   return *this;
 }
 
-UniversalFields& UniversalFields::real(double value, int width, int decimals, char letter) {
+Fields& Fields::real(double value, int width, int decimals, char letter) {
   if (!std::isfinite(value)) fail("a number is NaN or infinite", "finite numbers");
   std::array<char, 40> digits;
   const std::ptrdiff_t longest = std::signbit(value) ? width : width - 1;
@@ -56,7 +56,7 @@ UniversalFields& UniversalFields::real(double value, int width, int decimals, ch
   return *this;
 }
 
-UniversalFields& UniversalFields::abscissa(double value) {
+Fields& Fields::abscissa(double value) {
   constexpr int width = 13, decimals = 5;
   const std::size_t before = text_.size();
   real(value, width, decimals + 1);
@@ -66,20 +66,20 @@ UniversalFields& UniversalFields::abscissa(double value) {
   return real(value, width, decimals);
 }
 
-UniversalFields& UniversalFields::id(const std::string& text) {
+Fields& Fields::id(const std::string& text) {
   if (text.find_first_of("\r\n") != std::string::npos) fail("an id has line ends", "one line");
   text_ += text;
   return end_line();
 }
 
-UniversalFields& UniversalFields::end_line() {
+Fields& Fields::end_line() {
   text_ += '\n';
   return *this;
 }
 
-UniversalFields& UniversalFields::bytes(const std::string& data) {
+Fields& Fields::bytes(const std::string& data) {
   text_ += data;
   return *this;
 }
 
-} // namespace plica
+} // namespace plica::universal

@@ -3,27 +3,27 @@
 
 #include <string>
 
-namespace plica {
+namespace plica::universal {
 
-class UniversalFields {
+class Fields {
 public:
   // Begins with the -1 and the line of the number, e.g. "    58".
-  UniversalFields(std::string set, const std::string& number_line);
+  Fields(std::string set, const std::string& number_line);
 
   // Errors name it from here on.
-  UniversalFields& record(int number);
+  Fields& record(int number);
   [[noreturn]] void fail(const std::string& wrong, const std::string& allowed) const;
 
-  UniversalFields& whole(long value, int width);
-  UniversalFields& name(const std::string& text, int width); // left-justified
+  Fields& whole(long value, int width);
+  Fields& name(const std::string& text, int width); // left-justified
   // E format. Decimals give way where the field is too narrow; a blank always stands before a
   // positive number.
-  UniversalFields& real(double value, int width, int decimals, char letter = 'E');
+  Fields& real(double value, int width, int decimals, char letter = 'E');
   // E13.5, or E13.6 where that leaves a blank and tells more.
-  UniversalFields& abscissa(double value);
-  UniversalFields& id(const std::string& text); // a line of its own
-  UniversalFields& end_line();
-  UniversalFields& bytes(const std::string& data);
+  Fields& abscissa(double value);
+  Fields& id(const std::string& text); // a line of its own
+  Fields& end_line();
+  Fields& bytes(const std::string& data);
 
   // All of it with the closing -1.
   std::string closed() const { return text_ + "    -1\n"; }
@@ -33,4 +33,4 @@ private:
   int record_ = 0;
 };
 
-} // namespace plica
+} // namespace plica::universal

@@ -32,7 +32,7 @@ struct UniversalWarning {
   Eigen::Index stated = 0, found = 0; // both 0 when nothing was counted
 };
 
-enum class FunctionType : int { // may hold any other number of the file
+enum class UniversalFunctionType : int { // may hold any other number of the file
   unknown = 0,
   time_response = 1,
   auto_spectrum = 2,
@@ -64,18 +64,18 @@ enum class FunctionType : int { // may hold any other number of the file
   phase_compensation = 28
 };
 
-enum class DataType : int {
+enum class UniversalDataType : int {
   real_single = 2,
   real_double = 4,
   complex_single = 5,
   complex_double = 6
 };
 
-constexpr bool is_complex(DataType t) {
-  return t == DataType::complex_single || t == DataType::complex_double;
+constexpr bool is_complex(UniversalDataType t) {
+  return t == UniversalDataType::complex_single || t == UniversalDataType::complex_double;
 }
-constexpr bool is_double(DataType t) {
-  return t == DataType::real_double || t == DataType::complex_double;
+constexpr bool is_double(UniversalDataType t) {
+  return t == UniversalDataType::real_double || t == UniversalDataType::complex_double;
 }
 
 // By the standard an id line is never blank.
@@ -95,12 +95,16 @@ struct UniversalAxis {
   std::string label = "NONE", unit = "NONE";
 };
 
-enum class ByteOrder : int { little_endian = 1, big_endian = 2 };
-enum class FloatFormat : int { dec_vms = 1, ieee = 2, ibm = 3 }; // only ieee is read and written
+enum class UniversalByteOrder : int { little_endian = 1, big_endian = 2 };
+enum class UniversalFloatFormat : int {
+  dec_vms = 1,
+  ieee = 2,
+  ibm = 3
+}; // only ieee is read and written
 
-struct BinaryForm {
-  ByteOrder order = ByteOrder::little_endian;
-  FloatFormat format = FloatFormat::ieee;
+struct UniversalBinaryForm {
+  UniversalByteOrder order = UniversalByteOrder::little_endian;
+  UniversalFloatFormat format = UniversalFloatFormat::ieee;
   int abscissa_bytes = 4; // of an uneven abscissa; 4 by the standard, some writers take 8
 };
 
@@ -108,22 +112,22 @@ struct UniversalFunction {
   int line = 0; // of the -1 that opens the data set
   std::vector<UniversalWarning> warnings;
   std::array<std::string, 5> ids = no_ids; // without trailing blanks
-  FunctionType type = FunctionType::unknown;
+  UniversalFunctionType type = UniversalFunctionType::unknown;
   int id = 0, version = 0, load_case = 0;
   UniversalDof response, reference;
-  DataType data_type = DataType::real_double;
+  UniversalDataType data_type = UniversalDataType::real_double;
   bool even = true;
   double x0 = 0, dx = 0, z = 0; // x0 and dx only when even
   UniversalAxis abscissa_axis, numerator, denominator, z_axis;
-  Eigen::VectorXd abscissa;         // empty when even
-  Eigen::VectorXd real, imaginary;  // imaginary is empty when the data are real
-  std::optional<BinaryForm> binary; // 58b
+  Eigen::VectorXd abscissa;                  // empty when even
+  Eigen::VectorXd real, imaginary;           // imaginary is empty when the data are real
+  std::optional<UniversalBinaryForm> binary; // 58b
 };
 
 // x0 + k dx, or the abscissa of the file when uneven.
 Eigen::VectorXd abscissa(const UniversalFunction& f);
 
-enum class AnalysisType : int { // may hold any other number of the file
+enum class UniversalAnalysisType : int { // may hold any other number of the file
   unknown = 0,
   static_load = 1,
   normal_mode = 2,
@@ -139,10 +143,10 @@ struct UniversalShape {
   std::vector<UniversalWarning> warnings;
   std::array<std::string, 5> ids = no_ids;
   int model_type = 1; // 1 structural
-  AnalysisType analysis = AnalysisType::unknown;
+  UniversalAnalysisType analysis = UniversalAnalysisType::unknown;
   int data_characteristic = 2; // 1 scalar, 2 three translations, 3 with rotations, 4 and 5 tensors
   int specific_data_type = 8;  // 8 displacement, 11 velocity, 12 acceleration, ...
-  DataType data_type = DataType::real_single;
+  UniversalDataType data_type = UniversalDataType::real_single;
   std::vector<int> integers; // record 7 behind its two counts
   std::vector<double> reals; // record 8
   std::vector<int> nodes;
@@ -150,31 +154,31 @@ struct UniversalShape {
   int decimals = 5;                // of the numbers in the file, E13.5
 };
 
-struct NormalMode { // frequency in Hz, dampings as fractions
+struct UniversalNormalMode { // frequency in Hz, dampings as fractions
   int load_case = 0, mode = 0;
   double frequency = 0, modal_mass = 0, viscous_damping = 0, hysteretic_damping = 0;
 };
 
-struct ComplexMode { // eigenvalue in rad/s
+struct UniversalComplexMode { // eigenvalue in rad/s
   int load_case = 0, mode = 0;
   std::complex<double> eigenvalue, modal_a, modal_b;
 };
 
-struct FrequencyStep {
+struct UniversalFrequencyStep {
   int load_case = 0, step = 0;
   double frequency = 0;
 };
 
 // Records 7 and 8 by their meaning; nothing when the analysis is another one or a field is missing.
-std::optional<NormalMode> normal_mode(const UniversalShape& s);
-std::optional<ComplexMode> complex_mode(const UniversalShape& s);
-std::optional<FrequencyStep> frequency_step(const UniversalShape& s);
+std::optional<UniversalNormalMode> normal_mode(const UniversalShape& s);
+std::optional<UniversalComplexMode> complex_mode(const UniversalShape& s);
+std::optional<UniversalFrequencyStep> frequency_step(const UniversalShape& s);
 
 // The same the other way, with the type of analysis; a complex mode is of the first order unless
 // the shape says second order.
-void describe(UniversalShape& s, const NormalMode& mode);
-void describe(UniversalShape& s, const ComplexMode& mode);
-void describe(UniversalShape& s, const FrequencyStep& step);
+void describe(UniversalShape& s, const UniversalNormalMode& mode);
+void describe(UniversalShape& s, const UniversalComplexMode& mode);
+void describe(UniversalShape& s, const UniversalFrequencyStep& step);
 
 struct UniversalNode {
   int label = 0;
@@ -189,7 +193,7 @@ struct UniversalNodes {
   std::vector<UniversalNode> nodes;
 };
 
-struct BeamSection {
+struct UniversalBeam {
   int orientation_node = 0, fore_section = 0, aft_section = 0;
 };
 
@@ -197,7 +201,7 @@ struct UniversalElement {
   int label = 0;
   int descriptor = 0; // fe descriptor id: 21 beam, 44 linear plane stress quadrilateral, ...
   int property = 0, material = 0, colour = 0;
-  std::optional<BeamSection> beam; // descriptors 11, 21 to 24
+  std::optional<UniversalBeam> beam; // descriptors 11, 21 to 24
   std::vector<int> nodes;
 };
 

@@ -3,18 +3,18 @@
 
 #include <algorithm>
 
-namespace plica {
+namespace plica::universal {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Fields = std::vector<std::string_view>;
+using Tokens = std::vector<std::string_view>;
 
 std::string text_of(std::string_view field) {
   return std::string(trimmed(field));
 }
 
-std::string joined(const Fields& fields, std::size_t begin, std::size_t end) {
+std::string joined(const Tokens& fields, std::size_t begin, std::size_t end) {
   std::string text;
   for (std::size_t i = begin; i < end; ++i) (text += i > begin ? " " : "") += fields[i];
   return text;
@@ -33,7 +33,7 @@ bool dof_columns(std::string_view line, UniversalFunction& f) {
   }
   for (std::size_t at : {30, 55, 80})
     if (!is_blank(columns(line, at, at == 80 ? line.size() : 1))) return false;
-  f.type = FunctionType(whole[0]);
+  f.type = UniversalFunctionType(whole[0]);
   f.id = whole[1];
   f.version = whole[2];
   f.load_case = whole[3];
@@ -45,7 +45,7 @@ bool dof_columns(std::string_view line, UniversalFunction& f) {
 // Record 6 by its tokens. Entity names may hold blanks and digits, so the response ends with the
 // last pair of integers that a word follows; without a word there are four integers at the end.
 bool dof_tokens(std::string_view line, UniversalFunction& f) {
-  const Fields t = tokens(line);
+  const Tokens t = tokens(line);
   const auto whole = [&](std::size_t i) { return whole_number(t[i]).has_value(); };
   const auto value = [&](std::size_t i) { return *whole_number(t[i]); };
   const std::size_t n = t.size();
@@ -55,7 +55,7 @@ bool dof_tokens(std::string_view line, UniversalFunction& f) {
   for (std::size_t at = n - 3; at >= 6 && split == 0; --at)
     if (whole(at - 1) && whole(at - 2) && !whole(at)) split = at;
   if (split == 0 && n >= 8 && whole(n - 3) && whole(n - 4)) split = n - 2;
-  f.type = FunctionType(value(0));
+  f.type = UniversalFunctionType(value(0));
   f.id = value(1);
   f.version = value(2);
   f.load_case = value(3);
@@ -76,7 +76,7 @@ void label_and_unit(std::string_view rest, UniversalAxis& axis) {
 }
 
 // Records 8 to 11: I10,3I5,2(1X,20A1).
-UniversalAxis read_axis(UniversalLines& lines, int number) {
+UniversalAxis read_axis(Lines& lines, int number) {
   const std::string record = "record " + std::to_string(number);
   const std::string_view line = next_record(lines, record);
   UniversalAxis axis;
@@ -92,12 +92,12 @@ UniversalAxis read_axis(UniversalLines& lines, int number) {
     }
     return axis;
   }
-  const Fields t = tokens(line);
+  const Tokens t = tokens(line);
   std::array<int, 4> whole{};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto value = i < t.size() ? whole_number(t[i]) : std::nullopt;
     if (!value)
-      lines.fail(record, shown(line) + " does not describe an axis",
+      lines.fail(record, in_quotes(line) + " does not describe an axis",
                  "data type and three exponents of units, label and unit");
     whole[i] = *value;
   }
@@ -107,7 +107,7 @@ UniversalAxis read_axis(UniversalLines& lines, int number) {
 }
 
 // Record 7; the stated number of points.
-Index read_form(UniversalLines& lines, UniversalFunction& f) {
+Index read_form(Lines& lines, UniversalFunction& f) {
   next_record(lines, "record 7");
   const std::vector<double> r = numbers_of(lines, "record 7", {10, 10, 10, 13, 13, 13}, 3, 3);
   if (r[0] != 2 && r[0] != 4 && r[0] != 5 && r[0] != 6)
@@ -117,7 +117,7 @@ Index read_form(UniversalLines& lines, UniversalFunction& f) {
     lines.fail("record 7", "the number of values is " + std::to_string(int(r[1])), "0 or more");
   if (r[2] != 0 && r[2] != 1)
     lines.fail("record 7", "unknown spacing " + std::to_string(int(r[2])), "0 uneven, 1 even");
-  f.data_type = DataType(int(r[0]));
+  f.data_type = UniversalDataType(int(r[0]));
   f.even = r[2] == 1;
   f.x0 = r[3];
   f.dx = r[4];
@@ -147,7 +147,7 @@ bool is_cut(std::string_view last_line) {
          (number.decimals != before.decimals || number.exponent_digits != before.exponent_digits);
 }
 
-void read_ascii_values(UniversalLines& lines, Index stated, UniversalFunction& f) {
+void read_ascii_values(Lines& lines, Index stated, UniversalFunction& f) {
   const std::string record = "record 12";
   const int per_point = numbers_per_point(f);
   const std::size_t wanted = std::size_t(stated) * std::size_t(per_point);
@@ -157,8 +157,8 @@ void read_ascii_values(UniversalLines& lines, Index stated, UniversalFunction& f
   int last_stated = 0;
   bool closed = false;
   while (!closed && lines.next()) {
-    closed = lines.ends_set(values.size() < wanted ? UniversalLines::Wanted::numbers
-                                                   : UniversalLines::Wanted::nothing);
+    closed =
+        lines.ends_set(values.size() < wanted ? Lines::Wanted::numbers : Lines::Wanted::nothing);
     if (closed) break;
     if (values.size() < wanted) last_stated = lines.number();
     append_numbers(lines, record, values);
@@ -205,13 +205,13 @@ void take_points(UniversalFunction& f, const std::vector<double>& values) {
   if (is_complex(f.data_type)) f.imaginary = part(first + 1);
 }
 
-UniversalFunction read_function(UniversalLines& lines, const SetHeader& header) {
+UniversalFunction read_function(Lines& lines, const SetHeader& header) {
   UniversalFunction f;
   f.line = header.line;
   f.ids = read_ids(lines);
   const std::string_view line = next_record(lines, "record 6");
   if (!dof_columns(line, f) && !dof_tokens(line, f))
-    lines.fail("record 6", shown(line) + " does not describe a degree of freedom",
+    lines.fail("record 6", in_quotes(line) + " does not describe a degree of freedom",
                "type, id, version and load case of the function, then entity, node and direction "
                "of response and reference");
   const Index stated = read_form(lines, f);
@@ -226,10 +226,14 @@ UniversalFunction read_function(UniversalLines& lines, const SetHeader& header) 
   return f;
 }
 
-VectorXd abscissa(const UniversalFunction& f) {
+} // namespace plica::universal
+
+namespace plica {
+
+Eigen::VectorXd abscissa(const UniversalFunction& f) {
   if (!f.even) return f.abscissa;
-  const Index n = f.real.size();
-  return VectorXd::NullaryExpr(n, [&](Index k) { return f.x0 + double(k) * f.dx; });
+  const Eigen::Index n = f.real.size();
+  return Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return f.x0 + double(k) * f.dx; });
 }
 
 } // namespace plica

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace plica {
+namespace plica::universal {
 namespace {
 
 using Eigen::Index;
@@ -16,12 +16,12 @@ bool none_negative(const std::vector<int>& labels) {
 }
 
 // 8I10 on as many lines as it takes.
-std::vector<int> read_labels(UniversalLines& lines, const std::string& record, std::size_t wanted) {
+std::vector<int> read_labels(Lines& lines, const std::string& record, std::size_t wanted) {
   std::vector<int> labels;
   while (labels.size() < wanted) {
-    const auto more = whole_numbers(next_record(lines, record, UniversalLines::Wanted::numbers));
+    const auto more = whole_numbers(next_record(lines, record, Lines::Wanted::numbers));
     if (!more || !none_negative(*more) || labels.size() + more->size() > wanted)
-      lines.fail(record, shown(lines.text()) + " are not the labels of its nodes",
+      lines.fail(record, in_quotes(lines.text()) + " are not the labels of its nodes",
                  std::to_string(wanted) + " integers, none negative");
     labels.insert(labels.end(), more->begin(), more->end());
   }
@@ -31,7 +31,7 @@ std::vector<int> read_labels(UniversalLines& lines, const std::string& record, s
 // Rods and beams have a record of their orientation. Some writers leave it out for rods; then the
 // line behind the header has the nodes. Three numbers for a beam of three nodes may be either: they
 // are nodes when the line after them is that of the next element or the end.
-bool has_orientation(const UniversalElement& e, UniversalLines& lines) {
+bool has_orientation(const UniversalElement& e, Lines& lines) {
   const bool beam = e.descriptor == 11 || (e.descriptor >= 21 && e.descriptor <= 24);
   constexpr std::size_t of_beam = 3, of_header = 6;
   const auto count = [](std::string_view line) {
@@ -42,7 +42,7 @@ bool has_orientation(const UniversalElement& e, UniversalLines& lines) {
   return count(after) != of_header && !is_delimiter(after) && !after.empty();
 }
 
-UniversalElement read_element(UniversalLines& lines) {
+UniversalElement read_element(Lines& lines) {
   const std::vector<double> r = numbers_of(lines, "record 1", {10, 10, 10, 10, 10, 10}, 6, 6);
   UniversalElement e;
   e.label = int(r[0]);
@@ -55,11 +55,11 @@ UniversalElement read_element(UniversalLines& lines) {
                "element " + std::to_string(e.label) + " has " + std::to_string(int(r[5])) +
                    " nodes",
                "1 or more");
-  next_record(lines, "record 2", UniversalLines::Wanted::numbers);
+  next_record(lines, "record 2", Lines::Wanted::numbers);
   std::string record = "record 2";
   if (has_orientation(e, lines)) {
     const std::vector<double> b = numbers_of(lines, record, {10, 10, 10}, 3, 3);
-    e.beam = BeamSection{int(b[0]), int(b[1]), int(b[2])};
+    e.beam = UniversalBeam{int(b[0]), int(b[1]), int(b[2])};
     record = "record 3";
   } else {
     lines.back();
@@ -70,7 +70,7 @@ UniversalElement read_element(UniversalLines& lines) {
 
 } // namespace
 
-UniversalNodes read_nodes(UniversalLines& lines, const SetHeader& header) {
+UniversalNodes read_nodes(Lines& lines, const SetHeader& header) {
   UniversalNodes set;
   set.line = header.line;
   set.double_precision = header.number != 15;
@@ -89,14 +89,14 @@ UniversalNodes read_nodes(UniversalLines& lines, const SetHeader& header) {
   return set;
 }
 
-UniversalElements read_elements(UniversalLines& lines, const SetHeader& header) {
+UniversalElements read_elements(Lines& lines, const SetHeader& header) {
   UniversalElements set;
   set.line = header.line;
   while (next_entry(lines, "record 1", set.warnings)) set.elements.push_back(read_element(lines));
   return set;
 }
 
-UniversalTraceline read_traceline(UniversalLines& lines, const SetHeader& header) {
+UniversalTraceline read_traceline(Lines& lines, const SetHeader& header) {
   UniversalTraceline t;
   t.line = header.line;
   next_record(lines, "record 1");
@@ -106,12 +106,12 @@ UniversalTraceline read_traceline(UniversalLines& lines, const SetHeader& header
   if (r[1] < 0 || r[1] > most_nodes)
     lines.fail("record 1", "the trace line has " + std::to_string(int(r[1])) + " nodes",
                "0 or more");
-  const std::string_view id = next_record(lines, "record 2", UniversalLines::Wanted::text);
+  const std::string_view id = next_record(lines, "record 2", Lines::Wanted::text);
   t.id = id.substr(0, id.find_last_not_of(" \t") + 1);
   while (next_entry(lines, "record 3", t.warnings)) {
     const auto more = whole_numbers(lines.text());
     if (!more)
-      lines.fail("record 3", shown(lines.text()) + " are not labels of nodes",
+      lines.fail("record 3", in_quotes(lines.text()) + " are not labels of nodes",
                  "integers, none negative");
     t.nodes.insert(t.nodes.end(), more->begin(), more->end());
   }
@@ -121,7 +121,7 @@ UniversalTraceline read_traceline(UniversalLines& lines, const SetHeader& header
   return t;
 }
 
-UniversalUnits read_units(UniversalLines& lines, const SetHeader& header) {
+UniversalUnits read_units(Lines& lines, const SetHeader& header) {
   UniversalUnits u;
   u.line = header.line;
   const std::string_view line = next_record(lines, "record 1");
@@ -135,7 +135,7 @@ UniversalUnits read_units(UniversalLines& lines, const SetHeader& header) {
     const auto t = tokens(line);
     const auto first = t.empty() ? std::nullopt : whole_number(t.front());
     if (!first || *first < 1)
-      lines.fail("record 1", shown(line) + " is not a code of units", "1 to 9");
+      lines.fail("record 1", in_quotes(line) + " is not a code of units", "1 to 9");
     const auto last = t.size() > 1 ? whole_number(t.back()) : std::nullopt;
     u.code = *first;
     u.temperature_mode = last.value_or(0);
@@ -145,7 +145,7 @@ UniversalUnits read_units(UniversalLines& lines, const SetHeader& header) {
   }
   std::vector<double> factors;
   while (factors.size() < 3 || next_entry(lines, "record 2", u.warnings)) {
-    if (factors.size() < 3) next_record(lines, "record 2", UniversalLines::Wanted::numbers);
+    if (factors.size() < 3) next_record(lines, "record 2", Lines::Wanted::numbers);
     append_numbers(lines, "record 2", factors);
   }
   if (factors.size() != 4)
@@ -158,4 +158,4 @@ UniversalUnits read_units(UniversalLines& lines, const SetHeader& header) {
   return u;
 }
 
-} // namespace plica
+} // namespace plica::universal

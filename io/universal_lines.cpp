@@ -9,7 +9,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace plica {
+namespace plica::universal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,8 +59,7 @@ bool is_exact_delimiter(std::string_view line) {
   return is_delimiter(line) && line.starts_with("    -1");
 }
 
-UniversalLines::UniversalLines(const fs::path& path)
-    : size_(size_of_regular(path)), name_(path.string()) {
+Lines::Lines(const fs::path& path) : size_(size_of_regular(path)), name_(path.string()) {
   if (size_ == 0) unreadable(name_, "the file is empty", "data sets between lines of -1");
   errno = 0;
   stream_ = std::make_unique<std::ifstream>(path, std::ios::binary);
@@ -68,25 +67,24 @@ UniversalLines::UniversalLines(const fs::path& path)
     unreadable(name_, std::string("cannot be read: ") + std::strerror(errno), "a readable file");
 }
 
-UniversalLines::UniversalLines(std::unique_ptr<std::istream> stream, std::uint64_t size,
-                               std::string name)
+Lines::Lines(std::unique_ptr<std::istream> stream, std::uint64_t size, std::string name)
     : stream_(std::move(stream)), size_(size), name_(std::move(name)) {
   if (size_ == 0) unreadable(name_, "the file is empty", "data sets between lines of -1");
 }
 
-std::string_view UniversalLines::raw() const {
+std::string_view Lines::raw() const {
   if (line_.begin < base_) return {};
   return {buffer_.data() + (line_.begin - base_), std::size_t(line_.end - line_.begin)};
 }
 
-std::string_view UniversalLines::text() const {
+std::string_view Lines::text() const {
   std::string_view line = raw();
   if (line.ends_with('\n')) line.remove_suffix(1);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
 }
 
-bool UniversalLines::more() {
+bool Lines::more() {
   buffer_.erase(buffer_.begin(), buffer_.begin() + std::ptrdiff_t(keep_ - base_));
   base_ = keep_;
   const std::size_t old = buffer_.size();
@@ -100,7 +98,7 @@ bool UniversalLines::more() {
   return true;
 }
 
-bool UniversalLines::find_line() {
+bool Lines::find_line() {
   std::uint64_t from = cursor_;
   while (true) {
     const std::size_t have = std::size_t(base_ + buffer_.size() - from);
@@ -122,33 +120,33 @@ bool UniversalLines::find_line() {
   return true;
 }
 
-bool UniversalLines::next() {
+bool Lines::next() {
   keep_ = std::max(base_, std::min(line_.begin, cursor_)); // the last line stays at the end
   return find_line();
 }
 
-void UniversalLines::back() {
+void Lines::back() {
   cursor_ = line_.begin;
   --line_.number;
 }
 
-bool UniversalLines::next_with_text() {
+bool Lines::next_with_text() {
   while (find_line())
     if (!is_blank(text())) return true;
   return false;
 }
 
-std::string UniversalLines::peek() {
+std::string Lines::peek() {
   const Line line = line_;
   const std::uint64_t cursor = cursor_;
   keep_ = std::max(base_, std::min(line.begin, cursor));
-  const std::string found = next_with_text() ? std::string(text()) : std::string();
+  std::string found = next_with_text() ? std::string(text()) : std::string();
   line_ = line;
   cursor_ = cursor;
   return found;
 }
 
-bool UniversalLines::ends_set(Wanted wanted) {
+bool Lines::ends_set(Wanted wanted) {
   if (!is_delimiter(text())) return false;
   if (wanted == Wanted::nothing) return true;
   const bool as_opened = is_exact_delimiter(text()) || !exact_columns_;
@@ -168,7 +166,7 @@ bool UniversalLines::ends_set(Wanted wanted) {
   return ends;
 }
 
-void UniversalLines::seek(std::uint64_t offset) {
+void Lines::seek(std::uint64_t offset) {
   if (offset >= base_ && offset <= base_ + buffer_.size()) {
     cursor_ = offset;
   } else {
@@ -180,7 +178,7 @@ void UniversalLines::seek(std::uint64_t offset) {
   keep_ = cursor_;
 }
 
-std::string UniversalLines::bytes(std::uint64_t count) {
+std::string Lines::bytes(std::uint64_t count) {
   std::string data;
   data.reserve(std::size_t(std::min(count, remaining())));
   keep_ = cursor_;
@@ -198,7 +196,7 @@ std::string UniversalLines::bytes(std::uint64_t count) {
   return data;
 }
 
-bool UniversalLines::closes_behind(std::uint64_t skip) {
+bool Lines::closes_behind(std::uint64_t skip) {
   constexpr std::uint64_t window = 256; // blanks of a padded line
   const std::uint64_t cursor = cursor_;
   const Line line = line_;
@@ -217,21 +215,21 @@ bool UniversalLines::closes_behind(std::uint64_t skip) {
   return closes;
 }
 
-void UniversalLines::begin_set(const std::string& name, bool exact_columns) {
+void Lines::begin_set(const std::string& name, bool exact_columns) {
   set_ = name;
   exact_columns_ = exact_columns;
 }
 
-void UniversalLines::fail(const std::string& record, const std::string& wrong,
-                          const std::string& allowed) const {
+void Lines::fail(const std::string& record, const std::string& wrong,
+                 const std::string& allowed) const {
   fail_at(line_.number, record, wrong, allowed);
 }
 
-void UniversalLines::fail_at(int line, const std::string& record, const std::string& wrong,
-                             const std::string& allowed) const {
+void Lines::fail_at(int line, const std::string& record, const std::string& wrong,
+                    const std::string& allowed) const {
   std::string key = set_.empty() ? "" : "data set " + set_;
   if (!record.empty()) key += (key.empty() ? "" : ", ") + record;
   throw InputError({{.file = name_, .line = line, .key = key, .wrong = wrong, .allowed = allowed}});
 }
 
-} // namespace plica
+} // namespace plica::universal

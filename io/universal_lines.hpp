@@ -15,12 +15,12 @@
 #include <string_view>
 #include <vector>
 
-namespace plica {
+namespace plica::universal {
 
-class UniversalLines {
+class Lines {
 public:
-  explicit UniversalLines(const std::filesystem::path& path);
-  UniversalLines(std::unique_ptr<std::istream> stream, std::uint64_t size, std::string name);
+  explicit Lines(const std::filesystem::path& path);
+  Lines(std::unique_ptr<std::istream> stream, std::uint64_t size, std::string name);
 
   // Moves to the next line; false at the end of the file.
   bool next();
@@ -84,4 +84,4 @@ std::string_view trimmed(std::string_view text);
 bool is_delimiter(std::string_view line);
 bool is_exact_delimiter(std::string_view line);
 
-} // namespace plica
+} // namespace plica::universal

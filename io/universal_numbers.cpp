@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace plica {
+namespace plica::universal {
 namespace {
 
 constexpr std::uint64_t exact_integer = std::uint64_t(1) << 53;
@@ -247,4 +247,4 @@ std::optional<int> data_set_number(std::string_view line) {
   return number;
 }
 
-} // namespace plica
+} // namespace plica::universal

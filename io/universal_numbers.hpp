@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plica {
+namespace plica::universal {
 
 struct ScannedNumber {
   double value = 0;
@@ -49,4 +49,4 @@ std::optional<std::vector<double>> numeric_record(std::string_view line,
 // The number of the line that opens a data set: "58", "   58b  1  2 ...".
 std::optional<int> data_set_number(std::string_view line);
 
-} // namespace plica
+} // namespace plica::universal

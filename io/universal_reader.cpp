@@ -9,6 +9,9 @@
 #include <utility>
 
 namespace plica {
+
+using namespace universal;
+
 namespace {
 
 struct Opening {
@@ -29,13 +32,13 @@ bool is_bare_number(std::string_view line) {
   return number && is_known(*number) && (fields == 1 || (*number == 58 && fields >= 5));
 }
 
-Opening opened(const UniversalLines& lines, int line, bool exact, bool delimiter) {
+Opening opened(const Lines& lines, int line, bool exact, bool delimiter) {
   return {{line, *data_set_number(lines.text()), std::string(lines.text())}, exact, delimiter};
 }
 
 // The -1 and the number of the next data set, text before it passed over. Where a data set was not
 // closed, the -1 of the next one closed it, and a number stands here without.
-std::optional<Opening> next_opening(UniversalLines& lines) {
+std::optional<Opening> next_opening(Lines& lines) {
   bool first = true, inside = false, exact = true;
   int line = 0;
   while (lines.next()) {
@@ -46,7 +49,7 @@ std::optional<Opening> next_opening(UniversalLines& lines) {
       line = lines.number();
     } else if (inside) {
       if (!data_set_number(lines.text()))
-        lines.fail("", shown(lines.text()) + " follows the -1 that opens a data set",
+        lines.fail("", in_quotes(lines.text()) + " follows the -1 that opens a data set",
                    "the number of a data set");
       return opened(lines, line, exact, true);
     } else if (first && is_bare_number(lines.text())) {
@@ -58,7 +61,7 @@ std::optional<Opening> next_opening(UniversalLines& lines) {
   return std::nullopt;
 }
 
-UniversalDataset read_set(UniversalLines& lines, const SetHeader& header) {
+UniversalDataset read_set(Lines& lines, const SetHeader& header) {
   switch (header.number) {
   case 58:
     return read_function(lines, header);
@@ -81,10 +84,9 @@ UniversalDataset read_set(UniversalLines& lines, const SetHeader& header) {
 } // namespace
 
 UniversalReader::UniversalReader(const std::filesystem::path& path)
-    : lines_(std::make_unique<UniversalLines>(path)) {}
+    : lines_(std::make_unique<Lines>(path)) {}
 
-UniversalReader::UniversalReader(std::unique_ptr<UniversalLines> lines)
-    : lines_(std::move(lines)) {}
+UniversalReader::UniversalReader(std::unique_ptr<Lines> lines) : lines_(std::move(lines)) {}
 
 UniversalReader::~UniversalReader() = default;
 UniversalReader::UniversalReader(UniversalReader&&) noexcept = default;
@@ -92,7 +94,7 @@ UniversalReader& UniversalReader::operator=(UniversalReader&&) noexcept = defaul
 
 UniversalReader UniversalReader::of_text(std::string text, std::string name) {
   const std::uint64_t size = text.size();
-  return UniversalReader(std::make_unique<UniversalLines>(
+  return UniversalReader(std::make_unique<Lines>(
       std::make_unique<std::istringstream>(std::move(text)), size, std::move(name)));
 }
 

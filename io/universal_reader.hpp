@@ -21,7 +21,9 @@
 
 namespace plica {
 
-class UniversalLines;
+namespace universal {
+class Lines;
+}
 
 class UniversalReader {
 public:
@@ -37,9 +39,9 @@ public:
   std::optional<UniversalDataset> next();
 
 private:
-  explicit UniversalReader(std::unique_ptr<UniversalLines> lines);
-  std::unique_ptr<UniversalLines> lines_; // none after the end
-  bool found_ = false;                    // any data set
+  explicit UniversalReader(std::unique_ptr<universal::Lines> lines);
+  std::unique_ptr<universal::Lines> lines_; // none after the end
+  bool found_ = false;                      // any data set
 };
 
 // All data sets of a file.

@@ -1,15 +1,15 @@
 #include "io/universal_records.hpp"
 
+#include "io/did_you_mean.hpp"
 #include "io/universal_numbers.hpp"
 
 #include <algorithm>
-#include <cctype>
 
-namespace plica {
+namespace plica::universal {
 
-using Wanted = UniversalLines::Wanted;
+using Wanted = Lines::Wanted;
 
-std::string_view next_record(UniversalLines& lines, const std::string& record, Wanted wanted) {
+std::string_view next_record(Lines& lines, const std::string& record, Wanted wanted) {
   if (!lines.next())
     lines.fail(record, "the file ends inside of the data set", "all records and a closing -1");
   if (lines.ends_set(wanted))
@@ -17,7 +17,7 @@ std::string_view next_record(UniversalLines& lines, const std::string& record, W
   return lines.text();
 }
 
-std::array<std::string, 5> read_ids(UniversalLines& lines) {
+std::array<std::string, 5> read_ids(Lines& lines) {
   std::array<std::string, 5> ids;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const std::string_view line =
@@ -27,8 +27,7 @@ std::array<std::string, 5> read_ids(UniversalLines& lines) {
   return ids;
 }
 
-bool next_entry(UniversalLines& lines, const std::string& record,
-                std::vector<UniversalWarning>& warnings) {
+bool next_entry(Lines& lines, const std::string& record, std::vector<UniversalWarning>& warnings) {
   while (lines.next()) {
     if (lines.ends_set(Wanted::nothing)) return false;
     if (!is_blank(lines.text())) return true;
@@ -42,7 +41,7 @@ bool next_entry(UniversalLines& lines, const std::string& record,
   return false;
 }
 
-std::vector<double> numbers_of(const UniversalLines& lines, const std::string& record,
+std::vector<double> numbers_of(const Lines& lines, const std::string& record,
                                std::initializer_list<int> widths, std::size_t wholes,
                                std::size_t least) {
   const auto values = numeric_record(lines.text(), widths, wholes, least);
@@ -50,18 +49,17 @@ std::vector<double> numbers_of(const UniversalLines& lines, const std::string& r
   if (values) {
     if (std::none_of(values->begin(), values->begin() + std::ptrdiff_t(wholes), beyond))
       return *values;
-    lines.fail(record, shown(lines.text()) + " has an integer beyond all counts",
+    lines.fail(record, in_quotes(lines.text()) + " has an integer beyond all counts",
                "at most 2147483647");
   }
   const std::string reals = std::to_string(widths.size() - wholes);
-  lines.fail(record, shown(lines.text()) + " is not this record",
+  lines.fail(record, in_quotes(lines.text()) + " is not this record",
              wholes == widths.size()
                  ? std::to_string(wholes) + " integers"
                  : std::to_string(wholes) + " integers and " + reals + " numbers");
 }
 
-int append_numbers(const UniversalLines& lines, const std::string& record,
-                   std::vector<double>& values) {
+int append_numbers(const Lines& lines, const std::string& record, std::vector<double>& values) {
   const std::string_view line = lines.text();
   const char* at = line.data();
   const char* const end = at + line.size();
@@ -73,7 +71,7 @@ int append_numbers(const UniversalLines& lines, const std::string& record,
     decimals = std::max(decimals, number.decimals);
   }
   if (scan == Scan::bad)
-    lines.fail(record, shown({at, std::size_t(end - at)}) + " is not a number",
+    lines.fail(record, in_quotes({at, std::size_t(end - at)}) + " is not a number",
                "finite numbers, e.g. -1.23456E+01");
   return decimals;
 }
@@ -83,15 +81,11 @@ bool is_label(std::string_view line) {
   return fields.size() == 1 && whole_number(fields[0]).has_value();
 }
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string part(text.substr(0, longest));
-  for (char& c : part)
-    if (std::isprint(static_cast<unsigned char>(c)) == 0) c = '?';
-  return "'" + part + (text.size() > longest ? "...'" : "'");
+std::string in_quotes(std::string_view text) {
+  return "'" + shown(text) + "'";
 }
 
-UniversalText read_text(UniversalLines& lines, const SetHeader& header) {
+UniversalText read_text(Lines& lines, const SetHeader& header) {
   UniversalText set{.line = header.line, .warnings = {}, .number = header.number, .text = {}};
   set.text = lines.raw();
   while (lines.next()) {
@@ -104,4 +98,4 @@ UniversalText read_text(UniversalLines& lines, const SetHeader& header) {
              "a closing -1");
 }
 
-} // namespace plica
+} // namespace plica::universal

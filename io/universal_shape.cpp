@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-namespace plica {
+namespace plica::universal {
 namespace {
 
 using Eigen::Index;
-using Wanted = UniversalLines::Wanted;
+using Wanted = Lines::Wanted;
 
 // Record 6; the number of values at each node.
-int read_definition(UniversalLines& lines, UniversalShape& s) {
+int read_definition(Lines& lines, UniversalShape& s) {
   const std::string record = "record 6";
   next_record(lines, record);
   const std::vector<double> r = numbers_of(lines, record, {10, 10, 10, 10, 10, 10}, 6, 6);
@@ -21,22 +21,22 @@ int read_definition(UniversalLines& lines, UniversalShape& s) {
   if (r[5] < 1 || r[5] > most)
     lines.fail(record, std::to_string(int(r[5])) + " values per node", "1 to 1000");
   s.model_type = int(r[0]);
-  s.analysis = AnalysisType(int(r[1]));
+  s.analysis = UniversalAnalysisType(int(r[1]));
   s.data_characteristic = int(r[2]);
   s.specific_data_type = int(r[3]);
-  s.data_type = DataType(int(r[4]));
+  s.data_type = UniversalDataType(int(r[4]));
   return int(r[5]);
 }
 
-void check_count(const UniversalLines& lines, const std::string& what, std::size_t stated,
-                 std::size_t found, UniversalShape& s) {
+void check_count(const Lines& lines, const std::string& what, std::size_t stated, std::size_t found,
+                 UniversalShape& s) {
   if (stated != found)
     s.warnings.push_back({lines.number(), "the number of " + what + " is not the one stated",
                           Index(stated), Index(found)});
 }
 
 // Record 7, 8I10; the number of reals in record 8.
-std::size_t read_integers(UniversalLines& lines, UniversalShape& s) {
+std::size_t read_integers(Lines& lines, UniversalShape& s) {
   const std::string record = "record 7";
   constexpr int most = 1000;
   constexpr std::size_t per_line = 8;
@@ -45,7 +45,7 @@ std::size_t read_integers(UniversalLines& lines, UniversalShape& s) {
   while (all.size() < wanted && on_line == per_line) {
     const auto more = whole_numbers(next_record(lines, record, Wanted::numbers));
     if (!more || more->empty() || (all.empty() && more->size() < 2))
-      lines.fail(record, shown(lines.text()) + " is not this record",
+      lines.fail(record, in_quotes(lines.text()) + " is not this record",
                  "number of integers, number of reals, then the integers");
     on_line = more->size();
     all.insert(all.end(), more->begin(), more->end());
@@ -61,7 +61,7 @@ std::size_t read_integers(UniversalLines& lines, UniversalShape& s) {
 }
 
 // Record 8, 6E13.5. It may be missing when it is all zeros.
-void read_reals(UniversalLines& lines, std::size_t wanted, UniversalShape& s) {
+void read_reals(Lines& lines, std::size_t wanted, UniversalShape& s) {
   const std::string record = "record 8";
   const auto follows = [&] {
     const std::string line = lines.peek();
@@ -80,8 +80,7 @@ void read_reals(UniversalLines& lines, std::size_t wanted, UniversalShape& s) {
 }
 
 // Record 10; all zeros when the next label follows at once.
-void read_values(UniversalLines& lines, std::size_t wanted, std::vector<double>& values,
-                 UniversalShape& s) {
+void read_values(Lines& lines, std::size_t wanted, std::vector<double>& values, UniversalShape& s) {
   const std::string record = "record 10";
   const std::size_t before = values.size();
   const auto found = [&] { return values.size() - before; };
@@ -110,7 +109,7 @@ void read_values(UniversalLines& lines, std::size_t wanted, std::vector<double>&
 
 } // namespace
 
-UniversalShape read_shape(UniversalLines& lines, const SetHeader& header) {
+UniversalShape read_shape(Lines& lines, const SetHeader& header) {
   UniversalShape s;
   s.line = header.line;
   s.ids = read_ids(lines);
@@ -121,7 +120,8 @@ UniversalShape read_shape(UniversalLines& lines, const SetHeader& header) {
   while (next_entry(lines, "record 9", s.warnings)) {
     const auto label = whole_numbers(lines.text());
     if (!label || label->size() != 1)
-      lines.fail("record 9", shown(lines.text()) + " is not the label of a node", "one integer");
+      lines.fail("record 9", in_quotes(lines.text()) + " is not the label of a node",
+                 "one integer");
     s.nodes.push_back(label->front());
     read_values(lines, std::size_t(per_node * parts), values, s);
   }
@@ -139,45 +139,52 @@ UniversalShape read_shape(UniversalLines& lines, const SetHeader& header) {
   return s;
 }
 
-std::optional<NormalMode> normal_mode(const UniversalShape& s) {
-  if (s.analysis != AnalysisType::normal_mode || s.integers.size() < 2 || s.reals.size() < 4)
+} // namespace plica::universal
+
+namespace plica {
+
+std::optional<UniversalNormalMode> normal_mode(const UniversalShape& s) {
+  if (s.analysis != UniversalAnalysisType::normal_mode || s.integers.size() < 2 ||
+      s.reals.size() < 4)
     return std::nullopt;
-  return NormalMode{s.integers[0], s.integers[1], s.reals[0], s.reals[1], s.reals[2], s.reals[3]};
+  return UniversalNormalMode{s.integers[0], s.integers[1], s.reals[0],
+                             s.reals[1],    s.reals[2],    s.reals[3]};
 }
 
-std::optional<ComplexMode> complex_mode(const UniversalShape& s) {
-  const bool complex = s.analysis == AnalysisType::complex_eigenvalue_first_order ||
-                       s.analysis == AnalysisType::complex_eigenvalue_second_order;
+std::optional<UniversalComplexMode> complex_mode(const UniversalShape& s) {
+  const bool complex = s.analysis == UniversalAnalysisType::complex_eigenvalue_first_order ||
+                       s.analysis == UniversalAnalysisType::complex_eigenvalue_second_order;
   if (!complex || s.integers.size() < 2 || s.reals.size() < 6) return std::nullopt;
-  return ComplexMode{s.integers[0],
-                     s.integers[1],
-                     {s.reals[0], s.reals[1]},
-                     {s.reals[2], s.reals[3]},
-                     {s.reals[4], s.reals[5]}};
+  return UniversalComplexMode{s.integers[0],
+                              s.integers[1],
+                              {s.reals[0], s.reals[1]},
+                              {s.reals[2], s.reals[3]},
+                              {s.reals[4], s.reals[5]}};
 }
 
-std::optional<FrequencyStep> frequency_step(const UniversalShape& s) {
-  if (s.analysis != AnalysisType::frequency_response || s.integers.size() < 2 || s.reals.empty())
+std::optional<UniversalFrequencyStep> frequency_step(const UniversalShape& s) {
+  if (s.analysis != UniversalAnalysisType::frequency_response || s.integers.size() < 2 ||
+      s.reals.empty())
     return std::nullopt;
-  return FrequencyStep{s.integers[0], s.integers[1], s.reals[0]};
+  return UniversalFrequencyStep{s.integers[0], s.integers[1], s.reals[0]};
 }
 
-void describe(UniversalShape& s, const NormalMode& m) {
-  s.analysis = AnalysisType::normal_mode;
+void describe(UniversalShape& s, const UniversalNormalMode& m) {
+  s.analysis = UniversalAnalysisType::normal_mode;
   s.integers = {m.load_case, m.mode};
   s.reals = {m.frequency, m.modal_mass, m.viscous_damping, m.hysteretic_damping};
 }
 
-void describe(UniversalShape& s, const ComplexMode& m) {
-  if (s.analysis != AnalysisType::complex_eigenvalue_second_order)
-    s.analysis = AnalysisType::complex_eigenvalue_first_order;
+void describe(UniversalShape& s, const UniversalComplexMode& m) {
+  if (s.analysis != UniversalAnalysisType::complex_eigenvalue_second_order)
+    s.analysis = UniversalAnalysisType::complex_eigenvalue_first_order;
   s.integers = {m.load_case, m.mode};
   s.reals = {m.eigenvalue.real(), m.eigenvalue.imag(), m.modal_a.real(),
              m.modal_a.imag(),    m.modal_b.real(),    m.modal_b.imag()};
 }
 
-void describe(UniversalShape& s, const FrequencyStep& step) {
-  s.analysis = AnalysisType::frequency_response;
+void describe(UniversalShape& s, const UniversalFrequencyStep& step) {
+  s.analysis = UniversalAnalysisType::frequency_response;
   s.integers = {step.load_case, step.step};
   s.reals = {step.frequency};
 }

@@ -6,6 +6,9 @@
 #include <algorithm>
 
 namespace plica {
+
+using universal::Fields;
+
 namespace {
 
 using Eigen::Index;
@@ -13,7 +16,7 @@ using Eigen::Index;
 constexpr int label_width = 10;
 
 // 8I10
-void write_labels(UniversalFields& fields, const std::vector<int>& labels) {
+void write_labels(Fields& fields, const std::vector<int>& labels) {
   constexpr std::size_t per_line = 8;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     fields.whole(labels[i], label_width);
@@ -22,13 +25,13 @@ void write_labels(UniversalFields& fields, const std::vector<int>& labels) {
 }
 
 // A label -1 on a line of its own would close the data set.
-void check_labels(const UniversalFields& fields, const std::vector<int>& labels) {
+void check_labels(const Fields& fields, const std::vector<int>& labels) {
   if (std::any_of(labels.begin(), labels.end(), [](int label) { return label < 0; }))
     fields.fail("the label of a node is negative", "0 or more");
 }
 
 // 6E13.5, or as many on a line of 80 as wider numbers allow.
-void write_reals(UniversalFields& fields, const std::vector<double>& values, int decimals) {
+void write_reals(Fields& fields, const std::vector<double>& values, int decimals) {
   constexpr int narrow = 13, most_narrow = 6, line = 80;
   const int width = decimals <= most_narrow ? narrow : decimals + 8;
   const std::size_t per_line = std::size_t(line / width);
@@ -38,7 +41,7 @@ void write_reals(UniversalFields& fields, const std::vector<double>& values, int
   }
 }
 
-void check(const UniversalShape& s, const UniversalFields& fields) {
+void check(const UniversalShape& s, const Fields& fields) {
   const bool complex = is_complex(s.data_type);
   if (s.real.rows() != Index(s.nodes.size()) || s.real.cols() < 1 ||
       s.imaginary.rows() != (complex ? s.real.rows() : 0) ||
@@ -50,7 +53,7 @@ void check(const UniversalShape& s, const UniversalFields& fields) {
 } // namespace
 
 std::string universal_text(const UniversalShape& s) {
-  UniversalFields fields("55", "    55");
+  Fields fields("55", "    55");
   check(s, fields);
   check_labels(fields.record(9), s.nodes);
   for (std::size_t i = 0; i < s.ids.size(); ++i) fields.record(int(i) + 1).id(s.ids[i]);
@@ -77,8 +80,7 @@ std::string universal_text(const UniversalShape& s) {
 }
 
 std::string universal_text(const UniversalNodes& set) {
-  UniversalFields fields(set.double_precision ? "2411" : "15",
-                         set.double_precision ? "  2411" : "    15");
+  Fields fields(set.double_precision ? "2411" : "15", set.double_precision ? "  2411" : "    15");
   for (const UniversalNode& n : set.nodes) {
     fields.record(1).whole(n.label, label_width).whole(n.definition_system, label_width);
     fields.whole(n.displacement_system, label_width).whole(n.colour, label_width);
@@ -95,7 +97,7 @@ std::string universal_text(const UniversalNodes& set) {
 }
 
 std::string universal_text(const UniversalElements& set) {
-  UniversalFields fields("2412", "  2412");
+  Fields fields("2412", "  2412");
   for (const UniversalElement& e : set.elements) {
     check_labels(fields, e.nodes);
     if (e.nodes.empty()) fields.fail("an element has no nodes", "1 or more");
@@ -113,10 +115,10 @@ std::string universal_text(const UniversalElements& set) {
 }
 
 std::string universal_text(const UniversalTraceline& t) {
-  UniversalFields fields("82", "    82");
+  Fields fields("82", "    82");
   fields.record(1).whole(t.number, label_width).whole(long(t.nodes.size()), label_width);
   fields.whole(t.colour, label_width).end_line();
-  if (is_delimiter(t.id)) fields.record(2).fail("the id is -1", "a name");
+  if (universal::is_delimiter(t.id)) fields.record(2).fail("the id is -1", "a name");
   fields.record(2).id(t.id);
   check_labels(fields.record(3), t.nodes);
   write_labels(fields.record(3), t.nodes);
@@ -124,7 +126,7 @@ std::string universal_text(const UniversalTraceline& t) {
 }
 
 std::string universal_text(const UniversalUnits& u) {
-  UniversalFields fields("164", "   164");
+  Fields fields("164", "   164");
   if (u.code < 1) fields.fail("the code of units is " + std::to_string(u.code), "1 to 9");
   fields.record(1).whole(u.code, label_width).name(u.description, 20);
   fields.whole(u.temperature_mode, label_width).end_line().record(2);

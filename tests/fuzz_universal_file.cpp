@@ -3,8 +3,6 @@
 // suite, 300,000 unless told.
 #include "tests/universal_samples.hpp"
 
-#include "model/input_error.hpp"
-
 #include <cstdlib>
 #include <random>
 
@@ -17,20 +15,21 @@ std::vector<std::string> seeds() {
     for (bool even : {true, false})
       for (bool binary : {true, false}) {
         UniversalFunction f;
-        f.data_type = DataType(type);
+        f.data_type = UniversalDataType(type);
         f.even = even;
         f.real = Eigen::VectorXd::LinSpaced(11, -3, 5);
         if (is_complex(f.data_type)) f.imaginary = -f.real;
         if (!even) f.abscissa = f.real;
         if (binary)
-          f.binary = BinaryForm{type > 4 ? ByteOrder::big_endian : ByteOrder::little_endian};
+          f.binary = UniversalBinaryForm{type > 4 ? UniversalByteOrder::big_endian
+                                                  : UniversalByteOrder::little_endian};
         files.push_back(universal_text(f) + universal_text(sets_of(one_of_each())[2]));
       }
   UniversalShape s;
-  s.data_type = DataType::complex_single;
+  s.data_type = UniversalDataType::complex_single;
   s.nodes = {1, 2, 3};
   s.real = s.imaginary = Eigen::MatrixXd::Constant(3, 6, -1.5);
-  describe(s, ComplexMode{1, 2, {-3, 400}, {1, 2}, {5, 6}});
+  describe(s, UniversalComplexMode{1, 2, {-3, 400}, {1, 2}, {5, 6}});
   files.push_back(universal_text(s) + files[5]);
   return files;
 }

@@ -2,8 +2,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/universal_samples.hpp"
 
-#include "model/input_error.hpp"
-
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -21,7 +19,7 @@ TEST(UniversalFunction, has_every_field_of_its_records) {
   EXPECT_EQ(f.line, 1);
   EXPECT_EQ(f.ids[0], "Drive point");
   EXPECT_EQ(f.ids[2], "16-Apr-21 10:11:12");
-  EXPECT_EQ(f.type, FunctionType::frequency_response);
+  EXPECT_EQ(f.type, UniversalFunctionType::frequency_response);
   EXPECT_EQ(f.id, 7);
   EXPECT_EQ(f.version, 1);
   EXPECT_EQ(f.response.entity, "FLANGE A");
@@ -30,7 +28,7 @@ TEST(UniversalFunction, has_every_field_of_its_records) {
   EXPECT_EQ(f.reference.entity, "NONE");
   EXPECT_EQ(f.reference.node, 5);
   EXPECT_EQ(f.reference.direction, -2);
-  EXPECT_EQ(f.data_type, DataType::complex_single);
+  EXPECT_EQ(f.data_type, UniversalDataType::complex_single);
   EXPECT_TRUE(same(abscissa(f), VectorXd(Eigen::Vector2d(0.5, 0.75))));
   EXPECT_EQ(f.abscissa_axis.data_type, 18);
   EXPECT_EQ(f.abscissa_axis.unit, "Hz");
@@ -76,7 +74,7 @@ TEST(UniversalFunction, is_read_in_all_eight_forms_of_its_data) {
   }
 }
 
-UniversalFunction wave(DataType type, bool even) {
+UniversalFunction wave(UniversalDataType type, bool even) {
   UniversalFunction f;
   f.data_type = type;
   f.even = even;
@@ -92,10 +90,11 @@ UniversalFunction wave(DataType type, bool even) {
 TEST(UniversalFunction, in_binary_form_is_read_again_bit_for_bit) {
   for (int type : {2, 4, 5, 6})
     for (bool even : {true, false})
-      for (ByteOrder order : {ByteOrder::little_endian, ByteOrder::big_endian})
+      for (UniversalByteOrder order :
+           {UniversalByteOrder::little_endian, UniversalByteOrder::big_endian})
         for (int width : {4, 8}) {
-          UniversalFunction f = wave(DataType(type), even);
-          f.binary = BinaryForm{order, FloatFormat::ieee, width};
+          UniversalFunction f = wave(UniversalDataType(type), even);
+          f.binary = UniversalBinaryForm{order, UniversalFloatFormat::ieee, width};
           const auto g = std::get<UniversalFunction>(again(f));
           ASSERT_TRUE(g.binary.has_value());
           EXPECT_EQ(g.binary->order, order);
@@ -118,7 +117,7 @@ TEST(UniversalFunction, in_binary_form_follows_its_header) {
 TEST(UniversalFunction, in_text_form_is_read_again_to_the_digits_of_the_format) {
   for (int type : {2, 4, 5, 6})
     for (bool even : {true, false}) {
-      const UniversalFunction f = wave(DataType(type), even);
+      const UniversalFunction f = wave(UniversalDataType(type), even);
       const auto g = std::get<UniversalFunction>(again(f));
       const double digits = is_double(f.data_type) ? 5e-13 : 5e-6;
       EXPECT_LT(((g.real - f.real).array() / f.real.array()).abs().maxCoeff(), digits);
@@ -144,12 +143,12 @@ TEST(UniversalShape, is_read_again_for_every_number_of_values) {
   for (int per_node : {1, 2, 3, 6, 9})
     for (int type : {2, 4, 5, 6}) {
       UniversalShape s;
-      s.data_type = DataType(type);
+      s.data_type = UniversalDataType(type);
       s.nodes = {3, 1, 1234567890};
       s.decimals = is_double(s.data_type) ? 12 : 5;
       s.real = MatrixXd::Constant(3, per_node, 0.25) + MatrixXd::Identity(3, per_node);
       if (is_complex(s.data_type)) s.imaginary = -2 * s.real;
-      describe(s, ComplexMode{1, 2, {-3, 400}, {1, 2}, {5, 6}});
+      describe(s, UniversalComplexMode{1, 2, {-3, 400}, {1, 2}, {5, 6}});
       const auto t = std::get<UniversalShape>(again(s));
       expect_same(s, t);
       EXPECT_EQ(complex_mode(t)->eigenvalue, std::complex<double>(-3, 400));
@@ -161,7 +160,7 @@ TEST(UniversalShape, of_a_frequency_response_has_its_frequency) {
   UniversalShape s;
   s.nodes = {1};
   s.real = MatrixXd::Ones(1, 3);
-  describe(s, FrequencyStep{2, 9, 37.5});
+  describe(s, UniversalFrequencyStep{2, 9, 37.5});
   const auto step = frequency_step(std::get<UniversalShape>(again(s)));
   ASSERT_TRUE(step.has_value());
   EXPECT_EQ(step->step, 9);
@@ -232,10 +231,10 @@ TEST(UniversalFile, is_read_from_disk_with_the_lines_of_its_sets) {
 
 // Larger than the buffer, with binary data in the middle that hold line ends and "    -1\n".
 TEST(UniversalFile, of_mixed_forms_crosses_the_buffer) {
-  UniversalFunction large = wave(DataType::real_double, true);
+  UniversalFunction large = wave(UniversalDataType::real_double, true);
   large.real = VectorXd::LinSpaced(50000, -1, 1);
   UniversalFunction tricky = large;
-  tricky.binary = BinaryForm{};
+  tricky.binary = UniversalBinaryForm{};
   for (Eigen::Index k = 0; k + 1 < tricky.real.size(); k += 1000)
     std::memcpy(&tricky.real[k], "\n    -1\n", 8);
   const std::string text = universal_text(large) + universal_text(tricky) + universal_text(large);
@@ -249,11 +248,11 @@ TEST(UniversalWriter, refuses_what_would_not_read_again) {
   const auto refused = [](const UniversalDataset& set) {
     EXPECT_THROW((void)universal_text(set), InputError);
   };
-  UniversalFunction f = wave(DataType::complex_double, false);
+  UniversalFunction f = wave(UniversalDataType::complex_double, false);
   UniversalFunction g = f;
   g.real[3] = std::nan("");
   refused(g);
-  g.binary = BinaryForm{};
+  g.binary = UniversalBinaryForm{};
   refused(g);
   g = f;
   g.imaginary.resize(1);
@@ -264,9 +263,9 @@ TEST(UniversalWriter, refuses_what_would_not_read_again) {
   g = f;
   g.ids[1] = "two\nlines";
   refused(g);
-  g = wave(DataType::real_single, true);
+  g = wave(UniversalDataType::real_single, true);
   g.real[0] = 1e300;
-  g.binary = BinaryForm{};
+  g.binary = UniversalBinaryForm{};
   refused(g);
   UniversalShape s;
   s.nodes = {1, 2};

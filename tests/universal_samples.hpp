@@ -3,6 +3,7 @@
 
 #include "io/universal_reader.hpp"
 #include "io/universal_writer.hpp"
+#include "model/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -118,6 +119,44 @@ inline void expect_same(const UniversalDataset& a, const UniversalDataset& b) {
 
 inline UniversalDataset again(const UniversalDataset& set) {
   return sets_of(universal_text(set)).at(0);
+}
+
+inline constexpr int first_data_line = 14; // of a function that opens the file
+
+inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  for (std::size_t at = text.find(old); at != std::string::npos;
+       at = text.find(old, at + by.size()))
+    text.replace(at, old.size(), by);
+  return text;
+}
+
+// A real function of single precision and even spacing.
+inline UniversalFunction of_data(const std::string& data, long points) {
+  return only<UniversalFunction>(function_header(2, points, 1) + data);
+}
+
+inline std::vector<double> values(const UniversalFunction& f) {
+  return {f.real.data(), f.real.data() + f.real.size()};
+}
+
+inline InputProblem refusal(const std::string& text) {
+  try {
+    (void)sets_of(text);
+  } catch (const InputError& error) {
+    return error.problems().at(0);
+  }
+  ADD_FAILURE() << "is read: " << text;
+  return {};
+}
+
+inline void expect_refused(const std::string& text, int line, const std::string& key,
+                           const std::string& wrong) {
+  const InputProblem p = refusal(text);
+  EXPECT_EQ(p.file, "sample.uff");
+  EXPECT_EQ(p.line, line) << to_string(p);
+  EXPECT_EQ(p.key, key) << to_string(p);
+  EXPECT_NE(p.wrong.find(wrong), std::string::npos) << to_string(p);
+  EXPECT_FALSE(p.allowed.empty());
 }
 
 } // namespace plica::test

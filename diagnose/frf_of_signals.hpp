@@ -1,0 +1,25 @@
+// Frequency responses of time signals to one of them.
+#pragma once
+
+#include "diagnose/frf_estimate.hpp"
+#include "diagnose/frf_set.hpp"
+#include "diagnose/sine_tracking.hpp"
+
+namespace plica {
+
+struct SignalFrf {
+  FrfSet set;                 // sigma from coherence and averages (random), or none (sine)
+  Eigen::MatrixXd coherence;  // frequencies x responses; empty for a sine
+  Eigen::MatrixXd distortion; // of the responses to a sine; empty for noise
+};
+
+// Samples with one channel a column, named by `channels`; `reference` is one of these.
+// Throws std::invalid_argument when it is not there, and as welch() and track_sine().
+SignalFrf frf_of_noise(const Eigen::MatrixXd& samples, double rate,
+                       const std::vector<std::string>& channels, const std::string& reference,
+                       FrfQuantity quantity, const WelchSettings& settings, FrfEstimator estimator);
+SignalFrf frf_of_sine(const Eigen::MatrixXd& samples, double rate,
+                      const std::vector<std::string>& channels, const std::string& reference,
+                      FrfQuantity quantity, const SineTracking& settings);
+
+} // namespace plica

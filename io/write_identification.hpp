@@ -1,0 +1,23 @@
+// What `plica identify` leaves behind: identification.json, identified.csv, measured_modes.yaml
+// (the modes as entries of a measured.yaml), shapes.uff (set 55), synthesised.uff (sets 58),
+// report.html.
+#pragma once
+
+#include "diagnose/identify.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+void write_identification(const Identification& found, const std::string& title,
+                          const std::filesystem::path& folder);
+
+// The same in words, for the terminal.
+std::string identification_text(const Identification& found, const std::string& title);
+
+// Pieces of it, for tests and other writers.
+std::string identification_json(const Identification& found, const std::string& title);
+std::string identified_csv(const Identification& found);
+std::string measured_modes_yaml(const Identification& found);
+
+} // namespace plica
