@@ -175,11 +175,12 @@ MatrixXd stacked(const FrfSet& set) {
   return H;
 }
 
-// Covariance of the poles in the units of normal_equations(): the sandwich (J'J)^-1 V (J'J)^-1, V
-// the scatter of the scores of the lines with their correlation over three neighbours (Bartlett's
-// weights). It takes the residual as it is: larger at a resonance that wanders, correlated under a
-// window (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
-MatrixXd covariance_of(const Normal& n, double freedom_share) {
+// Variances of the poles in the units of normal_equations(). The larger of two: s^2 (J'J)^-1 of white
+// noise, and the sandwich (J'J)^-1 V (J'J)^-1 with V the scatter of the scores of the lines and their
+// correlation over three neighbours (Bartlett's weights). The second takes the residual as it is,
+// larger at a resonance that wanders, correlated under a window, but is too small where few lines lie
+// in a bandwidth (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
+VectorXd variances_of(const Normal& n, double cost, double values, double freedom) {
   constexpr Index lags = 3;
   MatrixXd V = n.score.transpose() * n.score;
   for (Index lag = 1; lag <= lags && lag < n.score.rows(); ++lag) {
@@ -188,7 +189,8 @@ MatrixXd covariance_of(const Normal& n, double freedom_share) {
     V += (1 - double(lag) / (lags + 1)) * (cross + cross.transpose());
   }
   const MatrixXd inverse = n.JJ.ldlt().solve(MatrixXd::Identity(n.JJ.rows(), n.JJ.cols()));
-  return inverse * V * inverse / freedom_share;
+  const VectorXd white = cost / freedom * inverse.diagonal();
+  return white.cwiseMax((inverse * V * inverse).diagonal() * (values / freedom));
 }
 
 } // namespace
@@ -239,7 +241,7 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
   fit.iterations = iterations;
   fit.converged = found.converged;
   const double freedom = std::max(1., double(H.size()) - double(s.C.size()) - 2. * double(modes));
-  const MatrixXd covariance = covariance_of(normal_equations(l, s), freedom / double(H.size()));
+  const VectorXd variance = variances_of(normal_equations(l, s), s.cost, double(H.size()), freedom);
   const VectorXd unit = s.scale.cwiseInverse();
   const MatrixXd R = s.factor.matrixQR().topRows(s.A.cols()).triangularView<Eigen::Upper>();
   const MatrixXd inverse =
@@ -256,8 +258,8 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
     const double width = -s.poles[r].real();
     FittedMode mode{
         .lambda = s.poles[r],
-        .sigma_real = width * std::sqrt(std::max(0., covariance(2 * r, 2 * r))),
-        .sigma_imaginary = width * std::sqrt(std::max(0., covariance(2 * r + 1, 2 * r + 1))),
+        .sigma_real = width * std::sqrt(variance[2 * r]),
+        .sigma_imaginary = width * std::sqrt(variance[2 * r + 1]),
         .residue = table(2 * r).cast<Complex>() + Complex(0, 1) * table(2 * r + 1).cast<Complex>(),
         .sigma_residue = fit.noise * std::max(spread[2 * r], spread[2 * r + 1])};
     fit.modes.push_back(std::move(mode));
