@@ -37,7 +37,7 @@ UniversalFunction sample(UniversalDataType type, bool binary) {
     return Eigen::VectorXd::NullaryExpr(points, [&] { return noise(random); }).eval();
   };
   UniversalFunction f;
-  f.type = UniversalFunctionType::time_response;
+  f.type = FunctionType::time_response;
   f.data_type = type;
   f.dx = 1. / 4096;
   f.real = column();

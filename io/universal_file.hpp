@@ -32,7 +32,7 @@ struct UniversalWarning {
   Eigen::Index stated = 0, found = 0; // both 0 when nothing was counted
 };
 
-enum class UniversalFunctionType : int { // may hold any other number of the file
+enum class FunctionType : int { // may hold any other number of the file
   unknown = 0,
   time_response = 1,
   auto_spectrum = 2,
@@ -112,7 +112,7 @@ struct UniversalFunction {
   int line = 0; // of the -1 that opens the data set
   std::vector<UniversalWarning> warnings;
   std::array<std::string, 5> ids = no_ids; // without trailing blanks
-  UniversalFunctionType type = UniversalFunctionType::unknown;
+  FunctionType type = FunctionType::unknown;
   int id = 0, version = 0, load_case = 0;
   UniversalDof response, reference;
   UniversalDataType data_type = UniversalDataType::real_double;

@@ -33,7 +33,7 @@ bool dof_columns(std::string_view line, UniversalFunction& f) {
   }
   for (std::size_t at : {30, 55, 80})
     if (!is_blank(columns(line, at, at == 80 ? line.size() : 1))) return false;
-  f.type = UniversalFunctionType(whole[0]);
+  f.type = FunctionType(whole[0]);
   f.id = whole[1];
   f.version = whole[2];
   f.load_case = whole[3];
@@ -55,7 +55,7 @@ bool dof_tokens(std::string_view line, UniversalFunction& f) {
   for (std::size_t at = n - 3; at >= 6 && split == 0; --at)
     if (whole(at - 1) && whole(at - 2) && !whole(at)) split = at;
   if (split == 0 && n >= 8 && whole(n - 3) && whole(n - 4)) split = n - 2;
-  f.type = UniversalFunctionType(value(0));
+  f.type = FunctionType(value(0));
   f.id = value(1);
   f.version = value(2);
   f.load_case = value(3);

@@ -19,7 +19,7 @@ TEST(UniversalFunction, has_every_field_of_its_records) {
   EXPECT_EQ(f.line, 1);
   EXPECT_EQ(f.ids[0], "Drive point");
   EXPECT_EQ(f.ids[2], "16-Apr-21 10:11:12");
-  EXPECT_EQ(f.type, UniversalFunctionType::frequency_response);
+  EXPECT_EQ(f.type, FunctionType::frequency_response);
   EXPECT_EQ(f.id, 7);
   EXPECT_EQ(f.version, 1);
   EXPECT_EQ(f.response.entity, "FLANGE A");

@@ -114,7 +114,7 @@ TEST(UniversalHeader, keeps_blanks_in_names_and_is_read_when_shifted) {
   const std::string plain = function_header(2, 1, 1) + "1.0\n" + closing;
   const auto check = [](const std::string& text, const std::string& entity) {
     const auto f = only<UniversalFunction>(text);
-    EXPECT_EQ(f.type, UniversalFunctionType::frequency_response) << text;
+    EXPECT_EQ(f.type, FunctionType::frequency_response) << text;
     EXPECT_EQ(f.id, 7) << text;
     EXPECT_EQ(f.response.entity, entity) << text;
     EXPECT_EQ(f.response.node, 12) << text;
