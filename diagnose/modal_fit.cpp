@@ -175,11 +175,11 @@ MatrixXd stacked(const FrfSet& set) {
   return H;
 }
 
-// Variances of the poles in the units of normal_equations(). The larger of two: s^2 (J'J)^-1 of white
-// noise, and the sandwich (J'J)^-1 V (J'J)^-1 with V the scatter of the scores of the lines and their
-// correlation over three neighbours (Bartlett's weights). The second takes the residual as it is,
-// larger at a resonance that wanders, correlated under a window, but is too small where few lines lie
-// in a bandwidth (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
+// Variances of the poles in the units of normal_equations(). The larger of two: s^2 (J'J)^-1 of
+// white noise, and the sandwich (J'J)^-1 V (J'J)^-1 with V the scatter of the scores of the lines
+// and their correlation over three neighbours (Bartlett's weights). The second takes the residual
+// as it is, larger at a resonance that wanders, correlated under a window, but is too small where
+// few lines lie in a bandwidth (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
 VectorXd variances_of(const Normal& n, double cost, double values, double freedom) {
   constexpr Index lags = 3;
   MatrixXd V = n.score.transpose() * n.score;
@@ -256,12 +256,12 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
   fit.noise = Eigen::Map<const MatrixXd>(rms.data(), each, inputs);
   for (Index r = 0; r < modes; ++r) {
     const double width = -s.poles[r].real();
-    FittedMode mode{
-        .lambda = s.poles[r],
-        .sigma_real = width * std::sqrt(variance[2 * r]),
-        .sigma_imaginary = width * std::sqrt(variance[2 * r + 1]),
-        .residue = table(2 * r).cast<Complex>() + Complex(0, 1) * table(2 * r + 1).cast<Complex>(),
-        .sigma_residue = fit.noise * std::max(spread[2 * r], spread[2 * r + 1])};
+    FittedMode mode{.lambda = s.poles[r],
+                    .sigma_real = width * std::sqrt(variance[2 * r]),
+                    .sigma_imaginary = width * std::sqrt(variance[2 * r + 1]),
+                    .residue = table(2 * r).cast<Complex>() +
+                               Complex(0, 1) * table(2 * r + 1).cast<Complex>(),
+                    .sigma_residue = fit.noise * std::max(spread[2 * r], spread[2 * r + 1])};
     fit.modes.push_back(std::move(mode));
   }
   fit.lower = table(2 * modes);

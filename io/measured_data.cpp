@@ -188,10 +188,9 @@ References universal_references(const Request& r, const Measured* measured) {
   while (const auto set = reader.next()) {
     const auto* f = std::get_if<UniversalFunction>(&*set);
     if (!f) continue;
-    const bool response = f->type == UniversalFunctionType::frequency_response ||
-                          f->type == UniversalFunctionType::transmissibility;
-    if (r.time != (f->type == UniversalFunctionType::time_response) || (!r.time && !response))
-      continue;
+    const bool response =
+        f->type == FunctionType::frequency_response || f->type == FunctionType::transmissibility;
+    if (r.time != (f->type == FunctionType::time_response) || (!r.time && !response)) continue;
     for (const UniversalWarning& w : f->warnings)
       found.warnings.push_back(r.path.string() + ":" + std::to_string(w.line) + ": " + w.what);
     const VectorXd x = abscissa(*f);

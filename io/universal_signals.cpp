@@ -69,8 +69,7 @@ std::vector<UniversalFunction> universal_functions(const FrfSet& set) {
     for (std::size_t o = 0; o < set.responses.size(); ++o) {
       UniversalFunction f;
       f.ids[0] = set.responses[o] + " by " + set.references[i];
-      f.type = base ? UniversalFunctionType::transmissibility
-                    : UniversalFunctionType::frequency_response;
+      f.type = base ? FunctionType::transmissibility : FunctionType::frequency_response;
       f.response = dof_of(sensors, set.responses[o]);
       f.reference = dof_of(sensors, set.references[i]);
       f.data_type = UniversalDataType::complex_double;
@@ -109,12 +108,12 @@ std::vector<UniversalShape> universal_shapes(const Identification& found) {
     }
     for (std::size_t k = 0; k < sensors.size(); ++k) s.nodes.push_back(static_cast<int>(k) + 1);
     const double w = 2 * std::numbers::pi * m.frequency;
-    describe(s,
-             UniversalComplexMode{.load_case = 0,
-                         .mode = static_cast<int>(r) + 1,
-                         .eigenvalue = {-m.damping * w, w * std::sqrt(1 - m.damping * m.damping)},
-                         .modal_a = 1,
-                         .modal_b = 1});
+    describe(s, UniversalComplexMode{
+                    .load_case = 0,
+                    .mode = static_cast<int>(r) + 1,
+                    .eigenvalue = {-m.damping * w, w * std::sqrt(1 - m.damping * m.damping)},
+                    .modal_a = 1,
+                    .modal_b = 1});
     shapes.push_back(std::move(s));
   }
   return shapes;

@@ -8,7 +8,9 @@ function(step)
 endfunction()
 step(${CMAKE_COMMAND} -S ${SOURCE} -B ${build} -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo
   -DPLICA_SANITIZE=ON)
-step(${CMAKE_COMMAND} --build ${build} --target test_case_file test_schema test_results_output)
-foreach(test test_case_file test_schema test_results_output)
+step(${CMAKE_COMMAND} --build ${build} --target test_case_file test_schema test_results_output test_universal_file test_universal_quirks
+  test_universal_damage fuzz_universal_file)
+foreach(test test_case_file test_schema test_results_output test_universal_file test_universal_quirks
+  test_universal_damage fuzz_universal_file)
   step(${build}/tests/${test})
 endforeach()
