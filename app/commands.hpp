@@ -48,6 +48,14 @@ struct IdentifyOptions {
 };
 
 int identify_command(const IdentifyOptions& options);
+
+struct CompareOptions {
+  std::string result, measured; // each a measured.yaml or a folder of results
+  std::filesystem::path out = "out";
+  bool quiet = false;
+};
+
+int compare_command(const CompareOptions& options);
 int check_command(const std::string& case_path, int threads);
 int schema_command(const std::string& what); // "case" or "measured"
 

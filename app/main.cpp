@@ -141,6 +141,16 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1., 10000.))
       ->capture_default_str();
 
+  plica::CompareOptions compare;
+  CLI::App* compare_app =
+      app.add_subcommand("compare", "simulation and test side by side: modes, shapes, responses");
+  compare_app->add_option("RESULT", compare.result, "folder of a run, or a measured.yaml")
+      ->required();
+  compare_app->add_option("MEASURED", compare.measured, "a measured.yaml, or a folder of a run")
+      ->required();
+  compare_app->add_option("--out", compare.out, "folder for the results")->capture_default_str();
+  compare_app->add_flag("--quiet", compare.quiet, "print errors only");
+
   std::string checked;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");
   check_app->add_option("CASE", checked, "case file")->required();
@@ -159,6 +169,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 1;
   }
   if (*run_app) return plica::run_command(run);
+  if (*compare_app) return plica::compare_command(compare);
   if (*identify_app) {
     if (!band.empty()) {
       identify.settings.low = band[0];

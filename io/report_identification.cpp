@@ -1,7 +1,7 @@
 #include "io/report_identification.hpp"
 
-#include "io/report_css.hpp"
 #include "io/report_markup.hpp"
+#include "io/report_page.hpp"
 #include "io/report_plot.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +109,6 @@ std::string synthesis_html(const Identification& found) {
     found.frac.col(Index(i)).minCoeff(&worst);
     found.set.H[i].colwise().norm().maxCoeff(&largest);
     for (const Index o : {largest, worst}) {
-      if (o == worst && worst == largest && &o != &largest && html.size() > 0) continue;
       const std::vector<PlotCurve> curves{{.hertz = found.set.hertz,
                                            .magnitude = found.set.H[i].col(o).cwiseAbs(),
                                            .name = "measured",
@@ -131,25 +130,18 @@ std::string synthesis_html(const Identification& found) {
 } // namespace
 
 std::string identification_html(const Identification& found, const std::string& title) {
-  std::string html =
-      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                  "<title>{0}: modes</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n"
-                  "<header>\n<h1>Modes of {0}</h1>\n<p class=\"case\">{2} modes from {3} "
-                  "responses and {4} references, {5} to {6} Hz; what they leave unexplained is "
-                  "{7} % RMS.</p>\n",
-                  html_escape(title), report_css, found.modes.size(), found.set.responses.size(),
-                  found.set.H.size(), html_number(found.set.hertz[0], 4),
-                  html_number(found.set.hertz[found.set.hertz.size() - 1], 4),
-                  html_number(100 * found.misfit, 3));
-  if (!found.warnings.empty())
-    html += "<div class=\"warnings\"><b>Warnings</b>\n" + html_list(found.warnings) + "</div>\n";
-  html += "</header>\n";
-  html += html_section("modes", "Modes", modes_table(found));
-  html += html_section("diagram", "Stabilisation diagram", diagram_html(found));
-  html += html_section("shapes", "Shapes", shapes_table(found) + mac_table(found));
-  html += html_section("synthesis", "Measured beside synthesised", synthesis_html(found));
-  return html + "</main>\n</body>\n</html>\n";
+  const Eigen::VectorXd& hertz = found.set.hertz;
+  const std::string lead = fmt::format(
+      "{} modes from {} responses and {} references, {} to {} Hz; what they leave unexplained is "
+      "{} % "
+      "RMS.",
+      found.modes.size(), found.set.responses.size(), found.set.H.size(), html_number(hertz[0], 4),
+      html_number(hertz[hertz.size() - 1], 4), html_number(100 * found.misfit, 3));
+  std::string sections = html_section("modes", "Modes", modes_table(found));
+  sections += html_section("diagram", "Stabilisation diagram", diagram_html(found));
+  sections += html_section("shapes", "Shapes", shapes_table(found) + mac_table(found));
+  sections += html_section("synthesis", "Measured beside synthesised", synthesis_html(found));
+  return report_page("Modes of " + title, lead, found.warnings, sections);
 }
 
 } // namespace plica

@@ -1,11 +1,15 @@
 #include "io/write_results.hpp"
 
+#include "diagnose/simulated.hpp"
 #include "io/files.hpp"
 #include "io/report.hpp"
 #include "io/results_csv.hpp"
 #include "io/results_json.hpp"
 #include "io/results_text.hpp"
 #include "io/results_vtu.hpp"
+#include "io/simulated_yaml.hpp"
+#include "io/universal_signals.hpp"
+#include "io/universal_writer.hpp"
 
 #include <string>
 #include <system_error>
@@ -22,7 +26,14 @@ bool is_optional_output(const std::string& name) {
     return name.starts_with(prefix) && name.ends_with(".csv");
   };
   return named("response_") || named("motion_") || named("random_") || name == "stress.csv" ||
-         name == "stress.vtu" || name == "error_bars.csv";
+         name == "stress.vtu" || name == "error_bars.csv" || name == "responses.uff";
+}
+
+std::string responses_uff(const Results& results) {
+  std::string text;
+  for (const FrfSet& set : responses_to_base(results))
+    for (const UniversalFunction& f : universal_functions(set)) text += universal_text(f);
+  return text;
 }
 
 void remove_stale(const fs::path& folder, const FileSet& written) {
@@ -54,6 +65,9 @@ void write_results(const Results& results, const fs::path& out_dir) {
     files.add("stress.vtu", stress_vtu(results));
   }
   if (!results.error_bars.bars.empty()) files.add("error_bars.csv", error_bars_csv(results));
+  files.add("simulated.yaml", simulated_yaml(as_measured(results)));
+  if (const std::string text = responses_uff(results); !text.empty())
+    files.add("responses.uff", text);
   files.add("report.html", report_html(results));
   files.add("results.json", results_json(results));
   files.commit();

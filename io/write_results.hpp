@@ -1,5 +1,6 @@
-// Everything a run leaves behind: results.json, modes.csv, static.csv, comparison.csv,
-// variants.csv, modes.vtu, report.html, and one or more files for each response and for stresses.
+// Everything a run leaves behind: results.json, simulated.yaml (the run in the form of measured
+// data), responses.uff, modes.csv, static.csv, comparison.csv, variants.csv, modes.vtu,
+// report.html, and one or more files for each response and for stresses.
 #pragma once
 
 #include "model/results.hpp"

@@ -143,6 +143,7 @@ struct SensorResult {
   std::string name;
   int node = 0;
   double distance = 0; // from where the case puts it to the node, m
+  std::array<int, 3> axes{1, 2, 3}; // its own in the part frame: 1 x, 2 y, 3 z, negative reversed
 };
 
 // A superelement in place of a part of the model.

@@ -44,7 +44,7 @@ private:
     results_.reduced = route_->reduced();
     for (const BeamElement& b : built_.model.beams) results_.lines.push_back({b.node1, b.node2});
     for (const BuiltSensor& s : built_.sensors)
-      results_.sensors.push_back({s.name, s.node, s.distance});
+      results_.sensors.push_back({s.name, s.node, s.distance, s.axes});
     results_.model = {.nodes = static_cast<int>(built_.model.mesh.nodes.size()),
                       .elements = element_count(built_.model),
                       .dofs = route_->unknowns(),

@@ -1,0 +1,13 @@
+// The report of a comparison of simulation and test.
+#pragma once
+
+#include "diagnose/correlate.hpp"
+
+#include <string>
+
+namespace plica {
+
+std::string correlation_html(const Correlation& c, const TestData& simulated,
+                             const TestData& measured);
+
+} // namespace plica

@@ -1,0 +1,21 @@
+// What `plica compare` leaves behind: correlation.json, pairs.csv, responses.csv, report.html.
+#pragma once
+
+#include "diagnose/correlate.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+void write_correlation(const Correlation& c, const TestData& simulated, const TestData& measured,
+                       const std::filesystem::path& folder);
+
+std::string correlation_text(const Correlation& c, const TestData& simulated,
+                             const TestData& measured);
+std::string correlation_json(const Correlation& c, const TestData& simulated,
+                             const TestData& measured);
+
+// "axial 1 in y", or "mode 3" of a list.
+std::string mode_name(const MeasuredMode& mode, int index);
+
+} // namespace plica
