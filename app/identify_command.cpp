@@ -2,6 +2,7 @@
 
 #include "app/progress.hpp"
 #include "diagnose/frf_of_signals.hpp"
+#include "diagnose/linearity.hpp"
 #include "io/measured_data.hpp"
 #include "io/measured_file.hpp"
 #include "io/write_identification.hpp"
@@ -29,6 +30,14 @@ template <class F> auto told(const std::string& file, const std::string& key, F&
 struct Task {
   std::string title;
   FrfSet set;
+  Eigen::MatrixXd coherence;  // of noise; empty otherwise
+  Eigen::MatrixXd distortion; // of a sine
+};
+
+struct Tasks {
+  std::vector<Task> list;
+  std::vector<LevelVerdict> levels;
+  std::vector<Homogeneity> homogeneity;
 };
 
 std::string title_of(const std::string& specimen, const FrfSet& set) {
@@ -38,14 +47,13 @@ std::string title_of(const std::string& specimen, const FrfSet& set) {
   return title;
 }
 
-std::vector<Task> tasks_of(const std::string& path, const IdentifyOptions& options) {
+Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
   const Measured measured = read_measured(path);
   const fs::path folder = fs::path(path).parent_path();
-  std::vector<Task> tasks;
-  for (FrfSet& set : load_frfs(measured, folder)) {
-    std::string title = title_of(measured.specimen, set);
-    tasks.push_back({std::move(title), std::move(set)});
-  }
+  Tasks tasks;
+  std::vector<FrfSet> sets = load_frfs(measured, folder);
+  for (const FrfSet& set : sets)
+    tasks.list.push_back({title_of(measured.specimen, set), set, {}, {}});
   for (std::size_t i = 0; i < measured.signals.size(); ++i) {
     const MeasuredSignals& entry = measured.signals[i];
     const std::string key = "signals[" + std::to_string(i) + "]";
@@ -60,22 +68,25 @@ std::vector<Task> tasks_of(const std::string& path, const IdentifyOptions& optio
                                 quantity, options.welch, options.estimator);
     });
     frf.set.level = entry.level;
-    std::string title = title_of(measured.specimen, frf.set);
-    tasks.push_back({std::move(title), std::move(frf.set)});
+    sets.push_back(frf.set);
+    tasks.list.push_back({title_of(measured.specimen, frf.set), std::move(frf.set),
+                          std::move(frf.coherence), std::move(frf.distortion)});
   }
-  if (tasks.empty())
+  tasks.levels = level_verdicts(measured, sets);
+  tasks.homogeneity = homogeneity(sets);
+  if (tasks.list.empty() && tasks.levels.empty())
     throw InputError({{.file = path,
                        .line = 0,
                        .key = "frf",
-                       .wrong = "names no frequency responses and no signals",
-                       .allowed = "entries of frf or signals"}});
+                       .wrong = "names no frequency responses, no signals and no peaks over levels",
+                       .allowed = "entries of frf, signals or peaks"}});
   return tasks;
 }
 
 } // namespace
 
 int identify_command(const IdentifyOptions& options) {
-  std::vector<Task> tasks;
+  Tasks tasks;
   const fs::path first = options.files.front();
   if (first.extension() == ".yaml" || first.extension() == ".yml") {
     if (options.files.size() > 1)
@@ -87,22 +98,33 @@ int identify_command(const IdentifyOptions& options) {
     tasks = tasks_of(first.string(), options);
   } else {
     FrfSet set = load_frf_files({options.files.begin(), options.files.end()}, options.quantity);
-    tasks.push_back({first.stem().string(), std::move(set)});
+    tasks.list.push_back({first.stem().string(), std::move(set), {}, {}});
   }
   Progress progress(options.quiet);
-  bool found_any = false;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    progress.title(tasks[i].title);
+  bool found_any = tasks.list.empty();
+  for (std::size_t i = 0; i < tasks.list.size(); ++i) {
+    const Task& task = tasks.list[i];
+    progress.title(task.title);
     progress.stage("identification");
     const Identification found =
-        told(first.string(), "", [&] { return identify(tasks[i].set, options.settings); });
-    const fs::path folder = tasks.size() == 1 ? options.out : options.out / std::to_string(i + 1);
-    write_identification(found, tasks[i].title, folder);
+        told(first.string(), "", [&] { return identify(task.set, options.settings); });
+    const fs::path folder =
+        tasks.list.size() == 1 ? options.out : options.out / std::to_string(i + 1);
+    const LinearityOfSet linearity{
+        .reciprocity = reciprocity(task.set),
+        .coherence_drops = task.coherence.size() > 0 ? coherence_drops(task.set, task.coherence)
+                                                     : std::vector<CoherenceDrop>{},
+        .distortion = distortions(task.set, task.distortion)};
+    write_identification(found, linearity, task.title, folder);
     progress.finish();
     if (!options.quiet)
-      fmt::print("{}\nReport: {}\n{}", identification_text(found, tasks[i].title),
-                 (folder / "report.html").string(), i + 1 < tasks.size() ? "\n" : "");
+      fmt::print("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
+                 (folder / "report.html").string(), i + 1 < tasks.list.size() ? "\n" : "");
     found_any = found_any || !found.modes.empty();
+  }
+  if (!tasks.levels.empty()) {
+    write_levels(tasks.levels, tasks.homogeneity, options.out);
+    if (!options.quiet) fmt::print("{}", levels_text(tasks.levels, tasks.homogeneity));
   }
   return found_any ? 0 : 2;
 }

@@ -30,4 +30,10 @@ struct FrfSet {
 // The lines between two frequencies. Throws std::invalid_argument when none is left.
 FrfSet within(const FrfSet& set, double low, double high);
 
+// Standard deviation of the noise of each response, responses x references: the stated one (mean
+// over the lines), else what no straight line between the neighbours of a line explains (median
+// over the lines, so that resonances do not count). Never below 1e-3 of the response's RMS, which
+// no test is free of, and 1e-9 of the largest.
+Eigen::MatrixXd noise_levels(const FrfSet& set);
+
 } // namespace plica

@@ -202,4 +202,14 @@ std::vector<CoherenceDrop> coherence_drops(const FrfSet& set, const Eigen::Matri
   return drops;
 }
 
+std::vector<Distortion> distortions(const FrfSet& set, const Eigen::MatrixXd& distortion) {
+  std::vector<Distortion> list;
+  for (Index o = 0; o < distortion.cols(); ++o) {
+    Index at = 0;
+    const double largest = distortion.col(o).maxCoeff(&at);
+    list.push_back({set.responses[o], set.hertz[at], largest});
+  }
+  return list;
+}
+
 } // namespace plica

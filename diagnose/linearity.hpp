@@ -60,4 +60,19 @@ struct CoherenceDrop {
 std::vector<CoherenceDrop> coherence_drops(const FrfSet& set, const Eigen::MatrixXd& coherence,
                                            double below = 0.9);
 
+// Largest harmonic distortion of each response to a sine, and where. `distortion` is frequencies x
+// responses as frf_of_sine() gives it, or empty.
+struct Distortion {
+  std::string response;
+  double frequency = 0, distortion = 0;
+};
+std::vector<Distortion> distortions(const FrfSet& set, const Eigen::MatrixXd& distortion);
+
+// All that one setup tells about linearity.
+struct LinearityOfSet {
+  std::vector<Reciprocity> reciprocity;
+  std::vector<CoherenceDrop> coherence_drops;
+  std::vector<Distortion> distortion;
+};
+
 } // namespace plica

@@ -34,12 +34,10 @@ NormalEquations normal_equations(const FrfSet& set, int n) {
   NormalEquations e{.R = (Z.adjoint() * Z).real(),
                     .S = {},
                     .T = MatrixXd::Zero((n + 1) * inputs, (n + 1) * inputs)};
+  const MatrixXd noise = noise_levels(set);
   MatrixXcd Y(lines, (n + 1) * inputs);
   for (Index o = 0; o < Index(set.responses.size()); ++o) {
-    double square = 0;
-    for (const MatrixXcd& H : set.H) square += H.col(o).squaredNorm();
-    if (!(square > 0)) continue;
-    const double weight = std::sqrt(double(lines * inputs) / square);
+    const double weight = std::sqrt(double(inputs)) / noise.row(o).norm();
     for (int k = 0; k <= n; ++k)
       for (Index i = 0; i < inputs; ++i)
         Y.col(k * inputs + i) = -weight * Z.col(k).cwiseProduct(set.H[i].col(o));
@@ -111,8 +109,9 @@ std::vector<PolesOfOrder> lscf(const FrfSet& set, int highest) {
   if (lines < 2 || equations < unknowns)
     throw std::invalid_argument(std::to_string(lines) + " lines are too few for order " +
                                 std::to_string(highest));
+  if (std::all_of(set.H.begin(), set.H.end(), [](const MatrixXcd& H) { return H.isZero(0); }))
+    throw std::invalid_argument("all responses are zero");
   const NormalEquations e = normal_equations(set, highest);
-  if (e.S.empty()) throw std::invalid_argument("all responses are zero");
   const double low = set.hertz[0], span = set.hertz[lines - 1] - low;
   std::vector<PolesOfOrder> all;
   for (int n = 2; n <= highest; ++n)

@@ -26,7 +26,8 @@ struct PolesOfOrder {
   std::vector<Pole> poles; // stable ones in the band with damping below 50 %, by frequency
 };
 
-// Poles for every polynomial order from 2 to `highest`. Each response is weighted by 1 / its RMS.
+// Poles for every polynomial order from 2 to `highest`. Each response is weighted by 1 / its
+// noise: one that holds nothing else would otherwise hide the poles of all.
 // Throws std::invalid_argument for fewer lines than unknowns.
 std::vector<PolesOfOrder> lscf(const FrfSet& set, int highest);
 

@@ -224,10 +224,10 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
       throw std::invalid_argument("a pole needs a negative real and a positive imaginary part");
   const Lines l = lines_of(set.hertz, set.quantity);
   const MatrixXd H = stacked(set);
-  // Weights: first the RMS of each response, then the noise that a first fit leaves.
+  // Weights: first the noise between the lines, then what a first fit leaves.
   const double size = H.norm() / std::sqrt(double(H.size()));
-  VectorXd weight = (H.colwise().norm() / std::sqrt(double(H.rows()))).transpose();
-  weight = weight.cwiseMax(1e-9 * size).cwiseInverse();
+  const MatrixXd noise_level = noise_levels(set);
+  VectorXd weight = VectorXd::Map(noise_level.data(), noise_level.size()).cwiseInverse();
   Search found = search(l, H * weight.asDiagonal(), poles);
   int iterations = found.iterations;
   const VectorXd rest = (found.state.E.colwise().norm() / std::sqrt(double(H.rows()))).transpose();

@@ -136,7 +136,10 @@ CsvTable read_csv(const std::filesystem::path& path) {
   const std::vector<Line> lines = lines_of(read_whole(path));
   if (lines.empty()) bad(path, 1, "", "has no rows", "a table of numbers");
   const char separator = separator_of(lines);
-  const bool decimal_comma = separator != ',' && lines.back().text.find(',') != std::string::npos;
+  const bool decimal_comma =
+      separator != ',' && std::any_of(lines.begin() + 1, lines.end(), [](const Line& line) {
+        return line.text.find(',') != std::string::npos;
+      });
   Parser parser(separator);
   std::vector<Row> rows;
   for (const Line& line : lines) rows.push_back(parser.cells(line.text));

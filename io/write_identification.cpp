@@ -50,9 +50,42 @@ Json json_of(const Identification& found, const IdentifiedMode& m) {
           {"peak", {{"frequency", number(m.peak_frequency)}, {"damping", number(m.peak_damping)}}}};
 }
 
+Json json_of(const LinearityOfSet& linearity) {
+  Json json{{"reciprocity", Json::array()},
+            {"coherence_drops", Json::array()},
+            {"distortion", Json::array()}};
+  for (const Reciprocity& r : linearity.reciprocity)
+    json["reciprocity"].push_back(
+        {{"a", r.a}, {"b", r.b}, {"frac", r.frac}, {"difference", r.difference}});
+  for (const CoherenceDrop& d : linearity.coherence_drops)
+    json["coherence_drops"].push_back(
+        {{"response", d.response}, {"frequency", d.frequency}, {"coherence", d.coherence}});
+  for (const Distortion& d : linearity.distortion)
+    json["distortion"].push_back(
+        {{"response", d.response}, {"frequency", d.frequency}, {"distortion", d.distortion}});
+  return json;
+}
+
+std::string linearity_text(const LinearityOfSet& linearity) {
+  std::string text;
+  for (const Reciprocity& r : linearity.reciprocity)
+    text += fmt::format("Reciprocity of {} and {}: FRAC {}, difference {} %.\n", r.a, r.b,
+                        significant(r.frac, 4), significant(100 * r.difference, 2));
+  for (const CoherenceDrop& d : linearity.coherence_drops)
+    text +=
+        fmt::format("Coherence of {} is {} at the peak of {} Hz: a nonlinearity, leakage or a bad "
+                    "channel; noise alone shows least where the response is large.\n",
+                    d.response, significant(d.coherence, 2), significant(d.frequency, 4));
+  for (const Distortion& d : linearity.distortion)
+    text += fmt::format("Harmonic distortion of {}: at most {} %, at {} Hz.\n", d.response,
+                        significant(100 * d.distortion, 2), significant(d.frequency, 4));
+  return text;
+}
+
 } // namespace
 
-std::string identification_json(const Identification& found, const std::string& title) {
+std::string identification_json(const Identification& found, const LinearityOfSet& linearity,
+                                const std::string& title) {
   Json json;
   json["title"] = title;
   json["band"] = {found.set.hertz[0], found.set.hertz[found.set.hertz.size() - 1]};
@@ -67,6 +100,7 @@ std::string identification_json(const Identification& found, const std::string& 
       json["frac"].push_back({{"response", found.set.responses[c]},
                               {"reference", found.set.references[i]},
                               {"value", found.frac(Index(c), Index(i))}});
+  json["linearity"] = json_of(linearity);
   json["warnings"] = found.warnings;
   return json.dump(2) + "\n";
 }
@@ -108,7 +142,8 @@ std::string measured_modes_yaml(const Identification& found) {
   return found.modes.empty() ? "# No mode was found.\nmodes: []\n" : text;
 }
 
-std::string identification_text(const Identification& found, const std::string& title) {
+std::string identification_text(const Identification& found, const LinearityOfSet& linearity,
+                                const std::string& title) {
   std::string text = fmt::format("{}: {} responses, {} references, {} lines from {} to {} Hz\n\n",
                                  title, found.set.responses.size(), found.set.H.size(),
                                  found.set.hertz.size(), significant(found.set.hertz[0], 4),
@@ -129,12 +164,13 @@ std::string identification_text(const Identification& found, const std::string& 
   text += fmt::format("\nThe modes leave {} % RMS of the responses unexplained; FRAC {} to {}.\n",
                       significant(100 * found.misfit, 3), significant(found.frac.minCoeff(), 4),
                       significant(found.frac.maxCoeff(), 4));
+  text += linearity_text(linearity);
   for (const std::string& warning : found.warnings) text += "Warning: " + warning + ".\n";
   return text;
 }
 
-void write_identification(const Identification& found, const std::string& title,
-                          const std::filesystem::path& folder) {
+void write_identification(const Identification& found, const LinearityOfSet& linearity,
+                          const std::string& title, const std::filesystem::path& folder) {
   FileSet files(folder);
   files.add("identified.csv", identified_csv(found));
   files.add("measured_modes.yaml", measured_modes_yaml(found));
@@ -147,7 +183,45 @@ void write_identification(const Identification& found, const std::string& title,
   files.add("shapes.uff", shapes);
   files.add("synthesised.uff", responses);
   files.add("report.html", identification_html(found, title));
-  files.add("identification.json", identification_json(found, title));
+  files.add("identification.json", identification_json(found, linearity, title));
+  files.commit();
+}
+
+std::string levels_text(const std::vector<LevelVerdict>& levels,
+                        const std::vector<Homogeneity>& homogeneity) {
+  std::string text = "\nOver the levels\n";
+  for (const LevelVerdict& v : levels) text += "  " + v.what + ": " + v.verdict + "\n";
+  for (const Homogeneity& h : homogeneity)
+    text += fmt::format("  {}, {}: {:g} against {:g}, FRAC {}, difference {} %\n", h.reference,
+                        h.response, h.level_a, h.level_b, significant(h.frac, 4),
+                        significant(100 * h.difference, 2));
+  return text;
+}
+
+void write_levels(const std::vector<LevelVerdict>& levels,
+                  const std::vector<Homogeneity>& homogeneity,
+                  const std::filesystem::path& folder) {
+  const auto slope = [](const LevelSlope& s) {
+    return Json{
+        {"exponent", s.slope}, {"sigma", s.sigma}, {"change", s.change}, {"matters", s.matters}};
+  };
+  Json json{{"levels", Json::array()}, {"homogeneity", Json::array()}};
+  for (const LevelVerdict& v : levels) {
+    Json one{{"what", v.what},           {"linear", v.linear},
+             {"verdict", v.verdict},     {"level", v.level},
+             {"frequency", v.frequency}, {"frequency_slope", slope(v.frequency_slope)}};
+    if (v.amplitude_slope) one["amplitude_slope"] = slope(*v.amplitude_slope);
+    if (v.damping_slope) one["damping_slope"] = slope(*v.damping_slope);
+    json["levels"].push_back(one);
+  }
+  for (const Homogeneity& h : homogeneity)
+    json["homogeneity"].push_back({{"reference", h.reference},
+                                   {"response", h.response},
+                                   {"levels", {h.level_a, h.level_b}},
+                                   {"frac", h.frac},
+                                   {"difference", h.difference}});
+  FileSet files(folder);
+  files.add("levels.json", json.dump(2) + "\n");
   files.commit();
 }
 

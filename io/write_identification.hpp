@@ -4,20 +4,29 @@
 #pragma once
 
 #include "diagnose/identify.hpp"
+#include "diagnose/linearity.hpp"
 
 #include <filesystem>
 
 namespace plica {
 
-void write_identification(const Identification& found, const std::string& title,
-                          const std::filesystem::path& folder);
+void write_identification(const Identification& found, const LinearityOfSet& linearity,
+                          const std::string& title, const std::filesystem::path& folder);
 
 // The same in words, for the terminal.
-std::string identification_text(const Identification& found, const std::string& title);
+std::string identification_text(const Identification& found, const LinearityOfSet& linearity,
+                                const std::string& title);
 
 // Pieces of it, for tests and other writers.
-std::string identification_json(const Identification& found, const std::string& title);
+std::string identification_json(const Identification& found, const LinearityOfSet& linearity,
+                                const std::string& title);
 std::string identified_csv(const Identification& found);
 std::string measured_modes_yaml(const Identification& found);
+
+// Verdicts over levels: levels.json beside the identifications, and in words.
+void write_levels(const std::vector<LevelVerdict>& levels,
+                  const std::vector<Homogeneity>& homogeneity, const std::filesystem::path& folder);
+std::string levels_text(const std::vector<LevelVerdict>& levels,
+                        const std::vector<Homogeneity>& homogeneity);
 
 } // namespace plica

@@ -5,12 +5,12 @@
 #include "diagnose/mode_correlation.hpp"
 #include "diagnose/peak_picking.hpp"
 #include "diagnose/stabilisation.hpp"
+#include "tests/synthetic_frf.hpp"
 
 #include <Eigen/SVD>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <random>
 
 namespace plica {
 namespace {
@@ -23,55 +23,10 @@ using Eigen::VectorXd;
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
-struct TrueMode {
-  double frequency, damping;
-  VectorXd shape; // mass-normalised
-};
-
-// H = (i w)^d sum phi_o phi_i / (w_r^2 - w^2 + 2 i zeta w_r w), references the first channels.
-FrfSet synthetic(const std::vector<TrueMode>& modes, FrfQuantity quantity, double low, double high,
-                 int lines, int references) {
-  FrfSet set;
-  set.quantity = quantity;
-  set.hertz = VectorXd::LinSpaced(lines, low, high);
-  const Index n = modes[0].shape.size();
-  for (Index o = 0; o < n; ++o) set.responses.push_back("p" + std::to_string(o + 1) + ".x");
-  for (int i = 0; i < references; ++i) {
-    set.references.push_back("p" + std::to_string(i + 1) + ".x");
-    MatrixXcd H = MatrixXcd::Zero(lines, n);
-    for (int f = 0; f < lines; ++f) {
-      const double w = two_pi * set.hertz[f];
-      for (const TrueMode& m : modes) {
-        const double wr = two_pi * m.frequency;
-        H.row(f) += (m.shape[i] / Complex(wr * wr - w * w, 2 * m.damping * wr * w) *
-                     std::pow(Complex(0, w), derivatives(quantity)) * m.shape.cast<Complex>())
-                        .transpose();
-      }
-    }
-    set.H.push_back(H);
-  }
-  return set;
-}
-
-void add_noise(FrfSet& set, double part, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal(0, 1);
-  double largest = 0;
-  for (const MatrixXcd& H : set.H) largest = std::max(largest, H.norm() / std::sqrt(H.size()));
-  for (MatrixXcd& H : set.H)
-    for (Index k = 0; k < H.size(); ++k)
-      H.data()[k] += part * largest / std::numbers::sqrt2 * Complex(normal(random), normal(random));
-}
-
-std::vector<TrueMode> four_dof() {
-  const auto v = [](double a, double b, double c, double d) {
-    return (VectorXd(4) << a, b, c, d).finished();
-  };
-  return {{12, 0.008, v(0.4, 0.7, 0.9, 1)},
-          {31, 0.012, v(0.9, 0.8, -0.1, -1)},
-          {47, 0.006, v(1, -0.5, -0.8, 0.7)},
-          {58, 0.015, v(0.6, -1, 0.9, -0.4)}};
-}
+using test::add_noise;
+using test::four_dof;
+using test::synthetic;
+using test::TrueMode;
 
 // Exact formulae of the reference values: errors of the three half-power formulas.
 TEST(HalfPower, errs_as_the_table_says) {

@@ -32,8 +32,8 @@ TEST(Window, hann_has_its_constants) {
   EXPECT_NEAR(energy_correction(w), 1.63299, 1e-5);
 }
 
-// A flat top reads the amplitude of a sine between two lines to 0.01 dB (ISO 18431-2), Hann loses up
-// to 1.5 dB.
+// A flat top reads the amplitude of a sine between two lines to 0.01 dB (ISO 18431-2), Hann loses
+// up to 1.5 dB.
 TEST(Window, flat_top_reads_a_sine_between_lines) {
   const int n = 1024;
   const VectorXd x =
