@@ -3,6 +3,7 @@
 #include "app/progress.hpp"
 #include "diagnose/frf_of_signals.hpp"
 #include "diagnose/linearity.hpp"
+#include "io/files.hpp"
 #include "io/measured_data.hpp"
 #include "io/measured_file.hpp"
 #include "io/write_identification.hpp"
@@ -29,9 +30,7 @@ template <class F> auto told(const std::string& file, const std::string& key, F&
 
 struct Task {
   std::string title;
-  FrfSet set;
-  Eigen::MatrixXd coherence;  // of noise; empty otherwise
-  Eigen::MatrixXd distortion; // of a sine
+  SignalFrf frf; // of a file: the set alone
 };
 
 struct Tasks {
@@ -39,6 +38,12 @@ struct Tasks {
   std::vector<LevelVerdict> levels;
   std::vector<Homogeneity> homogeneity;
 };
+
+Task of_file(std::string title, const FrfSet& set) {
+  Task task{.title = std::move(title), .frf = {}};
+  task.frf.set = set;
+  return task;
+}
 
 std::string title_of(const std::string& specimen, const FrfSet& set) {
   std::string title = specimen;
@@ -53,7 +58,7 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
   Tasks tasks;
   std::vector<FrfSet> sets = load_frfs(measured, folder);
   for (const FrfSet& set : sets)
-    tasks.list.push_back({title_of(measured.specimen, set), set, {}, {}});
+    tasks.list.push_back(of_file(title_of(measured.specimen, set), set));
   for (std::size_t i = 0; i < measured.signals.size(); ++i) {
     const MeasuredSignals& entry = measured.signals[i];
     const std::string key = "signals[" + std::to_string(i) + "]";
@@ -69,8 +74,7 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
     });
     frf.set.level = entry.level;
     sets.push_back(frf.set);
-    tasks.list.push_back({title_of(measured.specimen, frf.set), std::move(frf.set),
-                          std::move(frf.coherence), std::move(frf.distortion)});
+    tasks.list.push_back({title_of(measured.specimen, frf.set), std::move(frf)});
   }
   tasks.levels = level_verdicts(measured, sets);
   tasks.homogeneity = homogeneity(sets);
@@ -97,8 +101,9 @@ int identify_command(const IdentifyOptions& options) {
                          .allowed = "one measured.yaml, or files of frequency responses"}});
     tasks = tasks_of(first.string(), options);
   } else {
-    FrfSet set = load_frf_files({options.files.begin(), options.files.end()}, options.quantity);
-    tasks.list.push_back({first.stem().string(), std::move(set), {}, {}});
+    const FrfSet set =
+        load_frf_files({options.files.begin(), options.files.end()}, options.quantity);
+    tasks.list.push_back(of_file(first.stem().string(), set));
   }
   Progress progress(options.quiet);
   bool found_any = tasks.list.empty();
@@ -107,15 +112,17 @@ int identify_command(const IdentifyOptions& options) {
     progress.title(task.title);
     progress.stage("identification");
     const Identification found =
-        told(first.string(), "", [&] { return identify(task.set, options.settings); });
+        told(first.string(), "", [&] { return identify(task.frf.set, options.settings); });
     const fs::path folder =
         tasks.list.size() == 1 ? options.out : options.out / std::to_string(i + 1);
-    const LinearityOfSet linearity{
-        .reciprocity = reciprocity(task.set),
-        .coherence_drops = task.coherence.size() > 0 ? coherence_drops(task.set, task.coherence)
-                                                     : std::vector<CoherenceDrop>{},
-        .distortion = distortions(task.set, task.distortion)};
+    const LinearityOfSet linearity{.reciprocity = reciprocity(task.frf.set),
+                                   .coherence_drops =
+                                       task.frf.coherence.size() > 0
+                                           ? coherence_drops(task.frf.set, task.frf.coherence)
+                                           : std::vector<CoherenceDrop>{},
+                                   .distortion = distortions(task.frf.set, task.frf.distortion)};
     write_identification(found, linearity, task.title, folder);
+    if (task.frf.density.size() > 0) write_whole(folder / "spectra.csv", spectra_csv(task.frf));
     progress.finish();
     if (!options.quiet)
       fmt::print("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),

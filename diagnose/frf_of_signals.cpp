@@ -34,14 +34,22 @@ SignalFrf frf_of_noise(const Eigen::MatrixXd& samples, double rate,
                        FrfQuantity quantity, const WelchSettings& settings,
                        FrfEstimator estimator) {
   const int input = column_of(channels, reference);
-  SignalFrf result{.set = empty_set(channels, input, quantity), .coherence = {}, .distortion = {}};
+  SignalFrf result;
+  result.set = empty_set(channels, input, quantity);
+  result.channels = channels;
   std::vector<int> responses;
   for (int c = 0; c < static_cast<int>(channels.size()); ++c)
     if (c != input) responses.push_back(c);
-  const FrfEstimate e = estimate_frf(welch(samples, rate, {input}, responses, settings), estimator);
+  const Spectra spectra = welch(samples, rate, {input}, responses, settings);
+  const FrfEstimate e = estimate_frf(spectra, estimator);
   result.set.hertz = e.hertz;
   result.set.H = e.H;
   result.coherence = e.coherence;
+  result.density.resize(e.hertz.size(), samples.cols());
+  for (Index f = 0; f < e.hertz.size(); ++f) result.density(f, input) = spectra.xx[f](0, 0).real();
+  for (std::size_t c = 0; c < responses.size(); ++c)
+    result.density.col(responses[c]) = spectra.yy.col(Index(c));
+  result.rms = band_rms(e.hertz, result.density, 0, rate / 2);
   Eigen::MatrixXd sigma = e.H[0].cwiseAbs();
   for (Index f = 0; f < sigma.rows(); ++f)
     for (Index c = 0; c < sigma.cols(); ++c)
@@ -54,7 +62,9 @@ SignalFrf frf_of_sine(const Eigen::MatrixXd& samples, double rate,
                       const std::vector<std::string>& channels, const std::string& reference,
                       FrfQuantity quantity, const SineTracking& settings) {
   const int input = column_of(channels, reference);
-  SignalFrf result{.set = empty_set(channels, input, quantity), .coherence = {}, .distortion = {}};
+  SignalFrf result;
+  result.set = empty_set(channels, input, quantity);
+  result.channels = channels;
   const std::vector<SineLine> lines = track_sine(samples, rate, input, settings);
   if (lines.empty()) throw std::invalid_argument("the sweep passes none of the wanted frequencies");
   const Index count = Index(lines.size()), responses = Index(result.set.responses.size());

@@ -8,9 +8,12 @@
 namespace plica {
 
 struct SignalFrf {
-  FrfSet set;                 // sigma from coherence and averages (random), or none (sine)
-  Eigen::MatrixXd coherence;  // frequencies x responses; empty for a sine
-  Eigen::MatrixXd distortion; // of the responses to a sine; empty for noise
+  FrfSet set;                        // sigma from coherence and averages (noise), or none (sine)
+  std::vector<std::string> channels; // of the signals, reference included
+  Eigen::MatrixXd density;           // auto densities of noise, frequencies x channels, unit2/Hz
+  Eigen::VectorXd rms;               // of noise over all frequencies, per channel
+  Eigen::MatrixXd coherence;         // of noise, frequencies x responses
+  Eigen::MatrixXd distortion;        // of the responses to a sine, frequencies x responses
 };
 
 // Samples with one channel a column, named by `channels`; `reference` is one of these.

@@ -133,7 +133,13 @@ bool is_numeric(const Row& row, bool decimal_comma) {
 } // namespace
 
 CsvTable read_csv(const std::filesystem::path& path) {
-  const std::vector<Line> lines = lines_of(read_whole(path));
+  if (!std::filesystem::is_regular_file(path))
+    bad(path, 0, "", "is no file", "the path of a CSV file");
+  return csv_of_text(read_whole(path), path);
+}
+
+CsvTable csv_of_text(const std::string& text, const std::filesystem::path& path) {
+  const std::vector<Line> lines = lines_of(text);
   if (lines.empty()) bad(path, 1, "", "has no rows", "a table of numbers");
   const char separator = separator_of(lines);
   const bool decimal_comma =

@@ -24,4 +24,7 @@ struct CsvTable {
 // length, no rows.
 CsvTable read_csv(const std::filesystem::path& path);
 
+// The same from memory; the name stands in errors.
+CsvTable csv_of_text(const std::string& text, const std::filesystem::path& name);
+
 } // namespace plica

@@ -174,14 +174,18 @@ void write_identification(const Identification& found, const LinearityOfSet& lin
   FileSet files(folder);
   files.add("identified.csv", identified_csv(found));
   files.add("measured_modes.yaml", measured_modes_yaml(found));
-  std::string shapes, responses;
+  const auto text_of = [](const FrfSet& set) {
+    std::string text;
+    for (const UniversalFunction& f : universal_functions(set)) text += universal_text(f);
+    return text;
+  };
+  std::string shapes;
   for (const UniversalShape& s : universal_shapes(found)) shapes += universal_text(s);
   FrfSet synthesised = found.set;
   synthesised.H = found.synthesised;
-  for (const UniversalFunction& f : universal_functions(synthesised))
-    responses += universal_text(f);
   files.add("shapes.uff", shapes);
-  files.add("synthesised.uff", responses);
+  files.add("frf.uff", text_of(found.set));
+  files.add("synthesised.uff", text_of(synthesised));
   files.add("report.html", identification_html(found, title));
   files.add("identification.json", identification_json(found, linearity, title));
   files.commit();
@@ -223,6 +227,22 @@ void write_levels(const std::vector<LevelVerdict>& levels,
   FileSet files(folder);
   files.add("levels.json", json.dump(2) + "\n");
   files.commit();
+}
+
+std::string spectra_csv(const SignalFrf& frf) {
+  std::string text = "frequency [Hz]";
+  for (std::size_t c = 0; c < frf.channels.size(); ++c)
+    text += "," + csv_cell(fmt::format("density of {} (RMS {}) [unit2/Hz]", frf.channels[c],
+                                       significant(frf.rms[Index(c)], 6)));
+  for (const std::string& response : frf.set.responses)
+    text += "," + csv_cell("coherence of " + response);
+  for (Index f = 0; f < frf.set.hertz.size(); ++f) {
+    text += fmt::format("\n{}", frf.set.hertz[f]);
+    for (Index c = 0; c < frf.density.cols(); ++c) text += fmt::format(",{}", frf.density(f, c));
+    for (Index c = 0; c < frf.coherence.cols(); ++c)
+      text += fmt::format(",{}", frf.coherence(f, c));
+  }
+  return text + "\n";
 }
 
 } // namespace plica

@@ -1,8 +1,9 @@
 // What `plica identify` leaves behind: identification.json, identified.csv, measured_modes.yaml
-// (the modes as entries of a measured.yaml), shapes.uff (set 55), synthesised.uff (sets 58),
-// report.html.
+// (the modes as entries of a measured.yaml), shapes.uff (set 55), frf.uff and synthesised.uff (sets
+// 58, the responses that were used and those of the modes), report.html; of noise also spectra.csv.
 #pragma once
 
+#include "diagnose/frf_of_signals.hpp"
 #include "diagnose/identify.hpp"
 #include "diagnose/linearity.hpp"
 
@@ -22,6 +23,9 @@ std::string identification_json(const Identification& found, const LinearityOfSe
                                 const std::string& title);
 std::string identified_csv(const Identification& found);
 std::string measured_modes_yaml(const Identification& found);
+
+// Of noise: auto densities of all channels, with their RMS in the head, and coherences.
+std::string spectra_csv(const SignalFrf& frf);
 
 // Verdicts over levels: levels.json beside the identifications, and in words.
 void write_levels(const std::vector<LevelVerdict>& levels,

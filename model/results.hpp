@@ -142,7 +142,7 @@ struct ErrorBars {
 struct SensorResult {
   std::string name;
   int node = 0;
-  double distance = 0; // from where the case puts it to the node, m
+  double distance = 0;              // from where the case puts it to the node, m
   std::array<int, 3> axes{1, 2, 3}; // its own in the part frame: 1 x, 2 y, 3 z, negative reversed
 };
 
