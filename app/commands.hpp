@@ -5,7 +5,7 @@
 #include "diagnose/frf_estimate.hpp"
 #include "diagnose/identify.hpp"
 #include "diagnose/sine_tracking.hpp"
-#include "io/write_superelement.hpp"
+#include "io/superelements/write.hpp"
 
 #include <filesystem>
 #include <string>

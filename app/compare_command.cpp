@@ -1,8 +1,8 @@
 #include "app/commands.hpp"
 
+#include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
-#include "io/measured_file.hpp"
-#include "io/write_correlation.hpp"
+#include "io/results/write_correlation.hpp"
 
 #include <fmt/core.h>
 

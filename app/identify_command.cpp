@@ -4,9 +4,9 @@
 #include "diagnose/frf_of_signals.hpp"
 #include "diagnose/linearity.hpp"
 #include "io/files.hpp"
+#include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
-#include "io/measured_file.hpp"
-#include "io/write_identification.hpp"
+#include "io/results/write_identification.hpp"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 // Element matrices and assembly, per element.
-#include "io/case_file.hpp"
+#include "io/input/case_file.hpp"
 #include "mesh/revolve.hpp"
 #include "model/reduced_case.hpp"
 #include "model/route.hpp"

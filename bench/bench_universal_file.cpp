@@ -1,8 +1,8 @@
 // Reading of universal files: a file of time records is made, read whole and removed; MB/s and the
 // peak of the resident memory for each form.
 //   bench_universal_file [MB of the file, default 200]
-#include "io/universal_reader.hpp"
-#include "io/universal_writer.hpp"
+#include "io/universal/reader.hpp"
+#include "io/universal/writer.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Writes the shells of a case as a CalculiX deck with clamped ends and ten frequencies:
 //   calculix_deck CASE DECK.inp
-#include "io/case_file.hpp"
+#include "io/input/case_file.hpp"
 #include "model/build.hpp"
 
 #include <cstdio>

@@ -2,7 +2,7 @@
 
 #include "io/csv_table.hpp"
 #include "io/matlab_file.hpp"
-#include "io/universal_reader.hpp"
+#include "io/universal/reader.hpp"
 #include "model/input_error.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Every key of the case file: unit, bounds, meaning. The one description that the reader, the JSON
 // schema and the access by path share; see field_types.hpp for the visitor. Order of the keys is
-// the order in which they are shown. Rules between keys are in io/case_checks.hpp.
+// the order in which they are shown. Rules between keys are in io/input/case_checks.hpp.
 #pragma once
 
 #include "model/case.hpp"

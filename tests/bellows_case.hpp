@@ -1,7 +1,7 @@
 // The shipped verification cases with another mesh, for the tests that solve bellows.
 #pragma once
 
-#include "io/case_file.hpp"
+#include "io/input/case_file.hpp"
 #include "model/build_bellows.hpp"
 #include "model/run.hpp"
 

@@ -3,13 +3,13 @@
 // tests/broken_cases holds one file per mistake and, beside it, the exact text of the error; names
 // that begin with "measured_" are files of measured data, except measured_missing.yaml.
 #include "diagnose/measured_fields.hpp"
-#include "io/case_file.hpp"
-#include "io/did_you_mean.hpp"
-#include "io/measured_file.hpp"
-#include "io/node_sets.hpp"
-#include "io/units.hpp"
-#include "io/yaml_path.hpp"
-#include "io/yaml_tree.hpp"
+#include "io/input/case_file.hpp"
+#include "io/input/did_you_mean.hpp"
+#include "io/input/measured_file.hpp"
+#include "io/input/node_sets.hpp"
+#include "io/input/units.hpp"
+#include "io/input/yaml_path.hpp"
+#include "io/input/yaml_tree.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -3,11 +3,11 @@
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-#include "io/deck_abaqus.hpp"
-#include "io/deck_nastran.hpp"
+#include "io/decks/abaqus.hpp"
+#include "io/decks/nastran.hpp"
+#include "io/decks/nastran_cards.hpp"
 #include "io/files.hpp"
-#include "io/nastran_cards.hpp"
-#include "io/superelement_labels.hpp"
+#include "io/superelements/labels.hpp"
 
 #include <cmath>
 #include <cstdlib>

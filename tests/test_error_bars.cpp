@@ -1,7 +1,7 @@
 // Tolerances from their text to the interval they leave, and the error of the mesh.
 #include "tests/bellows_case.hpp"
 
-#include "io/tolerance.hpp"
+#include "io/input/tolerance.hpp"
 #include "model/case_path.hpp"
 #include "model/error_bars.hpp"
 #include "model/refine.hpp"

@@ -10,13 +10,13 @@
 #include "diagnose/simulated.hpp"
 #include "io/csv_table.hpp"
 #include "io/files.hpp"
+#include "io/input/measured_file.hpp"
 #include "io/matlab_file.hpp"
 #include "io/measured_data.hpp"
-#include "io/measured_file.hpp"
-#include "io/simulated_yaml.hpp"
-#include "io/universal_signals.hpp"
-#include "io/universal_writer.hpp"
-#include "io/write_identification.hpp"
+#include "io/results/simulated_yaml.hpp"
+#include "io/results/write_identification.hpp"
+#include "io/universal/signals.hpp"
+#include "io/universal/writer.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // The report: well formed whatever is missing, complete in itself, small.
 #include "tests/sample_results.hpp"
 
-#include "io/report.hpp"
-#include "io/report_markup.hpp"
-#include "io/report_surface.hpp"
+#include "io/report/markup.hpp"
+#include "io/report/report.hpp"
+#include "io/report/surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,13 @@
 #include "tests/sample_results.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-#include "io/report.hpp"
-#include "io/results_csv.hpp"
-#include "io/results_json.hpp"
-#include "io/results_text.hpp"
-#include "io/results_vtu.hpp"
-#include "io/summary.hpp"
-#include "io/write_results.hpp"
+#include "io/report/report.hpp"
+#include "io/results/csv.hpp"
+#include "io/results/json.hpp"
+#include "io/results/summary.hpp"
+#include "io/results/text.hpp"
+#include "io/results/vtu.hpp"
+#include "io/results/write_results.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // The JSON Schema: valid JSON, and the shipped cases conform to it.
-#include "io/schema.hpp"
-#include "io/yaml_tree.hpp"
+#include "io/input/schema.hpp"
+#include "io/input/yaml_tree.hpp"
 
 #include <charconv>
 #include <filesystem>

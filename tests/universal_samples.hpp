@@ -1,8 +1,8 @@
 // Universal files written out by hand after the published formats, and comparison of data sets.
 #pragma once
 
-#include "io/universal_reader.hpp"
-#include "io/universal_writer.hpp"
+#include "io/universal/reader.hpp"
+#include "io/universal/writer.hpp"
 #include "model/input_error.hpp"
 
 #include <gtest/gtest.h>

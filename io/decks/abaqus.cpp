@@ -1,0 +1,291 @@
+#include "io/decks/abaqus.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+class Deck {
+public:
+  Deck(const Case& data, const BuiltCase& built)
+      : case_(data), built_(built), model_(built.model),
+        has_rotations_(model_.mesh.nodes.size(), false),
+        rotation_node_(model_.mesh.nodes.size(), 0),
+        next_node_(static_cast<int>(model_.mesh.nodes.size()) + 1) {
+    for (const ShellQuad& q : model_.mesh.quads)
+      for (int node : q.nodes) has_rotations_[node] = true;
+    for (const BeamElement& b : model_.beams)
+      has_rotations_[b.node1] = has_rotations_[b.node2] = true;
+    for (int node : built_.held_nodes)
+      for (int dof = 0; dof < 6; ++dof) held_.insert({node, dof});
+    for (const Constraint& c : model_.constraints)
+      if (c.terms.empty()) held_.insert({c.node, c.dof});
+  }
+
+  std::string text() {
+    if (!model_.matrices.empty())
+      throw std::runtime_error("a deck holds no elements that are given by their matrices");
+    add("*HEADING\n{}; units: m kg s N rad\n*NODE, NSET=NALL\n", case_.name);
+    for (std::size_t i = 0; i < model_.mesh.nodes.size(); ++i)
+      add_node(static_cast<int>(i) + 1, model_.mesh.nodes[i]);
+    add_shells();
+    add_beams();
+    for (const MassElement& m : model_.masses) add_mass(m);
+    for (const BushingElement& b : model_.bushings) add_spring(b);
+    for (const Constraint& c : model_.constraints)
+      if (!c.terms.empty()) add_equation(c);
+    for (const BuiltSensor& s : built_.sensors)
+      add("*NSET, NSET={}\n{}\n", upper(s.name), s.node + 1);
+    add_held();
+    add_steps();
+    return std::move(text_);
+  }
+
+private:
+  template <class... Args> void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+
+  static std::string upper(std::string name) {
+    for (char& c : name)
+      c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::toupper(c)) : '_';
+    return name;
+  }
+
+  void add_node(int number, const Eigen::Vector3d& x) {
+    add("{}, {:.12e}, {:.12e}, {:.12e}\n", number, x[0], x[1], x[2]);
+  }
+
+  int new_node(const Eigen::Vector3d& x) {
+    add("*NODE\n");
+    add_node(next_node_, x);
+    return next_node_++;
+  }
+
+  struct Dof {
+    int node = 0, dof = 0;
+  };
+
+  // A held rotation of a node without rotations of its own is left out of the deck: as the
+  // translation of a second node, motion of the base would turn it.
+  bool is_left_out(int node, int dof) const {
+    return dof >= 3 && !has_rotations_[node] && held_.contains({node, dof});
+  }
+
+  // Where a DOF of the model stands in the deck.
+  Dof at(int node, int dof) {
+    if (dof < 3 || has_rotations_[node]) return {node + 1, dof + 1};
+    if (rotation_node_[node] == 0) rotation_node_[node] = new_node(model_.mesh.nodes[node]);
+    return {rotation_node_[node], dof - 2};
+  }
+
+  void add_shells() {
+    const std::vector<ShellQuad>& quads = model_.mesh.quads;
+    if (quads.empty()) return;
+    std::vector<double> thickness(model_.mesh.nodes.size(), 0), corners(thickness);
+    for (std::size_t s = 0; s < model_.shells.size(); ++s) {
+      add("*ELEMENT, TYPE=S4, ELSET=SHELL{}\n", s + 1);
+      for (std::size_t e = 0; e < quads.size(); ++e) {
+        if (quads[e].section != static_cast<int>(s)) continue;
+        add("{}", ++elements_);
+        for (int node : quads[e].nodes) add(", {}", node + 1);
+        add("\n");
+      }
+      const ShellSection& section = model_.shells[s].section;
+      const double root = std::sqrt(section.bending_factor);
+      for (const ShellQuad& q : quads)
+        for (int a = 0; q.section == static_cast<int>(s) && a < 4; ++a) {
+          thickness[q.nodes[a]] += root * q.thickness[a];
+          corners[q.nodes[a]] += 1;
+        }
+      add("** {}\n*MATERIAL, NAME=WALL{}\n*ELASTIC\n{:.12e}, {:.12e}\n*DENSITY\n{:.12e}\n"
+          "*SHELL SECTION, ELSET=SHELL{}, MATERIAL=WALL{}, NODAL THICKNESS\n1.\n",
+          model_.components[model_.shells[s].component], s + 1, section.E / root, section.nu,
+          section.rho / root, s + 1, s + 1);
+    }
+    add("*NODAL THICKNESS\n");
+    for (std::size_t i = 0; i < thickness.size(); ++i)
+      if (corners[i] > 0) add("{}, {:.12e}\n", i + 1, thickness[i] / corners[i]);
+  }
+
+  void add_beams() {
+    for (const BeamElement& b : model_.beams) {
+      if (!b.offset1.isZero() || !b.offset2.isZero())
+        throw std::runtime_error("a deck holds no beams beside their nodes");
+      const BeamProperties& p = b.section;
+      const Eigen::Vector3d x =
+          (model_.mesh.nodes[b.node2] - model_.mesh.nodes[b.node1]).normalized();
+      // Local 1 is our y; n1 = up x axis, so that 2 lies in the plane of axis and up.
+      const Eigen::Vector3d n1 = b.up.cross(x).normalized();
+      const int e = ++elements_;
+      add("*ELEMENT, TYPE=B31, ELSET=BEAM{}\n{}, {}, {}\n", e, e, b.node1 + 1, b.node2 + 1);
+      add("*BEAM GENERAL SECTION, ELSET=BEAM{}, DENSITY={:.12e}\n{:.12e}, {:.12e}, 0., {:.12e}, "
+          "{:.12e}\n{:.9e}, {:.9e}, {:.9e}\n1., 1.\n",
+          e, p.mass / std::max(p.EA, 1e-300), p.EA, p.EI_z, p.EI_y, p.GJ, n1[0], n1[1], n1[2]);
+      if (std::isfinite(p.GA_y) && std::isfinite(p.GA_z))
+        add("*TRANSVERSE SHEAR STIFFNESS\n{:.12e}, {:.12e}\n", p.GA_y, p.GA_z);
+      if (p.inertia_x > 0)
+        add("** rotary inertia per length is left out: {:.6g} {:.6g} {:.6g} kg m\n", p.inertia_x,
+            p.inertia_y, p.inertia_z);
+    }
+  }
+
+  // CalculiX spreads the mass of a node over those that it follows only where stiffness has tied
+  // them already; a spring of next to nothing does.
+  void add_feeble_springs(int node) {
+    for (int d = 1; d <= 3; ++d) {
+      const int e = ++elements_;
+      add("*ELEMENT, TYPE=SPRING1, ELSET=FEEBLE{}\n{}, {}\n*SPRING, ELSET=FEEBLE{}\n{}\n1.e-6\n", e,
+          e, node, e, d);
+    }
+  }
+
+  void add_point_mass(int node, double mass) {
+    add_feeble_springs(node);
+    const int e = ++elements_;
+    add("*ELEMENT, TYPE=MASS, ELSET=MASS{}\n{}, {}\n*MASS, ELSET=MASS{}\n{:.12e}\n", e, e, node, e,
+        mass);
+  }
+
+  void add_mass(const MassElement& m) {
+    int node = m.node + 1;
+    if (!m.body.offset.isZero()) { // a rigid arm to the centre of mass
+      const Eigen::Vector3d& c = m.body.offset;
+      node = new_node(model_.mesh.nodes[m.node] + c);
+      for (int d = 0; d < 3; ++d) {
+        std::vector<Term> terms{{{node, d + 1}, 1}, {at(m.node, d), -1}};
+        for (int r = 0; r < 3; ++r)
+          add_term(terms, m.node, 3 + r, -Eigen::Vector3d::Unit(r).cross(c)[d]);
+        write_equation(terms);
+      }
+    }
+    if (m.body.mass > 0) add_point_mass(node, m.body.mass);
+    if (m.body.inertia.isZero()) return;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(m.body.inertia);
+    for (int k = 0; k < 3; ++k) {
+      const double J = principal.eigenvalues()[k];
+      if (J <= 1e-12 * principal.eigenvalues()[2]) continue;
+      // Its translation 1 is the turn about the principal axis.
+      const int turn = new_node(model_.mesh.nodes[m.node]);
+      std::vector<Term> terms{{{turn, 1}, 1}};
+      for (int r = 0; r < 3; ++r) add_term(terms, m.node, 3 + r, -principal.eigenvectors()(r, k));
+      if (terms.size() > 1)
+        write_equation(terms);
+      else
+        boundary_.push_back({turn, 1});
+      boundary_.push_back({turn, 2});
+      boundary_.push_back({turn, 3});
+      add_point_mass(turn, J);
+    }
+  }
+
+  void add_spring(const BushingElement& b) {
+    const Matrix6& law = b.bushing.law;
+    if (!law.isDiagonal() || !b.bushing.axes.isIdentity())
+      throw std::runtime_error("a deck holds springs along the global axes only");
+    for (int d = 0; d < 6; ++d) {
+      if (law(d, d) == 0 || is_left_out(b.node1, d)) continue;
+      const int e = ++elements_;
+      const Dof p = at(b.node1, d);
+      if (b.node2 < 0) {
+        add("*ELEMENT, TYPE=SPRING1, ELSET=SPRING{}\n{}, {}\n*SPRING, ELSET=SPRING{}\n{}\n"
+            "{:.12e}\n",
+            e, e, p.node, e, p.dof, law(d, d));
+        continue;
+      }
+      const Dof q = at(b.node2, d);
+      add("*ELEMENT, TYPE=SPRING2, ELSET=SPRING{}\n{}, {}, {}\n*SPRING, ELSET=SPRING{}\n{}, {}\n"
+          "{:.12e}\n",
+          e, e, p.node, q.node, e, p.dof, q.dof, law(d, d));
+    }
+  }
+
+  void add_equation(const Constraint& c) {
+    std::vector<Term> terms{{at(c.node, c.dof), 1}};
+    for (const ConstraintTerm& t : c.terms) add_term(terms, t.node, t.dof, -t.factor);
+    if (terms.size() > 1)
+      write_equation(terms);
+    else
+      boundary_.push_back(terms.front().first);
+  }
+
+  using Term = std::pair<Dof, double>;
+
+  void add_term(std::vector<Term>& terms, int node, int dof, double factor) {
+    constexpr double rounding = 1e-15; // m: arms of a circle about its own centre
+    if (std::abs(factor) > rounding && !is_left_out(node, dof))
+      terms.push_back({at(node, dof), factor});
+  }
+
+  void write_equation(const std::vector<Term>& terms) {
+    constexpr std::size_t per_line = 4;
+    add("*EQUATION\n{}\n", terms.size());
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      add("{}, {}, {:.12e}{}", terms[i].first.node, terms[i].first.dof, terms[i].second,
+          i + 1 == terms.size() || (i + 1) % per_line == 0 ? "\n" : ", ");
+  }
+
+  void add_held() {
+    for (const auto& [node, dof] : held_)
+      if (!is_left_out(node, dof)) boundary_.push_back(at(node, dof));
+    if (boundary_.empty()) return;
+    add("*BOUNDARY\n");
+    for (const Dof& h : boundary_) add("{}, {}, {}\n", h.node, h.dof, h.dof);
+  }
+
+  void add_steps() {
+    if (!case_.analyses.modes) return;
+    const Modes& modes = *case_.analyses.modes;
+    constexpr int room = 1000; // for a band: as many as there are in it
+    add("*STEP\n** CalculiX: add STORAGE=YES to *FREQUENCY when steps of motion of the base "
+        "follow.\n"
+        "*FREQUENCY\n");
+    if (modes.count > 0)
+      add("{}\n", modes.count);
+    else
+      add("{}, {:.9e}, {:.9e}\n", room, modes.band[0], modes.band[1]);
+    add("*NODE FILE\nU\n*END STEP\n");
+    const auto& response = case_.analyses.response;
+    if (!response || response->bases.empty()) return;
+    const Damping& damping = case_.analyses.damping;
+    add("*AMPLITUDE, NAME=BASE\n{:.9e}, {:.9e}, {:.9e}, {:.9e}\n", response->band[0],
+        response->level, response->band[1], response->level);
+    for (int direction : response->bases) {
+      if (direction > 2) {
+        add("** turns of the base are left out\n");
+        continue;
+      }
+      add("*STEP\n*STEADY STATE DYNAMICS\n{:.9e}, {:.9e}, 20, 3.\n", response->band[0],
+          response->band[1]);
+      if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty())
+        add("** damping by ranges, modes and loss factors is left out\n");
+      add("*MODAL DAMPING\n1, {}, {:.9e}\n", modes.count > 0 ? modes.count : room, damping.modal);
+      add("*BASE MOTION, DOF={}, AMPLITUDE=BASE\n", direction + 1);
+      for (const BuiltSensor& s : built_.sensors) add("*NODE PRINT, NSET={}\nU\n", upper(s.name));
+      add("*END STEP\n");
+    }
+  }
+
+  const Case& case_;
+  const BuiltCase& built_;
+  const Model& model_;
+  std::vector<bool> has_rotations_;
+  std::vector<int> rotation_node_; // 0 = none yet
+  int next_node_, elements_ = 0;
+  std::set<std::pair<int, int>> held_; // DOFs of the model
+  std::vector<Dof> boundary_;          // of the deck
+  std::string text_;
+};
+
+} // namespace
+
+std::string abaqus_model(const Case& data, const BuiltCase& built) {
+  return Deck(data, built).text();
+}
+
+} // namespace plica

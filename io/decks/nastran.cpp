@@ -1,0 +1,228 @@
+#include "io/decks/nastran.hpp"
+
+#include "io/decks/nastran_cards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+std::string number(int i) {
+  return std::to_string(i);
+}
+std::string real(double x) {
+  return nastran_real(x);
+}
+
+// What a dependent node follows: one node rigidly, or several on average.
+struct Following {
+  std::set<int> dofs, masters;
+
+  bool rigid() const { return dofs.size() == 6 && masters.size() == 1; }
+  bool average() const { return dofs.size() == 6 && masters.size() > 2; }
+};
+
+class Deck {
+public:
+  Deck(const Case& data, const BuiltCase& built)
+      : case_(data), built_(built), model_(built.model) {}
+
+  std::string text() {
+    if (!model_.matrices.empty())
+      throw std::runtime_error("a deck holds no elements that are given by their matrices");
+    control();
+    text_ += "BEGIN BULK\n";
+    text_ += small_card("PARAM", {"COUPMASS", "1"});
+    for (std::size_t i = 0; i < model_.mesh.nodes.size(); ++i) {
+      const Eigen::Vector3d& x = model_.mesh.nodes[i];
+      text_ += large_card("GRID", {grid(int(i)), "", real(x[0]), real(x[1]), real(x[2])});
+    }
+    shells();
+    for (const BeamElement& b : model_.beams) beam(b);
+    for (const MassElement& m : model_.masses) mass(m);
+    for (const BushingElement& b : model_.bushings) spring(b);
+    couplings();
+    held();
+    if (case_.analyses.modes) modes(*case_.analyses.modes);
+    if (responds()) response();
+    return text_ + "ENDDATA\n";
+  }
+
+private:
+  static std::string grid(int node) { return number(node + 1); }
+
+  bool responds() const {
+    const auto& r = case_.analyses.response;
+    return case_.analyses.modes && r && !base_directions().empty();
+  }
+  std::vector<int> base_directions() const { // translations
+    std::vector<int> directions;
+    for (int d : case_.analyses.response->bases)
+      if (d < 3) directions.push_back(d);
+    return directions;
+  }
+
+  void control() {
+    text_ += fmt::format("$ {}; units: m kg s N rad\nSOL {}\nCEND\nTITLE = {}\n", case_.name,
+                         responds() ? 111 : 103, case_.name);
+    text_ += "SPC = 1\nMETHOD = 1\n";
+    if (!responds()) {
+      text_ += "DISPLACEMENT(PLOT) = ALL\n";
+      return;
+    }
+    std::string set;
+    for (const BuiltSensor& s : built_.sensors) set += (set.empty() ? "" : ", ") + grid(s.node);
+    if (!set.empty()) text_ += "SET 1 = " + set + "\n";
+    text_ += "SDAMPING = 1\nFREQUENCY = 1\n";
+    int subcase = 0;
+    for (int d : base_directions())
+      text_ += fmt::format("SUBCASE {}\n  LABEL = BASE {}\n  DLOAD = {}\n{}", ++subcase, "XYZ"[d],
+                           10 + d, set.empty() ? "" : "  ACCELERATION(SORT2,PHASE) = 1\n");
+  }
+
+  void shells() {
+    for (std::size_t s = 0; s < model_.shells.size(); ++s) {
+      const ShellSection& section = model_.shells[s].section;
+      const auto id = number(static_cast<int>(s) + 1);
+      double thickness = 0;
+      int corners = 0;
+      for (const ShellQuad& q : model_.mesh.quads)
+        if (q.section == static_cast<int>(s)) {
+          thickness += q.thickness.sum();
+          corners += 4;
+        }
+      text_ += fmt::format("$ {}\n", model_.components[model_.shells[s].component]);
+      text_ += large_card("MAT1", {id, real(section.E), "", real(section.nu), real(section.rho)});
+      text_ +=
+          large_card("PSHELL", {id, id, real(thickness / corners), id, real(section.bending_factor),
+                                id, real(section.shear_correction)});
+    }
+    for (const ShellQuad& q : model_.mesh.quads) {
+      std::vector<std::string> fields{number(++elements_), number(q.section + 1)};
+      for (int node : q.nodes) fields.push_back(grid(node));
+      fields.insert(fields.end(), {"", "", "", "0"}); // THETA, ZOFFS, blank, TFLAG
+      for (double t : q.thickness) fields.push_back(real(t));
+      text_ += large_card("CQUAD4", fields);
+    }
+  }
+
+  // Section and material of stiffness given as numbers: E = G = 1.
+  void beam(const BeamElement& b) {
+    if (!b.offset1.isZero() || !b.offset2.isZero())
+      throw std::runtime_error("a deck holds no beams beside their nodes");
+    const BeamProperties& p = b.section;
+    const int e = ++elements_, property = 100 + e;
+    const auto shear = [&](double GA) {
+      return std::isfinite(GA) && p.EA > 0 ? real(GA / p.EA) : std::string();
+    };
+    text_ += large_card("MAT1", {number(property), "1.", "1."});
+    text_ += large_card("PBAR", {number(property), number(property), real(p.EA), real(p.EI_y),
+                                 real(p.EI_z), real(p.GJ), real(p.mass), "", "", "", "", "", "", "",
+                                 "", "", shear(p.GA_z), shear(p.GA_y)});
+    if (p.inertia_x > 0) text_ += "$ rotary inertia per length of this beam is left out\n";
+    text_ += large_card("CBAR", {number(e), number(property), grid(b.node1), grid(b.node2),
+                                 real(b.up[0]), real(b.up[1]), real(b.up[2])});
+  }
+
+  void mass(const MassElement& m) {
+    const Eigen::Matrix3d& J = m.body.inertia; // CONM2 wants products of inertia as integrals
+    text_ += large_card("CONM2", {number(++elements_), grid(m.node), "0", real(m.body.mass),
+                                  real(m.body.offset[0]), real(m.body.offset[1]),
+                                  real(m.body.offset[2]), "", real(J(0, 0)), real(-J(1, 0)),
+                                  real(J(1, 1)), real(-J(2, 0)), real(-J(2, 1)), real(J(2, 2))});
+  }
+
+  void spring(const BushingElement& b) {
+    const Matrix6& law = b.bushing.law;
+    if (!law.isDiagonal() || !b.bushing.axes.isIdentity())
+      throw std::runtime_error("a deck holds springs along the global axes only");
+    const int e = ++elements_, property = 100 + e;
+    std::vector<std::string> fields{number(property), "K"};
+    for (int d = 0; d < 6; ++d) fields.push_back(real(law(d, d)));
+    text_ += large_card("PBUSH", fields);
+    text_ += large_card("CBUSH", {number(e), number(property), grid(b.node1),
+                                  b.node2 < 0 ? "" : grid(b.node2), "", "", "", "0"});
+  }
+
+  void couplings() {
+    std::map<int, Following> following;
+    for (const Constraint& c : model_.constraints) {
+      if (c.terms.empty()) continue;
+      Following& f = following[c.node];
+      f.dofs.insert(c.dof);
+      for (const ConstraintTerm& t : c.terms) f.masters.insert(t.node);
+    }
+    std::map<int, std::vector<int>> bodies; // by reference node
+    for (const auto& [node, f] : following) {
+      if (f.rigid()) {
+        bodies[*f.masters.begin()].push_back(node);
+      } else if (f.average()) {
+        std::vector<std::string> fields{number(++elements_), "", grid(node), "123456", "1.", "123"};
+        for (int master : f.masters) fields.push_back(grid(master));
+        text_ += small_card("RBE3", fields);
+      } else {
+        throw std::runtime_error("a deck for Nastran holds rigid and distributing couplings only");
+      }
+    }
+    for (const auto& [reference, nodes] : bodies) {
+      std::vector<std::string> fields{number(++elements_), grid(reference), "123456"};
+      for (int node : nodes) fields.push_back(grid(node));
+      text_ += small_card("RBE2", fields);
+    }
+  }
+
+  void held() {
+    for (int node : built_.held_nodes) text_ += small_card("SPC1", {"1", "123456", grid(node)});
+    for (const Constraint& c : model_.constraints)
+      if (c.terms.empty()) text_ += small_card("SPC1", {"1", number(c.dof + 1), grid(c.node)});
+  }
+
+  void modes(const Modes& asked) {
+    if (asked.count > 0)
+      text_ += large_card("EIGRL", {"1", "", "", number(asked.count), "", "", "", "MASS"});
+    else
+      text_ += large_card("EIGRL",
+                          {"1", real(asked.band[0]), real(asked.band[1]), "", "", "", "", "MASS"});
+  }
+
+  void response() {
+    const Response& asked = *case_.analyses.response;
+    const Damping& damping = case_.analyses.damping;
+    if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty())
+      text_ += "$ damping by ranges, modes and loss factors is left out\n";
+    text_ += large_card("TABDMP1", {"1", "CRIT", "", "", "", "", "", "", "0.", real(damping.modal),
+                                    "100000.", real(damping.modal), "ENDT"});
+    text_ += large_card("FREQ1", {"1", real(asked.band[0]),
+                                  real((asked.band[1] - asked.band[0]) / (asked.points - 1)),
+                                  number(asked.points - 1)});
+    // Five frequencies within 2 % of every mode besides.
+    text_ += large_card("FREQ4", {"1", real(asked.band[0]), real(asked.band[1]), ".02", "5"});
+    text_ += large_card("TABLED1",
+                        {"1", "", "", "", "", "", "", "", "0.", "1.", "100000.", "1.", "ENDT"});
+    for (int d : base_directions()) {
+      text_ += large_card("RLOAD1", {number(10 + d), number(20 + d), "", "", "1", "", "ACCE"});
+      for (int node : built_.held_nodes)
+        text_ += large_card("SPCD", {number(20 + d), grid(node), number(d + 1), real(asked.level)});
+    }
+  }
+
+  const Case& case_;
+  const BuiltCase& built_;
+  const Model& model_;
+  int elements_ = 0;
+  std::string text_;
+};
+
+} // namespace
+
+std::string nastran_model(const Case& data, const BuiltCase& built) {
+  return Deck(data, built).text();
+}
+
+} // namespace plica

@@ -1,0 +1,156 @@
+#include "io/input/case_file.hpp"
+
+#include "io/input/case_checks.hpp"
+#include "io/input/check_log.hpp"
+#include "io/input/did_you_mean.hpp"
+#include "io/input/field_reader.hpp"
+#include "io/input/yaml_path.hpp"
+#include "model/case_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+namespace plica {
+
+namespace {
+
+constexpr double default_accuracy = 0.01;
+constexpr std::array toleranced_keys{"materials", "parts", "caps", "mount"};
+
+// Keys that could not be read.
+std::vector<std::string> bad_keys(const ReadLog& log) {
+  std::vector<std::string> keys = log.misspelt;
+  for (const InputProblem& p : log.problems)
+    if (!p.key.empty()) keys.push_back(p.key);
+  return keys;
+}
+
+// Line of the key or of the nearest one above it.
+int line_of(std::string key, const std::map<std::string, int>& lines) {
+  while (true) {
+    if (const auto found = lines.find(key); found != lines.end()) return found->second;
+    const std::size_t cut = key.find_last_of(".[");
+    if (cut == std::string::npos) return 1;
+    key.resize(cut);
+  }
+}
+
+Case read_tree(const YamlNode& root, const std::string& path, ReadLog& log) {
+  Case data;
+  FieldReader::read(root, "", data, log);
+  data.tolerances = log.tolerances;
+  if (root.kind != YamlNode::Kind::map) return data;
+  const std::string directory = std::filesystem::path(path).parent_path().string();
+  for (InputProblem& problem : check_case(data, bad_keys(log), directory))
+    log.add(line_of(problem.key, log.lines), problem.key, problem.wrong, problem.allowed);
+  for (Part& part : data.parts)
+    if (auto* bellows = std::get_if<Bellows>(&part.body))
+      if (bellows->mesh.around == 0 && bellows->mesh.accuracy == 0)
+        bellows->mesh.accuracy = default_accuracy;
+  return data;
+}
+
+// What is wrong beyond the problems of the nominal case.
+std::vector<InputProblem> new_problems(const ReadLog& changed, const ReadLog& nominal) {
+  std::set<std::pair<std::string, std::string>> known;
+  for (const InputProblem& p : nominal.problems) known.emplace(p.key, p.wrong);
+  std::vector<InputProblem> result;
+  for (const InputProblem& p : changed.problems)
+    if (!known.count({p.key, p.wrong})) result.push_back(p);
+  return result;
+}
+
+std::string all_digits(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string below(std::string map, const std::string& key) {
+  return map.append(1, '.').append(key);
+}
+
+// A number put to a limit of its tolerance must leave a good case.
+void check_tolerances(const YamlNode& tree, const Case& data, const std::string& path,
+                      const ReadLog& nominal, ReadLog& log) {
+  for (const Tolerance& t : data.tolerances) {
+    const bool physical =
+        std::any_of(toleranced_keys.begin(), toleranced_keys.end(),
+                    [&](const char* key) { return t.path.starts_with(std::string(key) + "."); });
+    if (!physical) {
+      log.add(line_of(t.path, nominal.lines), t.path, "takes no tolerance",
+              "numbers under materials, parts, caps and mount do");
+      continue;
+    }
+    for (const double limit : {t.low, t.high}) {
+      YamlNode changed_tree = tree;
+      if (!put(changed_tree, t.path, all_digits(limit), 0).wrong.empty()) continue;
+      ReadLog changed{.file = log.file};
+      read_tree(changed_tree, path, changed);
+      for (const InputProblem& p : new_problems(changed, nominal))
+        log.add(line_of(t.path, nominal.lines), t.path,
+                "has a limit that makes a bad case: " + p.key + " " + p.wrong, p.allowed);
+    }
+  }
+}
+
+// Line of the entry of a variant that changed this key.
+int line_of_change(const Variant& variant, const std::string& place, const std::string& key,
+                   const std::map<std::string, int>& lines) {
+  const std::string set = place + ".set";
+  for (const auto& [path, value] : variant.set)
+    if (is_below(key, path) || is_below(path, key)) return line_of(below(set, path), lines);
+  return line_of(set, lines);
+}
+
+// Problems a variant has beyond those of the nominal case.
+void check_variant(YamlNode tree, const Variant& variant, const std::string& place,
+                   const std::string& path, const ReadLog& nominal, ReadLog& log) {
+  const std::string set = place + ".set";
+  for (const auto& [where, value] : variant.set) {
+    const std::string key = below(set, where);
+    const int line = line_of(key, nominal.lines);
+    const bool itself = is_below(where, "variants");
+    const PathProblem problem =
+        itself ? PathProblem{"a variant cannot change variants", "give a path of the nominal case"}
+               : put(tree, where, value, line);
+    if (!problem.wrong.empty()) log.add(line, key, problem.wrong, problem.allowed);
+  }
+  ReadLog changed{.file = log.file};
+  read_tree(tree, path, changed);
+  for (const InputProblem& p : new_problems(changed, nominal))
+    log.add(line_of_change(variant, place, p.key, nominal.lines), p.key,
+            "in variant '" + shown(variant.name) + "': " + p.wrong, p.allowed);
+}
+
+} // namespace
+
+CaseFile read_case(const std::string& path, const std::map<std::string, std::string>& overrides) {
+  ReadLog log{.file = path};
+  YamlNode root = read_yaml(path, log.problems);
+  if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
+  for (const auto& [where, value] : overrides) {
+    const PathProblem problem = put(root, where, value, 0);
+    if (!problem.wrong.empty()) log.add(0, where, problem.wrong, problem.allowed);
+  }
+  CaseFile file;
+  file.path = path;
+  file.data = read_tree(root, path, log);
+  ReadLog changed{.file = path};
+  for (std::size_t i = 0; i < file.data.variants.size() && overrides.empty(); ++i)
+    check_variant(root, file.data.variants[i], "variants[" + std::to_string(i) + "]", path, log,
+                  changed);
+  check_tolerances(root, file.data, path, log, changed);
+  log.problems.insert(log.problems.end(), changed.problems.begin(), changed.problems.end());
+  if (!log.problems.empty()) {
+    sort_by_line(log.problems);
+    throw InputError(std::move(log.problems));
+  }
+  file.lines = std::move(log.lines);
+  return file;
+}
+
+} // namespace plica

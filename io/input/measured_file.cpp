@@ -1,0 +1,208 @@
+#include "io/input/measured_file.hpp"
+
+#include "diagnose/measured_fields.hpp"
+#include "io/input/check_log.hpp"
+#include "io/input/did_you_mean.hpp"
+#include "io/input/field_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+namespace plica {
+
+namespace {
+
+int line(const ReadLog& log, const std::string& key) {
+  const auto found = log.lines.find(key);
+  return found == log.lines.end() ? 1 : found->second;
+}
+
+void check_sensors(const Measured& m, ReadLog& log) {
+  for (std::size_t i = 0; i < m.sensors.size(); ++i) {
+    const MeasuredSensor& s = m.sensors[i];
+    const std::string key = item("sensors", i);
+    for (std::size_t j = 0; j < i; ++j)
+      if (!s.name.empty() && m.sensors[j].name == s.name)
+        log.add(line(log, key + ".name"), key + ".name",
+                "the name '" + shown(s.name) + "' is used by another sensor", "names must differ");
+    if (s.axes.size() == 3 && !are_three_axes(s.axes))
+      log.add(line(log, key + ".axes"), key + ".axes", "two axes of the sensor coincide",
+              three_axes);
+  }
+}
+
+void check_sensor_named(const Measured& m, const std::string& key, const std::string& name,
+                        ReadLog& log) {
+  std::vector<std::string> sensors;
+  for (const MeasuredSensor& s : m.sensors) sensors.push_back(s.name);
+  if (!name.empty() && std::find(sensors.begin(), sensors.end(), name) == sensors.end())
+    log.add(line(log, key + ".sensor"), key + ".sensor", "there is no sensor '" + shown(name) + "'",
+            sensors.empty() ? "this file has none" : suggestion(name, sensors));
+}
+
+void check_peaks(const Measured& m, ReadLog& log) {
+  for (std::size_t i = 0; i < m.peaks.size(); ++i) {
+    const MeasuredPeaks& p = m.peaks[i];
+    const std::string key = item("peaks", i);
+    check_sensor_named(m, key, p.sensor, log);
+    const auto same_length = [&](const std::vector<double>& list, const char* name) {
+      if (!list.empty() && !p.level.empty() && list.size() != p.level.size())
+        log.add(line(log, key + "." + name), key + "." + name,
+                "has " + std::to_string(list.size()) + " items for " +
+                    std::to_string(p.level.size()) + " levels",
+                "one item for each level");
+    };
+    same_length(p.frequency, "frequency");
+    same_length(p.amplitude, "amplitude");
+    same_length(p.damping, "damping");
+  }
+}
+
+void check_file(const std::string& name, const std::string& key, const std::string& path,
+                ReadLog& log) {
+  const auto file = std::filesystem::path(path).parent_path() / name;
+  std::error_code ignored;
+  if (!name.empty() && !std::filesystem::is_regular_file(file, ignored))
+    log.add(line(log, key), key, "there is no file '" + shown(name) + "'",
+            "give a path relative to this file");
+}
+
+// "mid.y" of a sensor of this file, or "-". Inputs have names of their own.
+void check_channels(const Measured& m, const std::vector<std::string>& channels,
+                    const std::string& key, bool inputs, ReadLog& log) {
+  std::vector<std::string> known;
+  for (const MeasuredSensor& s : m.sensors)
+    for (const char* axis : {".x", ".y", ".z"}) known.push_back(s.name + axis);
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const std::string place = item(key, i);
+    if (channels[i] == "-") continue;
+    if (!seen.insert(channels[i]).second)
+      log.add(line(log, place), place, "channel '" + shown(channels[i]) + "' is there twice",
+              "each channel once, - for one to leave out");
+    if (!inputs && std::find(known.begin(), known.end(), channels[i]) == known.end())
+      log.add(line(log, place), place, "there is no sensor and axis '" + shown(channels[i]) + "'",
+              known.empty() ? "this file has no sensors" : suggestion(channels[i], known));
+  }
+}
+
+void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
+  for (std::size_t i = 0; i < m.frf.size(); ++i) {
+    const MeasuredFrf& f = m.frf[i];
+    const std::string key = item("frf", i);
+    check_file(f.file, key + ".file", path, log);
+    check_channels(m, f.channels, key + ".channels", false, log);
+    const bool asked = log.lines.count(key + ".base") > 0;
+    if (asked == !f.force.empty())
+      log.add(line(log, key), key,
+              asked ? "has a base and a driven channel" : "says neither base nor force",
+              "give the axis along which the table moved (base), or the channel that was driven "
+              "(force)");
+    if (f.base && f.quantity && *f.quantity != FrfQuantity::transmissibility)
+      log.add(line(log, key + ".quantity"), key + ".quantity",
+              "does not go with motion of the base", "transmissibility, or force in place of base");
+  }
+  for (std::size_t i = 0; i < m.signals.size(); ++i) {
+    const MeasuredSignals& s = m.signals[i];
+    const std::string key = item("signals", i);
+    check_file(s.file, key + ".file", path, log);
+    check_channels(m, s.channels, key + ".channels", true, log);
+    if (!s.channels.empty() && !s.reference.empty() &&
+        std::find(s.channels.begin(), s.channels.end(), s.reference) == s.channels.end())
+      log.add(line(log, key + ".reference"), key + ".reference",
+              "'" + shown(s.reference) + "' is none of the channels",
+              suggestion(s.reference, s.channels));
+  }
+}
+
+void check_vector(const Measured& m, const MeasuredVector& v, const std::string& key,
+                  ReadLog& log) {
+  check_channels(m, v.channels, key + ".channels", m.sensors.empty(), log);
+  const auto same_length = [&](const std::vector<double>& list, const char* name, bool required) {
+    if ((required || !list.empty()) && list.size() != v.channels.size())
+      log.add(line(log, key + "." + name), key + "." + name,
+              "has " + std::to_string(list.size()) + " items for " +
+                  std::to_string(v.channels.size()) + " channels",
+              "one item for each channel");
+  };
+  same_length(v.real, "real", true);
+  same_length(v.imaginary, "imaginary", false);
+}
+
+void check_modes(const Measured& m, ReadLog& log) {
+  for (std::size_t i = 0; i < m.modes.size(); ++i) {
+    const std::string key = item("modes", i);
+    check_sensor_named(m, key, m.modes[i].sensor, log);
+    if (m.modes[i].vector) check_vector(m, *m.modes[i].vector, key + ".vector", log);
+    if (!m.modes[i].sensor.empty() && !m.modes[i].base)
+      log.add(line(log, key), key, "has a sensor but no base, so no response it belongs to",
+              "give the axis along which the table moved");
+  }
+}
+
+// Standard deviation of single results stands in where no sigma is given.
+void take_repeats(const std::vector<double>& repeats, double value, std::optional<double>& sigma,
+                  const std::string& key, ReadLog& log) {
+  if (repeats.size() < 2) return;
+  double mean = 0, square = 0;
+  for (double x : repeats) mean += x / double(repeats.size());
+  for (double x : repeats) square += (x - mean) * (x - mean);
+  const double scatter = std::sqrt(square / double(repeats.size() - 1));
+  if (sigma)
+    log.add(line(log, key + ".repeats"), key + ".repeats", "stand beside a sigma",
+            "give the single results or their sigma");
+  else if (std::abs(value - mean) > scatter + 1e-9 * std::abs(mean))
+    log.add(line(log, key + ".repeats"), key + ".repeats", "do not scatter about the value",
+            "single results whose mean is the value");
+  else if (scatter > 0)
+    sigma = scatter;
+}
+
+void take_all_repeats(Measured& m, ReadLog& log) {
+  if (m.mass) take_repeats(m.mass->repeats, m.mass->value, m.mass->sigma, "mass", log);
+  for (std::size_t i = 0; i < m.statics.size(); ++i)
+    take_repeats(m.statics[i].repeats, m.statics[i].value, m.statics[i].sigma, item("static", i),
+                 log);
+  for (std::size_t i = 0; i < m.modes.size(); ++i)
+    take_repeats(m.modes[i].repeats, m.modes[i].frequency, m.modes[i].sigma, item("modes", i), log);
+}
+
+void check_hold_out(const Measured& m, ReadLog& log) {
+  std::vector<std::string> entries;
+  for (const auto& [key, where] : log.lines)
+    for (const char* list : {"static[", "modes[", "peaks[", "frf[", "signals["})
+      if (key.starts_with(list) && key.find('.') == std::string::npos) entries.push_back(key);
+  for (std::size_t i = 0; i < m.hold_out.size(); ++i)
+    if (!log.lines.count(m.hold_out[i]) || !m.hold_out[i].ends_with(']'))
+      log.add(line(log, item("hold_out", i)), item("hold_out", i),
+              "there is no entry '" + shown(m.hold_out[i]) + "'",
+              entries.empty() ? "this file has none" : suggestion(m.hold_out[i], entries));
+}
+
+} // namespace
+
+Measured read_measured(const std::string& path) {
+  ReadLog log{.file = path};
+  const YamlNode root = read_yaml(path, log.problems);
+  if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
+  Measured data;
+  FieldReader::read(root, "", data, log);
+  check_sensors(data, log);
+  check_modes(data, log);
+  check_peaks(data, log);
+  check_responses(data, path, log);
+  take_all_repeats(data, log);
+  check_hold_out(data, log);
+  for (const Tolerance& t : log.tolerances)
+    log.add(line(log, t.path), t.path, "takes no tolerance", "give its sigma");
+  if (!log.problems.empty()) {
+    sort_by_line(log.problems);
+    throw InputError(std::move(log.problems));
+  }
+  return data;
+}
+
+} // namespace plica

@@ -1,0 +1,58 @@
+#include "io/input/node_sets.hpp"
+
+#include "model/profile_checks.hpp"
+
+#include <algorithm>
+
+namespace plica {
+
+namespace {
+
+void add_sets(const std::string& name, const Bellows& b, std::vector<std::string>& sets) {
+  for (const char* set : {".left", ".right", ".all"}) sets.push_back(name + set);
+  if (b.profile.empty()) return;
+  if (b.profile.front().shape == SectionShape::cuff) sets.push_back(name + ".cuff.left");
+  if (b.profile.size() > 1 && b.profile.back().shape == SectionShape::cuff)
+    sets.push_back(name + ".cuff.right");
+  const int n = std::min(convolutions(b), 5000);
+  for (const char* set : {".convolution[", ".crown[", ".root["})
+    for (int k = 1; k <= n; ++k) sets.push_back(name + set + std::to_string(k) + "]");
+  if (n > 0) sets.push_back(name + ".root[" + std::to_string(n + 1) + "]");
+}
+void add_sets(const std::string& name, const Interlock&, std::vector<std::string>& sets) {
+  for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
+}
+void add_sets(const std::string& name, const Plate&, std::vector<std::string>& sets) {
+  for (const char* set : {".edge1", ".edge2", ".edge3", ".edge4", ".corner1", ".corner2",
+                          ".corner3", ".corner4", ".all"})
+    sets.push_back(name + set);
+}
+void add_sets(const std::string& name, const BeamPart& b, std::vector<std::string>& sets) {
+  for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
+  for (std::size_t k = 1; k <= b.points.size(); ++k)
+    sets.push_back(name + ".point[" + std::to_string(k) + "]");
+}
+void add_sets(const std::string&, const PointMass&, std::vector<std::string>&) {}
+
+} // namespace
+
+std::vector<std::string> set_names(const Case& data) {
+  std::vector<std::string> sets;
+  for (const Part& part : data.parts)
+    std::visit([&](const auto& body) { add_sets(part.name, body, sets); }, part.body);
+  return sets;
+}
+
+std::vector<std::string> end_names(const Case& data) {
+  std::vector<std::string> ends;
+  for (const Part& part : data.parts) {
+    std::vector<const char*> names;
+    if (std::holds_alternative<Bellows>(part.body)) names = {"left", "right"};
+    if (std::holds_alternative<BeamPart>(part.body)) names = {"start", "end"};
+    if (std::holds_alternative<Plate>(part.body)) names = {"edge1", "edge2", "edge3", "edge4"};
+    for (const char* name : names) ends.push_back(part.name + "." + name);
+  }
+  return ends;
+}
+
+} // namespace plica

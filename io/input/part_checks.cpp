@@ -1,0 +1,165 @@
+#include "io/input/part_checks.hpp"
+
+#include "io/input/units.hpp"
+#include "model/profile_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace plica {
+
+namespace {
+
+std::vector<std::string> bellows_names(const Case& data) {
+  std::vector<std::string> names;
+  for (const Part& part : data.parts)
+    if (std::holds_alternative<Bellows>(part.body)) names.push_back(part.name);
+  return names;
+}
+
+void material(CheckLog& log, const Case& data, const std::string& key, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& entry : data.materials) names.push_back(entry.first);
+  log.reference(key + ".material", "material", name, names);
+}
+
+void check(const std::string& key, const Bellows& b, const Case& data, CheckLog& log) {
+  material(log, data, key, b.material);
+  const double t = total_thickness(b.wall);
+  if (log.fine(key + ".root_radius") && log.fine(key + ".wall.plies")) {
+    double radius = b.root_radius;
+    for (std::size_t i = 0; i < b.profile.size(); ++i) {
+      const std::string section = item(key + ".profile", i);
+      if (!log.fine(section)) break; // the radius behind it is unknown
+      for (const ProfileProblem& p : check_section(b.profile[i], radius, t))
+        log.add(section + (p.key.empty() ? "" : "." + p.key), p.wrong, p.allowed);
+      radius = end_radius(b.profile[i], radius);
+    }
+  }
+  if (log.fine(key + ".profile") && convolutions(b) > 5000)
+    log.add(key + ".profile", "has " + std::to_string(convolutions(b)) + " convolutions",
+            "allowed: at most 5000 in one bellows");
+  for (std::size_t i = 0; i < b.dents.size(); ++i) {
+    const std::string dent = item(key + ".dents", i);
+    if (!log.fine(dent)) continue;
+    const double off_axis = std::hypot(b.dents[i].at[0], b.dents[i].at[2]);
+    if (off_axis <= b.dents[i].depth)
+      log.add(dent + ".at", "lies on the axis, or the dent reaches it",
+              "a place on the wall and a depth smaller than its distance from the axis");
+  }
+  const MeshDensity& m = b.mesh;
+  if (!log.fine(key + ".mesh")) return;
+  const int counts = (m.around > 0) + (m.arc > 0) + (m.wall > 0);
+  if (counts > 0 && m.accuracy > 0)
+    log.add(key + ".mesh", "has counts and an accuracy", "give around, arc and wall, or accuracy");
+  else if (counts > 0 && counts < 3)
+    log.add(key + ".mesh", "has only some of the counts",
+            "give around, arc and wall together, or accuracy");
+}
+
+void check(const std::string& key, const Interlock& i, const Case& data, CheckLog& log) {
+  const std::vector<std::string> bellows = bellows_names(data);
+  log.reference(key + ".along", "bellows", i.along, bellows);
+  if (i.attachment == Attachment::synchronous || !log.fine(key)) return;
+  if (i.EA <= 0 || i.EI <= 0 || i.GJ <= 0)
+    log.add(key, "is tied at single places but has no stiffness of its own",
+            "give EA, EI and GJ above 0, or attachment: synchronous");
+  if (std::find(bellows.begin(), bellows.end(), i.along) == bellows.end() || !log.fine("caps"))
+    return;
+  for (const char* end : {".left", ".right"}) {
+    const std::string set = i.along + end;
+    if (std::none_of(data.caps.begin(), data.caps.end(), [&](const Cap& c) {
+          return std::find(c.of.begin(), c.of.end(), set) != c.of.end();
+        }))
+      log.add(key + ".attachment", "there is no cap of " + set + " to tie it to",
+              "add that cap, or attachment: synchronous");
+  }
+}
+
+void check(const std::string& key, const Plate& p, const Case& data, CheckLog& log) {
+  material(log, data, key, p.material);
+  if (!log.fine(key + ".corners")) return;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (p.corners[i] == p.corners[j])
+        log.add(item(key + ".corners", j), "is the same point as corner " + std::to_string(i + 1),
+                "four different corners in order round the plate");
+}
+
+void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog& log) {
+  if (b.section.shape != BeamShape::general)
+    material(log, data, key + ".section", b.section.material);
+  if (b.section.shape == BeamShape::pipe && log.fine(key + ".section") &&
+      b.section.thickness >= 2 * b.section.radius)
+    log.add(key + ".section.thickness",
+            "the wall of " + millimetres(b.section.thickness) +
+                " does not fit a mid-surface radius of " + millimetres(b.section.radius),
+            "it must be below " + millimetres(2 * b.section.radius));
+  if (!log.fine(key + ".points") || !log.fine(key + ".up")) return;
+  for (std::size_t i = 1; i < b.points.size(); ++i) {
+    const Triple &p = b.points[i - 1], &q = b.points[i];
+    const Triple d{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    const double length = std::hypot(d[0], d[1], d[2]);
+    if (length == 0) {
+      log.add(item(key + ".points", i), "is the same as the point before it", "points must differ");
+      continue;
+    }
+    const Triple c{d[1] * b.up[2] - d[2] * b.up[1], d[2] * b.up[0] - d[0] * b.up[2],
+                   d[0] * b.up[1] - d[1] * b.up[0]};
+    const double up = std::hypot(b.up[0], b.up[1], b.up[2]);
+    if (!(std::hypot(c[0], c[1], c[2]) > 1e-6 * length * up)) {
+      log.add(key + ".up",
+              "is parallel to the beam between points " + std::to_string(i) + " and " +
+                  std::to_string(i + 1),
+              "give an up vector across the axis, e.g. [1, 0, 0]");
+      break;
+    }
+  }
+}
+
+void check(const std::string& key, const PointMass& m, const Case&, CheckLog& log) {
+  log.set_reference(key + ".at", m.at);
+  check_inertia(key + ".inertia", m.inertia, log);
+}
+
+void check_materials_used(const Case& data, CheckLog& log) {
+  std::set<std::string> used;
+  for (const Part& part : data.parts) {
+    if (const auto* b = std::get_if<Bellows>(&part.body)) used.insert(b->material);
+    if (const auto* p = std::get_if<Plate>(&part.body)) used.insert(p->material);
+    if (const auto* b = std::get_if<BeamPart>(&part.body)) used.insert(b->section.material);
+  }
+  for (const Variant& variant : data.variants)
+    for (const auto& [path, value] : variant.set) used.insert(value);
+  for (const auto& [name, material] : data.materials)
+    if (!used.count(name)) log.add("materials." + name, "no part uses this material", "remove it");
+}
+
+} // namespace
+
+void check_inertia(const std::string& key, const Sextuple& J, CheckLog& log) {
+  if (!log.fine(key)) return;
+  const double slack = 1e-9 * (std::abs(J[0]) + std::abs(J[1]) + std::abs(J[2]));
+  const bool body = J[0] >= 0 && J[1] >= 0 && J[2] >= 0 && J[0] <= J[1] + J[2] + slack &&
+                    J[1] <= J[2] + J[0] + slack && J[2] <= J[0] + J[1] + slack &&
+                    2 * std::abs(J[3]) <= J[2] + slack && 2 * std::abs(J[4]) <= J[0] + slack &&
+                    2 * std::abs(J[5]) <= J[1] + slack;
+  if (!body)
+    log.add(
+        key, "no body has these moments of inertia",
+        "xx, yy, zz at least 0 and none above the sum of the other two; 2 |xy| <= zz, 2 |yz| <= "
+        "xx, 2 |zx| <= yy");
+}
+
+void check_parts(const Case& data, CheckLog& log) {
+  for (const Part& part : data.parts) {
+    const std::string key = "parts." + part.name;
+    if (log.fine(key + ".type"))
+      std::visit([&](const auto& body) { check(key, body, data, log); }, part.body);
+  }
+  if (log.fine("parts") && log.fine("materials") && log.problems.empty())
+    check_materials_used(data, log);
+}
+
+} // namespace plica

@@ -1,0 +1,10 @@
+// Rules between the keys of damping, response and stress.
+#pragma once
+
+#include "io/input/check_log.hpp"
+
+namespace plica {
+
+void check_responses(const Case& data, CheckLog& log);
+
+} // namespace plica

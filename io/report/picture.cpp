@@ -1,0 +1,164 @@
+#include "io/report/picture.hpp"
+
+#include "io/report/colour.hpp"
+#include "io/report/markup.hpp"
+#include "io/report/scene.hpp"
+#include "io/report/surface.hpp"
+#include "io/results/text.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+constexpr int quad_budget = 7500; // about half of them hidden, and not written
+constexpr int line_budget = 1000;
+constexpr double exaggeration = 0.05; // largest displacement / size of the part
+
+// Elements to draw, and the points they use (for the frame and the outline).
+struct Selection {
+  std::vector<std::array<int, 4>> quads;
+  std::vector<std::array<int, 2>> lines;
+  std::vector<Eigen::Vector3d> used;
+  double size = 0; // diagonal of the box round them
+};
+
+Selection select(const Results& results) {
+  Selection selection;
+  selection.quads = drawn_quads(results.mesh, quad_budget);
+  const std::size_t step = 1 + results.lines.size() / line_budget;
+  for (std::size_t i = 0; i < results.lines.size(); i += step) {
+    selection.lines.push_back(results.lines[i]);
+  }
+  Eigen::AlignedBox3d box;
+  const auto use = [&](int node) {
+    selection.used.push_back(results.mesh.nodes[node]);
+    box.extend(results.mesh.nodes[node]);
+  };
+  for (const auto& quad : selection.quads) std::for_each(quad.begin(), quad.end(), use);
+  for (const auto& line : selection.lines) std::for_each(line.begin(), line.end(), use);
+  if (!box.isEmpty()) selection.size = box.diagonal().norm();
+  return selection;
+}
+
+std::string svg_open(const Frame& frame, const std::string& label) {
+  return fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", frame.width,
+                     frame.height, html_escape(label));
+}
+
+// Arrows along x, y, z in the lower right corner.
+std::string triad(const View& view, const Frame& frame) {
+  const Eigen::Vector2d middle(frame.width - 140, frame.height - 90);
+  const char* names[] = {"x", "y", "z"};
+  std::string svg = "<g stroke-width=\"4\" font-size=\"36\">";
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector2d along = view.project(Eigen::Vector3d::Unit(axis));
+    const Eigen::Vector2d tip = middle + 80 * Eigen::Vector2d(along.x(), -along.y());
+    const Eigen::Vector2d name = middle + 112 * Eigen::Vector2d(along.x(), -along.y());
+    svg +=
+        fmt::format("<line stroke=\"currentColor\" x1=\"{:.0f}\" y1=\"{:.0f}\" x2=\"{:.0f}\" "
+                    "y2=\"{:.0f}\"/><text text-anchor=\"middle\" x=\"{:.0f}\" y=\"{:.0f}\">{}"
+                    "</text>",
+                    middle.x(), middle.y(), tip.x(), tip.y(), name.x(), name.y() + 11, names[axis]);
+  }
+  return svg + "</g>\n";
+}
+
+std::string sensor_marks(const Results& results, const View& view, const Frame& frame) {
+  std::string svg = "<g font-size=\"34\">";
+  for (const SensorResult& sensor : results.sensors) {
+    if (sensor.node < 0 || sensor.node >= static_cast<int>(results.mesh.nodes.size())) continue;
+    const Eigen::Vector2d at = frame.place(view.project(results.mesh.nodes[sensor.node]));
+    svg += fmt::format("<circle class=\"pin\" cx=\"{0:.0f}\" cy=\"{1:.0f}\" r=\"11\"/>"
+                       "<text class=\"tag\" x=\"{2:.0f}\" y=\"{3:.0f}\">{4}</text>",
+                       at.x(), at.y(), at.x() + 22, at.y() + 12, html_escape(sensor.name));
+  }
+  return svg + "</g>\n";
+}
+
+std::string legend() {
+  std::string svg = "<svg class=\"legend\" viewBox=\"0 0 352 44\" role=\"img\" aria-label=\"colour "
+                    "scale\"><defs><linearGradient id=\"viridis\">";
+  for (int stop = 0; stop <= 8; ++stop) {
+    svg += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", stop / 8.0, viridis(stop / 8.0));
+  }
+  svg += "</linearGradient></defs><rect x=\"6\" y=\"2\" width=\"340\" height=\"14\" "
+         "fill=\"url(#viridis)\"/><g font-size=\"13\">";
+  for (int tick = 0; tick <= 4; ++tick) {
+    svg += fmt::format("<text x=\"{}\" y=\"34\" text-anchor=\"{}\">{}</text>", 6 + 85 * tick,
+                       tick == 0   ? "start"
+                       : tick == 4 ? "end"
+                                   : "middle",
+                       0.25 * tick);
+  }
+  return svg + "</g></svg>\n";
+}
+
+std::string mode_figure(const Results& results, std::size_t mode, const Selection& selection,
+                        const View& view, const Frame& frame) {
+  const Eigen::MatrixXd& shape = results.shapes[mode];
+  double largest = 0;
+  const auto size_at = [&](int node) { return shape.row(node).head<3>().norm(); };
+  for (const auto& quad : selection.quads) {
+    for (const int node : quad) largest = std::max(largest, size_at(node));
+  }
+  for (const auto& line : selection.lines) {
+    for (const int node : line) largest = std::max(largest, size_at(node));
+  }
+  if (!(largest > 0)) largest = 1;
+  Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
+  const double scale = exaggeration * selection.size / largest;
+  for (std::size_t node = 0; node < scene.points.size(); ++node) {
+    const Eigen::Vector3d u = shape.row(static_cast<int>(node)).head<3>().transpose();
+    if (u.allFinite()) scene.points[node] += scale * u;
+  }
+  scene.colour = [&](const int* corners, int count, double shade) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) sum += size_at(corners[i]);
+    return viridis(sum / count / largest, 0.7 + 0.35 * shade);
+  };
+  const ModeResult& result = results.modes[mode];
+  const std::string name = fmt::format("{:.1f} Hz, {}", result.frequency, mode_label(result));
+  return "<figure>" + svg_open(frame, fmt::format("mode {}: {}", mode + 1, name)) +
+         drawn(scene, view, frame) + outline(selection.used, view, frame) +
+         fmt::format("</svg><figcaption><b>{}</b>  {:.1f} Hz, {}</figcaption></figure>\n", mode + 1,
+                     result.frequency, html_escape(mode_label(result)));
+}
+
+} // namespace
+
+std::string part_picture(const Results& results) {
+  const Selection selection = select(results);
+  if (selection.used.empty()) return "";
+  const View view = view_of(selection.used);
+  Frame frame = frame_round(view, selection.used, 0.02 * selection.size, 1780);
+  frame.width += 220; // for the triad
+  Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
+  scene.colour = [](const int*, int, double shade) { return steel(0.3 + 0.8 * shade); };
+  return "<figure class=\"part\">" + svg_open(frame, "the part in oblique projection") +
+         drawn(scene, view, frame) + sensor_marks(results, view, frame) + triad(view, frame) +
+         "</svg></figure>\n";
+}
+
+std::string mode_pictures(const Results& results, int most) {
+  require_one_row_per_node(results);
+  const Selection selection = select(results);
+  std::size_t count = std::min(results.modes.size(), results.shapes.size());
+  count = std::min(count, static_cast<std::size_t>(std::max(most, 0)));
+  if (selection.used.empty() || count == 0) return "";
+  const View view = view_of(selection.used);
+  const Frame frame = frame_round(view, selection.used, 1.1 * exaggeration * selection.size, 1000);
+  std::string html = "<div class=\"modes\">\n";
+  for (std::size_t mode = 0; mode < count; ++mode) {
+    html += mode_figure(results, mode, selection, view, frame);
+  }
+  return html + "</div>\n<figure>" + legend() +
+         "<figcaption>Displacement / its largest value in the mode. Drawn with the largest at 5 % "
+         "of the size of the part; dashed: outline at rest.</figcaption></figure>\n";
+}
+
+} // namespace plica

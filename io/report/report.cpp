@@ -1,0 +1,69 @@
+#include "io/report/report.hpp"
+
+#include "io/report/css.hpp"
+#include "io/report/markup.hpp"
+#include "io/report/picture.hpp"
+#include "io/report/profile.hpp"
+#include "io/report/response.hpp"
+#include "io/report/superelements.hpp"
+#include "io/report/tables.hpp"
+#include "io/results/text.hpp"
+
+#include <fmt/format.h>
+
+namespace plica {
+namespace {
+
+std::string head_html(const Results& results) {
+  const std::string title = results.title.empty() ? results.case_name : results.title;
+  std::string html = fmt::format("<header>\n<h1>{}</h1>\n<p class=\"case\">Case <code>{}</code>, "
+                                 "Plica {}</p>\n",
+                                 html_escape(title), html_escape(results.case_name),
+                                 html_escape(results.plica_version));
+  if (!results.modes.empty()) {
+    Verification verification = results.verification;
+    verification.reason = html_escape(verification.reason);
+    const std::string sentence = proof_sentence(verification, html_number);
+    const std::size_t verdict = sentence.find_first_of(":,");
+    const bool is_good = verification.made && verification.passed;
+    html += fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;{}</b>{}</p>\n", is_good ? "" : " open",
+                        is_good ? "✓" : "!", sentence.substr(0, verdict), sentence.substr(verdict));
+  }
+  if (!results.warnings.empty()) {
+    html += "<div class=\"warnings\"><b>Warnings</b>\n" + html_list(results.warnings) + "</div>\n";
+  }
+  return html + "</header>\n";
+}
+
+} // namespace
+
+std::string report_html(const Results& results) {
+  const std::string title = results.title.empty() ? results.case_name : results.title;
+  const bool is_measured = !results.comparison.empty();
+  std::string html =
+      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                  "<title>{}: Plica report</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+                  html_escape(title), report_css);
+  html += head_html(results);
+  html += html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
+                       comparison_html(results));
+  html += html_section("errors", "Error bars", error_bars_html(results));
+  html += html_section("statics", "Static stiffness", statics_html(results));
+  html += html_section("part", "The part", profile_drawing(results) + part_picture(results));
+  html += html_section("superelements", "Superelements", superelements_html(results));
+  html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
+  html += html_section("response", "Response", responses_html(results));
+  html += html_section("stress", "Stress", stresses_html(results));
+  html += html_section("variants", "What the assumed quantities do",
+                       variants_html(results) + variants_comparison_html(results));
+  html += html_section("assumptions", "Assumptions", html_list(results.assumptions));
+  html += "<div class=\"pair\">\n" + html_section("model", "Model and mesh", model_html(results));
+  html += html_section("timing", "Time and memory", timing_html(results)) + "</div>\n";
+  html += fmt::format("<footer>Plica {}. SI units unless a column says otherwise; y along the "
+                      "pipe, x transverse, z vertical.</footer>\n",
+                      html_escape(results.plica_version));
+  return html + "</main>\n</body>\n</html>\n";
+}
+
+} // namespace plica

@@ -1,0 +1,100 @@
+#include "io/report/superelements.hpp"
+
+#include "io/report/css.hpp"
+#include "io/report/markup.hpp"
+#include "io/results/text.hpp"
+#include "io/superelements/certificate_lines.hpp"
+
+#include <fmt/format.h>
+
+namespace plica {
+namespace {
+
+std::string frequencies_html(const std::string& caption, const std::vector<FrequencyCheck>& list) {
+  std::vector<HtmlRow> rows;
+  rows.reserve(list.size());
+  for (const FrequencyCheck& f : list)
+    rows.push_back(
+        {{html_fixed(f.full, 3), html_fixed(f.reduced, 3), html_signed(100 * f.error(), 4)}, ""});
+  if (rows.empty()) return "";
+  return html_table(caption, {{"part", "Hz"}, {"superelement", "Hz"}, {"off by", "%"}}, rows);
+}
+
+} // namespace
+
+std::string superelements_html(const Results& results) {
+  if (!results.reduced) return "";
+  const Reduced& reduced = *results.reduced;
+  std::vector<HtmlRow> rows;
+  rows.reserve(reduced.superelements.size());
+  for (const SuperelementResult& s : reduced.superelements) {
+    std::string between;
+    for (const std::string& cap : s.between) between += (between.empty() ? "" : ", ") + cap;
+    rows.push_back(
+        {{std::to_string(rows.size() + 1), html_escape(s.parts), html_escape(between),
+          grouped(s.unknowns, "\u202f"), std::to_string(s.boundary), std::to_string(s.modes),
+          s.copy_of > 0 ? fmt::format("that of {}", s.copy_of) : html_escape(s.route),
+          s.proved ? "proved" : "not proved"},
+         ""});
+  }
+  return html_table(
+      fmt::format("Craig-Bampton superelements with modes up to {} Hz; {} unknowns are left of {}.",
+                  html_number(reduced.cutoff, 4), grouped(reduced.unknowns, "\u202f"),
+                  grouped(results.model.dofs, "\u202f")),
+      {{"", ""},
+       {"parts", "", false},
+       {"between", "", false},
+       {"unknowns", ""},
+       {"boundary", ""},
+       {"modes", ""},
+       {"reduction", "", false},
+       {"no mode missing", "", false}},
+      rows);
+}
+
+std::string certificate_report(const ReducedCase& r) {
+  const Certificate& c = r.certificate;
+  const Superelement& s = r.element;
+  const bool good = c.passed && r.proved;
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0}: superelement</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n"
+      "<header>\n<h1>Superelement {0}</h1>\n<p class=\"verdict{2}\"><b>{3}&nbsp;{4}</b> "
+      "{5}</p>\n</header>\n",
+      html_escape(s.name), report_css, good ? "" : " open", good ? "✓" : "!",
+      good ? "The certificate is passed." : "The certificate failed.",
+      fmt::format("Good up to {} Hz with an error of {} %.", html_number(c.good_up_to, 4),
+                  html_number(100 * c.error, 2)));
+  std::vector<std::string> failures;
+  for (const std::string& failure : c.failures) failures.push_back(html_escape(failure));
+  if (!r.proved) failures.push_back("not proved: " + html_escape(r.reason));
+  if (!failures.empty()) html += "<div class=\"warnings\">" + html_list(failures) + "</div>\n";
+  std::string names;
+  for (const std::string& name : s.node_names)
+    names += (names.empty() ? "" : ", ") + html_escape(name);
+  html += html_section(
+      "element", "What it is",
+      html_table("", {{"", "", false}, {"", "", false}},
+                 {{{"boundary nodes", names}, ""},
+                  {{"modes with the boundary held",
+                    fmt::format("{}, up to {} Hz", s.modal(), html_number(r.cutoff, 4))},
+                   ""},
+                  {{"modes left out for want of interface mass",
+                    fmt::format("{}, with {} % of it", r.left_out.count,
+                                html_number(100 * r.left_out.sum, 2))},
+                   ""},
+                  {{"reduced by", html_escape(r.route)}, ""},
+                  {{"units of the files", html_escape(s.units)}, ""}}));
+  std::vector<HtmlRow> rows;
+  for (const CertificateLine& line : certificate_lines(c))
+    rows.push_back({{html_escape(line.text), html_number(line.value, 2)}, ""});
+  rows.push_back({{"zero eigenvalues of K", std::to_string(c.zero_stiffness)}, ""});
+  html += html_section("checks", "Checks", html_table("", {{"", "", false}, {"", ""}}, rows));
+  html += html_section("frequencies", "Part and superelement",
+                       frequencies_html("Boundary free; rigid motions left out.", c.free) +
+                           frequencies_html("Boundary held.", c.fixed));
+  return html + "</main>\n</body>\n</html>\n";
+}
+
+} // namespace plica

@@ -1,0 +1,213 @@
+#include "io/results/csv.hpp"
+
+#include "io/results/text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+namespace plica {
+namespace {
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string line(const std::vector<std::string>& cells) {
+  std::string text;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) text += ',';
+    text += csv_cell(cell);
+  }
+  return text + "\n";
+}
+
+} // namespace
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"') quoted += '"';
+    quoted += letter;
+  }
+  return quoted + '"';
+}
+
+std::string modes_csv(const Results& results) {
+  std::string text =
+      line({"mode", "frequency [Hz]", "damping [fraction of critical]", "label", "shape",
+            "direction", "order", "harmonic", "effective mass x [kg]", "effective mass y [kg]",
+            "effective mass z [kg]", "effective inertia x [kg m2]", "effective inertia y [kg m2]",
+            "effective inertia z [kg m2]", "residual"});
+  int count = 0;
+  for (const ModeResult& mode : results.modes) {
+    std::vector<std::string> cells{std::to_string(++count),
+                                   number(mode.frequency),
+                                   number(mode.damping),
+                                   mode_label(mode),
+                                   mode.shape,
+                                   mode.direction,
+                                   mode.order > 0 ? std::to_string(mode.order) : "",
+                                   mode.harmonic >= 0 ? std::to_string(mode.harmonic) : ""};
+    for (const double mass : mode.effective_mass) cells.push_back(number(mass));
+    cells.push_back(number(mode.residual));
+    text += line(cells);
+  }
+  return text;
+}
+
+namespace {
+
+std::vector<std::string> channel_heads(const ResponseResult& r,
+                                       const std::vector<std::string>& parts) {
+  std::vector<std::string> heads;
+  for (const auto& [sensor, direction] : r.channels)
+    for (const std::string& part : parts)
+      heads.push_back(fmt::format("{} {} {}", sensor, direction, part));
+  return heads;
+}
+
+std::vector<std::string> with_frequency(std::vector<std::string> heads) {
+  heads.insert(heads.begin(), "frequency [Hz]");
+  return heads;
+}
+
+void add_complex(std::vector<std::string>& cells, std::complex<double> value) {
+  cells.push_back(number(value.real()));
+  cells.push_back(number(value.imag()));
+}
+
+} // namespace
+
+std::string response_csv(const ResponseResult& r) {
+  const std::string per = "[m/s2 per " + r.unit + "]";
+  std::vector<std::string> head =
+      with_frequency(channel_heads(r, {"real " + per, "imaginary " + per}));
+  for (std::size_t c = 0; c < r.channels.size(); c += 3)
+    head.push_back(r.channels[c].first + " sum " + per);
+  std::string text = line(head);
+  const Eigen::MatrixXd sums = vector_sum(r);
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(r.hertz[i])};
+    for (const std::complex<double> value : r.acceleration.row(i)) add_complex(cells, value);
+    for (const double value : sums.row(i)) cells.push_back(number(value));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string motion_csv(const ResponseResult& r) {
+  std::string text = line(with_frequency(
+      channel_heads(r, {"acceleration [m/s2]", "velocity [m/s]", "displacement [m]"})));
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(r.hertz[i])};
+    const double omega = 2 * std::numbers::pi * r.hertz[i];
+    for (const std::complex<double> value : r.acceleration.row(i))
+      for (const double divisor : {1., omega, omega * omega})
+        cells.push_back(number(r.level * std::abs(value) / divisor));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string random_csv(const ResponseResult& r) {
+  const RandomResult& random = *r.random;
+  std::vector<std::string> head = with_frequency(channel_heads(r, {"[(m/s2)2/Hz]"}));
+  head.insert(head.begin() + 1, fmt::format("input [({})2/Hz]", r.unit));
+  const auto name = [&](int c) { return r.channels[c].first + " " + r.channels[c].second; };
+  for (const CrossDensity& cross : random.cross)
+    for (const char* part : {"real", "imaginary"})
+      head.push_back(fmt::format("{} with {} {} [(m/s2)2/Hz]", name(cross.a), name(cross.b), part));
+  std::string text = line(head);
+  for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
+    std::vector<std::string> cells{number(r.hertz[i]), number(random.input[i])};
+    for (const double value : random.density.row(i)) cells.push_back(number(value));
+    for (const CrossDensity& cross : random.cross) add_complex(cells, cross.density[i]);
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string stress_csv(const Results& results) {
+  std::string text = line({"kind", "stress of", "von Mises [Pa]", "face", "x [m]", "y [m]", "z [m]",
+                           "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]"});
+  for (const StressResult& s : results.stresses) {
+    std::vector<std::string> cells{s.kind, s.name, number(s.largest), s.face};
+    for (const double x : s.at) cells.push_back(s.face.empty() ? "" : number(x));
+    const bool beam = s.largest_beam > 0;
+    cells.push_back(beam ? number(s.largest_beam) : "");
+    for (const double x : s.beam_at) cells.push_back(beam ? number(x) : "");
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string error_bars_csv(const Results& results) {
+  const ErrorBars& errors = results.error_bars;
+  std::vector<std::string> head{"quantity", "value", "mesh along", "mesh around",
+                                "cut-off",  "5 %",   "95 %"};
+  for (const std::string& path : errors.tolerances) head.push_back("share of " + path);
+  std::string text = line(head);
+  for (const ErrorBar& bar : errors.bars) {
+    std::vector<std::string> cells{bar.key, number(bar.value), number(bar.along),
+                                   number(bar.around), results.reduced ? number(bar.cutoff) : ""};
+    for (std::size_t i : {0, 1}) cells.push_back(bar.interval ? number((*bar.interval)[i]) : "");
+    for (std::size_t i = 0; i < errors.tolerances.size(); ++i)
+      cells.push_back(i < bar.shares.size() ? number(bar.shares[i]) : "");
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string static_csv(const Results& results) {
+  std::string text = line({"axial [N/m]", "transverse x [N/m]", "transverse z [N/m]",
+                           "bending x [Nm/rad]", "bending z [Nm/rad]", "torsion [Nm/rad]"});
+  if (!results.statics) return text;
+  const StaticStiffness& k = *results.statics;
+  return text + line({number(k.k_axial), number(k.k_transverse_x), number(k.k_transverse_z),
+                      number(k.k_bending_x), number(k.k_bending_z), number(k.k_torsion)});
+}
+
+std::string comparison_csv(const Results& results) {
+  std::string text = line(
+      {"quantity", "unit", "measured", "sigma", "computed", "deviation [%]", "deviation [sigma]"});
+  for (const MeasuredComparison& row : results.comparison) {
+    text += line({row.quantity, row.unit, number(row.measured),
+                  row.sigma > 0 ? number(row.sigma) : "", number(row.computed),
+                  number(100 * relative_deviation(row)), number(sigma_deviation(row))});
+  }
+  return text;
+}
+
+std::string variants_csv(const Results& results) {
+  const std::vector<HeadlineQuantity> quantities = headline_quantities(results);
+  std::vector<std::string> head{"variant", "set"};
+  for (const HeadlineQuantity& quantity : quantities) {
+    head.push_back(quantity.name + (quantity.unit.empty() ? "" : " [" + quantity.unit + "]"));
+  }
+  std::string text = line(head);
+  const auto add = [&](const std::string& name, const std::string& set,
+                       const std::map<std::string, double>& values) {
+    std::vector<std::string> cells{name, set};
+    for (const HeadlineQuantity& quantity : quantities) {
+      const auto value = values.find(quantity.key);
+      cells.push_back(value == values.end() ? "" : number(value->second));
+    }
+    text += line(cells);
+  };
+  add("nominal", "", headline(results));
+  for (const VariantResult& variant : results.variants) {
+    std::string set;
+    for (const auto& [path, value] : variant.set) {
+      set += fmt::format("{}{} = {}", set.empty() ? "" : "; ", path, value);
+    }
+    add(variant.name, set, variant.headline);
+  }
+  return text;
+}
+
+} // namespace plica

@@ -1,0 +1,154 @@
+#include "io/superelements/abaqus.hpp"
+
+#include "io/files.hpp"
+#include "io/superelements/labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+
+int coordinate_of(const Superelement& s, int node, int dof) {
+  if (node >= first_scalar) return s.boundary() + node - first_scalar;
+  return 6 * (node - first_grid) + dof - 1;
+}
+
+std::string abaqus_nodes(const Superelement& s) {
+  std::string deck =
+      fmt::format("** Superelement {}, units: {}\n"
+                  "** nodes {}..: boundary, DOFs 1-6; nodes {}..: modal coordinates, "
+                  "DOF 1\n*NODE, NSET=PLICA_BOUNDARY\n",
+                  s.name, s.units, first_grid, first_scalar);
+  for (std::size_t k = 0; k < s.nodes.size(); ++k)
+    deck += fmt::format("{}, {:.17g}, {:.17g}, {:.17g}\n** {}\n", first_grid + k, s.nodes[k][0],
+                        s.nodes[k][1], s.nodes[k][2], s.node_names[k]);
+  if (s.modal() > 0) deck += "*NODE, NSET=PLICA_MODAL\n";
+  for (int j = 0; j < s.modal(); ++j) deck += fmt::format("{}, 0., 0., 0.\n", first_scalar + j);
+  return deck;
+}
+
+void add_upper_triangle(std::string& deck, const char* type, const MatrixXd& A) {
+  constexpr int per_line = 4;
+  deck += fmt::format("*MATRIX, TYPE={}\n", type);
+  int count = 0;
+  for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (Eigen::Index i = 0; i <= j; ++i)
+      deck += fmt::format("{:.17g}{}", A(i, j), ++count % per_line == 0 ? "\n" : ", ");
+  if (count % per_line != 0) deck.replace(deck.size() - 2, 2, "\n");
+}
+
+} // namespace
+
+std::string abaqus_deck(const Superelement& s) {
+  std::string deck = abaqus_nodes(s), assemble = "*MATRIX ASSEMBLE";
+  for (const NamedMatrix& m : matrices_of(s)) {
+    deck += fmt::format("*MATRIX INPUT, NAME=PLICA_{}, INPUT={}\n", m.letter,
+                        abaqus_matrix_file(m.letter));
+    assemble += fmt::format(", {}=PLICA_{}",
+                            m.letter == 'K'   ? "STIFFNESS"
+                            : m.letter == 'M' ? "MASS"
+                            : m.letter == 'C' ? "VISCOUS DAMPING"
+                                              : "STRUCTURAL DAMPING",
+                            m.letter);
+  }
+  return deck + assemble + "\n";
+}
+
+std::string abaqus_matrix_file(char letter) {
+  return fmt::format("superelement_{}.inp", static_cast<char>(letter - 'A' + 'a'));
+}
+
+std::string abaqus_user_element(const Superelement& s) {
+  std::string deck = abaqus_nodes(s);
+  deck += fmt::format("*USER ELEMENT, LINEAR, NODES={}, TYPE=U1\n1, 2, 3, 4, 5, 6\n",
+                      s.nodes.size() + std::size_t(s.modal()));
+  if (s.modal() > 0) deck += fmt::format("{}, 1\n", s.nodes.size() + 1); // DOFs from that node on
+  add_upper_triangle(deck, "STIFFNESS", s.K);
+  add_upper_triangle(deck, "MASS", s.M);
+  deck += "*ELEMENT, TYPE=U1, ELSET=PLICA\n1";
+  int on_line = 1;
+  const auto add_node = [&](int node) { // sixteen numbers a line
+    deck += fmt::format(",{}{}", on_line++ % 16 == 0 ? "\n" : " ", node);
+  };
+  for (std::size_t k = 0; k < s.nodes.size(); ++k) add_node(first_grid + static_cast<int>(k));
+  for (int j = 0; j < s.modal(); ++j) add_node(first_scalar + j);
+  return deck + "\n*UEL PROPERTY, ELSET=PLICA\n";
+}
+
+std::pair<MatrixXd, MatrixXd> read_abaqus_user_element(const Superelement& s,
+                                                       const std::filesystem::path& path) {
+  std::istringstream stream(read_whole(path));
+  const Eigen::Index n = s.K.rows();
+  MatrixXd K(n, n), M(n, n);
+  MatrixXd* matrix = nullptr;
+  Eigen::Index i = 0, j = 0;
+  int matrices = 0, number = 1;
+  std::string line;
+  for (; std::getline(stream, line); ++number) {
+    if (line.starts_with("*")) {
+      if (matrix && j != n) bad_line(path, number, "the matrix before is too short");
+      matrix = nullptr;
+      if (line.starts_with("*MATRIX, TYPE=")) {
+        matrix = line.ends_with("STIFFNESS") ? &K : &M;
+        i = j = 0;
+        ++matrices;
+      }
+      continue;
+    }
+    if (!matrix) continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    double value = 0;
+    while (fields >> value) {
+      if (j == n) bad_line(path, number, "the matrix is too long");
+      (*matrix)(i, j) = (*matrix)(j, i) = value;
+      if (i++ == j) {
+        i = 0;
+        ++j;
+      }
+    }
+    if (!fields.eof()) bad_line(path, number, "holds something that is not a number");
+  }
+  if (matrices != 2) bad_line(path, number, "has not a stiffness and a mass matrix");
+  return {K, M};
+}
+
+std::string abaqus_matrix(const Superelement& s, const MatrixXd& A) {
+  std::string text;
+  for (int j = 0; j < A.cols(); ++j)
+    for (int i = j; i < A.rows(); ++i) {
+      if (A(i, j) == 0) continue;
+      const CoordinateLabel row = coordinate_label(s, i), column = coordinate_label(s, j);
+      text += fmt::format("{}, {}, {}, {}, {:.17g}\n", row.point, std::max(1, row.dof),
+                          column.point, std::max(1, column.dof), A(i, j));
+    }
+  return text;
+}
+
+MatrixXd read_abaqus_matrix(const Superelement& s, const std::filesystem::path& path) {
+  std::istringstream stream(read_whole(path));
+  MatrixXd A = MatrixXd::Zero(s.K.rows(), s.K.rows());
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.empty() || line.starts_with("**")) continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    int node1 = 0, dof1 = 0, node2 = 0, dof2 = 0;
+    double value = 0;
+    std::string more;
+    if (!(fields >> node1 >> dof1 >> node2 >> dof2 >> value) || fields >> more)
+      bad_line(path, number, "is not \"node, DOF, node, DOF, value\"");
+    const int i = coordinate_of(s, node1, dof1), j = coordinate_of(s, node2, dof2);
+    if (std::min(i, j) < 0 || std::max(i, j) >= A.rows())
+      bad_line(path, number, "names a node that the superelement has not");
+    A(i, j) = A(j, i) = value;
+  }
+  return A;
+}
+
+} // namespace plica

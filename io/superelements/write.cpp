@@ -1,0 +1,139 @@
+#include "io/superelements/write.hpp"
+
+#include "io/files.hpp"
+#include "io/report/superelements.hpp"
+#include "io/results/text.hpp"
+#include "io/superelements/abaqus.hpp"
+#include "io/superelements/certificate_lines.hpp"
+#include "io/superelements/hdf5.hpp"
+#include "io/superelements/labels.hpp"
+#include "io/superelements/matlab.hpp"
+#include "io/superelements/matrix_market.hpp"
+#include "io/superelements/nastran.hpp"
+#include "io/superelements/op4.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<FrequencyCheck>& checks) {
+  Json list = Json::array();
+  for (const FrequencyCheck& f : checks)
+    list.push_back({{"part", f.full}, {"superelement", f.reduced}, {"error", f.error()}});
+  return list;
+}
+
+Json rows_of(const Eigen::MatrixXd& A) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < A.cols(); ++j) row.push_back(A(i, j));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// What the columns mean and whose matrices they are.
+Json sidecar(const Superelement& s, const ReducedCase& r) {
+  Json nodes = Json::array();
+  for (const Eigen::Vector3d& x : s.nodes) nodes.push_back({x[0], x[1], x[2]});
+  Json recovery = Json::object(), loads = Json::object();
+  for (const RecoveryRows& x : s.recovery) recovery[x.name] = rows_of(x.rows);
+  for (const LoadVector& x : s.loads) loads[x.name] = rows_of(x.force.transpose())[0];
+  return {{"name", s.name},       {"units", s.units},
+          {"nodes", nodes},       {"coordinates", coordinate_names(s)},
+          {"route", r.route},     {"cutoff", r.cutoff},
+          {"recovery", recovery}, {"loads", loads}};
+}
+
+} // namespace
+
+std::string certificate_text(const ReducedCase& r) {
+  const Certificate& c = r.certificate;
+  const Superelement& s = r.element;
+  std::string text =
+      fmt::format("Superelement {}: {} boundary nodes, {} modes up to {} Hz, {}\n", s.name,
+                  s.nodes.size(), s.modal(), significant(r.cutoff, 4), r.route);
+  text += r.proved ? "Proved, no fixed-interface mode below the cut-off is missing.\n"
+                   : "Not proved: " + r.reason + "\n";
+  if (r.left_out.count > 0)
+    text +=
+        fmt::format("Left out: {} modes from {} Hz on that carry at most {} % of the interface "
+                    "mass each, {} % together.\n",
+                    r.left_out.count, significant(r.left_out.lowest, 4),
+                    significant(100 * r.left_out.largest, 2), significant(100 * r.left_out.sum, 2));
+  for (const CertificateLine& line : certificate_lines(c))
+    text += fmt::format("  {:<48} {:>9}\n", line.text, significant(line.value, 2));
+  text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
+  text += "  free-interface frequencies, Hz: part, superelement, error %\n";
+  for (const FrequencyCheck& f : c.free)
+    text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}\n", f.full, f.reduced,
+                        with_sign(100 * f.error(), 4));
+  if (c.free.empty()) text += "    none below the cut-off: nothing compared\n";
+  text += fmt::format("Good up to {} Hz with an error of {} %.\n", significant(c.good_up_to, 4),
+                      significant(100 * c.error, 2));
+  text += c.passed ? "The certificate is passed.\n" : "The certificate FAILED:\n";
+  for (const std::string& failure : c.failures) text += "  " + failure + "\n";
+  return text;
+}
+
+std::string certificate_json(const ReducedCase& r) {
+  const Certificate& c = r.certificate;
+  Json json{{"name", r.element.name},     {"route", r.route},   {"cutoff", r.cutoff},
+            {"modes", r.element.modal()}, {"proved", r.proved}, {"reason", r.reason}};
+  for (const CertificateLine& line : certificate_lines(c)) json["checks"][line.key] = line.value;
+  json["checks"]["zero_stiffness"] = c.zero_stiffness;
+  json["left_out"] = {{"modes", r.left_out.count},
+                      {"lowest", r.left_out.lowest},
+                      {"largest_interface_mass", r.left_out.largest},
+                      {"interface_mass", r.left_out.sum}};
+  json["free_interface"] = json_of(c.free);
+  json["fixed_interface"] = json_of(c.fixed);
+  json["good_up_to"] = c.good_up_to;
+  json["error"] = c.error;
+  json["passed"] = c.passed;
+  json["failures"] = c.failures;
+  json["timing"] = r.timing;
+  json["peak_memory"] = r.peak_memory;
+  return json.dump(2) + "\n";
+}
+
+void write_superelement(const ReducedCase& r, Units units, const std::filesystem::path& folder) {
+  const Superelement s = units == Units::millimetres ? in_millimetres(r.element) : r.element;
+  if (!s.K.allFinite() || !s.M.allFinite())
+    throw std::runtime_error(
+        "the superelement has numbers that are not finite; nothing is written");
+  FileSet files(folder);
+  write_hdf5(s, files.place("superelement.h5"));
+  write_matlab(s, files.place("superelement.mat"));
+  files.add("superelement.bdf", nastran_deck(s));
+  files.add("superelement.op4", op4_file(s));
+  files.add("superelement.inp", abaqus_deck(s));
+  files.add("superelement_user.inp", abaqus_user_element(s));
+  for (const NamedMatrix& m : matrices_of(s)) {
+    const std::string name = abaqus_matrix_file(m.letter);
+    files.add(name, abaqus_matrix(s, *m.matrix));
+    files.add(fs::path(name).replace_extension(".mtx").string(),
+              matrix_market(*m.matrix, s.name + ", units: " + s.units));
+  }
+  files.add("superelement.json", sidecar(s, r).dump(2) + "\n");
+  files.add("report.html", certificate_report(r));
+  files.add("certificate.json", certificate_json(r));
+  files.commit();
+  for (const char letter : {'C', 'D'}) { // of an earlier run with damping
+    const std::string name = abaqus_matrix_file(letter);
+    if (files.holds(name)) continue;
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+    fs::remove(fs::path(folder / name).replace_extension(".mtx"), ignored);
+  }
+}
+
+} // namespace plica
