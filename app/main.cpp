@@ -3,6 +3,7 @@
 #include "model/input_error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
 #include <new>
@@ -25,8 +26,8 @@ CLI::Validator number_in(double top, const std::string& allowed) {
 template <class E>
 void add_choice(CLI::App& app, const std::string& name, E& value,
                 const std::vector<std::pair<std::string, E>>& names, const std::string& help) {
-  std::vector<std::string> words;
-  for (const auto& [word, meaning] : names) words.push_back(word);
+  std::vector<std::string> words(names.size());
+  std::transform(names.begin(), names.end(), words.begin(), [](const auto& n) { return n.first; });
   app.add_option_function<std::string>(
          name,
          [&value, names](const std::string& word) {
