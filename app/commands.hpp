@@ -41,8 +41,8 @@ struct IdentifyOptions {
   std::filesystem::path out = "out";
   bool quiet = false;
   IdentifySettings settings;
-  FrfQuantity quantity = FrfQuantity::accelerance; // of bare files
-  WelchSettings welch;
+  std::optional<FrfQuantity> quantity; // of bare files; none = as they say, or accelerance
+  WelchSettings welch{.block = 0};     // by the length of the record
   FrfEstimator estimator = FrfEstimator::H1;
   SineTracking tracking;
 };

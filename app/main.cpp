@@ -24,17 +24,19 @@ CLI::Validator number_in(double top, const std::string& allowed) {
 
 // One word out of several; the help lists them.
 template <class E>
-void add_choice(CLI::App& app, const std::string& name, E& value,
-                const std::vector<std::pair<std::string, E>>& names, const std::string& help) {
+CLI::Option* add_choice(CLI::App& app, const std::string& name, E& value,
+                        const std::vector<std::pair<std::string, E>>& names,
+                        const std::string& help) {
   std::vector<std::string> words(names.size());
   std::transform(names.begin(), names.end(), words.begin(), [](const auto& n) { return n.first; });
-  app.add_option_function<std::string>(
-         name,
-         [&value, names](const std::string& word) {
-           for (const auto& [known, meaning] : names)
-             if (known == word) value = meaning;
-         },
-         help)
+  return app
+      .add_option_function<std::string>(
+          name,
+          [&value, names](const std::string& word) {
+            for (const auto& [known, meaning] : names)
+              if (known == word) value = meaning;
+          },
+          help)
       ->check(CLI::IsMember(words))
       ->type_name("");
 }
@@ -112,15 +114,18 @@ int dispatch(int argc, char** argv) {
       ->add_option("--order", identify.settings.highest_order,
                    "highest order of the stabilisation diagram; left out: by the references")
       ->check(CLI::Range(2, 200));
-  add_choice(*identify_app, "--quantity", identify.quantity,
-             {{"receptance", plica::FrfQuantity::receptance},
-              {"mobility", plica::FrfQuantity::mobility},
-              {"accelerance", plica::FrfQuantity::accelerance},
-              {"transmissibility", plica::FrfQuantity::transmissibility}},
-             "of bare files; left out: accelerance");
-  identify_app->add_option("--block", identify.welch.block, "samples of a block (noise)")
-      ->check(CLI::Range(8, 1 << 24))
-      ->capture_default_str();
+  plica::FrfQuantity quantity{};
+  CLI::Option* quantity_given =
+      add_choice(*identify_app, "--quantity", quantity,
+                 {{"receptance", plica::FrfQuantity::receptance},
+                  {"mobility", plica::FrfQuantity::mobility},
+                  {"accelerance", plica::FrfQuantity::accelerance},
+                  {"transmissibility", plica::FrfQuantity::transmissibility}},
+                 "of bare files; left out: as they say, or accelerance");
+  identify_app
+      ->add_option("--block", identify.welch.block,
+                   "samples of a block (noise); left out: by the length")
+      ->check(CLI::Range(8, 1 << 24));
   identify_app->add_option("--overlap", identify.welch.overlap, "of blocks, 0 to 0.95")
       ->check(CLI::Range(0., 0.95))
       ->capture_default_str();
@@ -172,6 +177,7 @@ int dispatch(int argc, char** argv) {
   if (*run_app) return plica::run_command(run);
   if (*compare_app) return plica::compare_command(compare);
   if (*identify_app) {
+    if (*quantity_given) identify.quantity = quantity;
     if (!band.empty()) {
       identify.settings.low = band[0];
       identify.settings.high = band[1];

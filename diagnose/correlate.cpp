@@ -20,17 +20,19 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-// Channels that every mode with a shape has, on both sides.
-std::vector<std::string> common_channels(const Measured& a, const Measured& b) {
+// Channels that all shapes of the pairs have, on both sides.
+std::vector<std::string> common_channels(const Measured& a, const Measured& b,
+                                         const std::vector<PairedMode>& pairs) {
   std::vector<std::string> common;
   bool first = true;
-  for (const Measured* side : {&b, &a})
-    for (const MeasuredMode& m : side->modes) {
-      if (!m.vector) continue;
-      if (first) common = m.vector->channels;
+  for (const PairedMode& p : pairs) {
+    if (!p.mac) continue;
+    for (const MeasuredMode* m : {&b.modes[p.measured], &a.modes[p.simulated]}) {
+      if (first) common = m->vector->channels;
       first = false;
-      std::erase_if(common, [&](const std::string& c) { return !has(m.vector->channels, c); });
+      std::erase_if(common, [&](const std::string& c) { return !has(m->vector->channels, c); });
     }
+  }
   return common;
 }
 
@@ -44,19 +46,27 @@ VectorXcd vector_of(const MeasuredVector& v, const std::vector<std::string>& cha
   return x;
 }
 
-struct Shapes {
+std::vector<int> with_shape(const Measured& m) {
   std::vector<int> modes;
-  MatrixXcd vectors; // channels x modes
-};
-
-Shapes shapes_of(const Measured& m, const std::vector<std::string>& channels) {
-  Shapes s;
   for (std::size_t i = 0; i < m.modes.size(); ++i)
-    if (m.modes[i].vector) s.modes.push_back(static_cast<int>(i));
-  s.vectors.resize(Index(channels.size()), Index(s.modes.size()));
-  for (std::size_t k = 0; k < s.modes.size(); ++k)
-    s.vectors.col(Index(k)) = vector_of(*m.modes[s.modes[k]].vector, channels);
-  return s;
+    if (m.modes[i].vector) modes.push_back(static_cast<int>(i));
+  return modes;
+}
+
+// Over the channels that both have; 0 below two of them.
+double mac_of(const MeasuredVector& a, const MeasuredVector& b) {
+  std::vector<std::string> common = a.channels;
+  std::erase_if(common, [&](const std::string& c) { return !has(b.channels, c); });
+  return common.size() < 2 ? 0 : mac(vector_of(a, common), vector_of(b, common));
+}
+
+MatrixXd mac_matrix_of(const Measured& a, const std::vector<int>& rows, const Measured& b,
+                       const std::vector<int>& columns) {
+  MatrixXd m(Index(rows.size()), Index(columns.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      m(Index(i), Index(j)) = mac_of(*a.modes[rows[i]].vector, *b.modes[columns[j]].vector);
+  return m;
 }
 
 PairedMode paired(const Measured& a, const Measured& b, int i, int j, const std::string& by) {
@@ -113,26 +123,37 @@ std::vector<std::array<int, 2>> best_pairs(const MatrixXd& score) {
 }
 
 void pair_by_shape(const TestData& a, const TestData& b, Correlation& c) {
-  const Shapes s = shapes_of(a.data, c.channels), t = shapes_of(b.data, c.channels);
-  c.mac = mac_matrix(s.vectors, t.vectors);
-  c.auto_mac = mac_matrix(t.vectors, t.vectors);
-  c.mac_rows = s.modes;
-  c.mac_columns = t.modes;
+  c.mac_rows = with_shape(a.data);
+  c.mac_columns = with_shape(b.data);
+  if (c.mac_rows.empty() || c.mac_columns.empty()) return;
+  c.mac = mac_matrix_of(a.data, c.mac_rows, b.data, c.mac_columns);
+  c.auto_mac = mac_matrix_of(b.data, c.mac_columns, b.data, c.mac_columns);
   MatrixXd score = c.mac;
   for (Index i = 0; i < score.rows(); ++i)
     for (Index j = 0; j < score.cols(); ++j) {
-      const double e = a.data.modes[s.modes[i]].frequency / b.data.modes[t.modes[j]].frequency - 1;
+      const double e =
+          a.data.modes[c.mac_rows[i]].frequency / b.data.modes[c.mac_columns[j]].frequency - 1;
       score(i, j) = c.mac(i, j) > 0.5 ? c.mac(i, j) - 10 * e * e : 0;
     }
-  std::vector<int> rows, columns;
   for (const auto& [i, j] : best_pairs(score)) {
-    PairedMode p = paired(a.data, b.data, s.modes[i], t.modes[j], "shape");
+    PairedMode p = paired(a.data, b.data, c.mac_rows[i], c.mac_columns[j], "shape");
     p.mac = c.mac(i, j);
     c.pairs.push_back(p);
-    rows.push_back(i);
-    columns.push_back(j);
   }
-  if (!rows.empty()) c.comac = comac(s.vectors(Eigen::all, rows), t.vectors(Eigen::all, columns));
+}
+
+// Over the channels that all paired shapes have.
+void add_comac(const TestData& a, const TestData& b, Correlation& c) {
+  c.channels = common_channels(a.data, b.data, c.pairs);
+  if (c.channels.empty()) return;
+  MatrixXcd s(Index(c.channels.size()), Index(c.pairs.size())), t = s;
+  Index count = 0;
+  for (const PairedMode& p : c.pairs) {
+    if (!p.mac) continue;
+    s.col(count) = vector_of(*a.data.modes[p.simulated].vector, c.channels);
+    t.col(count++) = vector_of(*b.data.modes[p.measured].vector, c.channels);
+  }
+  c.comac = comac(s.leftCols(count), t.leftCols(count));
 }
 
 bool same_name(const MeasuredMode& s, const MeasuredMode& t) {
@@ -228,7 +249,7 @@ void compare_responses(const TestData& a, const TestData& b, Correlation& c) {
         if (at == s->responses.end()) continue;
         const VectorXcd simulated = s->H[i].col(at - s->responses.begin());
         const VectorXcd test = t.H[k].col(Index(o));
-        if (is_silent(simulated, s->H[i]) && is_silent(test, t.H[k])) continue;
+        if (is_silent(simulated, s->H[i])) continue; // nothing to compare but rounding
         ComparedResponse r{.response = t.responses[o],
                            .reference = t.references[k],
                            .level = t.level,
@@ -271,12 +292,17 @@ void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
                              t.value, either(s.sigma, t.sigma)});
 }
 
-void add_limits(const TestData& b, Correlation& c) {
+void add_limits(const TestData& a, const TestData& b, Correlation& c) {
+  if (a.data.specimen != b.data.specimen)
+    c.limits.push_back("anything, unless the specimens " + a.data.specimen + " and " +
+                       b.data.specimen + " are the same");
   std::set<std::string> sensors;
   for (const std::string& channel : c.channels)
     sensors.insert(channel.substr(0, channel.rfind('.')));
   if (c.channels.empty())
-    c.limits.emplace_back("no shape is known on both sides: modes are paired by their names alone");
+    c.limits.emplace_back(
+        "no mode has a shape over common channels on both sides: modes are paired by "
+        "their names alone");
   else if (sensors.size() == 1)
     c.limits.push_back(
         "one sensor (" + *sensors.begin() +
@@ -296,20 +322,20 @@ void add_limits(const TestData& b, Correlation& c) {
       }
   if (!alike.empty())
     c.limits.push_back("measured modes look alike at these channels (MAC above 0.5): " + alike);
-  if (b.frfs.empty()) c.limits.emplace_back("no measured response: FRAC and CSAC are left out");
+  if (b.frfs.empty())
+    c.limits.emplace_back("no measured response: FRAC and CSAC are left out");
+  else if (c.responses.empty())
+    c.limits.emplace_back(
+        "the simulation has none of the measured responses, or is silent there: FRAC "
+        "and CSAC are left out");
 }
 
 } // namespace
 
 Correlation correlate(const TestData& simulated, const TestData& measured) {
   Correlation c;
-  c.channels = common_channels(simulated.data, measured.data);
-  const auto with_shape = [](const Measured& m) {
-    return std::any_of(m.modes.begin(), m.modes.end(),
-                       [](const MeasuredMode& x) { return x.vector.has_value(); });
-  };
-  if (!with_shape(simulated.data) || !with_shape(measured.data)) c.channels.clear();
-  if (c.channels.size() > 1) pair_by_shape(simulated, measured, c);
+  pair_by_shape(simulated, measured, c);
+  add_comac(simulated, measured, c);
   pair_by_name(simulated, measured, c);
   std::sort(c.pairs.begin(), c.pairs.end(),
             [](const PairedMode& p, const PairedMode& q) { return p.measured < q.measured; });
@@ -325,7 +351,7 @@ Correlation correlate(const TestData& simulated, const TestData& measured) {
   c.unpaired_simulated = unpaired(simulated.data.modes.size(), &PairedMode::simulated);
   compare_responses(simulated, measured, c);
   compare_numbers(simulated, measured, c);
-  add_limits(measured, c);
+  add_limits(simulated, measured, c);
   return c;
 }
 

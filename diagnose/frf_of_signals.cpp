@@ -40,10 +40,13 @@ SignalFrf frf_of_noise(const Eigen::MatrixXd& samples, double rate,
   std::vector<int> responses;
   for (int c = 0; c < static_cast<int>(channels.size()); ++c)
     if (c != input) responses.push_back(c);
-  const Spectra spectra = welch(samples, rate, {input}, responses, settings);
+  WelchSettings used = settings;
+  if (used.block == 0) used.block = usual_block(samples.rows());
+  const Spectra spectra = welch(samples, rate, {input}, responses, used);
   const FrfEstimate e = estimate_frf(spectra, estimator);
   result.set.hertz = e.hertz;
   result.set.H = e.H;
+  result.set.resolution = spectra.resolution;
   result.coherence = e.coherence;
   result.density.resize(e.hertz.size(), samples.cols());
   for (Index f = 0; f < e.hertz.size(); ++f) result.density(f, input) = spectra.xx[f](0, 0).real();
@@ -74,6 +77,7 @@ SignalFrf frf_of_sine(const Eigen::MatrixXd& samples, double rate,
   for (Index f = 0; f < count; ++f) {
     const SineLine& line = lines[f];
     result.set.hertz[f] = line.hertz;
+    result.set.sweep_rate = std::max(result.set.sweep_rate, line.sweep_rate);
     for (Index c = 0, column = 0; column < samples.cols(); ++column) {
       if (column == input) continue;
       result.set.H[0](f, c) = line.amplitude(0, column) / line.amplitude(0, input);

@@ -25,6 +25,9 @@ struct FrfSet {
   std::vector<Eigen::MatrixXcd> H;     // per reference: frequencies x responses
   std::vector<Eigen::MatrixXd> sigma;  // standard deviation of |H|, same shapes; empty = unknown
   std::optional<double> level;         // of the excitation, m/s2 or N
+  double resolution = 0;               // noise bandwidth of a line, Hz; 0 = not known
+  double sweep_rate = 0;               // largest of a sine test, per s: (df/dt) / f; 0 = none
+  std::vector<std::string> warnings;   // of the files it comes from
 };
 
 // The lines between two frequencies. Throws std::invalid_argument when none is left.

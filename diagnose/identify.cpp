@@ -1,5 +1,6 @@
 #include "diagnose/identify.hpp"
 
+#include "diagnose/identify_warnings.hpp"
 #include "diagnose/mode_correlation.hpp"
 
 #include <Eigen/SVD>
@@ -27,7 +28,7 @@ double rms(const std::vector<MatrixXcd>& list) {
 
 int usual_order(const FrfSet& set) {
   const int order = set.H.size() == 1 ? 40 : set.H.size() == 2 ? 30 : 24;
-  return std::clamp(static_cast<int>(set.hertz.size()) / 4, 2, order);
+  return std::clamp(static_cast<int>(set.hertz.size()) / 2, 2, order);
 }
 
 // A pole that no response needs, that the fit moved out of the band, or that is known to no better
@@ -169,31 +170,45 @@ int orders_that_show(const std::vector<DiagramPole>& diagram, const IdentifiedMo
   return static_cast<int>(orders.size());
 }
 
-void add_warnings(Identification& found) {
-  const auto hertz = [](double f) { return std::to_string(f).substr(0, 6) + " Hz"; };
-  const FrfSet& set = found.set;
-  if (set.responses.size() < 3)
-    found.warnings.emplace_back(
-        "with " + std::to_string(set.responses.size()) + " response" +
-        (set.responses.size() == 1 ? "" : "s") +
-        " a shape says little: modes of different form cannot be told apart by it");
-  const double step =
-      (set.hertz[set.hertz.size() - 1] - set.hertz[0]) / double(set.hertz.size() - 1);
-  for (const IdentifiedMode& m : found.modes) {
-    if (2 * m.damping * m.frequency < 5 * step)
-      found.warnings.push_back("mode at " + hertz(m.frequency) +
-                               ": fewer than five lines within the half-power bandwidth");
-    if (m.rank > 0.3)
-      found.warnings.push_back(
-          "mode at " + hertz(m.frequency) +
-          ": its residues are not of one mode; a close pair, or references that "
-          "were not measured on the same structure");
-    if (m.collinearity < 0.8 && set.responses.size() > 1)
-      found.warnings.push_back("mode at " + hertz(m.frequency) + ": the shape is far from real");
+// Estimates from one reference at a time: where they differ, the references were not measured on
+// the same structure, and no single fit knows how well.
+void widen_by_references(const FrfSet& set, const ModalFit& fit,
+                         std::vector<IdentifiedMode>& modes) {
+  if (set.H.size() < 2 || modes.empty()) return;
+  std::vector<Complex> poles;
+  for (const FittedMode& m : fit.modes) poles.push_back(m.lambda);
+  std::vector<std::vector<double>> f(modes.size()), z(modes.size());
+  for (std::size_t i = 0; i < set.H.size(); ++i) {
+    FrfSet alone = set;
+    alone.references = {set.references[i]};
+    alone.H = {set.H[i]};
+    if (!set.sigma.empty()) alone.sigma = {set.sigma[i]};
+    const ModalFit one = fit_modes(alone, poles);
+    for (std::size_t r = 0; r < modes.size(); ++r) {
+      const double all = fit.modes[r].residue.colwise().norm().maxCoeff();
+      if (fit.modes[r].residue.col(Index(i)).norm() < 0.1 * all) continue; // hardly driven
+      f[r].push_back(one.modes[r].frequency());
+      z[r].push_back(one.modes[r].damping());
+    }
   }
-  if (found.modes.empty()) found.warnings.emplace_back("no mode stands out of the noise");
-  if (found.misfit > 0.3)
-    found.warnings.emplace_back("the modes leave more than 30 % of the responses unexplained");
+  const auto error_of_mean = [](const std::vector<double>& x) {
+    double mean = 0, square = 0;
+    for (double v : x) mean += v / double(x.size());
+    for (double v : x) square += (v - mean) * (v - mean);
+    return x.size() < 2 ? 0 : std::sqrt(square / double(x.size() - 1) / double(x.size()));
+  };
+  for (std::size_t r = 0; r < modes.size(); ++r) {
+    modes[r].sigma_frequency = std::max(modes[r].sigma_frequency, error_of_mean(f[r]));
+    modes[r].sigma_damping = std::max(modes[r].sigma_damping, error_of_mean(z[r]));
+  }
+}
+
+// A line of width B widens a resonance of half-power width W: damping is high by (B / W)^2 / 2 of
+// it.
+void widen_by_resolution(const FrfSet& set, IdentifiedMode& mode) {
+  const double width = 2 * mode.damping * mode.frequency;
+  const double bias = mode.damping * std::pow(set.resolution / width, 2) / 2;
+  mode.sigma_damping = std::hypot(mode.sigma_damping, bias);
 }
 
 } // namespace
@@ -227,8 +242,10 @@ Identification identify(const FrfSet& given, const IdentifySettings& settings) {
     shapes.col(Index(r)) = mode.shape;
     found.modes.push_back(std::move(mode));
   }
+  widen_by_references(set, fit, found.modes);
+  for (IdentifiedMode& m : found.modes) widen_by_resolution(set, m);
   found.auto_mac = mac_matrix(shapes, shapes);
-  add_warnings(found);
+  found.warnings = identification_warnings(found);
   return found;
 }
 

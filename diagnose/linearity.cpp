@@ -126,6 +126,7 @@ std::vector<LevelVerdict> level_verdicts(const Measured& measured,
     if (!set.level) continue;
     for (std::size_t i = 0; i < set.H.size(); ++i)
       for (std::size_t o = 0; o < set.responses.size(); ++o) {
+        if (set.H[i].col(Index(o)).norm() <= 1e-6 * set.H[i].colwise().norm().maxCoeff()) continue;
         const std::vector<PickedPeak> peaks =
             pick_peaks(set.hertz, set.H[i].col(Index(o)).cwiseAbs());
         const auto highest = std::max_element(
@@ -188,12 +189,27 @@ std::vector<Homogeneity> homogeneity(const std::vector<FrfSet>& frfs) {
   return list;
 }
 
+namespace {
+
+// The four highest of a response, by frequency.
+std::vector<PickedPeak> highest_peaks(const FrfSet& set, Index response) {
+  std::vector<PickedPeak> peaks =
+      pick_peaks(set.hertz, set.H[0].col(response).cwiseAbs(), 1.4, 0.05);
+  std::sort(peaks.begin(), peaks.end(),
+            [](const PickedPeak& a, const PickedPeak& b) { return a.amplitude > b.amplitude; });
+  peaks.resize(std::min<std::size_t>(peaks.size(), 4));
+  std::sort(peaks.begin(), peaks.end(),
+            [](const PickedPeak& a, const PickedPeak& b) { return a.frequency < b.frequency; });
+  return peaks;
+}
+
+} // namespace
+
 std::vector<CoherenceDrop> coherence_drops(const FrfSet& set, const Eigen::MatrixXd& coherence,
                                            double below) {
   std::vector<CoherenceDrop> drops;
   for (std::size_t o = 0; o < set.responses.size(); ++o)
-    for (const PickedPeak& p :
-         pick_peaks(set.hertz, set.H[0].col(Index(o)).cwiseAbs(), 1.4, 0.05)) {
+    for (const PickedPeak& p : highest_peaks(set, Index(o))) {
       Index at = 0;
       (set.hertz.array() - p.frequency).abs().minCoeff(&at);
       if (coherence(at, Index(o)) < below)
@@ -204,9 +220,12 @@ std::vector<CoherenceDrop> coherence_drops(const FrfSet& set, const Eigen::Matri
 
 std::vector<Distortion> distortions(const FrfSet& set, const Eigen::MatrixXd& distortion) {
   std::vector<Distortion> list;
+  const Index edge = std::min<Index>(3, distortion.rows() / 4); // start and stop of the sweep
   for (Index o = 0; o < distortion.cols(); ++o) {
     Index at = 0;
-    const double largest = distortion.col(o).maxCoeff(&at);
+    const double largest =
+        distortion.col(o).segment(edge, distortion.rows() - 2 * edge).maxCoeff(&at);
+    at += edge;
     list.push_back({set.responses[o], set.hertz[at], largest});
   }
   return list;

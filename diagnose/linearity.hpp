@@ -51,8 +51,8 @@ struct Homogeneity {
 };
 std::vector<Homogeneity> homogeneity(const std::vector<FrfSet>& frfs);
 
-// Peaks of the responses at which the coherence is low: noise does not do that where the response
-// is large.
+// Of the four highest peaks of each response those at which the coherence is low: noise does not do
+// that where the response is large.
 struct CoherenceDrop {
   std::string response;
   double frequency = 0, coherence = 0;

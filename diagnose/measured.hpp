@@ -94,10 +94,6 @@ struct MeasuredFrf {
   std::optional<FrfSigma> sigma;
   std::vector<std::string> channels; // of the columns, "-" = left out; empty = by their names
   MatlabVariables variables;
-
-  FrfQuantity what() const {
-    return quantity.value_or(base ? FrfQuantity::transmissibility : FrfQuantity::accelerance);
-  }
 };
 
 enum class Excitation { random, sine };
@@ -106,7 +102,8 @@ enum class Excitation { random, sine };
 struct MeasuredSignals {
   std::string file;
   std::optional<Axis> base;          // along which the table moved
-  std::string reference;             // channel of the input: "base.y" or "floor1.force"
+  std::string reference;             // channel of the input: "base.y" or "hammer"
+  std::string force;                 // channel that the input drives, "mid.y", when it is a force
   std::vector<std::string> channels; // of the columns without the time
   std::optional<double> rate;        // Hz; absent where the file has the time
   std::optional<double> level;

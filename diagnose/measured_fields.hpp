@@ -144,6 +144,7 @@ template <class V> void fields(V& v, MeasuredSignals& s) {
   v.text(s.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
   v.choice(s.base, "base", axis_names, optional_key, "axis along which the table moved");
   v.text(s.reference, "reference", {.required = true}, "channel of the input, such as base.y");
+  v.text(s.force, "force", {}, "channel that the input drives, where it is a force");
   v.texts(s.channels, "channels",
           "sensor and axis of every column, such as mid.y; - leaves it out");
   v.quantity(s.rate, "rate", sigma_frequency, "sampling rate, where the file has no time");

@@ -145,6 +145,7 @@ struct Search {
 
 Search search(const Lines& l, const MatrixXd& H, const Poles& start) {
   Search result{.state = evaluate(l, H, start)};
+  result.converged = start.empty();
   double damping = 1e-3;
   for (; result.iterations < 200 && !result.converged; ++result.iterations) {
     const Normal n = normal_equations(l, result.state);
@@ -181,6 +182,7 @@ MatrixXd stacked(const FrfSet& set) {
 // as it is, larger at a resonance that wanders, correlated under a window, but is too small where
 // few lines lie in a bandwidth (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
 VectorXd variances_of(const Normal& n, double cost, double values, double freedom) {
+  if (n.JE.size() == 0) return {};
   constexpr Index lags = 3;
   MatrixXd V = n.score.transpose() * n.score;
   for (Index lag = 1; lag <= lags && lag < n.score.rows(); ++lag) {

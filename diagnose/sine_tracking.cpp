@@ -29,6 +29,7 @@ SineLine fit(const MatrixXd& samples, const VectorXd& phase, double hertz, int h
   }
   const MatrixXd c = basis.colPivHouseholderQr().solve(samples);
   SineLine line{.hertz = hertz,
+                .sweep_rate = 0,
                 .amplitude = MatrixXcd::Zero(harmonics, samples.cols()),
                 .distortion = VectorXd::Zero(samples.cols()),
                 .residual = VectorXd::Zero(samples.cols())};
@@ -77,6 +78,28 @@ SineLine padded(SineLine line, int harmonics) {
   return line;
 }
 
+struct Dwell {
+  Index first = 0, last = 0;
+};
+
+// Stretches over which the frequency keeps within a thousandth for ten periods and more. A sweep
+// has none that stand apart: the steps between them must be ten times as large.
+std::vector<Dwell> dwells_of(const VectorXd& hertz, Index guard, double rate) {
+  std::vector<Dwell> dwells;
+  for (Index i = guard; i < hertz.size() - guard;) {
+    Index j = i;
+    while (j + 1 < hertz.size() - guard && std::abs(hertz[j + 1] / hertz[i] - 1) < 1e-3) ++j;
+    if (double(j - i) > 10 * rate / std::abs(hertz[i])) dwells.push_back({i, j});
+    i = j + 1;
+  }
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < dwells.size(); ++k)
+    steps.push_back(std::abs(hertz[dwells[k].first] / hertz[dwells[k - 1].first] - 1));
+  if (steps.size() < 2) return {};
+  std::nth_element(steps.begin(), steps.begin() + long(steps.size() / 2), steps.end());
+  return steps[steps.size() / 2] > 0.01 ? dwells : std::vector<Dwell>{};
+}
+
 } // namespace
 
 SineLine fit_sine(const MatrixXd& samples, double rate, double hertz, int harmonics) {
@@ -109,6 +132,21 @@ std::vector<SineLine> track_sine(const MatrixXd& samples, double rate, int refer
   if (!(low > 0 && high >= low))
     throw std::invalid_argument("the reference channel carries no sine to follow");
   std::vector<SineLine> lines;
+  for (const Dwell& d : dwells_of(hertz, guard, rate)) {
+    const Index first = (d.first + d.last) / 2, count = d.last - first + 1; // settled
+    const double f = (phase[d.last] - phase[first]) / double(d.last - first) * rate / two_pi;
+    const int orders = orders_below_nyquist(s.harmonics, f, rate);
+    if (orders < 1 || count < 3 * (2 + 2 * orders)) continue;
+    lines.push_back(
+        padded(fit(samples.middleRows(first, count), phase.segment(first, count), f, orders),
+               s.harmonics));
+  }
+  if (lines.size() > 2) {
+    std::sort(lines.begin(), lines.end(),
+              [](const SineLine& a, const SineLine& b) { return a.hertz < b.hertz; });
+    return lines;
+  }
+  lines.clear();
   for (int l = 0; l < s.lines; ++l) {
     const double wanted = low * std::pow(high / low, l / double(s.lines - 1));
     Index at = -1;
@@ -120,8 +158,9 @@ std::vector<SineLine> track_sine(const MatrixXd& samples, double rate, int refer
     const Index first = std::max<Index>(0, at - half), last = std::min<Index>(n - 1, at + half);
     if (orders < 1 || last - first + 1 < 3 * (2 + 2 * orders)) continue;
     const Index count = last - first + 1;
-    const SineLine line =
+    SineLine line =
         fit(samples.middleRows(first, count), phase.segment(first, count), wanted, orders);
+    line.sweep_rate = std::abs(hertz[last] - hertz[first]) / double(last - first) * rate / wanted;
     lines.push_back(padded(line, s.harmonics));
   }
   return lines;

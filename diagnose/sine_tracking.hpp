@@ -17,6 +17,7 @@ namespace plica {
 // Amplitudes at one frequency: harmonics x channels; peak values, phase to the reference.
 struct SineLine {
   double hertz = 0;
+  double sweep_rate = 0; // (df/dt) / f there, 1/s; 0 while the frequency dwells
   Eigen::MatrixXcd amplitude;
   Eigen::VectorXd distortion; // per channel: sqrt(sum_{k>1} |A_k|^2) / |A_1|
   Eigen::VectorXd residual;   // per channel: RMS of what no harmonic explains / RMS of the signal
@@ -33,9 +34,10 @@ struct SineTracking {
   int lines = 400;          // wanted frequencies, evenly in the logarithm
 };
 
-// Swept or stepped sine whose reference channel (a column) carries the excitation; one line per
-// wanted frequency that the sweep passes, in increasing frequency. Harmonics above half the
-// sampling rate are zero. A sweep that passes a frequency twice gives the first passage.
+// Swept or stepped sine whose reference channel (a column) carries the excitation. Where the
+// frequency dwells, each step gives one line, of its second half; else one line per wanted
+// frequency that the sweep passes. In increasing frequency. Harmonics above half the sampling rate
+// are zero. A sweep that passes a frequency twice gives the first passage.
 std::vector<SineLine> track_sine(const Eigen::MatrixXd& samples, double rate, int reference,
                                  const SineTracking& settings);
 

@@ -67,6 +67,12 @@ MatrixXcd transformed(const MatrixXd& samples, const std::vector<int>& channels,
 
 } // namespace
 
+int usual_block(Index samples) {
+  int block = 256;
+  while (block * 20 <= samples) block *= 2;
+  return block;
+}
+
 int block_count(Index samples, const WelchSettings& s) {
   return samples < s.block ? 0 : static_cast<int>((samples - s.block) / hop_of(s)) + 1;
 }

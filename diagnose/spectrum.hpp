@@ -25,10 +25,13 @@ double amplitude_correction(const Eigen::VectorXd& w);
 double energy_correction(const Eigen::VectorXd& w);
 
 struct WelchSettings {
-  int block = 1024;     // samples
+  int block = 1024;     // samples; 0 = usual_block()
   double overlap = 0.5; // of a block, 0 <= overlap < 1
   Window window = Window::hann;
 };
+
+// The power of two that leaves about twenty overlapping blocks, 256 at least.
+int usual_block(Eigen::Index samples);
 
 // Number of blocks that a record holds.
 int block_count(Eigen::Index samples, const WelchSettings& settings);

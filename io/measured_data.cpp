@@ -26,6 +26,7 @@ struct Request {
   std::vector<std::string> channels;
   MatlabVariables variables;
   bool time = false;
+  double rate = 0; // of a file without times, Hz
 };
 
 [[noreturn]] void bad(const Request& r, const std::string& sub, const std::string& wrong,
@@ -92,7 +93,8 @@ ChannelTable assembled(const VectorXd& abscissa, std::vector<Column> columns, co
         "names " + std::to_string(r.channels.size()) + " channels, the file has " +
             std::to_string(columns.size()),
         "one name a channel, - for those to leave out");
-  ChannelTable table{.abscissa = abscissa, .channels = {}, .values = {}, .warnings = {}};
+  ChannelTable table{
+      .abscissa = abscissa, .channels = {}, .values = {}, .warnings = {}, .quantity = {}};
   table.values.resize(abscissa.size(), Index(columns.size()));
   Index kept = 0;
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -104,6 +106,10 @@ ChannelTable assembled(const VectorXd& abscissa, std::vector<Column> columns, co
     table.values.col(kept++) = columns[c].values;
   }
   if (kept == 0) bad(r, "channels", "leave nothing", "at least one channel");
+  if (!r.time && table.values.leftCols(kept).imag().isZero(0))
+    bad(r, "channels", "no response has an imaginary part",
+        "complex cells, or a real and an imaginary column per channel with the channels named; "
+        "magnitudes alone, or with phases, are not read");
   table.values.conservativeResize(Eigen::NoChange, kept);
   for (Index i = 1; i < abscissa.size(); ++i)
     if (!(abscissa[i] > abscissa[i - 1]))
@@ -114,8 +120,24 @@ ChannelTable assembled(const VectorXd& abscissa, std::vector<Column> columns, co
   return table;
 }
 
+// Times of samples without any.
+VectorXd times_at(double rate, Index count) {
+  return VectorXd::LinSpaced(count, 0, double(count - 1) / rate);
+}
+
 ChannelTable csv_channels(const Request& r) {
-  const CsvTable table = read_csv(r.path);
+  CsvTable table = read_csv(r.path);
+  if (r.rate > 0) { // no column of times
+    const std::string& first = table.columns[0].name;
+    if (first == "t" || first.starts_with("time") || first.starts_with("Time") ||
+        (!r.channels.empty() && table.columns.size() == r.channels.size() + 1))
+      bad(r, "rate", "stands beside a column of times", "nothing, where the file has the time");
+    CsvColumn time{.name = "time",
+                   .unit = "s",
+                   .real = times_at(r.rate, table.columns[0].real.size()),
+                   .imaginary = {}};
+    table.columns.insert(table.columns.begin(), std::move(time));
+  }
   if (table.columns.size() < 2)
     bad(r, "file", "has a single column", "the abscissa and at least one channel");
   return assembled(table.columns[0].real, columns_of(table, r), r);
@@ -131,9 +153,15 @@ ChannelTable matlab_channels(const Request& r) {
         bad(r, std::string("variables.") + key, "is not given", "a variable of the file: " + all);
       return file.matrix(name);
     };
-    const MatrixXcd x = wanted(r.variables.abscissa, "abscissa");
     MatrixXcd values = wanted(r.variables.values, "values");
-    const VectorXd abscissa = VectorXcd::Map(x.data(), x.size()).real();
+    VectorXd abscissa;
+    if (r.rate > 0) {
+      if (values.cols() > values.rows()) values.transposeInPlace();
+      abscissa = times_at(r.rate, values.rows());
+    } else {
+      const MatrixXcd x = wanted(r.variables.abscissa, "abscissa");
+      abscissa = VectorXcd::Map(x.data(), x.size()).real();
+    }
     if (values.rows() != abscissa.size() && values.cols() == abscissa.size())
       values.transposeInPlace();
     if (values.rows() != abscissa.size())
@@ -180,7 +208,31 @@ struct References {
   std::map<std::string, std::vector<Column>> columns;
   VectorXd abscissa;
   std::vector<std::string> warnings;
+  std::optional<FrfQuantity> quantity; // by the data types, where they say it
 };
+
+// What the axes of a response say it is.
+std::optional<FrfQuantity> quantity_of(const UniversalFunction& f) {
+  if (f.type == FunctionType::transmissibility) return FrfQuantity::transmissibility;
+  if (f.denominator.data_type != 13) return std::nullopt; // not per force
+  switch (f.numerator.data_type) {
+  case 8:
+    return FrfQuantity::receptance;
+  case 11:
+    return FrfQuantity::mobility;
+  case 12:
+    return FrfQuantity::accelerance;
+  default:
+    return std::nullopt;
+  }
+}
+
+// To SI: accelerations in g.
+double unit_factor(const UniversalFunction& f) {
+  const auto in_g = [](const UniversalAxis& axis) { return axis.unit == "g" || axis.unit == "G"; };
+  constexpr double g = 9.80665;
+  return (in_g(f.numerator) ? g : 1) / (in_g(f.denominator) ? g : 1);
+}
 
 References universal_references(const Request& r, const Measured* measured) {
   References found;
@@ -206,7 +258,8 @@ References universal_references(const Request& r, const Measured* measured) {
     const DofName by = r.time ? DofName{} : dof_name(f->reference, measured);
     Column column{to.channel, f->real.cast<std::complex<double>>()};
     if (f->imaginary.size() > 0) column.values.imag() = f->imaginary;
-    column.values *= to.sign * by.sign;
+    column.values *= to.sign * by.sign * (r.time ? 1 : unit_factor(*f));
+    if (!found.quantity) found.quantity = quantity_of(*f);
     if (!found.columns.contains(by.channel)) found.order.push_back(by.channel);
     found.columns[by.channel].push_back(std::move(column));
   }
@@ -237,6 +290,7 @@ ChannelTable channels_of(const Request& r, const Measured* measured, const std::
   }
   ChannelTable table = assembled(file.abscissa, std::move(file.columns[chosen]), r);
   table.warnings = std::move(file.warnings);
+  table.quantity = file.quantity;
   return table;
 }
 
@@ -244,9 +298,22 @@ MatrixXd sigma_of(const MatrixXcd& H, const FrfSigma& sigma) {
   return (sigma.relative * H.cwiseAbs()).cwiseMax(sigma.floor);
 }
 
+// `asked`: what the user says the responses are; the file must not say something else.
+FrfQuantity agreed(const std::optional<FrfQuantity>& file, const std::optional<FrfQuantity>& asked,
+                   FrfQuantity usual, const Request& r) {
+  constexpr std::array names{"receptance", "mobility", "accelerance", "transmissibility"};
+  if (file && asked && *file != *asked)
+    bad(r, "quantity",
+        std::string("is ") + names[static_cast<int>(*asked)] + ", the file says " +
+            names[static_cast<int>(*file)],
+        "what the data types of the file say, or nothing");
+  return asked.value_or(file.value_or(usual));
+}
+
 FrfSet frf_of(ChannelTable table, FrfQuantity quantity, const std::string& reference) {
   FrfSet set;
   set.quantity = quantity;
+  set.warnings = std::move(table.warnings);
   set.hertz = std::move(table.abscissa);
   set.responses = std::move(table.channels);
   set.references = {reference};
@@ -273,7 +340,12 @@ std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder) 
                           .key = "frf[" + std::to_string(i) + "]",
                           .channels = entry.channels,
                           .variables = entry.variables};
-    FrfSet set = frf_of(channels_of(request, &measured, reference), entry.what(), reference);
+    ChannelTable table = channels_of(request, &measured, reference);
+    // Of a base the file may call it what it likes.
+    const FrfQuantity quantity =
+        entry.base ? FrfQuantity::transmissibility
+                   : agreed(table.quantity, entry.quantity, FrfQuantity::accelerance, request);
+    FrfSet set = frf_of(std::move(table), quantity, reference);
     set.level = entry.level;
     if (entry.sigma) set.sigma = {sigma_of(set.H[0], *entry.sigma)};
     const auto home = std::find_if(
@@ -283,6 +355,7 @@ std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder) 
       continue;
     }
     home->references.push_back(reference);
+    home->warnings.insert(home->warnings.end(), set.warnings.begin(), set.warnings.end());
     home->H.push_back(std::move(set.H[0]));
     if (!set.sigma.empty()) home->sigma.push_back(std::move(set.sigma[0]));
   }
@@ -295,7 +368,8 @@ SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                         .key = key,
                         .channels = entry.channels,
                         .variables = entry.variables,
-                        .time = true};
+                        .time = true,
+                        .rate = entry.rate.value_or(0)};
   ChannelTable table = channels_of(request, &measured, "");
   SignalSet set{
       .rate = entry.rate.value_or(0), .channels = table.channels, .samples = table.values.real()};
@@ -306,22 +380,30 @@ SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
     if (std::abs(table.abscissa[i] - table.abscissa[i - 1] - step) > 0.01 * step)
       bad(request, "file", "the samples are not evenly spaced at row " + std::to_string(i + 1),
           "one sampling rate");
+  if (set.rate > 0 && std::abs(set.rate * step - 1) > 1e-3)
+    bad(request, "rate",
+        "is " + std::to_string(set.rate) + " Hz, the file has " + std::to_string(1 / step) + " Hz",
+        "nothing, where the file has the time");
   if (set.rate == 0) set.rate = 1 / step;
   return set;
 }
 
-FrfSet load_frf_files(const std::vector<fs::path>& files, FrfQuantity quantity) {
+FrfSet load_frf_files(const std::vector<fs::path>& files, std::optional<FrfQuantity> asked) {
   FrfSet all;
   for (const fs::path& path : files) {
     const Request request{.path = path, .key = "", .channels = {}, .variables = {}};
     std::vector<FrfSet> sets;
     if (has_extension(path, {".csv", ".txt", ".mat"})) {
-      sets.push_back(frf_of(channels_of(request, nullptr, ""), quantity, path.stem().string()));
+      sets.push_back(frf_of(channels_of(request, nullptr, ""),
+                            asked.value_or(FrfQuantity::accelerance), path.stem().string()));
     } else {
       References file = universal_references(request, nullptr);
-      for (const std::string& name : file.order)
+      const FrfQuantity quantity = agreed(file.quantity, asked, FrfQuantity::accelerance, request);
+      for (const std::string& name : file.order) {
         sets.push_back(frf_of(assembled(file.abscissa, std::move(file.columns[name]), request),
                               quantity, name));
+        if (sets.size() == 1) sets[0].warnings = file.warnings;
+      }
     }
     for (FrfSet& set : sets) {
       if (all.H.empty()) {

@@ -19,6 +19,7 @@ struct ChannelTable {
   std::vector<std::string> channels;
   Eigen::MatrixXcd values; // abscissa x channels
   std::vector<std::string> warnings;
+  std::optional<FrfQuantity> quantity; // where the file says it
 };
 
 struct SignalSet {
@@ -38,6 +39,7 @@ SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
 
 // Files as they stand, without a measured.yaml: one reference a file, named by it, or the
 // references of a universal file.
-FrfSet load_frf_files(const std::vector<std::filesystem::path>& files, FrfQuantity quantity);
+FrfSet load_frf_files(const std::vector<std::filesystem::path>& files,
+                      std::optional<FrfQuantity> quantity);
 
 } // namespace plica

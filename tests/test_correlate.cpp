@@ -71,6 +71,18 @@ TEST(Correlate, pairs_by_name_without_shapes_and_says_so) {
   EXPECT_NE(c.limits[0].find("by their names alone"), std::string::npos);
 }
 
+// A mode seen by other sensors does not spoil the shapes of the rest.
+TEST(Correlate, takes_the_channels_of_each_pair) {
+  const TestData a = side({100, 110, 300}, orthogonal, three);
+  TestData b = side({101, 112, 290}, orthogonal, three);
+  b.data.modes[2].vector =
+      MeasuredVector{.channels = {"q.x", "q.z"}, .real = {1, 2}, .imaginary = {}};
+  const Correlation c = correlate(a, b);
+  ASSERT_EQ(c.pairs.size(), 2U);
+  EXPECT_NEAR(*c.pairs[0].mac, 1, 1e-14);
+  EXPECT_EQ(correlate(b, b).pairs.size(), 3U);
+}
+
 // One accelerometer with three axes: the data say what they cannot tell.
 TEST(Correlate, knows_the_limits_of_a_single_sensor) {
   const std::vector<std::string> one{"mid.x", "mid.y", "mid.z"};

@@ -1,6 +1,7 @@
 // Identification of modes: peak picking, circle fit, pLSCF, least squares on the responses; and the
 // numbers that compare shapes.
 #include "diagnose/circle_fit.hpp"
+#include "diagnose/identify.hpp"
 #include "diagnose/modal_fit.hpp"
 #include "diagnose/mode_correlation.hpp"
 #include "diagnose/peak_picking.hpp"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <random>
 
 namespace plica {
 namespace {
@@ -128,6 +130,24 @@ TEST(Lscf, alone_is_close) {
     EXPECT_NEAR(std::abs(poles[r]) / two_pi / four_dof()[r].frequency, 1, 1e-5);
     EXPECT_NEAR(-poles[r].real() / std::abs(poles[r]) / four_dof()[r].damping, 1, 1e-2);
   }
+}
+
+// A band without a mode, and noise alone: no mode, and it says so.
+TEST(Identify, finds_nothing_where_nothing_is) {
+  FrfSet noise = synthetic(four_dof(), FrfQuantity::accelerance, 5, 70, 600, 1);
+  for (MatrixXcd& H : noise.H) H.setZero();
+  add_noise(noise, 0, 1);
+  noise.H[0].setConstant({1, -0.5});
+  EXPECT_TRUE(identify(noise, {}).modes.empty());
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0, 1);
+  for (Index k = 0; k < noise.H[0].size(); ++k)
+    noise.H[0].data()[k] = {normal(random), normal(random)};
+  const Identification found = identify(noise, {});
+  EXPECT_TRUE(found.modes.empty());
+  EXPECT_FALSE(found.warnings.empty());
+  const FrfSet between = synthetic(four_dof(), FrfQuantity::accelerance, 5, 70, 1301, 1);
+  EXPECT_NO_THROW(identify(between, {.low = 16, .high = 22}));
 }
 
 // Two modes 1 % apart at 0.3 % damping, 1 % noise, two references.

@@ -178,11 +178,37 @@ TEST(MeasuredData, says_what_does_not_fit) {
     return error_of([&] { load_frfs(m, folder.path); });
   };
   EXPECT_NE(error(driven("a.csv", "p1.x")).find("do not increase at row 2"), std::string::npos);
+  write_whole(folder.path / "d.csv", "f,p1 x mag,p1 x phase\n1,2,3\n2,2,3\n");
+  EXPECT_NE(error(driven("d.csv", "p1.x")).find("no response has an imaginary part"),
+            std::string::npos);
   MeasuredFrf two = driven("b.csv", "p1.x");
   two.channels = {"p1.x", "p2.x"};
   EXPECT_NE(error(two).find("names 2 channels, the file has 3"), std::string::npos);
   EXPECT_NE(error(driven("c.mat", "p1.x")).find("c.mat"), std::string::npos);
   EXPECT_NE(error(driven("none.uff", "p1.x")).find("none.uff"), std::string::npos);
+}
+
+// Types of a universal file: mobility, and accelerations in g.
+TEST(MeasuredData, believes_the_data_types_of_universal_files) {
+  const TemporaryFolder folder("types");
+  FrfSet truth = synthetic(four_dof(), FrfQuantity::mobility, 5, 70, 66, 1);
+  std::string text;
+  for (const UniversalFunction& f : universal_functions(truth)) text += universal_text(f);
+  write_whole(folder.path / "m.uff", text);
+  EXPECT_EQ(load_frf_files({folder.path / "m.uff"}, std::nullopt).quantity, FrfQuantity::mobility);
+  EXPECT_NE(error_of([&] {
+              load_frf_files({folder.path / "m.uff"}, FrfQuantity::accelerance);
+            }).find("the file says mobility"),
+            std::string::npos);
+  truth.quantity = FrfQuantity::accelerance;
+  text.clear();
+  for (UniversalFunction& f : universal_functions(truth)) {
+    f.numerator.unit = "g";
+    text += universal_text(f);
+  }
+  write_whole(folder.path / "g.uff", text);
+  const FrfSet set = load_frf_files({folder.path / "g.uff"}, std::nullopt);
+  EXPECT_LT((set.H[0] - 9.80665 * truth.H[0]).norm(), 1e-10 * set.H[0].norm());
 }
 
 // A base-driven oscillator under noise, as time signals in a file: its transmissibility identified.
@@ -216,6 +242,10 @@ TEST(MeasuredData, goes_from_time_signals_to_modes) {
   const SignalFrf frf =
       frf_of_noise(set.samples, set.rate, set.channels, "base.y", FrfQuantity::transmissibility,
                    {.block = 4096}, FrfEstimator::H1);
+  entry.rate = 1024; // the file says 512
+  EXPECT_NE(
+      error_of([&] { load_signals(entry, {}, folder.path, "signals[0]"); }).find("column of times"),
+      std::string::npos);
   const Identification found = identify(frf.set, {.low = 20, .high = 80});
   ASSERT_GE(found.modes.size(), 1U);
   const auto best = std::max_element(

@@ -201,6 +201,32 @@ TEST(SineFit, is_exact_for_any_part_of_a_period) {
   EXPECT_THROW(fit_sine(x, rate, 120, 5), std::invalid_argument);
 }
 
+// Steps that dwell: one line each, from the settled half.
+TEST(SineTracking, takes_one_line_per_step) {
+  const double rate = 2000, fn = 40, zeta = 0.02, dwell = 3;
+  const Index each = Index(dwell * rate);
+  const std::vector<double> steps{30, 34, 37, 39, 40, 41, 43, 46, 50};
+  MatrixXd x(each * Index(steps.size()), 2);
+  double phase = 0;
+  for (Index i = 0; i < x.rows(); ++i) {
+    const double f = steps[std::size_t(i / each)], r = f / fn;
+    const std::complex<double> h = 1. / std::complex<double>(1 - r * r, 2 * zeta * r);
+    phase += two_pi * f / rate;
+    const double settled = 1 - std::exp(-two_pi * zeta * fn * double(i % each) / rate);
+    x(i, 0) = 2 * std::cos(phase);
+    x(i, 1) = 2 * settled * (h * std::polar(1., phase)).real();
+  }
+  const auto lines = track_sine(x, rate, 0, {.harmonics = 2});
+  ASSERT_EQ(lines.size(), steps.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const double r = steps[k] / fn;
+    const std::complex<double> h = 1. / std::complex<double>(1 - r * r, 2 * zeta * r);
+    EXPECT_NEAR(lines[k].hertz / steps[k], 1, 1e-4);
+    EXPECT_NEAR(std::abs(lines[k].amplitude(0, 1) / lines[k].amplitude(0, 0) / h), 1, 0.01) << k;
+    EXPECT_EQ(lines[k].sweep_rate, 0);
+  }
+}
+
 // A slow logarithmic sweep through a linear oscillator with a second harmonic of 5 % added to its
 // response: the fundamental is the frequency response, the harmonic its 5 %.
 TEST(SineTracking, follows_a_sweep) {

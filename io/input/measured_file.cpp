@@ -72,7 +72,7 @@ void check_file(const std::string& name, const std::string& key, const std::stri
 
 // "mid.y" of a sensor of this file, or "-". Inputs have names of their own.
 void check_channels(const Measured& m, const std::vector<std::string>& channels,
-                    const std::string& key, bool inputs, ReadLog& log) {
+                    const std::string& key, const std::string& input, ReadLog& log) {
   std::vector<std::string> known;
   for (const MeasuredSensor& s : m.sensors)
     for (const char* axis : {".x", ".y", ".z"}) known.push_back(s.name + axis);
@@ -83,7 +83,9 @@ void check_channels(const Measured& m, const std::vector<std::string>& channels,
     if (!seen.insert(channels[i]).second)
       log.add(line(log, place), place, "channel '" + shown(channels[i]) + "' is there twice",
               "each channel once, - for one to leave out");
-    if (!inputs && std::find(known.begin(), known.end(), channels[i]) == known.end())
+    const bool is_input =
+        !input.empty() && (channels[i] == input || channels[i].starts_with("base."));
+    if (!is_input && std::find(known.begin(), known.end(), channels[i]) == known.end())
       log.add(line(log, place), place, "there is no sensor and axis '" + shown(channels[i]) + "'",
               known.empty() ? "this file has no sensors" : suggestion(channels[i], known));
   }
@@ -94,7 +96,9 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
     const MeasuredFrf& f = m.frf[i];
     const std::string key = item("frf", i);
     check_file(f.file, key + ".file", path, log);
-    check_channels(m, f.channels, key + ".channels", false, log);
+    check_channels(m, f.channels, key + ".channels", "", log);
+    if (!f.force.empty() && !m.sensors.empty())
+      check_channels(m, {f.force}, key + ".force", "", log);
     const bool asked = log.lines.count(key + ".base") > 0;
     if (asked == !f.force.empty())
       log.add(line(log, key), key,
@@ -109,7 +113,11 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
     const MeasuredSignals& s = m.signals[i];
     const std::string key = item("signals", i);
     check_file(s.file, key + ".file", path, log);
-    check_channels(m, s.channels, key + ".channels", true, log);
+    check_channels(m, s.channels, key + ".channels", s.reference, log);
+    if (!s.force.empty()) check_channels(m, {s.force}, key + ".force", "", log);
+    if (s.base && !s.force.empty())
+      log.add(line(log, key), key, "has a base and a driven channel",
+              "base, or force for the channel that was driven");
     if (!s.channels.empty() && !s.reference.empty() &&
         std::find(s.channels.begin(), s.channels.end(), s.reference) == s.channels.end())
       log.add(line(log, key + ".reference"), key + ".reference",
@@ -120,7 +128,7 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
 
 void check_vector(const Measured& m, const MeasuredVector& v, const std::string& key,
                   ReadLog& log) {
-  check_channels(m, v.channels, key + ".channels", m.sensors.empty(), log);
+  if (!m.sensors.empty()) check_channels(m, v.channels, key + ".channels", "", log);
   const auto same_length = [&](const std::vector<double>& list, const char* name, bool required) {
     if ((required || !list.empty()) && list.size() != v.channels.size())
       log.add(line(log, key + "." + name), key + "." + name,

@@ -134,10 +134,12 @@ std::string measured_modes_yaml(const Identification& found) {
       imaginary += fmt::format("{}{:.6g}", imaginary.empty() ? "" : ", ", x.imag());
     }
     text += fmt::format("  - frequency: {:.6g} Hz\n    sigma: {:.3g} Hz\n    damping: {:.5g}\n"
-                        "    sigma_damping: {:.3g}\n    shape: other\n"
+                        "    sigma_damping: {:.3g}\n    shape: other\n    note: {}\n"
                         "    vector: {{channels: [{}], real: [{}], imaginary: [{}]}}\n",
-                        m.frequency, m.sigma_frequency, m.damping, m.sigma_damping, channels, real,
-                        imaginary);
+                        m.frequency, m.sigma_frequency, m.damping, m.sigma_damping,
+                        m.mass_normalised ? "mass-normalised shape, 1/sqrt(kg)"
+                                          : "shape with 1 as its largest",
+                        channels, real, imaginary);
   }
   return found.modes.empty() ? "# No mode was found.\nmodes: []\n" : text;
 }

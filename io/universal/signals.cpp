@@ -108,12 +108,15 @@ std::vector<UniversalShape> universal_shapes(const Identification& found) {
     }
     for (std::size_t k = 0; k < sensors.size(); ++k) s.nodes.push_back(static_cast<int>(k) + 1);
     const double w = 2 * std::numbers::pi * m.frequency;
-    describe(s, UniversalComplexMode{
-                    .load_case = 0,
-                    .mode = static_cast<int>(r) + 1,
-                    .eigenvalue = {-m.damping * w, w * std::sqrt(1 - m.damping * m.damping)},
-                    .modal_a = 1,
-                    .modal_b = 1});
+    const double wd = w * std::sqrt(1 - m.damping * m.damping);
+    // Residue = phi phi' / modal A; of a shape that is only relative A is not known.
+    const std::complex<double> modal_a = m.mass_normalised ? std::complex<double>(0, 2 * wd) : 1.;
+    const std::complex<double> eigenvalue(-m.damping * w, wd);
+    describe(s, UniversalComplexMode{.load_case = 0,
+                                     .mode = static_cast<int>(r) + 1,
+                                     .eigenvalue = eigenvalue,
+                                     .modal_a = modal_a,
+                                     .modal_b = -eigenvalue * modal_a});
     shapes.push_back(std::move(s));
   }
   return shapes;
