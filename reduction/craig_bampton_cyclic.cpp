@@ -28,6 +28,17 @@ struct Family {
   Index modes() const { return blocks->lambda.size(); }
 };
 
+// Columns of (a, f, q) in which the family moves: all, but for one that no boundary node feels and
+// whose own modes are at rest.
+std::vector<int> moved_columns(const Family& f, const MatrixXd& q, Index before) {
+  std::vector<int> columns;
+  const auto own = q.middleRows(before + f.first, f.modes());
+  for (int c = 0; c < q.cols(); ++c)
+    if (f.D.cols() > 0 || f.C.cols() > 0 || own.col(c).norm() > 1e-14 * q.col(c).norm())
+      columns.push_back(c);
+  return columns;
+}
+
 class Reducer {
 public:
   Reducer(const CyclicModel& model, const std::vector<int>& boundary, double cutoff,
@@ -209,10 +220,15 @@ private:
                       f.blocks->X * (f.C * q.middleRows(na, nw)) +
                       f.blocks->Phi * q.middleRows(na + nw + f.first, f.modes()));
     };
-    r.field = [model = model_, families = families_, unknowns_of, T](const MatrixXd& c) {
+    r.field = [model = model_, families = families_, unknowns_of, T, na, nw](const MatrixXd& c) {
       const MatrixXd q = *T * c;
       MatrixXd u = MatrixXd::Zero(dof_count(model->model()), c.cols());
-      for (const Family& f : *families) model->add_expanded(f.system, unknowns_of(f, q), u);
+      for (const Family& f : *families) {
+        const std::vector<int> columns = moved_columns(f, q, na + nw);
+        MatrixXd own = MatrixXd::Zero(u.rows(), Index(columns.size()));
+        model->add_expanded(f.system, unknowns_of(f, q(Eigen::all, columns)), own);
+        for (std::size_t k = 0; k < columns.size(); ++k) u.col(columns[k]) += own.col(Index(k));
+      }
       return u;
     };
     r.field_at = [model = model_, families = families_, unknowns_of,

@@ -179,7 +179,8 @@ TEST(ReducedCase, leaves_out_modes_the_boundary_hardly_feels_and_says_so) {
   EXPECT_GT(some.left_out.count, 0);
   EXPECT_EQ(some.element.modal() + some.left_out.count, all.element.modal());
   EXPECT_LT(some.left_out.largest, 5e-3);
-  EXPECT_TRUE(some.certificate.passed);
+  EXPECT_TRUE(some.certificate.passed)
+      << (some.certificate.failures.empty() ? "" : some.certificate.failures[0]);
   EXPECT_GT(some.certificate.good_up_to, 500);
   EXPECT_EQ(some.element.recovery[0].rows.cols(), some.element.K.cols());
 }
