@@ -1,18 +1,22 @@
 #include "app/commands.hpp"
 
+#include "app/located.hpp"
 #include "app/progress.hpp"
 #include "diagnose/compare.hpp"
 #include "io/decks/abaqus.hpp"
 #include "io/decks/nastran.hpp"
 #include "io/files.hpp"
+#include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/input/schema.hpp"
 #include "io/results/summary.hpp"
+#include "io/results/write_beam.hpp"
 #include "io/results/write_results.hpp"
 #include "io/superelements/labels.hpp"
 #include "io/superelements/write.hpp"
 #include "mesh/gmsh_session.hpp"
+#include "model/equivalent_beam.hpp"
 #include "model/error_bars.hpp"
 #include "model/reduce.hpp"
 #include "model/route.hpp"
@@ -25,26 +29,10 @@
 namespace plica {
 namespace {
 
-// Gives problems found after reading the file its name and the line of the key.
-template <class F> auto located(const CaseFile& file, F&& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    std::vector<InputProblem> problems = error.problems();
-    for (InputProblem& p : problems) {
-      if (!p.file.empty()) continue;
-      p.file = file.path;
-      const auto line = file.lines.find(p.key);
-      if (line != file.lines.end()) p.line = line->second;
-    }
-    throw InputError(problems);
-  }
-}
-
 VariantResult run_variant(const CaseFile& file, const Variant& variant,
                           const std::optional<Measured>& measured, Progress& progress) {
   progress.title(file.data.name + ", " + variant.name);
-  CaseFile changed = read_case(file.path, variant.set);
+  CaseFile changed = read_case(file.path, file.data.model, variant.set);
   const Results results = located(file, [&] {
     return run(measured ? for_comparison(changed.data) : for_headline(changed.data),
                [&](const std::string& s) { progress.stage(s); });
@@ -67,9 +55,17 @@ int write_deck(const CaseFile& file, const RunOptions& options) {
 
 } // namespace
 
+std::string case_file_of(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return path;
+  const std::filesystem::path folder = std::filesystem::canonical(path, ignored);
+  return (std::filesystem::path(path) / folder.filename()).string() + ".yaml";
+}
+
 int run_command(const RunOptions& options) {
+  if (is_benchmark(options.case_path)) return benchmark_command(options);
   set_threads(options.threads);
-  const CaseFile file = read_case(options.case_path);
+  const CaseFile file = read_case(options.case_path, options.model);
   std::optional<Measured> measured;
   if (!file.data.measured.empty())
     measured = read_measured(
@@ -114,7 +110,7 @@ int run_command(const RunOptions& options) {
 
 int reduce_command(const ReduceOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.case_path);
+  const CaseFile file = read_case(options.case_path, options.model);
   make_folder(options.out);
   Progress progress(options.quiet);
   progress.title(file.data.name);
@@ -122,17 +118,23 @@ int reduce_command(const ReduceOptions& options) {
     return reduce_case(file.data, options.request,
                        [&](const std::string& s) { progress.stage(s); });
   });
+  std::optional<EquivalentBeam> beam;
+  if (options.beam)
+    beam = located(file, [&] {
+      return equivalent_beam(file.data, [&](const std::string& s) { progress.stage(s); });
+    });
   write_superelement(reduced, options.units, options.out);
+  if (beam) write_beam(*beam, options.out);
   progress.finish();
   if (!options.quiet)
-    fmt::print("{}\nReport: {}\n", certificate_text(reduced),
+    fmt::print("{}\n{}Report: {}\n", certificate_text(reduced), beam ? beam_text(*beam) + "\n" : "",
                (options.out / "report.html").string());
   return reduced.certificate.passed && reduced.proved ? 0 : 2;
 }
 
-int check_command(const std::string& case_path, int threads) {
-  set_threads(threads);
-  const CaseFile file = read_case(case_path);
+int check_command(const CheckOptions& options) {
+  set_threads(options.threads);
+  const CaseFile file = read_case(options.case_path, options.model);
   if (!file.data.measured.empty())
     read_measured((std::filesystem::path(file.path).parent_path() / file.data.measured).string());
   const BuiltCase built = located(file, [&] { return build(file.data); });
@@ -140,7 +142,7 @@ int check_command(const std::string& case_path, int threads) {
     located(file, [&] { symmetric_view(built.model, Symmetry::required); });
   const Estimate cost = located(file, [&] { return estimate(built, file.data.analyses); });
   const MeshQuality quality = mesh_quality(built.model.mesh);
-  fmt::print("{}: the case is valid\n", case_path);
+  fmt::print("{}: the case is valid\n", options.case_path);
   fmt::print("  {} nodes, {} elements, {} degrees of freedom\n", cost.nodes, cost.elements,
              cost.dofs);
   if (!built.model.mesh.quads.empty())
@@ -161,7 +163,10 @@ int check_command(const std::string& case_path, int threads) {
 }
 
 int schema_command(const std::string& what) {
-  fmt::print("{}\n", what == "measured" ? measured_schema() : case_schema());
+  const std::string schema = what == "measured"    ? measured_schema()
+                             : what == "benchmark" ? benchmark_schema()
+                                                   : case_schema();
+  fmt::print("{}\n", schema);
   return 0;
 }
 

@@ -14,6 +14,7 @@ namespace plica {
 
 struct RunOptions {
   std::string case_path;
+  std::string model; // one of the models of the case; empty = its parts
   std::filesystem::path out = "out";
   int threads = 0; // 0 = all cores
   bool quiet = false;
@@ -24,14 +25,20 @@ struct RunOptions {
 };
 
 int run_command(const RunOptions& options);
+int benchmark_command(const RunOptions& options); // of a file with a `benchmark` key
+
+// A folder stands for the file in it that has its name.
+std::string case_file_of(const std::string& path);
 
 struct ReduceOptions {
   std::string case_path;
+  std::string model; // as for a run
   std::filesystem::path out = "out";
   int threads = 0;
   bool quiet = false;
   ReduceRequest request;
   Units units = Units::metres;
+  bool beam = false; // equivalent pipe and connectors besides
 };
 
 int reduce_command(const ReduceOptions& options);
@@ -56,7 +63,29 @@ struct CompareOptions {
 };
 
 int compare_command(const CompareOptions& options);
-int check_command(const std::string& case_path, int threads);
-int schema_command(const std::string& what); // "case" or "measured"
+
+struct FitOptions {
+  std::string case_path;
+  std::string model;    // as for a run
+  std::string measured; // in place of the file the case names
+  std::string restart;  // fit.json of an earlier fit; empty = none
+  std::filesystem::path out = "out";
+  int threads = 0;
+  bool quiet = false;
+  std::optional<FitSearch> search;
+  std::optional<int> evaluations;
+  unsigned seed = 1;
+};
+
+int fit_command(const FitOptions& options);
+
+struct CheckOptions {
+  std::string case_path;
+  std::string model; // as for a run
+  int threads = 0;
+};
+
+int check_command(const CheckOptions& options);
+int schema_command(const std::string& what); // case, measured or benchmark
 
 } // namespace plica

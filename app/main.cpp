@@ -41,6 +41,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, E& value,
       ->type_name("");
 }
 
+void add_model(CLI::App& app, std::string& model) {
+  app.add_option("--model", model, "one of the models of the case; left out: its parts")
+      ->type_name("NAME");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Plica: dynamics of flexible exhaust pipes"};
   app.set_version_flag("--version", "plica " PLICA_VERSION);
@@ -49,6 +54,7 @@ int dispatch(int argc, char** argv) {
   plica::RunOptions run;
   CLI::App* run_app = app.add_subcommand("run", "statics, modes and report of a case");
   run_app->add_option("CASE", run.case_path, "case file")->required();
+  add_model(*run_app, run.model);
   run_app->add_option("--out", run.out, "folder for the results")->capture_default_str();
   run_app->add_option("--threads", run.threads, "threads, 0 = all cores")
       ->check(CLI::Range(0, 256))
@@ -70,6 +76,7 @@ int dispatch(int argc, char** argv) {
   CLI::App* reduce_app =
       app.add_subcommand("reduce", "a case as a Craig-Bampton superelement with its certificate");
   reduce_app->add_option("CASE", reduce.case_path, "case file")->required();
+  add_model(*reduce_app, reduce.model);
   reduce_app->add_option("--out", reduce.out, "folder for the files")->capture_default_str();
   reduce_app->add_option("--threads", reduce.threads, "threads, 0 = all cores")
       ->check(CLI::Range(0, 256));
@@ -91,6 +98,8 @@ int dispatch(int argc, char** argv) {
                    "leave out modes that carry a smaller share of the interface mass, e.g. 0.001")
       ->check(number_in(1, "from 0 to 1"))
       ->type_name("SHARE");
+  reduce_app->add_flag("--beam", reduce.beam,
+                       "also an equivalent pipe and a chain of connectors, with what they cost");
   std::string units = "m";
   reduce_app->add_option("--units", units, "of the files: m (kg, s, N) or mm (t, s, N)")
       ->check(CLI::IsMember({"m", "mm"}))
@@ -147,6 +156,30 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1., 10000.))
       ->capture_default_str();
 
+  plica::FitOptions fit;
+  CLI::App* fit_app =
+      app.add_subcommand("fit", "adjust numbers of a case to measured data (its section fit)");
+  fit_app->add_option("CASE", fit.case_path, "case file")->required();
+  add_model(*fit_app, fit.model);
+  fit_app->add_option("--measured", fit.measured, "measured data; left out: as the case says")
+      ->type_name("FILE");
+  plica::FitSearch search{};
+  CLI::Option* search_given =
+      add_choice(*fit_app, "--search", search,
+                 {{"local", plica::FitSearch::local}, {"global", plica::FitSearch::global}},
+                 "from the values of the case, or over the whole box; left out: as the case says");
+  int evaluations = 0;
+  CLI::Option* evaluations_given =
+      fit_app->add_option("--evaluations", evaluations, "budget of a global search")
+          ->check(CLI::Range(10, 10000000));
+  fit_app->add_option("--seed", fit.seed, "of a global search")->capture_default_str();
+  fit_app->add_option("--restart", fit.restart, "begin with the designs of an earlier fit.json")
+      ->type_name("FILE");
+  fit_app->add_option("--out", fit.out, "folder for the results")->capture_default_str();
+  fit_app->add_option("--threads", fit.threads, "threads, 0 = all cores")
+      ->check(CLI::Range(0, 256));
+  fit_app->add_flag("--quiet", fit.quiet, "print errors only");
+
   plica::CompareOptions compare;
   CLI::App* compare_app =
       app.add_subcommand("compare", "simulation and test side by side: modes, shapes, responses");
@@ -157,16 +190,17 @@ int dispatch(int argc, char** argv) {
   compare_app->add_option("--out", compare.out, "folder for the results")->capture_default_str();
   compare_app->add_flag("--quiet", compare.quiet, "print errors only");
 
-  std::string checked;
+  plica::CheckOptions check;
   CLI::App* check_app = app.add_subcommand("check", "validate a case and estimate its cost");
-  check_app->add_option("CASE", checked, "case file")->required();
-  check_app->add_option("--threads", run.threads, "threads, 0 = all cores")
+  check_app->add_option("CASE", check.case_path, "case file")->required();
+  add_model(*check_app, check.model);
+  check_app->add_option("--threads", check.threads, "threads, 0 = all cores")
       ->check(CLI::Range(0, 256));
 
   std::string schema = "case";
   CLI::App* schema_app = app.add_subcommand("schema", "print the JSON Schema of the input files");
-  schema_app->add_option("KIND", schema, "case or measured")
-      ->check(CLI::IsMember({"case", "measured"}))
+  schema_app->add_option("KIND", schema, "case, measured or benchmark")
+      ->check(CLI::IsMember({"case", "measured", "benchmark"}))
       ->capture_default_str();
 
   try {
@@ -174,7 +208,14 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }
+  for (std::string* path : {&run.case_path, &reduce.case_path, &check.case_path, &fit.case_path})
+    *path = plica::case_file_of(*path);
   if (*run_app) return plica::run_command(run);
+  if (*fit_app) {
+    if (*search_given) fit.search = search;
+    if (*evaluations_given) fit.evaluations = evaluations;
+    return plica::fit_command(fit);
+  }
   if (*compare_app) return plica::compare_command(compare);
   if (*identify_app) {
     if (*quantity_given) identify.quantity = quantity;
@@ -188,7 +229,7 @@ int dispatch(int argc, char** argv) {
     if (units == "mm") reduce.units = plica::Units::millimetres;
     return plica::reduce_command(reduce);
   }
-  if (*check_app) return plica::check_command(checked, run.threads);
+  if (*check_app) return plica::check_command(check);
   return plica::schema_command(schema);
 }
 

@@ -1,8 +1,10 @@
 // Element matrices and assembly, per element.
 #include "io/input/case_file.hpp"
 #include "mesh/revolve.hpp"
+#include "model/error_bars.hpp"
 #include "model/reduced_case.hpp"
 #include "model/route.hpp"
+#include "model/run.hpp"
 #include "solve/assembly.hpp"
 #include "solve/couplings.hpp"
 #include "solve/frequency_response.hpp"
@@ -147,5 +149,13 @@ void reduced_assembly(benchmark::State& state) {
   }
 }
 BENCHMARK(reduced_assembly)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// One evaluation of a fit: statics and modes of the equivalent pipe of A2, one thread.
+void pipe_model(benchmark::State& state) {
+  const Case data = for_headline(read_case("cases/bellow_a2/bellow_a2.yaml", "pipe_fitted").data);
+  set_threads(1);
+  for (auto _ : state) benchmark::DoNotOptimize(run(data, [](const std::string&) {}).modes.data());
+}
+BENCHMARK(pipe_model)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "diagnose/compare.hpp"
 
+#include "model/connector_curve.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +31,25 @@ StaticEntry static_entry(const StaticStiffness& k, StaticDirection direction) {
     return {"torsional stiffness", "Nm/rad", k.k_torsion};
   }
   return {"axial stiffness", "N/m", k.k_axial};
+}
+
+// Force over displacement at a stroke where the model has a curve for that direction; none
+// otherwise.
+std::optional<double> secant(const Results& results, const MeasuredStatic& k) {
+  if (!k.stroke) return std::nullopt;
+  const bool across =
+      k.direction == StaticDirection::transverse_x || k.direction == StaticDirection::transverse_z;
+  if (!across && k.direction != StaticDirection::axial) return std::nullopt;
+  for (const StrokeCurve& c : results.strokes)
+    if (c.direction == (across ? "transverse" : "axial"))
+      return force_at(c.points, *k.stroke) / *k.stroke;
+  return std::nullopt;
+}
+
+std::string millimetres_of(double length) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g mm", 1e3 * length);
+  return text.data();
 }
 
 const char* shape_name(MeasuredShape shape) {
@@ -74,7 +95,11 @@ std::vector<ResponsePeak> largest_peaks(const ResponseResult& r, Axis direction,
   return kept;
 }
 
-void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
+std::string entry(const char* list, std::size_t i) {
+  return std::string(list) + "[" + std::to_string(i) + "]";
+}
+
+void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, const std::string& from,
               const ResponsePeak& peak) {
   std::string of = " of the peak";
   if (!m.sensor.empty()) of += " at " + m.sensor + " in " + letter(m.direction.value_or(*m.base));
@@ -83,13 +108,15 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m,
                   .unit = "Hz",
                   .measured = m.frequency,
                   .sigma = m.sigma.value_or(0),
-                  .computed = peak.frequency});
+                  .computed = peak.frequency,
+                  .entry = from});
   if (m.damping && std::isfinite(peak.damping))
     rows.push_back({.quantity = "half-power damping" + of,
                     .unit = "%",
                     .measured = 100 * *m.damping,
                     .sigma = 100 * m.sigma_damping.value_or(0),
-                    .computed = 100 * peak.damping});
+                    .computed = 100 * peak.damping,
+                    .entry = from});
 }
 
 // Peaks of one sensor and direction in order: the i-th measured with the i-th of as many largest
@@ -149,17 +176,24 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
                     .unit = "kg",
                     .measured = measured.mass->value,
                     .sigma = measured.mass->sigma.value_or(0),
-                    .computed = results.model.mass});
-  for (const MeasuredStatic& k : measured.statics) {
+                    .computed = results.model.mass,
+                    .entry = "mass"});
+  for (std::size_t i = 0; i < measured.statics.size(); ++i) {
+    const MeasuredStatic& k = measured.statics[i];
     if (!results.statics) break;
-    const StaticEntry entry = static_entry(*results.statics, k.direction);
-    rows.push_back({.quantity = entry.name,
-                    .unit = entry.unit,
+    const StaticEntry found = static_entry(*results.statics, k.direction);
+    const std::optional<double> over_stroke = secant(results, k);
+    std::string name = found.name;
+    if (over_stroke) name += " over " + millimetres_of(*k.stroke);
+    rows.push_back({.quantity = name,
+                    .unit = found.unit,
                     .measured = k.value,
                     .sigma = k.sigma.value_or(0),
-                    .computed = entry.value});
+                    .computed = over_stroke.value_or(found.value),
+                    .entry = entry("static", i)});
   }
-  for (const MeasuredMode& m : measured.modes) {
+  for (std::size_t i = 0; i < measured.modes.size(); ++i) {
+    const MeasuredMode& m = measured.modes[i];
     int order = 0;
     for (const ModeResult& mode : results.modes) {
       const bool same = mode.shape == shape_name(m.shape) &&
@@ -170,17 +204,19 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
            .unit = "Hz",
            .measured = m.frequency,
            .sigma = m.sigma.value_or(0),
-           .computed = mode.frequency});
+           .computed = mode.frequency,
+           .entry = entry("modes", i)});
       break;
     }
   }
-  for (const MeasuredMode& m : measured.modes) {
+  for (std::size_t i = 0; i < measured.modes.size(); ++i) {
+    const MeasuredMode& m = measured.modes[i];
     const ResponseResult* response = m.base ? response_to(results, *m.base) : nullptr;
     if (!response) continue;
     const PeakPlace place = place_of(m, measured.modes);
     const auto peaks =
         largest_peaks(*response, m.direction.value_or(*m.base), m.sensor, place.count);
-    if (peaks.size() == place.count) add_peak(rows, m, peaks[place.rank - 1]);
+    if (peaks.size() == place.count) add_peak(rows, m, entry("modes", i), peaks[place.rank - 1]);
   }
   return rows;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gmsh.h>
+#include <mutex>
 #include <numeric>
 #include <omp.h>
 #include <stdexcept>
@@ -11,11 +12,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Opens the Gmsh session of this process, silent, and closes it again. Gmsh sets the number of
-// OpenMP threads of the whole process; it is put back.
+// Opens the Gmsh session of this process, silent, and closes it again; other threads wait. Gmsh
+// sets the number of OpenMP threads; it is put back.
 class Session {
 public:
-  Session() : threads_(omp_get_max_threads()) {
+  Session() : alone_(session_mutex()), threads_(omp_get_max_threads()) {
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
@@ -29,6 +30,11 @@ public:
   Session& operator=(const Session&) = delete;
 
 private:
+  static std::mutex& session_mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::mutex> alone_;
   int threads_;
 };
 

@@ -3,10 +3,12 @@
 #include "mesh/dent.hpp"
 #include "mesh/plate.hpp"
 #include "model/build_bellows.hpp"
+#include "model/build_pipes.hpp"
 #include "model/input_error.hpp"
 #include "solve/couplings.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace plica {
@@ -139,6 +141,24 @@ private:
       built_.model.mesh.sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
     }
     name_line(name, first, previous);
+    if (is_on_axis(beam)) rigid_sections_.push_back(name);
+  }
+
+  void add(const std::string& name, const EquivalentPipe& pipe) {
+    const int own = component(name);
+    name_ends(name, add_pipe(built_.model, pipe, case_.materials.at(pipe.material), own));
+  }
+
+  void add(const std::string& name, const ConnectorChain& chain) {
+    name_ends(name, add_chain(built_.model, chain, component(name), name));
+  }
+
+  void name_ends(const std::string& name, const AxisNodes& nodes) {
+    rigid_sections_.push_back(name);
+    auto& sets = built_.model.mesh.sets;
+    sets[name + ".left"] = {nodes.left};
+    sets[name + ".right"] = {nodes.right};
+    for (int node = nodes.left; node <= nodes.right; ++node) sets[name + ".all"].push_back(node);
   }
 
   void add(const std::string&, const Interlock&) {}
@@ -316,10 +336,29 @@ private:
     }
   }
 
+  // Sections of pipes and connectors are rigid: the node in the middle of the nearest one, and its
+  // distance along the pipe.
+  std::pair<int, double> nearest_section(const Vector3d& x) const {
+    std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
+    for (const std::string& name : rigid_sections_)
+      for (int node : built_.model.mesh.sets.at(name + ".all"))
+        if (const double along = std::abs(built_.model.mesh.nodes[node].y() - x.y());
+            along < nearest.second)
+          nearest = {node, along};
+    return nearest;
+  }
+
   void place_sensors() {
     for (std::size_t i = 0; i < case_.sensors.size(); ++i) {
       const Sensor& sensor = case_.sensors[i];
-      const auto [node, distance] = nearest_node(built_.model.mesh, vector(sensor.at));
+      auto [node, distance] = nearest_node(built_.model.mesh, vector(sensor.at));
+      const auto [axis_node, along] = nearest_section(vector(sensor.at));
+      if (distance > sensor.reach && along < distance) {
+        node = add_node(built_.model, vector(sensor.at));
+        add_kinematic_coupling(built_.model, axis_node, {node}, all_dofs,
+                               "arm of sensor " + sensor.name);
+        distance = along;
+      }
       if (distance > sensor.reach) {
         const Vector3d& x = built_.model.mesh.nodes[node];
         input_error("sensors[" + std::to_string(i) + "].at",
@@ -337,6 +376,7 @@ private:
   const Case& case_;
   BuiltCase built_;
   std::map<std::string, int> cap_of_end_;
+  std::vector<std::string> rigid_sections_; // parts whose sections are
 };
 
 } // namespace

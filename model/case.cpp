@@ -4,6 +4,11 @@
 
 namespace plica {
 
+bool is_on_axis(const BeamPart& beam) {
+  return std::all_of(beam.points.begin(), beam.points.end(),
+                     [](const Triple& p) { return p[0] == 0 && p[2] == 0; });
+}
+
 double reduction_cutoff(const Analyses& analyses) {
   if (analyses.reduction && analyses.reduction->cutoff > 0) return analyses.reduction->cutoff;
   double highest = 0;

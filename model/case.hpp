@@ -6,6 +6,7 @@
 #pragma once
 
 #include "elements/shell_mitc4.hpp"
+#include "model/fit_request.hpp"
 
 #include <array>
 #include <map>
@@ -121,6 +122,57 @@ struct BeamPart {
   BeamSection section;
 };
 
+bool is_on_axis(const BeamPart& beam); // all its points are
+
+// Stiffness of a layer of an equivalent pipe, between its ends.
+struct PipeLayer {
+  double radius = 0;
+  double wall = 0; // of the outer layer, whose mass it gives: s_p
+  double mass = 0; // of the inner layer
+  double axial = 0, torsion = 0;
+  std::optional<double> mass_radius = {}; // of gyration about the axis; none = the mean radius
+};
+
+enum class PipeLength { whole, convoluted };
+enum class PipeShear { rigid, elastic };
+
+// Equivalent thin-walled pipe of a flexible pipe: a beam per layer on common nodes, straight ends,
+// a lumped cap in the middle of each end (model/pipe_model.hpp).
+struct EquivalentPipe {
+  std::string material; // of the ends; its density also of the outer layer
+  double start = 0, length = 0;
+  double convoluted = 0; // length between the straight ends
+  PipeLayer outer;
+  std::optional<PipeLayer> inner;
+  double end_radius = 0, end_wall = 0, end_cap = 0;
+  PipeLength modulus_over = PipeLength::convoluted; // length that makes moduli of the stiffnesses
+  PipeShear shear = PipeShear::rigid;
+  bool rotary_inertia = true;
+  int elements = 40;
+};
+
+// One spring of a chain: a Cartesian and rotational connector element.
+struct ConnectorSpring {
+  double axial = 0, transverse = 0, bending = 0, torsion = 0;
+  // In place of axial and transverse: [displacement, force], straight between points and beyond.
+  std::vector<std::array<double, 2>> axial_curve = {}, transverse_curve = {};
+  // In place of these the full law with its coupling terms, ux uy uz rx ry rz, SI; acts midway
+  // between the nodes.
+  std::vector<Sextuple> matrix = {};
+};
+
+// Chain of connector elements with lumped masses between them, rigid arms (spiders) at both ends.
+struct ConnectorChain {
+  double start = 0, length = 0;
+  double arms = 0; // length of each arm
+  int count = 20;
+  ConnectorSpring spring;
+  std::optional<ConnectorSpring> end_spring; // of the first and the last
+  double mass = 0;     // between the arms: of each element, half on either node
+  double radius = 0;   // of that mass, for rotary inertia; 0 = none
+  double arm_mass = 0; // of each arm, in its middle
+};
+
 struct PointMass {
   std::string at;  // set of one or more nodes (the mass is rigidly tied when more than one)
   Triple offset{}; // from that node to the centre of mass
@@ -130,7 +182,7 @@ struct PointMass {
 
 struct Part {
   std::string name;
-  std::variant<Bellows, Interlock, Plate, BeamPart, PointMass> body;
+  std::variant<Bellows, Interlock, Plate, BeamPart, PointMass, EquivalentPipe, ConnectorChain> body;
 };
 
 // Rigid end cap or flange: reference node in the middle of an end circle, tied to it. On the ends
@@ -264,6 +316,19 @@ struct Variant {
   std::map<std::string, std::string> set; // path of the case file: new value, as written there
 };
 
+// The same component by another kind of model: these sections replace those of the case; an empty
+// one is kept as it is.
+struct AlternativeModel {
+  std::string name; // "pipe", "connector", ...
+  std::vector<std::string> assumptions;
+  std::vector<Part> parts;
+  std::vector<Cap> caps;
+  std::vector<Mount> mount;
+  std::vector<Sensor> sensors;
+  std::vector<Variant> variants;
+  std::optional<FitRequest> fit;
+};
+
 // A number known only within limits, from "8 mm +- 1 mm" (evenly within them) or
 // "3 kN [0.3, 30]" (half of the probability on each side of the value, on a log scale when both
 // limits are above zero). Values in SI.
@@ -275,6 +340,7 @@ struct Tolerance {
 
 struct Case {
   std::string name;
+  std::string model; // alternative model that it is; empty = as the parts of the case say
   std::string title;
   std::vector<std::string> assumptions; // in words, printed in the report
   std::map<std::string, Material> materials;
@@ -285,6 +351,8 @@ struct Case {
   std::vector<Sensor> sensors;
   Analyses analyses;
   std::vector<Variant> variants;
+  std::optional<FitRequest> fit;
+  std::vector<AlternativeModel> models;
   std::vector<Tolerance> tolerances;
   std::string measured; // path of measured.yaml beside the case file; empty = none
 };

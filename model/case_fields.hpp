@@ -5,6 +5,8 @@
 
 #include "model/case.hpp"
 #include "model/field_types.hpp"
+#include "model/fit_fields.hpp"
+#include "model/pipe_fields.hpp"
 
 namespace plica {
 
@@ -206,7 +208,8 @@ template <class V> void fields(V& v, PointMass& m) {
 }
 
 template <class V> void fields(V& v, Part& p) {
-  v.one_of(p.body, "type", {"bellows", "interlock", "plate", "beam", "mass"}, "kind of part");
+  v.one_of(p.body, "type", {"bellows", "interlock", "plate", "beam", "mass", "pipe", "connector"},
+           "kind of part");
 }
 
 template <class V> void fields(V& v, Cap& c) {
@@ -374,6 +377,16 @@ template <class V> void fields(V& v, Variant& x) {
   v.replacements(x.set, "set", required_key, "path of this file: new value");
 }
 
+template <class V> void fields(V& v, AlternativeModel& m) {
+  v.texts(m.assumptions, "assumptions", "in words, in place of those of the case");
+  v.named(m.parts, &Part::name, "parts", required_key, "in place of the parts of the case");
+  v.named(m.caps, &Cap::name, "caps", optional_key, "in place of its caps");
+  v.named(m.mount, &Mount::cap, "mount", optional_key, "in place of its mount");
+  v.list(m.sensors, "sensors", optional_key, "in place of its sensors");
+  v.list(m.variants, "variants", optional_key, "of this model; those of the case are left out");
+  v.object(m.fit, "fit", optional_key, "of this model");
+}
+
 template <class V> void fields(V& v, Case& c) {
   v.text(c.name, "case", {.required = true, .name = true}, "name of the case");
   v.text(c.title, "title", {}, "title of the report");
@@ -387,6 +400,9 @@ template <class V> void fields(V& v, Case& c) {
   v.list(c.sensors, "sensors", optional_key, "places that are watched");
   v.object(c.analyses, "analyses", optional_key, "what is computed");
   v.list(c.variants, "variants", optional_key, "the same case with some values changed");
+  v.object(c.fit, "fit", optional_key, "what plica fit adjusts to the measured data");
+  v.named(c.models, &AlternativeModel::name, "models", optional_key,
+          "the same component by other kinds of model: plica run CASE --model NAME");
   v.text(c.measured, "measured", {}, "file of measured data, relative to this one");
 }
 

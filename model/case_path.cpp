@@ -11,10 +11,13 @@ public:
   PathFinder(std::string at, const std::string& wanted) : at_(std::move(at)), wanted_(wanted) {}
 
   double* found = nullptr;
+  Quantity quantity_found; // what it may be
 
-  void quantity(double& x, const char* key, const Quantity&, const char*) { meet(x, below(key)); }
-  void quantity(std::optional<double>& x, const char* key, const Quantity&, const char*) {
-    if (x) meet(*x, below(key));
+  void quantity(double& x, const char* key, const Quantity& q, const char*) {
+    meet(x, below(key), q);
+  }
+  void quantity(std::optional<double>& x, const char* key, const Quantity& q, const char*) {
+    if (x) meet(*x, below(key), q);
   }
   template <std::size_t N>
   void quantities(std::optional<std::array<double, N>>& x, const char* key, const Quantity& q,
@@ -22,13 +25,13 @@ public:
     if (x) quantities(*x, key, q, help);
   }
   void one_or_more(std::vector<std::string>&, const char*, const char*) {}
-  template <class List> void quantities(List& x, const char* key, const Quantity&, const char*) {
-    for (std::size_t i = 0; i < x.size(); ++i) meet(x[i], below(key, i));
+  template <class List> void quantities(List& x, const char* key, const Quantity& q, const char*) {
+    for (std::size_t i = 0; i < x.size(); ++i) meet(x[i], below(key, i), in_row(q, i));
   }
-  template <class Rows> void points(Rows& rows, const char* key, const Quantity&, const char*) {
+  template <class Rows> void points(Rows& rows, const char* key, const Quantity& q, const char*) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t j = 0; j < rows[i].size(); ++j)
-        meet(rows[i][j], below(key, i) + "[" + std::to_string(j) + "]");
+        meet(rows[i][j], below(key, i) + "[" + std::to_string(j) + "]", in_row(q, j));
   }
   template <class T> void object(T& x, const char* key, const Need&, const char*) {
     enter(x, below(key));
@@ -74,14 +77,21 @@ private:
   std::string below(const std::string& key, std::size_t i) const {
     return below(key) + "[" + std::to_string(i) + "]";
   }
-  void meet(double& x, const std::string& path) {
-    if (path == wanted_) found = &x;
+  static Quantity in_row(Quantity q, std::size_t i) {
+    if (q.tail && int(i) >= q.tail_from) q.unit = *q.tail;
+    return q;
+  }
+  void meet(double& x, const std::string& path, const Quantity& own) {
+    if (path != wanted_) return;
+    found = &x;
+    quantity_found = own;
   }
   template <class T> void enter(T& x, const std::string& path) {
     if (found || wanted_.compare(0, path.size(), path) != 0) return;
     PathFinder inner(path, wanted_);
     fields(inner, x);
     found = inner.found;
+    quantity_found = inner.quantity_found;
   }
 
   std::string at_;
@@ -94,6 +104,17 @@ double* number_at(Case& data, const std::string& path) {
   PathFinder finder("", path);
   fields(finder, data);
   return finder.found;
+}
+
+std::optional<Quantity> quantity_at(Case& data, const std::string& path) {
+  PathFinder finder("", path);
+  fields(finder, data);
+  return finder.found ? std::optional(finder.quantity_found) : std::nullopt;
+}
+
+bool allows(const Quantity& q, double value) {
+  const bool above = q.exclusive_min ? value > q.min : value >= q.min;
+  return above && (q.exclusive_max ? value < q.max : value <= q.max);
 }
 
 } // namespace plica

@@ -26,6 +26,10 @@ void refine(Plate& plate, const Refinement& f) {
 void refine(BeamPart& beam, const Refinement& f) {
   beam.elements = more(beam.elements, f.along);
 }
+void refine(EquivalentPipe& pipe, const Refinement& f) {
+  pipe.elements = more(pipe.elements, f.along);
+}
+void refine(ConnectorChain&, const Refinement&) {} // its count is part of the model
 void refine(Interlock&, const Refinement&) {}
 void refine(PointMass&, const Refinement&) {}
 
@@ -39,6 +43,12 @@ std::array<int, 2> elements(const Plate& p) {
 }
 std::array<int, 2> elements(const BeamPart& b) {
   return {b.elements, 1};
+}
+std::array<int, 2> elements(const EquivalentPipe& p) {
+  return {p.elements, 1};
+}
+std::array<int, 2> elements(const ConnectorChain&) {
+  return {1, 1};
 }
 std::array<int, 2> elements(const Interlock&) {
   return {1, 1};

@@ -26,6 +26,12 @@ struct StaticStiffness {
   Eigen::Matrix<double, 12, 12> end_stiffness; // both reference nodes, ux uy uz rx ry rz each
 };
 
+// Force over displacement between the caps where the stiffness is tabulated: straight lines.
+struct StrokeCurve {
+  std::string direction;                     // axial | transverse
+  std::vector<std::array<double, 2>> points; // m, N, increasing
+};
+
 struct ModeResult {
   double frequency = 0;
   double damping = 0;                     // fraction of critical
@@ -54,6 +60,7 @@ struct MeasuredComparison { // one measured number beside the computed one
   std::string quantity;     // "axial stiffness", "axial mode 1", ...
   std::string unit;
   double measured = 0, sigma = 0, computed = 0;
+  std::string entry = {}; // of the measured data: "modes[0]"
 };
 
 struct VariantResult { // headline numbers of a variant of the case
@@ -165,12 +172,14 @@ struct Reduced {
 
 struct Results {
   std::string case_name, title, plica_version;
+  std::string modelled_as; // alternative model of the case; empty = its parts
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
   ModelSize model;
   std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
   std::optional<Reduced> reduced;
-  std::optional<StaticStiffness> statics;
+  std::optional<StaticStiffness> statics; // at rest
+  std::vector<StrokeCurve> strokes;
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;
   std::vector<ResponseResult> responses;

@@ -1,5 +1,6 @@
 #include "model/run.hpp"
 
+#include "model/connector_curve.hpp"
 #include "model/damping.hpp"
 #include "model/run_stress.hpp"
 #include "solve/mode_labels.hpp"
@@ -37,6 +38,7 @@ private:
   void describe() {
     results_.case_name = case_.name;
     results_.title = case_.title;
+    results_.modelled_as = case_.model;
     results_.assumptions = case_.assumptions;
     results_.quality = mesh_quality(built_.model.mesh);
     results_.meridian = built_.meridian;
@@ -68,7 +70,24 @@ private:
                         .k_bending_z = k.bending_z,
                         .k_torsion = k.torsion,
                         .end_stiffness = *K};
+    add_strokes();
     if (case_.analyses.stress) static_stress(caps, *K);
+  }
+
+  // Of a chain with tabulated forces that has nothing beside it but masses.
+  void add_strokes() {
+    std::size_t masses = 0;
+    std::vector<StrokeCurve> curves;
+    for (const Part& part : case_.parts) {
+      masses += std::holds_alternative<PointMass>(part.body);
+      if (const auto* chain = std::get_if<ConnectorChain>(&part.body))
+        for (StrokeCurve& c : stroke_curves(*chain)) curves.push_back(std::move(c));
+    }
+    if (masses + 1 == case_.parts.size())
+      results_.strokes = std::move(curves);
+    else if (!curves.empty())
+      results_.warnings.push_back("tabulated forces: with other parts beside the chain the static "
+                                  "stiffness is that at rest, also where the test states a stroke");
   }
 
   // The second cap moved 1 mm along and across, kept parallel.

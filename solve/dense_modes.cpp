@@ -9,6 +9,13 @@ namespace plica {
 
 using Eigen::MatrixXd;
 
+bool better_dense(const SparseMatrix& K, const SparseMatrix& M) {
+  constexpr Eigen::Index few = 60, some = 300;
+  if (K.rows() <= few || K.rows() > some) return K.rows() <= few;
+  const Eigen::VectorXd mass = M.diagonal();
+  return K.nonZeros() > K.rows() * K.rows() / 8 || (mass.array() == 0).any();
+}
+
 EigenPairs dense_modes(const SparseMatrix& K, const SparseMatrix& M, double sigma) {
   constexpr double finite = 1e-14; // theta / largest theta
   const MatrixXd m = MatrixXd(M).selfadjointView<Eigen::Lower>();

@@ -98,6 +98,62 @@ ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
   return label;
 }
 
+// Nodes of a model of beams, springs and masses that all lie on the axis; empty when one does not,
+// or when it has shells.
+std::vector<int> axis_line(const Model& model) {
+  std::vector<int> nodes;
+  if (!model.mesh.quads.empty()) return {};
+  for (const BeamElement& b : model.beams) nodes.insert(nodes.end(), {b.node1, b.node2});
+  for (const BushingElement& b : model.bushings) nodes.insert(nodes.end(), {b.node1, b.node2});
+  std::erase(nodes, -1); // the ground
+  const auto& x = model.mesh.nodes;
+  double length = 0;
+  for (int node : nodes) length = std::max(length, std::abs(x[node].y() - x[nodes[0]].y()));
+  if (length == 0) return {};
+  for (int node : nodes)
+    if (std::hypot(x[node].x(), x[node].z()) > 1e-9 * length) return {};
+  const auto further = [&](int a, int b) { return x[a].y() < x[b].y(); };
+  std::sort(nodes.begin(), nodes.end(),
+            [&](int a, int b) { return further(a, b) || (!further(b, a) && a < b); });
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+// Radius at which a rotation about the axis counts as a displacement: of gyration.
+double axis_radius(const Model& model) {
+  double mass = 0, inertia = 0;
+  for (const BeamElement& b : model.beams) {
+    mass += b.section.mass;
+    inertia += b.section.inertia_x;
+  }
+  for (const MassElement& m : model.masses) {
+    mass += m.body.mass;
+    inertia += m.body.inertia(1, 1);
+  }
+  return mass > 0 ? std::sqrt(inertia / mass) : 0;
+}
+
+ModeLabel label_on_axis(const Model& model, const std::vector<int>& nodes, const VectorXd& u) {
+  const double radius = axis_radius(model);
+  const std::array<int, 4> dofs{0, 1, 2, 4};
+  std::array<std::vector<double>, 4> profiles; // ux uy uz, r ry
+  std::array<double, 4> energy{};
+  for (int node : nodes)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double v = (k == 3 ? radius : 1) * u[6 * node + dofs[k]];
+      profiles[k].push_back(v);
+      energy[k] += v * v;
+    }
+  const auto k = std::size_t(std::max_element(energy.begin(), energy.end()) - energy.begin());
+  constexpr std::array shapes{"transverse", "axial", "transverse", "torsion"};
+  constexpr std::array directions{"x", "y", "z", "y"};
+  ModeLabel label;
+  label.shape = shapes[k];
+  label.direction = directions[k];
+  label.order = half_waves(profiles[k]);
+  return label;
+}
+
 // Largest eigenvector of a Gram matrix of two responses; empty when both stand still.
 bool dominant(const Matrix2d& gram, double scale, Eigen::Vector2d& c) {
   if (gram.trace() <= 1e-8 * scale) return false;
@@ -144,6 +200,8 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
     return label;
   }
   if (!model.mesh.rings.empty() && wall_takes_part(model, u)) return label_by_rings(model, u);
+  if (const std::vector<int> axis = axis_line(model); !axis.empty())
+    return label_on_axis(model, axis, u);
   label.shape = "mode";
   Index direction = 0;
   const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);

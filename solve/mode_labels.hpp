@@ -14,8 +14,9 @@ struct ModeLabel {
 
 // `u`: one displacement vector over all DOFs (6 per node). From the Fourier series round the
 // rings: n = 0 axial or torsion (or breathing, a shell mode), n = 1 transverse, n >= 2 shell.
-// A model without rings, and a mode in which the rings stand still, is labelled by the direction of
-// its largest effective mass (six numbers).
+// Beams and springs along the axis alone: the largest of their motions along, across and about it.
+// Another model without rings, and a mode in which the rings stand still, is labelled by the
+// direction of its largest effective mass (six numbers).
 ModeLabel label_mode(const Model& model, const Eigen::VectorXd& u, bool rigid,
                      const Eigen::Matrix<double, 6, 1>& effective_mass_fraction);
 

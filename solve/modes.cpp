@@ -165,6 +165,8 @@ ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const Ve
 
 ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
                    BaseFactor& base) {
+  if (!(VectorXd(M.diagonal()).maxCoeff() > 0))
+    throw std::runtime_error("what is free to move has no mass, so there are no modes");
   ModeSet modes;
   Stopwatch watch;
   LanczosSettings settings;
@@ -178,9 +180,8 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     if (factored_at != base.sigma && !base.factor.factorise(shifted(K, M, base.sigma)).ok)
       throw std::runtime_error("K - sigma M could not be factored again");
     factored_at = base.sigma;
-    const EigenPairs pairs = K.rows() <= small_system
-                                 ? dense_modes(K, M, base.sigma)
-                                 : lanczos(M, base.factor, base.sigma, settings);
+    const EigenPairs pairs = better_dense(K, M) ? dense_modes(K, M, base.sigma)
+                                                : lanczos(M, base.factor, base.sigma, settings);
     modes.operations += pairs.operations;
     watch.lap(modes.timing, "lanczos");
     if (!scaled && pairs.converged) {
@@ -190,7 +191,7 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
       watch.lap(modes.timing, "factorise");
       continue;
     }
-    if (pairs.converged && K.rows() > small_system &&
+    if (pairs.converged && !better_dense(K, M) &&
         !reaches_far_enough(request, pairs.values, K.rows())) {
       settings.count = std::min<int>(2 * settings.count, static_cast<int>(K.rows()) - 1);
       continue;

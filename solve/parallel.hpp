@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <omp.h>
 
 namespace plica {
 
@@ -18,6 +19,12 @@ template <class F> void in_parallel(int count, F&& f) {
     }
   }
   if (error) std::rethrow_exception(error);
+}
+
+// The calling thread works alone in what it runs from now on: for threads that are parallel
+// themselves.
+inline void work_alone() {
+  omp_set_num_threads(1);
 }
 
 } // namespace plica

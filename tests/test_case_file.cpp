@@ -3,6 +3,7 @@
 // tests/broken_cases holds one file per mistake and, beside it, the exact text of the error; names
 // that begin with "measured_" are files of measured data, except measured_missing.yaml.
 #include "diagnose/measured_fields.hpp"
+#include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/did_you_mean.hpp"
 #include "io/input/measured_file.hpp"
@@ -51,6 +52,8 @@ std::string problems_of(const fs::path& path) {
   try {
     if (is_measured(path))
       read_measured(path);
+    else if (is_benchmark(path))
+      read_benchmark(path);
     else
       read_case(path);
   } catch (const InputError& error) {
@@ -109,7 +112,7 @@ TEST(ShippedCases, all_are_read_without_a_problem) {
 
 TEST(ShippedCases, measured_data_belong_to_the_case_beside_them) {
   for (const fs::path& path : yaml_files(source / "cases")) {
-    if (is_measured(path)) continue;
+    if (is_measured(path) || is_benchmark(path)) continue;
     const Case data = read_case(path).data;
     EXPECT_EQ(data.name, path.stem().string());
     if (data.measured.empty()) continue;
@@ -148,9 +151,10 @@ TEST(ReadCase, every_key_knows_its_line) {
 }
 
 TEST(ReadCase, overrides_replace_and_add_values) {
-  const Case data = read_case(a2, {{"parts.bellows.profile[1].height", "7 mm"},
-                                   {"parts.bellows.wall.plies", "[0.5 mm]"},
-                                   {"parts.interlock.GJ", "14 N m2"}})
+  const Case data = read_case(a2, {},
+                              {{"parts.bellows.profile[1].height", "7 mm"},
+                               {"parts.bellows.wall.plies", "[0.5 mm]"},
+                               {"parts.interlock.GJ", "14 N m2"}})
                         .data;
   const auto& bellows = std::get<Bellows>(data.parts.at(0).body);
   EXPECT_DOUBLE_EQ(bellows.profile[1].height, 7e-3);
@@ -160,15 +164,79 @@ TEST(ReadCase, overrides_replace_and_add_values) {
 
 TEST(ReadCase, every_variant_of_the_shipped_cases_can_be_read_by_itself) {
   for (const fs::path& path : yaml_files(source / "cases")) {
-    if (is_measured(path)) continue;
-    for (const Variant& variant : read_case(path).data.variants)
-      EXPECT_NO_THROW(read_case(path, variant.set)) << path << " " << variant.name;
+    if (is_measured(path) || is_benchmark(path)) continue;
+    const Case nominal = read_case(path).data;
+    std::vector<std::string> models{""};
+    for (const AlternativeModel& model : nominal.models) models.push_back(model.name);
+    for (const std::string& model : models)
+      for (const Variant& variant : read_case(path, model).data.variants)
+        EXPECT_NO_THROW(read_case(path, model, variant.set)) << path << " " << variant.name;
   }
+}
+
+TEST(ReadCase, a_model_replaces_the_sections_it_has_and_keeps_the_others) {
+  const Case shell = read_case(a2).data, pipe = read_case(a2, "pipe").data;
+  EXPECT_EQ(pipe.model, "pipe");
+  ASSERT_EQ(pipe.parts.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<EquivalentPipe>(pipe.parts[0].body));
+  EXPECT_EQ(pipe.caps[0].mass, 0);
+  EXPECT_GT(shell.caps[0].mass, 0);
+  EXPECT_EQ(pipe.mount.size(), shell.mount.size());
+  EXPECT_EQ(pipe.sensors[0].name, "mid");
+  EXPECT_TRUE(pipe.tolerances.empty());
+  EXPECT_EQ(shell.tolerances.size(), 3U);
+  EXPECT_FALSE(pipe.fit);
+  EXPECT_TRUE(read_case(a2, "pipe_fitted").data.fit);
+  try {
+    read_case(a2, "pip");
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("did you mean 'pipe'?"), std::string::npos) << e.what();
+  }
+}
+
+// A fitted number with a tolerance has its limits as bounds; variants and tolerances beyond the
+// bounds are no matter of the fit.
+TEST(ReadCase, takes_the_bounds_of_a_fit_from_a_tolerance) {
+  const fs::path path = fs::temp_directory_path() / "plica_fit_case.yaml";
+  std::string text = text_of(a2);
+  text = text.substr(0, text.find("\nmodels:")) +
+         "\nfit:\n  parameters:\n"
+         "    - {path: \"parts.bellows.profile[1].height\"}\n"
+         "    - {path: parts.interlock.mass, bounds: [0.3 kg, 0.5 kg]}\n"
+         "  ties:\n"
+         "    - {path: caps.right.mass, of: {caps.left.mass: 1}}\n"
+         "    - {path: caps.left.mass, constant: 0.39, of: {parts.interlock.mass: -0.5}}\n";
+  std::ofstream(path) << text;
+  EXPECT_EQ(problems_of(path), "");
+  const Case data = read_case(path).data;
+  ASSERT_TRUE(data.fit);
+  EXPECT_NEAR(data.fit->parameters[0].bounds[0], 7e-3, 1e-12);
+  EXPECT_NEAR(data.fit->parameters[0].bounds[1], 9e-3, 1e-12);
+  EXPECT_EQ(data.fit->ties[0].path, "caps.left.mass"); // before the one that follows it
+  std::ofstream(path) << text
+                      << "    - {path: parts.interlock.radius, of: {parts.interlock.radius: 2}}\n";
+  EXPECT_NE(problems_of(path).find("in a circle"), std::string::npos);
+  fs::remove(path);
+}
+
+TEST(ReadBenchmark, says_what_is_wrong) {
+  const fs::path path = fs::temp_directory_path() / "plica_benchmark.yaml";
+  std::ofstream(path) << "benchmark: b\ntables:\n  - table: 1\n    title: t\n    case: no.yaml\n"
+                         "    columns: [{name: pipe}]\n"
+                         "    rows: [{label: a, quantity: mass, only: pip, colour: red}]\n";
+  EXPECT_TRUE(is_benchmark(path));
+  EXPECT_FALSE(is_benchmark(a2));
+  const std::string problems = problems_of(path);
+  for (const char* text :
+       {"there is no file 'no.yaml'", "did you mean 'pipe'", "colour: unknown key"})
+    EXPECT_NE(problems.find(text), std::string::npos) << problems;
+  fs::remove(path);
 }
 
 TEST(ReadCase, an_override_that_does_not_exist_is_an_error) {
   try {
-    read_case(a2, {{"parts.belows.root_radius", "60 mm"}});
+    read_case(a2, {}, {{"parts.belows.root_radius", "60 mm"}});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'bellows'?"), std::string::npos);

@@ -1,4 +1,5 @@
 // The JSON Schema: valid JSON, and the shipped cases conform to it.
+#include "io/input/benchmark_file.hpp"
 #include "io/input/schema.hpp"
 #include "io/input/yaml_tree.hpp"
 
@@ -108,11 +109,13 @@ TEST(Schema, is_draft_07_and_describes_every_key_at_the_top) {
 }
 
 TEST(Schema, shipped_cases_and_their_data_conform) {
-  const Json cases = Json::parse(case_schema()), data = Json::parse(measured_schema());
+  const Json cases = Json::parse(case_schema()), data = Json::parse(measured_schema()),
+             benchmark = Json::parse(benchmark_schema());
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(PLICA_SOURCE_DIR) / "cases")) {
     if (entry.path().extension() != ".yaml") continue;
     const bool measured = entry.path().filename() == "measured.yaml";
-    EXPECT_TRUE(conforms(json_of_file(entry.path()), measured ? data : cases)) << entry.path();
+    const Json& schema = measured ? data : is_benchmark(entry.path()) ? benchmark : cases;
+    EXPECT_TRUE(conforms(json_of_file(entry.path()), schema)) << entry.path();
   }
 }
 

@@ -65,8 +65,19 @@ template <class Points> double box_distance(const Triple& x, const Points& point
 double distance(const Triple& x, const Plate& p) {
   return box_distance(x, p.corners);
 }
+// Sections of beams along the axis are rigid: a sensor sits across it where it likes.
 double distance(const Triple& x, const BeamPart& b) {
-  return box_distance(x, b.points);
+  return box_distance(is_on_axis(b) ? Triple{0, x[1], 0} : x, b.points);
+}
+double section_distance(const Triple& x, double start, double length) {
+  const double across = std::max(0.0, std::hypot(x[0], x[2]) - length); // no longer arm than that
+  return std::hypot(across, std::max({start - x[1], x[1] - start - length, 0.0}));
+}
+double distance(const Triple& x, const EquivalentPipe& p) {
+  return section_distance(x, p.start, p.length);
+}
+double distance(const Triple& x, const ConnectorChain& c) {
+  return section_distance(x, c.start, c.length);
 }
 double distance(const Triple&, const Interlock&) {
   return unbounded;

@@ -4,6 +4,7 @@
 #include "io/input/check_log.hpp"
 #include "io/input/did_you_mean.hpp"
 #include "io/input/field_reader.hpp"
+#include "io/input/fit_input.hpp"
 #include "io/input/yaml_path.hpp"
 #include "model/case_fields.hpp"
 
@@ -38,14 +39,22 @@ int line_of(std::string key, const std::map<std::string, int>& lines) {
   }
 }
 
-Case read_tree(const YamlNode& root, const std::string& path, ReadLog& log) {
+// `nominal`: as the file says. Its fit belongs to it alone, not to what a variant or a limit of a
+// tolerance makes of it.
+Case read_tree(const YamlNode& root, const std::string& path, const std::string& model,
+               bool nominal, ReadLog& log) {
   Case data;
+  data.model = model;
   FieldReader::read(root, "", data, log);
-  data.tolerances = log.tolerances;
+  for (const Tolerance& t : log.tolerances) // those of other models belong to them
+    if (!is_below(t.path, "models")) data.tolerances.push_back(t);
   if (root.kind != YamlNode::Kind::map) return data;
   const std::string directory = std::filesystem::path(path).parent_path().string();
-  for (InputProblem& problem : check_case(data, bad_keys(log), directory))
-    log.add(line_of(problem.key, log.lines), problem.key, problem.wrong, problem.allowed);
+  CheckLog fit(data, bad_keys(log));
+  if (nominal) resolve_fit(data, fit);
+  for (const auto& problems : {check_case(data, bad_keys(log), directory), fit.problems})
+    for (const InputProblem& problem : problems)
+      log.add(line_of(problem.key, log.lines), problem.key, problem.wrong, problem.allowed);
   for (Part& part : data.parts)
     if (auto* bellows = std::get_if<Bellows>(&part.body))
       if (bellows->mesh.around == 0 && bellows->mesh.accuracy == 0)
@@ -89,7 +98,7 @@ void check_tolerances(const YamlNode& tree, const Case& data, const std::string&
       YamlNode changed_tree = tree;
       if (!put(changed_tree, t.path, all_digits(limit), 0).wrong.empty()) continue;
       ReadLog changed{.file = log.file};
-      read_tree(changed_tree, path, changed);
+      read_tree(changed_tree, path, data.model, false, changed);
       for (const InputProblem& p : new_problems(changed, nominal))
         log.add(line_of(t.path, nominal.lines), t.path,
                 "has a limit that makes a bad case: " + p.key + " " + p.wrong, p.allowed);
@@ -107,8 +116,9 @@ int line_of_change(const Variant& variant, const std::string& place, const std::
 }
 
 // Problems a variant has beyond those of the nominal case.
-void check_variant(YamlNode tree, const Variant& variant, const std::string& place,
-                   const std::string& path, const ReadLog& nominal, ReadLog& log) {
+void check_variant(YamlNode tree, const Case& data, const Variant& variant,
+                   const std::string& place, const std::string& path, const ReadLog& nominal,
+                   ReadLog& log) {
   const std::string set = place + ".set";
   for (const auto& [where, value] : variant.set) {
     const std::string key = below(set, where);
@@ -120,30 +130,98 @@ void check_variant(YamlNode tree, const Variant& variant, const std::string& pla
     if (!problem.wrong.empty()) log.add(line, key, problem.wrong, problem.allowed);
   }
   ReadLog changed{.file = log.file};
-  read_tree(tree, path, changed);
+  read_tree(tree, path, data.model, false, changed);
   for (const InputProblem& p : new_problems(changed, nominal))
     log.add(line_of_change(variant, place, p.key, nominal.lines), p.key,
             "in variant '" + shown(variant.name) + "': " + p.wrong, p.allowed);
 }
 
+// The tree with the sections of one of its models in place of those of the case.
+YamlNode as_model(const YamlNode& root, const YamlEntry& model) {
+  static constexpr std::array replaced{"assumptions", "parts",    "caps", "mount",
+                                       "sensors",     "variants", "fit"};
+  YamlNode tree = root;
+  std::erase_if(tree.entries, [&](const YamlEntry& e) {
+    return e.key == "models" || e.key == "variants" || e.key == "fit" ||
+           (model.value.find(e.key) &&
+            std::find(replaced.begin(), replaced.end(), e.key) != replaced.end());
+  });
+  for (const YamlEntry& section : model.value.entries)
+    if (std::find(replaced.begin(), replaced.end(), section.key) != replaced.end())
+      tree.entries.push_back(section);
+  return tree;
+}
+
+// The models of the tree; empty when there are none.
+std::vector<YamlEntry> models_of(const YamlNode& root) {
+  const YamlNode* models = root.find("models");
+  return models ? models->entries : std::vector<YamlEntry>{};
+}
+
+// The tree of the model asked for; a problem in the log when there is none of that name.
+YamlNode chosen_model(const YamlNode& root, const std::string& name, ReadLog& log) {
+  std::vector<std::string> names;
+  for (const YamlEntry& entry : models_of(root)) {
+    if (entry.key == name) return as_model(root, entry);
+    names.push_back(entry.key);
+  }
+  const YamlNode* models = root.find("models");
+  log.add(models ? models->line : 1, "models", "there is no model '" + shown(name) + "'",
+          names.empty() ? "the case has no other models" : suggestion(name, names));
+  return root;
+}
+
+void check_variants(const YamlNode& root, const Case& data, const std::string& path,
+                    const ReadLog& log, ReadLog& changed) {
+  for (std::size_t i = 0; i < data.variants.size(); ++i)
+    check_variant(root, data, data.variants[i], "variants[" + std::to_string(i) + "]", path, log,
+                  changed);
+}
+
+// Problems of the other models beyond those of the nominal case.
+void check_models(const YamlNode& root, const std::string& path, const ReadLog& nominal,
+                  ReadLog& log) {
+  for (const YamlEntry& model : models_of(root)) {
+    const std::string place = "models." + model.key;
+    const bool readable =
+        std::none_of(nominal.problems.begin(), nominal.problems.end(),
+                     [&](const InputProblem& p) { return is_below(p.key, place); });
+    if (!readable || model.value.kind != YamlNode::Kind::map) continue;
+    const YamlNode tree = as_model(root, model);
+    ReadLog own{.file = log.file}, deeper{.file = log.file};
+    const Case data = read_tree(tree, path, model.key, true, own);
+    check_variants(tree, data, path, own, deeper);
+    check_tolerances(tree, data, path, own, deeper);
+    std::vector<InputProblem> problems = new_problems(own, nominal);
+    problems.insert(problems.end(), deeper.problems.begin(), deeper.problems.end());
+    for (const InputProblem& p : problems) {
+      const bool moved = model.value.find(p.key.substr(0, p.key.find_first_of(".[")));
+      log.add(p.line, moved ? below(place, p.key) : p.key,
+              "in model '" + shown(model.key) + "': " + p.wrong, p.allowed);
+    }
+  }
+}
+
 } // namespace
 
-CaseFile read_case(const std::string& path, const std::map<std::string, std::string>& overrides) {
+CaseFile read_case(const std::string& path, const std::string& model,
+                   const std::map<std::string, std::string>& overrides) {
   ReadLog log{.file = path};
   YamlNode root = read_yaml(path, log.problems);
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
+  const YamlNode whole = root;
+  if (!model.empty()) root = chosen_model(whole, model, log);
   for (const auto& [where, value] : overrides) {
     const PathProblem problem = put(root, where, value, 0);
     if (!problem.wrong.empty()) log.add(0, where, problem.wrong, problem.allowed);
   }
   CaseFile file;
   file.path = path;
-  file.data = read_tree(root, path, log);
+  file.data = read_tree(root, path, model, overrides.empty(), log);
   ReadLog changed{.file = path};
-  for (std::size_t i = 0; i < file.data.variants.size() && overrides.empty(); ++i)
-    check_variant(root, file.data.variants[i], "variants[" + std::to_string(i) + "]", path, log,
-                  changed);
+  if (overrides.empty()) check_variants(root, file.data, path, log, changed);
   check_tolerances(root, file.data, path, log, changed);
+  if (overrides.empty() && model.empty()) check_models(root, path, log, changed);
   log.problems.insert(log.problems.end(), changed.problems.begin(), changed.problems.end());
   if (!log.problems.empty()) {
     sort_by_line(log.problems);

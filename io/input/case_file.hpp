@@ -1,9 +1,10 @@
 // Reads a case file (YAML). Strict: throws InputError with all problems of the file at once.
 //
 //   CaseFile file = read_case("cases/bellow_a2/bellow_a2.yaml");
-//   CaseFile thin = read_case(file.path, file.data.variants[0].set);
+//   CaseFile thin = read_case(file.path, "", file.data.variants[0].set);
+//   CaseFile pipe = read_case(file.path, "pipe");
 //
-// All variants are checked together with the nominal case.
+// All variants and alternative models are checked together with the nominal case.
 #pragma once
 
 #include "model/case.hpp"
@@ -20,8 +21,9 @@ struct CaseFile {
   std::map<std::string, int> lines; // key path -> line, e.g. "parts.bellows.wall.plies[1]"
 };
 
+// `model`: alternative model of the case, whose sections replace those of the case; empty = none.
 // `overrides`: path -> new value as YAML text, put into the file before it is read.
-CaseFile read_case(const std::string& path,
+CaseFile read_case(const std::string& path, const std::string& model = {},
                    const std::map<std::string, std::string>& overrides = {});
 
 } // namespace plica

@@ -33,6 +33,15 @@ void add_sets(const std::string& name, const BeamPart& b, std::vector<std::strin
     sets.push_back(name + ".point[" + std::to_string(k) + "]");
 }
 void add_sets(const std::string&, const PointMass&, std::vector<std::string>&) {}
+void add_ends(const std::string& name, std::vector<std::string>& sets) {
+  for (const char* set : {".left", ".right", ".all"}) sets.push_back(name + set);
+}
+void add_sets(const std::string& name, const EquivalentPipe&, std::vector<std::string>& sets) {
+  add_ends(name, sets);
+}
+void add_sets(const std::string& name, const ConnectorChain&, std::vector<std::string>& sets) {
+  add_ends(name, sets);
+}
 
 } // namespace
 
@@ -47,7 +56,10 @@ std::vector<std::string> end_names(const Case& data) {
   std::vector<std::string> ends;
   for (const Part& part : data.parts) {
     std::vector<const char*> names;
-    if (std::holds_alternative<Bellows>(part.body)) names = {"left", "right"};
+    if (std::holds_alternative<Bellows>(part.body) ||
+        std::holds_alternative<EquivalentPipe>(part.body) ||
+        std::holds_alternative<ConnectorChain>(part.body))
+      names = {"left", "right"};
     if (std::holds_alternative<BeamPart>(part.body)) names = {"start", "end"};
     if (std::holds_alternative<Plate>(part.body)) names = {"edge1", "edge2", "edge3", "edge4"};
     for (const char* name : names) ends.push_back(part.name + "." + name);

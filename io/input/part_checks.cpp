@@ -1,11 +1,13 @@
 #include "io/input/part_checks.hpp"
 
 #include "io/input/units.hpp"
+#include "model/pipe_model.hpp"
 #include "model/profile_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace plica {
 
@@ -118,16 +120,102 @@ void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog
   }
 }
 
+void check(const std::string& key, const EquivalentPipe& p, const Case& data, CheckLog& log) {
+  material(log, data, key, p.material);
+  if (log.fine(key + ".convoluted") && log.fine(key + ".length") && p.convoluted > p.length)
+    log.add(key + ".convoluted", "is longer than the whole", "at most " + millimetres(p.length));
+  if (log.fine(key + ".outer") && p.outer.mass > 0)
+    log.add(key + ".outer.mass", "is for the inner layer", "the wall that has this mass");
+  if (log.fine(key + ".outer") && !(p.outer.wall > 0))
+    log.add(key + ".outer", "has no wall", "the wall that has the mass of the convolutions");
+  for (const auto& [name, value] :
+       {std::pair{"axial", p.outer.axial}, {"torsion", p.outer.torsion}})
+    if (!(value > 0) && log.fine(key + ".outer." + name))
+      log.add(key + ".outer." + name, "is zero",
+              "a stiffness above zero; the inner layer may have none");
+  if (p.inner && log.fine(key + ".inner") && p.inner->wall > 0)
+    log.add(key + ".inner.wall", "is for the outer layer", "the mass of the inner layer");
+}
+
+void check_curve(const std::string& key, const std::vector<std::array<double, 2>>& curve,
+                 CheckLog& log) {
+  if (curve.empty() || !log.fine(key)) return;
+  bool through_rest = false;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    through_rest = through_rest || (curve[i][0] == 0 && curve[i][1] == 0);
+    if (i > 0 && (curve[i][0] <= curve[i - 1][0] || curve[i][1] <= curve[i - 1][1]))
+      log.add(item(key, i), "does not lie above the point before it",
+              "displacements and forces that increase");
+  }
+  if (!through_rest) log.add(key, "does not pass through [0, 0]", "a point at rest");
+}
+
+void check_spring(const std::string& key, const ConnectorSpring& s, CheckLog& log) {
+  if (!log.fine(key)) return;
+  check_curve(key + ".axial_curve", s.axial_curve, log);
+  check_curve(key + ".transverse_curve", s.transverse_curve, log);
+  const bool curves = !s.axial_curve.empty() || !s.transverse_curve.empty();
+  struct Entry {
+    const char* name;
+    double value;
+    bool tabulated;
+  };
+  const std::array entries{Entry{"axial", s.axial, !s.axial_curve.empty()},
+                           Entry{"transverse", s.transverse, !s.transverse_curve.empty()},
+                           Entry{"bending", s.bending, false}, Entry{"torsion", s.torsion, false}};
+  for (const Entry& e : entries) {
+    const std::string own = key + "." + e.name;
+    if (!log.fine(own)) continue;
+    if (e.value > 0 && e.tabulated)
+      log.add(own, "stands beside its curve", "one or the other");
+    else if (e.value > 0 && !s.matrix.empty())
+      log.add(own, "stands beside a matrix", "one or the other");
+    else if (!(e.value > 0) && !e.tabulated && s.matrix.empty())
+      log.add(own, "is missing or zero", "a stiffness above zero, or a matrix");
+  }
+  if (s.matrix.empty()) return;
+  if (curves) log.add(key + ".matrix", "stands beside a curve", "one or the other");
+  const Matrix6 law = connector_law(s);
+  const double size = law.cwiseAbs().maxCoeff();
+  if ((law - law.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size)
+    log.add(key + ".matrix", "is not symmetric", "a symmetric stiffness matrix");
+  else if (!resists_every_motion(s))
+    log.add(key + ".matrix", "is not positive definite",
+            "a matrix that resists every relative motion");
+}
+
+void check(const std::string& key, const ConnectorChain& c, const Case&, CheckLog& log) {
+  if (log.fine(key + ".arms") && log.fine(key + ".length") && 2 * c.arms >= c.length)
+    log.add(key + ".arms", "leave nothing between them", "less than half of the length");
+  check_spring(key + ".spring", c.spring, log);
+  if (!c.end_spring) return;
+  check_spring(key + ".end_spring", *c.end_spring, log);
+  const auto curves = [](const ConnectorSpring& s) {
+    return !s.axial_curve.empty() || !s.transverse_curve.empty();
+  };
+  const auto& [one, other] = std::tie(c.spring, *c.end_spring);
+  if ((curves(one) && !other.matrix.empty()) || (curves(other) && !one.matrix.empty()))
+    log.add(key + ".end_spring", "joins a matrix and a curve in one chain", "one or the other");
+  if (c.count < 3 && log.fine(key + ".count"))
+    log.add(key + ".end_spring",
+            "leaves no element for spring: there are " + std::to_string(c.count),
+            "at least three elements");
+}
+
 void check(const std::string& key, const PointMass& m, const Case&, CheckLog& log) {
   log.set_reference(key + ".at", m.at);
   check_inertia(key + ".inertia", m.inertia, log);
 }
 
 void check_materials_used(const Case& data, CheckLog& log) {
+  if (!data.model.empty()) return;    // the parts of the case do
+  for (const Part& part : data.parts) // it needs none; its case may keep that of the bellows
+    if (std::holds_alternative<ConnectorChain>(part.body)) return;
   std::set<std::string> used;
   for (const Part& part : data.parts) {
     if (const auto* b = std::get_if<Bellows>(&part.body)) used.insert(b->material);
     if (const auto* p = std::get_if<Plate>(&part.body)) used.insert(p->material);
+    if (const auto* p = std::get_if<EquivalentPipe>(&part.body)) used.insert(p->material);
     if (const auto* b = std::get_if<BeamPart>(&part.body)) used.insert(b->section.material);
   }
   for (const Variant& variant : data.variants)

@@ -1,5 +1,6 @@
 #include "io/input/schema.hpp"
 
+#include "diagnose/benchmark_fields.hpp"
 #include "diagnose/measured_fields.hpp"
 #include "io/input/schema_writer.hpp"
 #include "io/input/units.hpp"
@@ -78,6 +79,10 @@ std::string case_schema() {
 
 std::string measured_schema() {
   return schema_text<Measured>("Plica measured data");
+}
+
+std::string benchmark_schema() {
+  return schema_text<Benchmark>("Plica benchmark");
 }
 
 } // namespace plica

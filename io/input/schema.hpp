@@ -8,5 +8,6 @@ namespace plica {
 
 std::string case_schema();
 std::string measured_schema();
+std::string benchmark_schema();
 
 } // namespace plica

@@ -16,10 +16,13 @@ namespace {
 
 std::string head_html(const Results& results) {
   const std::string title = results.title.empty() ? results.case_name : results.title;
-  std::string html = fmt::format("<header>\n<h1>{}</h1>\n<p class=\"case\">Case <code>{}</code>, "
-                                 "Plica {}</p>\n",
-                                 html_escape(title), html_escape(results.case_name),
-                                 html_escape(results.plica_version));
+  std::string html =
+      fmt::format("<header>\n<h1>{}</h1>\n<p class=\"case\">Case <code>{}</code>, "
+                  "Plica {}</p>\n",
+                  html_escape(title),
+                  html_escape(results.case_name +
+                              (results.modelled_as.empty() ? "" : ", " + results.modelled_as)),
+                  html_escape(results.plica_version));
   if (!results.modes.empty()) {
     Verification verification = results.verification;
     verification.reason = html_escape(verification.reason);

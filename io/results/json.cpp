@@ -182,6 +182,7 @@ std::string results_json(const Results& r) {
   Json json;
   json["case"] = r.case_name;
   json["title"] = r.title;
+  json["modelled_as"] = r.modelled_as.empty() ? "parts" : r.modelled_as;
   json["plica_version"] = r.plica_version;
   json["model"] = {{"nodes", r.model.nodes},
                    {"elements", r.model.elements},
@@ -190,6 +191,8 @@ std::string results_json(const Results& r) {
   json["route"] = r.route;
   if (r.reduced) json["reduction"] = json_of(*r.reduced);
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
+  for (const StrokeCurve& c : r.strokes) // [m, N]
+    json["static_curves"].push_back({{"direction", c.direction}, {"points", c.points}});
   json["modes"] = list_of(r.modes);
   json["verification"] = json_of(r.verification);
   json["responses"] = list_of(r.responses);

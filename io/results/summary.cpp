@@ -134,6 +134,7 @@ std::string modes_table(const Results& results) {
 std::string summary_text(const Results& results, const std::filesystem::path& report) {
   std::string text = results.case_name;
   if (!results.title.empty()) text += ": " + results.title;
+  if (!results.modelled_as.empty()) text += " (as " + results.modelled_as + ")";
   text += fmt::format("\n{} elements, {} nodes, {} unknowns, {} kg\n",
                       grouped(results.model.elements, " "), grouped(results.model.nodes, " "),
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));

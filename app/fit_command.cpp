@@ -1,0 +1,88 @@
+#include "app/commands.hpp"
+#include "app/located.hpp"
+#include "app/progress.hpp"
+#include "diagnose/fit.hpp"
+#include "io/files.hpp"
+#include "io/input/measured_file.hpp"
+#include "io/measured_data.hpp"
+#include "io/results/write_fit.hpp"
+#include "solve/sparse_factor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <fmt/core.h>
+
+namespace plica {
+namespace {
+
+std::atomic<bool> stopped{false};
+
+// The first time the search ends and its best is refined; the second time the program does.
+void stop_searching(int) {
+  if (stopped.exchange(true)) std::signal(SIGINT, SIG_DFL);
+}
+
+[[noreturn]] void refuse(const CaseFile& file, const std::string& wrong,
+                         const std::string& allowed) {
+  const auto line = file.lines.find("fit");
+  throw InputError({{.file = file.path,
+                     .line = line == file.lines.end() ? 0 : line->second,
+                     .key = "fit",
+                     .wrong = wrong,
+                     .allowed = allowed}});
+}
+
+} // namespace
+
+int fit_command(const FitOptions& options) {
+  set_threads(options.threads);
+  const CaseFile file = read_case(options.case_path, options.model);
+  if (!file.data.fit)
+    refuse(file, "is missing" + (options.model.empty() ? "" : " in model '" + options.model + "'"),
+           "fit: {parameters: [{path: ..., bounds: [..., ...]}]}");
+  if (options.measured.empty() && file.data.measured.empty())
+    refuse(file, "has nothing to fit to",
+           "measured: measured.yaml in the case, or --measured FILE");
+  const std::filesystem::path beside = std::filesystem::path(file.path).parent_path();
+  const std::filesystem::path measured = options.measured.empty()
+                                             ? beside / file.data.measured
+                                             : std::filesystem::path(options.measured);
+  TestData test{.data = read_measured(measured.string()), .frfs = {}};
+  std::erase_if(test.data.frf, [&, i = 0](const MeasuredFrf&) mutable {
+    const auto& held = test.data.hold_out;
+    return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
+  });
+  test.frfs = load_frfs(test.data, measured.parent_path());
+  FitSettings settings{.search = options.search.value_or(file.data.fit->search),
+                       .evaluations = options.evaluations.value_or(file.data.fit->evaluations),
+                       .seed = options.seed,
+                       .starts = {}};
+  if (!options.restart.empty()) settings.starts = read_designs(options.restart, *file.data.fit);
+  make_folder(options.out);
+  Progress progress(options.quiet);
+  progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
+  progress.stage("fit of " + std::to_string(file.data.fit->parameters.size()) + " parameters");
+  settings.progress = [&](int evaluations, double cost) {
+    progress.stage(
+        fmt::format("{} of {} evaluations, cost {:.4g}", evaluations, settings.evaluations, cost));
+  };
+  settings.stop = [] { return stopped.load(); };
+  std::signal(SIGINT, stop_searching); // the best so far is refined and written
+  FitResult fit;
+  try {
+    fit = located(file, [&] { return fit_case(file.data, *file.data.fit, test, settings); });
+  } catch (const std::invalid_argument& error) {
+    refuse(file, error.what(), "a start from which the model gives every target");
+  }
+  std::signal(SIGINT, SIG_DFL);
+  if (stopped)
+    fit.warnings.insert(fit.warnings.begin(), "the search was stopped before its budget");
+  write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, options.out);
+  progress.finish();
+  if (!options.quiet)
+    fmt::print("{}\nReport: {}\n", fit_text(fit), (options.out / "report.html").string());
+  return fit.converged ? 0 : 2;
+}
+
+} // namespace plica

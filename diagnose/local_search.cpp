@@ -1,0 +1,159 @@
+#include "diagnose/search.hpp"
+
+#include "solve/parallel.hpp"
+
+#include <ceres/ceres.h>
+#include <numeric>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double step = 1e-4; // of the box
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+class ModelCost : public ceres::CostFunction {
+public:
+  ModelCost(const ResidualModel& model, Eigen::Index unknowns, Eigen::Index residuals)
+      : model_(model) {
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns));
+    set_num_residuals(static_cast<int>(residuals));
+  }
+
+  bool Evaluate(const double* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const int n = parameter_block_sizes()[0];
+    const VectorXd x = Eigen::Map<const VectorXd>(parameters[0], n);
+    const std::optional<VectorXd> r = model_(x);
+    if (!r) return false;
+    Eigen::Map<VectorXd>(residuals, num_residuals()) = *r;
+    if (!jacobians || !jacobians[0]) return true;
+    const std::optional<MatrixXd> J = residual_jacobian(model_, x);
+    if (!J) return false;
+    Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) = *J;
+    return true;
+  }
+
+private:
+  const ResidualModel& model_;
+};
+
+class Stop : public ceres::IterationCallback {
+public:
+  explicit Stop(const std::function<bool()>& stop) : stop_(stop) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return stop_() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+private:
+  const std::function<bool()>& stop_;
+};
+
+// Minimum over some of the unknowns, the others held. Ceres creeps where a bound holds an unknown
+// that the residuals would push further, so such an unknown is held and the others go on.
+void solve(const ResidualModel& model, const std::vector<Eigen::Index>& free,
+           Eigen::Index residuals, int steps, const std::function<bool()>& stop,
+           LocalSearch& found) {
+  const VectorXd held = found.best;
+  const ResidualModel reduced = [&](const VectorXd& u) {
+    VectorXd all = held;
+    all(free) = u;
+    return model(all);
+  };
+  VectorXd u = held(free);
+  ceres::Problem problem;
+  problem.AddResidualBlock(new ModelCost(reduced, u.size(), residuals), nullptr, u.data());
+  for (int i = 0; i < u.size(); ++i) {
+    problem.SetParameterLowerBound(u.data(), i, 0);
+    problem.SetParameterUpperBound(u.data(), i, 1);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = steps;
+  options.function_tolerance = 1e-10;
+  options.parameter_tolerance = 1e-8;
+  options.gradient_tolerance = 1e-12;
+  options.logging_type = ceres::SILENT;
+  Stop callback(stop);
+  options.callbacks = {&callback};
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  found.best(free) = u;
+  found.cost = summary.final_cost;
+  found.converged = summary.termination_type == ceres::CONVERGENCE;
+  found.reason = summary.message;
+}
+
+// Unknowns but for those at a bound that the cost pushes further out; these are put onto it.
+std::vector<Eigen::Index> free_to_move(const ResidualModel& model, VectorXd& u) {
+  constexpr double near = 1e-5;
+  std::vector<Eigen::Index> free;
+  const std::optional<VectorXd> r = model(u);
+  const std::optional<MatrixXd> J = residual_jacobian(model, u);
+  const VectorXd gradient = r && J ? VectorXd(J->transpose() * *r) : VectorXd::Zero(u.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    const bool low = u[i] < near && gradient[i] > 0, high = u[i] > 1 - near && gradient[i] < 0;
+    if (low || high)
+      u[i] = low ? 0 : 1;
+    else
+      free.push_back(i);
+  }
+  return free;
+}
+
+} // namespace
+
+double cost_of(const std::optional<VectorXd>& residuals) {
+  constexpr double none = 1e30;
+  if (!residuals || !residuals->allFinite()) return none;
+  return std::min(none, residuals->squaredNorm() / 2);
+}
+
+std::optional<MatrixXd> residual_jacobian(const ResidualModel& model, const VectorXd& design) {
+  const auto n = static_cast<int>(design.size());
+  std::vector<std::optional<VectorXd>> at(2 * std::size_t(n));
+  VectorXd low = design, high = design;
+  for (int i = 0; i < n; ++i) {
+    // Near a bound, as wide boxes have it, a tenth of the way to it.
+    const double room = std::min(design[i], 1 - design[i]);
+    const double own = room > 0 ? std::clamp(0.1 * room, 1e-8, step) : step;
+    low[i] = std::max(0., design[i] - own);
+    high[i] = std::min(1., design[i] + own);
+  }
+  in_parallel(2 * n, [&](int k) {
+    VectorXd x = design;
+    x[k / 2] = k % 2 == 0 ? low[k / 2] : high[k / 2];
+    at[k] = model(x);
+  });
+  MatrixXd J;
+  for (int i = 0; i < n; ++i) {
+    const auto &a = at[2 * std::size_t(i)], &b = at[2 * std::size_t(i) + 1];
+    if (!a || !b) return std::nullopt;
+    if (J.size() == 0) J.resize(a->size(), n);
+    J.col(i) = (*b - *a) / (high[i] - low[i]);
+  }
+  return J;
+}
+
+LocalSearch search_locally(const ResidualModel& model, const VectorXd& start, int steps,
+                           const std::function<bool()>& stop) {
+  const std::optional<VectorXd> first = model(start);
+  if (!first) throw std::invalid_argument("the model has no result at the start");
+  LocalSearch found{.best = start, .cost = cost_of(first), .converged = true, .reason = {}};
+  std::vector<Eigen::Index> free(std::size_t(start.size()));
+  std::iota(free.begin(), free.end(), 0);
+  constexpr int rounds = 5;
+  for (int round = 0; round < rounds && !free.empty() && !stop(); ++round) {
+    solve(model, free, first->size(), steps, stop, found);
+    std::vector<Eigen::Index> next = free_to_move(model, found.best);
+    if (next == free) break;
+    free = std::move(next);
+  }
+  return found;
+}
+
+} // namespace plica

@@ -1,0 +1,66 @@
+// Search in a box for the design with the least sum of squares: locally by Levenberg-Marquardt
+// (Ceres), globally by several strategies on islands that exchange their best (pagmo).
+//
+// Unknowns are scaled to [0, 1] by the caller. The model is called from several threads at once.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+// Residuals of a design, always as many; none where the model has no result.
+using ResidualModel = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& design)>;
+
+// Half the sum of squares; 1e30 where there is no result.
+double cost_of(const std::optional<Eigen::VectorXd>& residuals);
+
+// Derivatives of the residuals by central differences within the box, residuals x unknowns. None
+// where the model has no result at one of the points.
+std::optional<Eigen::MatrixXd> residual_jacobian(const ResidualModel& model,
+                                                 const Eigen::VectorXd& design);
+
+struct LocalSearch {
+  Eigen::VectorXd best;
+  double cost = 0;
+  bool converged = false;
+  std::string reason; // Ceres's own words
+};
+
+// From `start`, at most so many steps. The start must have a result: std::invalid_argument.
+// `stop` is asked after every step.
+LocalSearch search_locally(
+    const ResidualModel& model, const Eigen::VectorXd& start, int steps,
+    const std::function<bool()>& stop = [] { return false; });
+
+struct GlobalSettings {
+  int evaluations = 10000;             // spent at most, to one round of the islands
+  int population = 20;                 // designs of an island
+  unsigned seed = 1;                   // equal seeds give equal results, whatever the threads
+  double good_enough = 0;              // cost below which to stop
+  std::vector<Eigen::VectorXd> starts; // put into the first populations
+  std::function<void(int evaluations, double cost)> progress = [](int, double) {};
+  std::function<bool()> stop = [] { return false; }; // asked between rounds
+};
+
+struct Island {
+  std::string strategy;
+  double cost = 0;      // its best
+  int improvements = 0; // rounds in which it found a better design than all islands before
+};
+
+struct GlobalSearch {
+  Eigen::VectorXd best;
+  double cost = 0;
+  int evaluations = 0;
+  std::vector<Island> islands;
+};
+
+// Least value of an objective over the unit box of so many unknowns.
+GlobalSearch search_globally(const std::function<double(const Eigen::VectorXd&)>& objective,
+                             int unknowns, const GlobalSettings& settings);
+
+} // namespace plica

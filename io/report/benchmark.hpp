@@ -1,0 +1,12 @@
+// Report of a benchmark: every table with the published values, ours and the test.
+#pragma once
+
+#include "diagnose/benchmark.hpp"
+
+#include <string>
+
+namespace plica {
+
+std::string benchmark_html(const BenchmarkResult& result);
+
+} // namespace plica

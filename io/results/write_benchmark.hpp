@@ -1,0 +1,17 @@
+// What a benchmark leaves behind: benchmark.json, benchmark.csv, report.html.
+#pragma once
+
+#include "diagnose/benchmark.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+void write_benchmark(const BenchmarkResult& result, const std::filesystem::path& folder);
+
+std::string benchmark_text(const BenchmarkResult& result);
+
+// "131 to 163", "138", "-"
+std::string test_text(const std::vector<double>& test);
+
+} // namespace plica

@@ -1,0 +1,237 @@
+#include "io/results/write_fit.hpp"
+
+#include "io/files.hpp"
+#include "io/report/fit.hpp"
+#include "io/results/csv.hpp"
+#include "io/results/text.hpp"
+#include "model/input_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kept_designs = 50; // in fit.json, for a restart
+
+Json number(const std::optional<double>& x) {
+  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
+}
+
+std::vector<std::size_t> by_cost(const FitResult& fit) {
+  std::vector<std::size_t> order(fit.samples.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return fit.samples[a].cost < fit.samples[b].cost;
+  });
+  return order;
+}
+
+std::vector<std::string> paths_of(const FittedParameter& p) {
+  std::vector<std::string> paths{p.path};
+  paths.insert(paths.end(), p.also.begin(), p.also.end());
+  return paths;
+}
+
+std::string parameters_csv(const FitResult& fit) {
+  std::string text = "path,before,after,sigma,known,at bound\n";
+  for (const FittedParameter& p : fit.parameters)
+    text += fmt::format("{},{},{},{},{},{}\n", csv_cell(p.path), p.start, p.value,
+                        p.sigma ? fmt::format("{}", *p.sigma) : "", p.known, p.at_bound ? 1 : 0);
+  return text;
+}
+
+std::string designs_csv(const FitResult& fit) {
+  std::string text;
+  for (const FittedParameter& p : fit.parameters) text += csv_cell(p.path) + ",";
+  for (const FittedTarget& t : fit.targets)
+    text += csv_cell(fmt::format("{} [{}]", t.quantity, t.unit)) + ",";
+  text += "cost\n";
+  for (const FitSample& s : fit.samples) {
+    for (const double v : s.design) text += fmt::format("{},", v);
+    for (const double v : s.targets) text += fmt::format("{},", v);
+    text += fmt::format("{}\n", s.cost);
+  }
+  return text;
+}
+
+InputError bad_file(const std::string& path, const std::string& wrong) {
+  return InputError({{.file = path,
+                      .line = 0,
+                      .key = "",
+                      .wrong = wrong,
+                      .allowed = "the fit.json of an earlier fit of the same parameters"}});
+}
+
+} // namespace
+
+std::string fitted_yaml(const FitResult& fit) {
+  std::string text = "# Values of a fit, SI units: as `set` of a variant of the case.\nset:\n";
+  for (const FittedParameter& p : fit.parameters)
+    for (const std::string& path : paths_of(p))
+      text += fmt::format("  \"{}\": {}\n", path, p.value);
+  for (const auto& [path, value] : fit.ties) text += fmt::format("  \"{}\": {}\n", path, value);
+  return text;
+}
+
+std::string constraint_limits(const FittedConstraint& c) {
+  if (c.min && c.max) return fmt::format("{:.6g} to {:.6g}", *c.min, *c.max);
+  return c.max ? fmt::format("at most {:.6g}", *c.max) : fmt::format("at least {:.6g}", *c.min);
+}
+
+std::string open_text(const OpenDirection& open) {
+  std::string parts;
+  for (const auto& [path, weight] : open.parts)
+    parts += fmt::format("{}{} ({:.2f})", parts.empty() ? "" : " and ", path, weight);
+  return fmt::format("{} {}: {:.2g} sigma over the whole range of the bounds",
+                     open.parts.size() > 1 ? "a joint change of" : "a change of", parts,
+                     open.effect);
+}
+
+std::string fit_text(const FitResult& fit) {
+  std::string text =
+      fmt::format("{} evaluations, half the sum of squares {} -> {}\n\n", fit.evaluations,
+                  significant(fit.start_cost, 4), significant(fit.cost, 4));
+  std::size_t width = 20;
+  for (const FittedParameter& p : fit.parameters) width = std::max(width, p.path.size() + 2);
+  for (const FittedTarget& t : fit.targets) width = std::max(width, t.quantity.size() + 13);
+  text +=
+      fmt::format("{:<{}}{:>12}{:>12}{:>11}\n", "parameter (SI)", width, "before", "after", "+/-");
+  for (const FittedParameter& p : fit.parameters)
+    text += fmt::format("{:<{}}{:>12}{:>12}{:>11}{}\n", p.path, width, significant(p.start, 5),
+                        significant(p.value, 5), p.sigma ? significant(*p.sigma, 2) : "open",
+                        p.at_bound ? "  at its bound" : "");
+  for (const auto& [path, value] : fit.ties)
+    text += fmt::format("{:<{}}{:>12}{:>12}{:>11}\n", path, width, "", significant(value, 5),
+                        "follows");
+  text += fmt::format("\n{:<{}}{:>12}{:>12}{:>12}{:>9}{:>8}\n", "target", width, "test", "before",
+                      "after", "diff %", "sigma");
+  for (const FittedTarget& t : fit.targets)
+    text += fmt::format("{:<{}}{:>12}{:>12}{:>12}{:>9}{:>8}\n",
+                        t.quantity + (t.held_out ? " (held out)" : ""), width,
+                        significant(t.measured, 5), significant(t.start, 5),
+                        significant(t.value, 5), with_sign(100 * (t.value / t.measured - 1), 2),
+                        with_sign((t.value - t.measured) / t.sigma, 1));
+  for (const FittedResponse& r : fit.responses)
+    text += fmt::format("{:<{}}{:>12}{:>9} dB{:>9} dB  RMS of {} lines\n", r.name, width, "",
+                        significant(r.start, 3), significant(r.value, 3), r.lines);
+  for (const FittedConstraint& c : fit.constraints)
+    text += fmt::format("{:<{}}{:>36}  ({})\n", c.name, width, significant(c.value, 5),
+                        constraint_limits(c));
+  if (!fit.open.empty()) text += "\nThe data leave open:\n";
+  for (const OpenDirection& o : fit.open) text += "  " + open_text(o) + "\n";
+  for (const std::string& w : fit.warnings) text += "warning: " + w + "\n";
+  return text;
+}
+
+std::string fit_json(const FitResult& fit, const std::string& title) {
+  Json json{{"title", title},
+            {"evaluations", fit.evaluations},
+            {"converged", fit.converged},
+            {"reason", fit.reason},
+            {"cost", {{"before", fit.start_cost}, {"after", fit.cost}}}};
+  json["parameters"] = Json::array();
+  for (const FittedParameter& p : fit.parameters)
+    json["parameters"].push_back({{"path", p.path},
+                                  {"also", p.also},
+                                  {"before", p.start},
+                                  {"after", p.value},
+                                  {"sigma", number(p.sigma)},
+                                  {"known", p.known},
+                                  {"at_bound", p.at_bound}});
+  json["ties"] = Json::object();
+  for (const auto& [path, value] : fit.ties) json["ties"][path] = value;
+  json["targets"] = Json::array();
+  for (const FittedTarget& t : fit.targets)
+    json["targets"].push_back({{"quantity", t.quantity},
+                               {"unit", t.unit},
+                               {"measured", t.measured},
+                               {"sigma", t.sigma},
+                               {"before", t.start},
+                               {"after", t.value},
+                               {"held_out", t.held_out}});
+  json["responses"] = Json::array();
+  for (const FittedResponse& r : fit.responses)
+    json["responses"].push_back(
+        {{"name", r.name}, {"lines", r.lines}, {"before_db", r.start}, {"after_db", r.value}});
+  json["constraints"] = Json::array();
+  for (const FittedConstraint& c : fit.constraints)
+    json["constraints"].push_back(
+        {{"name", c.name}, {"value", c.value}, {"min", number(c.min)}, {"max", number(c.max)}});
+  json["correlation"] = Json::array();
+  for (Index i = 0; i < fit.correlation.rows(); ++i) {
+    const VectorXd row = fit.correlation.row(i).transpose();
+    json["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  json["open"] = Json::array();
+  for (const OpenDirection& o : fit.open) {
+    Json parts = Json::object();
+    for (const auto& [path, weight] : o.parts) parts[path] = weight;
+    json["open"].push_back({{"effect", o.effect}, {"parts", parts}});
+  }
+  json["islands"] = Json::array();
+  for (const Island& i : fit.islands)
+    json["islands"].push_back(
+        {{"strategy", i.strategy}, {"cost", i.cost}, {"improvements", i.improvements}});
+  json["designs"] = Json::array(); // the best ones, for a restart
+  const std::vector<std::size_t> order = by_cost(fit);
+  for (std::size_t k = 0; k < std::min(order.size(), kept_designs); ++k) {
+    const VectorXd& d = fit.samples[order[k]].design;
+    json["designs"].push_back(std::vector<double>(d.begin(), d.end()));
+  }
+  json["warnings"] = fit.warnings;
+  return json.dump(2) + "\n";
+}
+
+std::vector<VectorXd> read_designs(const std::string& path, const FitRequest& request) {
+  Json json;
+  try {
+    json = Json::parse(read_whole(path));
+  } catch (const std::exception& error) {
+    throw bad_file(path, std::string("cannot be read: ") + error.what());
+  }
+  try {
+    const Json& parameters = json.at("parameters");
+    VectorXd best(Index(request.parameters.size()));
+    if (parameters.size() != request.parameters.size())
+      throw bad_file(path, "has " + std::to_string(parameters.size()) + " parameters, not " +
+                               std::to_string(request.parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const std::string own = parameters[i].at("path"),
+                        &asked = request.parameters[i].paths.front();
+      if (own != asked)
+        throw bad_file(path, "has '" + own + "' where the case has '" + asked + "'");
+      best[Index(i)] = parameters[i].at("after");
+    }
+    std::vector<VectorXd> designs{best};
+    for (const Json& d : json.at("designs")) {
+      const auto values = d.get<std::vector<double>>();
+      if (values.size() != parameters.size())
+        throw bad_file(path, "has a design of another length");
+      designs.emplace_back(Eigen::Map<const VectorXd>(values.data(), Index(values.size())));
+    }
+    return designs;
+  } catch (const Json::exception& error) {
+    throw bad_file(path, std::string("is no result of a fit: ") + error.what());
+  }
+}
+
+void write_fit(const FitResult& fit, const std::string& title,
+               const std::filesystem::path& folder) {
+  FileSet files(folder);
+  files.add("fit.csv", parameters_csv(fit));
+  files.add("designs.csv", designs_csv(fit));
+  files.add("fitted.yaml", fitted_yaml(fit));
+  files.add("report.html", fit_html(fit, title));
+  files.add("fit.json", fit_json(fit, title));
+  files.commit();
+}
+
+} // namespace plica

@@ -1,0 +1,136 @@
+// Local and global search on functions whose minimum is known (De Jong, Rastrigin, Ackley,
+// Schwefel, Griewank), and on a fit with two valleys.
+#include "diagnose/search.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace plica {
+namespace {
+
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+struct Known {
+  const char* name;
+  int unknowns;
+  double low, high, minimum; // at `place` in every unknown
+  double place;
+  double (*value)(const VectorXd&);
+};
+
+double rastrigin(const VectorXd& x) {
+  return 10. * double(x.size()) + (x.array().square() - 10 * (2 * pi * x.array()).cos()).sum();
+}
+double ackley(const VectorXd& x) {
+  const auto n = double(x.size());
+  return -20 * std::exp(-0.2 * std::sqrt(x.squaredNorm() / n)) -
+         std::exp((2 * pi * x.array()).cos().sum() / n) + 20 + std::numbers::e;
+}
+double schwefel(const VectorXd& x) {
+  return 418.9828872724338 * double(x.size()) - (x.array() * x.array().abs().sqrt().sin()).sum();
+}
+double griewank(const VectorXd& x) {
+  double product = 1;
+  for (Eigen::Index i = 0; i < x.size(); ++i) product *= std::cos(x[i] / std::sqrt(double(i + 1)));
+  return 1 + x.squaredNorm() / 4000 - product;
+}
+double rosenbrock(const VectorXd& x) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i + 1 < x.size(); ++i)
+    sum += 100 * std::pow(x[i + 1] - x[i] * x[i], 2) + std::pow(1 - x[i], 2);
+  return sum;
+}
+
+class GlobalSearchOn : public testing::TestWithParam<Known> {};
+
+TEST_P(GlobalSearchOn, finds_the_global_minimum) {
+  const Known& f = GetParam();
+  const auto scaled = [&](const VectorXd& u) {
+    return f.value(VectorXd((f.low + (f.high - f.low) * u.array()).matrix()));
+  };
+  GlobalSettings settings;
+  settings.evaluations = 60000;
+  settings.good_enough = 1e-6;
+  const GlobalSearch found = search_globally(scaled, f.unknowns, settings);
+  EXPECT_LT(found.cost, 1e-4) << found.evaluations << " evaluations";
+  for (const double u : found.best) EXPECT_NEAR(f.low + (f.high - f.low) * u, f.place, 0.02);
+}
+
+// Boxes off centre, so that their middle is not the answer.
+INSTANTIATE_TEST_SUITE_P(Functions, GlobalSearchOn,
+                         testing::Values(Known{"rastrigin", 5, -5.12, 4.1, 0, 0, rastrigin},
+                                         Known{"ackley", 5, -32, 25, 0, 0, ackley},
+                                         Known{"schwefel", 4, -500, 500, 0, 420.9687, schwefel},
+                                         Known{"griewank", 4, -60, 45, 0, 0, griewank},
+                                         Known{"rosenbrock", 4, -2, 3, 0, 1, rosenbrock}),
+                         [](const auto& f) { return std::string(f.param.name); });
+
+TEST(GlobalSearch, gives_the_same_for_the_same_seed_and_keeps_its_budget) {
+  GlobalSettings settings;
+  settings.evaluations = 2000;
+  const auto raised = [](const VectorXd& u) { return 1 + rastrigin(u); };
+  const GlobalSearch a = search_globally(raised, 3, settings);
+  const GlobalSearch b = search_globally(raised, 3, settings);
+  EXPECT_EQ(a.best, b.best);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+  EXPECT_GE(a.evaluations, 2000);
+  EXPECT_LT(a.evaluations, 3200); // a round of all islands beyond
+  EXPECT_GE(a.islands.size(), 5U);
+}
+
+TEST(GlobalSearch, begins_with_the_designs_it_is_given) {
+  GlobalSettings settings;
+  settings.evaluations = 10;
+  const VectorXd best = VectorXd::Constant(6, 0.37);
+  settings.starts = {best};
+  const GlobalSearch found =
+      search_globally([&](const VectorXd& u) { return (u - best).norm(); }, 6, settings);
+  EXPECT_EQ(found.cost, 0);
+}
+
+TEST(LocalSearch, solves_rosenbrock_as_least_squares) {
+  const ResidualModel model = [](const VectorXd& u) -> std::optional<VectorXd> {
+    const double x = -2 + 4 * u[0], y = -1 + 3 * u[1];
+    return VectorXd{{10 * (y - x * x), 1 - x}};
+  };
+  const LocalSearch found = search_locally(model, VectorXd{{0.1, 0.9}}, 200);
+  EXPECT_TRUE(found.converged) << found.reason;
+  EXPECT_NEAR(found.best[0], 0.75, 1e-6);
+  EXPECT_NEAR(found.best[1], 2. / 3, 1e-6);
+  EXPECT_LT(found.cost, 1e-12);
+}
+
+TEST(LocalSearch, stays_in_the_box_and_steps_back_where_there_is_no_result) {
+  const ResidualModel model = [](const VectorXd& u) -> std::optional<VectorXd> {
+    if (u[0] > 0.8) return std::nullopt;
+    return VectorXd{{u[0] - 0.75, u[1] + 1}};
+  };
+  const LocalSearch found = search_locally(model, VectorXd{{0.1, 0.5}}, 100);
+  EXPECT_NEAR(found.best[0], 0.75, 1e-6);
+  EXPECT_NEAR(found.best[1], 0, 1e-9);
+  EXPECT_THROW(search_locally(model, VectorXd{{0.9, 0.5}}, 10), std::invalid_argument);
+}
+
+// x^2 is met by both signs of x, x itself by one of them.
+TEST(Search, is_trapped_locally_in_a_valley_that_the_global_one_leaves) {
+  const ResidualModel model = [](const VectorXd& u) -> std::optional<VectorXd> {
+    const double x = 6 * u[0] - 3; // valleys near -2 (cost 0.5) and 2 (cost 0)
+    return VectorXd{{x * x - 4, 0.25 * (x - 2)}};
+  };
+  const LocalSearch local = search_locally(model, VectorXd{{0.2}}, 200);
+  EXPECT_TRUE(local.converged);
+  EXPECT_NEAR(6 * local.best[0] - 3, -1.984252, 1e-5); // root of its derivative
+  EXPECT_GT(local.cost, 0.4);
+  GlobalSettings settings;
+  settings.evaluations = 3000;
+  settings.starts = {VectorXd{{0.2}}};
+  const GlobalSearch global =
+      search_globally([&](const VectorXd& u) { return cost_of(model(u)); }, 1, settings);
+  EXPECT_LT(global.cost, 1e-6);
+  EXPECT_NEAR(6 * global.best[0] - 3, 2, 1e-3);
+}
+
+} // namespace
+} // namespace plica
