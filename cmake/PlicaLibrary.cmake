@@ -1,9 +1,10 @@
 # plica_library(<folder> SOURCES ... LINKS ... PRIVATE_LINKS ...)
 # One library per folder, target plica::<folder>. The link list is the rule of what it may include.
-# -Wno-restrict: GCC 12 warns of std::string concatenation without cause (GCC bug 105651).
+# -Wno-restrict and the two after it: GCC 12 warns of std::string concatenation without cause (GCC
+# bug 105651), more so from precompiled headers.
 add_library(plica_options INTERFACE)
 target_compile_options(plica_options INTERFACE
-  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion;-Wno-restrict>)
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 target_compile_features(plica_options INTERFACE cxx_std_20)
 if(PLICA_SANITIZE)
   target_compile_options(plica_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
