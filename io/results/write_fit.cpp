@@ -207,7 +207,7 @@ std::vector<VectorXd> read_designs(const std::string& path, const FitRequest& re
       const std::string own = parameters[i].at("path"),
                         &asked = request.parameters[i].paths.front();
       if (own != asked)
-        throw bad_file(path, "has '" + own + "' where the case has '" + asked + "'");
+        throw bad_file(path, fmt::format("has '{}' where the case has '{}'", own, asked));
       best[Index(i)] = parameters[i].at("after");
     }
     std::vector<VectorXd> designs{best};
