@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace plica {
 namespace {
 
+using Complex = std::complex<double>;
 using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
 using Eigen::VectorXd;
+using std::numbers::pi;
 
 // Force and slope of the piecewise-linear curve.
 std::array<double, 2> on_curve(const std::vector<std::array<double, 2>>& curve, double x) {
@@ -20,25 +21,81 @@ std::array<double, 2> on_curve(const std::vector<std::array<double, 2>>& curve, 
   return {curve[i - 1][1] + slope * (x - curve[i - 1][0]), slope};
 }
 
-// Elastic force and slope.
-std::array<double, 2> elastic(const JointLaw& law, double x) {
-  std::array<double, 2> f{law.stiffness * x + law.cubic * x * x * x,
-                          law.stiffness + 3 * law.cubic * x * x};
-  if (law.curve.empty()) return f;
-  const auto [force, slope] = on_curve(law.curve, x);
-  return {f[0] + force, f[1] + slope};
-}
-
 void require(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
+}
+
+// Closed form: th = acos(1 - 2 x_s / A), k_eq = k_t (th - sin(2 th) / 2) / pi,
+// h = 4 mu (1 - x_s / A) / (pi A).
+void add_slider(const JenkinsSlider& s, double A, DescribingFunction& f) {
+  const double slip = s.slip_force / s.stiffness;
+  if (A <= slip) {
+    f.gain += s.stiffness;
+    return;
+  }
+  const double th = std::acos(1 - 2 * slip / A);
+  f.gain += Complex(s.stiffness / pi * (th - std::sin(2 * th) / 2),
+                    4 * s.slip_force * (1 - slip / A) / (pi * A));
+  f.slope += Complex(-4 * s.stiffness / pi * std::sin(th) * slip / (A * A),
+                     4 * s.slip_force / pi * (2 * slip / A - 1) / (A * A));
+}
+
+// Curve and smoothed Coulomb friction. Derivative by A: of f over x = A cos, x' = -w A sin.
+void add_sampled(const JointLaw& law, double A, double omega, DescribingFunction& f) {
+  constexpr int samples = 256;
+  const JointLaw own{.curve = law.curve, .coulomb = law.coulomb};
+  Complex force = 0, by_amplitude = 0;
+  for (int k = 0; k < samples; ++k) {
+    const double c = std::cos(2 * pi * k / samples), s = std::sin(2 * pi * k / samples);
+    const ElasticForce now = elastic_force(own, A * c, -omega * A * s);
+    const Complex turn = 2. / samples * Complex(c, -s);
+    force += now.force * turn;
+    by_amplitude += (now.by_motion * c - now.by_velocity * omega * s) * turn;
+  }
+  f.gain += force / A;
+  f.slope += (by_amplitude - force / A) / A;
 }
 
 } // namespace
 
 double JointLaw::stuck_stiffness() const {
-  double k = elastic(*this, 0)[1];
+  double k = elastic_force(*this, 0, 0).by_motion;
   for (const JenkinsSlider& s : sliders) k += s.stiffness;
   return k;
+}
+
+bool JointLaw::is_odd() const {
+  if (curve.empty()) return true;
+  double largest = 0;
+  for (const auto& p : curve) largest = std::max(largest, std::abs(p[1]));
+  return std::all_of(curve.begin(), curve.end(), [&](const auto& p) {
+    return std::abs(on_curve(curve, -p[0])[0] + p[1]) < 1e-9 * largest;
+  });
+}
+
+JointLaw in_series(JointLaw law, int n) {
+  law.stiffness *= n;
+  law.cubic *= double(n) * n * n;
+  for (auto& p : law.curve) p[0] /= n;
+  for (JenkinsSlider& s : law.sliders) s.stiffness *= n;
+  law.coulomb.velocity /= n;
+  return law;
+}
+
+ElasticForce elastic_force(const JointLaw& law, double x, double velocity) {
+  ElasticForce f{law.stiffness * x + law.cubic * x * x * x, law.stiffness + 3 * law.cubic * x * x,
+                 0};
+  if (!law.curve.empty()) {
+    const auto [force, slope] = on_curve(law.curve, x);
+    f.force += force;
+    f.by_motion += slope;
+  }
+  if (law.coulomb.force > 0) {
+    const double t = std::tanh(velocity / law.coulomb.velocity);
+    f.force += law.coulomb.force * t;
+    f.by_velocity = law.coulomb.force / law.coulomb.velocity * (1 - t * t);
+  }
+  return f;
 }
 
 double SegalmanIwan::pm() const {
@@ -64,8 +121,7 @@ std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count) {
   std::vector<JenkinsSlider> sliders;
   double a = 0;
   for (int i = 0; i < count; ++i) {
-    const double b =
-        count == 1 ? pm : pm * std::pow(smallest, 1 - double(i) / double(count - 1));
+    const double b = count == 1 ? pm : pm * std::pow(smallest, 1 - double(i) / double(count - 1));
     sliders.push_back({R / (chi + 1) * (std::pow(b, chi + 1) - std::pow(a, chi + 1)),
                        R / (chi + 2) * (std::pow(b, chi + 2) - std::pow(a, chi + 2))});
     a = b;
@@ -75,41 +131,34 @@ std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count) {
 }
 
 double first_loading(const JointLaw& law, double displacement) {
-  double force = elastic(law, displacement)[0];
+  double force = elastic_force(law, displacement, 0).force;
   for (const JenkinsSlider& s : law.sliders)
     force += std::clamp(s.stiffness * displacement, -s.slip_force, s.slip_force);
   return force;
 }
 
-PeriodForces period_forces(const JointLaw& law, const VectorXd& x, const MatrixXd& dx) {
-  const Index steps = x.size(), parameters = dx.cols();
-  PeriodForces out{VectorXd(steps), MatrixXd(steps, parameters)};
-  for (Index k = 0; k < steps; ++k) {
-    const auto [force, slope] = elastic(law, x[k]);
-    out.force[k] = force;
-    out.derivative.row(k) = slope * dx.row(k);
-  }
-  // From rest through one period to the cycle that repeats (Masing), then the period that counts.
-  RowVectorXd slider_derivative(parameters);
+VectorXd period_forces(const JointLaw& law, const VectorXd& x, const VectorXd& velocity) {
+  const Index steps = x.size();
+  VectorXd force(steps);
+  for (Index k = 0; k < steps; ++k) force[k] = elastic_force(law, x[k], velocity[k]).force;
+  // A slider repeats itself after the first period, whatever it starts from.
   for (const JenkinsSlider& s : law.sliders) {
     double f = std::clamp(s.stiffness * x[0], -s.slip_force, s.slip_force);
-    bool stuck = std::abs(s.stiffness * x[0]) < s.slip_force;
-    slider_derivative = stuck ? RowVectorXd(s.stiffness * dx.row(0)) : RowVectorXd::Zero(parameters);
     for (Index k = 1; k < 2 * steps; ++k) {
       const Index now = k % steps, before = (k - 1) % steps;
-      const double trial = f + s.stiffness * (x[now] - x[before]);
-      f = std::clamp(trial, -s.slip_force, s.slip_force);
-      if (f == trial)
-        slider_derivative += s.stiffness * (dx.row(now) - dx.row(before));
-      else
-        slider_derivative.setZero();
-      if (k < steps) continue;
-      out.force[now] += f;
-      out.derivative.row(now) += slider_derivative;
+      f = std::clamp(f + s.stiffness * (x[now] - x[before]), -s.slip_force, s.slip_force);
+      if (k >= steps) force[now] += f;
     }
-    // k = 2 steps is the first again: its value in the cycle that repeats.
   }
-  return out;
+  return force;
+}
+
+DescribingFunction describing_function(const JointLaw& law, double amplitude, double omega) {
+  DescribingFunction f{Complex(law.stiffness + 0.75 * law.cubic * amplitude * amplitude, 0),
+                       Complex(1.5 * law.cubic * amplitude, 0)};
+  for (const JenkinsSlider& s : law.sliders) add_slider(s, amplitude, f);
+  if (!law.curve.empty() || law.coulomb.force > 0) add_sampled(law, amplitude, omega, f);
+  return f;
 }
 
 double loop_energy(const JointLaw& law, double amplitude) {

@@ -1,14 +1,16 @@
 // Force of a joint over the relative motion in one direction: springs and dry friction in parallel.
 //
-//   f(x) = k x + c3 x^3 + g(x) + sum of Jenkins sliders
+//   f = k x + c3 x^3 + g(x) + F tanh(x' / v) + sum of Jenkins sliders
 //
 // A Jenkins slider is a spring k_t in series with a friction element of slip force mu:
 //   f <- clamp(f + k_t dx, -mu, mu)
-// Sliders in parallel are an Iwan model (J. Appl. Mech. 33 (1966) 893) and obey Masing's rule.
+// Sliders in parallel are an Iwan model (J. Appl. Mech. 33 (1966) 893) and obey Masing's rule. SI
+// units: N and m, or Nm and rad.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <complex>
 #include <vector>
 
 namespace plica {
@@ -18,16 +20,34 @@ struct JenkinsSlider {
   double slip_force = 0; // mu, N or Nm
 };
 
+// Dry friction without a spring, its reversal smoothed: F tanh(x' / v).
+struct SmoothedCoulomb {
+  double force = 0;    // F
+  double velocity = 0; // v, at which three quarters of the force act
+};
+
 struct JointLaw {
   double stiffness = 0; // what is left when all sliders slip
   double cubic = 0;     // N/m3
-  // [displacement, force], increasing, straight between points and beyond: piecewise-linear springs,
-  // clearance, tabulated connectors. Empty = none.
+  // [displacement, force], increasing, straight between points and beyond: piecewise-linear
+  // springs, clearance, tabulated connectors. Empty = none.
   std::vector<std::array<double, 2>> curve = {};
   std::vector<JenkinsSlider> sliders = {};
+  SmoothedCoulomb coulomb = {};
 
-  double stuck_stiffness() const; // slope at rest: all sliders stick
+  double stuck_stiffness() const; // slope at rest: all sliders stick; smoothed Coulomb has none
+  bool is_odd() const;            // f(-x, -x') = -f(x, x')
 };
+
+// The same law in series with itself: n of them, each with n times the stiffness, under the same
+// force move together as the given one.
+JointLaw in_series(JointLaw law, int n);
+
+// Force without the sliders, and its slopes.
+struct ElasticForce {
+  double force = 0, by_motion = 0, by_velocity = 0;
+};
+ElasticForce elastic_force(const JointLaw& law, double x, double velocity);
 
 // Four-parameter Iwan model (Segalman, J. Appl. Mech. 72 (2005) 752-760): stiffness K_T at rest,
 // slip force F_S, exponent chi in (-1, 0], ratio beta >= 0 of the stiffness that goes at macro slip
@@ -41,19 +61,22 @@ struct SegalmanIwan {
 // Throws std::invalid_argument, naming the parameter, for values out of range.
 std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count = 100);
 
-// Force on first loading from rest.
+// Force on first loading from rest, slowly.
 double first_loading(const JointLaw& law, double displacement);
 
-// Forces over one period of periodic motion, in the cycle that repeats. `x`: equal steps of the
-// period. `dx`: derivatives of x by any parameters, steps x parameters; the forces come with theirs.
-struct PeriodForces {
-  Eigen::VectorXd force;
-  Eigen::MatrixXd derivative;
-};
-PeriodForces period_forces(const JointLaw& law, const Eigen::VectorXd& x,
-                           const Eigen::MatrixXd& dx);
+// Forces at equal steps of a period of periodic motion, in the cycle that repeats.
+Eigen::VectorXd period_forces(const JointLaw& law, const Eigen::VectorXd& x,
+                              const Eigen::VectorXd& velocity);
 
-// Energy that friction takes in a cycle between -amplitude and amplitude: the area of the loop, J.
+// First harmonic of the force over x = A cos(w t), per amplitude: stiffness and, as its imaginary
+// part, loss stiffness. Sliders and cubic spring by their closed forms, the rest by 256 samples.
+// `slope`: derivative by the amplitude.
+struct DescribingFunction {
+  std::complex<double> gain, slope;
+};
+DescribingFunction describing_function(const JointLaw& law, double amplitude, double omega);
+
+// Energy that sliders take in a cycle between -amplitude and amplitude: the area of the loop, J.
 double loop_energy(const JointLaw& law, double amplitude);
 
 } // namespace plica

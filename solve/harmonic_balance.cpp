@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -17,286 +16,347 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-// Between the harmonics of one joint and its values over the period.
-struct TimeGrid {
-  MatrixXd to_time;       // samples x (2H + 1)
-  MatrixXd to_harmonics;  // (2H + 1) x samples
-
-  TimeGrid(int harmonics, int samples) {
-    if (samples < 2 * (harmonics + 1) + 1)
-      throw std::invalid_argument("too few samples of a period for so many harmonics");
-    const int p = 2 * harmonics + 1;
-    to_time.resize(samples, p);
-    to_harmonics.resize(p, samples);
-    for (int k = 0; k < samples; ++k) {
-      const double tau = 2 * pi * k / samples;
-      to_time(k, 0) = 1;
-      to_harmonics(0, k) = 1. / samples;
-      for (int n = 1; n <= harmonics; ++n) {
-        to_time(k, 2 * n - 1) = std::cos(n * tau);
-        to_time(k, 2 * n) = -std::sin(n * tau);
-        to_harmonics(2 * n - 1, k) = 2. / samples * std::cos(n * tau);
-        to_harmonics(2 * n, k) = -2. / samples * std::sin(n * tau);
-      }
-    }
-  }
-};
-
-// Complex amplitude of harmonic n among the real unknowns of a joint.
-Complex harmonic(const Eigen::Ref<const VectorXd>& p, int n) {
-  return n == 0 ? Complex(p[0], 0) : Complex(p[2 * n - 1], p[2 * n]);
+std::vector<int> orders_of(const JointedStructure& s, const HarmonicSettings& settings) {
+  if (settings.method == JointMethod::describing_function) return {1};
+  const bool odd =
+      std::all_of(s.laws.begin(), s.laws.end(), [](const JointLaw& l) { return l.is_odd(); });
+  return orders_up_to(settings.harmonics, odd);
 }
 
+// Static flexibility of each joint.
+VectorXd flexibility(const JointedStructure& s) {
+  VectorXd g(s.joints.cols());
+  for (Index j = 0; j < g.size(); ++j)
+    g[j] = std::max(1e-300, (s.joints.col(j).array().square() / s.lambda.array()).sum());
+  return g;
+}
+
+// The equations over scaled unknowns: motion of a joint over the root of its flexibility.
 class Balance {
 public:
-  Balance(const JointedStructure& s, double level, const HarmonicSettings& settings)
-      : s_(s), level_(level), settings_(settings), grid_(settings.harmonics, settings.samples) {}
+  Balance(const JointedStructure& s, const HarmonicSettings& settings)
+      : s_(s), method_(settings.method), basis_(orders_of(s, settings), settings.samples),
+        scale_(flexibility(s).cwiseSqrt()), laws_(s.laws),
+        J_(s.joints * scale_.cwiseInverse().asDiagonal()) {}
 
+  const HarmonicBasis& basis() const { return basis_; }
   Index joints() const { return s_.joints.cols(); }
-  Index per_joint() const { return 2 * settings_.harmonics + 1; }
-  Index unknowns() const { return joints() * per_joint(); }
+  Index unknowns() const { return joints() * basis_.size(); }
 
   VectorXcd dynamic_stiffness(int n, double omega) const {
     const double W = n * omega;
     VectorXcd D(s_.lambda.size());
     for (Index r = 0; r < D.size(); ++r)
-      D[r] = Complex(s_.lambda[r] - W * W,
-                     n == 0 ? 0
-                            : s_.lambda[r] * s_.eta[r] + 2 * s_.zeta[r] * std::sqrt(s_.lambda[r]) * W);
+      D[r] = Complex(
+          s_.lambda[r] - W * W,
+          n == 0 ? 0 : s_.lambda[r] * s_.eta[r] + 2 * s_.zeta[r] * std::sqrt(s_.lambda[r]) * W);
     return D;
   }
 
-  // Forces of all joints over the harmonics, and their derivatives, one block per joint.
-  void joint_forces(const VectorXd& motion, VectorXd& force, std::vector<MatrixXd>& by_motion) const {
-    const Index p = per_joint();
-    force.resize(unknowns());
-    by_motion.resize(std::size_t(joints()));
-    for (Index j = 0; j < joints(); ++j) {
-      const PeriodForces f = period_forces(s_.laws[std::size_t(j)],
-                                           grid_.to_time * motion.segment(j * p, p), grid_.to_time);
-      force.segment(j * p, p) = grid_.to_harmonics * f.force;
-      by_motion[std::size_t(j)] = grid_.to_harmonics * f.derivative;
-    }
-  }
-
-  HarmonicResidual residual(const VectorXd& motion, double omega) const {
-    const Index p = per_joint();
-    VectorXd force;
-    std::vector<MatrixXd> stiffness;
-    joint_forces(motion, force, stiffness);
-    HarmonicResidual out{motion, MatrixXd::Identity(unknowns(), unknowns()),
-                         VectorXd::Zero(unknowns())};
-    const MatrixXcd J = s_.joints.cast<Complex>();
-    for (int n = 0; n <= settings_.harmonics; ++n) {
+  // x - J' D^-1 (f - J F), harmonic by harmonic; the parameter is omega, or the level.
+  Residual residual(const VectorXd& scaled, double omega, double level, bool by_level) const {
+    const Index p = basis_.size();
+    Residual out{scaled, MatrixXd::Identity(unknowns(), unknowns()), VectorXd::Zero(unknowns())};
+    const std::vector<HarmonicForce> forces = joint_forces(scaled, omega);
+    for (std::size_t k = 0; k < basis_.orders.size(); ++k) {
+      const int n = basis_.orders[k];
+      const Index at = basis_.first(k);
       const VectorXcd D = dynamic_stiffness(n, omega);
-      const MatrixXcd DJ = D.cwiseInverse().asDiagonal() * J;
-      const MatrixXcd G = J.transpose() * DJ;
-      const VectorXcd modal = modal_motion(n, D, force);
-      VectorXcd slope(D.size());
-      for (Index r = 0; r < D.size(); ++r)
-        slope[r] = Complex(-2. * n * n * omega, 2. * n * s_.zeta[r] * std::sqrt(s_.lambda[r]));
-      const VectorXcd by_omega = DJ.transpose() * slope.cwiseProduct(modal);
-      const VectorXcd moved = J.transpose() * modal;
+      const MatrixXcd DJ = D.cwiseInverse().asDiagonal() * J_;
+      const MatrixXcd G = J_.transpose() * DJ;
+      VectorXcd load = VectorXcd::Zero(joints()), load_slope = load; // J' D^-1 of the excitation
+      if (n == 1) load = DJ.transpose() * s_.input;
+      VectorXcd F(joints()), F_slope(joints());
       for (Index j = 0; j < joints(); ++j) {
-        const Index row = j * p + (n == 0 ? 0 : 2 * n - 1);
+        F[j] = amplitude(basis_, forces[std::size_t(j)].force, k);
+        F_slope[j] = amplitude(basis_, forces[std::size_t(j)].by_omega, k);
+      }
+      const VectorXcd moved = level * load - G * F;
+      VectorXcd by_parameter = -load;
+      if (!by_level) {
+        VectorXcd modal = -(DJ * F);
+        if (n == 1) modal += level * s_.input.cast<Complex>().cwiseQuotient(D);
+        VectorXcd slope(D.size());
+        for (Index r = 0; r < D.size(); ++r)
+          slope[r] = Complex(-2. * n * n * omega, 2. * n * s_.zeta[r] * std::sqrt(s_.lambda[r]));
+        by_parameter = DJ.transpose() * slope.cwiseProduct(modal) + G * F_slope;
+      }
+      for (Index j = 0; j < joints(); ++j) {
+        const Index row = j * p + at;
         out.value[row] -= moved[j].real();
-        out.by_omega[row] = by_omega[j].real();
+        out.by_parameter[row] = by_parameter[j].real();
         if (n > 0) {
           out.value[row + 1] -= moved[j].imag();
-          out.by_omega[row + 1] = by_omega[j].imag();
+          out.by_parameter[row + 1] = by_parameter[j].imag();
         }
         for (Index i = 0; i < joints(); ++i) {
-          const MatrixXd& K = stiffness[std::size_t(i)];
+          const MatrixXd& K = forces[std::size_t(i)].by_motion;
           const Complex g = G(j, i);
+          auto re = out.by_motion.row(row).segment(i * p, p);
           if (n == 0) {
-            out.by_motion.row(row).segment(i * p, p) += g.real() * K.row(0);
+            re += g.real() * K.row(at);
             continue;
           }
-          const auto re = K.row(2 * n - 1), im = K.row(2 * n);
-          out.by_motion.row(row).segment(i * p, p) += g.real() * re - g.imag() * im;
-          out.by_motion.row(row + 1).segment(i * p, p) += g.imag() * re + g.real() * im;
+          re += g.real() * K.row(at) - g.imag() * K.row(at + 1);
+          out.by_motion.row(row + 1).segment(i * p, p) +=
+              g.imag() * K.row(at) + g.real() * K.row(at + 1);
         }
       }
     }
     return out;
   }
 
-  // Amplitudes of the modes in harmonic n under excitation and joint forces.
-  VectorXcd modal_motion(int n, const VectorXcd& D, const VectorXd& force) const {
-    const Index p = per_joint();
-    VectorXcd load = VectorXcd::Zero(s_.lambda.size());
-    if (n == 1) load = level_ * s_.input.cast<Complex>();
-    for (Index j = 0; j < joints(); ++j)
-      load -= s_.joints.col(j) * harmonic(force.segment(j * p, p), n);
-    return load.cwiseQuotient(D);
-  }
-
-  PeriodicPoint point(const VectorXd& motion, double omega) const {
-    const Index p = per_joint();
+  PeriodicPoint point(const VectorXd& scaled, double omega, double level) const {
+    const Index p = basis_.size();
     PeriodicPoint out;
     out.omega = omega;
-    out.joints.resize(settings_.harmonics + 1, joints());
-    out.modes.resize(settings_.harmonics + 1, s_.lambda.size());
-    VectorXd force;
-    std::vector<MatrixXd> unused;
-    joint_forces(motion, force, unused);
-    for (int n = 0; n <= settings_.harmonics; ++n) {
-      for (Index j = 0; j < joints(); ++j)
-        out.joints(n, j) = harmonic(motion.segment(j * p, p), n);
-      out.modes.row(n) = modal_motion(n, dynamic_stiffness(n, omega), force).transpose();
+    out.level = level;
+    const auto harmonics = Index(basis_.orders.size());
+    out.joints.resize(harmonics, joints());
+    out.modes.resize(harmonics, s_.lambda.size());
+    const std::vector<HarmonicForce> forces = joint_forces(scaled, omega);
+    for (Index k = 0; k < harmonics; ++k) {
+      const int n = basis_.orders[std::size_t(k)];
+      VectorXcd load = VectorXcd::Zero(s_.lambda.size());
+      if (n == 1) load = level * s_.input.cast<Complex>();
+      for (Index j = 0; j < joints(); ++j) {
+        out.joints(k, j) = scale_[j] * amplitude(basis_, scaled.segment(j * p, p), std::size_t(k));
+        load -= J_.col(j) * amplitude(basis_, forces[std::size_t(j)].force, std::size_t(k));
+      }
+      out.modes.row(k) = load.cwiseQuotient(dynamic_stiffness(n, omega)).transpose();
     }
     return out;
   }
 
   // Motion with every joint stuck, the linear answer at small levels.
-  VectorXd stuck(double omega) const {
-    const MatrixXcd J = s_.joints.cast<Complex>();
-    const VectorXcd D = dynamic_stiffness(1, omega);
-    const MatrixXcd DJ = D.cwiseInverse().asDiagonal() * J;
-    MatrixXcd A = MatrixXcd::Identity(joints(), joints());
-    const MatrixXcd G = J.transpose() * DJ;
-    for (Index j = 0; j < joints(); ++j) A.col(j) += G.col(j) * s_.laws[std::size_t(j)].stuck_stiffness();
-    const VectorXcd x =
-        A.partialPivLu().solve(VectorXcd(level_ * (DJ.transpose() * s_.input.cast<Complex>())));
+  VectorXd stuck(double omega, double level) const {
     VectorXd motion = VectorXd::Zero(unknowns());
+    const auto k = std::find(basis_.orders.begin(), basis_.orders.end(), 1) - basis_.orders.begin();
+    if (k == long(basis_.orders.size())) return motion;
+    const VectorXcd D = dynamic_stiffness(1, omega);
+    const MatrixXcd DJ = D.cwiseInverse().asDiagonal() * J_;
+    MatrixXcd A = J_.transpose() * DJ;
+    for (Index j = 0; j < joints(); ++j)
+      A.col(j) *= laws_[std::size_t(j)].stuck_stiffness() * scale_[j] * scale_[j];
+    A.diagonal().array() += 1;
+    const VectorXcd x = A.partialPivLu().solve(VectorXcd(level * (DJ.transpose() * s_.input)));
     for (Index j = 0; j < joints(); ++j) {
-      motion[j * per_joint() + 1] = x[j].real();
-      motion[j * per_joint() + 2] = x[j].imag();
+      motion[j * basis_.size() + basis_.first(std::size_t(k))] = x[j].real();
+      motion[j * basis_.size() + basis_.first(std::size_t(k)) + 1] = x[j].imag();
     }
     return motion;
   }
 
+  VectorXd scaled(const MatrixXcd& motion) const {
+    VectorXd x(unknowns());
+    for (Index j = 0; j < joints(); ++j)
+      for (std::size_t k = 0; k < basis_.orders.size(); ++k) {
+        const Index at = j * basis_.size() + basis_.first(k);
+        x[at] = motion(Index(k), j).real() / scale_[j];
+        if (basis_.orders[k] > 0) x[at + 1] = motion(Index(k), j).imag() / scale_[j];
+      }
+    return x;
+  }
+
+  const VectorXd& scale() const { return scale_; }
+
 private:
+  // Work-conjugate to the scaled motion.
+  std::vector<HarmonicForce> joint_forces(const VectorXd& scaled, double omega) const {
+    const Index p = basis_.size();
+    std::vector<HarmonicForce> forces;
+    forces.reserve(laws_.size());
+    for (Index j = 0; j < joints(); ++j) {
+      const VectorXd x = scale_[j] * scaled.segment(j * p, p);
+      HarmonicForce f = method_ == JointMethod::describing_function
+                            ? linearised_force(laws_[std::size_t(j)], x, omega)
+                            : harmonic_force(laws_[std::size_t(j)], x, omega, basis_);
+      f.force *= scale_[j];
+      f.by_omega *= scale_[j];
+      f.by_motion *= scale_[j] * scale_[j];
+      forces.push_back(std::move(f));
+    }
+    return forces;
+  }
+
   const JointedStructure& s_;
-  double level_;
-  HarmonicSettings settings_;
-  TimeGrid grid_;
+  JointMethod method_;
+  HarmonicBasis basis_;
+  VectorXd scale_;
+  const std::vector<JointLaw>& laws_;
+  MatrixXd J_;
 };
 
-VectorXd real_motion(const MatrixXcd& joints, Index per_joint) {
-  VectorXd motion(joints.cols() * per_joint);
-  for (Index j = 0; j < joints.cols(); ++j) {
-    motion[j * per_joint] = joints(0, j).real();
-    for (Index n = 1; n < joints.rows(); ++n) {
-      motion[j * per_joint + 2 * n - 1] = joints(n, j).real();
-      motion[j * per_joint + 2 * n] = joints(n, j).imag();
-    }
+ContinuationSettings continuation(const HarmonicSettings& s) {
+  return {.from = s.from,
+          .to = s.to,
+          .largest_step = s.largest_step,
+          .tolerance = s.tolerance,
+          .most_points = s.most_points};
+}
+
+// Motion at a frequency: from all joints stuck, or where that is too far off, from a low level
+// upwards.
+VectorXd start_of(const Balance& balance, double omega, double level,
+                  const HarmonicSettings& settings) {
+  const VectorXd stuck = balance.stuck(omega, level);
+  ContinuationSettings control = continuation(settings);
+  const ResidualFunction at = [&](const VectorXd& x, double w) {
+    return balance.residual(x, w, level, false);
+  };
+  const Solution direct = solve_at(at, stuck, omega, control);
+  if (direct.converged) return direct.x;
+  control.from = 1e-3 * level;
+  control.to = level;
+  control.largest_step = 0;
+  const ResidualFunction over_level = [&](const VectorXd& x, double l) {
+    return balance.residual(x, omega, l, true);
+  };
+  const Curve curve = follow(over_level, balance.stuck(omega, control.from), control);
+  return curve.complete ? curve.points.back().x : stuck;
+}
+
+Branch branch_of(const Balance& balance, Curve curve, const std::string& where, double unit,
+                 const std::function<PeriodicPoint(const CurvePoint&)>& point) {
+  Branch branch{balance.basis().orders, {}, curve.complete, ""};
+  for (const CurvePoint& c : curve.points) {
+    branch.points.push_back(point(c));
+    branch.points.back().stable = c.same_side;
+    branch.points.back().iterations = c.iterations;
   }
-  return motion;
+  if (curve.complete) return branch;
+  branch.reason = curve.reason;
+  if (!curve.points.empty())
+    branch.reason += "; reached " + where + std::to_string(curve.points.back().p / unit);
+  return branch;
 }
 
 } // namespace
 
-HarmonicResidual harmonic_residual(const JointedStructure& structure, double omega, double level,
-                                   const HarmonicSettings& settings, const VectorXd& motion) {
-  return Balance(structure, level, settings).residual(motion, omega);
+MatrixXd stuck_stiffness(const JointedStructure& s) {
+  MatrixXd K = s.lambda.asDiagonal();
+  const VectorXd g = flexibility(s);
+  for (Index j = 0; j < s.joints.cols(); ++j) {
+    const JointLaw& law = s.laws[std::size_t(j)];
+    const double held = law.coulomb.force > 0 ? 1e3 / g[j] : 0;
+    K += (law.stuck_stiffness() + held) * s.joints.col(j) * s.joints.col(j).transpose();
+  }
+  return K;
+}
+
+Residual harmonic_residual(const JointedStructure& structure, double omega, double level,
+                           const HarmonicSettings& settings, const VectorXd& motion) {
+  const Balance balance(structure, settings);
+  const Index p = balance.basis().size();
+  VectorXd scale(balance.unknowns());
+  for (Index j = 0; j < balance.joints(); ++j)
+    scale.segment(j * p, p).setConstant(balance.scale()[j]);
+  Residual r = balance.residual(motion.cwiseQuotient(scale), omega, level, false);
+  r.value = r.value.cwiseProduct(scale);
+  r.by_motion = scale.asDiagonal() * r.by_motion * scale.cwiseInverse().asDiagonal();
+  r.by_parameter = r.by_parameter.cwiseProduct(scale);
+  return r;
 }
 
 PeriodicSolution periodic_response(const JointedStructure& structure, double omega, double level,
                                    const HarmonicSettings& settings, const MatrixXcd& guess) {
-  const Balance balance(structure, level, settings);
-  VectorXd x = guess.size() > 0 ? real_motion(guess, balance.per_joint()) : balance.stuck(omega);
-  PeriodicSolution found;
-  for (int k = 1; k <= settings.newton_steps; ++k) {
-    const HarmonicResidual r = balance.residual(x, omega);
-    found.residual = r.value.norm() / std::max(1e-300, x.norm());
-    found.point.iterations = k;
-    if (found.residual < settings.tolerance) {
-      found.converged = true;
-      break;
-    }
-    x -= r.by_motion.partialPivLu().solve(r.value);
-    if (!x.allFinite()) break;
-  }
-  const int iterations = found.point.iterations;
-  found.point = balance.point(x, omega);
-  found.point.iterations = iterations;
+  const Balance balance(structure, settings);
+  const ResidualFunction f = [&](const VectorXd& x, double w) {
+    return balance.residual(x, w, level, false);
+  };
+  const Solution s =
+      solve_at(f, guess.size() > 0 ? balance.scaled(guess) : balance.stuck(omega, level), omega,
+               continuation(settings));
+  PeriodicSolution found{balance.basis().orders, s.converged, balance.point(s.x, omega, level),
+                         s.residual};
+  found.point.iterations = s.iterations;
   return found;
 }
 
 Branch follow_frequency(const JointedStructure& structure, double level,
                         const HarmonicSettings& settings) {
-  Branch branch;
-  const Balance balance(structure, level, settings);
-  const double range = std::abs(settings.to - settings.from);
-  const double sign = settings.to > settings.from ? 1 : -1;
-  const double largest = settings.largest_step > 0 ? settings.largest_step : range / 50;
-  double step = settings.first_step > 0 ? settings.first_step : range / 100;
-  const PeriodicSolution start = periodic_response(structure, settings.from, level, settings);
-  if (!start.converged) {
-    branch.reason = "no periodic response at the start";
-    return branch;
+  const Balance balance(structure, settings);
+  const ResidualFunction f = [&](const VectorXd& x, double w) {
+    return balance.residual(x, w, level, false);
+  };
+  const VectorXd start = start_of(balance, settings.from, level, settings);
+  return branch_of(balance, follow(f, start, continuation(settings)), "Hz ", 2 * pi,
+                   [&](const CurvePoint& c) { return balance.point(c.x, c.p, level); });
+}
+
+Branch follow_level(const JointedStructure& structure, double omega,
+                    const HarmonicSettings& settings) {
+  const Balance balance(structure, settings);
+  const ResidualFunction f = [&](const VectorXd& x, double level) {
+    return balance.residual(x, omega, level, true);
+  };
+  return branch_of(balance, follow(f, balance.stuck(omega, settings.from), continuation(settings)),
+                   "level ", 1,
+                   [&](const CurvePoint& c) { return balance.point(c.x, omega, c.p); });
+}
+
+Sweep sweep_over(const Branch& branch, bool upwards) {
+  Sweep sweep;
+  const auto count = long(branch.points.size());
+  if (count == 0) return sweep;
+  const bool rising = branch.points.back().omega >= branch.points.front().omega;
+  const double sign = upwards ? 1 : -1;
+  const long step = rising == upwards ? 1 : -1;
+  long i = step > 0 ? 0 : count - 1;
+  sweep.points.push_back(std::size_t(i));
+  double reached = branch.points[std::size_t(i)].omega;
+  bool turned = false;
+  for (i += step; i >= 0 && i < count; i += step) {
+    const double omega = branch.points[std::size_t(i)].omega;
+    if (sign * (omega - reached) <= 0 || !branch.points[std::size_t(i)].stable) {
+      turned = true;
+      continue;
+    }
+    if (turned) sweep.jumps.push_back(reached);
+    turned = false;
+    reached = omega;
+    sweep.points.push_back(std::size_t(i));
   }
-  branch.points.push_back(start.point);
-  const Index n = balance.unknowns();
-  VectorXd x = real_motion(start.point.joints, balance.per_joint());
-  double omega = settings.from;
-  // Tangent of the curve over (x / size, omega / range); the size follows the motion.
-  double size = std::max(1e-300, x.norm());
-  VectorXd tangent = VectorXd::Zero(n + 1);
-  tangent[n] = sign;
-  while (static_cast<int>(branch.points.size()) < settings.most_points) {
-    size = std::max(1e-300, x.norm());
-    const HarmonicResidual here = balance.residual(x, omega);
-    // dx/dw, and the direction that goes on as before.
-    const VectorXd slope = -here.by_motion.partialPivLu().solve(here.by_omega);
-    VectorXd next(n + 1);
-    next << slope / size, 1 / range;
-    next.normalize();
-    if (settings.around_folds ? next.dot(tangent) < 0 : next[n] * sign < 0) next = -next;
-    tangent = next;
-    bool accepted = false;
-    while (!accepted) {
-      const double length = step / range; // along the curve
-      VectorXd xs = x + size * length * tangent.head(n);
-      double ws = omega + range * length * tangent[n];
-      int k = 1;
-      for (; k <= settings.newton_steps; ++k) {
-        const HarmonicResidual r = balance.residual(xs, ws);
-        if (r.value.norm() < settings.tolerance * std::max(1e-300, xs.norm())) break;
-        MatrixXd A(n + 1, n + 1);
-        A.topLeftCorner(n, n) = r.by_motion * size;
-        A.topRightCorner(n, 1) = r.by_omega * range;
-        A.bottomRows(1) = tangent.transpose();
-        VectorXd b(n + 1);
-        b << r.value, ((xs - x) / size).dot(tangent.head(n)) +
-                          (ws - omega) / range * tangent[n] - length;
-        const VectorXd d = A.partialPivLu().solve(b);
-        if (!d.allFinite()) {
-          k = settings.newton_steps + 1;
-          break;
-        }
-        xs -= size * d.head(n);
-        ws -= range * d[n];
-      }
-      accepted = k <= settings.newton_steps;
-      if (accepted) {
-        x = xs;
-        omega = ws;
-        branch.points.push_back(balance.point(x, omega));
-        branch.points.back().iterations = k;
-        if (k <= 4) step = std::min(1.5 * step, largest);
-        if (k >= 8) step /= 1.5;
-        continue;
-      }
-      step /= 2;
-      if (step < 1e-7 * range) {
-        branch.reason = "the branch could not be followed beyond " +
-                        std::to_string(omega / (2 * pi)) + " Hz";
-        return branch;
-      }
-    }
-    if ((omega - settings.to) * sign >= 0) {
-      branch.complete = true;
-      return branch;
-    }
-    if ((omega - settings.from) * sign < -0.01 * range) {
-      branch.reason = "the branch turned back to its start";
-      return branch;
+  return sweep;
+}
+
+double cycle_energy(const JointedStructure& structure, const PeriodicPoint& point,
+                    const std::vector<int>& orders, std::size_t j) {
+  constexpr int samples = 2048;
+  const HarmonicBasis basis(orders, std::max(samples, 8 * (orders.back() + 1)));
+  VectorXd x(basis.size());
+  for (std::size_t k = 0; k < orders.size(); ++k) {
+    x[basis.first(k)] = point.joints(Index(k), Index(j)).real();
+    if (orders[k] > 0) x[basis.first(k) + 1] = point.joints(Index(k), Index(j)).imag();
+  }
+  const VectorXd motion = basis.to_time * x, velocity = point.omega * (basis.to_rate * x);
+  const VectorXd force = period_forces(structure.laws[j], motion, velocity);
+  double work = 0; // round the loop
+  for (Index k = 0; k < force.size(); ++k) {
+    const Index next = (k + 1) % force.size();
+    work += (force[k] + force[next]) / 2 * (motion[next] - motion[k]);
+  }
+  return work;
+}
+
+double energy_damping(const JointedStructure& structure, const PeriodicPoint& point,
+                      const std::vector<int>& orders) {
+  double taken = 0, kinetic = 0;
+  for (std::size_t j = 0; j < structure.laws.size(); ++j)
+    taken += cycle_energy(structure, point, orders, j);
+  for (std::size_t k = 0; k < orders.size(); ++k) {
+    const double W = orders[k] * point.omega;
+    for (Index r = 0; r < structure.lambda.size(); ++r) {
+      const double a2 = std::norm(point.modes(Index(k), r)), lambda = structure.lambda[r];
+      taken +=
+          orders[k] == 0
+              ? 0
+              : pi * a2 *
+                    (structure.eta[r] * lambda + 2 * structure.zeta[r] * std::sqrt(lambda) * W);
+      if (orders[k] == 1) kinetic += W * W * a2 / 2;
     }
   }
-  branch.reason = "more points than allowed";
-  return branch;
+  return taken / (4 * pi * kinetic);
 }
 
 } // namespace plica

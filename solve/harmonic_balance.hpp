@@ -1,21 +1,18 @@
 // Periodic response of a structure with joints to a harmonic excitation, by harmonic balance with
-// alternating frequency and time (AFT; Krack & Gross, Harmonic Balance for Nonlinear Vibration
-// Problems, Springer 2019).
+// alternating frequency and time (Krack & Gross, Harmonic Balance for Nonlinear Vibration Problems,
+// Springer 2019).
 //
 //   eta_r,n D_r(n w) = f_r,n - sum_j J_rj F_j,n(x),    x_j = sum_r J_rj eta_r,
 //   D_r(W) = lambda_r (1 + i eta_r) - W^2 + 2 i zeta_r sqrt(lambda_r) W
 //
-// Only the relative motions x of the joints are unknown, with harmonics 0 to H; all else follows.
-// x(t) = x_0 + Re sum x_n e^{i n w t}. The Jacobian is analytic, dry friction without
-// regularisation.
+// Only the relative motions x of the joints are unknown; all else follows. Laws that are odd move
+// in the odd harmonics alone, so only these are taken then. The Jacobian is analytic, dry friction
+// without regularisation. Angles and lengths meet in one norm: each joint is measured in the root
+// of the energy in its static flexibility.
 #pragma once
 
-#include "elements/joint_law.hpp"
-
-#include <Eigen/Core>
-#include <functional>
-#include <string>
-#include <vector>
+#include "solve/continuation.hpp"
+#include "solve/joint_force.hpp"
 
 namespace plica {
 
@@ -27,34 +24,42 @@ struct JointedStructure {
   std::vector<JointLaw> laws;        // one per joint
 };
 
+// Stiffness matrix over the modes with every joint stuck (of smoothed Coulomb friction: held by a
+// thousand times the structure's own stiffness there).
+Eigen::MatrixXd stuck_stiffness(const JointedStructure& structure);
+
+enum class JointMethod { harmonic_balance, describing_function };
+
 struct HarmonicSettings {
-  int harmonics = 5;
-  int samples = 256;              // of a period; at least 2 (H + 1) + 1
-  double tolerance = 1e-8;        // of the residual, relative to the linear motion
-  int newton_steps = 20;
-  double from = 0, to = 0;        // rad/s, upwards or downwards
-  double first_step = 0;          // rad/s; 0 = a hundredth of the range
-  double largest_step = 0;        // 0 = a fiftieth of the range
-  int most_points = 2000;
-  bool around_folds = true; // follow the branch by its arc length; else jump where it ends
+  JointMethod method = JointMethod::harmonic_balance;
+  int harmonics = 5;       // the highest; describing function: 1
+  int samples = 256;       // of a period
+  double tolerance = 1e-8; // of the residual, relative to the motion
+  double from = 0, to = 0; // rad/s, or level, upwards or downwards
+  double largest_step = 0; // 0 = a hundredth of the way
+  int most_points = 5000;
 };
 
 struct PeriodicPoint {
-  double omega = 0;
-  Eigen::MatrixXcd joints; // harmonics 0..H x joints: relative motion
-  Eigen::MatrixXcd modes;  // harmonics 0..H x modes
+  double omega = 0, level = 0;
+  Eigen::MatrixXcd joints; // harmonics x joints: relative motion
+  Eigen::MatrixXcd modes;  // harmonics x modes
+  bool stable = true;      // against folds and branches of other symmetry (CurvePoint::same_side)
   int iterations = 0;
 };
 
 // Points along a branch; one that could not be followed to its end says where and why.
 struct Branch {
+  std::vector<int> orders; // harmonics
   std::vector<PeriodicPoint> points;
   bool complete = false;
   std::string reason;
 };
 
-// At one frequency, from a guess of the joint motion (empty = all joints stuck).
+// At one frequency, from a guess of the joint motion (harmonics x joints; empty = all joints
+// stuck).
 struct PeriodicSolution {
+  std::vector<int> orders;
   bool converged = false;
   PeriodicPoint point;
   double residual = 0;
@@ -63,18 +68,32 @@ PeriodicSolution periodic_response(const JointedStructure& structure, double ome
                                    const HarmonicSettings& settings,
                                    const Eigen::MatrixXcd& guess = {});
 
-// Over frequency at a level.
+// Over frequency at a level, and over the level at a frequency.
 Branch follow_frequency(const JointedStructure& structure, double level,
                         const HarmonicSettings& settings);
+Branch follow_level(const JointedStructure& structure, double omega,
+                    const HarmonicSettings& settings);
 
-// Residual over the real unknowns (per joint x_0, Re x_1, Im x_1, ...) with its derivatives by them
-// and by the frequency: for tests of the Jacobian.
-struct HarmonicResidual {
-  Eigen::VectorXd value;
-  Eigen::MatrixXd by_motion;
-  Eigen::VectorXd by_omega;
+// What a slow sweep over a branch sees: the points of the branch that it passes, and where it
+// jumps. Frequencies increase, or decrease downwards.
+struct Sweep {
+  std::vector<std::size_t> points; // of the branch
+  std::vector<double> jumps;       // rad/s
 };
-HarmonicResidual harmonic_residual(const JointedStructure& structure, double omega, double level,
-                                   const HarmonicSettings& settings, const Eigen::VectorXd& motion);
+Sweep sweep_over(const Branch& branch, bool upwards);
+
+// Energy that joint j takes in a cycle, J.
+double cycle_energy(const JointedStructure& structure, const PeriodicPoint& point,
+                    const std::vector<int>& orders, std::size_t j);
+
+// Damping of a point by its energy: what a cycle takes, by joints and modes, over 4 pi times the
+// largest kinetic energy of the first harmonic.
+double energy_damping(const JointedStructure& structure, const PeriodicPoint& point,
+                      const std::vector<int>& orders);
+
+// Residual over the real unknowns (joint by joint as in HarmonicBasis) with its derivatives by them
+// and by the frequency: for tests of the Jacobian.
+Residual harmonic_residual(const JointedStructure& structure, double omega, double level,
+                           const HarmonicSettings& settings, const Eigen::VectorXd& motion);
 
 } // namespace plica
