@@ -66,7 +66,7 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
     const FrfQuantity quantity = entry.quantity.value_or(entry.base ? FrfQuantity::transmissibility
                                                                     : FrfQuantity::accelerance);
     SignalFrf frf = told(path, key, [&] {
-      return entry.excitation == Excitation::sine
+      return entry.excitation == SignalKind::sine
                  ? frf_of_sine(signals.samples, signals.rate, signals.channels, entry.reference,
                                quantity, options.tracking)
                  : frf_of_noise(signals.samples, signals.rate, signals.channels, entry.reference,

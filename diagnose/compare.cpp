@@ -119,6 +119,47 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, cons
                     .entry = from});
 }
 
+// First peaks of the measured levels at which the model was excited too.
+void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& results,
+                     const MeasuredPeaks& measured, const std::string& from) {
+  for (const LevelFamily& family : results.families) {
+    if (family.is_force || family.excitation != std::string(1, letter(measured.base))) continue;
+    for (std::size_t k = 0; k < measured.level.size(); ++k)
+      for (const LevelCurve& curve : family.curves) {
+        if (std::abs(curve.level - measured.level[k]) > 1e-6 * curve.level) continue;
+        const auto peak =
+            std::find_if(curve.peaks_up.begin(), curve.peaks_up.end(), [&](const LevelPeak& p) {
+              const auto& [sensor, axis] = family.channels[std::size_t(p.channel)];
+              return sensor == measured.sensor &&
+                     axis == std::string(1, letter(measured.direction));
+            });
+        if (peak == curve.peaks_up.end()) continue;
+        std::array<char, 100> of{};
+        std::snprintf(of.data(), of.size(), " of the first peak at %s in %c, base %c, %g m/s2",
+                      measured.sensor.c_str(), letter(measured.direction), letter(measured.base),
+                      curve.level);
+        rows.push_back({.quantity = std::string("frequency") + of.data(),
+                        .unit = "Hz",
+                        .measured = measured.frequency[k],
+                        .sigma = measured.sigma.value_or(0),
+                        .computed = peak->frequency,
+                        .entry = from + ".frequency[" + std::to_string(k) + "]"});
+        if (k < measured.amplitude.size())
+          rows.push_back({.quantity = std::string("amplitude") + of.data(),
+                          .unit = "",
+                          .measured = measured.amplitude[k],
+                          .computed = peak->amplitude,
+                          .entry = from + ".amplitude[" + std::to_string(k) + "]"});
+        if (k < measured.damping.size())
+          rows.push_back({.quantity = std::string("damping by energy") + of.data(),
+                          .unit = "%",
+                          .measured = 100 * measured.damping[k],
+                          .computed = 100 * peak->energy_damping,
+                          .entry = from + ".damping[" + std::to_string(k) + "]"});
+      }
+  }
+}
+
 // Peaks of one sensor and direction in order: the i-th measured with the i-th of as many largest
 // computed ones. Without a sensor the order of the mode says which peak it is.
 struct PeakPlace {
@@ -218,6 +259,8 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
         largest_peaks(*response, m.direction.value_or(*m.base), m.sensor, place.count);
     if (peaks.size() == place.count) add_peak(rows, m, entry("modes", i), peaks[place.rank - 1]);
   }
+  for (std::size_t i = 0; i < measured.peaks.size(); ++i)
+    add_level_peaks(rows, results, measured.peaks[i], entry("peaks", i));
   return rows;
 }
 

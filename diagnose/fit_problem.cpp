@@ -39,6 +39,23 @@ bool is_held_out(const Measured& measured, const std::string& entry) {
          measured.hold_out.end();
 }
 
+// "peaks[0]" names "peaks[0].frequency[3]", and each quantity itself.
+bool names(const FitTarget& target, const MeasuredComparison& row) {
+  const std::string& name = target.quantity;
+  return row.quantity == name || row.entry == name || row.entry.starts_with(name + ".");
+}
+
+// Level of a row of the level peaks.
+std::optional<double> level_of(const Measured& measured, const std::string& entry) {
+  for (std::size_t i = 0; i < measured.peaks.size(); ++i) {
+    const std::string own = "peaks[" + std::to_string(i) + "].";
+    const auto at = entry.find('[', own.size());
+    if (entry.starts_with(own) && at != std::string::npos)
+      return measured.peaks[i].level[std::stoul(entry.substr(at + 1))];
+  }
+  return std::nullopt;
+}
+
 // Frequencies and magnitudes of a curve in simulated responses; none where they lack it.
 std::optional<std::pair<VectorXd, VectorXd>> magnitudes(const std::vector<FrfSet>& simulated,
                                                         const FitProblem::Curve& curve) {
@@ -82,6 +99,7 @@ std::string bad_tie(Case& design, const FitRequest& request) {
 
 FitProblem::FitProblem(const Case& data, const FitRequest& request, const TestData& test)
     : request_(request), test_(test), measured_(test.data), case_(for_comparison(data)) {
+  if (case_.analyses.levels) case_.analyses.levels->method = request.level_method;
   choose_targets();
 }
 
@@ -127,8 +145,14 @@ void FitProblem::choose_targets() {
     known += (known.empty() ? "" : ", ") + row.quantity;
     const bool peak = row.quantity.find(" of the peak") != std::string::npos;
     const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
-                                    [&](const FitTarget& t) { return t.quantity == row.quantity; });
-    const bool held_out = is_held_out(measured_, row.entry);
+                                    [&](const FitTarget& t) { return names(t, row); });
+    const std::optional<double> level = level_of(measured_, row.entry);
+    const auto& away = request_.hold_out_levels;
+    const bool held_level = level && std::any_of(away.begin(), away.end(), [&](double l) {
+                              return std::abs(l - *level) < 1e-6 * l;
+                            });
+    if (held_level && named == request_.targets.end() && !request_.targets.empty()) continue;
+    const bool held_out = held_level || is_held_out(measured_, row.entry);
     if (named == request_.targets.end() && !held_out && (!request_.targets.empty() || peak))
       continue;
     if (!(row.measured > 0) || !(row.computed > 0)) continue;
@@ -139,8 +163,9 @@ void FitProblem::choose_targets() {
   choose_responses(results, known);
   for (const FitTarget& t : request_.targets)
     if (!is_curve(t.quantity) &&
-        std::none_of(targets_.begin(), targets_.end(),
-                     [&](const Target& own) { return own.quantity == t.quantity; }))
+        std::none_of(targets_.begin(), targets_.end(), [&](const Target& own) {
+          return names(t, {.quantity = own.quantity, .unit = "", .entry = own.entry});
+        }))
       throw std::invalid_argument("fit.targets: the model gives no '" + t.quantity +
                                   "'; there are: " + known);
   if (curves_.empty() &&
@@ -149,7 +174,39 @@ void FitProblem::choose_targets() {
   const bool peaks = std::any_of(targets_.begin(), targets_.end(), [](const Target& t) {
     return t.quantity.find(" of the peak") != std::string::npos;
   });
-  if (!peaks && curves_.empty()) case_ = for_headline(case_);
+  const bool levels = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
+    return level_of(measured_, t.entry).has_value();
+  });
+  if (!levels) case_.analyses.levels.reset();
+  if (!peaks && !levels && curves_.empty()) case_ = for_headline(case_);
+  if (levels && friction_alone()) {
+    families_.emplace(first);
+    unchanged_ = results;
+  }
+}
+
+// Friction has no part in mass and slipping stiffness, and all of the model in the rest.
+bool FitProblem::friction_alone() const {
+  for (const FitParameter& p : request_.parameters)
+    for (const std::string& path : p.paths)
+      if (!FrictionFamilies::is_friction(path)) return false;
+  for (const FitTie& tie : request_.ties)
+    if (!FrictionFamilies::is_friction(tie.path)) return false;
+  for (const FitConstraint& c : request_.constraints)
+    for (const auto& [what, factor] : c.of)
+      if (what == "f_axial" || what == "f_transverse" || what == "f_torsion") return false;
+  return curves_.empty() && std::all_of(targets_.begin(), targets_.end(), [&](const Target& t) {
+           return t.entry == "mass" || level_of(measured_, t.entry) ||
+                  (t.entry.starts_with("static[") &&
+                   t.quantity.find(" over ") == std::string::npos);
+         });
+}
+
+Results FitProblem::results_of(const Case& design) const {
+  if (!families_) return run(design, [](const std::string&) {});
+  Results results = unchanged_;
+  results.families = (*families_)(design);
+  return results;
 }
 
 bool FitProblem::is_curve(const std::string& name) const {
@@ -228,7 +285,7 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
   if (!bad_tie(design, request_).empty()) return std::nullopt;
   Results results;
   try {
-    results = run(design, [](const std::string&) {});
+    results = results_of(design);
   } catch (const std::exception&) {
     return std::nullopt; // no model, or no solution, for this design
   }

@@ -6,6 +6,7 @@
 #include "diagnose/search.hpp"
 #include "model/case.hpp"
 #include "model/results.hpp"
+#include "model/run_levels.hpp"
 
 #include <atomic>
 #include <mutex>
@@ -62,6 +63,8 @@ public:
 
 private:
   void choose_targets();
+  bool friction_alone() const;
+  Results results_of(const Case& design) const;
   bool is_curve(const std::string& name) const;
   void choose_responses(const Results& results, std::string& known);
   void add_curve(const FrfSet& set, std::size_t reference, std::size_t response,
@@ -73,6 +76,9 @@ private:
   const TestData& test_;
   const Measured& measured_;
   Case case_;
+  // Where friction alone changes and no target feels it but the levels: what does not change.
+  std::optional<FrictionFamilies> families_;
+  Results unchanged_;
   std::vector<Target> targets_;
   std::vector<Curve> curves_;
   std::vector<double> constraint_scale_; // size of its terms at the start

@@ -96,7 +96,7 @@ struct MeasuredFrf {
   MatlabVariables variables;
 };
 
-enum class Excitation { random, sine };
+enum class SignalKind { random, sine };
 
 // Time signals of one run.
 struct MeasuredSignals {
@@ -107,7 +107,7 @@ struct MeasuredSignals {
   std::vector<std::string> channels; // of the columns without the time
   std::optional<double> rate;        // Hz; absent where the file has the time
   std::optional<double> level;
-  Excitation excitation = Excitation::random;
+  SignalKind excitation = SignalKind::random;
   std::optional<FrfQuantity> quantity;
   MatlabVariables variables;
 };

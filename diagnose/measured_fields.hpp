@@ -149,7 +149,7 @@ template <class V> void fields(V& v, MeasuredSignals& s) {
           "sensor and axis of every column, such as mid.y; - leaves it out");
   v.quantity(s.rate, "rate", sigma_frequency, "sampling rate, where the file has no time");
   v.quantity(s.level, "level", measured_level, "base acceleration");
-  v.choice(s.excitation, "excitation", {{Excitation::random, "random"}, {Excitation::sine, "sine"}},
+  v.choice(s.excitation, "excitation", {{SignalKind::random, "random"}, {SignalKind::sine, "sine"}},
            optional_key, "random noise, or a stepped or swept sine");
   v.choice(s.quantity, "quantity", quantity_names, optional_key,
            "what the responses are; by the base transmissibility, by a force accelerance");

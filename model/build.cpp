@@ -4,7 +4,9 @@
 #include "mesh/plate.hpp"
 #include "model/build_bellows.hpp"
 #include "model/build_pipes.hpp"
+#include "model/connector_curve.hpp"
 #include "model/input_error.hpp"
+#include "model/ply_slip.hpp"
 #include "solve/couplings.hpp"
 
 #include <algorithm>
@@ -55,7 +57,7 @@ Vector3d centroid(const Mesh& mesh, const std::vector<int>& nodes) {
 
 class Builder {
 public:
-  explicit Builder(const Case& data) : case_(data) {}
+  Builder(const Case& data, JointState state) : case_(data), state_(state) {}
 
   BuiltCase build() {
     for (const Part& part : case_.parts) // shells and beams first: caps and liners refer to them
@@ -64,6 +66,7 @@ public:
     for (const Part& part : case_.parts) {
       if (const auto* liner = std::get_if<Interlock>(&part.body)) add_liner(part.name, *liner);
       if (const auto* mass = std::get_if<PointMass>(&part.body)) add_mass(part.name, *mass);
+      if (const auto* bellows = std::get_if<Bellows>(&part.body)) add_ply_slip(part.name, *bellows);
     }
     add_mount();
     for (std::size_t i = 0; i < case_.supports.size(); ++i) {
@@ -72,6 +75,7 @@ public:
       add_support(built_.model, set_of(built_.model, support.set, key + ".set"), support.dofs,
                   "support of " + support.set);
     }
+    if (state_ == JointState::stuck) stick(built_.model, built_.joints);
     place_sensors();
     return std::move(built_);
   }
@@ -100,13 +104,17 @@ private:
         {{.E = m.E,
           .nu = m.nu,
           .rho = m.rho,
-          .bending_factor = ply_bending_factor(bellows.wall.plies, bellows.wall.bond)},
+          .bending_factor = ply_bending_factor(bellows.wall.plies, bond(bellows.wall))},
          bellows.membrane,
          component(name)});
     if (!built_.meridian.empty() && bellows.start < built_.meridian.back()[0] - 1e-9) return;
     for (const auto& curve : mesh_meridian(meridian))
       for (const MeridianPoint& p : curve)
         built_.meridian.push_back({p.position.x(), p.position.y()});
+  }
+
+  double bond(const Wall& wall) const {
+    return wall.slip && state_ == JointState::stuck ? wall.slip->bond : wall.bond;
   }
 
   void add(const std::string& name, const Plate& plate) {
@@ -150,7 +158,17 @@ private:
   }
 
   void add(const std::string& name, const ConnectorChain& chain) {
-    name_ends(name, add_chain(built_.model, chain, component(name), name));
+    const int own = component(name);
+    const auto first = built_.model.bushings.size();
+    name_ends(name, add_chain(built_.model, chain, own, name));
+    for (std::size_t k = first; k < built_.model.bushings.size(); ++k) {
+      const BushingElement& link = built_.model.bushings[k];
+      const bool at_end = k == first || k + 1 == built_.model.bushings.size();
+      const Connection between{name, int(k - first) + 1, link.node1, link.node2, own};
+      add_curves(built_.joints, between,
+                 at_end && chain.end_spring ? *chain.end_spring : chain.spring);
+      if (chain.friction) add_joints(built_.joints, between, directional_laws(*chain.friction));
+    }
   }
 
   void name_ends(const std::string& name, const AxisNodes& nodes) {
@@ -221,6 +239,9 @@ private:
     joint.component = component("caps." + cap.name);
     for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = (*cap.stiffness)[i];
     built_.model.bushings.push_back(joint);
+    if (cap.friction)
+      add_joints(built_.joints, {"caps." + cap.name, 0, joint.node1, joint.node2, joint.component},
+                 directional_laws(*cap.friction));
     for (std::size_t i = 1; i < cap.of.size(); ++i) cap_of_end_[cap.of[i]] = joint.node2;
   }
 
@@ -278,10 +299,60 @@ private:
       }
     }
     nodes.push_back(liner_end(name, liner.along + ".right", right));
-    add_liner_elements(liner, nodes, length, component(name));
+    const int own = component(name);
+    add_liner_elements(liner, nodes, length, own);
+    if (liner.friction)
+      add_segments(name, "parts." + name + ".friction.segments", nodes, liner.friction->segments,
+                   directional_laws(*liner.friction), own);
     built_.model.mesh.sets[name + ".start"] = {nodes.front()};
     built_.model.mesh.sets[name + ".end"] = {nodes.back()};
     built_.model.mesh.sets[name + ".all"] = nodes;
+  }
+
+  // Laws of the whole, shared by segments in series between some of the nodes.
+  void add_segments(const std::string& name, const std::string& key, const std::vector<int>& nodes,
+                    int segments, std::vector<DirectionalLaw> laws, int own) {
+    const int stretches = static_cast<int>(nodes.size()) - 1;
+    if (segments > stretches)
+      input_error(key,
+                  std::to_string(segments) + " segments on a part tied at " +
+                      std::to_string(stretches + 1) + " places",
+                  "at most " + std::to_string(stretches));
+    for (DirectionalLaw& d : laws) d.law = in_series(d.law, segments);
+    for (int s = 0; s < segments; ++s)
+      add_joints(built_.joints,
+                 {name, s + 1, nodes[std::size_t(s * stretches / segments)],
+                  nodes[std::size_t((s + 1) * stretches / segments)], own},
+                 laws);
+  }
+
+  // The plies stick to each other in pieces between nodes on the axis that follow root circles.
+  void add_ply_slip(const std::string& name, const Bellows& bellows) {
+    if (!bellows.wall.slip || state_ == JointState::stuck) return;
+    const auto& sets = built_.model.mesh.sets;
+    const int segments = bellows.wall.slip->segments;
+    std::vector<std::vector<int>> roots;
+    for (int k = 1; sets.contains(name + ".root[" + std::to_string(k) + "]"); ++k)
+      roots.push_back(sets.at(name + ".root[" + std::to_string(k) + "]"));
+    const int stretches = static_cast<int>(roots.size()) - 1;
+    const std::string key = "parts." + name + ".wall.slip.segments";
+    if (segments > stretches)
+      input_error(key,
+                  std::to_string(segments) + " segments on a bellows with " +
+                      std::to_string(stretches) + " convolutions between roots",
+                  "at most one per convolution");
+    const Vector3d left = centroid(built_.model.mesh, sets.at(name + ".left"));
+    const Vector3d right = centroid(built_.model.mesh, sets.at(name + ".right"));
+    std::vector<int> nodes{liner_end(name, name + ".left", left)};
+    for (int s = 1; s < segments; ++s) {
+      const std::vector<int>& circle = roots[std::size_t(s * stretches / segments)];
+      nodes.push_back(add_node(built_.model, centroid(built_.model.mesh, circle)));
+      add_distributing_coupling(built_.model, nodes.back(), circle, "plies of " + name);
+    }
+    nodes.push_back(liner_end(name, name + ".right", right));
+    const auto& all = built_.model.components;
+    add_segments(name, key, nodes, segments, ply_laws(case_, name),
+                 int(std::find(all.begin(), all.end(), name) - all.begin()));
   }
 
   // Between the caps the liner is a beam with mass. Tied to the bellows its coils move with the
@@ -333,6 +404,9 @@ private:
       spring.component = component("mount." + mount.cap);
       for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = mount.stiffness[i];
       built_.model.bushings.push_back(spring);
+      if (mount.friction)
+        add_joints(built_.joints, {"mount." + mount.cap, 0, -1, node, spring.component},
+                   directional_laws(*mount.friction));
     }
   }
 
@@ -374,6 +448,7 @@ private:
   }
 
   const Case& case_;
+  JointState state_;
   BuiltCase built_;
   std::map<std::string, int> cap_of_end_;
   std::vector<std::string> rigid_sections_; // parts whose sections are
@@ -381,8 +456,8 @@ private:
 
 } // namespace
 
-BuiltCase build(const Case& data) {
-  return Builder(data).build();
+BuiltCase build(const Case& data, JointState state) {
+  return Builder(data, state).build();
 }
 
 } // namespace plica

@@ -1,6 +1,7 @@
 // From a Case to a model that can be solved: meshes, sections, couplings, masses, supports.
 #pragma once
 
+#include "model/build_joints.hpp"
 #include "model/case.hpp"
 #include "solve/model.hpp"
 
@@ -15,6 +16,7 @@ struct BuiltSensor {
 
 struct BuiltCase {
   Model model;
+  std::vector<BuiltJoint> joints;       // with friction or nonlinear springs
   std::map<std::string, int> cap_nodes; // reference node of each cap
   std::vector<int> held_nodes;          // reference nodes of rigidly mounted caps
   std::vector<BuiltSensor> sensors;
@@ -24,7 +26,9 @@ struct BuiltCase {
 
 // Throws InputError (key paths, no file or line) for what only the mesh can tell: a sensor off the
 // part, a set that is not there, constraints that contradict each other.
-BuiltCase build(const Case& data);
+// Stuck, the model bears the stiffness that its joints have in small motion; slipping, what is left
+// beside their friction.
+BuiltCase build(const Case& data, JointState state = JointState::stuck);
 
 // Elements for a density: counts as given, or from the accuracy. The rule is measured (docs/
 // elements.md): with the incompatible membrane the error of the axial stiffness is about 7 / N^2

@@ -17,4 +17,24 @@ double reduction_cutoff(const Analyses& analyses) {
   return highest > 0 ? 2 * highest : 1000;
 }
 
+bool has_friction(const Case& data) {
+  const auto in_part = [](const Part& part) {
+    if (const auto* bellows = std::get_if<Bellows>(&part.body))
+      return bellows->wall.slip.has_value();
+    if (const auto* liner = std::get_if<Interlock>(&part.body)) return liner->friction.has_value();
+    const auto* chain = std::get_if<ConnectorChain>(&part.body);
+    if (!chain) return false;
+    const auto curved = [](const ConnectorSpring& s) {
+      return !s.axial_curve.empty() || !s.transverse_curve.empty();
+    };
+    return chain->friction || curved(chain->spring) ||
+           (chain->end_spring && curved(*chain->end_spring));
+  };
+  return std::any_of(data.parts.begin(), data.parts.end(), in_part) ||
+         std::any_of(data.caps.begin(), data.caps.end(),
+                     [](const Cap& c) { return c.friction.has_value(); }) ||
+         std::any_of(data.mount.begin(), data.mount.end(),
+                     [](const Mount& m) { return m.friction.has_value(); });
+}
+
 } // namespace plica

@@ -7,6 +7,8 @@
 
 #include "elements/shell_mitc4.hpp"
 #include "model/fit_request.hpp"
+#include "model/friction.hpp"
+#include "solve/harmonic_balance.hpp"
 
 #include <array>
 #include <map>
@@ -51,6 +53,7 @@ struct Wall {
   double bond = 1;           // 0 plies slip, 1 one solid wall
   Thinning thinning = Thinning::none;
   double thinning_exponent = 0.5; // local: t(r) = t (r_root / r)^p
+  std::optional<PlySlip> slip;
 };
 
 // How finely a shell of revolution is meshed: counts, or one target accuracy.
@@ -105,6 +108,7 @@ struct Interlock {
   double EA = 0, EI = 0, GJ = 0;
   double mass = 0;   // total, kg
   double radius = 0; // of the mass, for rotary inertia
+  std::optional<InterlockFriction> friction;
 };
 
 struct Plate {
@@ -171,6 +175,7 @@ struct ConnectorChain {
   double mass = 0;     // between the arms: of each element, half on either node
   double radius = 0;   // of that mass, for rotary inertia; 0 = none
   double arm_mass = 0; // of each arm, in its middle
+  std::optional<SlenderFriction> friction = {}; // of each element
 };
 
 struct PointMass {
@@ -192,6 +197,7 @@ struct Cap {
   std::vector<std::string> of = {}; // sets it closes, e.g. "bellows.left"
   std::optional<Sextuple> stiffness =
       {}; // springs between the first end and the others; none = rigid
+  std::optional<JointFriction> friction = {}; // beside these springs
   double mass = 0;
   Sextuple inertia{}; // about its centre of mass, kg m2
   Triple offset{};    // reference node to centre of mass
@@ -202,7 +208,8 @@ enum class MountKind { free, rigid, springs };
 struct Mount {
   std::string cap;
   MountKind kind = MountKind::rigid;
-  Sextuple stiffness{}; // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
+  Sextuple stiffness{};                  // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
+  std::optional<JointFriction> friction; // beside these springs
 };
 
 // Degrees of freedom of a set held to zero.
@@ -280,6 +287,26 @@ struct Response {
   std::vector<CrossPair> cross = {};                 // cross densities of a random response
 };
 
+struct LevelForce {
+  std::string name;
+  std::string at;             // set, the force spread evenly over its nodes
+  int direction = 1;          // 0..5 = x y z rx ry rz
+  std::vector<double> levels; // N or Nm, increasing
+};
+
+// Response at several levels of excitation, with the friction of the joints.
+struct Levels {
+  std::vector<int> bases;     // 0..5 = x y z rx ry rz
+  std::vector<double> levels; // of the base, m/s2 or rad/s2, increasing
+  std::vector<LevelForce> forces;
+  std::array<double, 2> band{}; // Hz
+  int points = 200;
+  JointMethod method = JointMethod::harmonic_balance;
+  int harmonics = 5, samples = 256;
+  int backbones = 1;
+  int referee = 2;
+};
+
 // Stresses of shells and beams: static, of each mode, harmonic, RMS under a random input.
 struct Stress {
   std::vector<double> frequencies; // harmonic at these, for every base direction and force, Hz
@@ -302,6 +329,7 @@ struct Analyses {
   std::optional<Modes> modes;
   Damping damping;
   std::optional<Response> response;
+  std::optional<Levels> levels;
   std::optional<Stress> stress;
   bool error_bars = true; // discretisation and tolerances of the headline numbers
 };
@@ -356,5 +384,8 @@ struct Case {
   std::vector<Tolerance> tolerances;
   std::string measured; // path of measured.yaml beside the case file; empty = none
 };
+
+// True when a part, a joint, a mount or the plies of a wall have friction or a nonlinear spring.
+bool has_friction(const Case& data);
 
 } // namespace plica

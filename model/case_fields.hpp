@@ -6,12 +6,11 @@
 #include "model/case.hpp"
 #include "model/field_types.hpp"
 #include "model/fit_fields.hpp"
+#include "model/friction_fields.hpp"
 #include "model/pipe_fields.hpp"
 
 namespace plica {
 
-inline const std::vector<Named<int>> directions{{0, "x"},  {1, "y"},  {2, "z"},
-                                                {3, "rx"}, {4, "ry"}, {5, "rz"}};
 inline const std::vector<Named<int>> signed_axes{{1, "x"},   {2, "y"},   {3, "z"},
                                                  {-1, "-x"}, {-2, "-y"}, {-3, "-z"}};
 
@@ -81,6 +80,7 @@ template <class V> void fields(V& v, Wall& w) {
   if (w.thinning == Thinning::local)
     v.quantity(w.thinning_exponent, "thinning_exponent", {.min = 0, .max = 3},
                "exponent of local thinning");
+  v.object(w.slip, "slip", optional_key, "friction between the plies, which stick until they slip");
 }
 
 template <class V> void fields(V& v, MeshDensity& m) {
@@ -140,6 +140,7 @@ template <class V> void fields(V& v, Interlock& i) {
   v.quantity(i.mass, "mass", {.unit = Dimension::mass, .min = 0}, "total mass");
   v.quantity(i.radius, "radius", {.unit = Dimension::length, .min = 0},
              "mean radius of its mass, for rotary inertia");
+  v.object(i.friction, "friction", optional_key, "between its coils, beside EA, EI and GJ");
 }
 
 template <class V> void fields(V& v, Plate& p) {
@@ -221,6 +222,7 @@ template <class V> void fields(V& v, Cap& c) {
                 .tail = Dimension::rotational_stiffness},
                "of a joint between the first end and the others: [ux, uy, uz, rx, ry, rz]; left "
                "out: rigid");
+  v.object(c.friction, "friction", optional_key, "of that joint, beside its stiffness");
   v.quantity(c.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
   v.quantities(c.inertia, "inertia", {.unit = Dimension::inertia},
                "about its centre of mass: [xx, yy, zz, xy, yz, zx]");
@@ -238,6 +240,7 @@ template <class V> void fields(V& v, Mount& m) {
                   .min = 0,
                   .tail = Dimension::rotational_stiffness},
                  "of six springs to the table: [ux, uy, uz, rx, ry, rz]");
+  v.object(m.friction, "friction", optional_key, "beside these springs");
 }
 
 template <class V> void fields(V& v, Support& s) {
@@ -366,6 +369,8 @@ template <class V> void fields(V& v, Analyses& a) {
   v.object(a.damping, "damping", optional_key, "damping of the modes");
   v.object(a.response, "response", optional_key,
            "response of the sensors to motion of the base and to forces");
+  v.object(a.levels, "levels", optional_key,
+           "response at several levels with the friction of the joints");
   v.object(a.stress, "stress", optional_key,
            "stresses: static, of the modes, harmonic, RMS of a random response");
   v.flag(a.error_bars, "error_bars",

@@ -144,6 +144,7 @@ double quantile(const Tolerance& t, double u) {
 
 Case for_headline(Case data) {
   data.analyses.response.reset();
+  data.analyses.levels.reset();
   data.analyses.stress.reset();
   data.analyses.error_bars = false;
   data.analyses.damping = {};
@@ -158,6 +159,12 @@ Case for_comparison(const Case& given) {
   Case data = for_headline(given);
   data.analyses.response = given.analyses.response;
   data.analyses.damping = given.analyses.damping;
+  data.analyses.levels = given.analyses.levels;
+  if (data.analyses.levels) {
+    data.analyses.levels->forces.clear();
+    data.analyses.levels->backbones = data.analyses.levels->referee = 0;
+    if (data.analyses.levels->bases.empty()) data.analyses.levels.reset();
+  }
   if (data.analyses.response) {
     data.analyses.response->random.reset();
     data.analyses.response->forces.clear();

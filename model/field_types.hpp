@@ -35,6 +35,7 @@ enum class Dimension {
   density,
   pressure,
   force,
+  moment,
   stiffness,
   rotational_stiffness,
   section_stiffness, // EI, GJ
@@ -82,5 +83,8 @@ template <class E> struct Named {
   E value;
   const char* name;
 };
+
+inline const std::vector<Named<int>> directions{{0, "x"},  {1, "y"},  {2, "z"},
+                                                {3, "rx"}, {4, "ry"}, {5, "rz"}};
 
 } // namespace plica

@@ -31,7 +31,8 @@ template <class V> void fields(V& v, FitConstraint& c) {
 }
 
 template <class V> void fields(V& v, FitTarget& t) {
-  v.text(t.quantity, "quantity", {.required = true}, "its name in the comparison with the test");
+  v.text(t.quantity, "quantity", {.required = true},
+         "its name in the comparison with the test, or an entry of the measured data: peaks[0]");
   v.quantity(t.sigma, "sigma", {.unit = Dimension::ratio, .min = 0, .exclusive_min = true},
              "standard deviation relative to the value, in place of the stated one");
 }
@@ -48,6 +49,13 @@ template <class V> void fields(V& v, FitRequest& f) {
              "relative standard deviation where the measured data state none");
   v.choice(f.search, "search", {{FitSearch::local, "local"}, {FitSearch::global, "global"}},
            optional_key, "from the values of the case, or over the whole box");
+  v.quantities(f.hold_out_levels, "hold_out_levels",
+               {.unit = Dimension::acceleration, .min = 0, .exclusive_min = true, .min_items = 1},
+               "levels of excitation whose peaks are not fitted but compared");
+  v.choice(f.level_method, "level_method",
+           {{JointMethod::harmonic_balance, "harmonic_balance"},
+            {JointMethod::describing_function, "describing_function"}},
+           optional_key, "how levels are computed during the fit: the second is the fast path");
   v.whole(f.evaluations, "evaluations", {.min = 10, .max = 10000000}, "budget of a global search");
 }
 

@@ -1,6 +1,8 @@
 // What a fit changes and what it is to meet: the `fit` section of a case.
 #pragma once
 
+#include "solve/harmonic_balance.hpp"
+
 #include <array>
 #include <map>
 #include <optional>
@@ -37,7 +39,8 @@ struct FitConstraint {
   std::optional<double> min, max;
 };
 
-// A measured quantity that is met, by its name in the comparison. None listed = all of them.
+// A measured quantity that is met, by its name in the comparison, or all that belong to an entry of
+// the measured data ("peaks[0]", "static[1]"). None listed = all of them.
 struct FitTarget {
   std::string quantity;
   double sigma = 0; // standard deviation relative to the measured value, in place of the stated one
@@ -52,7 +55,9 @@ struct FitRequest {
   std::vector<FitConstraint> constraints;
   double default_sigma = 0.01; // relative, where the measured data state none
   FitSearch search = FitSearch::local;
-  int evaluations = 2000; // of a global search
+  std::vector<double> hold_out_levels; // peaks at these levels of excitation are not fitted
+  JointMethod level_method = JointMethod::describing_function; // of the levels during the fit
+  int evaluations = 2000;                                      // of a global search
 };
 
 } // namespace plica

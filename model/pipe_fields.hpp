@@ -3,6 +3,7 @@
 
 #include "model/case.hpp"
 #include "model/field_types.hpp"
+#include "model/friction_fields.hpp"
 
 namespace plica {
 
@@ -74,6 +75,7 @@ template <class V> void fields(V& v, ConnectorChain& c) {
   v.quantity(c.radius, "radius", {.unit = Dimension::length, .min = 0},
              "radius of the mass for rotary inertia; left out: none");
   v.quantity(c.arm_mass, "arm_mass", {.unit = Dimension::mass, .min = 0}, "mass of each arm");
+  v.object(c.friction, "friction", optional_key, "of each element, beside its springs");
 }
 
 } // namespace plica

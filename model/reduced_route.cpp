@@ -16,6 +16,10 @@ using Eigen::MatrixXd;
 std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry) {
   std::set<int> nodes;
   for (const auto& [name, node] : built.cap_nodes) nodes.insert(node);
+  for (const BuiltJoint& j : built.joints) {
+    if (j.node1 >= 0) nodes.insert(j.node1);
+    nodes.insert(j.node2);
+  }
   if (!symmetry) return {nodes.begin(), nodes.end()};
   const std::vector<int> broken = nodes_around_breaks(built.model);
   nodes.insert(broken.begin(), broken.end());

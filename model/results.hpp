@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "model/level_results.hpp"
 
 #include <Eigen/Core>
 #include <array>
@@ -178,11 +179,13 @@ struct Results {
   ModelSize model;
   std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
   std::optional<Reduced> reduced;
-  std::optional<StaticStiffness> statics; // at rest
+  std::optional<StaticStiffness> statics; // joints with friction slip, nonlinear springs at rest
   std::vector<StrokeCurve> strokes;
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;
   std::vector<ResponseResult> responses;
+  std::vector<LevelFamily> families;     // responses at several levels
+  std::optional<SlippingLimit> slipping; // where joints have friction
   std::vector<StressResult> stresses;
   ErrorBars error_bars;
   std::array<double, 6>

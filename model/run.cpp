@@ -2,6 +2,8 @@
 
 #include "model/connector_curve.hpp"
 #include "model/damping.hpp"
+#include "model/joint_strokes.hpp"
+#include "model/run_levels.hpp"
 #include "model/run_stress.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
@@ -26,8 +28,10 @@ public:
     lap("mesh");
     route_ = choose_route(built_, case_.analyses, stage_, results_.timing);
     describe();
+    if (has_friction(case_)) let_slip();
     if (case_.analyses.statics && case_.caps.size() == 2) statics();
     if (case_.analyses.modes) modes();
+    if (case_.analyses.levels) levels();
     results_.peak_memory = peak_memory();
     return std::move(results_);
   }
@@ -54,10 +58,24 @@ private:
     results_.mesh = built_.model.mesh;
   }
 
+  // Small motion sticks, a test rig and high levels slip: the second state has its own model.
+  void let_slip() {
+    stage_("mesh");
+    slipping_ = build(case_, JointState::slipping);
+    slipping_route_ = choose_route(*slipping_, case_.analyses, stage_, results_.timing);
+    results_.slipping.emplace();
+    for (const BuiltJoint& j : slipping_->joints)
+      if (std::vector<std::string>& all = results_.slipping->joints;
+          std::find(all.begin(), all.end(), j.place + " " + j.motion) == all.end())
+        all.push_back(j.place + " " + j.motion);
+  }
+
   void statics() {
-    const std::array<int, 2> caps{built_.cap_nodes.at(case_.caps[0].name),
-                                  built_.cap_nodes.at(case_.caps[1].name)};
-    const std::optional<Matrix1212> K = route_->end_stiffness(caps);
+    const BuiltCase& built = slipping_ ? *slipping_ : built_;
+    Route& route = slipping_ ? *slipping_route_ : *route_;
+    const std::array<int, 2> caps{built.cap_nodes.at(case_.caps[0].name),
+                                  built.cap_nodes.at(case_.caps[1].name)};
+    const std::optional<Matrix1212> K = route.end_stiffness(caps);
     if (!K) {
       results_.warnings.push_back("static stiffness left out: a support holds a cap");
       return;
@@ -71,7 +89,8 @@ private:
                         .k_torsion = k.torsion,
                         .end_stiffness = *K};
     add_strokes();
-    if (case_.analyses.stress) static_stress(caps, *K);
+    if (slipping_) add_joint_strokes(caps, *K);
+    if (case_.analyses.stress) static_stress(built.model, route, caps, *K);
   }
 
   // Of a chain with tabulated forces that has nothing beside it but masses.
@@ -90,16 +109,71 @@ private:
                                   "stiffness is that at rest, also where the test states a stroke");
   }
 
-  // The second cap moved 1 mm along and across, kept parallel.
-  void static_stress(const std::array<int, 2>& caps, const Matrix1212& K) {
+  // Motion of both caps: the second by a unit along and across x and z, kept parallel.
+  static MatrixXd parallel_motion(const Matrix1212& K) {
     MatrixXd motion = MatrixXd::Zero(12, 3);
     const Eigen::Matrix3d parallel = K.block<3, 3>(6, 6).inverse();
     for (const auto& [column, axis] : {std::pair{0, 1}, std::pair{1, 0}, std::pair{2, 2}})
-      motion.block<3, 1>(6, column) = 1e-3 / parallel(axis, axis) * parallel.col(axis);
+      motion.block<3, 1>(6, column) = parallel.col(axis) / parallel(axis, axis);
+    return motion;
+  }
+
+  void static_stress(const Model& model, Route& route, const std::array<int, 2>& caps,
+                     const Matrix1212& K) {
     results_.stresses =
-        static_stresses({.u = route_->follow(caps, motion),
+        static_stresses({.u = route.follow(caps, 1e-3 * parallel_motion(K)),
                          .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
-                        built_.model);
+                        model);
+  }
+
+  // Between caps that the mount holds both: what joints bear while they stick, and until they slip.
+  void add_joint_strokes(const std::array<int, 2>& caps, const Matrix1212& K) {
+    const BuiltCase& built = *slipping_;
+    results_.slipping->k_axial_stuck =
+        end_stiffness(route_->end_stiffness(caps)->bottomRightCorner<6, 6>()).axial;
+    for (int cap : caps)
+      if (std::find(built.held_nodes.begin(), built.held_nodes.end(), cap) ==
+          built.held_nodes.end())
+        return;
+    const auto joints = Eigen::Index(built.joints.size());
+    Loads loads{.base = std::vector<int>(built.joints.size(), -1),
+                .force = MatrixXd(dof_count(built.model), joints),
+                .rigid = MatrixXd::Zero(dof_count(built.model), joints)};
+    for (Eigen::Index j = 0; j < joints; ++j)
+      loads.force.col(j) = unit_force(built.model, built.joints[std::size_t(j)]);
+    const MatrixXd motion =
+        loads.force.transpose() * slipping_route_->follow(caps, parallel_motion(K).leftCols(2));
+    const ModalSolution held =
+        slipping_route_->modes({.count = 1, .band = {}, .proof = false}, loads, {});
+    const EndStiffness slipping = end_stiffness(K.bottomRightCorner<6, 6>());
+    for (StrokeCurve& c : joint_strokes({.lambda = held.lambda,
+                          .zeta = {},
+                          .eta = {},
+                          .joints = held.input,
+                          .input = {},
+                          .laws = laws_of(built.joints)},
+                                        motion, {slipping.axial, slipping.transverse_x}))
+      results_.strokes.push_back(std::move(c));
+  }
+
+  void levels() {
+    const BuiltCase& built = slipping_ ? *slipping_ : built_;
+    Route& route = slipping_ ? *slipping_route_ : *route_;
+    stage_("reduced model of the joints");
+    watch_ = Stopwatch();
+    const JointedModel model = jointed_model(case_, built, route);
+    lap("reduced model of the joints");
+    results_.families = level_families(model, *case_.analyses.levels, stage_);
+    for (const LevelFamily& family : results_.families)
+      for (const LevelCurve& curve : family.curves)
+        if (!curve.complete) {
+          std::array<char, 40> level{};
+          std::snprintf(level.data(), level.size(), "%g ", curve.level);
+          results_.warnings.push_back("levels, excitation " + family.excitation + ", " +
+                                      level.data() + family.unit +
+                                      ": the branch was not followed to its end: " + curve.reason);
+        }
+    lap("levels");
   }
 
   void modes() {
@@ -217,6 +291,9 @@ private:
   Stopwatch watch_;
   BuiltCase built_;
   std::unique_ptr<Route> route_;
+  // With joints that slip; none: the case has no friction.
+  std::optional<BuiltCase> slipping_;
+  std::unique_ptr<Route> slipping_route_;
   Results results_;
 };
 

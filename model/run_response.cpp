@@ -33,18 +33,6 @@ VectorXd nodal_force(const Force& force, const std::string& key, const Model& mo
   return F;
 }
 
-// Rows of the three axes of each sensor in a field over all DOFs.
-MatrixXd at_sensors(const BuiltCase& built, const MatrixXd& u) {
-  MatrixXd rows(3 * built.sensors.size(), u.cols());
-  for (std::size_t s = 0; s < built.sensors.size(); ++s)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int axis = built.sensors[s].axes[k];
-      rows.row(Eigen::Index(3 * s + k)) =
-          (axis < 0 ? -1. : 1.) * u.row(6 * built.sensors[s].node + std::abs(axis) - 1);
-    }
-  return rows;
-}
-
 void require_damping(const Response& asked, const DampedModes& modes) {
   for (int j = 0; j < modes.solution.modes; ++j) {
     const double f = frequency(modes.solution.lambda[j]);
@@ -105,6 +93,17 @@ RandomResult random_result(const Response& asked, const SpectralDensity& input,
 }
 
 } // namespace
+
+MatrixXd at_sensors(const BuiltCase& built, const MatrixXd& u) {
+  MatrixXd rows(3 * built.sensors.size(), u.cols());
+  for (std::size_t s = 0; s < built.sensors.size(); ++s)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int axis = built.sensors[s].axes[k];
+      rows.row(Eigen::Index(3 * s + k)) =
+          (axis < 0 ? -1. : 1.) * u.row(6 * built.sensors[s].node + std::abs(axis) - 1);
+    }
+  return rows;
+}
 
 Excitations excitations(const Response& asked, const Model& model) {
   const auto count = static_cast<Eigen::Index>(asked.bases.size() + asked.forces.size());

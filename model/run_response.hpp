@@ -25,6 +25,9 @@ struct Excitations {
 // Throws InputError for a force on a set that is not on the mesh.
 Excitations excitations(const Response& asked, const Model& model);
 
+// Rows of the three axes of each sensor in a field over all DOFs.
+Eigen::MatrixXd at_sensors(const BuiltCase& built, const Eigen::MatrixXd& u);
+
 struct DampedModes {
   const ModalSolution& solution;
   Eigen::VectorXd zeta, eta; // of all its columns

@@ -65,7 +65,7 @@ private:
     double sign = lu.permutationP().determinant() > 0 ? 1 : -1;
     for (Index i = 0; i < x_.size(); ++i)
       if (lu.matrixLU()(i, i) < 0) sign = -sign;
-    if (curve_.points.empty()) first_sign_ = sign;
+    if (curve_.points.empty()) first_sign_ = last_sign_ = sign;
     curve_.points.push_back({x_, p_, iterations, sign == first_sign_});
     // Direction of the curve over (x / size, p / range) that goes on as before.
     size_ = along_motion * std::max(1e-300, x_.norm());
@@ -73,7 +73,16 @@ private:
     next << -lu.solve(here_.by_parameter) / size_, 1 / range_;
     next.normalize();
     if (!next.allFinite()) return; // at a fold to the last digit: on as before
-    tangent_ = next.dot(tangent_) < 0 ? VectorXd(-next) : next;
+    // Along one curve p turns where the determinant changes its sign: a fold. Where the tangent
+    // itself does not turn, another branch has been passed, and the curve goes on.
+    const double turned = sign == last_sign_ ? 1 : -1;
+    if (turned < 0 && (next.dot(tangent_) > 0) == (direction_ > 0))
+      last_sign_ = sign;
+    else if (turned < 0) {
+      last_sign_ = sign;
+      direction_ = -direction_;
+    }
+    tangent_ = direction_ * next;
   }
 
   // Iterations to the next point at a length along the curve; 0 = none found, nothing changed.
@@ -122,7 +131,8 @@ private:
 
   const ResidualFunction& f_;
   const ContinuationSettings& settings_;
-  double range_, sign_, size_ = 1, first_sign_ = 1;
+  double range_, sign_, size_ = 1, first_sign_ = 1, last_sign_ = 1;
+  double direction_ = sign_; // of p along the curve
   Curve curve_;
   VectorXd x_, tangent_;
   double p_ = 0;

@@ -18,6 +18,11 @@ public:
     return seconds;
   }
 
+  // Seconds since the last lap or construction.
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+  }
+
 private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -2,6 +2,7 @@
 
 #include "io/input/check_log.hpp"
 #include "io/input/did_you_mean.hpp"
+#include "io/input/friction_checks.hpp"
 #include "io/input/node_sets.hpp"
 #include "io/input/part_checks.hpp"
 #include "io/input/response_checks.hpp"
@@ -164,6 +165,7 @@ std::vector<InputProblem> check_case(const Case& data, const std::vector<std::st
     log.set_reference(item("supports", i) + ".set", data.supports[i].set);
   check_sensors(data, log);
   check_analyses(data, log);
+  check_friction(data, log);
   check_names(data, log);
   check_measured(data, directory, log);
   return std::move(log.problems);

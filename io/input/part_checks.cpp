@@ -64,7 +64,8 @@ void check(const std::string& key, const Interlock& i, const Case& data, CheckLo
   const std::vector<std::string> bellows = bellows_names(data);
   log.reference(key + ".along", "bellows", i.along, bellows);
   if (i.attachment == Attachment::synchronous || !log.fine(key)) return;
-  if (i.EA <= 0 || i.EI <= 0 || i.GJ <= 0)
+  const bool slides = i.attachment == Attachment::stations && i.friction; // its coils hang on these
+  if (!slides && (i.EA <= 0 || i.EI <= 0 || i.GJ <= 0))
     log.add(key, "is tied at single places but has no stiffness of its own",
             "give EA, EI and GJ above 0, or attachment: synchronous");
   if (std::find(bellows.begin(), bellows.end(), i.along) == bellows.end() || !log.fine("caps"))

@@ -1,6 +1,7 @@
 #include "io/report/report.hpp"
 
 #include "io/report/css.hpp"
+#include "io/report/levels.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/picture.hpp"
 #include "io/report/profile.hpp"
@@ -57,6 +58,7 @@ std::string report_html(const Results& results) {
   html += html_section("superelements", "Superelements", superelements_html(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
   html += html_section("response", "Response", responses_html(results));
+  html += html_section("levels", "Response over the level", levels_html(results));
   html += html_section("stress", "Stress", stresses_html(results));
   html += html_section("variants", "What the assumed quantities do",
                        variants_html(results) + variants_comparison_html(results));

@@ -1,5 +1,6 @@
 #include "io/results/json.hpp"
 
+#include "io/results/levels_json.hpp"
 #include "io/results/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -196,6 +197,8 @@ std::string results_json(const Results& r) {
   json["modes"] = list_of(r.modes);
   json["verification"] = json_of(r.verification);
   json["responses"] = list_of(r.responses);
+  if (r.slipping) json["slipping"] = slipping_json(*r.slipping);
+  if (!r.families.empty()) json["levels"] = levels_json(r);
   json["stresses"] = list_of(r.stresses);
   json["error_bars"] = json_of(r.error_bars);
   json["headline"] = named_numbers(headline(r));

@@ -1,5 +1,6 @@
 #include "io/results/summary.hpp"
 
+#include "io/results/levels_csv.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
@@ -112,6 +113,31 @@ std::string peaks_table(const Results& results) {
   return rows.size() == 1 ? "" : "\nPeaks of the response\n" + aligned(rows, "<<>>>");
 }
 
+std::string levels_table(const Results& results) {
+  std::string text;
+  for (const LevelFamily& family : results.families) {
+    const auto& [sensor, axis] = family.channels[std::size_t(family.strongest)];
+    std::vector<Row> rows{
+        {family.unit, "up Hz", "down Hz", "amplitude", "half power %", "by energy %"}};
+    const auto first = [&](const std::vector<LevelPeak>& peaks) {
+      return std::find_if(peaks.begin(), peaks.end(),
+                          [&](const LevelPeak& p) { return p.channel == family.strongest; });
+    };
+    for (const LevelCurve& c : family.curves) {
+      const auto up = first(c.peaks_up), down = first(c.peaks_down);
+      if (up == c.peaks_up.end()) continue;
+      rows.push_back({significant(c.level, 4), fmt::format("{:.1f}", up->frequency),
+                      down == c.peaks_down.end() ? "-" : fmt::format("{:.1f}", down->frequency),
+                      significant(up->amplitude, 3), significant(100 * up->damping, 3),
+                      significant(100 * up->energy_damping, 3)});
+    }
+    text += fmt::format("\n{}: first peak of {} {} over the level\n", levels_title(family), sensor,
+                        axis) +
+            aligned(rows, ">>>>>>");
+  }
+  return text;
+}
+
 std::string modes_table(const Results& results) {
   if (results.modes.empty()) return "";
   std::vector<Row> rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};
@@ -140,8 +166,8 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
-  text +=
-      spread_table(results) + error_table(results) + modes_table(results) + peaks_table(results);
+  text += spread_table(results) + error_table(results) + modes_table(results) +
+          peaks_table(results) + levels_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

@@ -5,6 +5,7 @@
 #include "io/report/report.hpp"
 #include "io/results/csv.hpp"
 #include "io/results/json.hpp"
+#include "io/results/levels_csv.hpp"
 #include "io/results/simulated_yaml.hpp"
 #include "io/results/text.hpp"
 #include "io/results/vtu.hpp"
@@ -25,8 +26,9 @@ bool is_optional_output(const std::string& name) {
   const auto named = [&](const char* prefix) {
     return name.starts_with(prefix) && name.ends_with(".csv");
   };
-  return named("response_") || named("motion_") || named("random_") || name == "stress.csv" ||
-         name == "stress.vtu" || name == "error_bars.csv" || name == "responses.uff";
+  return named("response_") || named("motion_") || named("random_") || named("level") ||
+         name == "stress.csv" || name == "stress.vtu" || name == "error_bars.csv" ||
+         name == "responses.uff";
 }
 
 std::string responses_uff(const Results& results) {
@@ -59,6 +61,13 @@ void write_results(const Results& results, const fs::path& out_dir) {
     files.add("response_" + response_name(r) + ".csv", response_csv(r));
     files.add("motion_" + response_name(r) + ".csv", motion_csv(r));
     if (r.random) files.add("random_" + response_name(r) + ".csv", random_csv(r));
+  }
+  for (const LevelFamily& family : results.families)
+    files.add(levels_name(family) + ".csv", levels_csv(family));
+  if (!results.families.empty()) {
+    files.add("level_peaks.csv", level_peaks_csv(results));
+    files.add("level_joints.csv", level_joints_csv(results));
+    files.add("level_backbones.csv", level_backbones_csv(results));
   }
   if (!results.stresses.empty()) {
     files.add("stress.csv", stress_csv(results));

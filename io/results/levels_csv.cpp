@@ -1,0 +1,108 @@
+#include "io/results/levels_csv.hpp"
+
+#include "io/results/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string channel(const LevelFamily& family, int c) {
+  const auto& [sensor, axis] = family.channels[std::size_t(c)];
+  return sensor + " " + axis;
+}
+
+std::string excitation_cells(const LevelFamily& family, double level) {
+  return csv_cell(levels_title(family)) + "," + number(level) + "," + family.unit + ",";
+}
+
+void add_peaks(std::string& text, const LevelFamily& family, const LevelCurve& curve,
+               const std::vector<LevelPeak>& peaks, const char* sweep) {
+  for (const LevelPeak& p : peaks)
+    text += excitation_cells(family, curve.level) +
+            fmt::format("{},{},{},{},{},{}\n", sweep, csv_cell(channel(family, p.channel)),
+                        number(p.frequency), number(p.amplitude), number(p.damping),
+                        number(p.energy_damping));
+}
+
+} // namespace
+
+std::string levels_name(const LevelFamily& family) {
+  return std::string("levels_") + (family.is_force ? "force_" : "") + family.excitation;
+}
+
+std::string levels_title(const LevelFamily& family) {
+  return (family.is_force ? "Force " : "Base moved in ") + family.excitation;
+}
+
+std::string levels_csv(const LevelFamily& family) {
+  std::string text =
+      fmt::format("level [{}],frequency [Hz],stable,sweep up,sweep down", family.unit);
+  const std::string per = " [m/s2 per " + family.unit + "]";
+  const std::vector<int> orders =
+      family.curves.empty() ? std::vector<int>{} : family.curves.front().orders;
+  for (int c : family.shown) {
+    for (const char* part : {" real", " imaginary"})
+      text += "," + csv_cell(channel(family, c) + part + per);
+    for (int n : orders)
+      text += "," + csv_cell(fmt::format("{} harmonic {}{}", channel(family, c), n, per));
+  }
+  text += "\n";
+  for (const LevelCurve& curve : family.curves)
+    for (Eigen::Index i = 0; i < curve.hertz.size(); ++i) {
+      const auto seen = [&](const std::vector<int>& sweep) {
+        return std::find(sweep.begin(), sweep.end(), int(i)) != sweep.end() ? 1 : 0;
+      };
+      text += fmt::format("{},{},{},{},{}", number(curve.level), number(curve.hertz[i]),
+                          curve.stable[std::size_t(i)] ? 1 : 0, seen(curve.up), seen(curve.down));
+      for (int c : family.shown) {
+        text += "," + number(curve.first(i, c).real()) + "," + number(curve.first(i, c).imag());
+        for (const Eigen::MatrixXd& higher : curve.higher) text += "," + number(higher(i, c));
+      }
+      text += "\n";
+    }
+  return text;
+}
+
+std::string level_peaks_csv(const Results& results) {
+  std::string text = "excitation,level,unit,sweep,channel,frequency [Hz],amplitude,"
+                     "half-power damping [fraction of critical],"
+                     "damping by energy [fraction of critical]\n";
+  for (const LevelFamily& family : results.families)
+    for (const LevelCurve& curve : family.curves) {
+      add_peaks(text, family, curve, curve.peaks_up, "up");
+      add_peaks(text, family, curve, curve.peaks_down, "down");
+    }
+  return text;
+}
+
+std::string level_joints_csv(const Results& results) {
+  std::string text = "excitation,level,unit,joint,motion [m or rad],energy per cycle [J]\n";
+  for (const LevelFamily& family : results.families)
+    for (const LevelCurve& curve : family.curves)
+      for (const JointMotion& j : curve.joints)
+        text += excitation_cells(family, curve.level) + csv_cell(j.joint) + "," + number(j.motion) +
+                "," + number(j.energy) + "\n";
+  return text;
+}
+
+std::string level_backbones_csv(const Results& results) {
+  std::string text = "excitation,frequency stuck [Hz],amplitude [m/s2],frequency [Hz],"
+                     "damping [fraction of critical]\n";
+  for (const LevelFamily& family : results.families)
+    for (const BackboneCurve& b : family.backbones)
+      for (Eigen::Index i = 0; i < b.amplitude.size(); ++i)
+        text += fmt::format("{},{},{},{},{}\n", csv_cell(levels_title(family)),
+                            number(b.stuck_frequency), number(b.amplitude[i]),
+                            number(b.frequency[i]), number(b.damping[i]));
+  return text;
+}
+
+} // namespace plica

@@ -1,0 +1,100 @@
+#include "io/results/levels_json.hpp"
+
+#include "io/results/levels_csv.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json json_of(const std::vector<LevelPeak>& peaks, const LevelFamily& family) {
+  Json list = Json::array();
+  for (const LevelPeak& p : peaks)
+    list.push_back({{"sensor", family.channels[std::size_t(p.channel)].first},
+                    {"direction", family.channels[std::size_t(p.channel)].second},
+                    {"frequency", number(p.frequency)},
+                    {"amplitude", number(p.amplitude)},
+                    {"damping", number(p.damping)},
+                    {"energy_damping", number(p.energy_damping)}});
+  return list;
+}
+
+Json json_of(const LevelCurve& curve, const LevelFamily& family) {
+  Json joints = Json::array();
+  for (const JointMotion& j : curve.joints)
+    joints.push_back(
+        {{"joint", j.joint}, {"motion", number(j.motion)}, {"energy", number(j.energy)}});
+  return {{"level", number(curve.level)},
+          {"complete", curve.complete},
+          {"reason", curve.reason},
+          {"peaks_up", json_of(curve.peaks_up, family)},
+          {"peaks_down", json_of(curve.peaks_down, family)},
+          {"jumps_up", curve.jumps_up},
+          {"jumps_down", curve.jumps_down},
+          {"joints", joints}};
+}
+
+Json json_of(const BackboneCurve& b) {
+  Json points = Json::array();
+  for (Eigen::Index i = 0; i < b.amplitude.size(); ++i)
+    points.push_back({{"amplitude", number(b.amplitude[i])},
+                      {"frequency", number(b.frequency[i])},
+                      {"damping", number(b.damping[i])}});
+  return {{"stuck_frequency", number(b.stuck_frequency)},
+          {"complete", b.complete},
+          {"reason", b.reason},
+          {"points", points}};
+}
+
+Json json_of(const LevelFamily& family) {
+  Json curves = Json::array(), backbones = Json::array(), fast = Json::array(),
+       referee = Json::array();
+  for (const LevelCurve& c : family.curves) curves.push_back(json_of(c, family));
+  for (const BackboneCurve& b : family.backbones) backbones.push_back(json_of(b));
+  for (const LinearisedError& e : family.linearised)
+    fast.push_back({{"level", number(e.level)},
+                    {"frequency", number(e.frequency)},
+                    {"amplitude", number(e.amplitude)}});
+  for (const RefereeCheck& r : family.referee)
+    referee.push_back({{"level", number(r.level)},
+                       {"frequency", number(r.frequency)},
+                       {"difference", number(r.difference)},
+                       {"settled", r.settled}});
+  return {{"base", family.is_force ? Json(nullptr) : Json(family.excitation)},
+          {"force", family.is_force ? Json(family.excitation) : Json(nullptr)},
+          {"unit", family.unit},
+          {"method", family.method},
+          {"harmonics", family.harmonics},
+          {"joints", family.joints},
+          {"modes", family.modes},
+          {"file", levels_name(family) + ".csv"},
+          {"levels", curves},
+          {"backbones", backbones},
+          {"linearised_error", fast},
+          {"referee", referee},
+          {"seconds", number(family.seconds)}};
+}
+
+} // namespace
+
+Json levels_json(const Results& results) {
+  Json list = Json::array();
+  for (const LevelFamily& family : results.families) list.push_back(json_of(family));
+  return list;
+}
+
+Json slipping_json(const SlippingLimit& slipping) {
+  return {
+      {"joints", slipping.joints},
+      {"k_axial_stuck", slipping.k_axial_stuck > 0 ? Json(slipping.k_axial_stuck) : Json(nullptr)}};
+}
+
+} // namespace plica

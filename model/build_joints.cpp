@@ -1,0 +1,79 @@
+#include "model/build_joints.hpp"
+
+#include "model/connector_curve.hpp"
+
+#include <Eigen/Geometry>
+
+namespace plica {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+std::string joint_name(const BuiltJoint& joint) {
+  return joint.place + " " + joint.motion +
+         (joint.segment > 0 ? ", segment " + std::to_string(joint.segment) : "");
+}
+
+void add_joints(std::vector<BuiltJoint>& joints, const Connection& between,
+                const std::vector<DirectionalLaw>& laws) {
+  for (const DirectionalLaw& d : laws)
+    joints.push_back({.place = between.place,
+                      .motion = d.name,
+                      .segment = between.segment,
+                      .node1 = between.node1,
+                      .node2 = between.node2,
+                      .dof = d.dof,
+                      .law = d.law,
+                      .component = between.component});
+}
+
+void add_curves(std::vector<BuiltJoint>& joints, const Connection& between,
+                const ConnectorSpring& spring) {
+  const auto add = [&](const ForceCurve& curve, const char* motion,
+                       std::initializer_list<int> dofs) {
+    if (curve.empty()) return;
+    for (int dof : dofs)
+      joints.push_back({.place = between.place,
+                        .motion = motion,
+                        .segment = between.segment,
+                        .node1 = between.node1,
+                        .node2 = between.node2,
+                        .dof = dof,
+                        .law = {.stiffness = -stiffness_at_rest(curve), .curve = curve},
+                        .in_model = true,
+                        .component = between.component});
+  };
+  add(spring.axial_curve, "axial", {1});
+  add(spring.transverse_curve, "transverse", {0, 2});
+}
+
+void stick(Model& model, const std::vector<BuiltJoint>& joints) {
+  // All directions between two nodes are one spring, which may then be the same all round.
+  std::map<std::pair<int, int>, BushingElement> springs;
+  for (const BuiltJoint& j : joints) {
+    if (j.in_model) continue;
+    BushingElement& spring = springs[{j.node1, j.node2}];
+    spring.node1 = j.node1 < 0 ? j.node2 : j.node1;
+    spring.node2 = j.node1 < 0 ? -1 : j.node2;
+    spring.component = j.component;
+    spring.bushing.law(j.dof, j.dof) += j.law.stuck_stiffness();
+  }
+  for (const auto& [nodes, spring] : springs)
+    if (!spring.bushing.law.isZero(0)) model.bushings.push_back(spring);
+}
+
+VectorXd unit_force(const Model& model, const BuiltJoint& joint) {
+  VectorXd force = VectorXd::Zero(dof_count(model));
+  const auto& x = model.mesh.nodes;
+  const Vector3d middle =
+      joint.node1 < 0 ? x[joint.node2] : Vector3d((x[joint.node1] + x[joint.node2]) / 2);
+  for (const auto& [node, sign] : {std::pair{joint.node1, -1.}, std::pair{joint.node2, 1.}}) {
+    if (node < 0) continue;
+    force[6 * node + joint.dof] += sign;
+    if (joint.dof >= 3) continue;
+    force.segment<3>(6 * node + 3) += sign * (middle - x[node]).cross(Vector3d::Unit(joint.dof));
+  }
+  return force;
+}
+
+} // namespace plica

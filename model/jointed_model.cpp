@@ -1,0 +1,124 @@
+#include "model/jointed_model.hpp"
+
+#include "model/damping.hpp"
+#include "model/input_error.hpp"
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// The request of the linear response with the same excitations.
+Response as_response(const Levels& levels) {
+  Response response;
+  response.bases = levels.bases;
+  response.band = levels.band;
+  for (const LevelForce& f : levels.forces)
+    response.forces.push_back(
+        {.name = f.name, .at = f.at, .direction = f.direction, .amplitude = 1, .random = {}});
+  return response;
+}
+
+// Loads of the excitations and after them a unit force in every joint.
+Loads with_joint_forces(const Loads& excited, const BuiltCase& built) {
+  const Index before = Index(excited.base.size()), joints = Index(built.joints.size());
+  const Index dofs = dof_count(built.model);
+  Loads all{excited.base, MatrixXd::Zero(dofs, before + joints),
+            MatrixXd::Zero(dofs, before + joints)};
+  if (before > 0) {
+    all.force.leftCols(before) = excited.force;
+    all.rigid.leftCols(before) = excited.rigid;
+  }
+  for (Index j = 0; j < joints; ++j) {
+    all.base.push_back(-1);
+    all.force.col(before + j) = unit_force(built.model, built.joints[std::size_t(j)]);
+  }
+  return all;
+}
+
+} // namespace
+
+std::vector<JointLaw> laws_of(const std::vector<BuiltJoint>& joints) {
+  std::vector<JointLaw> laws;
+  laws.reserve(joints.size());
+  for (const BuiltJoint& j : joints) laws.push_back(j.law);
+  return laws;
+}
+
+JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& route) {
+  const Levels& levels = *data.analyses.levels;
+  const Excitations excited = excitations(as_response(levels), slipping.model);
+  const Index count = Index(excited.list.size());
+  // Modes a little beyond the band; static answers to all forces stand for the rest.
+  const ModalSolution solution =
+      route.modes({.count = 0, .band = {0, 1.5 * levels.band[1]}, .proof = false},
+                  with_joint_forces(excited.loads, slipping), {});
+  const ModalDamping damping = modal_damping(data.analyses.damping, slipping.model, solution.lambda,
+                                             solution.u, solution.modes);
+  JointedModel model;
+  model.structure = {.lambda = solution.lambda,
+                     .zeta = damping.zeta,
+                     .eta = damping.eta,
+                     .joints = solution.input.rightCols(Index(slipping.joints.size())),
+                     .input = solution.input.col(0),
+                     .laws = laws_of(slipping.joints)};
+  model.input = solution.input.leftCols(count);
+  model.output = at_sensors(slipping, solution.u);
+  model.rigid = at_sensors(slipping, excited.loads.rigid);
+  for (const BuiltSensor& s : slipping.sensors)
+    for (const char* axis : {"x", "y", "z"}) model.channels.emplace_back(s.name, axis);
+  model.excitations = excited.list;
+  for (const BuiltJoint& j : slipping.joints) {
+    model.joints.push_back(joint_name(j));
+    model.angular.push_back(j.dof >= 3);
+  }
+  return model;
+}
+
+ExcitedPart excited_part(const JointedModel& model, int excitation) {
+  constexpr double none = 1e-7; // of the largest: rounding, not a path
+  const JointedStructure& s = model.structure;
+  const VectorXd input = model.input.col(excitation);
+  // Joints in the scale of their own largest motion by a mode of unit stiffness energy.
+  const MatrixXd J = s.lambda.cwiseSqrt().cwiseInverse().asDiagonal() * s.joints;
+  const VectorXd f = s.lambda.cwiseSqrt().cwiseInverse().cwiseProduct(input);
+  std::vector<char> mode(std::size_t(J.rows()), 0), joint(std::size_t(J.cols()), 0);
+  for (Index r = 0; r < f.size(); ++r)
+    mode[std::size_t(r)] = std::abs(f[r]) > none * f.cwiseAbs().maxCoeff();
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (Index j = 0; j < J.cols(); ++j) {
+      const double largest = J.col(j).cwiseAbs().maxCoeff();
+      for (Index r = 0; r < J.rows(); ++r) {
+        if (std::abs(J(r, j)) <= none * largest) continue;
+        char& m = mode[std::size_t(r)];
+        char& own = joint[std::size_t(j)];
+        if (m == own) continue;
+        m = own = 1;
+        grown = true;
+      }
+    }
+  }
+  std::vector<int> modes;
+  ExcitedPart part;
+  for (Index r = 0; r < f.size(); ++r)
+    if (mode[std::size_t(r)]) modes.push_back(int(r));
+  for (Index j = 0; j < J.cols(); ++j)
+    if (joint[std::size_t(j)]) part.joints.push_back(int(j));
+  part.structure = {.lambda = s.lambda(modes),
+                    .zeta = s.zeta(modes),
+                    .eta = s.eta(modes),
+                    .joints = s.joints(modes, part.joints),
+                    .input = input(modes),
+                    .laws = {}};
+  for (int j : part.joints) part.structure.laws.push_back(s.laws[std::size_t(j)]);
+  part.output = model.output(Eigen::all, modes);
+  part.rigid = model.rigid.col(excitation);
+  return part;
+}
+
+} // namespace plica
