@@ -33,10 +33,10 @@ void add_slider(const JenkinsSlider& s, double A, DescribingFunction& f) {
     f.gain += s.stiffness;
     return;
   }
-  const double th = std::acos(1 - 2 * slip / A);
-  f.gain += Complex(s.stiffness / pi * (th - std::sin(2 * th) / 2),
+  const double c = 1 - 2 * slip / A, sine = std::sqrt(1 - c * c);
+  f.gain += Complex(s.stiffness / pi * (std::acos(c) - sine * c),
                     4 * s.slip_force * (1 - slip / A) / (pi * A));
-  f.slope += Complex(-4 * s.stiffness / pi * std::sin(th) * slip / (A * A),
+  f.slope += Complex(-4 * s.stiffness / pi * sine * slip / (A * A),
                      4 * s.slip_force / pi * (2 * slip / A - 1) / (A * A));
 }
 

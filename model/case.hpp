@@ -8,7 +8,7 @@
 #include "elements/shell_mitc4.hpp"
 #include "model/fit_request.hpp"
 #include "model/friction.hpp"
-#include "solve/harmonic_balance.hpp"
+#include "solve/joint_method.hpp"
 
 #include <array>
 #include <map>

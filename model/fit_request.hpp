@@ -1,7 +1,7 @@
 // What a fit changes and what it is to meet: the `fit` section of a case.
 #pragma once
 
-#include "solve/harmonic_balance.hpp"
+#include "solve/joint_method.hpp"
 
 #include <array>
 #include <map>

@@ -202,11 +202,12 @@ private:
     if (s.branch.points.empty()) return;
     const PeriodicPoint& p = s.branch.points[highest(s.curve, result_.strongest)];
     const auto first = std::find(s.branch.orders.begin(), s.branch.orders.end(), 1);
+    const VectorXd energies = cycle_energies(part_.structure, p, s.branch.orders);
     for (std::size_t j = 0; j < part_.joints.size(); ++j)
       s.curve.joints.push_back(
           {.joint = model_.joints[std::size_t(part_.joints[j])],
            .motion = std::abs(p.joints(first - s.branch.orders.begin(), Index(j))),
-           .energy = cycle_energy(part_.structure, p, s.branch.orders, j)});
+           .energy = energies[Index(j)]});
   }
 
   void compare_linearised(const std::vector<LevelSweep>& sweeps) {

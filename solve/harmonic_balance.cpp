@@ -23,6 +23,11 @@ std::vector<int> orders_of(const JointedStructure& s, const HarmonicSettings& se
   return orders_up_to(settings.harmonics, odd);
 }
 
+// 1 / D without the care for overflow that makes complex division slow.
+VectorXcd inverse(const VectorXcd& D) {
+  return D.unaryExpr([](const Complex& d) { return std::conj(d) / std::norm(d); });
+}
+
 // Static flexibility of each joint.
 VectorXd flexibility(const JointedStructure& s) {
   VectorXd g(s.joints.cols());
@@ -62,7 +67,7 @@ public:
       const int n = basis_.orders[k];
       const Index at = basis_.first(k);
       const VectorXcd D = dynamic_stiffness(n, omega);
-      const MatrixXcd DJ = D.cwiseInverse().asDiagonal() * J_;
+      const MatrixXcd DJ = inverse(D).asDiagonal() * J_;
       const MatrixXcd G = J_.transpose() * DJ;
       VectorXcd load = VectorXcd::Zero(joints()), load_slope = load; // J' D^-1 of the excitation
       if (n == 1) load = DJ.transpose() * s_.input;
@@ -75,7 +80,7 @@ public:
       VectorXcd by_parameter = -load;
       if (!by_level) {
         VectorXcd modal = -(DJ * F);
-        if (n == 1) modal += level * s_.input.cast<Complex>().cwiseQuotient(D);
+        if (n == 1) modal += level * s_.input.cast<Complex>().cwiseProduct(inverse(D));
         VectorXcd slope(D.size());
         for (Index r = 0; r < D.size(); ++r)
           slope[r] = Complex(-2. * n * n * omega, 2. * n * s_.zeta[r] * std::sqrt(s_.lambda[r]));
@@ -123,7 +128,7 @@ public:
         out.joints(k, j) = scale_[j] * amplitude(basis_, scaled.segment(j * p, p), std::size_t(k));
         load -= J_.col(j) * amplitude(basis_, forces[std::size_t(j)].force, std::size_t(k));
       }
-      out.modes.row(k) = load.cwiseQuotient(dynamic_stiffness(n, omega)).transpose();
+      out.modes.row(k) = load.cwiseProduct(inverse(dynamic_stiffness(n, omega))).transpose();
     }
     return out;
   }
@@ -134,7 +139,7 @@ public:
     const auto k = std::find(basis_.orders.begin(), basis_.orders.end(), 1) - basis_.orders.begin();
     if (k == long(basis_.orders.size())) return motion;
     const VectorXcd D = dynamic_stiffness(1, omega);
-    const MatrixXcd DJ = D.cwiseInverse().asDiagonal() * J_;
+    const MatrixXcd DJ = inverse(D).asDiagonal() * J_;
     MatrixXcd A = J_.transpose() * DJ;
     for (Index j = 0; j < joints(); ++j)
       A.col(j) *= laws_[std::size_t(j)].stuck_stiffness() * scale_[j] * scale_[j];
@@ -320,30 +325,27 @@ Sweep sweep_over(const Branch& branch, bool upwards) {
   return sweep;
 }
 
-double cycle_energy(const JointedStructure& structure, const PeriodicPoint& point,
-                    const std::vector<int>& orders, std::size_t j) {
-  constexpr int samples = 2048;
-  const HarmonicBasis basis(orders, std::max(samples, 8 * (orders.back() + 1)));
-  VectorXd x(basis.size());
-  for (std::size_t k = 0; k < orders.size(); ++k) {
-    x[basis.first(k)] = point.joints(Index(k), Index(j)).real();
-    if (orders[k] > 0) x[basis.first(k) + 1] = point.joints(Index(k), Index(j)).imag();
+VectorXd cycle_energies(const JointedStructure& structure, const PeriodicPoint& point,
+                        const std::vector<int>& orders) {
+  const HarmonicBasis basis(orders, std::max(512, 64 * (orders.back() + 1)));
+  VectorXd energies = VectorXd::Zero(structure.joints.cols());
+  for (Index j = 0; j < energies.size(); ++j) {
+    VectorXd x(basis.size());
+    for (std::size_t k = 0; k < orders.size(); ++k) {
+      x[basis.first(k)] = point.joints(Index(k), j).real();
+      if (orders[k] > 0) x[basis.first(k) + 1] = point.joints(Index(k), j).imag();
+    }
+    const VectorXd F = harmonic_force(structure.laws[std::size_t(j)], x, point.omega, basis).force;
+    for (std::size_t k = 0; k < orders.size(); ++k)
+      energies[j] +=
+          pi * orders[k] * (amplitude(basis, F, k) * std::conj(amplitude(basis, x, k))).imag();
   }
-  const VectorXd motion = basis.to_time * x, velocity = point.omega * (basis.to_rate * x);
-  const VectorXd force = period_forces(structure.laws[j], motion, velocity);
-  double work = 0; // round the loop
-  for (Index k = 0; k < force.size(); ++k) {
-    const Index next = (k + 1) % force.size();
-    work += (force[k] + force[next]) / 2 * (motion[next] - motion[k]);
-  }
-  return work;
+  return energies;
 }
 
 double energy_damping(const JointedStructure& structure, const PeriodicPoint& point,
                       const std::vector<int>& orders) {
-  double taken = 0, kinetic = 0;
-  for (std::size_t j = 0; j < structure.laws.size(); ++j)
-    taken += cycle_energy(structure, point, orders, j);
+  double taken = cycle_energies(structure, point, orders).sum(), kinetic = 0;
   for (std::size_t k = 0; k < orders.size(); ++k) {
     const double W = orders[k] * point.omega;
     for (Index r = 0; r < structure.lambda.size(); ++r) {

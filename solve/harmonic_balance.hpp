@@ -13,6 +13,7 @@
 
 #include "solve/continuation.hpp"
 #include "solve/joint_force.hpp"
+#include "solve/joint_method.hpp"
 
 namespace plica {
 
@@ -27,8 +28,6 @@ struct JointedStructure {
 // Stiffness matrix over the modes with every joint stuck (of smoothed Coulomb friction: held by a
 // thousand times the structure's own stiffness there).
 Eigen::MatrixXd stuck_stiffness(const JointedStructure& structure);
-
-enum class JointMethod { harmonic_balance, describing_function };
 
 struct HarmonicSettings {
   JointMethod method = JointMethod::harmonic_balance;
@@ -82,9 +81,9 @@ struct Sweep {
 };
 Sweep sweep_over(const Branch& branch, bool upwards);
 
-// Energy that joint j takes in a cycle, J.
-double cycle_energy(const JointedStructure& structure, const PeriodicPoint& point,
-                    const std::vector<int>& orders, std::size_t j);
+// Energy that each joint takes in a cycle, J: the area of its loop, pi sum n Im(F_n x_n*).
+Eigen::VectorXd cycle_energies(const JointedStructure& structure, const PeriodicPoint& point,
+                               const std::vector<int>& orders);
 
 // Damping of a point by its energy: what a cycle takes, by joints and modes, over 4 pi times the
 // largest kinetic energy of the first harmonic.

@@ -1,0 +1,281 @@
+// Friction in cases: joints of connectors, interlocks, walls and mounts, at rest, slowly loaded,
+// and at several levels of excitation.
+#include "diagnose/fit.hpp"
+#include "model/jointed_model.hpp"
+#include "model/run.hpp"
+#include "solve/backbone.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace plica {
+namespace {
+
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+Results run_quietly(const Case& data) {
+  return run(data, [](const std::string&) {});
+}
+
+// 0.5 kg between two elements, each 20 kN/m with a slider of 60 kN/m and 3 N beside it, along y.
+Case mass_between_sliders() {
+  ConnectorChain chain;
+  chain.length = 0.2;
+  chain.count = 2;
+  chain.spring = {.axial = 2e4, .transverse = 1e6, .bending = 1e3, .torsion = 1e3};
+  chain.mass = 1; // half of it in the middle
+  chain.friction.emplace().axial.emplace().sliders = {{6e4, 3}};
+  Case data;
+  data.name = "sliders";
+  data.parts.push_back({"chain", chain});
+  data.caps = {{.name = "left", .of = {"chain.left"}}, {.name = "right", .of = {"chain.right"}}};
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.sensors = {{.name = "mid", .at = {0, 0.1, 0}}};
+  data.analyses.error_bars = false;
+  data.analyses.modes = Modes{.count = 3};
+  data.analyses.damping.modal = 0.01;
+  Levels levels;
+  levels.bases = {1};
+  levels.levels = {0.01, 2, 8, 2000};
+  levels.band = {20, 120};
+  levels.harmonics = 7;
+  data.analyses.levels = levels;
+  return data;
+}
+
+const double stuck_hertz = std::sqrt(2 * 8e4 / 0.5) / (2 * pi);
+const double slipping_hertz = std::sqrt(2 * 2e4 / 0.5) / (2 * pi);
+
+const LevelPeak& first_peak(const LevelCurve& curve, int channel) {
+  for (const LevelPeak& p : curve.peaks_up)
+    if (p.channel == channel) return p;
+  throw std::runtime_error("no peak");
+}
+
+// Both elements move alike, so the middle is one mass on one spring with one slider.
+TEST(Levels, go_from_the_stuck_to_the_slipping_frequency) {
+  const Results r = run_quietly(mass_between_sliders());
+  EXPECT_NEAR(r.modes.at(0).frequency / stuck_hertz, 1, 1e-6); // small motion sticks
+  EXPECT_NEAR(r.statics->k_axial / 1e4, 1, 1e-6);              // a test rig slips
+  EXPECT_NEAR(r.slipping->k_axial_stuck / 4e4, 1, 1e-6);
+  ASSERT_EQ(r.families.size(), 1);
+  const LevelFamily& family = r.families[0];
+  EXPECT_EQ(family.joints, 2);
+  ASSERT_EQ(family.curves.size(), 4);
+  for (const LevelCurve& c : family.curves) EXPECT_TRUE(c.complete) << c.level << c.reason;
+  EXPECT_EQ(family.channels[std::size_t(family.strongest)].second, "y");
+  const LevelPeak& low = first_peak(family.curves[0], family.strongest);
+  const LevelPeak& high = first_peak(family.curves[3], family.strongest);
+  EXPECT_NEAR(low.frequency / stuck_hertz, 1, 1e-3);
+  EXPECT_NEAR(high.frequency / slipping_hertz, 1, 5e-3);
+  // Half way there, damping by energy is that of the closed form: at amplitude A of the joints
+  // zeta = h / (2 (k + k_eq)) and that of the mode.
+  const LevelCurve& middle = family.curves[1];
+  const LevelPeak& peak = first_peak(middle, family.strongest);
+  EXPECT_LT(peak.frequency, 0.99 * stuck_hertz);
+  EXPECT_GT(peak.energy_damping, 0.05);
+  double taken = 0;
+  for (const JointMotion& j : middle.joints) {
+    taken += j.energy;
+    EXPECT_NEAR(j.energy / loop_energy({.sliders = {{6e4, 3}}}, j.motion), 1, 0.05) << j.joint;
+  }
+  EXPECT_GT(taken, 0);
+  for (const RefereeCheck& check : family.referee) {
+    EXPECT_TRUE(check.settled);
+    EXPECT_LT(check.difference, 5e-3) << check.level << " at " << check.frequency;
+  }
+  ASSERT_EQ(family.backbones.size(), 1);
+  const BackboneCurve& b = family.backbones[0];
+  EXPECT_TRUE(b.complete) << b.reason;
+  EXPECT_NEAR(b.frequency[0] / stuck_hertz, 1, 1e-6);
+  EXPECT_NEAR(b.damping[0], 0.01 * slipping_hertz / stuck_hertz, 1e-5); // same c, stiffer
+  EXPECT_NEAR(b.frequency[b.frequency.size() - 1] / slipping_hertz, 1, 1e-2);
+}
+
+// Slowly from rest: k = 40 kN/m until the sliders give way at 0.1 mm, beyond 6 N / 2 + 10 kN/m x.
+TEST(Levels, of_a_slow_stroke_are_the_closed_form) {
+  const Results r = run_quietly(mass_between_sliders());
+  ASSERT_FALSE(r.strokes.empty());
+  const StrokeCurve& axial = r.strokes[0];
+  EXPECT_EQ(axial.direction, "axial");
+  for (const auto& [d, force] : axial.points) {
+    const double expected = std::abs(d) < 1e-4 ? 4e4 * d : std::copysign(3, d) + 1e4 * d;
+    EXPECT_NEAR(force, expected, 1e-6 * (3 + std::abs(expected))) << d;
+  }
+}
+
+TEST(Levels, by_equivalent_linearisation_are_near) {
+  Case data = mass_between_sliders();
+  data.analyses.levels->levels = {2, 4, 8};
+  const LevelFamily full = run_quietly(data).families[0];
+  ASSERT_EQ(full.linearised.size(), 3);
+  for (const LinearisedError& e : full.linearised) {
+    EXPECT_LT(std::abs(e.frequency), 0.02) << e.level;
+    EXPECT_LT(std::abs(e.amplitude), 0.05) << e.level;
+  }
+  data.analyses.levels->method = JointMethod::describing_function;
+  const LevelFamily fast = run_quietly(data).families[0];
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(first_peak(fast.curves[k], fast.strongest).frequency /
+                        first_peak(full.curves[k], full.strongest).frequency -
+                    1,
+                full.linearised[k].frequency, 1e-9);
+}
+
+// A tabulated spring is the same joint whether it is a connector's or stands in a law.
+TEST(Levels, bend_with_a_tabulated_connector) {
+  Case data = mass_between_sliders();
+  ConnectorChain& chain = std::get<ConnectorChain>(data.parts[0].body);
+  chain.friction.reset();
+  chain.spring.axial = 0;
+  chain.spring.axial_curve = {{-2e-3, -90}, {-1e-3, -20}, {0, 0}, {1e-3, 20}, {2e-3, 90}};
+  data.analyses.levels->levels = {0.5, 20};
+  data.analyses.levels->backbones = 0;
+  const LevelFamily curve = run_quietly(data).families[0];
+  chain.spring.axial_curve.clear();
+  chain.spring.axial = 1e4;
+  data.analyses.damping.modal *= std::sqrt(2); // of the springs alone: the same in N s/m
+  chain.friction.emplace().axial.emplace().curve = {
+      {-2e-3, -70}, {-1e-3, -10}, {0, 0}, {1e-3, 10}, {2e-3, 70}};
+  const LevelFamily law = run_quietly(data).families[0];
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_NEAR(first_peak(curve.curves[k], curve.strongest).frequency /
+                    first_peak(law.curves[k], law.strongest).frequency,
+                1, 1e-6);
+  EXPECT_GT(first_peak(curve.curves[1], curve.strongest).frequency,
+            1.1 * first_peak(curve.curves[0], curve.strongest).frequency);
+}
+
+// Measured at levels that the program made itself, with two of them held out: the sliders are
+// found again from another start.
+TEST(Levels, give_the_sliders_back) {
+  Case data = mass_between_sliders();
+  data.analyses.levels->levels = {1, 2, 3, 4, 6, 8};
+  data.analyses.levels->method = JointMethod::describing_function;
+  TestData test;
+  test.data.specimen = data.name;
+  MeasuredPeaks peaks;
+  peaks.sensor = "mid";
+  const LevelFamily made = run_quietly(data).families[0];
+  for (const LevelCurve& c : made.curves) {
+    peaks.level.push_back(c.level);
+    peaks.frequency.push_back(first_peak(c, made.strongest).frequency);
+  }
+  peaks.sigma = 0.2;
+  test.data.peaks = {peaks};
+  auto& slider = std::get<ConnectorChain>(data.parts[0].body).friction->axial->sliders[0];
+  slider = {4e4, 5};
+  FitRequest request;
+  const std::string path = "parts.chain.friction.axial.sliders[0].";
+  request.parameters = {{.paths = {path + "stiffness"}, .log_scale = true, .bounds = {1e4, 2e5}},
+                        {.paths = {path + "slip_force"}, .log_scale = true, .bounds = {0.5, 20}}};
+  request.targets = {{.quantity = "peaks[0]"}};
+  request.hold_out_levels = {3, 6};
+  const FitResult fit = fit_case(data, request, test, {});
+  EXPECT_NEAR(fit.parameters[0].value / 6e4, 1, 1e-2);
+  EXPECT_NEAR(fit.parameters[1].value / 3, 1, 1e-2);
+  ASSERT_TRUE(fit.parameters[0].sigma);
+  int held = 0;
+  for (const FittedTarget& t : fit.targets) {
+    held += t.held_out;
+    EXPECT_NEAR(t.value / t.measured, 1, 5e-3) << t.quantity;
+  }
+  EXPECT_EQ(held, 2);
+  EXPECT_EQ(fit.targets.size(), 6);
+}
+
+// A bellows of six convolutions, its ends held.
+Case small_bellows() {
+  Bellows bellows;
+  bellows.material = "steel";
+  bellows.root_radius = 0.065;
+  bellows.profile = {{.shape = SectionShape::u, .count = 12, .height = 0.008, .pitch = 0.0066}};
+  bellows.wall = {.plies = {0.00025, 0.00025}, .bond = 0};
+  bellows.mesh = {.around = 36, .arc = 3, .wall = 4};
+  Case data;
+  data.name = "bellows";
+  data.materials["steel"] = {.E = 193e9, .nu = 0.3, .rho = 8000};
+  data.parts.push_back({"bellows", bellows});
+  data.caps = {{.name = "left", .of = {"bellows.left"}},
+               {.name = "right", .of = {"bellows.right"}}};
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.sensors = {{.name = "mid", .at = {0, 0.0396, 0.065}}};
+  data.analyses.error_bars = false;
+  data.analyses.modes = Modes{.count = 6};
+  data.analyses.damping.modal = 0.01;
+  Levels levels;
+  levels.bases = {1, 0};
+  levels.levels = {1};
+  levels.band = {100, 2500};
+  data.analyses.levels = levels;
+  return data;
+}
+
+double first(const Results& results, const std::string& shape) {
+  for (const ModeResult& m : results.modes)
+    if (m.shape == shape) return m.frequency;
+  return 0;
+}
+
+// The reduced model of the joints with all of them stuck against the shells with springs in their
+// place, and plies that stick against one solid wall.
+TEST(PlySlip, sticks_as_one_wall_and_slips_as_two) {
+  Case data = small_bellows();
+  auto& wall = std::get<Bellows>(data.parts[0].body).wall;
+  const double two = run_quietly([&] {
+                       Case c = data;
+                       c.analyses.levels.reset();
+                       return c;
+                     }())
+                         .statics->k_axial;
+  PlySlip slip;
+  slip.slip_force = 100;
+  slip.segments = 11;
+  wall.slip = slip;
+  const Results r = run_quietly(data);
+  EXPECT_NEAR(r.statics->k_axial / two, 1, 1e-9);
+  data.analyses.levels.reset();
+  wall.slip.reset();
+  wall.bond = 1;
+  const Results solid = run_quietly(data);
+  EXPECT_NEAR(r.slipping->k_axial_stuck / solid.statics->k_axial, 1, 1e-9);
+  EXPECT_NEAR(first(r, "axial") / first(solid, "axial"), 1, 1e-9);
+  // 1 m/s2 moves the joints by less than their smallest slip distance.
+  for (const LevelFamily& family : r.families) {
+    const double expected = first(solid, family.excitation == "y" ? "axial" : "transverse");
+    EXPECT_NEAR(first_peak(family.curves[0], family.strongest).frequency / expected, 1, 0.03)
+        << family.excitation;
+  }
+}
+
+TEST(InterlockFriction, reduces_to_the_modes_of_the_stuck_shells) {
+  Case data = small_bellows();
+  Interlock liner;
+  liner.along = "bellows";
+  liner.attachment = Attachment::stations;
+  liner.stations = 7;
+  liner.mass = 0.3;
+  liner.radius = 0.06;
+  liner.friction.emplace();
+  liner.friction->segments = 8;
+  liner.friction->axial.emplace().sliders = {{2e5, 50}};
+  liner.friction->bending.emplace().sliders = {{360, 1.5}};
+  data.parts.push_back({"interlock", liner});
+  const Results stuck = run_quietly(data); // springs in place of the joints
+  const BuiltCase slipping = build(data, JointState::slipping);
+  Timing timing;
+  const StageListener quiet = [](const std::string&) {};
+  const auto route = choose_route(slipping, data.analyses, quiet, timing);
+  const JointedModel model = jointed_model(data, slipping, *route);
+  for (int excitation : {0, 1}) {
+    const ExcitedPart part = excited_part(model, excitation);
+    EXPECT_EQ(part.joints.size(), 8);
+    const double lowest = std::sqrt(stuck_modes(part.structure).lambda[0]) / (2 * pi);
+    EXPECT_NEAR(lowest / first(stuck, excitation == 0 ? "axial" : "transverse"), 1, 2e-3);
+  }
+}
+
+} // namespace
+} // namespace plica
