@@ -3,6 +3,7 @@
 #include "model/connector_curve.hpp"
 
 #include <Eigen/Geometry>
+#include <map>
 
 namespace plica {
 
@@ -45,6 +46,34 @@ void add_curves(std::vector<BuiltJoint>& joints, const Connection& between,
   };
   add(spring.axial_curve, "axial", {1});
   add(spring.transverse_curve, "transverse", {0, 2});
+}
+
+std::optional<std::vector<JointLaw>> laws_in(const Case& data,
+                                             const std::vector<BuiltJoint>& joints) {
+  std::map<std::string, std::vector<DirectionalLaw>> by_place;
+  for (const Part& part : data.parts) {
+    if (const auto* bellows = std::get_if<Bellows>(&part.body); bellows && bellows->wall.slip)
+      return std::nullopt;
+    if (const auto* chain = std::get_if<ConnectorChain>(&part.body); chain && chain->friction)
+      by_place[part.name] = directional_laws(*chain->friction);
+    if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction) {
+      by_place[part.name] = directional_laws(*liner->friction);
+      for (DirectionalLaw& d : by_place[part.name])
+        d.law = in_series(d.law, liner->friction->segments);
+    }
+  }
+  for (const Cap& cap : data.caps)
+    if (cap.friction) by_place["caps." + cap.name] = directional_laws(*cap.friction);
+  for (const Mount& mount : data.mount)
+    if (mount.friction) by_place["mount." + mount.cap] = directional_laws(*mount.friction);
+  std::vector<JointLaw> laws;
+  for (const BuiltJoint& j : joints) {
+    laws.push_back(j.law); // of a tabulated connector
+    if (j.in_model) continue;
+    for (const DirectionalLaw& d : by_place[j.place])
+      if (d.dof == j.dof && d.name == j.motion) laws.back() = d.law;
+  }
+  return laws;
 }
 
 void stick(Model& model, const std::vector<BuiltJoint>& joints) {

@@ -33,6 +33,11 @@ void add_joints(std::vector<BuiltJoint>& joints, const Connection& between,
 void add_curves(std::vector<BuiltJoint>& joints, const Connection& between,
                 const ConnectorSpring& spring);
 
+// The laws of these joints in another case that differs in friction alone, without building it.
+// None where plies slip, whose laws come from the shells.
+std::optional<std::vector<JointLaw>> laws_in(const Case& data,
+                                             const std::vector<BuiltJoint>& joints);
+
 // Springs in place of stuck joints.
 void stick(Model& model, const std::vector<BuiltJoint>& joints);
 

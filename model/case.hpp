@@ -345,9 +345,10 @@ struct Variant {
 };
 
 // The same component by another kind of model: these sections replace those of the case; an empty
-// one is kept as it is.
+// one is kept as it is. After that, what `set` changes.
 struct AlternativeModel {
-  std::string name; // "pipe", "connector", ...
+  std::string name;                       // "pipe", "connector", "friction", ...
+  std::map<std::string, std::string> set; // path of the case file: new value, as written there
   std::vector<std::string> assumptions;
   std::vector<Part> parts;
   std::vector<Cap> caps;

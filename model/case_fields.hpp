@@ -384,7 +384,9 @@ template <class V> void fields(V& v, Variant& x) {
 
 template <class V> void fields(V& v, AlternativeModel& m) {
   v.texts(m.assumptions, "assumptions", "in words, in place of those of the case");
-  v.named(m.parts, &Part::name, "parts", required_key, "in place of the parts of the case");
+  v.replacements(m.set, "set", optional_key,
+                 "path of this file: new value or new key, e.g. friction of an interlock, levels");
+  v.named(m.parts, &Part::name, "parts", optional_key, "in place of the parts of the case");
   v.named(m.caps, &Cap::name, "caps", optional_key, "in place of its caps");
   v.named(m.mount, &Mount::cap, "mount", optional_key, "in place of its mount");
   v.list(m.sensors, "sensors", optional_key, "in place of its sensors");

@@ -65,8 +65,34 @@ struct LevelSweep {
   LevelCurve curve;
 };
 
+// The top of a peak near a point of the branch: parabolas through three solutions, each round four
+// times as narrow as the last. The parabola of the curve itself where one is not found.
+Peak refined(const ExcitedPart& part, const Branch& branch, const HarmonicSettings& settings,
+             std::size_t near, int channel, double width, const Peak& rough) {
+  const PeriodicPoint& guess = branch.points[near];
+  const auto first = std::find(branch.orders.begin(), branch.orders.end(), 1);
+  const auto height = [&](double hertz) {
+    const PeriodicSolution s =
+        periodic_response(part.structure, 2 * pi * hertz, guess.level, settings, guess.joints);
+    if (!s.converged) return std::numeric_limits<double>::quiet_NaN();
+    return std::abs(acceleration(part, branch.orders, s.point,
+                                 std::size_t(first - branch.orders.begin()))[channel]);
+  };
+  Peak top = rough;
+  double h = width / 2;
+  for (int round = 0; round < 4; ++round, h /= 4) {
+    const double a = height(top.frequency - h), b = height(top.frequency),
+                 c = height(top.frequency + h);
+    const double bend = a - 2 * b + c;
+    if (!(bend < 0)) return rough;
+    top.frequency += std::clamp(h * (a - c) / (2 * bend), -h, h);
+    top.height = std::max({a, b, c});
+  }
+  return std::abs(top.frequency - rough.frequency) < 2 * width ? top : rough;
+}
+
 std::vector<LevelPeak> peaks_of(const LevelSweep& s, const ExcitedPart& part,
-                                const std::vector<int>& points) {
+                                const std::vector<int>& points, const HarmonicSettings& settings) {
   std::vector<LevelPeak> peaks;
   const auto count = Index(points.size());
   if (count < 3) return peaks;
@@ -84,14 +110,16 @@ std::vector<LevelPeak> peaks_of(const LevelSweep& s, const ExcitedPart& part,
       const auto above = std::lower_bound(hertz.begin(), hertz.end(), p.frequency);
       Index i = std::clamp<Index>(above - hertz.begin(), 1, count - 1);
       if (magnitude[i - 1] > magnitude[i]) --i;
-      if (prominence(magnitude, i) < least_prominence) continue;
+      if (prominence(magnitude, i) < least_prominence || i == 0 || i + 1 == count) continue;
+      const auto near = std::size_t(order[std::size_t(i)]);
+      const Peak top = refined(part, s.branch, settings, near, int(c),
+                               std::max(hertz[i + 1] - hertz[i], hertz[i] - hertz[i - 1]), p);
       peaks.push_back({.channel = int(c),
-                       .frequency = p.frequency,
-                       .amplitude = p.height,
+                       .frequency = top.frequency,
+                       .amplitude = top.height,
                        .damping = p.damping,
-                       .energy_damping = energy_damping(
-                           part.structure, s.branch.points[std::size_t(order[std::size_t(i)])],
-                           s.branch.orders)});
+                       .energy_damping =
+                           energy_damping(part.structure, s.branch.points[near], s.branch.orders)});
     }
   }
   return peaks;
@@ -132,8 +160,10 @@ LevelSweep sweep(const ExcitedPart& part, double level, const HarmonicSettings& 
     points.assign(seen.points.begin(), seen.points.end());
     for (double omega : seen.jumps)
       (upwards ? curve.jumps_up : curve.jumps_down).push_back(omega / (2 * pi));
-    (upwards ? curve.peaks_up : curve.peaks_down) = peaks_of(s, part, points);
   }
+  curve.peaks_up = curve.peaks_down = peaks_of(s, part, curve.up, settings);
+  if (!curve.jumps_up.empty() || !curve.jumps_down.empty())
+    curve.peaks_down = peaks_of(s, part, curve.down, settings);
   return s;
 }
 
@@ -336,6 +366,7 @@ FrictionFamilies::FrictionFamilies(const Case& data) {
   const StageListener quiet = [](const std::string&) {};
   const auto route = choose_route(slipping, data.analyses, quiet, timing);
   model_ = jointed_model(data, slipping, *route);
+  joints_ = slipping.joints;
 }
 
 bool FrictionFamilies::is_friction(const std::string& path) {
@@ -346,7 +377,8 @@ bool FrictionFamilies::is_friction(const std::string& path) {
 
 std::vector<LevelFamily> FrictionFamilies::operator()(const Case& design) const {
   JointedModel model = model_;
-  model.structure.laws = laws_of(build(design, JointState::slipping).joints);
+  const auto laws = laws_in(design, joints_);
+  model.structure.laws = laws ? *laws : laws_of(build(design, JointState::slipping).joints);
   return level_families(model, *design.analyses.levels, [](const std::string&) {});
 }
 

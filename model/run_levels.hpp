@@ -24,6 +24,7 @@ public:
 
 private:
   JointedModel model_;
+  std::vector<BuiltJoint> joints_;
 };
 
 } // namespace plica

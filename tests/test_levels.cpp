@@ -106,6 +106,23 @@ TEST(Levels, of_a_slow_stroke_are_the_closed_form) {
   }
 }
 
+// Friction knows no scale of its own: twice the slip forces at twice the levels move alike.
+TEST(Levels, scale_with_the_slip_forces) {
+  Case data = mass_between_sliders();
+  data.analyses.levels->levels = {2, 6};
+  const LevelFamily one = run_quietly(data).families[0];
+  std::get<ConnectorChain>(data.parts[0].body).friction->axial->sliders[0].slip_force *= 2;
+  data.analyses.levels->levels = {4, 12};
+  const LevelFamily two = run_quietly(data).families[0];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const LevelPeak &a = first_peak(one.curves[k], one.strongest),
+                    &b = first_peak(two.curves[k], two.strongest);
+    EXPECT_NEAR(a.frequency / b.frequency, 1, 1e-6);
+    EXPECT_NEAR(a.amplitude / b.amplitude, 1, 1e-6);
+    EXPECT_NEAR(a.energy_damping / b.energy_damping, 1, 1e-6);
+  }
+}
+
 TEST(Levels, by_equivalent_linearisation_are_near) {
   Case data = mass_between_sliders();
   data.analyses.levels->levels = {2, 4, 8};

@@ -136,8 +136,8 @@ void check_variant(YamlNode tree, const Case& data, const Variant& variant,
             "in variant '" + shown(variant.name) + "': " + p.wrong, p.allowed);
 }
 
-// The tree with the sections of one of its models in place of those of the case.
-YamlNode as_model(const YamlNode& root, const YamlEntry& model) {
+// The tree with the sections of one of its models in place of those of the case, and what it sets.
+YamlNode as_model(const YamlNode& root, const YamlEntry& model, ReadLog& log) {
   static constexpr std::array replaced{"assumptions", "parts",    "caps", "mount",
                                        "sensors",     "variants", "fit"};
   YamlNode tree = root;
@@ -149,6 +149,17 @@ YamlNode as_model(const YamlNode& root, const YamlEntry& model) {
   for (const YamlEntry& section : model.value.entries)
     if (std::find(replaced.begin(), replaced.end(), section.key) != replaced.end())
       tree.entries.push_back(section);
+  const YamlNode* set = model.value.find("set");
+  if (!set && !model.value.find("parts"))
+    log.add(model.line, below("models", model.key), "is no other model",
+            "give parts, or set: {path: new value}");
+  if (!set) return tree;
+  for (const YamlEntry& change : set->entries) {
+    const PathProblem problem = put(tree, change.key, to_yaml(change.value), change.line);
+    if (!problem.wrong.empty())
+      log.add(change.line, below(below(below("models", model.key), "set"), change.key),
+              problem.wrong, problem.allowed);
+  }
   return tree;
 }
 
@@ -162,7 +173,7 @@ std::vector<YamlEntry> models_of(const YamlNode& root) {
 YamlNode chosen_model(const YamlNode& root, const std::string& name, ReadLog& log) {
   std::vector<std::string> names;
   for (const YamlEntry& entry : models_of(root)) {
-    if (entry.key == name) return as_model(root, entry);
+    if (entry.key == name) return as_model(root, entry, log);
     names.push_back(entry.key);
   }
   const YamlNode* models = root.find("models");
@@ -187,8 +198,8 @@ void check_models(const YamlNode& root, const std::string& path, const ReadLog& 
         std::none_of(nominal.problems.begin(), nominal.problems.end(),
                      [&](const InputProblem& p) { return is_below(p.key, place); });
     if (!readable || model.value.kind != YamlNode::Kind::map) continue;
-    const YamlNode tree = as_model(root, model);
     ReadLog own{.file = log.file}, deeper{.file = log.file};
+    const YamlNode tree = as_model(root, model, log);
     const Case data = read_tree(tree, path, model.key, true, own);
     check_variants(tree, data, path, own, deeper);
     check_tolerances(tree, data, path, own, deeper);

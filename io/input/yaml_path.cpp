@@ -52,7 +52,7 @@ PathProblem put(YamlNode& root, const std::string& path, const std::string& valu
   const std::vector<Step> steps = steps_of(path);
   if (steps.empty())
     return {"'" + shown(path) + "' is not a path", "write it like parts.bellows.profile[1].height"};
-  YamlNode* node = &root;
+  YamlNode *node = &root, *map = nullptr; // the map that holds the last key
   std::string here;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool last = i + 1 == steps.size();
@@ -80,11 +80,16 @@ PathProblem put(YamlNode& root, const std::string& path, const std::string& valu
                   ? "in " + place + ": " + suggestion(steps[i].key, keys_of(*node))
                   : place + " is not a map"};
     here += (here.empty() ? "" : ".") + steps[i].key;
+    map = node;
     node = next;
   }
   std::vector<InputProblem> problems;
   YamlNode tree = parse_yaml(value, "", problems);
   if (!problems.empty()) return {"'" + shown(value) + "' is not YAML: " + problems[0].wrong, ""};
+  if (tree.kind == YamlNode::Kind::null && map && !steps.back().key.empty()) {
+    std::erase_if(map->entries, [&](const YamlEntry& e) { return e.key == steps.back().key; });
+    return {};
+  }
   *node = std::move(tree);
   set_lines(*node, line);
   return {};

@@ -12,7 +12,7 @@ struct PathProblem {
 };
 
 // Puts `value` (YAML text) where `path` points; every line of it becomes `line`. The last key of
-// the path may be new, all before it must exist.
+// the path may be new, all before it must exist; `null` takes a key out.
 PathProblem put(YamlNode& root, const std::string& path, const std::string& value, int line);
 
 } // namespace plica
