@@ -98,32 +98,49 @@ ElasticForce elastic_force(const JointLaw& law, double x, double velocity) {
   return f;
 }
 
+namespace {
+
+// Integral of x^p from a to b.
+double power_integral(double p, double a, double b) {
+  if (std::abs(p + 1) < 1e-9) return std::log(b / a);
+  return (std::pow(b, p + 1) - (a > 0 ? std::pow(a, p + 1) : 0)) / (p + 1);
+}
+
+} // namespace
+
 double SegalmanIwan::pm() const {
-  return F_S * (1 + beta) / (K_T * (beta + (chi + 1) / (chi + 2)));
+  const double stiffness = power_integral(chi, smallest, 1),
+               force = power_integral(chi + 1, smallest, 1);
+  return F_S * (1 + beta) / (K_T * (beta + force / stiffness));
 }
 double SegalmanIwan::R() const {
-  return F_S * (chi + 1) / (std::pow(pm(), chi + 2) * (beta + (chi + 1) / (chi + 2)));
+  return K_T / ((1 + beta) * power_integral(chi, smallest, 1) * std::pow(pm(), chi + 1));
 }
 double SegalmanIwan::S() const {
-  return F_S * beta / (pm() * (beta + (chi + 1) / (chi + 2)));
+  return K_T * beta / (1 + beta);
 }
 
 std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count) {
   require(iwan.K_T > 0, "K_T of an Iwan model must be above zero");
   require(iwan.F_S > 0, "F_S of an Iwan model must be above zero");
-  require(iwan.chi > -1 && iwan.chi <= 0, "chi of an Iwan model must lie in (-1, 0]");
+  require(iwan.smallest >= 0 && iwan.smallest < 1,
+          "the smallest slip displacement of an Iwan model must lie below pm");
+  require(iwan.chi > (iwan.smallest > 0 ? -2 : -1) && iwan.chi <= 0,
+          "chi of an Iwan model must lie in (-1, 0], or (-2, 0] with a smallest slip displacement");
   require(iwan.beta >= 0, "beta of an Iwan model must not be negative");
   require(count > 0, "an Iwan model needs a slider");
-  // Sliders by slip displacement phi, density R phi^chi up to pm: a step between a and b has their
-  // stiffness and their slip force, so that stiffness at rest and slip force are exact.
-  const double pm = iwan.pm(), R = iwan.R(), chi = iwan.chi;
-  constexpr double smallest = 1e-4; // of pm: below, one step
+  // A step between a and b has the stiffness and the slip force of its density, so that stiffness
+  // at rest and slip force are exact.
+  const double pm = iwan.pm(), R = iwan.R();
+  const double first = iwan.smallest > 0 ? iwan.smallest : 1e-4; // of pm: below, one step
   std::vector<JenkinsSlider> sliders;
-  double a = 0;
+  double a = iwan.smallest * pm;
   for (int i = 0; i < count; ++i) {
-    const double b = count == 1 ? pm : pm * std::pow(smallest, 1 - double(i) / double(count - 1));
-    sliders.push_back({R / (chi + 1) * (std::pow(b, chi + 1) - std::pow(a, chi + 1)),
-                       R / (chi + 2) * (std::pow(b, chi + 2) - std::pow(a, chi + 2))});
+    const double share = iwan.smallest > 0 ? double(i + 1) / count
+                         : count == 1      ? 1
+                                           : double(i) / (count - 1);
+    const double b = pm * std::pow(first, 1 - share);
+    sliders.push_back({R * power_integral(iwan.chi, a, b), R * power_integral(iwan.chi + 1, a, b)});
     a = b;
   }
   if (iwan.beta > 0) sliders.push_back({iwan.S(), iwan.S() * pm});

@@ -50,13 +50,17 @@ struct ElasticForce {
 ElasticForce elastic_force(const JointLaw& law, double x, double velocity);
 
 // Four-parameter Iwan model (Segalman, J. Appl. Mech. 72 (2005) 752-760): stiffness K_T at rest,
-// slip force F_S, exponent chi in (-1, 0], ratio beta >= 0 of the stiffness that goes at macro slip
-// to that which goes in micro slip. As `count` sliders whose slip displacements grow geometrically.
+// slip force F_S, exponent chi of the density R phi^chi of slip displacements phi up to pm, ratio
+// beta >= 0 of the stiffness that goes at macro slip, at pm, to that which goes in micro slip
+// before. The density may begin at a smallest share of pm; then chi may be -1 and below, where the
+// force grows like the power chi + 2 of the motion. As `count` sliders whose slip displacements
+// grow geometrically.
 struct SegalmanIwan {
   double K_T = 0, F_S = 0, chi = -0.5, beta = 1;
-  double pm() const; // displacement of macro slip, m
-  double R() const;  // N / m^(chi+2)
-  double S() const;  // N/m
+  double smallest = 0; // of pm
+  double pm() const;   // displacement of macro slip, m
+  double R() const;    // N / m^(chi+2)
+  double S() const;    // N/m
 };
 // Throws std::invalid_argument, naming the parameter, for values out of range.
 std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count = 100);

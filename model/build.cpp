@@ -302,7 +302,9 @@ private:
     const int own = component(name);
     add_liner_elements(liner, nodes, length, own);
     if (liner.friction)
-      add_segments(name, "parts." + name + ".friction.segments", nodes, liner.friction->segments,
+      add_segments(name, nodes,
+                   liner.attachment == Attachment::caps ? liner.friction->segments
+                                                        : static_cast<int>(nodes.size()) - 1,
                    directional_laws(*liner.friction), own);
     built_.model.mesh.sets[name + ".start"] = {nodes.front()};
     built_.model.mesh.sets[name + ".end"] = {nodes.back()};
@@ -310,14 +312,9 @@ private:
   }
 
   // Laws of the whole, shared by segments in series between some of the nodes.
-  void add_segments(const std::string& name, const std::string& key, const std::vector<int>& nodes,
-                    int segments, std::vector<DirectionalLaw> laws, int own) {
+  void add_segments(const std::string& name, const std::vector<int>& nodes, int segments,
+                    std::vector<DirectionalLaw> laws, int own) {
     const int stretches = static_cast<int>(nodes.size()) - 1;
-    if (segments > stretches)
-      input_error(key,
-                  std::to_string(segments) + " segments on a part tied at " +
-                      std::to_string(stretches + 1) + " places",
-                  "at most " + std::to_string(stretches));
     for (DirectionalLaw& d : laws) d.law = in_series(d.law, segments);
     for (int s = 0; s < segments; ++s)
       add_joints(built_.joints,
@@ -335,9 +332,8 @@ private:
     for (int k = 1; sets.contains(name + ".root[" + std::to_string(k) + "]"); ++k)
       roots.push_back(sets.at(name + ".root[" + std::to_string(k) + "]"));
     const int stretches = static_cast<int>(roots.size()) - 1;
-    const std::string key = "parts." + name + ".wall.slip.segments";
     if (segments > stretches)
-      input_error(key,
+      input_error("parts." + name + ".wall.slip.segments",
                   std::to_string(segments) + " segments on a bellows with " +
                       std::to_string(stretches) + " convolutions between roots",
                   "at most one per convolution");
@@ -351,7 +347,7 @@ private:
     }
     nodes.push_back(liner_end(name, name + ".right", right));
     const auto& all = built_.model.components;
-    add_segments(name, key, nodes, segments, ply_laws(case_, name),
+    add_segments(name, nodes, segments, ply_laws(case_, name),
                  int(std::find(all.begin(), all.end(), name) - all.begin()));
   }
 

@@ -3,6 +3,7 @@
 #include "model/connector_curve.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 
 namespace plica {
@@ -58,8 +59,10 @@ std::optional<std::vector<JointLaw>> laws_in(const Case& data,
       by_place[part.name] = directional_laws(*chain->friction);
     if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction) {
       by_place[part.name] = directional_laws(*liner->friction);
-      for (DirectionalLaw& d : by_place[part.name])
-        d.law = in_series(d.law, liner->friction->segments);
+      int segments = 1;
+      for (const BuiltJoint& j : joints)
+        if (j.place == part.name) segments = std::max(segments, j.segment);
+      for (DirectionalLaw& d : by_place[part.name]) d.law = in_series(d.law, segments);
     }
   }
   for (const Cap& cap : data.caps)

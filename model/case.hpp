@@ -53,7 +53,7 @@ struct Wall {
   double bond = 1;           // 0 plies slip, 1 one solid wall
   Thinning thinning = Thinning::none;
   double thinning_exponent = 0.5; // local: t(r) = t (r_root / r)^p
-  std::optional<PlySlip> slip;
+  std::optional<PlySlip> slip = {};
 };
 
 // How finely a shell of revolution is meshed: counts, or one target accuracy.
@@ -108,7 +108,7 @@ struct Interlock {
   double EA = 0, EI = 0, GJ = 0;
   double mass = 0;   // total, kg
   double radius = 0; // of the mass, for rotary inertia
-  std::optional<InterlockFriction> friction;
+  std::optional<InterlockFriction> friction = {};
 };
 
 struct Plate {
@@ -209,7 +209,7 @@ struct Mount {
   std::string cap;
   MountKind kind = MountKind::rigid;
   Sextuple stiffness{};                  // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
-  std::optional<JointFriction> friction; // beside these springs
+  std::optional<JointFriction> friction = {}; // beside these springs
 };
 
 // Degrees of freedom of a set held to zero.

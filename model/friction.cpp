@@ -44,7 +44,8 @@ template <bool angular> JointLaw joint_law(const FrictionLaw<angular>& law) {
     joint.sliders.push_back({s.stiffness, s.slip_force});
   if (law.iwan) {
     const auto& i = *law.iwan;
-    for (const JenkinsSlider& s : sliders_of({i.stiffness, i.slip_force, i.chi, i.beta}, i.sliders))
+    for (const JenkinsSlider& s :
+         sliders_of({i.stiffness, i.slip_force, i.chi, i.beta, i.smallest}, i.sliders))
       joint.sliders.push_back(s);
   }
   if (law.dry)

@@ -20,6 +20,7 @@ template <bool angular> struct SliderLaw { // Jenkins: spring and friction eleme
 template <bool angular> struct IwanLaw { // Segalman's four parameters
   double stiffness = 0, slip_force = 0;  // K_T, F_S
   double chi = -0.5, beta = 1;
+  double smallest = 0; // slip displacement, of that of macro slip
   int sliders = 20;
 };
 
@@ -56,9 +57,10 @@ struct SlenderFriction {
 };
 
 // Between the coils of an interlock. The laws are those of the whole from end to end; it is cut
-// into segments, each with as many times the stiffness and the same slip forces.
+// into segments, each with as many times the stiffness and the same slip forces: one between every
+// two places where it is tied, or, tied to the caps alone, as many as asked for.
 struct InterlockFriction : SlenderFriction {
-  int segments = 12;
+  int segments = 1;
 };
 
 // Of a joint or a mount with springs, in each direction.

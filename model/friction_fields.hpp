@@ -32,8 +32,12 @@ template <class V, bool angular> void fields(V& v, IwanLaw<angular>& i) {
   v.quantity(i.stiffness, "stiffness", FrictionUnits<angular>::stiffness, "K_T, when all stick");
   v.quantity(i.slip_force, "slip_force", FrictionUnits<angular>::slip_force,
              "F_S, when all slip; a moment for a rotation");
-  v.quantity(i.chi, "chi", iwan_chi, "exponent of micro slip, above -1, at most 0");
+  v.quantity(i.chi, "chi", {.min = -2, .max = 0, .exclusive_min = true},
+             "exponent of micro slip; -1 and below need a smallest slip");
   v.quantity(i.beta, "beta", not_negative, "stiffness lost at macro slip over that lost before");
+  v.quantity(i.smallest, "smallest",
+             {.unit = Dimension::ratio, .min = 0, .max = 1, .exclusive_max = true},
+             "slip displacement at which micro slip begins, of that of macro slip");
   v.whole(i.sliders, "sliders", slider_count, "Jenkins sliders that stand for it");
 }
 
@@ -89,8 +93,9 @@ template <class V> void fields(V& v, SlenderFriction& f) {
 }
 
 template <class V> void fields(V& v, InterlockFriction& f) {
-  v.whole(f.segments, "segments", {.min = 1, .max = 200},
-          "pieces that slip against each other; 1 = one short element from end to end");
+  v.whole(f.segments, "segments", {.min = 1, .max = 16},
+          "attachment caps: pieces that slip against each other, 1 = one element from end to end; "
+          "else one between every two places where it is tied");
   fields(v, static_cast<SlenderFriction&>(f));
 }
 

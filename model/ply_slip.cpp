@@ -51,9 +51,9 @@ std::vector<DirectionalLaw> ply_laws(const Case& data, const std::string& name) 
   const double radius = std::sqrt(2 * bending / axial);
   SlenderFriction friction;
   friction.axial.emplace().iwan =
-      IwanLaw<false>{axial, slip.slip_force, slip.chi, slip.beta, slip.sliders};
+      IwanLaw<false>{axial, slip.slip_force, slip.chi, slip.beta, 0, slip.sliders};
   friction.bending.emplace().iwan =
-      IwanLaw<true>{bending, slip.slip_force * radius / 2, slip.chi, slip.beta, slip.sliders};
+      IwanLaw<true>{bending, slip.slip_force * radius / 2, slip.chi, slip.beta, 0, slip.sliders};
   return directional_laws(friction);
 }
 

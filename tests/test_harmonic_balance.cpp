@@ -74,6 +74,24 @@ TEST(SegalmanIwan, meets_its_force_energy_and_secant_stiffness) {
     EXPECT_THROW(sliders_of(bad), std::invalid_argument);
 }
 
+// A density phi^-1.5 from the smallest slip on: the force at first loading by its integral.
+TEST(SegalmanIwan, with_a_smallest_slip_has_its_stiffness_and_forces) {
+  const SegalmanIwan iwan{.K_T = 2e6, .F_S = 40, .chi = -1.5, .beta = 0, .smallest = 1e-3};
+  const JointLaw law{.sliders = sliders_of(iwan, 800)};
+  EXPECT_NEAR(law.stuck_stiffness() / 2e6, 1, 1e-12);
+  double slip_force = 0;
+  for (const JenkinsSlider& s : law.sliders) slip_force += s.slip_force;
+  EXPECT_NEAR(slip_force / 40, 1, 1e-12);
+  const double R = iwan.R(), pm = iwan.pm(), low = 1e-3 * pm;
+  for (double u : {0.01 * pm, 0.1 * pm, 0.5 * pm}) {
+    // sliders below u slip with R phi^-0.5, those above stick with R phi^-1.5 u
+    const double force = R * 2 * (std::sqrt(u) - std::sqrt(low)) +
+                         R * u * 2 * (1 / std::sqrt(u) - 1 / std::sqrt(pm));
+    EXPECT_NEAR(first_loading(law, u) / force, 1, 1e-4) << u / pm;
+  }
+  EXPECT_THROW(sliders_of({.K_T = 1, .F_S = 1, .chi = -1.5}), std::invalid_argument);
+}
+
 // Unloading from x0: F0 + 2 f((x - x0) / 2), sliders in parallel obey it exactly.
 TEST(Sliders, obey_masing) {
   const JointLaw law{.sliders = sliders_of({.K_T = 2e6, .F_S = 300, .chi = -0.3, .beta = 0.5}, 60)};

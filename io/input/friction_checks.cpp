@@ -13,6 +13,8 @@ void check_law(const std::string& key, const FrictionLaw<angular>& law, CheckLog
                      !law.clearance && law.cubic == 0 && law.curve.empty();
   if (empty)
     log.add(key, "holds no law", "give sliders, iwan, dry, smoothed, clearance, cubic or curve");
+  if (law.iwan && law.iwan->chi <= -1 && law.iwan->smallest <= 0)
+    log.add(key + ".iwan.chi", "has no finite stiffness at rest", "above -1, or give smallest");
   for (std::size_t i = 1; i < law.curve.size(); ++i)
     if (law.curve[i][0] <= law.curve[i - 1][0] || law.curve[i][1] < law.curve[i - 1][1])
       log.add(item(key + ".curve", i), "does not lie beyond the point before it",
@@ -50,8 +52,12 @@ void check_directions(const std::string& key, const JointFriction& f, CheckLog& 
 
 void check_part(const Part& part, CheckLog& log) {
   const std::string key = "parts." + part.name;
-  if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction)
+  if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction) {
     check_directions(key + ".friction", *liner->friction, log);
+    if (liner->attachment != Attachment::caps && liner->friction->segments > 1)
+      log.add(key + ".friction.segments", "are given by the places where the interlock is tied",
+              "leave them out, or attachment: caps");
+  }
   if (const auto* chain = std::get_if<ConnectorChain>(&part.body); chain && chain->friction)
     check_directions(key + ".friction", *chain->friction, log);
   const auto* bellows = std::get_if<Bellows>(&part.body);
