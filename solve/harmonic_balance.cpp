@@ -155,11 +155,8 @@ public:
   VectorXd scaled(const MatrixXcd& motion) const {
     VectorXd x(unknowns());
     for (Index j = 0; j < joints(); ++j)
-      for (std::size_t k = 0; k < basis_.orders.size(); ++k) {
-        const Index at = j * basis_.size() + basis_.first(k);
-        x[at] = motion(Index(k), j).real() / scale_[j];
-        if (basis_.orders[k] > 0) x[at + 1] = motion(Index(k), j).imag() / scale_[j];
-      }
+      x.segment(j * basis_.size(), basis_.size()) =
+          plica::unknowns(basis_, motion.col(j)) / scale_[j];
     return x;
   }
 
@@ -330,11 +327,7 @@ VectorXd cycle_energies(const JointedStructure& structure, const PeriodicPoint& 
   const HarmonicBasis basis(orders, std::max(512, 64 * (orders.back() + 1)));
   VectorXd energies = VectorXd::Zero(structure.joints.cols());
   for (Index j = 0; j < energies.size(); ++j) {
-    VectorXd x(basis.size());
-    for (std::size_t k = 0; k < orders.size(); ++k) {
-      x[basis.first(k)] = point.joints(Index(k), j).real();
-      if (orders[k] > 0) x[basis.first(k) + 1] = point.joints(Index(k), j).imag();
-    }
+    const VectorXd x = unknowns(basis, point.joints.col(j));
     const VectorXd F = harmonic_force(structure.laws[std::size_t(j)], x, point.omega, basis).force;
     for (std::size_t k = 0; k < orders.size(); ++k)
       energies[j] +=

@@ -168,6 +168,17 @@ Complex amplitude(const HarmonicBasis& basis, const Eigen::Ref<const VectorXd>& 
   return basis.orders[k] == 0 ? Complex(unknowns[at], 0) : Complex(unknowns[at], unknowns[at + 1]);
 }
 
+VectorXd unknowns(const HarmonicBasis& basis,
+                  const Eigen::Ref<const Eigen::VectorXcd>& amplitudes) {
+  VectorXd x(basis.size());
+  for (std::size_t k = 0; k < basis.orders.size(); ++k) {
+    const Index at = basis.first(k);
+    x[at] = amplitudes[Index(k)].real();
+    if (basis.orders[k] > 0) x[at + 1] = amplitudes[Index(k)].imag();
+  }
+  return x;
+}
+
 std::vector<int> orders_up_to(int highest, bool odd) {
   std::vector<int> orders;
   for (int n = odd ? 1 : 0; n <= highest; n += odd ? 2 : 1) orders.push_back(n);

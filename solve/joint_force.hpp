@@ -30,6 +30,9 @@ struct HarmonicBasis {
 std::complex<double> amplitude(const HarmonicBasis& basis,
                                const Eigen::Ref<const Eigen::VectorXd>& unknowns, std::size_t k);
 
+Eigen::VectorXd unknowns(const HarmonicBasis& basis,
+                         const Eigen::Ref<const Eigen::VectorXcd>& amplitudes);
+
 // 1, 3, 5 .. or, for laws that are not odd, 0, 1, 2 ..
 std::vector<int> orders_up_to(int highest, bool odd);
 

@@ -41,12 +41,7 @@ public:
     // The sliders as a period of that motion leaves them.
     const HarmonicBasis basis(orders, std::max(2048, 8 * (orders.back() + 1)));
     for (Index j = 0; j < x_.size(); ++j) {
-      VectorXd x = VectorXd::Zero(basis.size());
-      for (std::size_t k = 0; k < orders.size(); ++k) {
-        x[basis.first(k)] = point.joints(Index(k), j).real();
-        if (orders[k] > 0) x[basis.first(k) + 1] = point.joints(Index(k), j).imag();
-      }
-      const VectorXd motion = basis.to_time * x;
+      const VectorXd motion = basis.to_time * unknowns(basis, point.joints.col(j));
       auto& held = forces_[std::size_t(j)];
       for (Index k = 0; k < 2 * motion.size() + 1; ++k) {
         const double now = motion[k % motion.size()];

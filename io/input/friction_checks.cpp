@@ -1,5 +1,7 @@
 #include "io/input/friction_checks.hpp"
 
+#include "io/input/response_checks.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,12 +100,7 @@ void check_levels(const Case& data, CheckLog& log) {
   if (l.samples < 2 * (l.harmonics + 1) + 1)
     log.add(key + ".samples", "are too few for " + std::to_string(l.harmonics) + " harmonics",
             "at least " + std::to_string(2 * (l.harmonics + 1) + 2) + ", better 256");
-  const bool held = !data.supports.empty() ||
-                    std::any_of(data.mount.begin(), data.mount.end(),
-                                [](const Mount& m) { return m.kind != MountKind::free; });
-  if (!held && log.fine("mount") && log.fine("supports"))
-    log.add(key, "has nothing that holds the part, so it has no steady response",
-            "give a mount or supports that leave no rigid motion free");
+  check_held(key, data, log);
   const Damping& d = a.damping;
   if (d.modal <= 0 && d.ranges.empty() && d.loss_factors.empty() && log.fine("analyses.damping"))
     log.add(key, "without damping has no finite peak where joints stick",

@@ -96,12 +96,7 @@ void check_response(const Case& data, CheckLog& log) {
     log.add(key, "has nothing that excites", "give base (directions), forces, or both");
   if (r.random && r.bases.empty())
     log.add(key + ".random", "is that of the base, which does not move", "give base (directions)");
-  const bool held = !data.supports.empty() ||
-                    std::any_of(data.mount.begin(), data.mount.end(),
-                                [](const Mount& m) { return m.kind != MountKind::free; });
-  if (!held && log.fine("mount") && log.fine("supports"))
-    log.add(key, "has nothing that holds the part, so it has no steady response",
-            "give a mount or supports that leave no rigid motion free");
+  check_held(key, data, log);
   if (!a.modes)
     log.add(key, "is a sum of modes, and the case asks for none", "give analyses.modes");
   const Damping& d = a.damping;
@@ -129,6 +124,15 @@ void check_stress(const Case& data, CheckLog& log) {
 }
 
 } // namespace
+
+void check_held(const std::string& key, const Case& data, CheckLog& log) {
+  const bool held = !data.supports.empty() ||
+                    std::any_of(data.mount.begin(), data.mount.end(),
+                                [](const Mount& m) { return m.kind != MountKind::free; });
+  if (!held && log.fine("mount") && log.fine("supports"))
+    log.add(key, "has nothing that holds the part, so it has no steady response",
+            "give a mount or supports that leave no rigid motion free");
+}
 
 void check_responses(const Case& data, CheckLog& log) {
   check_damping(data, log);
