@@ -1,5 +1,5 @@
-// Sweeps over frequency of a chain of forty modes with twelve friction joints of twenty sliders each,
-// harmonics up to 5: by harmonic balance and by equivalent linearisation.
+// Sweeps over frequency of a chain of forty modes with twelve friction joints of twenty sliders
+// each, harmonics up to 5: by harmonic balance and by equivalent linearisation.
 #include "solve/harmonic_balance.hpp"
 
 #include <benchmark/benchmark.h>

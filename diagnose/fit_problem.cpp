@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace plica {
@@ -160,6 +161,13 @@ void FitProblem::choose_targets() {
     if (named != request_.targets.end() && named->sigma > 0) sigma = named->sigma;
     targets_.push_back({row.quantity, row.unit, row.entry, row.measured, sigma, held_out});
   }
+  for (double away : request_.hold_out_levels)
+    if (std::none_of(measured_.peaks.begin(), measured_.peaks.end(), [&](const MeasuredPeaks& p) {
+          return std::any_of(p.level.begin(), p.level.end(),
+                             [&](double l) { return std::abs(l - away) < 1e-6 * l; });
+        }))
+      throw std::invalid_argument("fit.hold_out_levels: no peak was measured at " +
+                                  std::to_string(away) + " m/s2");
   choose_responses(results, known);
   for (const FitTarget& t : request_.targets)
     if (!is_curve(t.quantity) &&
@@ -170,7 +178,9 @@ void FitProblem::choose_targets() {
                                   "'; there are: " + known);
   if (curves_.empty() &&
       std::all_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.held_out; }))
-    throw std::invalid_argument("nothing to fit: the model gives none of the measured quantities");
+    throw std::invalid_argument(
+        targets_.empty() ? "nothing to fit: the model gives none of the measured quantities"
+                         : "nothing to fit: all that was measured is held out");
   const bool peaks = std::any_of(targets_.begin(), targets_.end(), [](const Target& t) {
     return t.quantity.find(" of the peak") != std::string::npos;
   });
@@ -303,7 +313,11 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const MeasuredComparison& r) {
       return r.quantity == targets_[i].quantity && r.entry == targets_[i].entry;
     });
-    if (row == rows.end() || !(row->computed > 0)) return std::nullopt;
+    if (row == rows.end() || !(row->computed > 0)) {
+      if (!targets_[i].held_out) return std::nullopt;
+      outcome.targets[Index(i)] = std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
     outcome.targets[Index(i)] = row->computed;
   }
   const std::map<std::string, double> numbers = headline(results);

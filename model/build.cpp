@@ -75,7 +75,7 @@ public:
       add_support(built_.model, set_of(built_.model, support.set, key + ".set"), support.dofs,
                   "support of " + support.set);
     }
-    if (state_ == JointState::stuck) stick(built_.model, built_.joints);
+    add_springs(built_.model, built_.joints, state_);
     place_sensors();
     return std::move(built_);
   }

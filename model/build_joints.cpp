@@ -74,21 +74,27 @@ std::optional<std::vector<JointLaw>> laws_in(const Case& data,
     laws.push_back(j.law); // of a tabulated connector
     if (j.in_model) continue;
     for (const DirectionalLaw& d : by_place[j.place])
-      if (d.dof == j.dof && d.name == j.motion) laws.back() = d.law;
+      if (d.dof == j.dof && d.name == j.motion) {
+        laws.back() = d.law;
+        laws.back().stiffness -= elastic_force(d.law, 0, 0).by_motion;
+      }
   }
   return laws;
 }
 
-void stick(Model& model, const std::vector<BuiltJoint>& joints) {
+void add_springs(Model& model, std::vector<BuiltJoint>& joints, JointState state) {
   // All directions between two nodes are one spring, which may then be the same all round.
   std::map<std::pair<int, int>, BushingElement> springs;
-  for (const BuiltJoint& j : joints) {
+  for (BuiltJoint& j : joints) {
     if (j.in_model) continue;
+    const double elastic = elastic_force(j.law, 0, 0).by_motion;
     BushingElement& spring = springs[{j.node1, j.node2}];
     spring.node1 = j.node1 < 0 ? j.node2 : j.node1;
     spring.node2 = j.node1 < 0 ? -1 : j.node2;
     spring.component = j.component;
-    spring.bushing.law(j.dof, j.dof) += j.law.stuck_stiffness();
+    spring.bushing.law(j.dof, j.dof) +=
+        state == JointState::stuck ? j.law.stuck_stiffness() : elastic;
+    if (state == JointState::slipping) j.law.stiffness -= elastic;
   }
   for (const auto& [nodes, spring] : springs)
     if (!spring.bushing.law.isZero(0)) model.bushings.push_back(spring);

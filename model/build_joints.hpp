@@ -38,8 +38,9 @@ void add_curves(std::vector<BuiltJoint>& joints, const Connection& between,
 std::optional<std::vector<JointLaw>> laws_in(const Case& data,
                                              const std::vector<BuiltJoint>& joints);
 
-// Springs in place of stuck joints.
-void stick(Model& model, const std::vector<BuiltJoint>& joints);
+// Springs in the model for what joints bear in small motion: stuck, with all their sliders;
+// slipping, with their nonlinear springs alone, which then have that slope taken off.
+void add_springs(Model& model, std::vector<BuiltJoint>& joints, JointState state);
 
 // Forces over all DOFs of a unit force in the joint; by them its motion is f' u.
 Eigen::VectorXd unit_force(const Model& model, const BuiltJoint& joint);

@@ -208,7 +208,7 @@ enum class MountKind { free, rigid, springs };
 struct Mount {
   std::string cap;
   MountKind kind = MountKind::rigid;
-  Sextuple stiffness{};                  // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
+  Sextuple stiffness{};                       // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
   std::optional<JointFriction> friction = {}; // beside these springs
 };
 

@@ -11,6 +11,7 @@ template <bool angular> struct FrictionUnits {
                                                       : Dimension::stiffness,
                                       .required = true,
                                       .min = 0,
+                                      .max = 1e12, // beyond it the digits of the structure are lost
                                       .exclusive_min = true};
   static constexpr Quantity slip_force{.unit = angular ? Dimension::moment : Dimension::force,
                                        .required = true,

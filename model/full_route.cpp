@@ -184,7 +184,9 @@ private:
 
 void require_held(bool free_body) {
   if (free_body)
-    input_error("analyses.response", "nothing holds the part, so it has no steady response",
+    input_error("analyses",
+                "nothing holds the part (joints with friction count as slipping), so it has no "
+                "steady response",
                 "a mount or supports that leave no rigid motion free");
 }
 

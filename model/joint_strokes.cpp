@@ -11,17 +11,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Displacements between which the joints begin to slip and all slip; none: no slider moves.
+// Displacements between which the joints begin to slip or bend and all have; none: nothing of the
+// kind moves. `least`: motion of a joint that is none.
 std::optional<std::array<double, 2>> slip_range(const JointedStructure& held,
-                                                const VectorXd& motion) {
+                                                const VectorXd& motion, double least) {
   double first = std::numeric_limits<double>::infinity(), last = 0;
   for (Index j = 0; j < motion.size(); ++j) {
-    if (std::abs(motion[j]) < 1e-9 * motion.cwiseAbs().maxCoeff()) continue;
-    for (const JenkinsSlider& s : held.laws[std::size_t(j)].sliders) {
-      const double d = s.slip_force / s.stiffness / std::abs(motion[j]);
-      first = std::min(first, d);
-      last = std::max(last, d);
-    }
+    if (std::abs(motion[j]) <= least) continue;
+    const auto add = [&](double own) {
+      if (own == 0) return;
+      first = std::min(first, own / std::abs(motion[j]));
+      last = std::max(last, own / std::abs(motion[j]));
+    };
+    const JointLaw& law = held.laws[std::size_t(j)];
+    for (const JenkinsSlider& s : law.sliders) add(s.slip_force / s.stiffness);
+    for (std::size_t k = 1; k + 1 < law.curve.size(); ++k) add(std::abs(law.curve[k][0]));
   }
   if (!(last > 0)) return std::nullopt;
   return std::array{first, last};
@@ -55,7 +59,7 @@ std::vector<StrokeCurve> joint_strokes(const JointedStructure& held, const Matri
       held.joints.transpose() * held.lambda.cwiseInverse().asDiagonal() * held.joints;
   std::vector<StrokeCurve> curves;
   for (Index c = 0; c < 2; ++c) {
-    const auto range = slip_range(held, motion.col(c));
+    const auto range = slip_range(held, motion.col(c), 1e-9 * motion.cwiseAbs().maxCoeff());
     if (!range) continue;
     std::vector<std::array<double, 2>> way{{0, 0}};
     const double low = (*range)[0] / 2, high = 10 * (*range)[1];

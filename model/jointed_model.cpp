@@ -40,6 +40,16 @@ Loads with_joint_forces(const Loads& excited, const BuiltCase& built) {
   return all;
 }
 
+// Ratios hold for small motion: each mode has that of its frequency with the joints stuck (by
+// Rayleigh's quotient), and keeps this viscous damping while they slip.
+void add_damping(const Damping& damping, const Model& model, const ModalSolution& solution,
+                 JointedStructure& s) {
+  const VectorXd stuck = stuck_stiffness(s).diagonal();
+  s.zeta = modal_damping(damping, model, stuck, solution.u, solution.modes)
+               .zeta.cwiseProduct(stuck.cwiseQuotient(s.lambda).cwiseSqrt());
+  s.eta = modal_damping(damping, model, s.lambda, solution.u, solution.modes).eta;
+}
+
 } // namespace
 
 std::vector<JointLaw> laws_of(const std::vector<BuiltJoint>& joints) {
@@ -53,19 +63,21 @@ JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& r
   const Levels& levels = *data.analyses.levels;
   const Excitations excited = excitations(as_response(levels), slipping.model);
   const Index count = Index(excited.list.size());
-  // Modes a little beyond the band; static answers to all forces stand for the rest.
+  // Modes beyond the band as far as the third harmonic; static answers to all forces stand for the
+  // rest.
+  const bool balance = levels.method == JointMethod::harmonic_balance;
+  const double reach = balance ? std::clamp(levels.harmonics, 2, 3) : 1.5;
   const ModalSolution solution =
-      route.modes({.count = 0, .band = {0, 1.5 * levels.band[1]}, .proof = false},
+      route.modes({.count = 0, .band = {0, reach * levels.band[1]}, .proof = false},
                   with_joint_forces(excited.loads, slipping), {});
-  const ModalDamping damping = modal_damping(data.analyses.damping, slipping.model, solution.lambda,
-                                             solution.u, solution.modes);
   JointedModel model;
   model.structure = {.lambda = solution.lambda,
-                     .zeta = damping.zeta,
-                     .eta = damping.eta,
+                     .zeta = VectorXd::Zero(solution.lambda.size()),
+                     .eta = VectorXd::Zero(solution.lambda.size()),
                      .joints = solution.input.rightCols(Index(slipping.joints.size())),
                      .input = solution.input.col(0),
                      .laws = laws_of(slipping.joints)};
+  add_damping(data.analyses.damping, slipping.model, solution, model.structure);
   model.input = solution.input.leftCols(count);
   model.output = at_sensors(slipping, solution.u);
   model.rigid = at_sensors(slipping, excited.loads.rigid);

@@ -1,7 +1,7 @@
 // The reduced model of a case with friction: modes of the structure with its joints slipping,
 // completed by its static answers to a force in every joint (solve/static_correction.hpp), so that
 // what the joints feel is exact in statics, as in a Craig-Bampton reduction with the joints on its
-// boundary.
+// boundary. Damping ratios of the case hold while the joints stick.
 #pragma once
 
 #include "model/route.hpp"

@@ -164,16 +164,31 @@ private:
     const JointedModel model = jointed_model(case_, built, route);
     lap("reduced model of the joints");
     results_.families = level_families(model, *case_.analyses.levels, stage_);
-    for (const LevelFamily& family : results_.families)
-      for (const LevelCurve& curve : family.curves)
-        if (!curve.complete) {
-          std::array<char, 40> level{};
-          std::snprintf(level.data(), level.size(), "%g ", curve.level);
-          results_.warnings.push_back("levels, excitation " + family.excitation + ", " +
-                                      level.data() + family.unit +
-                                      ": the branch was not followed to its end: " + curve.reason);
-        }
+    for (const LevelFamily& family : results_.families) warn_of_levels(family);
     lap("levels");
+  }
+
+  void warn_of_levels(const LevelFamily& family) {
+    const auto warn = [&](double level, const std::string& what) {
+      std::array<char, 40> text{};
+      std::snprintf(text.data(), text.size(), "%g ", level);
+      results_.warnings.push_back("levels, excitation " + family.excitation + ", " + text.data() +
+                                  family.unit + ": " + what);
+    };
+    for (const LevelCurve& curve : family.curves) {
+      if (!curve.complete)
+        warn(curve.level, "the branch was not followed to its end: " + curve.reason);
+      else if (curve.peaks_up.empty())
+        warn(curve.level, "no peak in the band");
+    }
+    constexpr double far_off = 0.05;
+    for (const RefereeCheck& r : family.referee)
+      if (!r.settled || !(r.difference < far_off))
+        warn(r.level,
+             "integration in time at " + std::to_string(r.frequency) + " Hz " +
+                 (r.settled ? "differs by " + std::to_string(std::lround(100 * r.difference)) +
+                                  " %: more harmonics or samples"
+                            : "does not settle to the motion of the harmonic balance"));
   }
 
   void modes() {

@@ -25,6 +25,8 @@ using std::numbers::pi;
 // Of a maximum that counts as a peak: friction rounds a resonance until steps of its law would pass
 // for peaks.
 constexpr double least_prominence = 0.03;
+// Of the highest of a channel at that level: lower ones may be superharmonics.
+constexpr double least_height = 0.2;
 
 // Acceleration of the channels over the level in harmonic number k of a point.
 VectorXcd acceleration(const ExcitedPart& part, const std::vector<int>& orders,
@@ -106,7 +108,7 @@ std::vector<LevelPeak> peaks_of(const LevelSweep& s, const ExcitedPart& part,
     VectorXd magnitude(count);
     for (Index i = 0; i < count; ++i) magnitude[i] = size(order[std::size_t(i)], c);
     if (magnitude.maxCoeff() < 1e-3 * size.maxCoeff()) continue;
-    for (const Peak& p : find_peaks(hertz, magnitude)) {
+    for (const Peak& p : find_peaks(hertz, magnitude, least_height)) {
       const auto above = std::lower_bound(hertz.begin(), hertz.end(), p.frequency);
       Index i = std::clamp<Index>(above - hertz.begin(), 1, count - 1);
       if (magnitude[i - 1] > magnitude[i]) --i;
@@ -173,11 +175,23 @@ std::optional<LevelPeak> first_peak(const std::vector<LevelPeak>& peaks, int cha
   return std::nullopt;
 }
 
-// Point of the branch nearest to the highest response of a channel.
+// The peak of the same channel nearest in frequency.
+std::optional<LevelPeak> nearest_peak(const std::vector<LevelPeak>& peaks, const LevelPeak& to) {
+  std::optional<LevelPeak> nearest;
+  for (const LevelPeak& p : peaks)
+    if (p.channel == to.channel && (!nearest || std::abs(p.frequency - to.frequency) <
+                                                    std::abs(nearest->frequency - to.frequency)))
+      nearest = p;
+  return nearest;
+}
+
+// Place in the upward sweep of the highest response of a channel.
 std::size_t highest(const LevelCurve& curve, int channel) {
-  Index i = 0;
-  curve.first.col(channel).cwiseAbs().maxCoeff(&i);
-  return std::size_t(i);
+  std::size_t top = 0;
+  for (std::size_t i = 0; i < curve.up.size(); ++i)
+    if (std::abs(curve.first(curve.up[i], channel)) > std::abs(curve.first(curve.up[top], channel)))
+      top = i;
+  return top;
 }
 
 class Family {
@@ -218,19 +232,26 @@ public:
   }
 
 private:
+  // Point of the branch with the highest stable response.
+  std::size_t top_of(const LevelSweep& s) const {
+    return std::size_t(s.curve.up[highest(s.curve, result_.strongest)]);
+  }
+
   void choose_channels(const std::vector<LevelSweep>& sweeps) {
     VectorXd largest = VectorXd::Zero(part_.output.rows());
     for (const LevelSweep& s : sweeps)
       if (s.curve.first.rows() > 0)
         largest = largest.cwiseMax(s.curve.first.cwiseAbs().colwise().maxCoeff().transpose());
     largest.maxCoeff(&result_.strongest);
+    for (Index c = 0; c < largest.size() && !(largest.maxCoeff() > 0); ++c) // nothing was found
+      if (result_.channels[std::size_t(c)].second == result_.excitation) result_.strongest = int(c);
     for (Index c = 0; c < largest.size(); ++c)
       if (largest[c] > 1e-3 * largest.maxCoeff()) result_.shown.push_back(int(c));
   }
 
   void add_joints(LevelSweep& s) const {
-    if (s.branch.points.empty()) return;
-    const PeriodicPoint& p = s.branch.points[highest(s.curve, result_.strongest)];
+    if (s.curve.up.empty()) return;
+    const PeriodicPoint& p = s.branch.points[top_of(s)];
     const auto first = std::find(s.branch.orders.begin(), s.branch.orders.end(), 1);
     const VectorXd energies = cycle_energies(part_.structure, p, s.branch.orders);
     for (std::size_t j = 0; j < part_.joints.size(); ++j)
@@ -247,8 +268,8 @@ private:
                                    settings_of(levels_, JointMethod::describing_function));
     });
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
-      const auto full = first_peak(sweeps[i].curve.peaks_up, result_.strongest),
-                 own = first_peak(fast[i].curve.peaks_up, result_.strongest);
+      const auto full = first_peak(sweeps[i].curve.peaks_up, result_.strongest);
+      const auto own = full ? nearest_peak(fast[i].curve.peaks_up, *full) : std::nullopt;
       if (full && own)
         result_.linearised.push_back({values_[i], own->frequency / full->frequency - 1,
                                       own->amplitude / full->amplitude - 1});
@@ -332,8 +353,8 @@ private:
   std::pair<double, double> amplitudes(const std::vector<LevelSweep>& sweeps) const {
     double low = std::numeric_limits<double>::infinity(), high = 0;
     for (const LevelSweep& s : sweeps) {
-      if (s.branch.points.empty()) continue;
-      const PeriodicPoint& p = s.branch.points[highest(s.curve, result_.strongest)];
+      if (s.curve.up.empty()) continue;
+      const PeriodicPoint& p = s.branch.points[top_of(s)];
       const auto first =
           std::find(s.branch.orders.begin(), s.branch.orders.end(), 1) - s.branch.orders.begin();
       const double a = p.modes.row(first).norm();
@@ -370,9 +391,14 @@ FrictionFamilies::FrictionFamilies(const Case& data) {
 }
 
 bool FrictionFamilies::is_friction(const std::string& path) {
-  if (path.ends_with(".wall.slip.bond")) return false;
-  return path.find(".friction.") != std::string::npos ||
-         path.find(".wall.slip.") != std::string::npos;
+  // "parts.NAME.friction...", "caps.NAME.friction...", "parts.NAME.wall.slip..."
+  const auto name = path.find('.'), key = path.find('.', name + 1);
+  if (name == std::string::npos || key == std::string::npos) return false;
+  const std::string kind = path.substr(0, name), rest = path.substr(key);
+  if (rest.find(".curve[") != std::string::npos) return false; // its slope is in the model
+  const bool joint =
+      (kind == "parts" || kind == "caps" || kind == "mount") && rest.starts_with(".friction.");
+  return joint || (kind == "parts" && rest.starts_with(".wall.slip.") && rest != ".wall.slip.bond");
 }
 
 std::vector<LevelFamily> FrictionFamilies::operator()(const Case& design) const {

@@ -153,7 +153,13 @@ Solution solve_at(const ResidualFunction& f, const VectorXd& guess, double p,
       s.converged = true;
       return s;
     }
-    s.x -= s.last.by_motion.partialPivLu().solve(s.last.value);
+    // A step that leads farther off is taken in part: laws with corners cycle otherwise.
+    const VectorXd step = s.last.by_motion.partialPivLu().solve(s.last.value);
+    if (!step.allFinite()) return s;
+    double share = 1;
+    for (int k = 0; k < 4 && f(s.x - share * step, p).value.norm() > s.last.value.norm(); ++k)
+      share /= 2;
+    s.x -= share * step;
   }
   return s;
 }

@@ -152,6 +152,16 @@ public:
     return motion;
   }
 
+  // Motion by the describing function, all higher harmonics at rest.
+  VectorXd linearised(double omega, double level, HarmonicSettings settings) const {
+    settings.method = JointMethod::describing_function;
+    const PeriodicSolution first = periodic_response(s_, omega, level, settings);
+    MatrixXcd motion = MatrixXcd::Zero(Index(basis_.orders.size()), joints());
+    const auto k = std::find(basis_.orders.begin(), basis_.orders.end(), 1) - basis_.orders.begin();
+    if (first.converged) motion.row(k) = first.point.joints.row(0);
+    return scaled(motion);
+  }
+
   VectorXd scaled(const MatrixXcd& motion) const {
     VectorXd x(unknowns());
     for (Index j = 0; j < joints(); ++j)
@@ -208,6 +218,11 @@ VectorXd start_of(const Balance& balance, double omega, double level,
   };
   const Solution direct = solve_at(at, stuck, omega, control);
   if (direct.converged) return direct.x;
+  if (settings.method == JointMethod::harmonic_balance) {
+    const Solution seeded =
+        solve_at(at, balance.linearised(omega, level, settings), omega, control);
+    if (seeded.converged) return seeded.x;
+  }
   control.from = 1e-3 * level;
   control.to = level;
   control.largest_step = 0;

@@ -94,7 +94,7 @@ TEST(Levels, go_from_the_stuck_to_the_slipping_frequency) {
   const BackboneCurve& b = family.backbones[0];
   EXPECT_TRUE(b.complete) << b.reason;
   EXPECT_NEAR(b.frequency[0] / stuck_hertz, 1, 1e-6);
-  EXPECT_NEAR(b.damping[0], 0.01 * slipping_hertz / stuck_hertz, 1e-5); // same c, stiffer
+  EXPECT_NEAR(b.damping[0], 0.01, 1e-5); // as the case says for small motion
   EXPECT_NEAR(b.frequency[b.frequency.size() - 1] / slipping_hertz, 1, 1e-2);
 }
 
@@ -157,7 +157,7 @@ TEST(Levels, bend_with_a_tabulated_connector) {
   const LevelFamily curve = run_quietly(data).families[0];
   chain.spring.axial_curve.clear();
   chain.spring.axial = 1e4;
-  data.analyses.damping.modal *= std::sqrt(2); // of the springs alone: the same in N s/m
+
   chain.friction.emplace().axial.emplace().curve = {
       {-2e-3, -70}, {-1e-3, -10}, {0, 0}, {1e-3, 10}, {2e-3, 70}};
   const LevelFamily law = run_quietly(data).families[0];

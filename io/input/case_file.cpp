@@ -199,7 +199,9 @@ void check_models(const YamlNode& root, const std::string& path, const ReadLog& 
                      [&](const InputProblem& p) { return is_below(p.key, place); });
     if (!readable || model.value.kind != YamlNode::Kind::map) continue;
     ReadLog own{.file = log.file}, deeper{.file = log.file};
+    const std::size_t before = log.problems.size();
     const YamlNode tree = as_model(root, model, log);
+    if (log.problems.size() > before) continue;
     const Case data = read_tree(tree, path, model.key, true, own);
     check_variants(tree, data, path, own, deeper);
     check_tolerances(tree, data, path, own, deeper);

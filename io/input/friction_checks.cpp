@@ -97,9 +97,9 @@ void check_levels(const Case& data, CheckLog& log) {
   if (l.bases.empty() != l.levels.empty())
     log.add(key, l.bases.empty() ? "has levels and no base that moves" : "has a base and no levels",
             "give base and levels together");
-  if (l.samples < 2 * (l.harmonics + 1) + 1)
+  if (l.samples < 8 * (l.harmonics + 1))
     log.add(key + ".samples", "are too few for " + std::to_string(l.harmonics) + " harmonics",
-            "at least " + std::to_string(2 * (l.harmonics + 1) + 2) + ", better 256");
+            "at least " + std::to_string(8 * (l.harmonics + 1)) + ", better 256");
   check_held(key, data, log);
   const Damping& d = a.damping;
   if (d.modal <= 0 && d.ranges.empty() && d.loss_factors.empty() && log.fine("analyses.damping"))
