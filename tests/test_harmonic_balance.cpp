@@ -243,6 +243,27 @@ TEST(HarmonicBalance, goes_from_stuck_to_slipping) {
   EXPECT_GT(high.second, middle.second);
 }
 
+// x^2 + p = 0 ends at p = 0: what was reached comes back, with the reason.
+TEST(Continuation, that_cannot_go_on_returns_what_it_had) {
+  const ResidualFunction parabola = [](const VectorXd& x, double p) {
+    return Residual{VectorXd::Constant(1, x[0] * x[0] + p), MatrixXd::Constant(1, 1, 2 * x[0]),
+                    VectorXd::Ones(1)};
+  };
+  const Curve curve = follow(parabola, VectorXd::Ones(1), {.from = -1, .to = 1});
+  EXPECT_FALSE(curve.complete);
+  EXPECT_FALSE(curve.reason.empty());
+  ASSERT_GT(curve.points.size(), 20);
+  double highest = -1;
+  for (const CurvePoint& c : curve.points) {
+    EXPECT_NEAR(c.x[0] * c.x[0], -c.p, 1e-7);
+    highest = std::max(highest, c.p);
+  }
+  EXPECT_NEAR(highest, 0, 0.01); // round the fold
+  const Curve none = follow(parabola, VectorXd::Ones(1), {.from = 1, .to = 2});
+  EXPECT_TRUE(none.points.empty());
+  EXPECT_EQ(none.reason, "no solution at the start");
+}
+
 // The closed forms of the describing function against the sampled loop.
 TEST(DescribingFunction, is_the_first_harmonic_of_the_loop) {
   const JointLaw law{.stiffness = 1e3,

@@ -309,6 +309,42 @@ TEST(InterlockFriction, reduces_to_the_modes_of_the_stuck_shells) {
   }
 }
 
+// A liner between the caps in four slipping pieces: its nodes are interface nodes of the
+// Craig-Bampton reduction, and the answer is that of the shells.
+TEST(InterlockFriction, is_the_same_on_a_superelement) {
+  Case data = small_bellows();
+  Interlock liner;
+  liner.along = "bellows";
+  liner.attachment = Attachment::caps;
+  liner.EA = 2e4;
+  liner.EI = liner.GJ = 40;
+  liner.mass = 0.3;
+  liner.radius = 0.06;
+  liner.friction.emplace();
+  liner.friction->segments = 4;
+  liner.friction->axial.emplace().sliders = {{4e5, 2}};
+  data.parts.push_back({"interlock", liner});
+  Levels& levels = *data.analyses.levels;
+  levels.bases = {1};
+  levels.levels = {0.5, 20};
+  levels.band = {100, 1000};
+  levels.backbones = levels.referee = 0;
+  data.sensors = {{.name = "middle", .at = {0, 0.0396, 0.065}}};
+  const Results shells = run_quietly(data);
+  data.analyses.reduction = ReductionRequest{.cutoff = 6000};
+  const Results reduced = run_quietly(data);
+  ASSERT_TRUE(reduced.reduced);
+  const LevelFamily &a = shells.families[0], &b = reduced.families[0];
+  EXPECT_EQ(a.joints, b.joints);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ASSERT_FALSE(a.curves[k].peaks_up.empty());
+    const LevelPeak &one = first_peak(a.curves[k], a.strongest),
+                    &other = first_peak(b.curves[k], a.strongest);
+    EXPECT_NEAR(one.frequency / other.frequency, 1, 2e-3) << k;
+    EXPECT_NEAR(one.amplitude / other.amplitude, 1, 1e-2) << k;
+  }
+}
+
 const std::string hose_folder = PLICA_SOURCE_DIR "/cases/hose_b/";
 
 // RMS of ln(computed / measured) of the first peaks in a direction, of the levels held out or not.
