@@ -88,25 +88,31 @@ private:
                         .k_bending_z = k.bending_z,
                         .k_torsion = k.torsion,
                         .end_stiffness = *K};
-    add_strokes();
-    if (slipping_) add_joint_strokes(caps, *K);
+    const bool tabulated = add_strokes();
+    if (slipping_) {
+      results_.slipping->k_axial_stuck =
+          end_stiffness(route_->end_stiffness(caps)->bottomRightCorner<6, 6>()).axial;
+      if (results_.strokes.empty()) add_joint_strokes(caps, *K);
+    }
+    if (tabulated && results_.strokes.empty())
+      results_.warnings.push_back("tabulated forces: with other parts beside the chain the static "
+                                  "stiffness is that at rest, also where the test states a stroke");
     if (case_.analyses.stress) static_stress(built.model, route, caps, *K);
   }
 
-  // Of a chain with tabulated forces that has nothing beside it but masses.
-  void add_strokes() {
+  // Of a chain with tabulated forces that has neither friction nor anything beside it but masses.
+  // True when there are such forces at all.
+  bool add_strokes() {
     std::size_t masses = 0;
     std::vector<StrokeCurve> curves;
     for (const Part& part : case_.parts) {
       masses += std::holds_alternative<PointMass>(part.body);
-      if (const auto* chain = std::get_if<ConnectorChain>(&part.body))
+      if (const auto* chain = std::get_if<ConnectorChain>(&part.body); chain && !chain->friction)
         for (StrokeCurve& c : stroke_curves(*chain)) curves.push_back(std::move(c));
     }
-    if (masses + 1 == case_.parts.size())
-      results_.strokes = std::move(curves);
-    else if (!curves.empty())
-      results_.warnings.push_back("tabulated forces: with other parts beside the chain the static "
-                                  "stiffness is that at rest, also where the test states a stroke");
+    const bool tabulated = !curves.empty();
+    if (masses + 1 == case_.parts.size()) results_.strokes = std::move(curves);
+    return tabulated;
   }
 
   // Motion of both caps: the second by a unit along and across x and z, kept parallel.
@@ -129,8 +135,6 @@ private:
   // Between caps that the mount holds both: what joints bear while they stick, and until they slip.
   void add_joint_strokes(const std::array<int, 2>& caps, const Matrix1212& K) {
     const BuiltCase& built = *slipping_;
-    results_.slipping->k_axial_stuck =
-        end_stiffness(route_->end_stiffness(caps)->bottomRightCorner<6, 6>()).axial;
     for (int cap : caps)
       if (std::find(built.held_nodes.begin(), built.held_nodes.end(), cap) ==
           built.held_nodes.end())
