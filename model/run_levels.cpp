@@ -286,10 +286,12 @@ private:
                           : std::size_t(i) * (sweeps.size() - 1) / std::size_t(levels_.referee - 1);
       const LevelSweep& s = sweeps[at];
       if (s.curve.up.empty()) continue;
+      const std::vector<int>& up = s.curve.up;
       const std::size_t top = highest(s.curve, result_.strongest);
-      places.emplace_back(at, i % 2 == 0 ? top
-                                         : std::min(top + std::size_t(levels_.points) / 20,
-                                                    s.branch.points.size() - 1));
+      const std::size_t step =
+          i % 2 == 0 ? 0 : std::size_t(levels_.points) / 20 + std::size_t(i) - 1;
+      const std::pair place{at, std::size_t(up[std::min(top + step, up.size() - 1)])};
+      if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
     }
     result_.referee.resize(places.size());
     in_parallel(int(places.size()), [&](int i) {
@@ -404,7 +406,11 @@ bool FrictionFamilies::is_friction(const std::string& path) {
 std::vector<LevelFamily> FrictionFamilies::operator()(const Case& design) const {
   JointedModel model = model_;
   const auto laws = laws_in(design, joints_);
+  const Eigen::VectorXd before = stuck_stiffness(model.structure).diagonal();
   model.structure.laws = laws ? *laws : laws_of(build(design, JointState::slipping).joints);
+  // The damping ratio holds with these joints stuck.
+  const Eigen::VectorXd now = stuck_stiffness(model.structure).diagonal();
+  model.structure.zeta.array() *= (now.array() / before.array()).sqrt();
   return level_families(model, *design.analyses.levels, [](const std::string&) {});
 }
 
