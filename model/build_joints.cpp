@@ -114,4 +114,11 @@ VectorXd unit_force(const Model& model, const BuiltJoint& joint) {
   return force;
 }
 
+Eigen::MatrixXd unit_forces(const Model& model, const std::vector<BuiltJoint>& joints) {
+  Eigen::MatrixXd forces(dof_count(model), Eigen::Index(joints.size()));
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    forces.col(Eigen::Index(j)) = unit_force(model, joints[j]);
+  return forces;
+}
+
 } // namespace plica

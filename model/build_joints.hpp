@@ -44,5 +44,7 @@ void add_springs(Model& model, std::vector<BuiltJoint>& joints, JointState state
 
 // Forces over all DOFs of a unit force in the joint; by them its motion is f' u.
 Eigen::VectorXd unit_force(const Model& model, const BuiltJoint& joint);
+Eigen::MatrixXd unit_forces(const Model& model,
+                            const std::vector<BuiltJoint>& joints); // a column each
 
 } // namespace plica

@@ -33,10 +33,8 @@ Loads with_joint_forces(const Loads& excited, const BuiltCase& built) {
     all.force.leftCols(before) = excited.force;
     all.rigid.leftCols(before) = excited.rigid;
   }
-  for (Index j = 0; j < joints; ++j) {
-    all.base.push_back(-1);
-    all.force.col(before + j) = unit_force(built.model, built.joints[std::size_t(j)]);
-  }
+  all.base.resize(std::size_t(before + joints), -1);
+  all.force.rightCols(joints) = unit_forces(built.model, built.joints);
   return all;
 }
 
@@ -84,10 +82,7 @@ JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& r
   for (const BuiltSensor& s : slipping.sensors)
     for (const char* axis : {"x", "y", "z"}) model.channels.emplace_back(s.name, axis);
   model.excitations = excited.list;
-  for (const BuiltJoint& j : slipping.joints) {
-    model.joints.push_back(joint_name(j));
-    model.angular.push_back(j.dof >= 3);
-  }
+  for (const BuiltJoint& j : slipping.joints) model.joints.push_back(joint_name(j));
   return model;
 }
 

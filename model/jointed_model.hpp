@@ -18,7 +18,6 @@ struct JointedModel {
   std::vector<std::pair<std::string, std::string>> channels; // sensor, axis
   std::vector<Excitation> excitations;
   std::vector<std::string> joints; // names
-  std::vector<bool> angular;       // per joint
 };
 
 // `slipping`: the case built with its joints slipping, its route. Throws InputError where nothing

@@ -141,10 +141,8 @@ private:
         return;
     const auto joints = Eigen::Index(built.joints.size());
     Loads loads{.base = std::vector<int>(built.joints.size(), -1),
-                .force = MatrixXd(dof_count(built.model), joints),
+                .force = unit_forces(built.model, built.joints),
                 .rigid = MatrixXd::Zero(dof_count(built.model), joints)};
-    for (Eigen::Index j = 0; j < joints; ++j)
-      loads.force.col(j) = unit_force(built.model, built.joints[std::size_t(j)]);
     const MatrixXd motion =
         loads.force.transpose() * slipping_route_->follow(caps, parallel_motion(K).leftCols(2));
     const ModalSolution held =

@@ -72,13 +72,12 @@ struct LevelSweep {
 Peak refined(const ExcitedPart& part, const Branch& branch, const HarmonicSettings& settings,
              std::size_t near, int channel, double width, const Peak& rough) {
   const PeriodicPoint& guess = branch.points[near];
-  const auto first = std::find(branch.orders.begin(), branch.orders.end(), 1);
+  const Index first = first_harmonic(branch.orders);
   const auto height = [&](double hertz) {
     const PeriodicSolution s =
         periodic_response(part.structure, 2 * pi * hertz, guess.level, settings, guess.joints);
     if (!s.converged) return std::numeric_limits<double>::quiet_NaN();
-    return std::abs(acceleration(part, branch.orders, s.point,
-                                 std::size_t(first - branch.orders.begin()))[channel]);
+    return std::abs(acceleration(part, branch.orders, s.point, std::size_t(first))[channel]);
   };
   Peak top = rough;
   double h = width / 2;
@@ -252,13 +251,12 @@ private:
   void add_joints(LevelSweep& s) const {
     if (s.curve.up.empty()) return;
     const PeriodicPoint& p = s.branch.points[top_of(s)];
-    const auto first = std::find(s.branch.orders.begin(), s.branch.orders.end(), 1);
+    const Index first = first_harmonic(s.branch.orders);
     const VectorXd energies = cycle_energies(part_.structure, p, s.branch.orders);
     for (std::size_t j = 0; j < part_.joints.size(); ++j)
-      s.curve.joints.push_back(
-          {.joint = model_.joints[std::size_t(part_.joints[j])],
-           .motion = std::abs(p.joints(first - s.branch.orders.begin(), Index(j))),
-           .energy = energies[Index(j)]});
+      s.curve.joints.push_back({.joint = model_.joints[std::size_t(part_.joints[j])],
+                                .motion = std::abs(p.joints(first, Index(j))),
+                                .energy = energies[Index(j)]});
   }
 
   void compare_linearised(const std::vector<LevelSweep>& sweeps) {
@@ -339,7 +337,7 @@ private:
       curve.amplitude.resize(n);
       curve.frequency.resize(n);
       curve.damping.resize(n);
-      const auto first = std::find(b.orders.begin(), b.orders.end(), 1) - b.orders.begin();
+      const Index first = first_harmonic(b.orders);
       for (Index k = 0; k < n; ++k) {
         const BackbonePoint& p = b.points[std::size_t(k)];
         curve.frequency[k] = p.omega / (2 * pi);
@@ -357,8 +355,7 @@ private:
     for (const LevelSweep& s : sweeps) {
       if (s.curve.up.empty()) continue;
       const PeriodicPoint& p = s.branch.points[top_of(s)];
-      const auto first =
-          std::find(s.branch.orders.begin(), s.branch.orders.end(), 1) - s.branch.orders.begin();
+      const Index first = first_harmonic(s.branch.orders);
       const double a = p.modes.row(first).norm();
       low = std::min(low, 0.1 * a);
       high = std::max(high, 2 * a);

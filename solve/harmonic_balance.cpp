@@ -136,7 +136,7 @@ public:
   // Motion with every joint stuck, the linear answer at small levels.
   VectorXd stuck(double omega, double level) const {
     VectorXd motion = VectorXd::Zero(unknowns());
-    const auto k = std::find(basis_.orders.begin(), basis_.orders.end(), 1) - basis_.orders.begin();
+    const Index k = first_harmonic(basis_.orders);
     if (k == long(basis_.orders.size())) return motion;
     const VectorXcd D = dynamic_stiffness(1, omega);
     const MatrixXcd DJ = inverse(D).asDiagonal() * J_;
@@ -157,7 +157,7 @@ public:
     settings.method = JointMethod::describing_function;
     const PeriodicSolution first = periodic_response(s_, omega, level, settings);
     MatrixXcd motion = MatrixXcd::Zero(Index(basis_.orders.size()), joints());
-    const auto k = std::find(basis_.orders.begin(), basis_.orders.end(), 1) - basis_.orders.begin();
+    const Index k = first_harmonic(basis_.orders);
     if (first.converged) motion.row(k) = first.point.joints.row(0);
     return scaled(motion);
   }

@@ -179,6 +179,10 @@ VectorXd unknowns(const HarmonicBasis& basis,
   return x;
 }
 
+Index first_harmonic(const std::vector<int>& orders) {
+  return std::find(orders.begin(), orders.end(), 1) - orders.begin();
+}
+
 std::vector<int> orders_up_to(int highest, bool odd) {
   std::vector<int> orders;
   for (int n = odd ? 1 : 0; n <= highest; n += odd ? 2 : 1) orders.push_back(n);

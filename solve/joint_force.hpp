@@ -33,6 +33,9 @@ std::complex<double> amplitude(const HarmonicBasis& basis,
 Eigen::VectorXd unknowns(const HarmonicBasis& basis,
                          const Eigen::Ref<const Eigen::VectorXcd>& amplitudes);
 
+// Place of harmonic 1 among the orders; their number if it is not there.
+Eigen::Index first_harmonic(const std::vector<int>& orders);
+
 // 1, 3, 5 .. or, for laws that are not odd, 0, 1, 2 ..
 std::vector<int> orders_up_to(int highest, bool odd);
 
