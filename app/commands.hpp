@@ -4,6 +4,7 @@
 
 #include "diagnose/frf_estimate.hpp"
 #include "diagnose/identify.hpp"
+#include "diagnose/pretest.hpp"
 #include "diagnose/sine_tracking.hpp"
 #include "io/superelements/write.hpp"
 
@@ -78,6 +79,21 @@ struct FitOptions {
 };
 
 int fit_command(const FitOptions& options);
+
+struct DiagnoseOptions {
+  std::string case_path;
+  std::string model;                // as for a run
+  std::string measured;             // folder with a measured.yaml, or that file
+  std::vector<std::string> without; // guards left out, for ablations
+  std::filesystem::path out = "out";
+  int threads = 0;
+  bool quiet = false;
+  bool plan_next = true;
+  bool pretest = false; // what a planned test could tell, before it is made
+  TestPlan plan;
+};
+
+int diagnose_command(const DiagnoseOptions& options);
 
 struct CheckOptions {
   std::string case_path;

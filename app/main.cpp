@@ -180,6 +180,30 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(0, 256));
   fit_app->add_flag("--quiet", fit.quiet, "print errors only");
 
+  plica::DiagnoseOptions diagnose;
+  CLI::App* diagnose_app = app.add_subcommand(
+      "diagnose", "where the gap to a test lies, which effect causes it, how far it shrinks");
+  diagnose_app->add_option("CASE", diagnose.case_path, "case file")->required();
+  add_model(*diagnose_app, diagnose.model);
+  diagnose_app
+      ->add_option("--measured", diagnose.measured,
+                   "folder with a measured.yaml; left out: as the case says")
+      ->type_name("DIR");
+  diagnose_app->add_option("--without", diagnose.without, "leave a guard out, to see what it does")
+      ->check(CLI::IsMember({"form", "nuisance", "reassembly", "adequacy", "levels", "heldout"}));
+  diagnose_app->add_flag("--pretest", diagnose.pretest,
+                         "before a test: what looks alike, how small an effect would be found");
+  std::vector<char> planned_bases;
+  diagnose_app->add_option("--bases", planned_bases, "of a planned test: axes of the table")
+      ->check(CLI::IsMember({'x', 'y', 'z'}));
+  diagnose_app->add_option("--levels", diagnose.plan.levels, "of a planned test: m/s2")
+      ->check(CLI::PositiveNumber);
+  diagnose_app->add_flag("!--no-plan", diagnose.plan_next, "do not look for the next measurement");
+  diagnose_app->add_option("--out", diagnose.out, "folder for the results")->capture_default_str();
+  diagnose_app->add_option("--threads", diagnose.threads, "threads, 0 = all cores")
+      ->check(CLI::Range(0, 256));
+  diagnose_app->add_flag("--quiet", diagnose.quiet, "print errors only");
+
   plica::CompareOptions compare;
   CLI::App* compare_app =
       app.add_subcommand("compare", "simulation and test side by side: modes, shapes, responses");
@@ -208,7 +232,8 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }
-  for (std::string* path : {&run.case_path, &reduce.case_path, &check.case_path, &fit.case_path})
+  for (std::string* path :
+       {&run.case_path, &reduce.case_path, &check.case_path, &fit.case_path, &diagnose.case_path})
     *path = plica::case_file_of(*path);
   if (*run_app) return plica::run_command(run);
   if (*fit_app) {
@@ -216,6 +241,8 @@ int dispatch(int argc, char** argv) {
     if (*evaluations_given) fit.evaluations = evaluations;
     return plica::fit_command(fit);
   }
+  for (char axis : planned_bases) diagnose.plan.bases.push_back(axis - 'x');
+  if (*diagnose_app) return plica::diagnose_command(diagnose);
   if (*compare_app) return plica::compare_command(compare);
   if (*identify_app) {
     if (*quantity_given) identify.quantity = quantity;

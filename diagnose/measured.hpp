@@ -9,6 +9,7 @@
 #include "diagnose/frf_set.hpp"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,13 @@ struct MeasuredSensor {
 
 // `repeats` are single results; where no sigma is given it is their standard deviation.
 
+// A known change of the specimen under which some entries were measured: "loaded".
+struct MeasuredState {
+  std::string name;
+  std::map<std::string, std::string> set; // path in the case: value, as written there
+  std::map<std::string, double> numbers;  // the same in SI, once a case gives the units
+};
+
 struct MeasuredMass {
   double value = 0;
   std::optional<double> sigma;
@@ -41,6 +49,7 @@ struct MeasuredStatic {
   std::optional<double> sigma;
   std::optional<double> stroke; // m; rad for bending and torsion
   std::vector<double> repeats;
+  std::string state; // empty = the specimen as it stands, here and below
   std::string note;
 };
 
@@ -61,6 +70,7 @@ struct MeasuredMode {
   std::string sensor;          // at which the peak was seen; empty = not known
   std::vector<double> repeats; // of the frequency
   std::optional<MeasuredVector> vector;
+  std::string state;
   std::string note;
 };
 
@@ -71,6 +81,7 @@ struct MeasuredPeaks {
   Axis direction = Axis::y;                                 // of the response, in sensor axes
   std::vector<double> level, frequency, amplitude, damping; // the last two may be empty
   std::optional<double> sigma;                              // of the frequencies
+  std::string state;
   std::string note;
 };
 
@@ -94,6 +105,7 @@ struct MeasuredFrf {
   std::optional<FrfSigma> sigma;
   std::vector<std::string> channels; // of the columns, "-" = left out; empty = by their names
   MatlabVariables variables;
+  std::string state;
 };
 
 enum class SignalKind { random, sine };
@@ -116,6 +128,7 @@ struct Measured {
   std::string specimen; // name of the case it belongs to
   std::string source;   // where the numbers are from
   std::vector<MeasuredSensor> sensors;
+  std::vector<MeasuredState> states;
   std::optional<MeasuredMass> mass;
   std::vector<MeasuredStatic> statics;
   std::vector<MeasuredMode> modes;

@@ -34,6 +34,13 @@ template <class V> void fields(V& v, MeasuredSensor& s) {
   v.whole(s.node, "node", {.min = 1}, "its number in universal files");
 }
 
+template <class V> void fields(V& v, MeasuredState& s) {
+  v.text(s.name, "name", {.required = true, .name = true}, "name");
+  v.replacements(s.set, "set", required_key, "path in the case: its number in this state");
+}
+
+inline constexpr const char* state_meaning = "state of the specimen, one of `states`";
+
 template <class V> void fields(V& v, MeasuredMass& m) {
   v.quantity(m.value, "value",
              {.unit = Dimension::mass, .required = true, .min = 0, .exclusive_min = true},
@@ -67,6 +74,7 @@ template <class V> void fields(V& v, MeasuredStatic& s) {
   v.quantities(s.repeats, "repeats",
                {.unit = unit, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results, where no sigma is given");
+  v.text(s.state, "state", {}, state_meaning);
   v.text(s.note, "note", {}, "remark");
 }
 
@@ -99,6 +107,7 @@ template <class V> void fields(V& v, MeasuredMode& m) {
                {.unit = Dimension::frequency, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results of the frequency, where no sigma is given");
   v.object(m.vector, "vector", optional_key, "shape at the sensors");
+  v.text(m.state, "state", {}, state_meaning);
   v.text(m.note, "note", {}, "remark");
 }
 
@@ -114,6 +123,7 @@ template <class V> void fields(V& v, MeasuredPeaks& p) {
   v.quantities(p.amplitude, "amplitude", {.min = 0}, "peak transmissibility at each level");
   v.quantities(p.damping, "damping", measured_damping,
                "fraction of critical damping at each level");
+  v.text(p.state, "state", {}, state_meaning);
   v.text(p.note, "note", {}, "remark");
 }
 
@@ -138,6 +148,7 @@ template <class V> void fields(V& v, MeasuredFrf& f) {
   v.texts(f.channels, "channels",
           "sensor and axis of every column, such as mid.y; - leaves it out");
   v.object(f.variables, "variables", optional_key, "names in a MATLAB file");
+  v.text(f.state, "state", {}, state_meaning);
 }
 
 template <class V> void fields(V& v, MeasuredSignals& s) {
@@ -160,6 +171,7 @@ template <class V> void fields(V& v, Measured& m) {
   v.text(m.specimen, "specimen", {.required = true, .name = true}, "case the data belong to");
   v.text(m.source, "source", {}, "where the numbers are from");
   v.list(m.sensors, "sensors", optional_key, "accelerometers");
+  v.list(m.states, "states", optional_key, "known changes under which entries were measured");
   v.object(m.mass, "mass", optional_key, "weighed mass");
   v.list(m.statics, "static", optional_key, "static stiffnesses from a rig");
   v.list(m.modes, "modes", optional_key, "identified modes");

@@ -4,6 +4,8 @@
 #include "io/input/check_log.hpp"
 #include "io/input/did_you_mean.hpp"
 #include "io/input/field_reader.hpp"
+#include "io/input/units.hpp"
+#include "model/case_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +180,28 @@ void take_all_repeats(Measured& m, ReadLog& log) {
     take_repeats(m.modes[i].repeats, m.modes[i].frequency, m.modes[i].sigma, item("modes", i), log);
 }
 
+void check_states(const Measured& m, ReadLog& log) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < m.states.size(); ++i) {
+    const std::string key = item("states", i) + ".name";
+    if (std::find(names.begin(), names.end(), m.states[i].name) != names.end())
+      log.add(line(log, key), key, "the name is used by another state", "names must differ");
+    names.push_back(m.states[i].name);
+  }
+  const auto check = [&](const auto& entries, const char* list) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string &state = entries[i].state, key = item(list, i) + ".state";
+      if (!state.empty() && std::find(names.begin(), names.end(), state) == names.end())
+        log.add(line(log, key), key, "there is no state '" + shown(state) + "'",
+                names.empty() ? "this file has no states" : suggestion(state, names));
+    }
+  };
+  check(m.statics, "static");
+  check(m.modes, "modes");
+  check(m.peaks, "peaks");
+  check(m.frf, "frf");
+}
+
 void check_hold_out(const Measured& m, ReadLog& log) {
   std::vector<std::string> entries;
   for (const auto& [key, where] : log.lines)
@@ -199,6 +223,7 @@ Measured read_measured(const std::string& path) {
   Measured data;
   FieldReader::read(root, "", data, log);
   check_sensors(data, log);
+  check_states(data, log);
   check_modes(data, log);
   check_peaks(data, log);
   check_responses(data, path, log);
@@ -211,6 +236,28 @@ Measured read_measured(const std::string& path) {
     throw InputError(std::move(log.problems));
   }
   return data;
+}
+
+void resolve_states(Measured& measured, const Case& data, const std::string& path) {
+  std::vector<InputProblem> problems;
+  Case copy = data;
+  for (std::size_t i = 0; i < measured.states.size(); ++i)
+    for (const auto& [where, text] : measured.states[i].set) {
+      const std::string key = item("states", i) + ".set";
+      const std::optional<Quantity> number = quantity_at(copy, where);
+      const ParsedQuantity parsed =
+          number ? parse_quantity(text, number->unit)
+                 : ParsedQuantity{.wrong = "the case has no number at '" + shown(where) + "'",
+                                  .allowed = "the path of a number that the case file gives"};
+      if (!parsed.wrong.empty())
+        problems.push_back({path, 0, key, parsed.wrong, parsed.allowed});
+      else if (!allows(*number, parsed.value))
+        problems.push_back({path, 0, key, where + " = " + shown(text) + " is not allowed",
+                            describe(*number, number->unit)});
+      else
+        measured.states[i].numbers[where] = parsed.value;
+    }
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 } // namespace plica

@@ -1,0 +1,114 @@
+#include "app/commands.hpp"
+#include "app/located.hpp"
+#include "app/progress.hpp"
+#include "diagnose/diagnose.hpp"
+#include "io/files.hpp"
+#include "io/input/measured_file.hpp"
+#include "io/measured_data.hpp"
+#include "io/results/write_diagnosis.hpp"
+#include "io/results/write_pretest.hpp"
+#include "solve/sparse_factor.hpp"
+
+#include <fmt/core.h>
+
+namespace plica {
+namespace {
+
+namespace fs = std::filesystem;
+
+// measured.yaml of a folder, a file, or what the case names.
+fs::path measured_file(const DiagnoseOptions& options, const CaseFile& file) {
+  if (options.measured.empty()) {
+    if (file.data.measured.empty())
+      throw InputError(
+          {{.file = file.path,
+            .line = 0,
+            .key = "measured",
+            .wrong = "the case has no test to be held against",
+            .allowed = "--measured DIR with a measured.yaml, or measured: in the case"}});
+    return fs::path(file.path).parent_path() / file.data.measured;
+  }
+  const fs::path given = options.measured;
+  return fs::is_directory(given) ? given / "measured.yaml" : given;
+}
+
+// The responses of each entry on its own; problems keep the number of the entry.
+std::vector<std::vector<FrfSet>> responses_of(const Measured& measured, const fs::path& folder) {
+  std::vector<std::vector<FrfSet>> all;
+  for (std::size_t i = 0; i < measured.frf.size(); ++i) {
+    Measured one = measured;
+    one.frf = {measured.frf[i]};
+    try {
+      all.push_back(load_frfs(one, folder));
+    } catch (const InputError& error) {
+      std::vector<InputProblem> problems = error.problems();
+      for (InputProblem& p : problems)
+        if (p.key.starts_with("frf[0]")) p.key = "frf[" + std::to_string(i) + "]" + p.key.substr(6);
+      throw InputError(std::move(problems));
+    }
+  }
+  return all;
+}
+
+std::string title_of(const Case& data) {
+  return data.title.empty() ? data.name : data.title;
+}
+
+int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
+  make_folder(options.out);
+  Progress progress(options.quiet);
+  progress.title(file.data.name);
+  Pretest result;
+  try {
+    result = located(file, [&] {
+      return pretest(file.data, options.plan, [&](const std::string& s) { progress.stage(s); });
+    });
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{.file = file.path,
+                       .line = 0,
+                       .key = "sensors",
+                       .wrong = error.what(),
+                       .allowed = "sensors: [{name: mid, at: [...]}]"}});
+  }
+  write_pretest(result, title_of(file.data), PLICA_VERSION, options.out);
+  progress.finish();
+  if (!options.quiet)
+    fmt::print("{}\nReport: {}\n", pretest_text(result), (options.out / "report.html").string());
+  return 0;
+}
+
+} // namespace
+
+int diagnose_command(const DiagnoseOptions& options) {
+  set_threads(options.threads);
+  const CaseFile file = read_case(options.case_path, options.model);
+  if (options.pretest) return plan_test(options, file);
+  const fs::path measured = measured_file(options, file);
+  DiagnosisData test{.data = read_measured(measured.string()), .responses = {}};
+  resolve_states(test.data, file.data, measured.string());
+  test.responses = responses_of(test.data, measured.parent_path());
+  make_folder(options.out);
+  Progress progress(options.quiet);
+  progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
+  DiagnosisSettings settings{.without = {options.without.begin(), options.without.end()},
+                             .plan_next = options.plan_next};
+  settings.stage = [&](const std::string& stage) { progress.stage(stage); };
+  Diagnosis diagnosis;
+  try {
+    diagnosis = located(file, [&] { return diagnose(file.data, test, settings); });
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{.file = measured.string(),
+                       .line = 0,
+                       .key = "",
+                       .wrong = error.what(),
+                       .allowed = "mass, static, modes, peaks or frf that this case answers"}});
+  }
+  write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, options.out);
+  progress.finish();
+  if (!options.quiet)
+    fmt::print("{}\nReport: {}\n", diagnosis_text(diagnosis),
+               (options.out / "report.html").string());
+  return 0;
+}
+
+} // namespace plica

@@ -1,0 +1,499 @@
+#include "diagnose/diagnose.hpp"
+
+#include "diagnose/gap/identifiability.hpp"
+#include "diagnose/gap/judge.hpp"
+#include "diagnose/gap/next_measurement.hpp"
+#include "diagnose/gap/shrink.hpp"
+#include "solve/parallel.hpp"
+#include "solve/stopwatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double silent = 0.3;       // |g| below which no data speak of an effect
+constexpr std::size_t for_pairs = 6; // effects that are combined
+constexpr int confirmed = 3;         // hypotheses followed by Markov chains
+
+// Readings that the model answers; what it does not is said.
+TestReadings answered(const Nominal& nominal, TestReadings test) {
+  const auto y = Predictor(nominal, test, {})(VectorXd());
+  if (!y) throw std::runtime_error("the nominal structure has no stable answer");
+  std::vector<Reading> kept;
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    if (std::isfinite((*y)[Index(i)]))
+      kept.push_back(test.readings[i]);
+    else
+      test.warnings.push_back("the model gives no " + test.readings[i].name + " (" +
+                              test.readings[i].entry + ")");
+  }
+  test.readings = std::move(kept);
+  if (test.readings.empty())
+    throw std::invalid_argument("the model gives none of the measured quantities");
+  return test;
+}
+
+// Runs above the lowest level of their direction go.
+void lowest_levels_only(TestReadings& test) {
+  std::map<int, double> lowest;
+  for (const TestRun& run : test.runs) {
+    const auto [at, made] = lowest.try_emplace(run.base, run.level);
+    if (!made) at->second = std::min(at->second, run.level);
+  }
+  std::erase_if(test.readings, [&](const Reading& r) {
+    if (r.run < 0) return false;
+    const TestRun& run = test.runs[std::size_t(r.run)];
+    return run.level > lowest.at(run.base);
+  });
+}
+
+class Work {
+public:
+  Work(const Case& data, const DiagnosisData& data_of_test, const DiagnosisSettings& settings)
+      : case_(data), measured_(data_of_test.data), responses_(data_of_test), settings_(settings) {}
+
+  Diagnosis diagnosis() {
+    settings_.stage("nominal case");
+    nominal_ = nominal_of(case_, measured_);
+    test_ = readings_of(responses_);
+    if (settings_.without.contains("levels")) lowest_levels_only(test_);
+    if (settings_.without.contains("heldout"))
+      for (Reading& r : test_.readings) r.held_out = false;
+    test_ = answered(nominal_, std::move(test_));
+    settings_.stage("admissible specimens");
+    uncertainty_ = uncertainty_of(case_, nominal_, test_, measured_, settings_.without);
+    log_measured_.resize(Index(test_.readings.size()));
+    for (Index i = 0; i < log_measured_.size(); ++i)
+      log_measured_[i] = test_.readings[std::size_t(i)].log_value;
+    fitted_.emplace(test_, uncertainty_, false);
+    held_out_.emplace(test_, uncertainty_, true);
+    if (fitted_->rows().empty()) throw std::invalid_argument("all that was measured is held out");
+    predictors_.emplace(nominal_, test_);
+    const FitContext context{*predictors_, test_, uncertainty_, log_measured_, *fitted_};
+    const BlockScores scores(test_, uncertainty_);
+    list_hypotheses();
+    settings_.stage("signatures of " + std::to_string(hypotheses_.size()) + " hypotheses");
+    const std::vector<Signature> all = signatures(context, hypotheses_);
+    Standards standards = standards_of(context, *held_out_);
+    standards.gate = !settings_.without.contains("adequacy");
+    standards.evidence = evidence_threshold(context, all);
+
+    settings_.stage("fits");
+    const HypothesisFit plain = nominal_fit(context);
+    const JudgedFit nominal = judged(plain, plain, context, *held_out_, scores, standards);
+    std::vector<JudgedFit> fits = fit_all(context, all, plain, scores, standards);
+    std::vector<Family> ranked = families(fits);
+    confirm(context, ranked, fits, plain, scores, standards);
+    ranked = families(fits);
+    std::vector<JudgedFit> pairs;
+    if (!nominal.adequate && std::none_of(ranked.begin(), ranked.end(),
+                                          [](const Family& f) { return f.best->credible(); }))
+      pairs = fit_pairs(context, ranked, plain, scores, standards);
+    const Judgement judgement = judge(nominal, ranked, pairs, standards);
+    report(context, scores, standards, nominal, ranked, pairs, judgement, all);
+    return std::move(result_);
+  }
+
+private:
+  void list_hypotheses() {
+    const Structure structure = nominal_.structure(measured_);
+    for (const Effect& effect : effects())
+      for (Hypothesis& h : effect.hypotheses(structure)) hypotheses_.push_back(std::move(h));
+  }
+
+  std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,
+                                 const HypothesisFit& plain, const BlockScores& scores,
+                                 const Standards& standards) {
+    std::vector<JudgedFit> fits(all.size());
+    in_parallel(int(all.size()), [&](int i) {
+      const Signature& s = all[std::size_t(i)];
+      if (s.g.norm() < silent) return;
+      fits[std::size_t(i)] =
+          judged(fit_of(context, {s.hypothesis}), plain, context, *held_out_, scores, standards);
+    });
+    std::erase_if(fits, [](const JudgedFit& j) { return !j.fit.solved; });
+    return fits;
+  }
+
+  // The best hypotheses of the best effects once more by Markov chains.
+  void confirm(const FitContext& context, const std::vector<Family>& ranked,
+               std::vector<JudgedFit>& fits, const HypothesisFit& plain, const BlockScores& scores,
+               const Standards& standards) {
+    settings_.stage("Markov chains");
+    std::vector<JudgedFit*> chosen;
+    for (const Family& f : ranked)
+      if (int(chosen.size()) < confirmed && f.log_evidence > plain.log_evidence - 1)
+        for (JudgedFit& j : fits)
+          if (&j == f.best) chosen.push_back(&j);
+    in_parallel(int(chosen.size()), [&](int i) {
+      HypothesisFit fit = chosen[std::size_t(i)]->fit;
+      sample(context, fit, settings_.particles, unsigned(i) + 1);
+      *chosen[std::size_t(i)] =
+          judged(std::move(fit), plain, context, *held_out_, scores, standards);
+    });
+  }
+
+  std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Family>& ranked,
+                                   const HypothesisFit& plain, const BlockScores& scores,
+                                   const Standards& standards) {
+    settings_.stage("pairs of effects");
+    std::vector<std::vector<const Hypothesis*>> together;
+    const std::size_t count = std::min(for_pairs, ranked.size());
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Hypothesis *a = ranked[i].best->fit.together[0], *b = ranked[j].best->fit.together[0];
+        if (ranked[i].best->log_bayes_factor > 1 && !(a->softening && b->softening))
+          together.push_back({a, b});
+      }
+    std::vector<JudgedFit> pairs(together.size());
+    in_parallel(int(together.size()), [&](int i) {
+      pairs[std::size_t(i)] = judged(fit_of(context, together[std::size_t(i)]), plain, context,
+                                     *held_out_, scores, standards);
+    });
+    std::erase_if(pairs, [](const JudgedFit& j) { return !j.fit.solved; });
+    std::sort(pairs.begin(), pairs.end(), [](const JudgedFit& a, const JudgedFit& b) {
+      return a.fit.log_evidence > b.fit.log_evidence;
+    });
+    return pairs;
+  }
+
+  NamedEffect named(const HypothesisFit& fit, std::size_t half, double probability) const {
+    const Hypothesis& h = *fit.together[half];
+    NamedEffect e{.name = h.effect,
+                  .place = h.place,
+                  .way = h.way,
+                  .probability = probability,
+                  .parameters = {}};
+    Index first = 0;
+    for (std::size_t i = 0; i < half; ++i) first += Index(fit.together[i]->parameters.size());
+    for (std::size_t i = 0; i < h.parameters.size(); ++i) {
+      const Index row = first + Index(i);
+      const Prior& prior = h.parameters[i].prior;
+      std::array<double, 2> z{};
+      if (fit.draws.cols() > 20) {
+        std::vector<double> draws(fit.draws.row(row).begin(), fit.draws.row(row).end());
+        std::sort(draws.begin(), draws.end());
+        z = {draws[std::size_t(0.05 * double(draws.size()))],
+             draws[std::size_t(0.95 * double(draws.size() - 1))]};
+      } else {
+        const double sigma = std::sqrt(fit.covariance(row, row));
+        z = {fit.z[row] - 1.645 * sigma, fit.z[row] + 1.645 * sigma};
+      }
+      e.parameters.push_back({.name = h.parameters[i].name,
+                              .unit = h.parameters[i].unit,
+                              .value = fit.values[row],
+                              .interval = {value_of(prior, z[0]), value_of(prior, z[1])},
+                              .z = fit.z[row]});
+    }
+    return e;
+  }
+
+  TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {
+    TriedHypothesis t{.effects = {},
+                      .log_evidence = j.fit.log_evidence,
+                      .sampled_log_evidence = j.fit.sampled_log_evidence,
+                      .log_bayes_factor = j.log_bayes_factor,
+                      .half_width = log_evidence_at_width(j.fit, 0.5) - plain.log_evidence,
+                      .double_width = log_evidence_at_width(j.fit, 2) - plain.log_evidence,
+                      .chi2 = j.fit.chi2,
+                      .adequate = j.adequate,
+                      .share_of_healthy_worse = j.p,
+                      .worst_block = j.worst.second,
+                      .worst_block_z = j.worst.first,
+                      .gap_after = j.gap_after,
+                      .held_out_after = j.held_out_after,
+                      .absurd = j.absurd,
+                      .fails_held_out = j.fails_held_out,
+                      .rejected = ""};
+    for (std::size_t h = 0; h < j.fit.together.size(); ++h) t.effects.push_back(named(j.fit, h, 0));
+    if (!j.adequate)
+      t.rejected = "does not explain " + j.worst.second;
+    else if (j.absurd)
+      t.rejected = "only with a value far out of its prior";
+    else if (j.fails_held_out)
+      t.rejected = "does not predict the held-out readings";
+    return t;
+  }
+
+  void report(const FitContext& context, const BlockScores& scores, const Standards& standards,
+              const JudgedFit& nominal, const std::vector<Family>& ranked,
+              const std::vector<JudgedFit>& pairs, const Judgement& judgement,
+              const std::vector<Signature>& all) {
+    settings_.stage("report");
+    result_.case_name = case_.name;
+    result_.verdict = judgement.verdict;
+    result_.probabilities = judgement.probabilities;
+    const auto probability = [&](const std::string& effect) {
+      for (const auto& [name, p] : judgement.probabilities)
+        if (name == effect) return p;
+      return 0.;
+    };
+    for (const JudgedFit* j : judgement.named)
+      for (std::size_t h = 0; h < j->fit.together.size(); ++h)
+        result_.effects.push_back(named(
+            j->fit, h,
+            judgement.verdict == Verdict::pair ? 1 : probability(j->fit.together[h]->effect)));
+    result_.where = located(scores, nominal.fit.deviation);
+    add_components(ranked);
+    result_.trends = level_trends(test_);
+    result_.tried.push_back(tried(nominal, nominal.fit));
+    for (const Family& f : ranked) result_.tried.push_back(tried(*f.best, nominal.fit));
+    for (const JudgedFit& p : pairs) result_.tried.push_back(tried(p, nominal.fit));
+    std::stable_sort(result_.tried.begin(), result_.tried.end(),
+                     [](const TriedHypothesis& a, const TriedHypothesis& b) {
+                       return a.log_bayes_factor > b.log_bayes_factor;
+                     });
+    const JudgedFit* best = best_of(nominal, ranked, pairs, judgement);
+    const JudgedFit* second = second_of(ranked, best);
+    how_far(context, nominal, *best, second);
+    if (best->fit.together.size() == 1) result_.drifts = drifts(context, best->fit);
+    const Structure structure = nominal_.structure(measured_);
+    result_.compensators = compensators(context, *held_out_, nominal.fit, structure);
+    const Likeness alike = likeness(all);
+    result_.effect_names = alike.effects;
+    result_.likeness = alike.cosine;
+    result_.mimics = mimics(alike);
+    result_.detectable = detectable(all);
+    overlay(*best, second);
+    for (const JudgedFit* j : {best, second})
+      if (j && j->fit.draws.cols() > 0) {
+        MatrixXd values(j->fit.draws.rows(), j->fit.draws.cols());
+        const Predictor& predict = predictors_->of(j->fit.together);
+        for (Index k = 0; k < values.cols(); ++k)
+          values.col(k) = predict.values_of(j->fit.draws.col(k));
+        result_.posteriors.emplace_back(name_of(j->fit), std::move(values));
+      }
+    plan_next(nominal, ranked, judgement);
+    assumptions(standards);
+    result_.warnings = test_.warnings;
+    result_.hypotheses = int(hypotheses_.size());
+    result_.headline = headline(nominal, judgement);
+    result_.seconds = watch_.seconds();
+  }
+
+  // What an effect at a place explains stands for the place.
+  void add_components(const std::vector<Family>& ranked) {
+    std::map<std::string, double> most;
+    for (const Family& f : ranked) {
+      const std::string& place = f.best->fit.together[0]->place;
+      const std::string component = place.substr(0, place.find('.'));
+      most[component == "sensor" ? place : component] =
+          std::max(most[component == "sensor" ? place : component], f.best->log_bayes_factor);
+    }
+    for (const auto& [component, log_bayes] : most)
+      if (log_bayes > 0) {
+        LocatedGap gap;
+        gap.component = component;
+        gap.z = std::sqrt(2 * log_bayes);
+        gap.significant = log_bayes > 3;
+        result_.where.push_back(gap);
+      }
+  }
+
+  static const JudgedFit* best_of(const JudgedFit& nominal, const std::vector<Family>& ranked,
+                                  const std::vector<JudgedFit>& pairs, const Judgement& judgement) {
+    if (judgement.verdict == Verdict::none) return &nominal;
+    if (!judgement.named.empty()) return judgement.named.front();
+    if (ranked.empty()) return &nominal;
+    const JudgedFit* best = ranked.front().best;
+    for (const JudgedFit& p : pairs)
+      if (p.log_bayes_factor > best->log_bayes_factor + 5) best = &p;
+    return best;
+  }
+  static const JudgedFit* second_of(const std::vector<Family>& ranked, const JudgedFit* best) {
+    for (const Family& f : ranked)
+      if (f.best != best) return f.best;
+    return nullptr;
+  }
+
+  void how_far(const FitContext& context, const JudgedFit& nominal, const JudgedFit& best,
+               const JudgedFit* second) {
+    result_.gap = gap_shrink(context, *fitted_, nominal.fit, best.fit);
+    if (!held_out_->rows().empty()) {
+      result_.held_out = gap_shrink(context, *held_out_, nominal.fit, best.fit);
+      for (const std::string& h : measured_.hold_out)
+        result_.held_out_how += (result_.held_out_how.empty() ? "" : ", ") + h;
+      if (result_.held_out_how.empty())
+        result_.held_out_how = "the highest level of each direction";
+    } else if (fitted_->rows().size() > 2 && fitted_->rows().size() < 16 &&
+               !best.fit.together.empty()) {
+      result_.held_out = in_turn(context, nominal.fit, best.fit);
+      result_.held_out_how = "each reading in turn, the others fitted";
+    }
+    const MatrixXd total = uncertainty_.total();
+    for (std::size_t i = 0; i < test_.readings.size(); ++i) {
+      const Reading& r = test_.readings[i];
+      const auto value = [&](const HypothesisFit& fit) {
+        const double log_value = log_measured_[Index(i)] - fit.deviation[Index(i)];
+        return r.kind == ReadingKind::cross ? std::max(0., std::exp(log_value) - cross_floor)
+                                            : std::exp(log_value);
+      };
+      ComparedReading row{.name = r.name,
+                          .unit = r.unit,
+                          .measured = r.value,
+                          .nominal = value(nominal.fit),
+                          .best = value(best.fit),
+                          .second = {},
+                          .sigma = std::sqrt(total(Index(i), Index(i))),
+                          .held_out = r.held_out};
+      if (second) row.second = value(second->fit);
+      result_.readings.push_back(std::move(row));
+    }
+  }
+
+  void overlay(const JudgedFit& best, const JudgedFit* second) {
+    for (std::size_t i = 0; i < responses_.responses.size(); ++i)
+      for (const FrfSet& set : responses_.responses[i]) {
+        if (set.references.empty() || result_.overlays.size() >= 4) continue;
+        const Reading* reading = nullptr;
+        for (const Reading& r : test_.readings)
+          if (r.entry == "frf[" + std::to_string(i) + "]" && r.kind == ReadingKind::amplitude) {
+            reading = &r;
+            break;
+          }
+        if (!reading) continue;
+        const TestRun& run = test_.runs[std::size_t(reading->run)];
+        const std::string channel = run.sensor + "." + "xyz"[run.axis];
+        const auto column = std::find(set.responses.begin(), set.responses.end(), channel);
+        if (column == set.responses.end()) continue;
+        OverlaidResponse o;
+        o.name = reading->name.substr(reading->name.find(" at ") + 1);
+        o.hertz = set.hertz;
+        o.measured = set.H[0].col(column - set.responses.begin()).cwiseAbs();
+        const auto magnitude = [&](const HypothesisFit& fit) {
+          const auto H = predictors_->of(fit.together).response(fit.values, run, set.hertz);
+          return H ? VectorXd(H->cwiseAbs()) : VectorXd();
+        };
+        o.nominal = predictors_->of({})
+                        .response(VectorXd(), run, set.hertz)
+                        .value_or(Eigen::VectorXcd())
+                        .cwiseAbs();
+        o.best = magnitude(best.fit);
+        if (second) o.second = magnitude(second->fit);
+        result_.overlays.push_back(std::move(o));
+      }
+  }
+
+  void plan_next(const JudgedFit& nominal, const std::vector<Family>& ranked,
+                 const Judgement& judgement) {
+    if (!settings_.plan_next || judgement.verdict == Verdict::pair) return;
+    std::vector<RivalHypothesis> rivals;
+    constexpr std::size_t most = 4;
+    const auto add = [&](const JudgedFit& j) {
+      double p = 0.02; // a rival is never quite ruled out
+      const std::string name = j.fit.together.empty() ? "none" : j.fit.together[0]->effect;
+      for (const auto& [effect, own] : judgement.probabilities)
+        if (effect == name) p = std::max(p, own);
+      rivals.push_back({j.fit.together, j.fit.values, p});
+    };
+    if (nominal.adequate) add(nominal);
+    for (const JudgedFit* j : judgement.named) add(*j);
+    for (const Family& f : ranked)
+      if (rivals.size() < most && std::find(judgement.named.begin(), judgement.named.end(),
+                                            f.best) == judgement.named.end())
+        add(*f.best);
+    if (rivals.size() > most) rivals.resize(most);
+    settings_.stage("next measurement");
+    result_.next = next_measurements(case_, measured_, test_, rivals);
+    for (const JudgedFit* j : judgement.named)
+      for (const Hypothesis* h : j->fit.together)
+        for (const std::string& advice : effect_named(h->effect).look_alikes)
+          result_.advice.push_back(h->effect + " or " + advice);
+  }
+
+  void assumptions(const Standards& standards) {
+    const auto add = [&](const char* format, auto... values) {
+      std::array<char, 300> text{};
+      std::snprintf(text.data(), text.size(), format, values...);
+      result_.assumptions.emplace_back(text.data());
+    };
+    add("%zu readings, %zu of them held out; %zu hypotheses of %zu effects", test_.readings.size(),
+        held_out_->rows().size(), hypotheses_.size(), effects().size());
+    add("admissible specimens (%d): modulus 1 %%, density 0.5 %%, wall 1 %% where the case has no "
+        "tolerance, field of stiffness 2 %%, masses 1 %%, joints 5 %%, damping 12 %% and 10 %% of "
+        "each mode, sensors 1 %% and 1 degree, table 0.5 %% along other axes; %zu tolerances of "
+        "the case",
+        specimens, case_.tolerances.size());
+    add("reassembly 0.2 %% of frequencies and 4 %% of damping, runs 0.1 %% and 3 %%; model 0.2 %% "
+        "of frequencies, 0.4 %% of stiffnesses and a tenth of what the meshes differ by");
+    add("adequate: chi-square at most %.1f over %zu readings, no block beyond z = %.1f; ln BF over "
+        "the nominal case at least %.1f",
+        standards.chi2, fitted_->rows().size(), standards.worst_block, standards.evidence);
+    for (const std::string& w : settings_.without) result_.assumptions.push_back("left out: " + w);
+  }
+
+  std::string headline(const JudgedFit& nominal, const Judgement& judgement) const {
+    const auto odds = [](double log_bayes) {
+      std::array<char, 32> text{};
+      if (log_bayes > 13.8) return std::string("odds above a million to one");
+      std::snprintf(text.data(), text.size(), "odds %.3g:1", std::exp(log_bayes));
+      return std::string(text.data());
+    };
+    switch (judgement.verdict) {
+    case Verdict::none:
+      return "No effect: the nominal case explains the test within its uncertainties";
+    case Verdict::identified: {
+      const JudgedFit& j = *judgement.named.front();
+      std::string text = name_of(j.fit) + " (" + odds(j.log_bayes_factor) + " over no effect";
+      for (const auto& [name, p] : judgement.probabilities)
+        if (name != j.fit.together[0]->effect && name != "none") {
+          double own = 0;
+          for (const auto& [other, q] : judgement.probabilities)
+            if (other == j.fit.together[0]->effect) own = q;
+          text +=
+              ", " + odds(std::log(std::max(own, 1e-300) / std::max(p, 1e-300))) + " over " + name;
+          break;
+        }
+      return text + ")";
+    }
+    case Verdict::ambiguous: {
+      std::string text = "Ambiguous: ";
+      for (const JudgedFit* j : judgement.named) {
+        std::array<char, 32> share{};
+        double p = 0;
+        for (const auto& [name, own] : judgement.probabilities)
+          if (name == j->fit.together[0]->effect) p = own;
+        std::snprintf(share.data(), share.size(), " %.0f %%", 100 * p);
+        text += (j == judgement.named.front() ? "" : " or ") + name_of(j->fit) + share.data();
+      }
+      return text;
+    }
+    case Verdict::pair:
+      return "Two effects: " + name_of(judgement.named.front()->fit) + " (" +
+             odds(judgement.named.front()->log_bayes_factor) + " over no effect)";
+    case Verdict::unknown:
+      break;
+    }
+    return "None of the effects known here explains the test; it is farthest off in " +
+           nominal.worst.second;
+  }
+
+  const Case& case_;
+  const Measured& measured_;
+  const DiagnosisData& responses_;
+  const DiagnosisSettings& settings_;
+  Stopwatch watch_;
+  Nominal nominal_;
+  TestReadings test_;
+  Uncertainty uncertainty_;
+  VectorXd log_measured_;
+  std::optional<Whitening> fitted_, held_out_;
+  std::optional<PredictorStore> predictors_;
+  std::vector<Hypothesis> hypotheses_;
+  Diagnosis result_;
+};
+
+} // namespace
+
+Diagnosis diagnose(const Case& data, const DiagnosisData& test, const DiagnosisSettings& settings) {
+  return Work(data, test, settings).diagnosis();
+}
+
+} // namespace plica

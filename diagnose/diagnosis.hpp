@@ -1,0 +1,155 @@
+// What a diagnosis says: where the gap between model and test lies, which effect causes it, how
+// much of it goes when the effect is modelled, and what to measure next.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plica {
+
+// none: the nominal case explains the test. ambiguous: several effects do, and the data cannot
+// tell. unknown: none of the library does.
+enum class Verdict { none, identified, ambiguous, pair, unknown };
+
+struct EstimatedParameter {
+  std::string name, unit;
+  double value = 0;
+  std::array<double, 2> interval{}; // 90 %
+  double z = 0;                     // distance from the centre of its prior
+};
+
+struct NamedEffect {
+  std::string name, place, way;
+  double probability = 0;
+  std::vector<EstimatedParameter> parameters;
+};
+
+// One hypothesis that was tried, or a pair.
+struct TriedHypothesis {
+  std::vector<NamedEffect> effects; // none = the nominal case
+  double log_evidence = 0;
+  std::optional<double> sampled_log_evidence; // by Markov chains
+  double log_bayes_factor = 0;                // over the nominal case
+  double half_width = 0, double_width = 0;    // the same with priors half and twice as wide
+  double chi2 = 0;                            // of the fitted readings
+  bool adequate = false;                      // as good as an admissible specimen
+  double share_of_healthy_worse = 0;          // that fit no better: a p-value
+  std::string worst_block;                    // where it fits least
+  double worst_block_z = 0;
+  double gap_after = 0; // RMS of e
+  std::optional<double> held_out_after;
+  bool absurd = false; // |z| of a parameter above 3
+  bool fails_held_out = false;
+  std::string rejected; // why, in words; empty = not
+};
+
+// One block of readings against admissible specimens.
+struct LocatedGap {
+  std::string component; // by hypotheses at that place; else empty and
+  std::string direction; // of base, with that of the response where it differs: "y", "x to z"
+  std::string band;      // peak and its frequency
+  std::string kind;      // mass, stiffness, frequency, damping, amplitude, cross
+  std::optional<double> level;
+  std::string state;
+  double z = 0;             // signed: above zero, the test shows more than the model
+  bool significant = false; // at 5 % after Holm's correction
+};
+
+// Change of a frequency or damping with level.
+struct LevelTrend {
+  std::string quantity;
+  double slope = 0, sigma = 0; // d ln / d ln level
+};
+
+// A parameter estimated from parts of the readings alone.
+struct ParameterDrift {
+  std::string parameter, by;                                        // by level, direction, band
+  std::vector<std::pair<std::string, std::array<double, 2>>> parts; // estimate and sigma
+  double p = 1;                                                     // that they are equal
+};
+
+struct GapShrink {
+  double before = 0, after = 0; // RMS of whitened differences; 1 = measurement and scatter
+  double shrink() const { return before > 0 ? 1 - after / before : 0; }
+  std::array<double, 2> interval{}; // of the shrink, 90 %
+  int readings = 0;
+};
+
+// One reading beside the models.
+struct ComparedReading {
+  std::string name, unit;
+  double measured = 0, nominal = 0, best = 0;
+  std::optional<double> second;
+  double sigma = 0; // of all uncertainties, relative
+  bool held_out = false;
+};
+
+struct Mimic {
+  std::string a, b; // effects
+  double cosine = 0;
+};
+
+struct SmallestDetectable {
+  std::string name, place, way, parameter, unit;
+  std::optional<double> value; // none: not within its prior's reach
+  double noncentrality = 0;    // of the effect at one standard deviation of its prior
+};
+
+struct ProposedMeasurement {
+  std::string what;
+  double cost = 1;       // 1: an hour at the rig
+  double separation = 0; // expected, of what is to be told apart; 25 = beyond doubt
+  std::string separates; // which from which
+};
+
+// A parameter that would close the gap and is not the cause.
+struct Compensator {
+  std::string name;
+  double factor = 1; // on its nominal value
+  double prior_sigmas = 0;
+  double gap_after = 0;
+  std::optional<double> held_out_after;
+  std::string contradicted_by;
+};
+
+// A response measured and as models have it.
+struct OverlaidResponse {
+  std::string name;
+  Eigen::VectorXd hertz, measured, nominal, best, second; // magnitudes; second may be empty
+};
+
+struct Diagnosis {
+  std::string case_name, headline; // one line with odds
+  Verdict verdict = Verdict::none;
+  std::vector<NamedEffect> effects; // named, or the ambiguous set by probability
+  std::vector<LocatedGap> where;
+  std::vector<LevelTrend> trends;
+  std::vector<ParameterDrift> drifts;
+  std::vector<TriedHypothesis> tried; // best of each effect, then pairs; by evidence
+  std::vector<std::pair<std::string, double>> probabilities; // of effects and "none"
+  GapShrink gap;
+  std::optional<GapShrink> held_out;
+  std::string held_out_how; // "frf[6], frf[7]", "the highest level", "each reading in turn"
+  std::vector<ComparedReading> readings;
+  std::vector<Compensator> compensators;
+  std::vector<Mimic> mimics; // of effects that look alike by 0.8 and more
+  std::vector<std::string> effect_names;
+  Eigen::MatrixXd likeness; // effects x effects: largest cosine of their signatures
+  std::vector<SmallestDetectable> detectable;
+  std::vector<ProposedMeasurement> next;
+  std::vector<std::string> advice; // what tells look-alikes apart beyond what is computed
+  std::vector<OverlaidResponse> overlays;
+  // Draws of the best and second hypothesis, values of their parameters.
+  std::vector<std::pair<std::string, Eigen::MatrixXd>> posteriors;
+  std::vector<std::string> assumptions, warnings;
+  double basis_error = 0; // of a frequency of the best hypothesis by its reduction, relative
+  int hypotheses = 0, evaluations = 0;
+  double seconds = 0;
+};
+
+} // namespace plica

@@ -1,0 +1,77 @@
+#include "diagnose/effects/places.hpp"
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+// Multiplies some of the rigid bodies of the model.
+ModelChange doubled(std::vector<int> masses) {
+  return {[masses = std::move(masses)](Model& model) {
+            for (int i : masses) {
+              model.masses[std::size_t(i)].body.mass *= 2;
+              model.masses[std::size_t(i)].body.inertia *= 2;
+            }
+          },
+          Follow::series};
+}
+
+std::vector<int> masses_on(const Model& model, const std::vector<int>& nodes,
+                           const std::function<bool(double)>& is_own) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < model.masses.size(); ++i)
+    if (std::find(nodes.begin(), nodes.end(), model.masses[i].node) != nodes.end() &&
+        is_own(model.masses[i].body.mass))
+      found.push_back(int(i));
+  return found;
+}
+
+} // namespace
+
+// Caps, attached masses, interlocks: a ratio to the mass in the case. An attached mass may be
+// missing altogether.
+std::vector<Hypothesis> component_mass(const Structure& s) {
+  std::vector<Hypothesis> found;
+  const Model& model = s.built.model;
+  const auto add = [&](const std::string& place, std::vector<int> masses, const Prior& prior) {
+    if (masses.empty()) return;
+    found.push_back(
+        {.effect = "component_mass",
+         .place = place,
+         .way = "",
+         .parameters = {{"ratio", "", prior}},
+         .changes = {doubled(std::move(masses))},
+         .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(v.array() - 1); }});
+  };
+  constexpr Prior drawn{PriorKind::log_normal, 1, 0.25}, attached{PriorKind::uniform, 0, 2};
+  for (const Cap& cap : s.data.caps)
+    if (cap.mass > 0)
+      add("caps." + cap.name,
+          masses_on(model, {cap_node(s, cap.name)}, [&](double m) { return m == cap.mass; }),
+          drawn);
+  for (const Part& part : s.data.parts) {
+    if (const auto* body = std::get_if<PointMass>(&part.body); body && body->mass > 0) {
+      std::vector<int> own;
+      for (std::size_t i = 0; i < model.masses.size(); ++i)
+        if (model.masses[i].body.mass == body->mass &&
+            (model.mesh.nodes[model.masses[i].node] -
+             model.mesh.nodes[model.mesh.sets.at(body->at).front()])
+                    .norm() < s.length / 2 &&
+            (model.mesh.sets.at(body->at).size() > 1 ||
+             model.masses[i].node == model.mesh.sets.at(body->at).front()))
+          own.push_back(int(i));
+      add(part.name, own, attached);
+    }
+    if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->mass > 0)
+      add(part.name,
+          masses_on(model, model.mesh.sets.at(part.name + ".all"),
+                    [&](double m) {
+                      return std::none_of(s.data.caps.begin(), s.data.caps.end(),
+                                          [&](const Cap& cap) { return cap.mass == m; });
+                    }),
+          drawn);
+  }
+  return found;
+}
+
+} // namespace plica

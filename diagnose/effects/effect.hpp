@@ -1,0 +1,114 @@
+// What a nominal model may lack: an effect, at each place of the case where it may sit.
+//
+// An effect changes the model (stiffness and mass, linearly in finite changes of it), the test (how
+// the table moves, what sensors read, what the scale sees), or a group of springs over the
+// amplitude. One file per effect lists its hypotheses for a case; docs/diagnosis.md says how to add
+// one. Nothing here knows of a specimen.
+#pragma once
+
+#include "diagnose/measured.hpp"
+#include "model/build.hpp"
+#include "reduction/parametric_model.hpp"
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+enum class PriorKind { normal, log_normal, uniform };
+
+// What may be expected of a parameter before the test. Its coordinate z is N(0, 1).
+//   normal: centre + width z;  log_normal: centre exp(width z);  uniform: between centre and width
+struct Prior {
+  PriorKind kind = PriorKind::normal;
+  double centre = 0, width = 1;
+};
+double value_of(const Prior& prior, double z);
+
+struct EffectParameter {
+  std::string name, unit; // SI
+  Prior prior;
+};
+
+// The test as the hypothesis sees it, beside the specimen's stiffness and mass.
+struct TestSetup {
+  double damping = 1;                                 // factor of all damping ratios
+  std::map<std::string, Eigen::Matrix3d> reading{};   // of a sensor: what it shows of its motion
+  Eigen::Matrix3d base = Eigen::Matrix3d::Identity(); // column: motion when an axis is commanded
+};
+
+// A group of springs that slip: k(A) = stiffness (1 - share (1 - G(A))), G by sliders whose slip
+// distances spread evenly in the logarithm about `distance`, over a ratio of `spread`.
+struct Softening {
+  double share = 0, distance = 0, spread = 0; // distance in m
+};
+
+// An effect at a place; where it may act in several ways, one for each.
+struct Hypothesis {
+  std::string effect, place, way; // way: "x", "diagonal"; empty = there is but one
+  std::vector<EffectParameter> parameters;
+  std::vector<ModelChange> changes = {};
+  // Of the changes, by the values of the parameters.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> coefficients = {};
+  bool at_rig = true; // acts on the static rig and the scale too, not on the shaker alone
+  std::vector<std::string> released = {}; // caps that the mount no longer holds
+  std::function<void(TestSetup&, const Eigen::VectorXd&)> setup = {};
+  // The first change adds `present` times less than the group has; it softens.
+  std::function<Softening(const Eigen::VectorXd&)> softening = {};
+  double group_stiffness = 0; // N/m: stretch of the group = sqrt(2 energy / this)
+  double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
+};
+
+// What effects look at to find their places.
+struct Structure {
+  const Case& data;
+  const BuiltCase& built;
+  const Measured& measured;
+  // Scales of the priors: of the whole, and of its lowest mode.
+  double stiffness = 0; // N/m
+  double mass = 0;      // kg
+  double length = 0;    // m
+  double frequency = 0; // Hz
+};
+
+struct Effect {
+  std::string name;    // of the contract: "ply_slip"
+  std::string physics; // one sentence
+  std::string signature;
+  std::vector<std::string> look_alikes; // with the measurement that tells them apart
+  std::vector<Hypothesis> (*hypotheses)(const Structure&);
+};
+
+// Coefficients of changes made at `samples` of a scalar such that functions of it, zero for the
+// nominal structure, are met: exact where stiffness and mass are linear in these functions.
+// `functions` gives as many values as there are samples.
+std::function<Eigen::VectorXd(double)>
+coefficients_through(const std::function<Eigen::VectorXd(double)>& functions,
+                     const std::vector<double>& samples);
+
+// All effects, the library of the diagnosis.
+const std::vector<Effect>& effects();
+const Effect& effect_named(const std::string& name); // throws std::out_of_range
+
+// One per effect.
+std::vector<Hypothesis> ply_slip(const Structure& s);
+std::vector<Hypothesis> joint_friction(const Structure& s);
+std::vector<Hypothesis> joint_stiffness(const Structure& s);
+std::vector<Hypothesis> fixture_flexibility(const Structure& s);
+std::vector<Hypothesis> boundary_compliance(const Structure& s);
+std::vector<Hypothesis> extra_support(const Structure& s);
+std::vector<Hypothesis> added_mass(const Structure& s);
+std::vector<Hypothesis> component_mass(const Structure& s);
+std::vector<Hypothesis> local_damage(const Structure& s);
+std::vector<Hypothesis> forming_thinning(const Structure& s);
+std::vector<Hypothesis> damping(const Structure& s);
+std::vector<Hypothesis> cross_axis_base_motion(const Structure& s);
+std::vector<Hypothesis> temperature(const Structure& s);
+std::vector<Hypothesis> rotated_sensor(const Structure& s);
+std::vector<Hypothesis> sensor_gain(const Structure& s);
+std::vector<Hypothesis> unweighed_mass(const Structure& s);
+
+} // namespace plica

@@ -1,0 +1,42 @@
+#include "diagnose/effects/places.hpp"
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+// t (r_root / r)^p on top of what the wall has.
+void thin(Model& model, const WallElements& wall, double exponent) {
+  for (int q : wall.quads) {
+    ShellQuad& quad = model.mesh.quads[std::size_t(q)];
+    for (int corner = 0; corner < 4; ++corner) {
+      const Eigen::Vector3d& x = model.mesh.nodes[quad.nodes[std::size_t(corner)]];
+      quad.thickness[corner] *= std::pow(wall.root_radius / std::hypot(x.x(), x.z()), exponent);
+    }
+  }
+}
+
+} // namespace
+
+// Stiffness and mass are smooth in the exponent; a parabola through two samples follows them within
+// 0.1 % up to exponents of 1.5.
+std::vector<Hypothesis> forming_thinning(const Structure& s) {
+  std::vector<Hypothesis> found;
+  const std::vector<double> samples{0.6, 1.2};
+  const auto coefficients = coefficients_through(
+      [](double p) { return Eigen::VectorXd(Eigen::Vector2d(p, p * p)); }, samples);
+  for (const WallElements& wall : walls(s)) {
+    Hypothesis h{
+        .effect = "forming_thinning",
+        .place = wall.part,
+        .way = "",
+        .parameters = {{"exponent", "", {PriorKind::log_normal, 0.4, 0.7}}},
+        .coefficients = [coefficients](const Eigen::VectorXd& v) { return coefficients(v[0]); }};
+    for (double p : samples)
+      h.changes.push_back({[wall, p](Model& model) { thin(model, wall, p); }, Follow::modes});
+    found.push_back(std::move(h));
+  }
+  return found;
+}
+
+} // namespace plica

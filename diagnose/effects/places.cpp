@@ -1,0 +1,219 @@
+#include "diagnose/effects/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int stations = 5;
+
+double mean_y(const Mesh& mesh, const std::vector<int>& nodes) {
+  double sum = 0;
+  for (int node : nodes) sum += mesh.nodes[node].y();
+  return sum / double(nodes.size());
+}
+
+// y of the root circles of a bellows, from left to right.
+std::vector<double> roots(const Mesh& mesh, const std::string& part) {
+  std::vector<double> y;
+  for (int k = 1; mesh.sets.contains(part + ".root[" + std::to_string(k) + "]"); ++k)
+    y.push_back(mean_y(mesh, mesh.sets.at(part + ".root[" + std::to_string(k) + "]")));
+  return y;
+}
+
+// The widest ring between two places along the axis; none = null.
+const Ring* crown(const Mesh& mesh, double from, double to) {
+  const Ring* widest = nullptr;
+  for (const Ring& ring : mesh.rings)
+    if (ring.y > from && ring.y < to && (!widest || ring.radius > widest->radius)) widest = &ring;
+  return widest;
+}
+
+// Its uppermost node: what touches from above touches there.
+int top_of(const Mesh& mesh, const std::vector<int>& nodes) {
+  return *std::max_element(nodes.begin(), nodes.end(),
+                           [&](int a, int b) { return mesh.nodes[a].z() < mesh.nodes[b].z(); });
+}
+
+// At most so many numbers of 1..count, evenly spread.
+std::vector<int> spread(int count) {
+  std::vector<int> chosen;
+  const int wanted = std::min(count, stations);
+  for (int i = 0; i < wanted; ++i)
+    chosen.push_back(wanted == count ? i + 1 : 1 + ((2 * i + 1) * count) / (2 * wanted));
+  return chosen;
+}
+
+void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part) {
+  const Mesh& mesh = s.built.model.mesh;
+  const std::vector<double> y = roots(mesh, part);
+  for (int k : spread(int(y.size()) - 1))
+    if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
+      found.push_back({part + ".convolution[" + std::to_string(k) + "]", ring->nodes,
+                       top_of(mesh, ring->nodes)});
+}
+
+void add_points(std::vector<Spot>& found, const Structure& s, const std::string& part) {
+  const auto& sets = s.built.model.mesh.sets;
+  int points = 0;
+  while (sets.contains(part + ".point[" + std::to_string(points + 1) + "]")) ++points;
+  for (int k : spread(points)) {
+    const std::string place = part + ".point[" + std::to_string(k) + "]";
+    found.push_back({place, sets.at(place), sets.at(place).front()});
+  }
+}
+
+void add_along(std::vector<Spot>& found, const Structure& s, const std::string& part) {
+  const std::vector<int>& nodes = s.built.model.mesh.sets.at(part + ".all");
+  if (nodes.size() < 3) return;
+  for (int k : spread(int(nodes.size()) - 2))
+    found.push_back({part + ".node[" + std::to_string(k) + "]",
+                     {nodes[std::size_t(k)]},
+                     nodes[std::size_t(k)]});
+}
+
+bool is_held(const Structure& s, int node) {
+  return std::find(s.built.held_nodes.begin(), s.built.held_nodes.end(), node) !=
+         s.built.held_nodes.end();
+}
+
+double largest_translation(const BushingElement& b) {
+  return b.bushing.law.diagonal().head<3>().maxCoeff();
+}
+
+} // namespace
+
+std::vector<Spot> spots(const Structure& s) {
+  std::vector<Spot> found;
+  for (const BuiltSensor& sensor : s.built.sensors)
+    found.push_back({"sensor." + sensor.name, {sensor.node}, sensor.node});
+  for (const Part& part : s.data.parts) {
+    if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name);
+    if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
+    if (std::holds_alternative<EquivalentPipe>(part.body) ||
+        std::holds_alternative<ConnectorChain>(part.body))
+      add_along(found, s, part.name);
+  }
+  std::erase_if(found, [&](const Spot& spot) { return is_held(s, spot.touched); });
+  return found;
+}
+
+std::vector<JointGroup> joint_groups(const Structure& s) {
+  const Model& model = s.built.model;
+  std::vector<JointGroup> groups;
+  const auto group_of = [&](int component) -> JointGroup& {
+    const std::string& name = model.components[std::size_t(component)];
+    for (JointGroup& g : groups)
+      if (g.place == name) return g;
+    groups.push_back({.place = name, .bushings = {}, .beams = {}});
+    return groups.back();
+  };
+  for (std::size_t i = 0; i < model.bushings.size(); ++i) {
+    JointGroup& group = group_of(model.bushings[i].component);
+    group.bushings.push_back(int(i));
+    group.stiffness = std::max(group.stiffness, largest_translation(model.bushings[i]));
+  }
+  for (JointGroup& g : groups) g.stiffness /= double(g.bushings.size()); // in series
+  for (const Part& part : s.data.parts) {
+    const auto* liner = std::get_if<Interlock>(&part.body);
+    if (!liner) continue;
+    const auto own = std::find(model.components.begin(), model.components.end(), part.name);
+    if (own == model.components.end()) continue;
+    JointGroup group{.place = part.name, .bushings = {}, .beams = {}};
+    for (std::size_t i = 0; i < model.beams.size(); ++i)
+      if (model.beams[i].component == own - model.components.begin()) group.beams.push_back(int(i));
+    group.present = liner->EA > 0;
+    group.nodes = model.mesh.sets.at(part.name + ".all");
+    group.radius = liner->radius;
+    const double length =
+        (model.mesh.nodes[group.nodes.back()] - model.mesh.nodes[group.nodes.front()]).norm();
+    if (length > 0) group.stiffness = group.present ? liner->EA / length : s.stiffness;
+    if (group.stiffness > 0) groups.push_back(group);
+  }
+  std::erase_if(groups, [](const JointGroup& g) { return !(g.stiffness > 0); });
+  return groups;
+}
+
+void scale_group(Model& model, const JointGroup& group, double factor) {
+  for (int i : group.bushings) model.bushings[std::size_t(i)].bushing.law *= factor;
+  if (group.present) {
+    for (int i : group.beams) {
+      BeamProperties& section = model.beams[std::size_t(i)].section;
+      for (double* number : {&section.EA, &section.EI_y, &section.EI_z, &section.GJ})
+        *number *= factor;
+    }
+    return;
+  }
+  // Of a thin tube of its radius, massless: the mass is there already.
+  const auto& x = model.mesh.nodes;
+  const double length = (x[group.nodes.back()] - x[group.nodes.front()]).norm();
+  const double EA = factor * group.stiffness * length, r2 = group.radius * group.radius;
+  for (std::size_t i = 1; i < group.nodes.size(); ++i) {
+    BeamElement beam{.node1 = group.nodes[i - 1], .node2 = group.nodes[i], .section = {}};
+    beam.section = {.EA = EA, .EI_y = EA * r2 / 2, .EI_z = EA * r2 / 2, .GJ = EA * r2 / 2.6};
+    model.beams.push_back(beam);
+  }
+}
+
+std::vector<WallElements> walls(const Structure& s) {
+  const Model& model = s.built.model;
+  std::vector<WallElements> found;
+  for (const Part& part : s.data.parts) {
+    const auto* bellows = std::get_if<Bellows>(&part.body);
+    if (!bellows) continue;
+    WallElements wall{.part = part.name,
+                      .quads = {},
+                      .convolution = {},
+                      .root_radius = bellows->root_radius,
+                      .plies = bellows->wall.plies,
+                      .bond = bellows->wall.bond};
+    const std::vector<double> y = roots(model.mesh, part.name);
+    wall.convolutions = std::max(0, int(y.size()) - 1);
+    for (std::size_t q = 0; q < model.mesh.quads.size(); ++q) {
+      const ShellProperties& section = model.shells[model.mesh.quads[q].section];
+      if (model.components[std::size_t(section.component)] != part.name) continue;
+      const auto above =
+          std::upper_bound(y.begin(), y.end(), quad_centre(model, int(q)).y()) - y.begin();
+      wall.quads.push_back(int(q));
+      wall.convolution.push_back(above == std::ptrdiff_t(y.size()) ? 0 : int(above));
+    }
+    found.push_back(std::move(wall));
+  }
+  return found;
+}
+
+int cap_node(const Structure& s, const std::string& cap) {
+  const auto found = s.built.cap_nodes.find(cap);
+  return found == s.built.cap_nodes.end() ? -1 : found->second;
+}
+
+std::vector<std::string> held_caps(const Structure& s) {
+  std::vector<std::string> caps;
+  for (const Mount& m : s.data.mount)
+    if (m.kind == MountKind::rigid) caps.push_back(m.cap);
+  return caps;
+}
+
+Vector3d quad_centre(const Model& model, int quad) {
+  Vector3d centre = Vector3d::Zero();
+  for (int node : model.mesh.quads[std::size_t(quad)].nodes) centre += model.mesh.nodes[node] / 4;
+  return centre;
+}
+
+void add_point_mass(Model& model, int node, double mass) {
+  MassElement point{.node = node, .body = {}};
+  point.body.mass = mass;
+  model.masses.push_back(point);
+}
+
+void add_ground_spring(Model& model, int node, const std::array<double, 6>& stiffness) {
+  BushingElement spring{.node1 = node, .node2 = -1, .bushing = {}};
+  for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = stiffness[std::size_t(i)];
+  model.bushings.push_back(spring);
+}
+
+} // namespace plica

@@ -1,0 +1,51 @@
+// Places of a case where effects may sit, as paths: "bellows.convolution[4]", "mount.left".
+#pragma once
+
+#include "diagnose/effects/effect.hpp"
+
+namespace plica {
+
+// Where a mass or a support may be put: nodes that share it, and the one a support touches.
+struct Spot {
+  std::string place;
+  std::vector<int> nodes;
+  int touched = 0;
+};
+// Sensors, and up to five stations along every shell of revolution, pipe, chain and beam.
+std::vector<Spot> spots(const Structure& s);
+
+// Springs that the structure's parts meet in: joints, connectors, the interlock.
+struct JointGroup {
+  std::string place;
+  std::vector<int> bushings, beams; // of the model
+  std::vector<int> nodes = {};      // of an interlock, along the axis
+  double radius = 0;
+  double stiffness = 0; // N/m, the largest of its translations
+  bool present = true;  // false: the case gives it no stiffness
+};
+std::vector<JointGroup> joint_groups(const Structure& s);
+// The stiffness of the group times a factor; an absent one gets the factor times `stiffness`.
+void scale_group(Model& model, const JointGroup& group, double factor);
+
+// The wall of a bellows: its quads and, of each, the number of its convolution from 1, 0 = a cuff.
+struct WallElements {
+  std::string part;
+  std::vector<int> quads;
+  std::vector<int> convolution;
+  int convolutions = 0;
+  double root_radius = 0;
+  std::vector<double> plies; // m
+  double bond = 1;
+};
+std::vector<WallElements> walls(const Structure& s);
+
+// Reference node of a cap; -1 = none.
+int cap_node(const Structure& s, const std::string& cap);
+// Caps that the mount holds rigidly.
+std::vector<std::string> held_caps(const Structure& s);
+
+Eigen::Vector3d quad_centre(const Model& model, int quad);
+void add_point_mass(Model& model, int node, double mass);
+void add_ground_spring(Model& model, int node, const std::array<double, 6>& stiffness);
+
+} // namespace plica

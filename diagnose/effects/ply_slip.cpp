@@ -1,0 +1,54 @@
+#include "diagnose/effects/places.hpp"
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+void set_bending(Model& model, const WallElements& wall, double factor) {
+  for (ShellProperties& shell : model.shells)
+    if (model.components[std::size_t(shell.component)] == wall.part)
+      shell.section.bending_factor = factor;
+}
+
+} // namespace
+
+// Plies with bond fraction b bend with D_slip + b (D_solid - D_slip) (elements/shell_section.hpp).
+// A wall stated as one ply is taken as two that the case believes bonded. The points through the
+// thickness move in by the root of the factor, which is why it comes in as well.
+std::vector<Hypothesis> ply_slip(const Structure& s) {
+  std::vector<Hypothesis> found;
+  for (const WallElements& wall : walls(s)) {
+    std::vector<double> plies = wall.plies;
+    double bond = wall.bond;
+    if (plies.size() == 1) {
+      plies = {plies[0] / 2, plies[0] / 2};
+      bond = 1;
+    }
+    const double nominal = ply_bending_factor(plies, bond);
+    const auto functions = [plies, nominal](double b) {
+      const double factor = ply_bending_factor(plies, b);
+      return Eigen::VectorXd(
+          Eigen::Vector2d(factor - nominal, std::sqrt(factor) - std::sqrt(nominal)));
+    };
+    std::vector<double> samples; // two bonds away from the nominal one
+    for (double b : {0., 1., 0.4})
+      if (std::abs(b - bond) > 0.2 && samples.size() < 2) samples.push_back(b);
+    const auto coefficients = coefficients_through(functions, samples);
+    Hypothesis h{
+        .effect = "ply_slip",
+        .place = wall.part,
+        .way = "",
+        .parameters = {{"bond", "", {PriorKind::uniform, 0, 1}}},
+        .coefficients = [coefficients](const Eigen::VectorXd& v) { return coefficients(v[0]); }};
+    for (double b : samples)
+      h.changes.push_back({[wall, factor = ply_bending_factor(plies, b)](Model& model) {
+                             set_bending(model, wall, factor);
+                           },
+                           Follow::modes});
+    found.push_back(std::move(h));
+  }
+  return found;
+}
+
+} // namespace plica

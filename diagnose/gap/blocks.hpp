@@ -1,0 +1,44 @@
+// Readings by direction, band, level and kind, and how far each block is from admissible specimens.
+#pragma once
+
+#include "diagnose/diagnosis.hpp"
+#include "diagnose/gap/uncertainty.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace plica {
+
+struct Block {
+  LocatedGap label;
+  std::vector<Eigen::Index> rows;
+};
+
+std::vector<Block> blocks_of(const TestReadings& test);
+
+// Standard score of a block's deviations: their chi-square against that of the healthy specimens,
+// whose mean it is scaled by (Wilson and Hilferty, PNAS 17 (1931) 684). Unsigned.
+class BlockScores {
+public:
+  BlockScores(const TestReadings& test, const Uncertainty& u);
+  const std::vector<Block>& blocks() const { return blocks_; }
+  double score(std::size_t block, const Eigen::VectorXd& deviation) const;
+  // Largest over the blocks that are fitted.
+  std::pair<double, std::string> worst(const Eigen::VectorXd& deviation) const;
+
+private:
+  std::vector<Block> blocks_;
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> root_;
+  std::vector<double> healthy_mean_;
+  std::vector<bool> fitted_;
+};
+
+std::vector<LocatedGap> located(const BlockScores& scores, const Eigen::VectorXd& deviation);
+std::vector<LevelTrend> level_trends(const TestReadings& test);
+
+// z below which a share p of a normal distribution lies, and back.
+double normal_quantile(double p);
+double normal_share(double z);
+
+std::string name_of(const LocatedGap& block);
+
+} // namespace plica

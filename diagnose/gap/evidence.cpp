@@ -1,0 +1,240 @@
+#include "diagnose/gap/evidence.hpp"
+
+#include "diagnose/search.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double box = 4; // |z| that is searched
+constexpr double hopeless = 1e6;
+
+VectorXd z_of(const VectorXd& u) {
+  return box * (2 * u.array() - 1);
+}
+VectorXd u_of(const VectorXd& z) {
+  return (z.array() / box + 1) / 2;
+}
+
+// Evenly spread points of the box |z| < 2.5 (Halton).
+VectorXd spread_point(int index, Index dimensions) {
+  constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19};
+  VectorXd z(dimensions);
+  for (Index d = 0; d < dimensions; ++d) {
+    const int base = primes[std::size_t(d) % primes.size()];
+    double share = 1, value = 0;
+    for (int i = index + 1; i > 0; i /= base) {
+      share /= base;
+      value += share * (i % base);
+    }
+    z[d] = 5 * value - 2.5;
+  }
+  return z;
+}
+
+// Predictions, corrected for the mesh, with a deviation where the model gives no number.
+class Deviation {
+public:
+  Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together)
+      : context_(context), predict_(context.predictors.of(together)) {}
+
+  std::optional<VectorXd> at(const VectorXd& z) const {
+    const auto y = predict_(predict_.values_of(z));
+    if (!y) return std::nullopt;
+    const VectorXd d =
+        context_.measured - *y - context_.uncertainty.correction - context_.uncertainty.bias;
+    return d.array().isFinite().select(d, 10).matrix();
+  }
+  const Predictor& predictor() const { return predict_; }
+
+private:
+  const FitContext& context_;
+  const Predictor& predict_;
+};
+
+void finish(HypothesisFit& fit) {
+  fit.chi2 = fit.error.squaredNorm();
+  fit.farthest = fit.z.size() > 0 ? fit.z.cwiseAbs().maxCoeff() : 0;
+  fit.log_evidence = log_evidence_at_width(fit, 1);
+}
+
+} // namespace
+
+Whitening::Whitening(const TestReadings& test, const Uncertainty& u, bool held_out) {
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    if (test.readings[i].held_out == held_out) rows_.push_back(Index(i));
+  root_.compute(u.total()(rows_, rows_));
+}
+
+VectorXd Whitening::operator()(const VectorXd& deviation) const {
+  if (rows_.empty()) return VectorXd();
+  return root_.matrixL().solve(VectorXd(deviation(rows_)));
+}
+
+double log_evidence_at_width(const HypothesisFit& fit, double width) {
+  double value = -fit.error.squaredNorm() / 2;
+  if (fit.z.size() == 0) return value;
+  value -= fit.z.squaredNorm() / (2 * width * width);
+  const MatrixXd A =
+      MatrixXd::Identity(fit.z.size(), fit.z.size()) + width * width * fit.J.transpose() * fit.J;
+  return value - std::log(A.determinant()) / 2;
+}
+
+HypothesisFit nominal_fit(const FitContext& context) {
+  HypothesisFit fit;
+  fit.solved = true;
+  fit.deviation = context.measured - context.uncertainty.nominal - context.uncertainty.bias;
+  fit.error = context.fitted(fit.deviation);
+  fit.J = MatrixXd(fit.error.size(), 0);
+  finish(fit);
+  return fit;
+}
+
+HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together) {
+  HypothesisFit fit;
+  fit.together = together;
+  const Deviation deviation(context, together);
+  const Index p = deviation.predictor().parameters();
+  const Index n = Index(context.fitted.rows().size());
+  const ResidualModel residuals = [&](const VectorXd& u) -> std::optional<VectorXd> {
+    const VectorXd z = z_of(u);
+    const auto d = deviation.at(z);
+    VectorXd r(n + p);
+    r.tail(p) = z;
+    r.head(n) = d ? context.fitted(*d) : VectorXd::Constant(n, hopeless);
+    return r;
+  };
+  const int tried = p == 1 ? 9 : p == 2 ? 24 : 48;
+  std::vector<std::pair<double, VectorXd>> starts;
+  for (int i = 0; i < tried; ++i) {
+    const VectorXd z = spread_point(i, p);
+    starts.emplace_back(cost_of(residuals(u_of(z))), z);
+  }
+  std::sort(starts.begin(), starts.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  constexpr std::size_t refined = 2;
+  constexpr int steps = 25;
+  double best = 1e300;
+  for (std::size_t i = 0; i < std::min(refined, starts.size()); ++i) {
+    if (i > 0 && (starts[i].second - starts[0].second).norm() < 0.8) continue;
+    const LocalSearch found = search_locally(residuals, u_of(starts[i].second), steps);
+    if (found.cost < best) {
+      best = found.cost;
+      fit.z = z_of(found.best);
+    }
+  }
+  const auto d = deviation.at(fit.z);
+  const auto J = residual_jacobian(residuals, u_of(fit.z));
+  if (!d || !J) return fit;
+  fit.solved = true;
+  fit.values = deviation.predictor().values_of(fit.z);
+  fit.deviation = *d;
+  fit.error = context.fitted(*d);
+  fit.J = J->topRows(n) / (2 * box);
+  fit.covariance = (MatrixXd::Identity(p, p) + fit.J.transpose() * fit.J).inverse();
+  finish(fit);
+  return fit;
+}
+
+void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed) {
+  if (fit.together.empty() || !fit.solved) return;
+  const Deviation deviation(context, fit.together);
+  const Index p = fit.z.size();
+  std::mt19937_64 random(seed);
+  const auto uniform = [&] { return (double(random() >> 11) + 0.5) * 0x1p-53; };
+  const auto normal = [&] {
+    return std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform());
+  };
+  const auto log_likelihood = [&](const VectorXd& z) {
+    const auto d = deviation.at(z);
+    return d ? -context.fitted(*d).squaredNorm() / 2 : -hopeless;
+  };
+  MatrixXd z(p, particles);
+  for (double& x : z.reshaped()) x = normal();
+  VectorXd likelihood(particles);
+  for (Index k = 0; k < particles; ++k) likelihood[k] = log_likelihood(z.col(k));
+  double power = 0, log_evidence = 0;
+  constexpr int most_stages = 40;
+  for (int stage = 0; stage < most_stages && power < 1; ++stage) {
+    // The next power makes the weights vary by as much as they are on average.
+    const double highest = likelihood.maxCoeff();
+    const auto weights = [&](double next) {
+      return VectorXd(((next - power) * (likelihood.array() - highest)).exp());
+    };
+    double low = power, high = 1;
+    const auto varies = [&](double next) {
+      const VectorXd w = weights(next);
+      return std::sqrt((w.array() - w.mean()).square().mean()) / w.mean();
+    };
+    if (varies(1) > 1) {
+      for (int i = 0; i < 40; ++i) {
+        const double middle = (low + high) / 2;
+        (varies(middle) > 1 ? high : low) = middle;
+      }
+    } else {
+      low = 1;
+    }
+    const VectorXd w = weights(low);
+    log_evidence += std::log(w.mean()) + (low - power) * highest;
+    power = low;
+    const VectorXd share = w / w.sum();
+    const VectorXd mean = z * share;
+    const MatrixXd centred = z.colwise() - mean;
+    constexpr double scale = 0.3; // of the covariance, squared
+    MatrixXd C = scale * centred * share.asDiagonal() * centred.transpose();
+    C.diagonal().array() += 1e-10;
+    const MatrixXd root = C.llt().matrixL();
+    MatrixXd next(p, particles);
+    VectorXd next_likelihood(particles);
+    // Systematic resampling, then a few steps of Metropolis from each.
+    double cumulated = share[0];
+    Index from = 0;
+    const double offset = uniform();
+    for (Index k = 0; k < particles; ++k) {
+      const double target = (double(k) + offset) / particles;
+      while (cumulated < target && from + 1 < particles) cumulated += share[++from];
+      VectorXd here = z.col(from);
+      double own = likelihood[from];
+      constexpr int moves = 2;
+      for (int m = 0; m < moves; ++m) {
+        VectorXd step(p);
+        for (double& x : step) x = normal();
+        const VectorXd there = here + root * step;
+        const double value = log_likelihood(there);
+        const double ratio = power * (value - own) - (there.squaredNorm() - here.squaredNorm()) / 2;
+        if (std::log(uniform()) < ratio) {
+          here = there;
+          own = value;
+        }
+      }
+      next.col(k) = here;
+      next_likelihood[k] = own;
+    }
+    z = std::move(next);
+    likelihood = std::move(next_likelihood);
+  }
+  fit.draws = z;
+  if (power >= 1) fit.sampled_log_evidence = log_evidence;
+}
+
+std::string name_of(const HypothesisFit& fit) {
+  if (fit.together.empty()) return "nominal case";
+  std::string name;
+  for (const Hypothesis* h : fit.together) {
+    if (!name.empty()) name += " and ";
+    name += h->effect + " at " + h->place;
+    if (!h->way.empty()) name += " (" + h->way + ")";
+  }
+  return name;
+}
+
+} // namespace plica

@@ -1,0 +1,171 @@
+#include "diagnose/gap/identifiability.hpp"
+
+#include "solve/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Points of |z| <= 1.5 at which an effect is looked at: along each parameter, and between.
+std::vector<VectorXd> points(Index parameters) {
+  std::vector<VectorXd> all;
+  if (parameters == 1) {
+    for (double z : {-1., 1.}) all.push_back(VectorXd::Constant(1, z));
+    return all;
+  }
+  constexpr std::array primes{2, 3, 5, 7};
+  constexpr int count = 14;
+  for (int i = 1; i <= count; ++i) {
+    VectorXd z(parameters);
+    for (Index d = 0; d < parameters; ++d) {
+      double share = 1, value = 0;
+      const int base = primes[std::size_t(d) % primes.size()];
+      for (int k = i; k > 0; k /= base) {
+        share /= base;
+        value += share * (k % base);
+      }
+      z[d] = 3 * value - 1.5;
+    }
+    all.push_back(z);
+  }
+  return all;
+}
+
+// First parameter at which |g| reaches what is detectable, the others held; both ways from where
+// the effect is least.
+std::optional<double> smallest(const Signature& s,
+                               const std::function<double(const VectorXd&)>& size) {
+  if (s.g.norm() < detectable_size) {
+    VectorXd far = s.z;
+    far[0] = far[0] < 0 ? -3 : 3;
+    if (size(far) < detectable_size) return std::nullopt;
+    return value_of(s.hypothesis->parameters[0].prior, far[0]);
+  }
+  // From the signature's place towards the end of the prior at which it vanishes.
+  VectorXd near = s.z, away = s.z;
+  double least = 1e300;
+  for (double z : {-4., -3., -2., -1., 0., 1., 2., 3., 4.}) {
+    VectorXd there = s.z;
+    there[0] = z;
+    if (const double own = size(there); own < least) {
+      least = own;
+      near = there;
+    }
+  }
+  if (least > detectable_size) return value_of(s.hypothesis->parameters[0].prior, near[0]);
+  for (int i = 0; i < 8; ++i) {
+    const VectorXd middle = (near + away) / 2;
+    (size(middle) < detectable_size ? near : away) = middle;
+  }
+  return value_of(s.hypothesis->parameters[0].prior, away[0]);
+}
+
+} // namespace
+
+std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all) {
+  std::vector<Signature> found(all.size());
+  in_parallel(int(all.size()), [&](int i) {
+    const Hypothesis& h = all[std::size_t(i)];
+    Signature& s = found[std::size_t(i)];
+    s.hypothesis = &h;
+    const Predictor& predict = context.predictors.of({&h});
+    const VectorXd nominal = context.uncertainty.nominal - context.uncertainty.correction;
+    const auto change = [&](const VectorXd& z) {
+      const auto y = predict(predict.values_of(z));
+      if (!y) return VectorXd(VectorXd::Zero(Index(context.fitted.rows().size())));
+      const VectorXd d = (*y - nominal).array().isFinite().select(*y - nominal, 0);
+      return VectorXd(context.fitted(d));
+    };
+    double largest = -1;
+    for (const VectorXd& z : points(Index(h.parameters.size()))) {
+      const VectorXd g = change(z);
+      if (g.norm() > largest) {
+        largest = g.norm();
+        s.g = g;
+        s.z = z;
+      }
+    }
+    s.smallest = smallest(s, [&](const VectorXd& z) { return change(z).norm(); });
+  });
+  return found;
+}
+
+Likeness likeness(const std::vector<Signature>& all) {
+  Likeness result;
+  for (const Effect& e : effects())
+    if (std::any_of(all.begin(), all.end(),
+                    [&](const Signature& s) { return s.hypothesis->effect == e.name; }))
+      result.effects.push_back(e.name);
+  const auto n = Index(result.effects.size());
+  result.cosine = MatrixXd::Zero(n, n);
+  const auto number = [&](const Signature& s) {
+    return std::find(result.effects.begin(), result.effects.end(), s.hypothesis->effect) -
+           result.effects.begin();
+  };
+  for (const Signature& a : all)
+    for (const Signature& b : all) {
+      const double size = a.g.norm() * b.g.norm();
+      if (!(a.g.norm() > 0.5 && b.g.norm() > 0.5)) continue; // no data speak of them
+      double& cosine = result.cosine(number(a), number(b));
+      cosine = std::max(cosine, std::abs(a.g.dot(b.g)) / size);
+    }
+  return result;
+}
+
+std::vector<Mimic> mimics(const Likeness& all) {
+  constexpr double alike = 0.8;
+  std::vector<Mimic> found;
+  for (Index i = 0; i < all.cosine.rows(); ++i)
+    for (Index j = 0; j < i; ++j)
+      if (all.cosine(i, j) >= alike)
+        found.push_back(
+            {all.effects[std::size_t(j)], all.effects[std::size_t(i)], all.cosine(i, j)});
+  std::sort(found.begin(), found.end(),
+            [](const Mimic& a, const Mimic& b) { return a.cosine > b.cosine; });
+  return found;
+}
+
+std::vector<SmallestDetectable> detectable(const std::vector<Signature>& all) {
+  std::vector<SmallestDetectable> found;
+  for (const Signature& s : all) {
+    const Hypothesis& h = *s.hypothesis;
+    found.push_back({.name = h.effect,
+                     .place = h.place,
+                     .way = h.way,
+                     .parameter = h.parameters[0].name,
+                     .unit = h.parameters[0].unit,
+                     .value = s.smallest,
+                     .noncentrality = s.g.squaredNorm()});
+  }
+  return found;
+}
+
+double evidence_threshold(const FitContext& context, const std::vector<Signature>& all) {
+  const MatrixXd& healthy = context.uncertainty.healthy;
+  std::vector<double> best(std::size_t(healthy.cols()));
+  std::map<std::string, int> places;
+  for (const Signature& s : all) ++places[s.hypothesis->effect];
+  in_parallel(int(healthy.cols()), [&](int k) {
+    const VectorXd e = context.fitted(healthy.col(k));
+    std::map<std::string, double> of_effect;
+    for (const Signature& s : all) {
+      const double g2 = s.g.squaredNorm();
+      const double gain = std::pow(s.g.dot(e), 2) / (2 * (g2 + 1)) - std::log1p(g2) / 2;
+      of_effect[s.hypothesis->effect] +=
+          std::exp(std::min(gain, 300.)) / places[s.hypothesis->effect];
+    }
+    double most = 0;
+    for (const auto& [name, bayes] : of_effect) most = std::max(most, std::log(bayes));
+    best[std::size_t(k)] = most;
+  });
+  std::sort(best.begin(), best.end());
+  return std::max(3., best[std::size_t(0.975 * double(best.size() - 1))]);
+}
+
+} // namespace plica

@@ -1,0 +1,156 @@
+#include "diagnose/gap/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace plica {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double told_apart = 3;          // nats between effects that are told apart
+constexpr double pair_gain = 5;           // over the better half
+constexpr double absurd_z = 3;            // standard deviations of a prior
+constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
+
+double evidence(const HypothesisFit& fit) {
+  return fit.sampled_log_evidence.value_or(fit.log_evidence);
+}
+
+std::vector<double> healthy_chi2(const FitContext& context, const Whitening& white) {
+  std::vector<double> all;
+  for (Eigen::Index k = 0; k < context.uncertainty.healthy.cols(); ++k)
+    all.push_back(white(context.uncertainty.healthy.col(k)).squaredNorm());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+double point(const std::vector<double>& sorted, double share) {
+  return sorted.empty() ? 0 : sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
+}
+
+// Worth of each half: what the other loses without it.
+bool both_needed(const JudgedFit& pair, const std::vector<Family>& families) {
+  for (const Hypothesis* half : pair.fit.together) {
+    const Hypothesis* other =
+        pair.fit.together[0] == half ? pair.fit.together[1] : pair.fit.together[0];
+    for (const Family& f : families)
+      if (f.best->fit.together[0]->effect == other->effect &&
+          evidence(pair.fit) - evidence(f.best->fit) < told_apart)
+        return false;
+  }
+  return true;
+}
+
+} // namespace
+
+Standards standards_of(const FitContext& context, const Whitening& held_out) {
+  Standards s;
+  s.healthy_chi2 = healthy_chi2(context, context.fitted);
+  s.chi2 = point(s.healthy_chi2, 0.99);
+  if (!held_out.rows().empty()) s.held_out_chi2 = point(healthy_chi2(context, held_out), 0.999);
+  return s;
+}
+
+JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitContext& context,
+                 const Whitening& held_out, const BlockScores& scores, const Standards& standards) {
+  JudgedFit j;
+  j.fit = std::move(fit);
+  if (!j.fit.solved) return j;
+  j.log_bayes_factor = evidence(j.fit) - nominal.log_evidence;
+  j.worst = scores.worst(j.fit.deviation);
+  const auto& healthy = standards.healthy_chi2;
+  j.p = double(healthy.end() - std::lower_bound(healthy.begin(), healthy.end(), j.fit.chi2)) /
+        double(healthy.size());
+  j.adequate =
+      !standards.gate || (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block);
+  j.absurd = j.fit.farthest > absurd_z;
+  j.gap_after = std::sqrt(j.fit.chi2 / double(context.fitted.rows().size()));
+  if (!held_out.rows().empty()) {
+    const double n = double(held_out.rows().size());
+    const double chi2 = held_out(j.fit.deviation).squaredNorm();
+    const double before = held_out(nominal.deviation).squaredNorm();
+    j.held_out_after = std::sqrt(chi2 / n);
+    j.held_out_shrink = 1 - std::sqrt(chi2 / before);
+    j.fails_held_out = chi2 > standards.held_out_chi2 && *j.held_out_shrink < believable_shrink;
+  }
+  return j;
+}
+
+std::vector<Family> families(const std::vector<JudgedFit>& fits) {
+  std::map<std::string, std::vector<const JudgedFit*>> by_effect;
+  for (const JudgedFit& j : fits)
+    if (j.fit.solved) by_effect[j.fit.together[0]->effect].push_back(&j);
+  std::vector<Family> all;
+  for (const auto& [effect, own] : by_effect) {
+    Family f{.effect = effect};
+    double highest = -1e300;
+    for (const JudgedFit* j : own) highest = std::max(highest, evidence(j->fit));
+    double sum = 0;
+    for (const JudgedFit* j : own) {
+      sum += std::exp(evidence(j->fit) - highest) / double(own.size());
+      // Among equals the one that stands up.
+      const auto rank = [](const JudgedFit* a) {
+        return evidence(a->fit) + (a->credible() ? 2 : 0);
+      };
+      if (!f.best || rank(j) > rank(f.best)) f.best = j;
+    }
+    f.log_evidence = highest + std::log(sum);
+    all.push_back(f);
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Family& a, const Family& b) { return a.log_evidence > b.log_evidence; });
+  return all;
+}
+
+Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
+                const std::vector<JudgedFit>& pairs, const Standards& standards) {
+  Judgement result;
+  const double none = nominal.fit.log_evidence;
+  // Probabilities among what is credible; where nothing is, among all.
+  std::vector<const Family*> credible;
+  for (const Family& f : families)
+    if (f.best->credible()) credible.push_back(&f);
+  double highest = none;
+  for (const Family& f : families) highest = std::max(highest, f.log_evidence);
+  const bool any = !credible.empty() || nominal.adequate;
+  double sum = 0;
+  const auto weigh = [&](const std::string& name, double log_evidence, bool counts) {
+    if (any && !counts) return;
+    result.probabilities.emplace_back(name, std::exp(log_evidence - highest));
+    sum += result.probabilities.back().second;
+  };
+  weigh("none", none, nominal.adequate);
+  for (const Family& f : families) weigh(f.effect, f.log_evidence, f.best->credible());
+  for (auto& [name, p] : result.probabilities) p /= std::max(sum, 1e-300);
+  std::stable_sort(result.probabilities.begin(), result.probabilities.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+
+  const double best = credible.empty() ? -1e300 : credible.front()->log_evidence;
+  if (nominal.adequate && best - none < standards.evidence) {
+    result.verdict = Verdict::none;
+    return result;
+  }
+  if (!credible.empty() && best - none >= standards.evidence) {
+    for (const Family* f : credible)
+      if (best - f->log_evidence < told_apart &&
+          f->log_evidence - none >= standards.evidence - told_apart)
+        result.named.push_back(f->best);
+    result.verdict = result.named.size() == 1 ? Verdict::identified : Verdict::ambiguous;
+    return result;
+  }
+  const JudgedFit* chosen = nullptr;
+  for (const JudgedFit& pair : pairs) {
+    if (!pair.fit.solved || !pair.credible()) continue;
+    const double single = families.empty() ? none : evidence(families.front().best->fit);
+    if (evidence(pair.fit) - std::max(single, none) < pair_gain) continue;
+    if (!both_needed(pair, families)) continue;
+    if (!chosen || evidence(pair.fit) > evidence(chosen->fit)) chosen = &pair;
+  }
+  result.verdict = chosen ? Verdict::pair : Verdict::unknown;
+  if (chosen) result.named = {chosen};
+  return result;
+}
+
+} // namespace plica

@@ -1,0 +1,29 @@
+// What could be measured besides, each as readings a model can be asked for.
+#pragma once
+
+#include "diagnose/gap/nominal.hpp"
+
+namespace plica {
+
+struct Offer {
+  std::string what;
+  double cost = 1; // 1: an hour at the rig
+  TestReadings readings;
+};
+
+// Static directions and axes of the table that a test leaves out, a lower and a higher level, an
+// accelerometer at each further place.
+std::vector<Offer> menu(const Case& data, const Measured& measured, const TestReadings& test,
+                        const std::vector<std::string>& further);
+
+// The case with massless sensors on held ends and along its parts; their places into `names`.
+Case with_further_sensors(Case data, const Structure& s, std::vector<std::string>& names);
+
+// Standard deviation of a log reading, scatter of specimens included.
+double usual_sigma(ReadingKind kind);
+
+// The first two peaks along the axis of the table, seen by one sensor, and what sensors show.
+TestReadings sweep_readings(int base, double level, const std::string& main,
+                            const std::vector<std::string>& sensors);
+
+} // namespace plica

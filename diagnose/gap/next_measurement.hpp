@@ -1,0 +1,26 @@
+// Which measurement would tell apart what still looks alike.
+//
+//   e* = argmax sum_ij P_i P_j min(T_ij(e), 25) / cost(e),   T_ij = |L^-1 (y_i - y_j)|^2
+//
+// over a menu: static directions and axes of the table that were left out, a lower and a higher
+// level, further sensors on held ends and along the parts, a known mass; what cannot be computed
+// stands in the look-alikes of the effects.
+#pragma once
+
+#include "diagnose/diagnosis.hpp"
+#include "diagnose/gap/evidence.hpp"
+
+namespace plica {
+
+struct RivalHypothesis {
+  std::vector<const Hypothesis*> together;
+  Eigen::VectorXd values;
+  double probability = 0;
+};
+
+// Best first, at most eight; those that separate nothing are left out.
+std::vector<ProposedMeasurement> next_measurements(const Case& data, const Measured& measured,
+                                                   const TestReadings& test,
+                                                   const std::vector<RivalHypothesis>& rivals);
+
+} // namespace plica

@@ -1,0 +1,139 @@
+#include "diagnose/gap/nominal.hpp"
+
+#include "model/build_bellows.hpp"
+#include "model/case_path.hpp"
+#include "model/damping.hpp"
+#include "solve/parallel.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int modes = 16;
+constexpr std::size_t small_mesh = 2500; // nodes; below, a coarse mesh saves nothing
+
+// Counts in place of an accuracy, so that every specimen has the same mesh. Enough for how readings
+// change: two elements a quarter arc, a wall, eighteen degrees.
+Case with_counted_mesh(Case data, bool light) {
+  for (Part& part : data.parts)
+    if (auto* bellows = std::get_if<Bellows>(&part.body)) {
+      *bellows = with_counts(*bellows);
+      if (!light) continue;
+      MeshDensity& mesh = bellows->mesh;
+      mesh.arc = std::min(mesh.arc, 2);
+      mesh.wall = std::min(mesh.wall, 2);
+      mesh.around = std::min(mesh.around, 20);
+      for (MeridianSection& s : bellows->profile) s.elements = std::min(s.elements, 3);
+    }
+  return data;
+}
+
+// Mounted nodes, and both caps where the rig pulls at them.
+std::vector<int> boundary_of(const BuiltCase& built, const Case& data) {
+  std::vector<int> nodes = built.held_nodes;
+  if (data.caps.size() == 2)
+    for (const auto& [name, node] : built.cap_nodes) nodes.push_back(node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::set<int> dependent;
+  for (const Constraint& c : built.model.constraints) dependent.insert(c.node);
+  std::erase_if(nodes, [&](int node) { return dependent.contains(node); });
+  return nodes;
+}
+
+// Its own axes as the test says, else as the case does.
+Eigen::Matrix3d axes_of(const BuiltSensor& sensor, const Measured& measured) {
+  std::array<int, 3> axes = sensor.axes;
+  for (const MeasuredSensor& m : measured.sensors)
+    if (m.name == sensor.name && m.axes.size() == 3) std::copy_n(m.axes.begin(), 3, axes.begin());
+  Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    rows(i, std::abs(axes[std::size_t(i)]) - 1) = axes[std::size_t(i)] > 0 ? 1 : -1;
+  return rows;
+}
+
+NominalState state_of(Case data, const std::string& name, const Measured& measured) {
+  NominalState state;
+  state.name = name;
+  state.data = std::move(data);
+  state.built = build(state.data);
+  std::vector<int> sensors;
+  for (const BuiltSensor& s : state.built.sensors) {
+    sensors.push_back(s.node);
+    state.axes.push_back(axes_of(s, measured));
+  }
+  state.model = std::make_unique<ParametricModel>(
+      state.built.model, boundary_of(state.built, state.data), sensors, modes);
+  const VectorXd& lambda = state.model->lambda();
+  const MatrixXd u = state.model->nominal_shapes();
+  const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,
+                                             u, static_cast<int>(lambda.size()));
+  state.zeta = damping.zeta + damping.eta / 2;
+  const ReducedFamily plain = state.model->with({});
+  const MatrixXd gamma = plain.nominal.transpose() * plain.load;
+  for (Index j = 0; j < lambda.size(); ++j) {
+    Eigen::Matrix<double, 6, 1> share = Eigen::Matrix<double, 6, 1>::Zero();
+    share.head<3>() = gamma.row(j).transpose().array().square() / plain.mass;
+    state.labels.push_back(label_mode(state.built.model, u.col(j), false, share));
+  }
+  return state;
+}
+
+} // namespace
+
+const NominalState& Nominal::state(const std::string& name) const {
+  for (const NominalState& s : states)
+    if (s.name == name) return s;
+  throw std::out_of_range("no state is called " + name);
+}
+
+Structure Nominal::structure(const Measured& measured) const {
+  return {.data = states.front().data,
+          .built = states.front().built,
+          .measured = measured,
+          .stiffness = stiffness,
+          .mass = mass,
+          .length = length,
+          .frequency = frequency};
+}
+
+Nominal nominal_of(const Case& data, const Measured& measured) {
+  Case plain = data;
+  plain.analyses.error_bars = false;
+  const bool coarse = build(plain).model.mesh.nodes.size() > small_mesh;
+  plain = with_counted_mesh(plain, coarse);
+  std::vector<std::pair<std::string, Case>> wanted{{"", plain}};
+  for (const MeasuredState& s : measured.states) {
+    Case changed = plain;
+    for (const auto& [path, value] : s.numbers) *number_at(changed, path) = value;
+    wanted.emplace_back(s.name, std::move(changed));
+  }
+  Nominal nominal;
+  nominal.coarse = coarse;
+  nominal.states.resize(wanted.size());
+  in_parallel(int(wanted.size()), [&](int i) {
+    auto& [name, own] = wanted[std::size_t(i)];
+    nominal.states[std::size_t(i)] = state_of(std::move(own), name, measured);
+  });
+  const NominalState& first = nominal.states.front();
+  const ReducedFamily family = first.model->with({});
+  nominal.mass = family.mass;
+  nominal.frequency = plica::frequency(first.model->lambda()[0]);
+  nominal.stiffness = family.mass * first.model->lambda()[0];
+  Eigen::Vector3d low = first.built.model.mesh.nodes.front(), high = low;
+  for (const Eigen::Vector3d& x : first.built.model.mesh.nodes) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  nominal.length = (high - low).maxCoeff();
+  return nominal;
+}
+
+} // namespace plica

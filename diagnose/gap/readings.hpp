@@ -1,0 +1,68 @@
+// What was measured, as numbers that a model answers with the same: logarithms of mass, static
+// stiffness, frequencies, damping ratios and heights of peaks, and of what shows along other axes.
+//
+// Responses enter by their strong peaks, not line by line: neighbouring lines say the same, and a
+// static stiffness must not be outvoted by eight hundred of them.
+#pragma once
+
+#include "diagnose/frf_set.hpp"
+#include "diagnose/measured.hpp"
+
+#include <string>
+#include <vector>
+
+namespace plica {
+
+enum class ReadingKind { mass, stiffness, frequency, damping, amplitude, cross };
+
+// One run of the table, or a list of modes without excitation.
+struct TestRun {
+  std::string state;         // empty = the specimen as it stands
+  int base = -1;             // 0..2 = x y z; -1: modes alone
+  double level = 0;          // m/s2; 0 = not stated
+  std::string sensor;        // in whose channel along `axis` the peaks are seen; empty = not known
+  int axis = 0;              // 0..2
+  std::vector<double> peaks; // measured, Hz, increasing
+  bool first = false;        // they are the first peaks of the channel, whatever comes after
+};
+
+struct Reading {
+  ReadingKind kind = ReadingKind::frequency;
+  std::string name, unit, entry; // entry: path in measured.yaml, "frf[3]"
+  std::string state;
+  int run = -1;                                       // mass, stiffness: none
+  int peak = 0;                                       // of the run
+  std::string sensor;                                 // amplitude, cross
+  int axis = 0;                                       // of the response
+  StaticDirection direction = StaticDirection::axial; // stiffness
+  MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation
+  int order = 0;                                      // of that mode
+  double value = 0, log_value = 0;                    // measured, in `unit`
+  double sigma = 0;                                   // of the logarithm, of the measurement
+  bool held_out = false;
+};
+
+struct TestReadings {
+  std::vector<TestRun> runs;
+  std::vector<Reading> readings;
+  std::vector<std::string> warnings;
+};
+
+// Measured data with the responses of each frf entry.
+struct DiagnosisData {
+  Measured data;
+  std::vector<std::vector<FrfSet>> responses; // per entry of data.frf
+};
+
+// What a cross response adds to before the logarithm: below a fiftieth of the main motion it is
+// noise.
+constexpr double cross_floor = 0.02;
+// How far from a peak a cross response is looked for, relative.
+constexpr double cross_window = 0.12;
+
+// Standard deviations where none are stated: mass 0.2 %, stiffness 1.5 %, frequency 0.25 %, damping
+// 6 %, amplitude 5 %. Without entries to hold out: the highest level where there are three or more,
+// else none.
+TestReadings readings_of(const DiagnosisData& test);
+
+} // namespace plica

@@ -1,0 +1,181 @@
+#include "diagnose/gap/uncertainty.hpp"
+
+#include "diagnose/gap/scatter.hpp"
+#include "model/case_path.hpp"
+#include "model/error_bars.hpp"
+#include "model/run.hpp"
+#include "solve/parallel.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
+constexpr double run_frequency = 0.001, run_damping = 0.03; // from run to run
+constexpr double numeric_frequency = 0.002, numeric_stiffness = 0.004;
+constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
+
+bool is_nuisance(const std::string& what) {
+  return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
+}
+
+// N(0, 1) in a fixed order.
+class Normal {
+public:
+  explicit Normal(unsigned seed) : random_(seed) {}
+  double operator()() {
+    const double u = (double(random_() >> 11) + 0.5) * 0x1p-53,
+                 v = double(random_() >> 11) * 0x1p-53;
+    return std::sqrt(-2 * std::log(u)) * std::cos(2 * 3.14159265358979323846 * v);
+  }
+
+private:
+  std::mt19937_64 random_;
+};
+
+bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
+  if (a.run < 0 || b.run < 0 || a.peak != b.peak) return false;
+  const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
+  if (r.base < 0 || s.base < 0) return r.base == s.base && a.entry == b.entry;
+  return r.base == s.base && r.axis == s.axis;
+}
+
+// Weight with which a mode's common shift of frequency or damping enters a reading.
+double by_frequency(const Reading& r) {
+  return r.kind == ReadingKind::frequency ? 1 : 0;
+}
+double by_damping(const Reading& r) {
+  return r.kind == ReadingKind::damping ? 1 : r.kind == ReadingKind::amplitude ? -1 : 0;
+}
+
+// Shifts shared by the readings of one mode where `together` says so.
+template <class Together>
+MatrixXd shared(const TestReadings& test, double frequency, double damping, Together together) {
+  const auto n = Index(test.readings.size());
+  MatrixXd S = MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const Reading &a = test.readings[std::size_t(i)], &b = test.readings[std::size_t(j)];
+      if (!same_mode(test, a, b) || !together(a, b)) continue;
+      S(i, j) = frequency * frequency * by_frequency(a) * by_frequency(b) +
+                damping * damping * by_damping(a) * by_damping(b);
+    }
+  return S;
+}
+
+// What the mesh of the case gives more than the coarse one: of frequencies by the name of their
+// mode, of static stiffnesses, of the mass. It is solved as `plica run` does, by symmetry where
+// there is one.
+VectorXd mesh_correction(const Case& data, const Nominal& nominal, const TestReadings& test,
+                         const VectorXd& coarse) {
+  Case plain = for_headline(data);
+  if (!plain.analyses.modes) plain.analyses.modes = Modes{.count = 10, .proof = false};
+  const Results own = run(plain, [](const std::string&) {});
+  const std::vector<int> modes = Predictor(nominal, test, {}).nominal_modes();
+  VectorXd correction = VectorXd::Zero(coarse.size());
+  for (Index i = 0; i < coarse.size(); ++i) {
+    const Reading& r = test.readings[std::size_t(i)];
+    if (r.kind == ReadingKind::mass)
+      correction[i] = std::log(own.model.mass) - std::log(nominal.mass);
+    if (r.kind == ReadingKind::stiffness && own.statics) {
+      const StaticStiffness& k = *own.statics;
+      const std::array all{k.k_axial,     k.k_transverse_x, k.k_transverse_z,
+                           k.k_bending_x, k.k_bending_z,    k.k_torsion};
+      correction[i] = std::log(all[static_cast<std::size_t>(r.direction)]) - coarse[i];
+    }
+    if (r.kind != ReadingKind::frequency || modes[std::size_t(i)] < 0) continue;
+    const NominalState& state = nominal.states.front();
+    const auto j = std::size_t(modes[std::size_t(i)]);
+    const auto place = [](const auto& list, std::size_t until, const auto& like) {
+      int same = 0; // how many of its kind up to it
+      for (std::size_t m = 0; m <= until; ++m)
+        same += list[m].shape == like.shape && list[m].direction == like.direction;
+      return same;
+    };
+    const int rank = place(state.labels, j, state.labels[j]);
+    for (std::size_t m = 0; m < own.modes.size(); ++m)
+      if (own.modes[m].shape == state.labels[j].shape &&
+          own.modes[m].direction == state.labels[j].direction &&
+          place(own.modes, m, state.labels[j]) == rank) {
+        const double coarse_hertz = plica::frequency(state.model->lambda()[Index(j)]);
+        const double ratio = std::log(own.modes[m].frequency / coarse_hertz);
+        if (std::abs(ratio) < 0.2) correction[i] = ratio;
+        break;
+      }
+  }
+  return correction;
+}
+
+MatrixXd covariance(const MatrixXd& draws) {
+  return draws * draws.transpose() / double(draws.cols() - 1);
+}
+
+} // namespace
+
+Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
+                           const Measured& measured, const std::set<std::string>& without) {
+  const auto n = Index(test.readings.size());
+  Uncertainty u;
+  const VectorXd coarse = *Predictor(nominal, test, {})(VectorXd());
+  u.correction = VectorXd::Zero(n);
+  if (nominal.coarse && !has_friction(data))
+    u.correction = mesh_correction(data, nominal, test, coarse);
+  u.nominal = coarse + u.correction;
+  u.measurement = MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i)
+    u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
+  u.reassembly = shared(test, reassembled_frequency, reassembled_damping,
+                        [](const Reading& a, const Reading& b) { return a.state == b.state; }) +
+                 shared(test, run_frequency, run_damping,
+                        [](const Reading& a, const Reading& b) { return a.run == b.run; });
+  if (without.contains("reassembly")) u.reassembly.setZero();
+  u.numeric =
+      shared(test, numeric_frequency, 0, [](const Reading&, const Reading&) { return true; });
+  for (Index i = 0; i < n; ++i) {
+    u.numeric(i, i) += std::pow(share_of_correction * u.correction[i], 2);
+    if (test.readings[std::size_t(i)].kind == ReadingKind::stiffness)
+      u.numeric(i, i) += std::pow(numeric_stiffness, 2);
+  }
+  const MatrixXd own_damping =
+      shared(test, 0, scatter_of_mode_damping, [](const Reading&, const Reading&) { return true; });
+
+  std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
+  std::erase_if(varied, [&](const Hypothesis& h) {
+    return without.contains(is_nuisance(h.effect) ? "nuisance" : "form");
+  });
+  std::vector<const Hypothesis*> together;
+  for (const Hypothesis& h : varied) together.push_back(&h);
+  const Predictor predict(nominal, test, together);
+
+  MatrixXd form(n, specimens), noise(n, specimens);
+  MatrixXd random = u.measurement + u.reassembly + u.numeric;
+  if (!without.contains("form")) random += own_damping;
+  const Eigen::LLT<MatrixXd> root(random);
+  in_parallel(specimens, [&](int k) {
+    Normal draw(unsigned(k) + 1);
+    VectorXd z(predict.parameters());
+    for (double& x : z) x = draw();
+    const auto y = predict(predict.values_of(z));
+    form.col(k) =
+        y ? VectorXd((*y - coarse).array().isFinite().select(*y - coarse, 0)) : VectorXd::Zero(n);
+    VectorXd white(n);
+    for (double& x : white) x = draw();
+    noise.col(k) = root.matrixL() * white;
+  });
+  u.bias = form.rowwise().mean();
+  form.colwise() -= u.bias;
+  u.form = covariance(form);
+  if (!without.contains("form")) u.form += own_damping;
+  u.healthy = form + noise;
+  return u;
+}
+
+} // namespace plica

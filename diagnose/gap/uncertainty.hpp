@@ -1,0 +1,32 @@
+// How far the readings of an admissible specimen may lie from the nominal case.
+//
+//   Sigma = Sigma_measurement + Sigma_reassembly + Sigma_numeric + Sigma_form
+//
+// Form: Monte Carlo over admissible specimens (scatter.hpp, tolerances of the case), with its mean
+// as a bias. What scatters needs no parameter of its own in a fit: a Gaussian nuisance that is
+// linear in the readings and integrated out is its covariance.
+#pragma once
+
+#include "diagnose/gap/predictor.hpp"
+
+#include <set>
+#include <string>
+
+namespace plica {
+
+struct Uncertainty {
+  Eigen::VectorXd nominal;    // log readings of the case on its own mesh
+  Eigen::VectorXd correction; // what the own mesh differs by from the coarse one
+  Eigen::VectorXd bias;       // mean of the admissible specimens, less the nominal one
+  Eigen::MatrixXd measurement, reassembly, numeric, form;
+  Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
+  Eigen::MatrixXd total() const { return measurement + reassembly + numeric + form; }
+};
+
+// `without`: groups left out, for ablations: "form", "nuisance", "reassembly".
+Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
+                           const Measured& measured, const std::set<std::string>& without);
+
+constexpr int specimens = 500;
+
+} // namespace plica

@@ -1,0 +1,220 @@
+#include "diagnose/pretest.hpp"
+
+#include "diagnose/gap/identifiability.hpp"
+#include "diagnose/gap/menu.hpp"
+#include "solve/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double beyond_doubt = 25;
+constexpr int additions = 4;
+
+TestPlan completed(TestPlan plan, const Case& data) {
+  const auto& response = data.analyses.response;
+  const auto& levels = data.analyses.levels;
+  if (plan.bases.empty() && response) plan.bases = response->bases;
+  if (plan.bases.empty() && levels) plan.bases = levels->bases;
+  if (plan.bases.empty()) plan.bases = {1, 0};
+  std::erase_if(plan.bases, [](int base) { return base > 2; });
+  if (plan.levels.empty() && levels) plan.levels = levels->levels;
+  if (plan.levels.empty() && response) plan.levels = {response->level};
+  if (plan.levels.empty()) plan.levels = {1};
+  return plan;
+}
+
+std::vector<std::string> sensors_of(const Case& data) {
+  std::vector<std::string> names;
+  for (const Sensor& s : data.sensors) names.push_back(s.name);
+  return names;
+}
+
+void append(TestReadings& all, TestReadings part) {
+  for (Reading& r : part.readings) {
+    if (r.run >= 0) r.run += int(all.runs.size());
+    r.sigma = usual_sigma(r.kind) / 2;
+    all.readings.push_back(std::move(r));
+  }
+  for (TestRun& run : part.runs) all.runs.push_back(std::move(run));
+}
+
+TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::string>& words) {
+  TestReadings all;
+  const auto number = [&](ReadingKind kind, StaticDirection direction) {
+    TestReadings one;
+    Reading r;
+    r.kind = kind;
+    r.direction = direction;
+    one.readings.push_back(r);
+    append(all, one);
+  };
+  if (plan.weighed) {
+    number(ReadingKind::mass, {});
+    words.emplace_back("the mass");
+  }
+  if (plan.pulled && data.caps.size() == 2) {
+    number(ReadingKind::stiffness, StaticDirection::axial);
+    number(ReadingKind::stiffness, StaticDirection::transverse_x);
+    words.emplace_back("the static stiffness along and across");
+  }
+  const std::vector<std::string> sensors = sensors_of(data);
+  if (sensors.empty()) throw std::invalid_argument("the case has no sensors to plan with");
+  for (int base : plan.bases)
+    for (double level : plan.levels) {
+      append(all, sweep_readings(base, level, sensors.front(), sensors));
+      std::array<char, 64> text{};
+      std::snprintf(text.data(), text.size(), "a sweep along %c at %g m/s2", "xyz"[base], level);
+      words.emplace_back(text.data());
+    }
+  return all;
+}
+
+// What of the plan the model answers.
+void drop_unanswered(const Nominal& nominal, TestReadings& test) {
+  const auto y = Predictor(nominal, test, {})(VectorXd());
+  if (!y) throw std::runtime_error("the nominal structure has no stable answer");
+  std::vector<Reading> kept;
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    if (std::isfinite((*y)[Index(i)])) kept.push_back(test.readings[i]);
+  test.readings = std::move(kept);
+}
+
+// Sum over pairs of different effects of how far apart the nearest of their hypotheses are.
+double apart(const std::vector<VectorXd>& g, const std::vector<Hypothesis>& all) {
+  std::map<std::pair<std::string, std::string>, double> nearest;
+  for (std::size_t i = 0; i < g.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (all[i].effect == all[j].effect) continue;
+      const double own = g[i].squaredNorm(), other = g[j].squaredNorm();
+      const double both = g[i].dot(g[j]);
+      // What of the smaller one the larger one's direction does not explain.
+      const double T = std::min(own, other) * (1 - both * both / std::max(own * other, 1e-300));
+      auto& least = nearest.try_emplace({all[j].effect, all[i].effect}, 1e300).first->second;
+      if (std::min(own, other) > 1) least = std::min(least, T);
+    }
+  double sum = 0;
+  for (const auto& [pair, T] : nearest) sum += T < 1e299 ? std::min(T, beyond_doubt) : 0;
+  return sum / double(std::max<std::size_t>(1, nearest.size()));
+}
+
+// Greedy: what helps most for its cost, then what helps most beside that.
+std::vector<ProposedMeasurement> better(const Case& data, const TestReadings& test,
+                                        const std::vector<Signature>& own,
+                                        const std::vector<Hypothesis>& all) {
+  const Nominal plain = nominal_of(data, Measured{});
+  std::vector<std::string> further;
+  const Measured nothing;
+  const Case equipped =
+      with_further_sensors(plain.states.front().data, plain.structure(nothing), further);
+  const Nominal nominal = nominal_of(equipped, nothing);
+  std::vector<Offer> offers = menu(data, nothing, test, further);
+  const auto has = [&](const Reading& r) {
+    return r.run < 0 &&
+           std::any_of(test.readings.begin(), test.readings.end(), [&](const Reading& t) {
+             return t.kind == r.kind && t.direction == r.direction;
+           });
+  };
+  std::erase_if(offers, [&](const Offer& o) { return has(o.readings.readings.front()); });
+  // Whitened change of every offered reading by every hypothesis.
+  std::vector<std::vector<VectorXd>> change(offers.size(), std::vector<VectorXd>(all.size()));
+  in_parallel(int(all.size()), [&](int h) {
+    TestReadings together;
+    std::vector<Index> first{0};
+    for (const Offer& o : offers) {
+      append(together, o.readings);
+      first.push_back(Index(together.readings.size()));
+    }
+    const auto y0 = Predictor(nominal, together, {})(VectorXd());
+    const Predictor predict(nominal, together, {&all[std::size_t(h)]});
+    const auto y = predict(predict.values_of(own[std::size_t(h)].z));
+    for (std::size_t o = 0; o < offers.size(); ++o) {
+      VectorXd d = VectorXd::Zero(first[o + 1] - first[o]);
+      for (Index k = 0; k < d.size() && y && y0; ++k) {
+        const double x = (*y)[first[o] + k] - (*y0)[first[o] + k];
+        if (std::isfinite(x))
+          d[k] = x / usual_sigma(together.readings[std::size_t(first[o] + k)].kind);
+      }
+      change[o][std::size_t(h)] = d;
+    }
+  });
+  std::vector<VectorXd> g;
+  for (const Signature& s : own) g.push_back(s.g);
+  std::vector<ProposedMeasurement> proposals;
+  for (int round = 0; round < additions; ++round) {
+    const double now = apart(g, all);
+    std::size_t best = offers.size();
+    double most = 0;
+    for (std::size_t o = 0; o < offers.size(); ++o) {
+      if (change[o].empty()) continue;
+      std::vector<VectorXd> longer = g;
+      for (std::size_t h = 0; h < g.size(); ++h) {
+        longer[h].conservativeResize(g[h].size() + change[o][h].size());
+        longer[h].tail(change[o][h].size()) = change[o][h];
+      }
+      if (const double gain = (apart(longer, all) - now) / offers[o].cost; gain > most) {
+        most = gain;
+        best = o;
+      }
+    }
+    if (best == offers.size() || most < 1e-3) break;
+    for (std::size_t h = 0; h < g.size(); ++h) {
+      const Index n = g[h].size();
+      g[h].conservativeResize(n + change[best][h].size());
+      g[h].tail(change[best][h].size()) = change[best][h];
+    }
+    change[best].clear();
+    proposals.push_back({.what = offers[best].what,
+                         .cost = offers[best].cost,
+                         .separation = apart(g, all) - now,
+                         .separates = ""});
+  }
+  return proposals;
+}
+
+} // namespace
+
+Pretest pretest(const Case& data, const TestPlan& asked,
+                const std::function<void(const std::string&)>& stage) {
+  const TestPlan plan = completed(asked, data);
+  Pretest result;
+  result.case_name = data.name;
+  stage("nominal case");
+  Measured runs;
+  for (int base : plan.bases) {
+    MeasuredPeaks p;
+    p.base = static_cast<Axis>(base);
+    runs.peaks.push_back(p);
+  }
+  const Nominal nominal = nominal_of(data, runs);
+  TestReadings test = planned(plan, data, result.plan);
+  drop_unanswered(nominal, test);
+  stage("admissible specimens");
+  const Uncertainty u = uncertainty_of(data, nominal, test, runs, {});
+  VectorXd measured = u.nominal;
+  PredictorStore predictors(nominal, test);
+  const Whitening fitted(test, u, false);
+  const FitContext context{predictors, test, u, measured, fitted};
+  std::vector<Hypothesis> all;
+  for (const Effect& effect : effects())
+    for (Hypothesis& h : effect.hypotheses(nominal.structure(runs))) all.push_back(std::move(h));
+  stage("signatures of " + std::to_string(all.size()) + " hypotheses");
+  const std::vector<Signature> own = signatures(context, all);
+  const Likeness alike = likeness(own);
+  result.effects = alike.effects;
+  result.likeness = alike.cosine;
+  result.mimics = mimics(alike);
+  result.detectable = detectable(own);
+  stage("what to add");
+  result.additions = better(data, test, own, all);
+  return result;
+}
+
+} // namespace plica

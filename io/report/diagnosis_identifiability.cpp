@@ -1,0 +1,111 @@
+#include "io/report/diagnosis_parts.hpp"
+#include "io/report/markup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+
+constexpr double alike = 0.8;                       // cosine
+constexpr double names = 190, wide = 52, tall = 24; // of the matrix
+constexpr double beyond_doubt = 25;                 // separation
+
+// One square of the matrix, its middle at (x, y).
+std::string cell_svg(double x, double y, double cosine) {
+  if (!std::isfinite(cosine)) return "";
+  const bool mimic = cosine >= alike;
+  return fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
+                     "fill=\"rgb(224,130,20)\" fill-opacity=\"{:.2f}\" stroke=\"currentColor\" "
+                     "stroke-opacity=\"{}\"/>"
+                     "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\"{}>{}{:.2f}</text>",
+                     x - wide / 2, y - tall / 2, wide, tall, mimic ? 0.5 * cosine : 0,
+                     mimic ? 0.8 : 0.12, x, y + 5, mimic ? " font-weight=\"700\"" : "",
+                     mimic ? "●" : "", cosine);
+}
+
+std::string smallest_html(const SmallestDetectable& s) {
+  if (!s.value) return "not within its prior";
+  const auto [factor, unit] = handy_unit(*s.value, s.unit);
+  return html_number(factor * *s.value, 2) + "\u00a0" + html_escape(unit);
+}
+
+std::string mimics_list(const Diagnosis& d) {
+  std::vector<std::string> lines;
+  for (const Mimic& m : d.mimics)
+    lines.push_back(fmt::format("{} and {}: {:.2f}", m.a, m.b, m.cosine));
+  return html_list(lines);
+}
+
+} // namespace
+
+std::string likeness_html(const Diagnosis& d) {
+  const auto n = Index(d.effect_names.size());
+  if (n < 2 || d.likeness.rows() != n || d.likeness.cols() != n) return "";
+  const double width = names + double(n - 1) * wide + 2, height = double(n + 1) * tall;
+  std::string svg;
+  for (Index i = 0; i < n; ++i) {
+    const double y = (double(i) + 1.5) * tall;
+    svg += fmt::format("<text x=\"0\" y=\"{:.0f}\">{} {}</text>", y + 5, i + 1,
+                       html_escape(d.effect_names[std::size_t(i)]));
+    if (i + 1 < n)
+      svg += fmt::format("<text x=\"{:.0f}\" y=\"16\" text-anchor=\"middle\">{}</text>",
+                         names + (double(i) + 0.5) * wide, i + 1);
+    for (Index j = 0; j < i; ++j)
+      svg += cell_svg(names + (double(j) + 0.5) * wide, y, d.likeness(i, j));
+  }
+  return fmt::format("<p class=\"note\">Largest cosine of the signatures of two effects in these "
+                     "readings. ●, bold and framed: 0.8 and more, these data hardly tell them "
+                     "apart.</p>\n<figure style=\"max-width:{0:.0f}px\"><svg viewBox=\"0 0 {0:.0f} "
+                     "{1:.0f}\" role=\"img\" aria-label=\"likeness of effects\" "
+                     "font-size=\"13\">{2}</svg></figure>\n",
+                     width, height, svg) +
+         mimics_list(d);
+}
+
+std::string detectable_html(const Diagnosis& d) {
+  std::vector<HtmlRow> rows;
+  for (const SmallestDetectable& s : d.detectable) {
+    rows.push_back(
+        {{html_escape(s.name), html_escape(s.place + (s.way.empty() ? "" : " (" + s.way + ")")),
+          html_escape(s.parameter), smallest_html(s), html_number(s.noncentrality, 2)},
+         ""});
+  }
+  if (rows.empty()) return "";
+  return "<h3>Smallest size that would show</h3>\n" +
+         html_table("Noncentrality: of the effect at one standard deviation of its prior.",
+                    {{"effect", "", false},
+                     {"place", "", false},
+                     {"parameter", "", false},
+                     {"smallest", ""},
+                     {"noncentrality", ""}},
+                    rows);
+}
+
+std::string next_html(const Diagnosis& d) {
+  std::vector<HtmlRow> rows;
+  for (const ProposedMeasurement& m : d.next)
+    rows.push_back(
+        {{html_escape(m.what), html_escape(m.separates), html_number(m.separation, 3),
+          bar_svg({.from = 0, .to = m.separation, .high = beyond_doubt, .mark = beyond_doubt}),
+          html_number(m.cost, 2), html_number(m.separation / m.cost, 3)},
+         ""});
+  std::string html;
+  if (!rows.empty())
+    html = html_table("Separation: expected squared difference, over its uncertainty, between what "
+                      "is to be told apart; 25 (upright line) is beyond doubt.",
+                      {{"measurement", "", false},
+                       {"separates", "", false},
+                       {"separation", ""},
+                       {"", "", false},
+                       {"cost", "hours at the rig"},
+                       {"per hour", ""}},
+                      rows);
+  return html + html_list(d.advice);
+}
+
+} // namespace plica

@@ -1,0 +1,62 @@
+#include "io/report/diagnosis_parts.hpp"
+#include "io/report/markup.hpp"
+#include "io/results/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+
+std::string tinted(double value, double full, const std::string& text) {
+  constexpr double deepest = 0.5; // opacity: text stays readable on light and dark
+  if (!std::isfinite(value)) return text;
+  const double depth = deepest * std::min(1., std::abs(value) / full);
+  return fmt::format("<span style=\"display:block;padding:0 0.4rem;"
+                     "background:rgba({},{:.2f});print-color-adjust:exact;"
+                     "-webkit-print-color-adjust:exact\">{}</span>",
+                     value < 0 ? "33,102,172" : "224,130,20", depth, text);
+}
+
+std::string bar_svg(const LevelBar& bar) {
+  constexpr double unit = 16, edge = 4; // per rem; free at either end
+  const double width = unit * bar.width, range = bar.high > bar.low ? bar.high - bar.low : 1;
+  const auto x = [&](double value) {
+    const double share = std::isfinite(value) ? std::clamp((value - bar.low) / range, 0., 1.) : 0;
+    return edge + share * (width - 2 * edge);
+  };
+  std::string svg = fmt::format(
+      "<svg class=\"strip\" style=\"width:{0}rem\" viewBox=\"0 0 {1:.0f} 20\" aria-hidden=\"true\">"
+      "<line class=\"rail\" x1=\"{2:.1f}\" x2=\"{3:.1f}\" y1=\"10\" y2=\"10\"/>"
+      "<line class=\"bar\" x1=\"{4:.1f}\" x2=\"{5:.1f}\" y1=\"10\" y2=\"10\"{6}/>",
+      bar.width, width, edge, width - edge, x(bar.from), x(bar.to),
+      bar.faint ? " style=\"stroke-opacity:0.5;stroke-dasharray:3 2\"" : "");
+  if (bar.mark)
+    svg += fmt::format("<line class=\"zero\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"1\" y2=\"19\"/>",
+                       x(*bar.mark));
+  return svg + "</svg>";
+}
+
+ShownUnit handy_unit(double value, const std::string& unit) {
+  const double size = std::abs(value);
+  if (unit == "m" && size < 1e-4) return {1e6, "µm"};
+  if (unit == "m" && size < 0.1) return {1e3, "mm"};
+  if (unit == "kg" && size < 0.1) return {1e3, "g"};
+  if (unit == "N/m" && size >= 1e7) return {1e-6, "MN/m"};
+  return shown_unit(value, unit);
+}
+
+std::string estimate_html(const EstimatedParameter& p) {
+  const auto [factor, unit] = handy_unit(p.value, p.unit);
+  return fmt::format("{} ({} to {}){}", html_number(factor * p.value, 3),
+                     html_number(factor * p.interval[0], 3), html_number(factor * p.interval[1], 3),
+                     unit.empty() ? "" : "\u00a0" + html_escape(unit));
+}
+
+std::string percent_range(const std::array<double, 2>& share) {
+  return fmt::format("{} to {}\u00a0%", html_fixed(100 * share[0], 0),
+                     html_fixed(100 * share[1], 0));
+}
+
+} // namespace plica

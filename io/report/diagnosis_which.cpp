@@ -1,0 +1,137 @@
+#include "io/report/diagnosis_parts.hpp"
+#include "io/report/markup.hpp"
+#include "io/results/write_diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+std::string or_dash(const std::optional<double>& x, int digits) {
+  return x ? html_number(*x, digits) : "–";
+}
+
+std::string join(const std::vector<std::string>& blocks) {
+  std::string html;
+  for (const std::string& block : blocks) html += block;
+  return html;
+}
+
+std::string in_lines(const std::vector<std::string>& lines) {
+  std::string html;
+  for (const std::string& line : lines) html += (html.empty() ? "" : "<br>") + line;
+  return html;
+}
+
+HtmlRow row_of(const TriedHypothesis& h, bool best) {
+  std::vector<std::string> names, values, distances;
+  for (const NamedEffect& e : h.effects) {
+    names.push_back(html_escape(e.name) + "<span class=\"change\">" +
+                    html_escape(e.place + (e.way.empty() ? "" : " (" + e.way + ")")) + "</span>");
+    for (const EstimatedParameter& p : e.parameters) {
+      values.push_back("<span class=\"line\">" + html_escape(p.name) + " " + estimate_html(p) +
+                       "</span>");
+      distances.push_back(html_fixed(std::abs(p.z), 1));
+    }
+  }
+  std::string bayes = html_signed(h.log_bayes_factor, 1);
+  bayes += fmt::format("<span class=\"change\">{}; {}</span>", html_signed(h.half_width, 1),
+                       html_signed(h.double_width, 1));
+  if (h.effects.empty()) {
+    names = {"none<span class=\"change\">nominal case</span>"};
+    bayes = "0";
+  }
+  HtmlRow row{{join(names), in_lines(values), in_lines(distances), bayes,
+               html_number(h.share_of_healthy_worse, 2) + (h.adequate ? "" : " ✗"),
+               html_number(h.gap_after, 3),
+               or_dash(h.held_out_after, 3) + (h.fails_held_out ? " ✗" : ""),
+               html_escape(h.rejected)},
+              best ? "nominal" : ""};
+  if (h.rejected.empty()) return row;
+  for (std::string& cell : row.cells)
+    if (!cell.empty()) cell = fmt::format("<span style=\"color:var(--muted)\">{}</span>", cell);
+  return row;
+}
+
+// "÷ 28", "× 1.4"
+std::string factor_html(double factor) {
+  return factor > 0 && factor < 1 ? "÷\u00a0" + html_number(1 / factor, 3)
+                                  : "×\u00a0" + html_number(factor, 3);
+}
+
+} // namespace
+
+std::string hypotheses_html(const Diagnosis& d) {
+  const TriedHypothesis* best = d.verdict == Verdict::none ? nullptr : best_hypothesis(d);
+  std::vector<HtmlRow> rows;
+  for (const TriedHypothesis& h : d.tried) rows.push_back(row_of(h, &h == best));
+  if (rows.empty()) return "";
+  return html_table(
+      "The best place of each effect, then pairs. |z|: distance of a value from the centre of its "
+      "prior; above 3 is absurd. ln BF over the nominal case; below it with priors half and twice "
+      "as wide. p: share of admissible specimens that fit no better; ✗ = not adequate. G: RMS of "
+      "the differences over their uncertainty. Grey: rejected.",
+      {{"effect", "place", false},
+       {"value", "90 %", false},
+       {"|z|", ""},
+       {"ln BF", ""},
+       {"p", ""},
+       {"G, fitted", ""},
+       {"G, held out", ""},
+       {"rejected because", "", false}},
+      rows);
+}
+
+std::string probabilities_html(const Diagnosis& d) {
+  constexpr double shown = 0.005;
+  std::vector<std::pair<std::string, double>> list = d.probabilities;
+  std::stable_sort(list.begin(), list.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<HtmlRow> rows;
+  int others = 0;
+  double rest = 0;
+  for (const auto& [name, p] : list) {
+    if (p < shown) {
+      ++others;
+      rest += p;
+      continue;
+    }
+    rows.push_back({{html_escape(name), html_fixed(100 * p, 1),
+                     bar_svg({.from = 0, .to = p, .mark = 0, .width = 16})},
+                    ""});
+  }
+  if (list.empty()) return "";
+  if (others > 0)
+    rows.push_back(
+        {{fmt::format("{} below 0.5 %", others), html_fixed(100 * rest, 1), ""}, "total"});
+  return "<h3>Probabilities</h3>\n" +
+         html_table("Of each effect and of none, were one of them all there is.",
+                    {{"effect", "", false}, {"", "%"}, {"", "", false}}, rows);
+}
+
+std::string compensators_html(const Diagnosis& d) {
+  std::vector<HtmlRow> rows;
+  for (const Compensator& c : d.compensators)
+    rows.push_back({{html_escape(c.name), factor_html(c.factor), html_number(c.prior_sigmas, 2),
+                     html_number(c.gap_after, 3), or_dash(c.held_out_after, 3),
+                     html_escape(c.contradicted_by)},
+                    ""});
+  if (rows.empty()) return "";
+  return html_table(
+      fmt::format("Parameters that would close the gap and are not its cause. G is {} before{}.",
+                  html_number(d.gap.before, 3),
+                  d.held_out ? fmt::format(", {} held out", html_number(d.held_out->before, 3))
+                             : ""),
+      {{"parameter", "", false},
+       {"on its nominal value", ""},
+       {"off its prior", "sigma"},
+       {"G, fitted", ""},
+       {"G, held out", ""},
+       {"contradicted by", "", false}},
+      rows);
+}
+
+} // namespace plica

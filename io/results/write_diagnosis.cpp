@@ -1,0 +1,304 @@
+#include "io/results/write_diagnosis.hpp"
+
+#include "io/files.hpp"
+#include "io/report/diagnosis.hpp"
+#include "io/results/csv.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Json = nlohmann::ordered_json;
+
+Json number(const std::optional<double>& x) {
+  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
+}
+
+Json interval(const std::array<double, 2>& x) {
+  return Json::array({number(x[0]), number(x[1])});
+}
+
+template <class List, class Row> Json list_of(const List& list, const Row& row) {
+  Json json = Json::array();
+  for (const auto& item : list) json.push_back(row(item));
+  return json;
+}
+
+Json json_of(const NamedEffect& e) {
+  Json json{{"name", e.name},
+            {"place", e.place},
+            {"way", e.way},
+            {"value", Json::object()},
+            {"interval", Json::object()}};
+  for (const EstimatedParameter& p : e.parameters) {
+    json["value"][p.name] = number(p.value);
+    json["interval"][p.name] = interval(p.interval);
+  }
+  return json;
+}
+
+Json named_json(const NamedEffect& e) {
+  Json json = json_of(e);
+  json["probability"] = number(e.probability);
+  json["unit"] = Json::object();
+  for (const EstimatedParameter& p : e.parameters) json["unit"][p.name] = p.unit;
+  return json;
+}
+
+Json json_of(const LocatedGap& b) {
+  Json json = Json::object();
+  if (!b.component.empty()) {
+    json["component"] = b.component;
+    json["z"] = number(b.z);
+    return json;
+  }
+  if (!b.direction.empty()) json["direction"] = b.direction;
+  if (!b.band.empty()) json["band"] = b.band;
+  if (b.level) json["level"] = number(b.level);
+  json["kind"] = b.kind;
+  if (!b.state.empty()) json["state"] = b.state;
+  json["z"] = number(b.z);
+  json["significant"] = b.significant;
+  return json;
+}
+
+Json json_of(const ParameterDrift& d) {
+  const auto part = [](const auto& p) {
+    return Json{{"part", p.first}, {"value", number(p.second[0])}, {"sigma", number(p.second[1])}};
+  };
+  return {{"parameter", d.parameter},
+          {"by", d.by},
+          {"parts", list_of(d.parts, part)},
+          {"p", number(d.p)}};
+}
+
+Json json_of(const GapShrink& g) {
+  return {{"before", number(g.before)},
+          {"after", number(g.after)},
+          {"shrink", number(g.shrink())},
+          {"interval", interval(g.interval)},
+          {"readings", g.readings}};
+}
+
+Json json_of(const TriedHypothesis& h) {
+  const bool nominal = h.effects.empty();
+  return {{"effects", list_of(h.effects, [](const NamedEffect& e) { return json_of(e); })},
+          {"name", nominal ? "none" : h.effects.front().name},
+          {"place", nominal ? "" : h.effects.front().place},
+          {"log_evidence", number(h.log_evidence)},
+          {"sampled_log_evidence", number(h.sampled_log_evidence)},
+          {"log_bayes_factor", number(h.log_bayes_factor)},
+          {"half_width", number(h.half_width)},
+          {"double_width", number(h.double_width)},
+          {"chi2", number(h.chi2)},
+          {"adequate", h.adequate},
+          {"p", number(h.share_of_healthy_worse)},
+          {"worst_block", h.worst_block},
+          {"worst_block_z", number(h.worst_block_z)},
+          {"gap_after", number(h.gap_after)},
+          {"heldout_after", number(h.held_out_after)},
+          {"absurd", h.absurd},
+          {"fails_heldout", h.fails_held_out},
+          {"rejected", h.rejected}};
+}
+
+Json json_of(const ComparedReading& r) {
+  return {{"name", r.name},
+          {"unit", r.unit},
+          {"measured", number(r.measured)},
+          {"nominal", number(r.nominal)},
+          {"best", number(r.best)},
+          {"second", number(r.second)},
+          {"sigma", number(r.sigma)},
+          {"held_out", r.held_out}};
+}
+
+Json json_of(const Compensator& c) {
+  return {{"name", c.name},
+          {"factor", number(c.factor)},
+          {"prior_sigmas", number(c.prior_sigmas)},
+          {"gap_after", number(c.gap_after)},
+          {"heldout_after", number(c.held_out_after)},
+          {"contradicted_by", c.contradicted_by}};
+}
+
+Json json_of(const ProposedMeasurement& m) {
+  return {{"what", m.what},
+          {"cost", number(m.cost)},
+          {"separation", number(m.separation)},
+          {"separates", m.separates}};
+}
+
+Json identifiability_json(const Diagnosis& d) {
+  Json likeness = Json::array();
+  for (Index i = 0; i < d.likeness.rows(); ++i) {
+    Json row = Json::array();
+    for (Index j = 0; j < d.likeness.cols(); ++j) row.push_back(number(d.likeness(i, j)));
+    likeness.push_back(std::move(row));
+  }
+  const auto mimic = [](const Mimic& m) {
+    return Json{{"a", m.a}, {"b", m.b}, {"cosine", number(m.cosine)}};
+  };
+  const auto detectable = [](const SmallestDetectable& s) {
+    return Json{{"name", s.name},
+                {"place", s.place},
+                {"way", s.way},
+                {"parameter", s.parameter},
+                {"unit", s.unit},
+                {"smallest", number(s.value)},
+                {"noncentrality", number(s.noncentrality)}};
+  };
+  return {{"effects", d.effect_names},
+          {"likeness", likeness},
+          {"mimics", list_of(d.mimics, mimic)},
+          {"detectable", list_of(d.detectable, detectable)}};
+}
+
+// Comma-separated: a number that does not exist is an empty cell.
+std::string cell(const std::optional<double>& x) {
+  return x && std::isfinite(*x) ? fmt::format("{}", *x) : "";
+}
+
+std::string readings_csv(const Diagnosis& d) {
+  std::string text = "reading,unit,measured,nominal,best,second,relative sigma,held out\n";
+  for (const ComparedReading& r : d.readings)
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(r.name), csv_cell(r.unit),
+                        cell(r.measured), cell(r.nominal), cell(r.best), cell(r.second),
+                        cell(r.sigma), r.held_out ? 1 : 0);
+  return text;
+}
+
+std::string hypotheses_csv(const Diagnosis& d) {
+  std::string text =
+      "hypothesis,values (SI),ln evidence,sampled ln evidence,ln Bayes factor,with priors half as "
+      "wide,with priors twice as wide,chi-square,adequate,p,worst block,its z,gap after,held-out "
+      "gap "
+      "after,absurd,fails held-out,rejected\n";
+  for (const TriedHypothesis& h : d.tried) {
+    std::string values;
+    for (const NamedEffect& e : h.effects)
+      for (const EstimatedParameter& p : e.parameters)
+        values += fmt::format("{}{}.{} = {}", values.empty() ? "" : "; ", e.name, p.name, p.value);
+    text += csv_cell(hypothesis_label(h)) + "," + csv_cell(values);
+    for (const std::optional<double>& x :
+         {std::optional(h.log_evidence), h.sampled_log_evidence, std::optional(h.log_bayes_factor),
+          std::optional(h.half_width), std::optional(h.double_width), std::optional(h.chi2)})
+      text += "," + cell(x);
+    text += fmt::format(",{},{},{},{},{},{},{},{},{}\n", h.adequate ? 1 : 0,
+                        cell(h.share_of_healthy_worse), csv_cell(h.worst_block),
+                        cell(h.worst_block_z), cell(h.gap_after), cell(h.held_out_after),
+                        h.absurd ? 1 : 0, h.fails_held_out ? 1 : 0, csv_cell(h.rejected));
+  }
+  return text;
+}
+
+std::string where_csv(const Diagnosis& d) {
+  std::string text = "component,direction,band,level [m/s2],kind,state,z,significant\n";
+  for (const LocatedGap& b : d.where)
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(b.component), csv_cell(b.direction),
+                        csv_cell(b.band), cell(b.level), csv_cell(b.kind), csv_cell(b.state),
+                        cell(b.z), b.significant ? 1 : 0);
+  return text;
+}
+
+std::vector<LocatedGap> farthest_first(const Diagnosis& d, bool components) {
+  std::vector<LocatedGap> list;
+  for (const LocatedGap& b : d.where)
+    if (b.component.empty() != components) list.push_back(b);
+  std::stable_sort(list.begin(), list.end(), [](const LocatedGap& a, const LocatedGap& b) {
+    return std::abs(a.z) > std::abs(b.z);
+  });
+  return list;
+}
+
+} // namespace
+
+std::string verdict_name(Verdict verdict) {
+  constexpr std::array names{"none", "identified", "ambiguous", "pair", "unknown"};
+  return names.at(static_cast<std::size_t>(verdict));
+}
+
+std::string effect_label(const NamedEffect& e) {
+  return e.name + (e.place.empty() ? "" : " at " + e.place) +
+         (e.way.empty() ? "" : " (" + e.way + ")");
+}
+
+std::string hypothesis_label(const TriedHypothesis& h) {
+  std::string label;
+  for (const NamedEffect& e : h.effects) label += (label.empty() ? "" : " and ") + effect_label(e);
+  return label.empty() ? "none" : label;
+}
+
+const TriedHypothesis* best_hypothesis(const Diagnosis& d) {
+  if (d.verdict == Verdict::none) return nullptr;
+  TriedHypothesis named;
+  named.effects = d.effects;
+  if (d.verdict == Verdict::ambiguous && !d.effects.empty()) named.effects.resize(1);
+  const TriedHypothesis* best = nullptr;
+  for (const TriedHypothesis& h : d.tried) {
+    if (h.effects.empty()) continue;
+    if (hypothesis_label(h) == hypothesis_label(named)) return &h;
+    if (!best || std::abs(h.gap_after - d.gap.after) < std::abs(best->gap_after - d.gap.after))
+      best = &h;
+  }
+  return best;
+}
+
+std::vector<LocatedGap> located_blocks(const Diagnosis& d) {
+  return farthest_first(d, false);
+}
+
+std::vector<LocatedGap> located_components(const Diagnosis& d) {
+  return farthest_first(d, true);
+}
+
+std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version) {
+  const auto item = [](const auto& x) { return json_of(x); };
+  Json json{{"case", d.case_name},
+            {"plica_version", plica_version},
+            {"verdict", verdict_name(d.verdict)},
+            {"headline", d.headline}};
+  json["effects"] = list_of(d.effects, [](const NamedEffect& e) { return named_json(e); });
+  json["where"] = list_of(d.where, item);
+  json["level_trends"] = list_of(d.trends, [](const LevelTrend& t) {
+    return Json{{"quantity", t.quantity}, {"slope", number(t.slope)}, {"sigma", number(t.sigma)}};
+  });
+  json["drifts"] = list_of(d.drifts, item);
+  json["gap"] = json_of(d.gap);
+  json["gap"]["heldout"] = d.held_out ? json_of(*d.held_out) : Json(nullptr);
+  if (d.held_out) json["gap"]["heldout"]["how"] = d.held_out_how;
+  json["next_measurement"] = list_of(d.next, item);
+  json["advice"] = d.advice;
+  json["hypotheses"] = list_of(d.tried, item);
+  json["probabilities"] = Json::object();
+  for (const auto& [effect, p] : d.probabilities) json["probabilities"][effect] = number(p);
+  json["readings"] = list_of(d.readings, item);
+  json["compensators"] = list_of(d.compensators, item);
+  json["identifiability"] = identifiability_json(d);
+  json["assumptions"] = d.assumptions;
+  json["warnings"] = d.warnings;
+  json["basis_error"] = number(d.basis_error);
+  json["tried"] = d.hypotheses;
+  json["evaluations"] = d.evaluations;
+  json["seconds"] = number(d.seconds);
+  return json.dump(2) + "\n";
+}
+
+void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
+                     const std::filesystem::path& folder) {
+  FileSet files(folder);
+  files.add("diagnosis_readings.csv", readings_csv(d));
+  files.add("diagnosis_hypotheses.csv", hypotheses_csv(d));
+  files.add("diagnosis_where.csv", where_csv(d));
+  files.add("report.html", diagnosis_html(d, title));
+  files.add("diagnosis.json", diagnosis_json(d, plica_version));
+  files.commit();
+}
+
+} // namespace plica

@@ -1,0 +1,386 @@
+#include "reduction/parametric_model.hpp"
+
+#include "solve/element_view.hpp"
+#include "solve/mode_labels.hpp"
+#include "solve/statics.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+bool same(const ShellSection& a, const ShellSection& b) {
+  return a.E == b.E && a.nu == b.nu && a.rho == b.rho && a.bending_factor == b.bending_factor &&
+         a.shear_correction == b.shear_correction && a.drilling == b.drilling;
+}
+bool same(const ShellQuad& a, const Model& of_a, const ShellQuad& b, const Model& of_b) {
+  return a.thickness == b.thickness &&
+         same(of_a.shells[a.section].section, of_b.shells[b.section].section);
+}
+bool same(const BeamElement& a, const BeamElement& b) {
+  const BeamProperties &s = a.section, &t = b.section;
+  return s.EA == t.EA && s.EI_y == t.EI_y && s.EI_z == t.EI_z && s.GJ == t.GJ && s.GA_y == t.GA_y &&
+         s.GA_z == t.GA_z && s.mass == t.mass && s.inertia_x == t.inertia_x &&
+         s.inertia_y == t.inertia_y && s.inertia_z == t.inertia_z;
+}
+bool same(const MassElement& a, const MassElement& b) {
+  return a.node == b.node && a.body.mass == b.body.mass && a.body.offset == b.body.offset &&
+         a.body.inertia == b.body.inertia;
+}
+bool same(const BushingElement& a, const BushingElement& b) {
+  return a.node1 == b.node1 && a.node2 == b.node2 && a.bushing.law == b.bushing.law &&
+         a.bushing.axes == b.bushing.axes;
+}
+
+// What one model has and the other has not: a model of its nodes and those elements alone.
+Model only_in(const Model& model, const Model& other) {
+  Model rest;
+  rest.components = model.components;
+  rest.mesh.nodes = model.mesh.nodes;
+  rest.shells = model.shells;
+  for (std::size_t i = 0; i < model.mesh.quads.size(); ++i)
+    if (!same(model.mesh.quads[i], model, other.mesh.quads[i], other))
+      rest.mesh.quads.push_back(model.mesh.quads[i]);
+  const auto keep = [](const auto& own, const auto& others, auto& kept) {
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (i >= others.size() || !same(own[i], others[i])) kept.push_back(own[i]);
+  };
+  keep(model.beams, other.beams, rest.beams);
+  keep(model.masses, other.masses, rest.masses);
+  keep(model.bushings, other.bushings, rest.bushings);
+  return rest;
+}
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// Adds the matrices of one element, over the independent DOFs, times a factor.
+void add_element(const DofMap& map, const std::vector<int>& nodes, const MatrixXd& K,
+                 const MatrixXd& M, double factor, Triplets& k, Triplets& m) {
+  std::vector<WeightedDof> reach;
+  std::vector<std::size_t> start{0};
+  for (int node : nodes)
+    for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
+      if (map.independent[dof] >= 0) reach.push_back({map.independent[dof], 1});
+      for (const WeightedDof& w : map.dependent[dof]) reach.push_back(w);
+      start.push_back(reach.size());
+    }
+  for (Index a = 0; a < K.rows(); ++a)
+    for (Index b = 0; b < K.cols(); ++b)
+      for (std::size_t i = start[a]; i < start[a + 1]; ++i)
+        for (std::size_t j = start[b]; j < start[b + 1]; ++j) {
+          const double weight = factor * reach[i].factor * reach[j].factor;
+          if (K(a, b) != 0) k.emplace_back(reach[i].dof, reach[j].dof, weight * K(a, b));
+          if (M(a, b) != 0) m.emplace_back(reach[i].dof, reach[j].dof, weight * M(a, b));
+        }
+}
+
+void add_elements(const Model& model, const DofMap& map, double factor, Triplets& k, Triplets& m) {
+  const ElementView view{model};
+  for (int e = 0; e < view.size(); ++e)
+    view.visit(e, [&](const auto& nodes, const auto& K, const auto& M) {
+      add_element(map, std::vector<int>(nodes.begin(), nodes.end()), K, M, factor, k, m);
+    });
+}
+
+// Columns that span the same space, those that add nothing dropped.
+MatrixXd independent_columns(const MatrixXd& A, double tolerance) {
+  if (A.cols() == 0 || A.norm() == 0) return MatrixXd(A.rows(), 0);
+  MatrixXd scaled = A;
+  std::vector<Index> kept;
+  for (Index j = 0; j < A.cols(); ++j)
+    if (const double size = scaled.col(j).norm(); size > 1e-12 * A.colwise().norm().maxCoeff()) {
+      scaled.col(j) /= size;
+      kept.push_back(j);
+    }
+  const MatrixXd used = scaled(Eigen::all, kept);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(used.transpose() * used);
+  const double least = tolerance * gram.eigenvalues().maxCoeff();
+  std::vector<Index> large;
+  for (Index j = 0; j < gram.eigenvalues().size(); ++j)
+    if (gram.eigenvalues()[j] > least) large.push_back(j);
+  const VectorXd scale = gram.eigenvalues()(large).cwiseSqrt().cwiseInverse();
+  return used * (gram.eigenvectors()(Eigen::all, large) * scale.asDiagonal());
+}
+
+// Both triangles of a matrix given by its lower one.
+void add_all(const SparseMatrix& lower, double factor, Triplets& entries) {
+  for (int j = 0; j < lower.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+      if (it.value() == 0) continue;
+      entries.emplace_back(int(it.row()), j, factor * it.value());
+      if (it.row() != j) entries.emplace_back(j, int(it.row()), factor * it.value());
+    }
+}
+
+SparseMatrix from_triplets(int size, const Triplets& entries) {
+  SparseMatrix A(size, size);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+MatrixXd unit_columns(Index rows, const std::vector<int>& at) {
+  MatrixXd E = MatrixXd::Zero(rows, Index(at.size()));
+  for (std::size_t j = 0; j < at.size(); ++j) E(at[j], Index(j)) = 1;
+  return E;
+}
+
+constexpr int followed = 6; // modes whose change the basis follows
+
+} // namespace
+
+ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked,
+                                 int modes)
+    : model_(std::move(model)), boundary_(std::move(boundary)), marked_(std::move(marked)),
+      count_(modes), system_(assemble(model_)) {
+  const DofMap& map = system_.map;
+  for (int node : boundary_)
+    for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
+      if (map.independent[dof] < 0)
+        throw std::runtime_error("a mount or cap whose motion other constraints determine");
+      held_.push_back(map.independent[dof]);
+    }
+  std::vector<int> sorted = held_;
+  std::sort(sorted.begin(), sorted.end());
+  inside_ = complement(map.size(), sorted);
+  const SparseMatrix K = restrict_to(system_.K, inside_), M = restrict_to(system_.M, inside_);
+  BaseFactor base = factor_below_spectrum(K, M);
+  if (base.sigma < 0)
+    throw std::runtime_error("nothing holds the part: hold it by a mount or supports");
+  const int most = std::max(1, int(inside_.size()) - 1);
+  const ModeSet set =
+      find_modes(K, M, {.count = std::min(count_, most), .band = {}, .proof = false}, base);
+  lambda_ = set.lambda;
+  MatrixXd Phi = inner_columns(set.Phi), u = expand(map, Phi);
+  orient_modes(model_, marked_, lambda_, Phi, u);
+  factor_.emplace(std::move(base.factor));
+  Psi_ = constraint_modes(system_.K, *factor_);
+
+  std::vector<Eigen::Triplet<double>> marks;
+  for (std::size_t i = 0; i < marked_.size(); ++i)
+    for (int d = 0; d < 6; ++d) {
+      const int dof = 6 * marked_[i] + d, row = 6 * int(i) + d;
+      if (map.independent[dof] >= 0) marks.emplace_back(row, map.independent[dof], 1);
+      for (const WeightedDof& w : map.dependent[dof]) marks.emplace_back(row, w.dof, w.factor);
+    }
+  markers_.resize(6 * Index(marked_.size()), map.size());
+  markers_.setFromTriplets(marks.begin(), marks.end());
+  MatrixXd pulls = MatrixXd::Zero(map.size(), 3 * Index(marked_.size()));
+  for (std::size_t i = 0; i < marked_.size(); ++i)
+    for (int d = 0; d < 3; ++d) {
+      const Index row = 6 * Index(i) + d;
+      for (int k = 0; k < markers_.outerSize(); ++k)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(markers_, k); it; ++it)
+          if (it.row() == row) pulls(k, 3 * Index(i) + d) = it.value();
+    }
+  const MatrixXd attachments = solve_inside(pulls);
+  W_.resize(map.size(), Phi.cols() + attachments.cols());
+  W_ << Phi, attachments;
+  KW_ = symmetric_product(system_.K, W_);
+  MW_ = symmetric_product(system_.M, W_);
+  MPsi_ = symmetric_product(system_.M, Psi_);
+  WKW_ = W_.transpose() * KW_;
+  WMW_ = W_.transpose() * MW_;
+  PsiMW_ = Psi_.transpose() * MW_;
+  rigid_ = rigid_body_motions(model_, map, {0, 0, 0}).leftCols(3);
+  Mr_ = symmetric_product(system_.M, rigid_);
+}
+
+MatrixXd ParametricModel::nominal_shapes() const {
+  return expand(system_.map, W_.leftCols(lambda_.size()));
+}
+
+MatrixXd ParametricModel::inner_columns(const MatrixXd& inside) const {
+  MatrixXd all = MatrixXd::Zero(system_.map.size(), inside.cols());
+  all(inside_, Eigen::all) = inside;
+  return all;
+}
+
+MatrixXd ParametricModel::solve_inside(const MatrixXd& force) const {
+  if (force.cols() == 0) return MatrixXd(system_.map.size(), 0);
+  return inner_columns(factor_->solve(force(inside_, Eigen::all)));
+}
+
+MatrixXd ParametricModel::constraint_modes(const SparseMatrix& K,
+                                           const SparseFactor& inside) const {
+  MatrixXd Psi = unit_columns(system_.map.size(), held_);
+  if (held_.empty()) return Psi;
+  const MatrixXd force = symmetric_product(K, Psi)(inside_, Eigen::all);
+  Psi -= inner_columns(inside.solve(force));
+  return Psi;
+}
+
+ParametricModel::Difference ParametricModel::difference(const Model& changed) const {
+  Triplets k, m;
+  if (changed.mesh.nodes == model_.mesh.nodes) {
+    add_elements(only_in(changed, model_), system_.map, 1, k, m);
+    add_elements(only_in(model_, changed), system_.map, -1, k, m);
+  } else { // another shape: other elements everywhere, other arms
+    const System other = assemble(changed);
+    if (other.map.size() != system_.map.size())
+      throw std::invalid_argument("a change of a model that changes its unknowns");
+    add_all(other.K, 1, k);
+    add_all(system_.K, -1, k);
+    add_all(other.M, 1, m);
+    add_all(system_.M, -1, m);
+  }
+  std::vector<int> number(std::size_t(system_.map.size()), -1);
+  Difference d;
+  for (const Triplets* all : {&k, &m})
+    for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
+  for (int i = 0; i < int(number.size()); ++i)
+    if (number[std::size_t(i)] == 0) {
+      number[std::size_t(i)] = int(d.dofs.size());
+      d.dofs.push_back(i);
+    }
+  for (Triplets* all : {&k, &m})
+    for (auto& t : *all)
+      t = {number[std::size_t(t.row())], number[std::size_t(t.col())], t.value()};
+  d.K = from_triplets(int(d.dofs.size()), k);
+  d.M = from_triplets(int(d.dofs.size()), m);
+  return d;
+}
+
+// Of the change under these motions, the boundary held; over all independent DOFs.
+MatrixXd ParametricModel::forces(const Difference& change, const MatrixXd& at_its_dofs) const {
+  MatrixXd f = MatrixXd::Zero(system_.map.size(), at_its_dofs.cols());
+  f(change.dofs, Eigen::all) = at_its_dofs;
+  for (int dof : held_) f.row(dof).setZero();
+  return f;
+}
+
+// First terms of the Neumann series of modes and constraint modes. Forces of few directions, as
+// those of a spring or a mass are, need few solutions, and no second term: it is in the first.
+MatrixXd ParametricModel::answers(const Difference& change) const {
+  const Index modes = std::min<Index>(followed, lambda_.size());
+  const MatrixXd Phi = W_(change.dofs, Eigen::seqN(0, modes)), Psi = Psi_(change.dofs, Eigen::all);
+  MatrixXd f(Index(change.dofs.size()), 2 * modes + Psi.cols());
+  f << change.K * Phi, change.M * Phi, change.K * Psi;
+  constexpr double negligible = 1e-8;
+  const MatrixXd directions = independent_columns(f, negligible);
+  const MatrixXd first = solve_inside(forces(change, directions));
+  if (directions.cols() <= modes) return first;
+  const MatrixXd second =
+      solve_inside(forces(change, change.K * MatrixXd(first(change.dofs, Eigen::seqN(0, modes)))));
+  MatrixXd both(first.rows(), first.cols() + second.cols());
+  both << first, second;
+  return both;
+}
+
+MatrixXd ParametricModel::modes_of(const Difference& change) const {
+  SparseMatrix K = system_.K, M = system_.M;
+  for (const auto& [from, to] : {std::pair{&change.K, &K}, {&change.M, &M}})
+    for (int j = 0; j < from->outerSize(); ++j)
+      for (SparseMatrix::InnerIterator it(*from, j); it; ++it)
+        if (const int row = change.dofs[std::size_t(it.row())],
+            column = change.dofs[std::size_t(j)];
+            row >= column)
+          to->coeffRef(row, column) += it.value();
+  const SparseMatrix K_inside = restrict_to(K, inside_), M_inside = restrict_to(M, inside_);
+  BaseFactor base = factor_below_spectrum(K_inside, M_inside);
+  const int most = std::max(1, int(inside_.size()) - 1);
+  constexpr int count = 12;
+  const ModeSet set = find_modes(
+      K_inside, M_inside, {.count = std::min(count, most), .band = {}, .proof = false}, base);
+  MatrixXd columns(system_.map.size(), set.Phi.cols() + Psi_.cols());
+  columns << inner_columns(set.Phi), constraint_modes(K, base.factor) - Psi_;
+  return columns;
+}
+
+MatrixXd ParametricModel::further_columns(const std::vector<ModelChange>& changes,
+                                          const std::vector<Difference>& differences) const {
+  std::vector<MatrixXd> parts;
+  Index columns = 0;
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (changes[k].follow == Follow::nominal || differences[k].dofs.empty()) continue;
+    parts.push_back(changes[k].follow == Follow::series ? answers(differences[k])
+                                                        : modes_of(differences[k]));
+    columns += parts.back().cols();
+  }
+  MatrixXd X(system_.map.size(), columns);
+  Index at = 0;
+  for (const MatrixXd& p : parts) {
+    X.middleCols(at, p.cols()) = p;
+    at += p.cols();
+  }
+  return X;
+}
+
+ReducedFamily ParametricModel::with(const std::vector<ModelChange>& changes) const {
+  std::vector<Difference> differences;
+  for (const ModelChange& change : changes) {
+    Model changed = model_;
+    change.apply(changed);
+    differences.push_back(difference(changed));
+  }
+  // What the changes add to the basis, free of what it has.
+  MatrixXd X = further_columns(changes, differences), KX = symmetric_product(system_.K, X);
+  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
+  if (X.cols() > 0) {
+    const MatrixXd part = WKW_.ldlt().solve(KW_.transpose() * X);
+    X -= W_ * part;
+    KX -= KW_ * part;
+  }
+  const MatrixXd MX = symmetric_product(system_.M, X);
+  MatrixXd E = MatrixXd::Zero(n, n), G(n, n), P(b, n);
+  E.topLeftCorner(c, c) = WKW_;
+  E.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * KX;
+  G.topLeftCorner(c, c) = WMW_;
+  G.topRightCorner(c, X.cols()) = MW_.transpose() * X;
+  G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
+  G.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * MX;
+  P << PsiMW_, MPsi_.transpose() * X;
+  // Columns of unit energy, those that add none dropped.
+  const VectorXd size = E.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(size.asDiagonal() * E * size.asDiagonal());
+  constexpr double negligible = 1e-9;
+  std::vector<Index> kept;
+  for (Index j = 0; j < n; ++j)
+    if (gram.eigenvalues()[j] > negligible * gram.eigenvalues().maxCoeff()) kept.push_back(j);
+  const VectorXd scale = gram.eigenvalues()(kept).cwiseSqrt().cwiseInverse();
+  const MatrixXd T = size.asDiagonal() * gram.eigenvectors()(Eigen::all, kept) * scale.asDiagonal();
+
+  const auto k = Index(kept.size());
+  ReducedFamily family;
+  family.boundary = int(b);
+  family.lambda = lambda_;
+  family.K = MatrixXd::Zero(b + k, b + k);
+  family.K.topLeftCorner(b, b) = Psi_.transpose() * symmetric_product(system_.K, Psi_);
+  family.K.bottomRightCorner(k, k) = T.transpose() * E * T;
+  family.M.resize(b + k, b + k);
+  family.M.topLeftCorner(b, b) = Psi_.transpose() * MPsi_;
+  family.M.topRightCorner(b, k) = P * T;
+  family.M.bottomLeftCorner(k, b) = family.M.topRightCorner(b, k).transpose();
+  family.M.bottomRightCorner(k, k) = T.transpose() * G * T;
+  const auto reduced = [&](const MatrixXd& of_Psi, const MatrixXd& of_W, const MatrixXd& of_X) {
+    MatrixXd rows(of_Psi.rows(), b + k), inner(of_W.rows(), n);
+    inner << of_W, of_X;
+    rows << of_Psi, inner * T;
+    return rows;
+  };
+  family.load =
+      reduced(Mr_.transpose() * Psi_, Mr_.transpose() * W_, Mr_.transpose() * X).transpose();
+  family.mass = rigid_.col(1).dot(Mr_.col(1));
+  family.marked = reduced(markers_ * Psi_, markers_ * W_, markers_ * X);
+  for (const Difference& d : differences) {
+    const MatrixXd V =
+        reduced(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all));
+    const MatrixXd r = rigid_(d.dofs, Eigen::all), Mr = d.M * r;
+    family.dK.emplace_back(V.transpose() * (d.K * V));
+    family.dM.emplace_back(V.transpose() * (d.M * V));
+    family.d_load.emplace_back(V.transpose() * Mr);
+    family.d_mass.push_back(r.col(1).dot(Mr.col(1)));
+  }
+  family.nominal = MatrixXd::Zero(b + k, lambda_.size());
+  family.nominal.bottomRows(k) =
+      family.M.bottomRightCorner(k, k).ldlt().solve(T.transpose() * G.leftCols(lambda_.size()));
+  return family;
+}
+
+} // namespace plica

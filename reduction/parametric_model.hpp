@@ -1,0 +1,92 @@
+// Reduced models of a structure that is changed in known ways, small enough to be solved thousands
+// of times.
+//
+//   K(c) = K_0 + sum_k c_k dK_k,   M(c) = M_0 + sum_k c_k dM_k   over q,   u = V q,   V = [Psi | W]
+//
+// dK_k, dM_k: what a finite change k adds. Psi: motions of the boundary nodes, the rest following
+// (constraint modes). W, the boundary held: the lowest modes; static answers to forces on marked
+// nodes; and for each change the first terms of its Neumann series, K^-1 (dK - lambda dM) phi and
+// K^-1 dK Psi (combined approximations: Kirsch, J. Mech. Des. 113 (1991)), or, for a change of the
+// whole, modes and constraint modes of the changed structure (multi-model basis: Balmes, Mech.
+// Syst. Signal Process. 10 (1996) 381). Exact for c = 0 below the cut of the modes, in statics of
+// boundary and marked nodes always.
+#pragma once
+
+#include "solve/assembly.hpp"
+#include "solve/modes.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace plica {
+
+// A finite change of a model that leaves its unknowns as they are: other sections, thicknesses,
+// materials, further masses and springs on its nodes, the same mesh on another shape.
+//   nominal  small: the nominal basis meets its frequencies and stiffness to first order
+//   series   first terms of its Neumann series join the basis
+//   modes    reaches all of a part: modes of the changed structure join the basis
+enum class Follow { nominal, series, modes };
+struct ModelChange {
+  std::function<void(Model&)> apply;
+  Follow follow = Follow::series;
+};
+
+// Matrices over q; the first 6 coordinates of each boundary node are its DOFs.
+struct ReducedFamily {
+  Eigen::MatrixXd K, M;
+  std::vector<Eigen::MatrixXd> dK, dM; // per change
+  Eigen::MatrixXd load;                // V' M r, r: translations along x y z
+  std::vector<Eigen::MatrixXd> d_load;
+  double mass = 0; // of the whole, kg
+  std::vector<double> d_mass;
+  Eigen::MatrixXd marked;  // 6 rows per marked node: its motion
+  Eigen::VectorXd lambda;  // of the nominal modes, the boundary held
+  Eigen::MatrixXd nominal; // their coordinates, M-orthonormal
+  int boundary = 0;        // coordinates of boundary nodes
+};
+
+class ParametricModel {
+public:
+  // `boundary`, `marked`: nodes. Every boundary node has six independent DOFs. Throws
+  // ConstraintError, std::runtime_error for a structure without stiffness where it needs some.
+  ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes);
+
+  // May be called from several threads.
+  ReducedFamily with(const std::vector<ModelChange>& changes) const;
+
+  const Model& model() const { return model_; }
+  Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
+  const Eigen::VectorXd& lambda() const { return lambda_; }
+  const std::vector<int>& boundary() const { return boundary_; }
+  int unknowns() const { return system_.map.size(); }
+
+private:
+  struct Difference {
+    SparseMatrix K, M;     // all entries, over the DOFs below
+    std::vector<int> dofs; // independent ones that it touches
+  };
+  Difference difference(const Model& changed) const;
+  Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
+  Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
+  Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;
+  Eigen::MatrixXd forces(const Difference& change, const Eigen::MatrixXd& columns) const;
+  Eigen::MatrixXd answers(const Difference& change) const;
+  Eigen::MatrixXd modes_of(const Difference& change) const;
+  Eigen::MatrixXd further_columns(const std::vector<ModelChange>& changes,
+                                  const std::vector<Difference>& differences) const;
+
+  Model model_;
+  std::vector<int> boundary_, marked_;
+  int count_ = 0;
+  System system_;
+  std::vector<int> held_, inside_; // independent DOFs
+  std::optional<SparseFactor> factor_;
+  Eigen::VectorXd lambda_;
+  // Over the independent DOFs. W: modes, then answers to forces on marked nodes; K Psi is zero but
+  // at the boundary.
+  Eigen::MatrixXd Psi_, W_, KW_, MPsi_, MW_, rigid_, Mr_;
+  Eigen::MatrixXd WKW_, WMW_, PsiMW_;
+  Eigen::SparseMatrix<double> markers_; // 6 rows per marked node
+};
+
+} // namespace plica
