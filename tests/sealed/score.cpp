@@ -1,0 +1,6 @@
+#include "files.hpp"
+namespace sealed {
+bool score_suite(const ScoreRequest&) {
+  return false;
+}
+} // namespace sealed
