@@ -25,7 +25,7 @@ void add_fixture(Structure& test, const Effect& e, const std::string& end) {
 
 void add_nonlinear(Structure& test, const Effect& e, Law law) {
   const MatrixXd rows = place(test, e.place);
-  for (const int axis : {0, 1})
+  for (const int axis : {0, 1, 2})
     test.nonlinear.push_back(
         {law, rows.row(axis).transpose(), e.value.at("stiffness"), e.value.at("slip_ratio")});
 }
@@ -83,8 +83,8 @@ void add_surroundings(Structure& test, const Specimen& s) {
 void add_friction(Structure& test, const Effect& e, const MatrixXd& relative,
                   const std::vector<std::pair<int, double>>& stiffness) {
   for (const auto& [axis, k] : stiffness)
-    test.nonlinear.push_back(
-        {Law::bouc_wen, relative.row(axis), k * e.value.at("share"), e.value.at("slip_ratio")});
+    test.nonlinear.push_back({Law::bouc_wen, relative.row(axis).transpose(),
+                              k * e.value.at("share"), e.value.at("slip_ratio"), axis < 3 ? 0 : 1});
 }
 
 } // namespace sealed

@@ -59,8 +59,7 @@ std::vector<Effect> on_bellows(const std::string& name, int g, int variant) {
   if (name == "added_mass")
     return {at(name, variant % 2 ? convolution : sensor, g, {{"mass", {0.003, 0.008, 0.02}}})};
   if (name == "component_mass")
-    return {at(name, pick({"interlock", "caps.left", "extra"}, variant), g,
-               {{"ratio", {1.06, 1.2, 1.5}}})};
+    return {at(name, pick({"interlock", "caps.left"}, variant), g, {{"ratio", {1.06, 1.2, 1.5}}})};
   if (name == "cross_axis_base_motion")
     return {at(name, "base", g, {{"fraction", {0.04, 0.08, 0.16}}})};
   if (name == "rotated_sensor")

@@ -36,7 +36,7 @@ Campaign campaign_of(const std::string& structure) {
     for (const int base : {1, 0}) c.runs.push_back({base, 5, "loaded", true});
     c.states["loaded"] = {{"parts.extra.mass", 0.08}};
   } else if (structure == "bolted_lap") {
-    c.lines = every(60, 0.75, 320);
+    c.lines = every(60, 0.75, 759);
     for (const double level : {1., 3., 10., 30.}) c.runs.push_back({2, level, "", level > 20});
   } else {
     c.states["without_m2"] = {{"parts.m2.mass", 0}};

@@ -102,14 +102,16 @@ double scale_nonlinear(Bench& bench, const std::vector<int>& bases, const Vector
     }
     motion.push_back(x);
   }
-  // Pieces of one joint that see little motion slip at the same force as the others.
-  const double most = *std::max_element(motion.begin(), motion.end());
+  std::map<int, double> most; // force in each joint
   for (std::size_t i = 0; i < motion.size(); ++i) {
-    NonlinearSpring& spring = bench.test.nonlinear[i];
-    const double x = std::max(motion[i], 1e-3 * most);
+    const NonlinearSpring& spring = bench.test.nonlinear[i];
+    most[spring.joint] = std::max(most[spring.joint], spring.stiffness * motion[i]);
+  }
+  for (NonlinearSpring& spring : bench.test.nonlinear) {
+    const double x = most[spring.joint] / spring.stiffness;
+    if (spring.law == Law::bouc_wen) force = std::max(force, spring.slip * most[spring.joint]);
     if (spring.law == Law::cubic) spring.stiffness /= x * x;
     spring.slip *= x;
-    force = std::max(force, spring.law == Law::bouc_wen ? spring.stiffness * spring.slip : 0);
   }
   return force;
 }

@@ -27,6 +27,7 @@ struct NonlinearSpring {
   Law law = Law::bouc_wen;
   VectorXd row;
   double stiffness = 0, slip = 0;
+  int joint = 0; // springs of one joint slip at one force
 };
 
 struct Structure {
