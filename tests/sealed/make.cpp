@@ -1,6 +1,8 @@
 #include "files.hpp"
 #include "measure.hpp"
 
+#include "solve/sparse_factor.hpp"
+
 #include <atomic>
 #include <chrono>
 #include <fmt/format.h>
@@ -37,6 +39,7 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
   std::exception_ptr error;
   std::mutex guard;
   const auto loop = [&] {
+    plica::set_threads(1); // of this thread: the specimens themselves share the cores
     for (std::size_t i = next++; i < count; i = next++) try {
         work(i);
       } catch (...) {
