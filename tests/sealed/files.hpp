@@ -14,6 +14,15 @@ nlohmann::json truth_of(const Specimen& s, const std::map<std::string, double>& 
 std::string make_suite(const Suite& suite, const std::filesystem::path& data,
                        const std::filesystem::path& truth, int jobs);
 
+// One specimen outside of any suite; a wall of its own is made beside the folder and removed.
+struct SingleRequest {
+  std::string structure, effect, strength = "strong";
+  int variant = 0;
+  std::uint64_t seed = 1;
+  std::filesystem::path out;
+};
+void make_single(const SingleRequest& request);
+
 // Prints frequencies of the healthy wall by both roads beside the case of Plica.
 void check_roads(const std::filesystem::path& work);
 std::string fingerprint(const std::filesystem::path& truth);

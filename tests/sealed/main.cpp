@@ -3,6 +3,7 @@
 //   plica_sealed run   --data D --plica build/app/plica --out O [--ablate form]
 //   plica_sealed score --data D --truth T --out O [--require]
 //   plica_sealed check --work W
+//   plica_sealed specimen --structure bolted_lap --effect damping --strength weak --out FOLDER
 #include "files.hpp"
 
 #include <CLI/CLI.hpp>
@@ -43,12 +44,21 @@ int main(int argc, char** argv) {
 
   CLI::App* check = app.add_subcommand("check", "compare both roads to matrices");
   check->add_option("--work", work, "folder for matrices")->required();
+  sealed::SingleRequest single;
+  CLI::App* one = app.add_subcommand("specimen", "one specimen of a chosen effect");
+  one->add_option("--structure", single.structure, "case it belongs to")->required();
+  one->add_option("--effect", single.effect, "effect, or none")->required();
+  one->add_option("--strength", single.strength, "weak, medium, strong");
+  one->add_option("--variant", single.variant, "which of its places and signs");
+  one->add_option("--seed", single.seed, "of all chance");
+  one->add_option("--out", single.out, "folder of measured.yaml")->required();
   CLI11_PARSE(app, argc, argv);
   try {
     if (make->parsed()) {
       const auto suite = sealed::plan_suite(seed, cases == "smoke");
       std::printf("%s\n", sealed::make_suite(suite, data, truth, jobs).c_str());
     }
+    if (one->parsed()) sealed::make_single(single);
     if (diagnose->parsed()) sealed::run_suite(run);
     if (check->parsed()) sealed::check_roads(work);
     if (mark->parsed()) return sealed::score_suite(score) ? 0 : 2;

@@ -131,6 +131,25 @@ std::string make_suite(const Suite& suite, const fs::path& data, const fs::path&
   return fingerprint(truth);
 }
 
+void make_single(const SingleRequest& r) {
+  const std::array<std::string, 3> strengths{"weak", "medium", "strong"};
+  const auto g = std::find(strengths.begin(), strengths.end(), r.strength) - strengths.begin();
+  Specimen s{.id = r.out.filename().string(), .structure = r.structure};
+  if (g == 3) throw std::runtime_error("no strength " + r.strength);
+  if (r.effect != "none") s.effects = graded(r.structure, r.effect, int(g), r.variant);
+  if (r.effect != "none" && s.effects.empty())
+    throw std::runtime_error("no effect " + r.effect + " on " + r.structure);
+  const auto folder = fs::absolute(r.out).parent_path(), walls = folder / (s.id + ".walls");
+  std::optional<ReducedWall> wall;
+  if (r.structure == "short_bellows") {
+    fs::create_directories(walls);
+    s.wall = "mesh";
+    wall = cached_wall({}, wall_specimen(s, r.seed), walls, s.wall);
+    fs::remove_all(walls);
+  }
+  measure(s, wall ? &*wall : nullptr, r.seed, folder);
+}
+
 void check_roads(const fs::path& work) {
   fs::create_directories(work);
   fmt::print("first axial and transverse frequency of the healthy specimen without scatter, Hz\n");

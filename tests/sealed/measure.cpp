@@ -90,6 +90,13 @@ std::string states_of(const Campaign& c) {
   return text;
 }
 
+constexpr const char* header =
+    "# Made by plica_sealed (tests/sealed), not by the model of the case: other, finer matrices "
+    "with\n"
+    "# healthy scatter of material, masses, joints and damping; joints that slip are integrated "
+    "in\n"
+    "# time; sensors sit a little off; every assembly shifts a little; noise as the sigmas say.\n";
+
 using Builder = std::function<Bench(const State&)>;
 
 // Force over displacement of the right end, moved along one axis, the left one held. Joints that
@@ -201,7 +208,7 @@ std::map<std::string, double> measure(const Specimen& s, const ReducedWall* wall
     found["slip_force"] = slip;
   const double weighed = bench.body.weighed * (1 + 0.002 * noise.normal());
   std::string text =
-      fmt::format("specimen: {}\nsource: sealed suite, specimen {}\n", s.structure, s.id);
+      fmt::format("{}specimen: {}\nsource: sealed suite, specimen {}\n", header, s.structure, s.id);
   text += sensors_of(s.structure) + states_of(campaign);
   text += fmt::format("mass: {{value: {:.6g}, sigma: {:.3g}}} # with its sensors\n", weighed,
                       0.002 * weighed);

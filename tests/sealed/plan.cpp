@@ -38,26 +38,6 @@ struct Planner {
   }
 };
 
-WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed) {
-  WallSpecimen w;
-  w.road = s.wall.find("calculix") != std::string::npos ? Road::calculix : Road::mesh;
-  Draws draws(seed, "wall." + s.wall);
-  w.thickness = 1 + 0.01 * draws.normal();
-  double field = draws.normal();
-  for (double& E : w.E) { // neighbours alike: correlation 0.8
-    E = 1 + 0.02 * field;
-    field = 0.8 * field + 0.6 * draws.normal();
-  }
-  w.bond = value_of(s, "ply_slip", "bellows", "bond", 0.5);
-  w.thinning = value_of(s, "forming_thinning", "bellows", "exponent", 0);
-  if (const Effect* e = find(s, "local_damage"); e) {
-    w.dent = e->place[e->place.size() - 2] - '0';
-    w.dent_loss = e->value.at("loss");
-    w.dent_angle = e->value.at("angle");
-  }
-  return w;
-}
-
 void plan_effects(Planner& p) {
   for (const std::string& name : effect_names())
     for (int g = 0; g < 3; ++g)
@@ -130,6 +110,26 @@ void plan_smoke(Planner& p) {
 }
 
 } // namespace
+
+WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed) {
+  WallSpecimen w;
+  w.road = s.wall.find("calculix") != std::string::npos ? Road::calculix : Road::mesh;
+  Draws draws(seed, "wall." + s.wall);
+  w.thickness = 1 + 0.01 * draws.normal();
+  double field = draws.normal();
+  for (double& E : w.E) { // neighbours alike: correlation 0.8
+    E = 1 + 0.02 * field;
+    field = 0.8 * field + 0.6 * draws.normal();
+  }
+  w.bond = value_of(s, "ply_slip", "bellows", "bond", 0.5);
+  w.thinning = value_of(s, "forming_thinning", "bellows", "exponent", 0);
+  if (const Effect* e = find(s, "local_damage"); e) {
+    w.dent = e->place[e->place.size() - 2] - '0';
+    w.dent_loss = e->value.at("loss");
+    w.dent_angle = e->value.at("angle");
+  }
+  return w;
+}
 
 Suite plan_suite(std::uint64_t seed, bool smoke) {
   Planner p;

@@ -36,6 +36,9 @@ struct Suite {
 
 Suite plan_suite(std::uint64_t seed, bool smoke);
 
+// Scatter of the wall that a specimen stands on, by the name of that wall.
+WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed);
+
 // Value of an effect at weak, medium, strong (0, 1, 2) on a structure; empty when it has none
 // there.
 std::vector<Effect> graded(const std::string& structure, const std::string& name, int strength,
