@@ -53,8 +53,8 @@ std::vector<Effect> on_bellows(const std::string& name, int g, int variant) {
   if (name == "fixture_flexibility")
     return {at(name, end, g, {{"mass", {4, 4, 4}}, {"frequency", {2500, 1500, 1000}}})};
   if (name == "boundary_compliance")
-    return {
-        at(name, end, g, {{"k_translation", {6e7, 2e7, 6e6}}, {"k_rotation", {1e5, 3e4, 1e4}}})};
+    return {at(name, end, g,
+               {{"k_translation", {1.5e8, 4e7, 1.2e7}}, {"k_rotation", {2.5e5, 7e4, 2.5e4}}})};
   if (name == "extra_support") return {at(name, convolution, g, {{"k", {1.5e5, 4e5, 1.2e6}}})};
   if (name == "added_mass")
     return {at(name, variant % 2 ? convolution : sensor, g, {{"mass", {0.003, 0.008, 0.02}}})};

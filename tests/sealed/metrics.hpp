@@ -12,9 +12,10 @@ struct Metric {
   int good = 0, of = 0;
   double accept = 0;
   bool at_most = false; // the limit is an upper one
+  double most = 1e9;    // a share above this is missed too: intervals that are too wide
   std::string note = {};
   bool known() const { return of > 0; }
-  bool passes() const { return at_most ? value <= accept : value >= accept; }
+  bool passes() const { return at_most ? value <= accept : value >= accept && value <= most; }
 };
 
 std::vector<Metric> metrics_of(const std::vector<Scored>& all);

@@ -62,6 +62,7 @@ void print(const Metric& m) {
       m.low == 0 && m.high == 0 ? "" : fmt::format("[{:.3f}, {:.3f}]", m.low, m.high);
   fmt::print("{:3}  {:48} {:8.3f} {:17} n = {:3}  {} {:<5} {}\n", m.number, m.name, m.value, bounds,
              m.of, m.at_most ? "<=" : ">=", m.accept, m.passes() ? "good" : "MISSED");
+  if (!m.note.empty()) fmt::print("     {}\n", m.note);
 }
 
 // An ablation hurts when some metric gets worse than with the whole method.
