@@ -1,5 +1,7 @@
 #include "measure.hpp"
 
+#include "campaign.hpp"
+
 #include <fmt/format.h>
 #include <fmt/os.h>
 #include <numbers>
@@ -8,42 +10,6 @@ namespace sealed {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Run {
-  int base = 1;
-  double level = 5;
-  std::string state;
-  bool held_out = false;
-};
-
-struct Campaign {
-  VectorXd lines;
-  std::vector<Run> runs;
-  std::map<std::string, State> states;
-};
-
-VectorXd every(double from, double step, double to) {
-  return VectorXd::LinSpaced(Eigen::Index(std::lround((to - from) / step)) + 1, from, to);
-}
-
-Campaign campaign_of(const std::string& structure) {
-  Campaign c;
-  if (structure == "short_bellows") {
-    c.lines = every(400, 4, 1800);
-    for (const int base : {1, 0})
-      for (const double level : {1., 5., 20.}) c.runs.push_back({base, level, "", false});
-    for (const int base : {1, 0}) c.runs.push_back({base, 40, "", true});
-    for (const int base : {1, 0}) c.runs.push_back({base, 5, "loaded", true});
-    c.states["loaded"] = {{"parts.extra.mass", 0.08}};
-  } else if (structure == "bolted_lap") {
-    c.lines = every(60, 0.75, 759);
-    for (const double level : {1., 3., 10., 30.}) c.runs.push_back({2, level, "", level > 20});
-  } else {
-    c.states["without_m2"] = {{"parts.m2.mass", 0}};
-    c.states["without_m4"] = {{"parts.m4.mass", 0}};
-  }
-  return c;
-}
 
 constexpr const char* axes = "xyz";
 
@@ -67,27 +33,6 @@ void add_noise(MatrixXcd& response, Draws& draws) {
     const double sigma = std::max(0.015 * std::abs(value), 0.01) / std::numbers::sqrt2;
     value += std::complex<double>(sigma * draws.normal(), sigma * draws.normal());
   }
-}
-
-std::string sensors_of(const std::string& structure) {
-  if (structure == "short_bellows")
-    return "sensors:\n"
-           "  - {name: mid, at: [0, 25 mm, 46 mm], axes: [x, y, z], mass: 2 g}\n"
-           "  - {name: quarter, at: [46 mm, 13 mm, 0], axes: [x, y, z], mass: 2 g}\n";
-  if (structure == "bolted_lap")
-    return "sensors: [{name: joint, at: [0, 250 mm, 0], axes: [x, y, z], mass: 5 g}]\n";
-  return "sensors: [{name: tip, at: [0, 600 mm, 0], axes: [x, y, z], mass: 5 g}]\n";
-}
-
-std::string states_of(const Campaign& c) {
-  if (c.states.empty()) return "";
-  std::string text = "states:\n";
-  for (const auto& [name, set] : c.states) {
-    text += fmt::format("  - {{name: {}, set: {{", name);
-    for (const auto& [path, value] : set) text += fmt::format("{}: {} kg", path, value);
-    text += "}}\n";
-  }
-  return text;
 }
 
 constexpr const char* header =
