@@ -1,0 +1,70 @@
+// plica_sealed: makes specimens with known causes, has them diagnosed, and scores the verdicts.
+//   plica_sealed make  --data D --truth T --seed S [--cases smoke|all]
+//   plica_sealed run   --data D --plica build/app/plica --out O [--ablate form]
+//   plica_sealed score --data D --truth T --out O [--require]
+//   plica_sealed check --work W
+//   plica_sealed specimen --structure bolted_lap --effect damping --strength weak --out FOLDER
+#include "files.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+int main(int argc, char** argv) {
+  CLI::App app{"Sealed test of plica diagnose"};
+  app.require_subcommand(1);
+  std::string data, truth, cases = "all", work, require;
+  std::uint64_t seed = 1;
+  int jobs = 2;
+  sealed::RunRequest run;
+  sealed::ScoreRequest score;
+
+  CLI::App* make = app.add_subcommand("make", "write specimens to one place, the truth to another");
+  make->add_option("--data", data, "folder of the data")->required();
+  make->add_option("--truth", truth, "folder of the truth")->required();
+  make->add_option("--seed", seed, "of all chance");
+  make->add_option("--cases", cases, "smoke or all")->check(CLI::IsMember({"smoke", "all"}));
+  make->add_option("--jobs", jobs, "specimens at once");
+
+  CLI::App* diagnose = app.add_subcommand("run", "diagnose every specimen");
+  diagnose->add_option("--data", run.data, "folder of the data")->required();
+  diagnose->add_option("--plica", run.plica, "the program plica")->required();
+  diagnose->add_option("--out", run.out, "folder of the diagnoses")->required();
+  diagnose->add_option("--jobs", run.jobs, "diagnoses at once");
+  diagnose->add_option("--ablate", run.ablate, "passed on as --without");
+  diagnose->add_option("--only", run.only, "one specimen");
+
+  CLI::App* mark = app.add_subcommand("score", "compare the diagnoses with the truth");
+  mark->add_option("--data", score.data, "folder of the data")->required();
+  mark->add_option("--truth", score.truth, "folder of the truth")->required();
+  mark->add_option("--out", score.out, "folder of the diagnoses")->required();
+  mark->add_option("--ablation", score.ablations, "NAME=FOLDER of a run with --ablate");
+  mark->add_flag("--require", score.require,
+                 "fail unless every diagnosis is there and no metric "
+                 "that forbids a release is missed");
+
+  CLI::App* check = app.add_subcommand("check", "compare both roads to matrices");
+  check->add_option("--work", work, "folder for matrices")->required();
+  sealed::SingleRequest single;
+  CLI::App* one = app.add_subcommand("specimen", "one specimen of a chosen effect");
+  one->add_option("--structure", single.structure, "case it belongs to")->required();
+  one->add_option("--effect", single.effect, "effect, or none")->required();
+  one->add_option("--strength", single.strength, "weak, medium, strong");
+  one->add_option("--variant", single.variant, "which of its places and signs");
+  one->add_option("--seed", single.seed, "of all chance");
+  one->add_option("--out", single.out, "folder of measured.yaml")->required();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (make->parsed()) {
+      const auto suite = sealed::plan_suite(seed, cases == "smoke");
+      std::printf("%s\n", sealed::make_suite(suite, data, truth, jobs).c_str());
+    }
+    if (one->parsed()) sealed::make_single(single);
+    if (diagnose->parsed()) sealed::run_suite(run);
+    if (check->parsed()) sealed::check_roads(work);
+    if (mark->parsed()) return sealed::score_suite(score) ? 0 : 2;
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "plica_sealed: %s\n", error.what());
+    return 1;
+  }
+}

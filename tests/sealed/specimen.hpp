@@ -1,0 +1,56 @@
+// What a specimen of the suite is, and the list of all: the truth, before anything is measured.
+#pragma once
+
+#include "wall.hpp"
+
+#include <cstdint>
+
+namespace sealed {
+
+struct Effect {
+  std::string name, place;
+  std::map<std::string, double> value;
+};
+
+struct Specimen {
+  std::string id = {};        // "017"
+  std::string structure = {}; // short_bellows, cantilever_masses, bolted_lap
+  std::string kind = {};      // none, effect, stranger, pair
+  std::string cls = {};       // effect name; a stranger's own; "a+b" of a pair
+  std::string strength = {};  // weak, medium, strong; empty without
+  std::string wall = {};      // specimen of the wall; empty for beams
+  std::vector<Effect> effects = {};
+  bool linear = true;
+};
+
+struct WallPlan {
+  std::string name;
+  WallSpecimen specimen;
+};
+
+struct Suite {
+  std::uint64_t seed = 1;
+  std::vector<Specimen> specimens;
+  std::vector<WallPlan> walls; // those that the specimens ask for
+};
+
+Suite plan_suite(std::uint64_t seed, bool smoke);
+
+// Scatter of the wall that a specimen stands on, by the name of that wall.
+WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed);
+
+// Value of an effect at weak, medium, strong (0, 1, 2) on a structure; empty when it has none
+// there.
+std::vector<Effect> graded(const std::string& structure, const std::string& name, int strength,
+                           int variant);
+
+const std::vector<std::string>& effect_names();
+
+// A stranger at one of its variants.
+Effect stranger(const std::string& structure, const std::string& cls, int variant);
+
+const Effect* find(const Specimen& s, const std::string& name);
+double value_of(const Specimen& s, const std::string& name, const std::string& place,
+                const std::string& key, double otherwise);
+
+} // namespace sealed

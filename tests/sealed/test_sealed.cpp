@@ -1,0 +1,139 @@
+// The sealed suite's own solvers against closed forms and against each other.
+#include "response.hpp"
+#include "specimen.hpp"
+
+#include <gtest/gtest.h>
+#include <numbers>
+#include <set>
+
+using namespace sealed;
+using std::numbers::pi;
+
+namespace {
+
+constexpr double w0 = 2 * pi * 100, zeta = 0.02;
+
+// One mass on one spring on a table that moves along x, with a nonlinear spring beside.
+Bench oscillator(const NonlinearSpring& spring) {
+  Bench bench;
+  Structure& s = bench.test;
+  s.K = MatrixXd::Constant(1, 1, w0 * w0);
+  s.M = MatrixXd::Identity(1, 1);
+  s.R = MatrixXd::Zero(1, 6);
+  s.R(0, 0) = 1;
+  s.nonlinear = {spring};
+  bench.zeta = VectorXd::Constant(1, zeta);
+  bench.table[0] = {1, 0, 0, 0, 0, 0};
+  MatrixXd rows = MatrixXd::Zero(3, 1);
+  rows(0, 0) = 1;
+  bench.probes.push_back({.name = "mass", .rows = rows, .reading = Matrix3d::Identity()});
+  return bench;
+}
+
+Assembly as_drawn(const Bench& bench) {
+  return {modes_of(bench.test), bench.zeta};
+}
+
+// |x| of the first harmonic by bisection: x |w0^2 + softer(x) - w^2 + i (2 zeta w0 w + loss(x))| =
+// a.
+template <class Added> double amplitude(double w, double a, const Added& added) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 200; ++i) {
+    const double x = (low + high) / 2;
+    const std::complex<double> z =
+        std::complex<double>(w0 * w0 - w * w, 2 * zeta * w0 * w) + added(x);
+    (x * std::abs(z) > a ? high : low) = x;
+  }
+  return low;
+}
+
+double relative_motion(const Eigen::MatrixXcd& response, double w) {
+  return std::abs((response(0, 0) - 1.) / (w * w)); // acceleration of the mass less the table's
+}
+
+} // namespace
+
+TEST(SealedSuite, hardening_in_time_follows_duffing) {
+  NonlinearSpring spring{.law = Law::cubic, .row = VectorXd::Ones(1)};
+  const double a = 1, linear = a / (2 * zeta * w0 * w0);
+  spring.stiffness = 0.02 * w0 * w0 / (linear * linear);
+  spring.slip = 0.01 * linear;
+  const Bench bench = oscillator(spring);
+  for (const double f : {90., 97., 104.}) { // one solution at each
+    const double w = 2 * pi * f;
+    const double expected =
+        amplitude(w, a, [&](double x) { return 0.75 * spring.stiffness * x * x; });
+    const auto response =
+        nonlinear_response(bench, as_drawn(bench), 0, a, VectorXd::Constant(1, f));
+    EXPECT_NEAR(relative_motion(response, w) / expected, 1, 0.01) << f;
+  }
+}
+
+TEST(SealedSuite, a_joint_far_beyond_its_slip_is_coulomb_friction) {
+  NonlinearSpring spring{.law = Law::bouc_wen, .row = VectorXd::Ones(1)};
+  spring.stiffness = 0.3 * w0 * w0;
+  const double a = 1;
+  spring.slip = 0.002 * a / (2 * zeta * w0 * w0);
+  const Bench bench = oscillator(spring);
+  const double force = spring.stiffness * spring.slip;
+  for (const double f : {75., 83.6, 95.}) {
+    const double w = 2 * pi * f;
+    const double expected = amplitude(w, a, [&](double x) {
+      return std::complex<double>(-spring.stiffness, 4 * force / (pi * x));
+    });
+    const auto response =
+        nonlinear_response(bench, as_drawn(bench), 0, a, VectorXd::Constant(1, f));
+    EXPECT_NEAR(relative_motion(response, w) / expected, 1, 0.05)
+        << f; // steps are coarser than slips
+  }
+}
+
+TEST(SealedSuite, a_beam_of_the_suite_has_the_stiffness_of_a_beam) {
+  Structure s;
+  s.R = MatrixXd(0, 6);
+  s.K = s.M = MatrixXd(0, 0);
+  add_unknowns(s, 12);
+  const MatrixXd one = MatrixXd::Identity(12, 12);
+  const double L = 0.5, EI = 7;
+  add_beam(s, one.topRows(6), one.bottomRows(6), L, 1e3, EI, 3);
+  const MatrixXd free = s.K.bottomRightCorner(6, 6);
+  VectorXd load = VectorXd::Zero(6);
+  load[0] = 1;
+  const VectorXd u = free.ldlt().solve(load);
+  EXPECT_NEAR(u[0], L * L * L / (3 * EI), 1e-12);
+  EXPECT_NEAR(u[5], -L * L / (2 * EI), 1e-12); // dx/dy = -rz
+  VectorXd turn = VectorXd::Zero(12);          // a rigid rotation about z
+  turn[5] = turn[11] = 1;
+  turn[6] = -L;
+  EXPECT_LT((s.K * turn).norm(), 1e-9);
+}
+
+TEST(SealedSuite, has_the_promised_specimens) {
+  const Suite suite = plan_suite(1, false);
+  std::map<std::string, int> kinds, classes;
+  std::map<std::string, std::set<std::string>> strengths;
+  int outside = 0, beams = 0;
+  for (const Specimen& s : suite.specimens) {
+    ++kinds[s.kind];
+    if (s.kind == "effect") {
+      ++classes[s.cls];
+      strengths[s.cls].insert(s.strength);
+      EXPECT_FALSE(s.effects.empty()) << s.cls;
+    }
+    if (s.kind == "pair") {
+      EXPECT_EQ(s.effects.size(), 2u) << s.cls;
+    }
+    outside += s.cls == "clearance" || s.cls == "hardening" || s.cls == "absorber";
+    beams += s.structure != "short_bellows";
+  }
+  EXPECT_GE(suite.specimens.size(), 250u);
+  EXPECT_EQ(kinds["none"], 100);
+  EXPECT_GE(kinds["stranger"], 40);
+  EXPECT_EQ(2 * outside, kinds["stranger"]);
+  EXPECT_EQ(kinds["pair"], 24);
+  EXPECT_GE(beams, 60);
+  for (const std::string& name : effect_names()) {
+    EXPECT_GE(classes[name], 8) << name;
+    EXPECT_EQ(strengths[name].size(), 3u) << name;
+  }
+}

@@ -1,0 +1,121 @@
+#include "verdicts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+
+namespace sealed {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr double non_centrality_of_95 = 13.0; // (1.96 + 1.645)^2: 5 % false alarms, 95 % power
+
+json parsed(const fs::path& file) {
+  std::ifstream in(file);
+  return in ? json::parse(in, nullptr, false) : json();
+}
+
+// How far a value lies from no effect; compliances count by their inverse.
+double size_of(const std::string& key, double value) {
+  if (key == "ratio" || key == "gain") return std::abs(std::log(std::max(value, 1e-3)));
+  if (key == "bond") return std::abs(value - 0.5);
+  if (key.starts_with("k_") || key == "frequency") return 1 / value;
+  return std::abs(value);
+}
+
+// The diagnosis states non-centrality for a size of its own: scaled to the true one.
+double scale_to_truth(const json& entry, const json& truth) {
+  if (!entry.contains("value") || !entry["value"].is_object()) return 1;
+  double scale = 0;
+  for (const auto& [key, value] : entry["value"].items())
+    if (value.is_number() && truth["value"].contains(key) && size_of(key, value) > 0)
+      scale = std::max(scale, std::pow(size_of(key, truth["value"][key]) / size_of(key, value), 2));
+  return scale > 0 ? scale : 1;
+}
+
+bool detectable(const Scored& s) {
+  if (s.truth["effects"].empty()) return false;
+  const json& effect = s.truth["effects"][0];
+  double best = -1;
+  const json declared =
+      s.diagnosis.value(json::json_pointer("/identifiability/detectable"), json::array());
+  for (const json& entry : declared)
+    if (entry.value("name", "") == effect["name"] &&
+        (!entry.contains("place") || entry["place"] == effect["place"]))
+      best = std::max(best, entry.value("noncentrality", 0.) * scale_to_truth(entry, effect));
+  return best < 0 ? s.truth["strength"] != "weak" : best >= non_centrality_of_95;
+}
+
+} // namespace
+
+std::vector<Scored> read_verdicts(const fs::path& truth, const fs::path& out) {
+  std::set<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(truth))
+    if (entry.path().extension() == ".json") files.insert(entry.path());
+  const json runs = parsed(out / "runs.json");
+  std::vector<Scored> all;
+  for (const fs::path& file : files) {
+    Scored s;
+    s.truth = parsed(file);
+    s.id = s.truth["id"];
+    s.kind = s.truth["kind"];
+    s.cls = s.truth["class"];
+    s.diagnosis = parsed(out / s.id / "diagnosis.json");
+    if (!s.diagnosis.is_object()) s.diagnosis = json::object();
+    s.verdict = s.diagnosis.value("verdict", "missing");
+    for (const json& e : s.diagnosis.value("effects", json::array())) s.named.push_back(e["name"]);
+    s.seconds = runs.is_object() && runs.contains(s.id) ? double(runs[s.id]["seconds"]) : 0;
+    s.is_detectable = detectable(s);
+    all.push_back(s);
+  }
+  return all;
+}
+
+bool names(const Scored& s, const std::string& effect) {
+  return std::find(s.named.begin(), s.named.end(), effect) != s.named.end();
+}
+
+std::string true_effect(const Scored& s, std::size_t k) {
+  return k < s.truth["effects"].size() ? std::string(s.truth["effects"][k]["name"]) : "";
+}
+
+std::string true_place(const Scored& s) {
+  return s.truth["effects"].empty() ? "" : std::string(s.truth["effects"][0]["place"]);
+}
+
+double declared_cosine(const Scored& s, const std::string& a, const std::string& b) {
+  double best = 0;
+  const auto stands_for = [](const std::string& shown, const std::string& name) {
+    return shown == name || shown.starts_with(name + "@") || shown.starts_with(name + " ");
+  };
+  const json mimics =
+      s.diagnosis.value(json::json_pointer("/identifiability/mimics"), json::array());
+  for (const json& m : mimics) {
+    const std::string p = m.value("a", ""), q = m.value("b", "");
+    if ((stands_for(p, a) && stands_for(q, b)) || (stands_for(p, b) && stands_for(q, a)))
+      best = std::max(best, m.value("cosine", 0.));
+  }
+  return best;
+}
+
+bool place_is_right(const Scored& s) {
+  const json& first = s.diagnosis["effects"][0];
+  const std::string place = first.value("place", ""), name = first["name"], truth = true_place(s);
+  if (place == truth) return true;
+  for (const char* between : {"@", " @ ", " "})
+    if (declared_cosine(s, name + between + place, name + between + truth) >= 0.95) return true;
+  return false;
+}
+
+double number_at(const json& object, const std::string& pointer) {
+  const json::json_pointer at(pointer);
+  if (!object.contains(at) || !object.at(at).is_number())
+    return std::numeric_limits<double>::quiet_NaN();
+  return object.at(at);
+}
+
+} // namespace sealed
