@@ -80,7 +80,8 @@ public:
     const BlockScores scores(test_, uncertainty_);
     list_hypotheses();
     settings_.stage("signatures of " + std::to_string(hypotheses_.size()) + " hypotheses");
-    const std::vector<Signature> all = signatures(context, hypotheses_);
+    std::vector<Signature> all = signatures(context, hypotheses_);
+    find_smallest(context, all);
     Standards standards = standards_of(context, *held_out_);
     standards.gate = !settings_.without.contains("adequacy");
     standards.evidence = evidence_threshold(context, all);
@@ -145,23 +146,39 @@ private:
                                    const Standards& standards) {
     settings_.stage("pairs of effects");
     std::vector<std::vector<const Hypothesis*>> together;
+    std::vector<VectorXd> starts;
+    const bool levels_matter = changes_with_level();
     const std::size_t count = std::min(for_pairs, ranked.size());
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const Hypothesis *a = ranked[i].best->fit.together[0], *b = ranked[j].best->fit.together[0];
-        if (ranked[i].best->log_bayes_factor > 1 && !(a->softening && b->softening))
-          together.push_back({a, b});
+        if (ranked[i].best->log_bayes_factor < 1 || (a->softening && b->softening)) continue;
+        if ((a->softening || b->softening) && !levels_matter) continue;
+        together.push_back({a, b});
+        VectorXd z(Index(a->parameters.size() + b->parameters.size()));
+        z << ranked[i].best->fit.z, ranked[j].best->fit.z;
+        starts.push_back(z);
       }
     std::vector<JudgedFit> pairs(together.size());
     in_parallel(int(together.size()), [&](int i) {
-      pairs[std::size_t(i)] = judged(fit_of(context, together[std::size_t(i)]), plain, context,
-                                     *held_out_, scores, standards);
+      pairs[std::size_t(i)] =
+          judged(fit_of(context, together[std::size_t(i)], starts[std::size_t(i)]), plain, context,
+                 *held_out_, scores, standards);
     });
     std::erase_if(pairs, [](const JudgedFit& j) { return !j.fit.solved; });
     std::sort(pairs.begin(), pairs.end(), [](const JudgedFit& a, const JudgedFit& b) {
       return a.fit.log_evidence > b.fit.log_evidence;
     });
     return pairs;
+  }
+
+  // A frequency or damping moves with the level by more than its uncertainty: what slips may be in
+  // it.
+  bool changes_with_level() const {
+    constexpr double beyond = 3; // standard deviations
+    const std::vector<LevelTrend> trends = level_trends(test_);
+    return std::any_of(trends.begin(), trends.end(),
+                       [](const LevelTrend& t) { return std::abs(t.slope) > beyond * t.sigma; });
   }
 
   NamedEffect named(const HypothesisFit& fit, std::size_t half, double probability) const {
@@ -250,6 +267,7 @@ private:
                      [](const TriedHypothesis& a, const TriedHypothesis& b) {
                        return a.log_bayes_factor > b.log_bayes_factor;
                      });
+    for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
     const JudgedFit* best = best_of(nominal, ranked, pairs, judgement);
     const JudgedFit* second = second_of(ranked, best);
     how_far(context, nominal, *best, second);

@@ -96,8 +96,10 @@ struct Mimic {
 
 struct SmallestDetectable {
   std::string name, place, way, parameter, unit;
-  std::optional<double> value; // none: not within its prior's reach
-  double noncentrality = 0;    // of the effect at one standard deviation of its prior
+  double at = 0;               // value of the parameter, of the size to be expected,
+  double noncentrality = 0;    // for which this is the non-centrality
+  std::optional<double> value; // smallest; none: beyond its prior's reach, or another place of the
+                               // effect shows more
 };
 
 struct ProposedMeasurement {

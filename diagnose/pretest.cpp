@@ -206,7 +206,8 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   for (const Effect& effect : effects())
     for (Hypothesis& h : effect.hypotheses(nominal.structure(runs))) all.push_back(std::move(h));
   stage("signatures of " + std::to_string(all.size()) + " hypotheses");
-  const std::vector<Signature> own = signatures(context, all);
+  std::vector<Signature> own = signatures(context, all);
+  find_smallest(context, own);
   const Likeness alike = likeness(own);
   result.effects = alike.effects;
   result.likeness = alike.cosine;

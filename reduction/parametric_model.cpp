@@ -216,7 +216,7 @@ MatrixXd ParametricModel::constraint_modes(const SparseMatrix& K,
   return Psi;
 }
 
-ParametricModel::Difference ParametricModel::difference(const Model& changed) const {
+PreparedChange ParametricModel::difference(const Model& changed) const {
   Triplets k, m;
   if (changed.mesh.nodes == model_.mesh.nodes) {
     add_elements(only_in(changed, model_), system_.map, 1, k, m);
@@ -231,7 +231,7 @@ ParametricModel::Difference ParametricModel::difference(const Model& changed) co
     add_all(system_.M, -1, m);
   }
   std::vector<int> number(std::size_t(system_.map.size()), -1);
-  Difference d;
+  PreparedChange d;
   for (const Triplets* all : {&k, &m})
     for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
   for (int i = 0; i < int(number.size()); ++i)
@@ -248,7 +248,7 @@ ParametricModel::Difference ParametricModel::difference(const Model& changed) co
 }
 
 // Of the change under these motions, the boundary held; over all independent DOFs.
-MatrixXd ParametricModel::forces(const Difference& change, const MatrixXd& at_its_dofs) const {
+MatrixXd ParametricModel::forces(const PreparedChange& change, const MatrixXd& at_its_dofs) const {
   MatrixXd f = MatrixXd::Zero(system_.map.size(), at_its_dofs.cols());
   f(change.dofs, Eigen::all) = at_its_dofs;
   for (int dof : held_) f.row(dof).setZero();
@@ -257,7 +257,7 @@ MatrixXd ParametricModel::forces(const Difference& change, const MatrixXd& at_it
 
 // First terms of the Neumann series of modes and constraint modes. Forces of few directions, as
 // those of a spring or a mass are, need few solutions, and no second term: it is in the first.
-MatrixXd ParametricModel::answers(const Difference& change) const {
+MatrixXd ParametricModel::answers(const PreparedChange& change) const {
   const Index modes = std::min<Index>(followed, lambda_.size());
   const MatrixXd Phi = W_(change.dofs, Eigen::seqN(0, modes)), Psi = Psi_(change.dofs, Eigen::all);
   MatrixXd f(Index(change.dofs.size()), 2 * modes + Psi.cols());
@@ -273,7 +273,7 @@ MatrixXd ParametricModel::answers(const Difference& change) const {
   return both;
 }
 
-MatrixXd ParametricModel::modes_of(const Difference& change) const {
+MatrixXd ParametricModel::modes_of(const PreparedChange& change) const {
   SparseMatrix K = system_.K, M = system_.M;
   for (const auto& [from, to] : {std::pair{&change.K, &K}, {&change.M, &M}})
     for (int j = 0; j < from->outerSize(); ++j)
@@ -293,34 +293,28 @@ MatrixXd ParametricModel::modes_of(const Difference& change) const {
   return columns;
 }
 
-MatrixXd ParametricModel::further_columns(const std::vector<ModelChange>& changes,
-                                          const std::vector<Difference>& differences) const {
-  std::vector<MatrixXd> parts;
-  Index columns = 0;
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    if (changes[k].follow == Follow::nominal || differences[k].dofs.empty()) continue;
-    parts.push_back(changes[k].follow == Follow::series ? answers(differences[k])
-                                                        : modes_of(differences[k]));
-    columns += parts.back().cols();
-  }
-  MatrixXd X(system_.map.size(), columns);
-  Index at = 0;
-  for (const MatrixXd& p : parts) {
-    X.middleCols(at, p.cols()) = p;
-    at += p.cols();
-  }
-  return X;
+PreparedChange ParametricModel::prepare(const ModelChange& change) const {
+  Model changed = model_;
+  change.apply(changed);
+  PreparedChange made = difference(changed);
+  made.further = MatrixXd(system_.map.size(), 0);
+  if (made.dofs.empty()) return made;
+  if (change.follow == Follow::series) made.further = answers(made);
+  if (change.follow == Follow::modes) made.further = modes_of(made);
+  return made;
 }
 
-ReducedFamily ParametricModel::with(const std::vector<ModelChange>& changes) const {
-  std::vector<Difference> differences;
-  for (const ModelChange& change : changes) {
-    Model changed = model_;
-    change.apply(changed);
-    differences.push_back(difference(changed));
+ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
+  Index further = 0;
+  for (const PreparedChange& change : changes) further += change.further.cols();
+  MatrixXd X(system_.map.size(), further);
+  Index at = 0;
+  for (const PreparedChange& change : changes) {
+    X.middleCols(at, change.further.cols()) = change.further;
+    at += change.further.cols();
   }
   // What the changes add to the basis, free of what it has.
-  MatrixXd X = further_columns(changes, differences), KX = symmetric_product(system_.K, X);
+  MatrixXd KX = symmetric_product(system_.K, X);
   const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
   if (X.cols() > 0) {
     const MatrixXd part = WKW_.ldlt().solve(KW_.transpose() * X);
@@ -368,7 +362,7 @@ ReducedFamily ParametricModel::with(const std::vector<ModelChange>& changes) con
       reduced(Mr_.transpose() * Psi_, Mr_.transpose() * W_, Mr_.transpose() * X).transpose();
   family.mass = rigid_.col(1).dot(Mr_.col(1));
   family.marked = reduced(markers_ * Psi_, markers_ * W_, markers_ * X);
-  for (const Difference& d : differences) {
+  for (const PreparedChange& d : changes) {
     const MatrixXd V =
         reduced(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all));
     const MatrixXd r = rigid_(d.dofs, Eigen::all), Mr = d.M * r;

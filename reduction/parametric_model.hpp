@@ -31,6 +31,13 @@ struct ModelChange {
   Follow follow = Follow::series;
 };
 
+// A change over the independent DOFs that it touches, with what it adds to the basis.
+struct PreparedChange {
+  SparseMatrix K, M;       // all entries
+  std::vector<int> dofs;   // independent ones
+  Eigen::MatrixXd further; // columns over all independent DOFs
+};
+
 // Matrices over q; the first 6 coordinates of each boundary node are its DOFs.
 struct ReducedFamily {
   Eigen::MatrixXd K, M;
@@ -51,8 +58,9 @@ public:
   // ConstraintError, std::runtime_error for a structure without stiffness where it needs some.
   ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes);
 
-  // May be called from several threads.
-  ReducedFamily with(const std::vector<ModelChange>& changes) const;
+  // Both may be called from several threads.
+  PreparedChange prepare(const ModelChange& change) const;
+  ReducedFamily with(const std::vector<PreparedChange>& changes) const;
 
   const Model& model() const { return model_; }
   Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
@@ -61,19 +69,13 @@ public:
   int unknowns() const { return system_.map.size(); }
 
 private:
-  struct Difference {
-    SparseMatrix K, M;     // all entries, over the DOFs below
-    std::vector<int> dofs; // independent ones that it touches
-  };
-  Difference difference(const Model& changed) const;
+  PreparedChange difference(const Model& changed) const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
   Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;
-  Eigen::MatrixXd forces(const Difference& change, const Eigen::MatrixXd& columns) const;
-  Eigen::MatrixXd answers(const Difference& change) const;
-  Eigen::MatrixXd modes_of(const Difference& change) const;
-  Eigen::MatrixXd further_columns(const std::vector<ModelChange>& changes,
-                                  const std::vector<Difference>& differences) const;
+  Eigen::MatrixXd forces(const PreparedChange& change, const Eigen::MatrixXd& columns) const;
+  Eigen::MatrixXd answers(const PreparedChange& change) const;
+  Eigen::MatrixXd modes_of(const PreparedChange& change) const;
 
   Model model_;
   std::vector<int> boundary_, marked_;

@@ -26,11 +26,9 @@ std::vector<int> masses_on(const Model& model, const std::vector<int>& nodes,
   return found;
 }
 
-} // namespace
-
 // Caps, attached masses, interlocks: a ratio to the mass in the case. An attached mass may be
 // missing altogether.
-std::vector<Hypothesis> component_mass(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const Model& model = s.built.model;
   const auto add = [&](const std::string& place, std::vector<int> masses, const Prior& prior) {
@@ -72,6 +70,16 @@ std::vector<Hypothesis> component_mass(const Structure& s) {
           drawn);
   }
   return found;
+}
+
+} // namespace
+
+Effect component_mass() {
+  return {.name = "component_mass",
+          .physics = "a part is heavier or lighter than drawn, and the scale sees it",
+          .signature = "mass and the modes that move the part",
+          .look_alikes = {"unweighed_mass: weigh again", "added_mass: weigh with everything on it"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

@@ -35,8 +35,12 @@ struct EffectParameter {
 
 // The test as the hypothesis sees it, beside the specimen's stiffness and mass.
 struct TestSetup {
-  double damping = 1;                                 // factor of all damping ratios
-  std::map<std::string, Eigen::Matrix3d> reading{};   // of a sensor: what it shows of its motion
+  double damping = 1;                               // factor of all damping ratios
+  std::map<std::string, Eigen::Matrix3d> reading{}; // of a sensor: what it shows of its motion
+  Eigen::Matrix3d& reading_of(const std::string& sensor) {
+    return reading.try_emplace(sensor, Eigen::Matrix3d::Identity()).first->second;
+  }
+  std::map<std::string, Eigen::Vector3d> moved{}; // of a sensor: how far it sits off its place, m
   Eigen::Matrix3d base = Eigen::Matrix3d::Identity(); // column: motion when an axis is commanded
 };
 
@@ -51,6 +55,8 @@ struct Hypothesis {
   std::string effect, place, way; // way: "x", "diagonal"; empty = there is but one
   std::vector<EffectParameter> parameters;
   std::vector<ModelChange> changes = {};
+  // In place of `changes`: of the case, which is built anew; small.
+  std::vector<std::function<void(Case&)>> case_changes = {};
   // Of the changes, by the values of the parameters.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> coefficients = {};
   bool at_rig = true; // acts on the static rig and the scale too, not on the shaker alone
@@ -79,7 +85,7 @@ struct Effect {
   std::string physics; // one sentence
   std::string signature;
   std::vector<std::string> look_alikes; // with the measurement that tells them apart
-  std::vector<Hypothesis> (*hypotheses)(const Structure&);
+  std::vector<Hypothesis> (*hypotheses)(const Structure&) = nullptr;
 };
 
 // Coefficients of changes made at `samples` of a scalar such that functions of it, zero for the
@@ -93,22 +99,22 @@ coefficients_through(const std::function<Eigen::VectorXd(double)>& functions,
 const std::vector<Effect>& effects();
 const Effect& effect_named(const std::string& name); // throws std::out_of_range
 
-// One per effect.
-std::vector<Hypothesis> ply_slip(const Structure& s);
-std::vector<Hypothesis> joint_friction(const Structure& s);
-std::vector<Hypothesis> joint_stiffness(const Structure& s);
-std::vector<Hypothesis> fixture_flexibility(const Structure& s);
-std::vector<Hypothesis> boundary_compliance(const Structure& s);
-std::vector<Hypothesis> extra_support(const Structure& s);
-std::vector<Hypothesis> added_mass(const Structure& s);
-std::vector<Hypothesis> component_mass(const Structure& s);
-std::vector<Hypothesis> local_damage(const Structure& s);
-std::vector<Hypothesis> forming_thinning(const Structure& s);
-std::vector<Hypothesis> damping(const Structure& s);
-std::vector<Hypothesis> cross_axis_base_motion(const Structure& s);
-std::vector<Hypothesis> temperature(const Structure& s);
-std::vector<Hypothesis> rotated_sensor(const Structure& s);
-std::vector<Hypothesis> sensor_gain(const Structure& s);
-std::vector<Hypothesis> unweighed_mass(const Structure& s);
+// One file each.
+Effect ply_slip();
+Effect joint_friction();
+Effect joint_stiffness();
+Effect fixture_flexibility();
+Effect boundary_compliance();
+Effect extra_support();
+Effect added_mass();
+Effect component_mass();
+Effect local_damage();
+Effect forming_thinning();
+Effect damping();
+Effect cross_axis_base_motion();
+Effect temperature();
+Effect rotated_sensor();
+Effect sensor_gain();
+Effect unweighed_mass();
 
 } // namespace plica

@@ -16,11 +16,9 @@ void thin(Model& model, const WallElements& wall, double exponent) {
   }
 }
 
-} // namespace
-
 // Stiffness and mass are smooth in the exponent; a parabola through two samples follows them within
 // 0.1 % up to exponents of 1.5.
-std::vector<Hypothesis> forming_thinning(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const std::vector<double> samples{0.6, 1.2};
   const auto coefficients = coefficients_through(
@@ -37,6 +35,16 @@ std::vector<Hypothesis> forming_thinning(const Structure& s) {
     found.push_back(std::move(h));
   }
   return found;
+}
+
+} // namespace
+
+Effect forming_thinning() {
+  return {.name = "forming_thinning",
+          .physics = "the wall is thinner towards the crown, as forming leaves it",
+          .signature = "the stiffness falls, and the mass a little",
+          .look_alikes = {"ply_slip: weigh, measure the thickness", "temperature: weigh"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

@@ -62,11 +62,9 @@ void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Par
   }
 }
 
-} // namespace
-
 // Young's modulus lost over a quarter of the circumference of a convolution, in four directions; in
 // a beam over a stretch between two of its points.
-std::vector<Hypothesis> local_damage(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const WallElements& wall : walls(s)) {
     const int count = std::min(places, wall.convolutions);
@@ -87,6 +85,18 @@ std::vector<Hypothesis> local_damage(const Structure& s) {
   for (const Part& part : s.data.parts)
     if (std::holds_alternative<BeamPart>(part.body)) add_stretches(found, s, part);
   return found;
+}
+
+} // namespace
+
+Effect local_damage() {
+  return {.name = "local_damage",
+          .physics = "a dent or crack takes stiffness from one side of one place",
+          .signature = "x and z differ, a motion along one shows along the other",
+          .look_alikes = {"rotated_sensor: turn the sensor",
+                          "cross_axis_base_motion: an accelerometer on the table",
+                          "joint_stiffness: turn the specimen by 90 degrees"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

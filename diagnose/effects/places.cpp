@@ -198,6 +198,33 @@ std::vector<std::string> held_caps(const Structure& s) {
   return caps;
 }
 
+std::vector<HeldEnds> held_ends(const Structure& s) {
+  std::vector<HeldEnds> found;
+  HeldEnds all{.place = "mount", .caps = {}, .nodes = {}};
+  for (const std::string& cap : held_caps(s)) {
+    found.push_back({"mount." + cap, {cap}, {cap_node(s, cap)}});
+    all.caps.push_back(cap);
+    all.nodes.push_back(cap_node(s, cap));
+  }
+  if (all.caps.size() > 1) found.push_back(std::move(all));
+  return found;
+}
+
+ModelChange ground_springs(const std::vector<int>& nodes, double translation, double rotation) {
+  return {[nodes, translation, rotation](Model& model) {
+            for (int node : nodes)
+              add_ground_spring(
+                  model, node,
+                  {translation, translation, translation, rotation, rotation, rotation});
+          },
+          Follow::series};
+}
+
+ModelChange added_group(const JointGroup& group) {
+  return {[group](Model& model) { scale_group(model, group, group.present ? 2 : 1); },
+          Follow::series};
+}
+
 Vector3d quad_centre(const Model& model, int quad) {
   Vector3d centre = Vector3d::Zero();
   for (int node : model.mesh.quads[std::size_t(quad)].nodes) centre += model.mesh.nodes[node] / 4;

@@ -27,6 +27,9 @@ std::vector<JointGroup> joint_groups(const Structure& s);
 // The stiffness of the group times a factor; an absent one gets the factor times `stiffness`.
 void scale_group(Model& model, const JointGroup& group, double factor);
 
+// Adds the group once more; one that is absent, at its reference stiffness.
+ModelChange added_group(const JointGroup& group);
+
 // The wall of a bellows: its quads and, of each, the number of its convolution from 1, 0 = a cuff.
 struct WallElements {
   std::string part;
@@ -43,6 +46,16 @@ std::vector<WallElements> walls(const Structure& s);
 int cap_node(const Structure& s, const std::string& cap);
 // Caps that the mount holds rigidly.
 std::vector<std::string> held_caps(const Structure& s);
+
+// Each held end, and all of them alike.
+struct HeldEnds {
+  std::string place;
+  std::vector<std::string> caps;
+  std::vector<int> nodes;
+};
+std::vector<HeldEnds> held_ends(const Structure& s);
+// Springs to the table: N/m each way, Nm/rad about each axis.
+ModelChange ground_springs(const std::vector<int>& nodes, double translation, double rotation);
 
 Eigen::Vector3d quad_centre(const Model& model, int quad);
 void add_point_mass(Model& model, int node, double mass);

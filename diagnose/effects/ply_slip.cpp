@@ -11,12 +11,10 @@ void set_bending(Model& model, const WallElements& wall, double factor) {
       shell.section.bending_factor = factor;
 }
 
-} // namespace
-
 // Plies with bond fraction b bend with D_slip + b (D_solid - D_slip) (elements/shell_section.hpp).
 // A wall stated as one ply is taken as two that the case believes bonded. The points through the
 // thickness move in by the root of the factor, which is why it comes in as well.
-std::vector<Hypothesis> ply_slip(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const WallElements& wall : walls(s)) {
     std::vector<double> plies = wall.plies;
@@ -49,6 +47,18 @@ std::vector<Hypothesis> ply_slip(const Structure& s) {
     found.push_back(std::move(h));
   }
   return found;
+}
+
+} // namespace
+
+Effect ply_slip() {
+  return {.name = "ply_slip",
+          .physics = "the plies of the wall slip on each other more, or less, than the case says",
+          .signature = "all elastic modes and the static stiffness fall alike, the mass stays",
+          .look_alikes = {"forming_thinning: weigh, measure the thickness by ultrasound",
+                          "temperature: repeat after a soak",
+                          "joint_stiffness: a sweep at a lower level, strain of other modes"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -47,8 +48,8 @@ public:
   Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together)
       : context_(context), predict_(context.predictors.of(together)) {}
 
-  std::optional<VectorXd> at(const VectorXd& z) const {
-    const auto y = predict_(predict_.values_of(z));
+  std::optional<VectorXd> at(const VectorXd& z, bool fitted_only) const {
+    const auto y = predict_(predict_.values_of(z), fitted_only);
     if (!y) return std::nullopt;
     const VectorXd d =
         context_.measured - *y - context_.uncertainty.correction - context_.uncertainty.bias;
@@ -99,30 +100,35 @@ HypothesisFit nominal_fit(const FitContext& context) {
   return fit;
 }
 
-HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together) {
+HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together,
+                     const VectorXd& start) {
   HypothesisFit fit;
   fit.together = together;
   const Deviation deviation(context, together);
   const Index p = deviation.predictor().parameters();
   const Index n = Index(context.fitted.rows().size());
+  std::atomic<int> evaluations{0};
   const ResidualModel residuals = [&](const VectorXd& u) -> std::optional<VectorXd> {
+    ++evaluations;
     const VectorXd z = z_of(u);
-    const auto d = deviation.at(z);
+    const auto d = deviation.at(z, true);
     VectorXd r(n + p);
     r.tail(p) = z;
     r.head(n) = d ? context.fitted(*d) : VectorXd::Constant(n, hopeless);
     return r;
   };
-  const int tried = p == 1 ? 9 : p == 2 ? 24 : 48;
+  int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
+  if (start.size() == p) tried = 4;
   std::vector<std::pair<double, VectorXd>> starts;
   for (int i = 0; i < tried; ++i) {
     const VectorXd z = spread_point(i, p);
     starts.emplace_back(cost_of(residuals(u_of(z))), z);
   }
+  if (start.size() == p) starts.emplace_back(cost_of(residuals(u_of(start))), start);
   std::sort(starts.begin(), starts.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   constexpr std::size_t refined = 2;
-  constexpr int steps = 25;
+  const int steps = p > 2 ? 12 : 25;
   double best = 1e300;
   for (std::size_t i = 0; i < std::min(refined, starts.size()); ++i) {
     if (i > 0 && (starts[i].second - starts[0].second).norm() < 0.8) continue;
@@ -132,8 +138,9 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
       fit.z = z_of(found.best);
     }
   }
-  const auto d = deviation.at(fit.z);
+  const auto d = deviation.at(fit.z, false);
   const auto J = residual_jacobian(residuals, u_of(fit.z));
+  fit.evaluations = evaluations;
   if (!d || !J) return fit;
   fit.solved = true;
   fit.values = deviation.predictor().values_of(fit.z);
@@ -155,7 +162,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     return std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform());
   };
   const auto log_likelihood = [&](const VectorXd& z) {
-    const auto d = deviation.at(z);
+    const auto d = deviation.at(z, true);
     return d ? -context.fitted(*d).squaredNorm() / 2 : -hopeless;
   };
   MatrixXd z(p, particles);

@@ -55,7 +55,9 @@ struct FitContext {
 };
 
 HypothesisFit nominal_fit(const FitContext& context);
-HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together);
+// `start`: coordinates to begin with, besides points spread over the prior; empty = these alone.
+HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together,
+                     const Eigen::VectorXd& start = {});
 
 // ln Z at prior standard deviations times `width`, from the Gaussian at the optimum.
 double log_evidence_at_width(const HypothesisFit& fit, double width);

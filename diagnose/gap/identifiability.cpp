@@ -66,34 +66,49 @@ std::optional<double> smallest(const Signature& s,
   return value_of(s.hypothesis->parameters[0].prior, away[0]);
 }
 
+// Whitened change of the fitted readings by a hypothesis.
+VectorXd change(const FitContext& context, const Hypothesis& h, const VectorXd& z) {
+  const Predictor& predict = context.predictors.of({&h});
+  const VectorXd nominal = context.uncertainty.nominal - context.uncertainty.correction;
+  const auto y = predict(predict.values_of(z), true);
+  if (!y) return VectorXd::Zero(Index(context.fitted.rows().size()));
+  return context.fitted((*y - nominal).array().isFinite().select(*y - nominal, 0));
+}
+
 } // namespace
 
 std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all) {
   std::vector<Signature> found(all.size());
   in_parallel(int(all.size()), [&](int i) {
-    const Hypothesis& h = all[std::size_t(i)];
     Signature& s = found[std::size_t(i)];
-    s.hypothesis = &h;
-    const Predictor& predict = context.predictors.of({&h});
-    const VectorXd nominal = context.uncertainty.nominal - context.uncertainty.correction;
-    const auto change = [&](const VectorXd& z) {
-      const auto y = predict(predict.values_of(z));
-      if (!y) return VectorXd(VectorXd::Zero(Index(context.fitted.rows().size())));
-      const VectorXd d = (*y - nominal).array().isFinite().select(*y - nominal, 0);
-      return VectorXd(context.fitted(d));
-    };
+    s.hypothesis = &all[std::size_t(i)];
     double largest = -1;
-    for (const VectorXd& z : points(Index(h.parameters.size()))) {
-      const VectorXd g = change(z);
+    for (const VectorXd& z : points(Index(s.hypothesis->parameters.size()))) {
+      const VectorXd g = change(context, *s.hypothesis, z);
       if (g.norm() > largest) {
         largest = g.norm();
         s.g = g;
         s.z = z;
       }
     }
-    s.smallest = smallest(s, [&](const VectorXd& z) { return change(z).norm(); });
+    s.at = value_of(s.hypothesis->parameters[0].prior, s.z[0]);
   });
   return found;
+}
+
+void find_smallest(const FitContext& context, std::vector<Signature>& all) {
+  std::map<std::string, Signature*> most;
+  for (Signature& s : all) {
+    Signature*& best = most[s.hypothesis->effect];
+    if (!best || s.g.norm() > best->g.norm()) best = &s;
+  }
+  std::vector<Signature*> chosen;
+  for (const auto& [effect, s] : most) chosen.push_back(s);
+  in_parallel(int(chosen.size()), [&](int i) {
+    Signature& s = *chosen[std::size_t(i)];
+    s.smallest =
+        smallest(s, [&](const VectorXd& z) { return change(context, *s.hypothesis, z).norm(); });
+  });
 }
 
 Likeness likeness(const std::vector<Signature>& all) {
@@ -140,8 +155,9 @@ std::vector<SmallestDetectable> detectable(const std::vector<Signature>& all) {
                      .way = h.way,
                      .parameter = h.parameters[0].name,
                      .unit = h.parameters[0].unit,
-                     .value = s.smallest,
-                     .noncentrality = s.g.squaredNorm()});
+                     .at = s.at,
+                     .noncentrality = s.g.squaredNorm(),
+                     .value = s.smallest});
   }
   return found;
 }

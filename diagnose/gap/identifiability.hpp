@@ -15,9 +15,12 @@ namespace plica {
 struct Signature {
   const Hypothesis* hypothesis = nullptr;
   Eigen::VectorXd z, g;
-  std::optional<double> smallest; // value of its first parameter that is found with 95 % power
+  double at = 0;                  // value of its first parameter there
+  std::optional<double> smallest; // the one that is found with 95 % power
 };
 std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all);
+// Fills `smallest` of the hypothesis of each effect that shows most.
+void find_smallest(const FitContext& context, std::vector<Signature>& all);
 
 // |g| from which on an effect is found with 95 % power at ln BF = 3.
 constexpr double detectable_size = 4.6;

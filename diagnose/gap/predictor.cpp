@@ -1,5 +1,6 @@
 #include "diagnose/gap/predictor.hpp"
 
+#include "solve/parallel.hpp"
 #include "solve/statics.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -180,22 +181,40 @@ public:
     return int(nominal);
   }
 
-  // Acceleration of a sensor's own axis per unit of the commanded base.
-  Complex transmissibility(const FamilyModes& m, const VectorXd& zeta, int sensor, int axis,
-                           int base, double omega) const {
+  // Accelerations of all sensors per unit of the commanded base, part axes: 3 rows each, a column
+  // per frequency.
+  Eigen::MatrixXcd motion(const FamilyModes& m, const VectorXd& zeta, int base,
+                          const std::vector<double>& omega) const {
     const Vector3d d = setup_.base.col(base);
-    Eigen::Vector3cd motion = d.cast<Complex>();
-    for (Index i = 0; i < m.lambda.size(); ++i) {
-      const double w = m.omega(i);
-      const Complex q = omega * omega * m.gamma.row(i).dot(d) /
-                        Complex(m.lambda[i] - omega * omega, 2 * zeta[i] * w * omega);
-      motion += q * m.marked.block<3, 1>(6 * Index(sensor), i).cast<Complex>();
+    const VectorXd gamma = m.gamma * d;
+    Eigen::MatrixXcd q(m.lambda.size(), Index(omega.size()));
+    for (Index k = 0; k < q.cols(); ++k) {
+      const double w = omega[std::size_t(k)];
+      for (Index i = 0; i < q.rows(); ++i)
+        q(i, k) = w * w * gamma[i] / Complex(m.lambda[i] - w * w, 2 * zeta[i] * m.omega(i) * w);
     }
+    const auto sensors = Index(own_.nominal->built.sensors.size());
+    MatrixXd rows(3 * sensors, m.lambda.size());
+    for (Index s = 0; s < sensors; ++s) {
+      rows.middleRows<3>(3 * s) = m.marked.middleRows<3>(6 * s);
+      const std::string& name = own_.nominal->built.sensors[std::size_t(s)].name;
+      if (const auto moved = setup_.moved.find(name); moved != setup_.moved.end())
+        for (Index i = 0; i < rows.cols(); ++i)
+          rows.col(i).segment<3>(3 * s) +=
+              Vector3d(m.marked.block<3, 1>(6 * s + 3, i)).cross(moved->second);
+    }
+    Eigen::MatrixXcd u = rows * q;
+    for (Index s = 0; s < sensors; ++s) u.middleRows<3>(3 * s).colwise() += d.cast<Complex>();
+    return u;
+  }
+
+  // One sensor's own axis of such motions.
+  Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const {
     const BuiltSensor& own = own_.nominal->built.sensors[std::size_t(sensor)];
     Eigen::Matrix3d reading = own_.nominal->axes[std::size_t(sensor)];
     if (const auto turned = setup_.reading.find(own.name); turned != setup_.reading.end())
       reading = turned->second * reading;
-    return (reading.row(axis).cast<Complex>() * motion).value();
+    return reading.row(axis).cast<Complex>() * motion.middleRows<3>(3 * Index(sensor));
   }
 
   int sensor_named(const std::string& name) const {
@@ -211,7 +230,9 @@ private:
     const FamilyModes* modes = nullptr;
     VectorXd zeta;
     Index mode = 0;
+    Eigen::MatrixXcd near, around; // motions within its width, and where cross responses are sought
   };
+  static constexpr int half_steps = 4; // near: from -2 to 2 damping ratios off
 
   static MatrixXd matrix(const MatrixXd& A, const std::vector<MatrixXd>& dA, const VectorXd& c) {
     MatrixXd sum = A;
@@ -384,11 +405,20 @@ private:
   bool find_peaks(int number) {
     if (const auto known = peaks_.find(number); known != peaks_.end()) return true;
     const TestRun& run = predictor_.test_.runs[std::size_t(number)];
+    if (predictor_.softening_ < 0) // the level is not felt
+      for (const auto& [other, peaks] : peaks_) {
+        const TestRun& like = predictor_.test_.runs[std::size_t(other)];
+        if (like.base == run.base && like.sensor == run.sensor && like.axis == run.axis &&
+            like.first == run.first && same_order(like, run)) {
+          peaks_[number] = peaks;
+          return true;
+        }
+      }
     std::vector<Peak> found;
     if (predictor_.softening_ < 0) {
       const FamilyModes* m = linear_modes();
       if (!m) return false;
-      for (Index i : peak_modes(*m, run)) found.push_back({m, m->zeta, i});
+      for (Index i : peak_modes(*m, run)) found.push_back({m, m->zeta, i, {}, {}});
     } else {
       if (!table()) return false;
       const double level = run.level > 0 ? run.level : default_level();
@@ -397,11 +427,13 @@ private:
         auto m = modes(s.kept);
         if (!m) return false;
         kept_.push_back(std::make_unique<FamilyModes>(std::move(*m)));
-        Peak peak{kept_.back().get(), kept_.back()->zeta, peak_modes(*kept_.back(), run)[p]};
+        Peak peak{
+            kept_.back().get(), kept_.back()->zeta, peak_modes(*kept_.back(), run)[p], {}, {}};
         if (peak.mode >= 0) peak.zeta[peak.mode] += s.damping;
         found.push_back(std::move(peak));
       }
     }
+    for (Peak& peak : found) respond(peak, run);
     peaks_[number] = std::move(found);
     return true;
   }
@@ -424,62 +456,64 @@ private:
     }
     const int sensor = sensor_named(reading.sensor);
     if (reading.kind == ReadingKind::frequency) {
-      value = std::log(sensor < 0 || run.axis != run.base
-                           ? omega / (2 * std::numbers::pi)
-                           : summit(peak, sensor, reading.axis, run).first);
+      value =
+          std::log(sensor < 0 || run.axis != run.base ? omega / (2 * std::numbers::pi)
+                                                      : summit(peak, sensor, reading.axis).first);
       return true;
     }
     if (sensor < 0) return true;
     if (reading.kind == ReadingKind::amplitude) {
-      value = std::log(summit(peak, sensor, reading.axis, run).second);
+      value = std::log(summit(peak, sensor, reading.axis).second);
       return true;
     }
-    const double main = summit(peak, sensor, run.base, run).second;
-    value = std::log(largest_near(peak, sensor, reading.axis, run) / main + cross_floor);
+    const double main = summit(peak, sensor, run.base).second;
+    const double cross =
+        std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
+                 reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
+    value = std::log(cross / main + cross_floor);
     return true;
   }
 
-  // Frequency in Hz and height of the peak of a channel near its mode.
-  std::pair<double, double> summit(const Peak& peak, int sensor, int axis,
-                                   const TestRun& run) const {
-    const double omega = peak.modes->omega(peak.mode), zeta = peak.zeta[peak.mode];
-    const auto height = [&](double x) {
-      return std::abs(
-          transmissibility(*peak.modes, peak.zeta, sensor, axis, run.base, omega * (1 + zeta * x)));
-    };
-    constexpr int half = 4;
-    int best = 0;
-    double highest = 0;
-    std::array<double, 2 * half + 1> h{};
-    for (int i = -half; i <= half; ++i) {
-      h[std::size_t(i + half)] = height(0.5 * i);
-      if (h[std::size_t(i + half)] > highest) {
-        highest = h[std::size_t(i + half)];
-        best = i;
-      }
-    }
-    double x = 0.5 * best;
-    if (std::abs(best) < half) { // a parabola through 1 / height^2, exact for one mode
-      const auto inverse = [&](int i) { return 1 / std::pow(h[std::size_t(i + half)], 2); };
-      const double a = inverse(best - 1), b = inverse(best), c = inverse(best + 1);
-      if (const double curve = a - 2 * b + c; curve > 0) x += 0.25 * (a - c) / curve;
-    }
-    return {omega * (1 + zeta * x) / (2 * std::numbers::pi), height(x)};
+  // Whether measured peaks choose among a model's in the same way, nearly.
+  static bool same_order(const TestRun& a, const TestRun& b) {
+    if (a.peaks.size() != b.peaks.size()) return false;
+    for (std::size_t i = 0; i < a.peaks.size(); ++i)
+      if (a.peaks[i] > 0 && std::abs(std::log(a.peaks[i] / b.peaks[i])) > 0.02) return false;
+    return true;
   }
 
-  double largest_near(const Peak& peak, int sensor, int axis, const TestRun& run) const {
-    const double omega = peak.modes->omega(peak.mode);
-    double largest = 0;
-    const auto look = [&](double w) {
-      largest = std::max(
-          largest, std::abs(transmissibility(*peak.modes, peak.zeta, sensor, axis, run.base, w)));
-    };
+  void respond(Peak& peak, const TestRun& run) const {
+    if (peak.mode < 0 || own_.nominal->built.sensors.empty()) return;
+    const double omega = peak.modes->omega(peak.mode), zeta = peak.zeta[peak.mode];
+    std::vector<double> near, around;
+    for (int i = -half_steps; i <= half_steps; ++i) near.push_back(omega * (1 + zeta * 0.5 * i));
     constexpr int steps = 8;
-    for (int i = -steps; i <= steps; ++i) look(omega * (1 + cross_window * i / steps));
+    for (int i = -steps; i <= steps; ++i) around.push_back(omega * (1 + cross_window * i / steps));
     for (Index j = 0; j < peak.modes->lambda.size(); ++j)
       if (const double w = peak.modes->omega(j); std::abs(w / omega - 1) <= cross_window)
-        for (double x : {-1., 0., 1.}) look(w * (1 + x * peak.zeta[j]));
-    return largest;
+        for (double x : {-1., 0., 1.}) around.push_back(w * (1 + x * peak.zeta[j]));
+    peak.near = motion(*peak.modes, peak.zeta, run.base, near);
+    peak.around = motion(*peak.modes, peak.zeta, run.base, around);
+  }
+
+  // Frequency in Hz and height of the peak of a channel near its mode: a parabola through
+  // 1 / height^2, exact for one mode.
+  std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const {
+    const double omega = peak.modes->omega(peak.mode), zeta = peak.zeta[peak.mode];
+    const Eigen::RowVectorXd h = reading_of(peak.near, sensor, axis).cwiseAbs();
+    Index best = 0;
+    double height = h.maxCoeff(&best), x = 0.5 * double(best - half_steps);
+    if (best > 0 && best < h.size() - 1) {
+      const auto inverse = [&](Index i) { return 1 / (h[i] * h[i]); };
+      const double a = inverse(best - 1), b = inverse(best), c = inverse(best + 1);
+      if (const double curve = a - 2 * b + c; curve > 0) {
+        const double shift = (a - c) / (2 * curve);
+        x += 0.5 * shift;
+        const double least = b - (a - c) * (a - c) / (8 * curve);
+        if (least > 0) height = 1 / std::sqrt(least);
+      }
+    }
+    return {omega * (1 + zeta * x) / (2 * std::numbers::pi), height};
   }
 
   // The nominal mode of that kind, direction and order; -1 = none.
@@ -524,23 +558,72 @@ private:
   std::vector<FamilyModes> table_;
 };
 
+namespace {
+
+// What a hypothesis does to the model of a state.
+std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis& h) {
+  std::vector<ModelChange> all = h.changes;
+  for (const auto& change : h.case_changes)
+    all.push_back({[&data = state.data, change](Model& model) {
+                     Case changed = data;
+                     change(changed);
+                     model = build(changed).model;
+                   },
+                   Follow::nominal});
+  return all;
+}
+
+} // namespace
+
+std::vector<PreparedChange> prepared_changes(const NominalState& state, const Hypothesis& h) {
+  std::vector<PreparedChange> made;
+  for (const ModelChange& change : changes_in(state, h))
+    made.push_back(state.model->prepare(change));
+  return made;
+}
+
+std::vector<PreparedChange> PreparedChanges::of(const NominalState& state, const Hypothesis& h) {
+  const bool costly = std::any_of(h.changes.begin(), h.changes.end(),
+                                  [](const ModelChange& c) { return c.follow == Follow::modes; });
+  if (!costly) return prepared_changes(state, h);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find({&state, &h}); known != known_.end()) return known->second;
+  }
+  std::vector<PreparedChange> made = prepared_changes(state, h);
+  const std::lock_guard lock(mutex_);
+  return known_.try_emplace({&state, &h}, std::move(made)).first->second;
+}
+
 Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
-                     const std::vector<const Hypothesis*>& together)
+                     const std::vector<const Hypothesis*>& together, PreparedChanges* prepared)
     : test_(test), together_(together) {
-  std::vector<ModelChange> changes;
+  int changes = 0;
   std::vector<int> released;
   for (std::size_t h = 0; h < together.size(); ++h) {
     if (together[h]->softening) {
       softening_ = int(h);
-      first_change_ = int(changes.size());
+      first_change_ = changes;
     }
-    changes.insert(changes.end(), together[h]->changes.begin(), together[h]->changes.end());
+    changes += int(together[h]->changes.size() + together[h]->case_changes.size());
     parameters_ += int(together[h]->parameters.size());
     for (const std::string& cap : together[h]->released)
       released.push_back(nominal.states.front().built.cap_nodes.at(cap));
   }
-  for (const NominalState& state : nominal.states) {
-    StateFamily own{.nominal = &state, .family = state.model->with(changes), .free = {}};
+  const int count = int(together.size());
+  std::vector<std::vector<PreparedChange>> parts(nominal.states.size() * together.size());
+  in_parallel(int(parts.size()), [&](int i) {
+    const NominalState& state = nominal.states[std::size_t(i / count)];
+    const Hypothesis& h = *together[std::size_t(i % count)];
+    parts[std::size_t(i)] = prepared ? prepared->of(state, h) : prepared_changes(state, h);
+  });
+  for (std::size_t s = 0; s < nominal.states.size(); ++s) {
+    const NominalState& state = nominal.states[s];
+    std::vector<PreparedChange> made;
+    for (std::size_t h = 0; h < together.size(); ++h)
+      for (PreparedChange& change : parts[s * together.size() + h])
+        made.push_back(std::move(change));
+    StateFamily own{.nominal = &state, .family = state.model->with(made), .free = {}};
     const std::vector<int>& boundary = state.model->boundary();
     for (int i = 0; i < int(own.family.K.rows()); ++i) {
       const int node = i < own.family.boundary ? boundary[std::size_t(i / 6)] : -1;
@@ -594,15 +677,16 @@ TestSetup Predictor::setup(const VectorXd& values) const {
   return setup;
 }
 
-std::optional<VectorXd> Predictor::operator()(const VectorXd& values) const {
+std::optional<VectorXd> Predictor::operator()(const VectorXd& values, bool fitted_only) const {
   const Coefficients c = coefficients(values);
   const TestSetup own_setup = setup(values);
   std::vector<std::unique_ptr<StateAnswers>> answers;
   for (std::size_t s = 0; s < states_.size(); ++s)
     answers.push_back(std::make_unique<StateAnswers>(*this, s, c, own_setup, values));
-  VectorXd y(Index(test_.readings.size()));
+  VectorXd y = VectorXd::Constant(Index(test_.readings.size()), none);
   for (Index i = 0; i < y.size(); ++i)
-    if (!answers[std::size_t(state_of_reading_[std::size_t(i)])]->answer(
+    if (!(fitted_only && test_.readings[std::size_t(i)].held_out) &&
+        !answers[std::size_t(state_of_reading_[std::size_t(i)])]->answer(
             test_.readings[std::size_t(i)], y[i]))
       return std::nullopt;
   return y;
@@ -630,11 +714,10 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
   const FamilyModes* modes = answers.linear_modes();
   const int sensor = answers.sensor_named(run.sensor);
   if (!modes || sensor < 0 || run.base < 0) return std::nullopt;
-  Eigen::VectorXcd H(hertz.size());
-  for (Index k = 0; k < hertz.size(); ++k)
-    H[k] = answers.transmissibility(*modes, modes->zeta, sensor, run.axis, run.base,
-                                    2 * std::numbers::pi * hertz[k]);
-  return H;
+  std::vector<double> omega;
+  for (double f : hertz) omega.push_back(2 * std::numbers::pi * f);
+  const Eigen::MatrixXcd motion = answers.motion(*modes, modes->zeta, run.base, omega);
+  return Eigen::VectorXcd(answers.reading_of(motion, sensor, run.axis).transpose());
 }
 
 const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& together) {
@@ -642,7 +725,7 @@ const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& togeth
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(together); known != known_.end()) return *known->second;
   }
-  auto made = std::make_unique<Predictor>(nominal_, test_, together);
+  auto made = std::make_unique<Predictor>(nominal_, test_, together, &prepared_);
   const std::lock_guard lock(mutex_);
   return *known_.try_emplace(together, std::move(made)).first->second;
 }

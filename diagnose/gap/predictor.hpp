@@ -13,18 +13,32 @@
 
 namespace plica {
 
+std::vector<PreparedChange> prepared_changes(const NominalState& state, const Hypothesis& h);
+
+// Changes that are costly to prepare, kept. May be used by several threads.
+class PreparedChanges {
+public:
+  std::vector<PreparedChange> of(const NominalState& state, const Hypothesis& h);
+
+private:
+  std::mutex mutex_;
+  std::map<std::pair<const NominalState*, const Hypothesis*>, std::vector<PreparedChange>> known_;
+};
+
 class Predictor {
 public:
   // The hypotheses act together; at most one of them softens.
   Predictor(const Nominal& nominal, const TestReadings& test,
-            const std::vector<const Hypothesis*>& together);
+            const std::vector<const Hypothesis*>& together, PreparedChanges* prepared = nullptr);
 
   int parameters() const { return parameters_; }
   Eigen::VectorXd values_of(const Eigen::VectorXd& z) const;
 
   // None where the structure has no stable answer for these values; not a number for a reading that
-  // the model does not give. May be called from several threads.
-  std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& values) const;
+  // the model does not give, and for those held out where only the fitted ones are wanted. May be
+  // called from several threads.
+  std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& values,
+                                            bool fitted_only = false) const;
 
   // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
   std::vector<int> nominal_modes() const;
@@ -68,6 +82,7 @@ private:
   const Nominal& nominal_;
   const TestReadings& test_;
   std::mutex mutex_;
+  PreparedChanges prepared_;
   std::map<std::vector<const Hypothesis*>, std::unique_ptr<Predictor>> known_;
 };
 

@@ -329,13 +329,13 @@ private:
     reading.name = "frequency" + of;
     reading.unit = "Hz";
     reading.value = peak.frequency;
-    reading.sigma = std::hypot(0.001, std::max(peak.sigma_frequency, 0.1 * step));
+    reading.sigma = std::hypot(0.0005, std::max(peak.sigma_frequency, 0.05 * step));
     add(reading);
     reading.kind = ReadingKind::damping;
     reading.name = "damping" + of;
     reading.unit = "";
     reading.value = peak.damping;
-    reading.sigma = std::hypot(0.03, std::max(peak.sigma_damping, noise));
+    reading.sigma = std::hypot(0.015, std::max(peak.sigma_damping, noise));
     add(reading);
     reading.kind = ReadingKind::amplitude;
     reading.name = "amplitude" + of;
@@ -379,7 +379,7 @@ private:
       reading.name = std::string("share in ") + letters[std::size_t(axis)] + of;
       reading.value = std::max(ratio, 1e-9);
       reading.log_value = std::log(ratio + cross_floor);
-      reading.sigma = std::hypot(0.1, std::hypot(noise, noise * 0.5 / (ratio + cross_floor)));
+      reading.sigma = std::hypot(0.05, std::hypot(noise, noise * 0.5 / (ratio + cross_floor)));
       add(reading);
     }
   }

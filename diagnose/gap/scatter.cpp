@@ -15,8 +15,8 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double modulus = 0.01, density = 0.005, thickness = 0.01, field = 0.02, masses = 0.01,
-                 joints = 0.05, all_damping = 0.12, gain = 0.01, turn = 1 * std::numbers::pi / 180,
-                 other_axes = 0.005;
+                 joints = 0.05, all_damping = 0.12, gain = 0.01, off_place = 1e-3,
+                 turn = 1 * std::numbers::pi / 180, other_axes = 0.005;
 constexpr double step = 0.02; // of the change that stands for a small one
 
 // A relative number with this standard deviation that changes the model.
@@ -52,9 +52,15 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
   for (const Tolerance& t : s.data.tolerances) {
     const double low = quantile(t, low_point) - t.value, high = quantile(t, high_point) - t.value;
     if (!(low < 0 && high > 0)) continue;
+    // A narrow one is straight enough.
+    constexpr double narrow = 0.05;
+    const bool straight = high - low < narrow * std::abs(t.value);
+    const std::vector<double> samples = straight ? std::vector{high} : std::vector{low, high};
     const auto coefficients = coefficients_through(
-        [high](double x) { return VectorXd(Eigen::Vector2d(x / high, x * x / (high * high))); },
-        {low, high});
+        [high, n = Eigen::Index(samples.size())](double x) {
+          return VectorXd(Eigen::Vector2d(x / high, x * x / (high * high)).head(n));
+        },
+        samples);
     Hypothesis h{.effect = "tolerance",
                  .place = t.path,
                  .way = "",
@@ -63,13 +69,9 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
                    const double share = std::erfc(-z[0] / std::sqrt(2.)) / 2;
                    return coefficients(quantile(t, std::clamp(share, 1e-6, 1 - 1e-6)) - t.value);
                  }};
-    for (double x : {low, high})
-      h.changes.push_back({[data = s.data, path = t.path, value = t.value + x](Model& model) {
-                             Case changed = data;
-                             *number_at(changed, path) = value;
-                             model = build(changed).model;
-                           },
-                           Follow::nominal});
+    for (double x : samples)
+      h.case_changes.emplace_back(
+          [path = t.path, value = t.value + x](Case& data) { *number_at(data, path) = value; });
     all.push_back(std::move(h));
   }
 }
@@ -123,7 +125,7 @@ void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
 }
 
 void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
-  for (Hypothesis& h : component_mass(s)) {
+  for (Hypothesis& h : component_mass().hypotheses(s)) {
     if (has_tolerance(s, h.place + ".mass")) continue;
     h.parameters = {{"mass", "", {PriorKind::normal, 1, masses}}};
     h.changes.front().follow = Follow::nominal;
@@ -144,6 +146,12 @@ void add_test(std::vector<Hypothesis>& all, const Structure& s) {
     };
     all.push_back(of_the_test("gain", "sensor." + sensor.name, gain,
                               [reading](TestSetup& setup, double v) { reading(setup) *= 1 + v; }));
+    for (int axis = 0; axis < 3; ++axis)
+      all.push_back(of_the_test(
+          "place", "sensor." + sensor.name, off_place,
+          [name = sensor.name, axis](TestSetup& setup, double v) {
+            setup.moved.try_emplace(name, Eigen::Vector3d::Zero()).first->second[axis] += v;
+          }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
           "turn", "sensor." + sensor.name, turn, [reading, axis](TestSetup& setup, double v) {

@@ -2,7 +2,8 @@
 //
 // Young's modulus 1 %, density 0.5 %, wall thickness 1 % where the drawing gives no tolerance, a
 // smooth field of the wall's stiffness 2 %, masses 1 %, joints and interlocks 5 %, all damping 12 %
-// and that of each mode 10 %, gain of a sensor 1 % and its axes 1 degree, motion of the table along
+// and that of each mode 10 %, gain of a
+// sensor 1 %, its axes 1 degree and its place 1 mm, motion of the table along
 // other axes 0.5 %; and the tolerances of the case itself. One standard deviation each.
 #pragma once
 

@@ -211,7 +211,7 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
            {&b.section.mass, &b.section.inertia_x, &b.section.inertia_y, &b.section.inertia_z})
         *n *= 2;
   });
-  candidates.push_back({"all damping", 0.12, damping(structure).front()});
+  candidates.push_back({"all damping", 0.12, damping().hypotheses(structure).front()});
   candidates.back().hypothesis.parameters.front().prior = free;
   const BlockScores scores(context.test, context.uncertainty);
   std::vector<Compensator> found;

@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
-constexpr double run_frequency = 0.001, run_damping = 0.03; // from run to run
+constexpr double run_frequency = 0.0005, run_damping = 0.015; // from run to run
 constexpr double numeric_frequency = 0.002, numeric_stiffness = 0.004;
 constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
 

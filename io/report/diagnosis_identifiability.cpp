@@ -70,6 +70,11 @@ std::string likeness_html(const Diagnosis& d) {
 std::string detectable_html(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   for (const SmallestDetectable& s : d.detectable) {
+    const bool most = std::none_of(
+        d.detectable.begin(), d.detectable.end(), [&](const SmallestDetectable& other) {
+          return other.name == s.name && other.noncentrality > s.noncentrality;
+        });
+    if (!most) continue;
     rows.push_back(
         {{html_escape(s.name), html_escape(s.place + (s.way.empty() ? "" : " (" + s.way + ")")),
           html_escape(s.parameter), smallest_html(s), html_number(s.noncentrality, 2)},
@@ -77,7 +82,9 @@ std::string detectable_html(const Diagnosis& d) {
   }
   if (rows.empty()) return "";
   return "<h3>Smallest size that would show</h3>\n" +
-         html_table("Noncentrality: of the effect at one standard deviation of its prior.",
+         html_table("Of each effect at the place where it shows most. Noncentrality: of the size "
+                    "that can be "
+                    "expected of it.",
                     {{"effect", "", false},
                      {"place", "", false},
                      {"parameter", "", false},

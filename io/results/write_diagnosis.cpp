@@ -151,6 +151,7 @@ Json identifiability_json(const Diagnosis& d) {
                 {"way", s.way},
                 {"parameter", s.parameter},
                 {"unit", s.unit},
+                {"value", number(s.at)},
                 {"smallest", number(s.value)},
                 {"noncentrality", number(s.noncentrality)}};
   };

@@ -1,30 +1,9 @@
 #include "diagnose/effects/places.hpp"
 
 namespace plica {
+namespace {
 
-// Something that touches at one node, along one axis or all three.
-std::vector<Hypothesis> extra_support(const Structure& s) {
-  std::vector<Hypothesis> found;
-  for (const Spot& spot : spots(s)) {
-    if (spot.place.starts_with("sensor.")) continue;
-    for (const auto& [way, x, y, z] :
-         {std::tuple{"x", 1., 0., 0.}, {"y", 0., 1., 0.}, {"z", 0., 0., 1.}, {"", 1., 1., 1.}})
-      found.push_back(
-          {.effect = "extra_support",
-           .place = spot.place,
-           .way = way,
-           .parameters = {{"k", "N/m", {PriorKind::log_normal, 0.3 * s.stiffness, 1.2}}},
-           .changes = {{[node = spot.touched, x, y, z](Model& model) {
-                          add_ground_spring(model, node, {x, y, z, 0, 0, 0});
-                        },
-                        Follow::series}},
-           .coefficients = [](const Eigen::VectorXd& v) { return v; },
-           .at_rig = false});
-  }
-  return found;
-}
-
-std::vector<Hypothesis> added_mass(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const auto add = [&](const Spot& spot, const std::vector<int>& nodes, const char* way) {
     found.push_back({.effect = "added_mass",
@@ -44,6 +23,18 @@ std::vector<Hypothesis> added_mass(const Structure& s) {
     if (spot.nodes.size() > 1) add(spot, spot.nodes, "all round");
   }
   return found;
+}
+
+} // namespace
+
+Effect added_mass() {
+  return {.name = "added_mass",
+          .physics = "a mass at a spot that the scale did not see: a sensor, a clamp, a deposit",
+          .signature = "modes that move the spot fall, mass and static stiffness stay",
+          .look_alikes = {"component_mass: weigh the part",
+                          "unweighed_mass: a second sensor of the same mass",
+                          "boundary_compliance: the antinodes of further modes"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

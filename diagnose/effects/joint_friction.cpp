@@ -3,33 +3,8 @@
 namespace plica {
 namespace {
 
-// Adds the group once more; one that is absent, at its reference stiffness.
-ModelChange added_group(const JointGroup& group) {
-  return {[group](Model& model) { scale_group(model, group, group.present ? 2 : 1); },
-          Follow::series};
-}
-
-} // namespace
-
-std::vector<Hypothesis> joint_stiffness(const Structure& s) {
-  std::vector<Hypothesis> found;
-  for (const JointGroup& group : joint_groups(s)) {
-    const double present = group.present ? 1 : 0;
-    found.push_back(
-        {.effect = "joint_stiffness",
-         .place = group.place,
-         .way = "",
-         .parameters = {{"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 1}}},
-         .changes = {added_group(group)},
-         .coefficients = [present](const Eigen::VectorXd& v) {
-           return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
-         }});
-  }
-  return found;
-}
-
 // Stuck, the group has `ratio` times its stiffness; `share` of that slips.
-std::vector<Hypothesis> joint_friction(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const JointGroup& group : joint_groups(s)) {
     const double present = group.present ? 1 : 0;
@@ -55,6 +30,18 @@ std::vector<Hypothesis> joint_friction(const Structure& s) {
     found.push_back(std::move(h));
   }
   return found;
+}
+
+} // namespace
+
+Effect joint_friction() {
+  return {.name = "joint_friction",
+          .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
+          .signature = "frequencies fall with the level, damping rises and falls again",
+          .look_alikes = {"ply_slip: the static stiffness at a small and a large stroke",
+                          "joint_stiffness: further levels",
+                          "damping: a free decay at a low level"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

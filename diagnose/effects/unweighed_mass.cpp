@@ -1,48 +1,10 @@
 #include "diagnose/effects/places.hpp"
 
-#include <cmath>
-
 namespace plica {
 namespace {
 
-constexpr double modulus_per_kelvin = -3.6e-4; // austenitic steel, room temperature to 300 C
-constexpr double damping_per_kelvin = 5e-3;    // relative
-
-} // namespace
-
-std::vector<Hypothesis> damping(const Structure&) {
-  return {{.effect = "damping",
-           .place = "all",
-           .way = "",
-           .parameters = {{"ratio", "", {PriorKind::log_normal, 1, 0.6}}},
-           .setup = [](TestSetup& setup, const Eigen::VectorXd& v) { setup.damping *= v[0]; }}};
-}
-
-// Young's modulus of all shells and beams, and damping.
-std::vector<Hypothesis> temperature(const Structure&) {
-  return {
-      {.effect = "temperature",
-       .place = "all",
-       .way = "",
-       .parameters = {{"delta_T", "K", {PriorKind::normal, 0, 60}}},
-       .changes = {{[](Model& model) {
-                      for (ShellProperties& s : model.shells) s.section.E *= 0.9;
-                      for (BeamElement& b : model.beams)
-                        for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z,
-                                          &b.section.GJ, &b.section.GA_y, &b.section.GA_z})
-                          *n *= 0.9;
-                    },
-                    Follow::series}},
-       .coefficients =
-           [](const Eigen::VectorXd& v) { return Eigen::VectorXd(-modulus_per_kelvin / 0.1 * v); },
-       .setup =
-           [](TestSetup& setup, const Eigen::VectorXd& v) {
-             setup.damping *= std::exp(damping_per_kelvin * v[0]);
-           }}};
-}
-
 // On every shell and beam part, a share of its own mass.
-std::vector<Hypothesis> unweighed_mass(const Structure& s) {
+std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const Part& part : s.data.parts) {
     if (!std::holds_alternative<Bellows>(part.body) && !std::holds_alternative<Plate>(part.body) &&
@@ -68,6 +30,18 @@ std::vector<Hypothesis> unweighed_mass(const Structure& s) {
                      .at_rig = false});
   }
   return found;
+}
+
+} // namespace
+
+Effect unweighed_mass() {
+  return {.name = "unweighed_mass",
+          .physics = "mass spread over a part that the scale did not see: a fluid, a coating",
+          .signature = "all modes of the part fall, mass and static stiffness stay",
+          .look_alikes = {"boundary_compliance: an accelerometer on the held end",
+                          "fixture_flexibility: a response of the fixture",
+                          "added_mass: further modes"},
+          .hypotheses = hypotheses};
 }
 
 } // namespace plica

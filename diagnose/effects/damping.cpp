@@ -1,0 +1,24 @@
+#include "diagnose/effects/places.hpp"
+
+namespace plica {
+namespace {
+
+std::vector<Hypothesis> hypotheses(const Structure&) {
+  return {{.effect = "damping",
+           .place = "all",
+           .way = "",
+           .parameters = {{"ratio", "", {PriorKind::log_normal, 1, 0.6}}},
+           .setup = [](TestSetup& setup, const Eigen::VectorXd& v) { setup.damping *= v[0]; }}};
+}
+
+} // namespace
+
+Effect damping() {
+  return {.name = "damping",
+          .physics = "all damping is higher or lower than the case says, at every level",
+          .signature = "peaks and their widths, not their frequencies",
+          .look_alikes = {"joint_friction: further levels", "sensor_gain: the width of the peaks"},
+          .hypotheses = hypotheses};
+}
+
+} // namespace plica

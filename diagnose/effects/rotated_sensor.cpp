@@ -1,0 +1,40 @@
+#include "diagnose/effects/effect.hpp"
+
+#include <Eigen/Geometry>
+
+namespace plica {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr std::array axis_letters{"x", "y", "z"};
+
+std::vector<Hypothesis> hypotheses(const Structure& s) {
+  std::vector<Hypothesis> found;
+  for (const BuiltSensor& sensor : s.built.sensors)
+    for (int axis = 0; axis < 3; ++axis)
+      found.push_back(
+          {.effect = "rotated_sensor",
+           .place = "sensor." + sensor.name,
+           .way = std::string("about ") + axis_letters[std::size_t(axis)],
+           .parameters = {{"angle", "rad", {PriorKind::normal, 0, 0.25}}},
+           .setup = [name = sensor.name, axis](TestSetup& setup, const Eigen::VectorXd& v) {
+             Matrix3d& reading = setup.reading_of(name);
+             reading = Eigen::AngleAxisd(-v[0], Vector3d::Unit(axis)).toRotationMatrix() * reading;
+           }});
+  return found;
+}
+
+} // namespace
+
+Effect rotated_sensor() {
+  return {.name = "rotated_sensor",
+          .physics = "a sensor is turned about one of its axes",
+          .signature = "its cross channels show the main motion, those of other sensors do not",
+          .look_alikes = {"local_damage: turn the sensor, look at a second one",
+                          "cross_axis_base_motion: an accelerometer on the table"},
+          .hypotheses = hypotheses};
+}
+
+} // namespace plica

@@ -1,0 +1,29 @@
+#include "diagnose/effects/effect.hpp"
+
+namespace plica {
+namespace {
+
+std::vector<Hypothesis> hypotheses(const Structure& s) {
+  std::vector<Hypothesis> found;
+  for (const BuiltSensor& sensor : s.built.sensors)
+    found.push_back({.effect = "sensor_gain",
+                     .place = "sensor." + sensor.name,
+                     .way = "",
+                     .parameters = {{"gain", "", {PriorKind::log_normal, 1, 0.15}}},
+                     .setup = [name = sensor.name](TestSetup& setup, const Eigen::VectorXd& v) {
+                       setup.reading_of(name) *= v[0];
+                     }});
+  return found;
+}
+
+} // namespace
+
+Effect sensor_gain() {
+  return {.name = "sensor_gain",
+          .physics = "a sensor reads too much or too little",
+          .signature = "all its amplitudes, no frequency, no width of a peak",
+          .look_alikes = {"damping: the width of the peaks", "added_mass: exchange the sensor"},
+          .hypotheses = hypotheses};
+}
+
+} // namespace plica

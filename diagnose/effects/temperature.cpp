@@ -1,0 +1,44 @@
+#include "diagnose/effects/places.hpp"
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+constexpr double modulus_per_kelvin = -3.6e-4; // austenitic steel, room temperature to 300 C
+constexpr double damping_per_kelvin = 5e-3;    // relative
+
+// Young's modulus of all shells and beams, and damping.
+std::vector<Hypothesis> hypotheses(const Structure&) {
+  return {
+      {.effect = "temperature",
+       .place = "all",
+       .way = "",
+       .parameters = {{"delta_T", "K", {PriorKind::normal, 0, 60}}},
+       .changes = {{[](Model& model) {
+                      for (ShellProperties& s : model.shells) s.section.E *= 0.9;
+                      for (BeamElement& b : model.beams)
+                        for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z,
+                                          &b.section.GJ, &b.section.GA_y, &b.section.GA_z})
+                          *n *= 0.9;
+                    },
+                    Follow::series}},
+       .coefficients =
+           [](const Eigen::VectorXd& v) { return Eigen::VectorXd(-modulus_per_kelvin / 0.1 * v); },
+       .setup =
+           [](TestSetup& setup, const Eigen::VectorXd& v) {
+             setup.damping *= std::exp(damping_per_kelvin * v[0]);
+           }}};
+}
+
+} // namespace
+
+Effect temperature() {
+  return {.name = "temperature",
+          .physics = "the specimen is warmer or colder than the material data",
+          .signature = "frequencies, static stiffness and damping move together",
+          .look_alikes = {"ply_slip: a thermometer", "damping: repeat after a soak"},
+          .hypotheses = hypotheses};
+}
+
+} // namespace plica

@@ -1,0 +1,147 @@
+// Reduced models under change, against the changed structure solved whole.
+#include "reduction/parametric_model.hpp"
+#include "solve/modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A slender cantilever of beams, 12 elements, its left end the boundary.
+Model cantilever() {
+  Model model;
+  model.components = {"beam"};
+  const BeamProperties section =
+      rectangle_section({.E = 70e9, .nu = 0.33, .rho = 2700}, 0.03, 0.004);
+  for (int i = 0; i <= 12; ++i) add_node(model, {0, 0.05 * i, 0});
+  for (int i = 0; i < 12; ++i)
+    model.beams.push_back({.node1 = i, .node2 = i + 1, .section = section, .up = {0, 0, 1}});
+  return model;
+}
+
+VectorXd whole(Model model, int count) {
+  const System system = assemble(model);
+  std::vector<int> free;
+  for (int i = 0; i < system.map.size(); ++i)
+    if (system.map.full[i] / 6 != 0) free.push_back(i);
+  const SparseMatrix K = restrict_to(system.K, free), M = restrict_to(system.M, free);
+  BaseFactor base = factor_below_spectrum(K, M);
+  return find_modes(K, M, {.count = count, .band = {}, .proof = true}, base).lambda.head(count);
+}
+
+VectorXd reduced(const ReducedFamily& f, const VectorXd& c, int count) {
+  MatrixXd K = f.K, M = f.M;
+  for (Eigen::Index k = 0; k < c.size(); ++k) {
+    K += c[k] * f.dK[std::size_t(k)];
+    M += c[k] * f.dM[std::size_t(k)];
+  }
+  const Eigen::Index n = K.rows() - f.boundary;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K.bottomRightCorner(n, n),
+                                                                 M.bottomRightCorner(n, n));
+  return pairs.eigenvalues().head(count);
+}
+
+constexpr int watched = 4;
+
+// Frequencies within so much of those of the whole structure.
+void expect_near(const VectorXd& got, const VectorXd& want, double tolerance) {
+  for (Eigen::Index i = 0; i < want.size(); ++i)
+    EXPECT_NEAR(std::sqrt(got[i] / want[i]), 1, tolerance) << "mode " << i + 1;
+}
+
+ModelChange mass_at(int node, double mass) {
+  return {[=](Model& m) {
+    MassElement point{.node = node, .body = {}};
+    point.body.mass = mass;
+    m.masses.push_back(point);
+  }};
+}
+
+TEST(ParametricModel, the_nominal_modes_are_exact) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  expect_near(reduced(model.with({}), {}, watched), whole(cantilever(), watched), 1e-9);
+}
+
+TEST(ParametricModel, follows_an_added_mass_of_any_size) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const ReducedFamily family = model.with({model.prepare(mass_at(7, 1))});
+  for (double mass : {0.005, 0.05, 0.5}) { // the beam weighs 0.19 kg
+    Model changed = cantilever();
+    mass_at(7, mass).apply(changed);
+    expect_near(reduced(family, VectorXd::Constant(1, mass), watched), whole(changed, watched),
+                1e-3);
+  }
+}
+
+TEST(ParametricModel, follows_a_spring_to_the_ground) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const auto spring = [](double k) {
+    return ModelChange{[k](Model& m) {
+      BushingElement b{.node1 = 9, .node2 = -1, .bushing = {}};
+      b.bushing.law.diagonal().head<3>().setConstant(k);
+      m.bushings.push_back(b);
+    }};
+  };
+  const ReducedFamily family = model.with({model.prepare(spring(1))});
+  for (double k : {1e2, 1e4, 1e6}) {
+    Model changed = cantilever();
+    spring(k).apply(changed);
+    expect_near(reduced(family, VectorXd::Constant(1, k), watched), whole(changed, watched), 1e-3);
+  }
+}
+
+TEST(ParametricModel, follows_a_stretch_that_loses_its_stiffness) {
+  const auto soft = [](double loss) {
+    return ModelChange{[loss](Model& m) {
+      for (int e : {3, 4})
+        for (double* n :
+             {&m.beams[std::size_t(e)].section.EA, &m.beams[std::size_t(e)].section.EI_y,
+              &m.beams[std::size_t(e)].section.EI_z, &m.beams[std::size_t(e)].section.GJ})
+          *n *= 1 - loss;
+    }};
+  };
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const ReducedFamily family = model.with({model.prepare(soft(0.5))});
+  for (double loss : {0.1, 0.6, 0.9}) {
+    Model changed = cantilever();
+    soft(loss).apply(changed);
+    expect_near(reduced(family, VectorXd::Constant(1, loss / 0.5), watched),
+                whole(changed, watched), 5e-3);
+  }
+}
+
+TEST(ParametricModel, weighs_what_is_added) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const ReducedFamily family = model.with({model.prepare(mass_at(7, 0.3))});
+  EXPECT_NEAR(family.mass, 0.6 * 0.03 * 0.004 * 2700, 1e-12);
+  EXPECT_NEAR(family.d_mass[0], 0.3, 1e-12);
+}
+
+TEST(ParametricModel, a_released_boundary_on_springs_moves_as_the_whole_does) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const auto springs = [](double k) {
+    return ModelChange{[k](Model& m) {
+      BushingElement b{.node1 = 0, .node2 = -1, .bushing = {}};
+      b.bushing.law.diagonal() << k, k, k, k / 100, k / 100, k / 100;
+      m.bushings.push_back(b);
+    }};
+  };
+  const ReducedFamily family = model.with({model.prepare(springs(1))});
+  Model changed = cantilever();
+  springs(2e4).apply(changed);
+  const System system = assemble(changed);
+  BaseFactor base = factor_below_spectrum(system.K, system.M);
+  const VectorXd want =
+      find_modes(system.K, system.M, {.count = watched, .band = {}, .proof = true}, base)
+          .lambda.head(watched);
+  const MatrixXd K = family.K + 2e4 * family.dK[0];
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K, family.M);
+  expect_near(pairs.eigenvalues().head(watched), want, 1e-3);
+}
+
+} // namespace
+} // namespace plica
