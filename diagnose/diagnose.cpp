@@ -18,9 +18,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double silent = 0.3;       // |g| below which no data speak of an effect
-constexpr std::size_t for_pairs = 6; // effects that are combined
-constexpr int confirmed = 3;         // hypotheses followed by Markov chains
+constexpr double silent = 0.3; // |g| below which no data speak of an effect
+constexpr std::size_t first_halves = 3, second_halves = 5; // of pairs that are tried
+constexpr int confirmed = 3;                               // hypotheses followed by Markov chains
 
 // Readings that the model answers; what it does not is said.
 TestReadings answered(const Nominal& nominal, TestReadings test) {
@@ -96,9 +96,9 @@ public:
     std::vector<JudgedFit> pairs;
     if (!nominal.adequate && std::none_of(ranked.begin(), ranked.end(),
                                           [](const Family& f) { return f.best->credible(); }))
-      pairs = fit_pairs(context, ranked, plain, scores, standards);
+      pairs = fit_pairs(context, ranked, all, plain, scores, standards);
     const Judgement judgement = judge(nominal, ranked, pairs, standards);
-    report(context, scores, standards, nominal, ranked, pairs, judgement, all);
+    report(context, scores, standards, nominal, ranked, fits, pairs, judgement, all);
     return std::move(result_);
   }
 
@@ -142,23 +142,44 @@ private:
   }
 
   std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Family>& ranked,
-                                   const HypothesisFit& plain, const BlockScores& scores,
-                                   const Standards& standards) {
+                                   const std::vector<Signature>& all, const HypothesisFit& plain,
+                                   const BlockScores& scores, const Standards& standards) {
     settings_.stage("pairs of effects");
     std::vector<std::vector<const Hypothesis*>> together;
     std::vector<VectorXd> starts;
     const bool levels_matter = changes_with_level();
-    const std::size_t count = std::min(for_pairs, ranked.size());
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const Hypothesis *a = ranked[i].best->fit.together[0], *b = ranked[j].best->fit.together[0];
-        if (ranked[i].best->log_bayes_factor < 1 || (a->softening && b->softening)) continue;
-        if ((a->softening || b->softening) && !levels_matter) continue;
+    // The best effects, each with those that its residual asks for (matched filter).
+    for (std::size_t i = 0; i < std::min(first_halves, ranked.size()); ++i) {
+      const HypothesisFit& first = ranked[i].best->fit;
+      if (ranked[i].best->log_bayes_factor < 1) continue;
+      std::map<std::string, std::pair<double, const Signature*>> gains;
+      for (const Signature& s : all) {
+        if (s.hypothesis->effect == first.together[0]->effect) continue;
+        if (s.hypothesis->softening && (first.together[0]->softening || !levels_matter)) continue;
+        // Of the residual, what the first effect could not take up itself.
+        const MatrixXd J = first.J;
+        const MatrixXd A = MatrixXd::Identity(J.cols(), J.cols()) + J.transpose() * J;
+        const VectorXd g = s.g - J * A.ldlt().solve(J.transpose() * s.g);
+        const double gain = std::pow(g.dot(first.error), 2) / (2 * (g.squaredNorm() + 1)) -
+                            std::log1p(g.squaredNorm()) / 2;
+        auto& best = gains[s.hypothesis->effect];
+        if (!best.second || gain > best.first) best = {gain, &s};
+      }
+      std::vector<std::pair<double, const Signature*>> order;
+      for (const auto& [effect, gain] : gains) order.push_back(gain);
+      std::sort(order.begin(), order.end(),
+                [](const auto& a, const auto& b) { return a.first > b.first; });
+      for (std::size_t k = 0; k < std::min(second_halves, order.size()); ++k) {
+        const Hypothesis *a = first.together[0], *b = order[k].second->hypothesis;
+        if (std::any_of(together.begin(), together.end(),
+                        [&](const auto& t) { return t[0] == b && t[1] == a; }))
+          continue;
         together.push_back({a, b});
         VectorXd z(Index(a->parameters.size() + b->parameters.size()));
-        z << ranked[i].best->fit.z, ranked[j].best->fit.z;
+        z << first.z, VectorXd::Zero(Index(b->parameters.size()));
         starts.push_back(z);
       }
+    }
     std::vector<JudgedFit> pairs(together.size());
     in_parallel(int(together.size()), [&](int i) {
       pairs[std::size_t(i)] =
@@ -241,8 +262,8 @@ private:
 
   void report(const FitContext& context, const BlockScores& scores, const Standards& standards,
               const JudgedFit& nominal, const std::vector<Family>& ranked,
-              const std::vector<JudgedFit>& pairs, const Judgement& judgement,
-              const std::vector<Signature>& all) {
+              const std::vector<JudgedFit>& fits, const std::vector<JudgedFit>& pairs,
+              const Judgement& judgement, const std::vector<Signature>& all) {
     settings_.stage("report");
     result_.case_name = case_.name;
     result_.verdict = judgement.verdict;
@@ -268,6 +289,7 @@ private:
                        return a.log_bayes_factor > b.log_bayes_factor;
                      });
     for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
+    for (NamedEffect& e : result_.effects) add_other_places(e, fits);
     const JudgedFit* best = best_of(nominal, ranked, pairs, judgement);
     const JudgedFit* second = second_of(ranked, best);
     how_far(context, nominal, *best, second);
@@ -294,6 +316,21 @@ private:
     result_.hypotheses = int(hypotheses_.size());
     result_.headline = headline(nominal, judgement);
     result_.seconds = watch_.seconds();
+  }
+
+  // Places of the effect, alone, that the readings do not tell from the named one.
+  static void add_other_places(NamedEffect& e, const std::vector<JudgedFit>& fits) {
+    double own = -1e300;
+    for (const JudgedFit& j : fits)
+      if (j.fit.together[0]->effect == e.name && j.fit.together[0]->place == e.place)
+        own = std::max(own, j.fit.log_evidence);
+    constexpr double as_well = 3;
+    for (const JudgedFit& j : fits) {
+      const Hypothesis& h = *j.fit.together[0];
+      if (h.effect == e.name && h.place != e.place && own - j.fit.log_evidence < as_well &&
+          std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
+        e.other_places.push_back(h.place);
+    }
   }
 
   // What an effect at a place explains stands for the place.

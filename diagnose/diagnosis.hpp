@@ -27,6 +27,7 @@ struct NamedEffect {
   std::string name, place, way;
   double probability = 0;
   std::vector<EstimatedParameter> parameters;
+  std::vector<std::string> other_places = {}; // where it explains the test as well, within 3 nats
 };
 
 // One hypothesis that was tried, or a pair.

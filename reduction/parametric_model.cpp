@@ -1,5 +1,6 @@
 #include "reduction/parametric_model.hpp"
 
+#include "solve/dense_modes.hpp"
 #include "solve/element_view.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/statics.hpp"
@@ -131,6 +132,11 @@ MatrixXd unit_columns(Index rows, const std::vector<int>& at) {
   return E;
 }
 
+// Lanczos cannot give all; the dense solver can.
+int most_modes(const SparseMatrix& K, const SparseMatrix& M) {
+  return better_dense(K, M) ? int(K.rows()) : std::max(1, int(K.rows()) - 1);
+}
+
 constexpr int followed = 6; // modes whose change the basis follows
 
 } // namespace
@@ -153,9 +159,8 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   BaseFactor base = factor_below_spectrum(K, M);
   if (base.sigma < 0)
     throw std::runtime_error("nothing holds the part: hold it by a mount or supports");
-  const int most = std::max(1, int(inside_.size()) - 1);
-  const ModeSet set =
-      find_modes(K, M, {.count = std::min(count_, most), .band = {}, .proof = false}, base);
+  const ModeSet set = find_modes(
+      K, M, {.count = std::min(count_, most_modes(K, M)), .band = {}, .proof = false}, base);
   lambda_ = set.lambda;
   MatrixXd Phi = inner_columns(set.Phi), u = expand(map, Phi);
   orient_modes(model_, marked_, lambda_, Phi, u);
@@ -284,10 +289,10 @@ MatrixXd ParametricModel::modes_of(const PreparedChange& change) const {
           to->coeffRef(row, column) += it.value();
   const SparseMatrix K_inside = restrict_to(K, inside_), M_inside = restrict_to(M, inside_);
   BaseFactor base = factor_below_spectrum(K_inside, M_inside);
-  const int most = std::max(1, int(inside_.size()) - 1);
   constexpr int count = 12;
   const ModeSet set = find_modes(
-      K_inside, M_inside, {.count = std::min(count, most), .band = {}, .proof = false}, base);
+      K_inside, M_inside,
+      {.count = std::min(count, most_modes(K_inside, M_inside)), .band = {}, .proof = false}, base);
   MatrixXd columns(system_.map.size(), set.Phi.cols() + Psi_.cols());
   columns << inner_columns(set.Phi), constraint_modes(K, base.factor) - Psi_;
   return columns;

@@ -3,24 +3,30 @@
 namespace plica {
 namespace {
 
-// Something that touches at one node, along one axis or all three.
+// Something that touches at one node along one axis, or holds a circle all round.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
+  const auto add = [&](const Spot& spot, const char* way, const std::vector<int>& nodes,
+                       const Eigen::Vector3d& along) {
+    const double share = 1 / double(nodes.size());
+    found.push_back({.effect = "extra_support",
+                     .place = spot.place,
+                     .way = way,
+                     .parameters = {{"k", "N/m", {PriorKind::log_normal, 0.3 * s.stiffness, 1.2}}},
+                     .changes = {{[nodes, k = Eigen::Vector3d(share * along)](Model& model) {
+                                    for (int node : nodes)
+                                      add_ground_spring(model, node, {k[0], k[1], k[2], 0, 0, 0});
+                                  },
+                                  Follow::series}},
+                     .coefficients = [](const Eigen::VectorXd& v) { return v; },
+                     .at_rig = false});
+  };
   for (const Spot& spot : spots(s)) {
     if (spot.place.starts_with("sensor.")) continue;
-    for (const auto& [way, x, y, z] :
-         {std::tuple{"x", 1., 0., 0.}, {"y", 0., 1., 0.}, {"z", 0., 0., 1.}, {"", 1., 1., 1.}})
-      found.push_back(
-          {.effect = "extra_support",
-           .place = spot.place,
-           .way = way,
-           .parameters = {{"k", "N/m", {PriorKind::log_normal, 0.3 * s.stiffness, 1.2}}},
-           .changes = {{[node = spot.touched, x, y, z](Model& model) {
-                          add_ground_spring(model, node, {x, y, z, 0, 0, 0});
-                        },
-                        Follow::series}},
-           .coefficients = [](const Eigen::VectorXd& v) { return v; },
-           .at_rig = false});
+    add(spot, "x", {spot.touched}, Eigen::Vector3d::UnitX());
+    add(spot, "y", {spot.touched}, Eigen::Vector3d::UnitY());
+    add(spot, "z", {spot.touched}, Eigen::Vector3d::UnitZ());
+    add(spot, "all round", spot.nodes, Eigen::Vector3d::Ones());
   }
   return found;
 }

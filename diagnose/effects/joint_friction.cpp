@@ -15,7 +15,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
         .parameters = {{"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 0.7}},
                        {"share", "", {PriorKind::uniform, 0, 1}},
                        {"slip", "m", {PriorKind::log_normal, 1e-5, 2}},
-                       {"spread", "", {PriorKind::log_normal, 6, 0.7}}},
+                       {"spread", "", {PriorKind::log_normal, 5, 0.8}}},
         .changes = {added_group(group)},
         .coefficients =
             [present](const Eigen::VectorXd& v) {

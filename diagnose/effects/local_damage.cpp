@@ -7,7 +7,7 @@ namespace plica {
 namespace {
 
 constexpr double sector = std::numbers::pi / 4; // half of what is damaged
-constexpr int places = 5;                       // convolutions looked at, evenly spread
+constexpr int places = 8;                       // convolutions looked at, evenly spread
 
 // Quads of a convolution within the sector round an angle from x towards z, on one side.
 std::vector<int> damaged(const Model& model, const WallElements& wall, int convolution,

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int stations = 5;
+constexpr int stations = 8;
 
 double mean_y(const Mesh& mesh, const std::vector<int>& nodes) {
   double sum = 0;

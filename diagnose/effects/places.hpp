@@ -11,7 +11,7 @@ struct Spot {
   std::vector<int> nodes;
   int touched = 0;
 };
-// Sensors, and up to five stations along every shell of revolution, pipe, chain and beam.
+// Sensors, and up to eight stations along every shell of revolution, pipe, chain and beam.
 std::vector<Spot> spots(const Structure& s);
 
 // Springs that the structure's parts meet in: joints, connectors, the interlock.

@@ -1,6 +1,6 @@
 #include "diagnose/effects/places.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace plica {
 namespace {
@@ -14,7 +14,7 @@ std::vector<Hypothesis> hypotheses(const Structure&) {
       {.effect = "temperature",
        .place = "all",
        .way = "",
-       .parameters = {{"delta_T", "K", {PriorKind::normal, 0, 60}}},
+       .parameters = {{"delta_T", "K", {PriorKind::normal, 0, 100}}},
        .changes = {{[](Model& model) {
                       for (ShellProperties& s : model.shells) s.section.E *= 0.9;
                       for (BeamElement& b : model.beams)
@@ -27,7 +27,7 @@ std::vector<Hypothesis> hypotheses(const Structure&) {
            [](const Eigen::VectorXd& v) { return Eigen::VectorXd(-modulus_per_kelvin / 0.1 * v); },
        .setup =
            [](TestSetup& setup, const Eigen::VectorXd& v) {
-             setup.damping *= std::exp(damping_per_kelvin * v[0]);
+             setup.damping *= std::max(0.1, 1 + damping_per_kelvin * v[0]);
            }}};
 }
 

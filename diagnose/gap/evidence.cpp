@@ -117,18 +117,30 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
     r.head(n) = d ? context.fitted(*d) : VectorXd::Constant(n, hopeless);
     return r;
   };
-  int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
-  if (start.size() == p) tried = 4;
   std::vector<std::pair<double, VectorXd>> starts;
-  for (int i = 0; i < tried; ++i) {
-    const VectorXd z = spread_point(i, p);
+  const auto try_from = [&](const VectorXd& z) {
     starts.emplace_back(cost_of(residuals(u_of(z))), z);
+  };
+  if (start.size() == p) {
+    const Index second = Index(together[0]->parameters.size());
+    for (double z : {0., -1.5, 1.5}) {
+      VectorXd there = start;
+      if (second < p) there[second] += z;
+      try_from(there);
+    }
+  } else if (together.size() == 1 && together[0]->softening && p == 4) {
+    // Ratio, share, slip, spread: the slip distance decides, so it is tried throughout.
+    for (double slip = -2.5; slip <= 2.6; slip += 0.5)
+      for (double share : {-0.8, 0.4})
+        for (double spread : {-1., 0.5}) try_from(Eigen::Vector4d(0, share, slip, spread));
+  } else {
+    const int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
+    for (int i = 0; i < tried; ++i) try_from(spread_point(i, p));
   }
-  if (start.size() == p) starts.emplace_back(cost_of(residuals(u_of(start))), start);
   std::sort(starts.begin(), starts.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
-  constexpr std::size_t refined = 2;
-  const int steps = p > 2 ? 12 : 25;
+  const std::size_t refined = p > 2 ? 3 : 2;
+  constexpr int steps = 25;
   double best = 1e300;
   for (std::size_t i = 0; i < std::min(refined, starts.size()); ++i) {
     if (i > 0 && (starts[i].second - starts[0].second).norm() < 0.8) continue;

@@ -466,11 +466,28 @@ private:
       value = std::log(summit(peak, sensor, reading.axis).second);
       return true;
     }
+    if (reading.at_run >= 0) return cross_resonance(reading, run, sensor, value);
     const double main = summit(peak, sensor, run.base).second;
     const double cross =
         std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
                  reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
     value = std::log(cross / main + cross_floor);
+    return true;
+  }
+
+  bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value) {
+    if (!find_peaks(reading.at_run)) return false;
+    const Peak& peak = peaks_.at(reading.at_run).front();
+    if (peak.mode < 0) return true;
+    const double omega = peak.modes->omega(peak.mode), zeta = peak.zeta[peak.mode];
+    std::vector<double> near;
+    for (int i = -half_steps; i <= half_steps; ++i) {
+      near.push_back(omega * (1 + zeta * 0.5 * i));
+      near.push_back(omega * (1 + resonance_window * i / half_steps));
+    }
+    const Eigen::MatrixXcd own = motion(*peak.modes, peak.zeta, run.base, near);
+    const double cross = reading_of(own, sensor, reading.axis).cwiseAbs().maxCoeff();
+    value = std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
     return true;
   }
 

@@ -59,6 +59,7 @@ public:
     for (std::size_t i = 0; i < measured_.peaks.size(); ++i) peaks(i);
     for (std::size_t i = 0; i < test_.responses.size(); ++i)
       for (const FrfSet& set : test_.responses[i]) responses(i, set);
+    cross_resonances();
     hold_out_by_level();
     return std::move(all_);
   }
@@ -302,7 +303,46 @@ private:
     for (std::size_t k = 0; k < peaks.size(); ++k) add_main(i, set, run, int(k), peaks[k]);
     for (const std::string& sensor : sensors_of(set))
       add_others(i, set, H, run, sensor, peaks.front());
+    sources_.push_back({i, &set, reference, all_.runs.size()});
     all_.runs.push_back(std::move(run));
+  }
+
+  // What shows along another axis where that axis resonates, over the height of the resonance when
+  // the table moves along it.
+  void cross_resonances() {
+    for (const Source& own : sources_)
+      for (const Source& other : sources_) {
+        const TestRun &run = all_.runs[own.run], &at = all_.runs[other.run];
+        if (run.base == at.base || run.state != at.state || run.level != at.level) continue;
+        const Index c = column(*own.set, at.sensor, at.base);
+        const Index main = column(*other.set, at.sensor, at.base);
+        if (c < 0 || main < 0) continue;
+        const double height = largest_near(*other.set, other.reference, main, at.peaks.front());
+        const double ratio = largest_near(*own.set, own.reference, c, at.peaks.front()) / height;
+        if (!(height > 0 && ratio > 0)) continue;
+        const double noise = stated_noise(own.entry, ratio * height);
+        Reading reading = blank(own.entry, run, 0);
+        reading.run = int(own.run);
+        reading.at_run = int(other.run);
+        reading.kind = ReadingKind::cross;
+        reading.sensor = at.sensor;
+        reading.axis = at.base;
+        reading.name = std::string("share in ") + letters[std::size_t(at.base)] +
+                       " at its resonance, base " + letters[std::size_t(run.base)] +
+                       at_level(run.level);
+        reading.value = ratio;
+        reading.log_value = std::log(ratio + cross_floor);
+        reading.sigma = std::hypot(0.05, noise * ratio / (ratio + cross_floor));
+        add(reading);
+      }
+  }
+
+  static double largest_near(const FrfSet& set, int reference, Index c, double hertz) {
+    double value = 0;
+    for (Index k = 0; k < set.hertz.size(); ++k)
+      if (std::abs(set.hertz[k] / hertz - 1) <= resonance_window)
+        value = std::max(value, std::abs(set.H[std::size_t(reference)](k, c)));
+    return value;
   }
 
   Reading blank(std::size_t i, const TestRun& run, int peak) const {
@@ -399,9 +439,17 @@ private:
     }
   }
 
+  struct Source { // of a run from a response
+    std::size_t entry = 0;
+    const FrfSet* set = nullptr;
+    int reference = 0;
+    std::size_t run = 0;
+  };
+
   const DiagnosisData& test_;
   const Measured& measured_;
   TestReadings all_;
+  std::vector<Source> sources_;
 };
 
 } // namespace

@@ -30,10 +30,11 @@ struct Reading {
   ReadingKind kind = ReadingKind::frequency;
   std::string name, unit, entry; // entry: path in measured.yaml, "frf[3]"
   std::string state;
-  int run = -1;                                       // mass, stiffness: none
-  int peak = 0;                                       // of the run
-  std::string sensor;                                 // amplitude, cross
-  int axis = 0;                                       // of the response
+  int run = -1;       // mass, stiffness: none
+  int peak = 0;       // of the run
+  int at_run = -1;    // cross: at the first peak of that run, whose base is the axis, and over it
+  std::string sensor; // amplitude, cross
+  int axis = 0;       // of the response
   StaticDirection direction = StaticDirection::axial; // stiffness
   MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation
   int order = 0;                                      // of that mode
@@ -59,6 +60,8 @@ struct DiagnosisData {
 constexpr double cross_floor = 0.02;
 // How far from a peak a cross response is looked for, relative.
 constexpr double cross_window = 0.12;
+// The same where the other axis resonates.
+constexpr double resonance_window = 0.02;
 
 // Standard deviations where none are stated: mass 0.2 %, stiffness 1.5 %, frequency 0.25 %, damping
 // 6 %, amplitude 5 %. Without entries to hold out: the highest level where there are three or more,

@@ -70,8 +70,10 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
                    return coefficients(quantile(t, std::clamp(share, 1e-6, 1 - 1e-6)) - t.value);
                  }};
     for (double x : samples)
-      h.case_changes.emplace_back(
-          [path = t.path, value = t.value + x](Case& data) { *number_at(data, path) = value; });
+      h.case_changes.emplace_back([path = t.path, nominal = t.value, x](Case& data) {
+        double& number = *number_at(data, path);
+        if (number == nominal) number += x; // a state that sets it knows it
+      });
     all.push_back(std::move(h));
   }
 }

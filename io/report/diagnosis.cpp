@@ -48,6 +48,8 @@ std::string facts(const Diagnosis& d) {
     std::string value = html_escape(effect_label(e));
     for (const EstimatedParameter& p : e.parameters)
       value += "; " + html_escape(p.name) + " " + estimate_html(p);
+    for (const std::string& place : e.other_places)
+      value += (place == e.other_places.front() ? "; or at " : ", ") + html_escape(place);
     add("effect, place, value (90 %)",
         fmt::format("{}; probability {} %", value, html_fixed(100 * e.probability, 1)));
   }

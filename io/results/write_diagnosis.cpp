@@ -46,6 +46,7 @@ Json json_of(const NamedEffect& e) {
 Json named_json(const NamedEffect& e) {
   Json json = json_of(e);
   json["probability"] = number(e.probability);
+  json["other_places"] = e.other_places;
   json["unit"] = Json::object();
   for (const EstimatedParameter& p : e.parameters) json["unit"][p.name] = p.unit;
   return json;

@@ -106,6 +106,8 @@ bool place_is_right(const Scored& s) {
   const json& first = s.diagnosis["effects"][0];
   const std::string place = first.value("place", ""), name = first["name"], truth = true_place(s);
   if (place == truth) return true;
+  for (const auto& other : first.value("other_places", json::array()))
+    if (other == truth) return true;
   for (const char* between : {"@", " @ ", " "})
     if (declared_cosine(s, name + between + place, name + between + truth) >= 0.95) return true;
   return false;
