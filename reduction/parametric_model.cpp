@@ -320,12 +320,20 @@ ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) 
   }
   // What the changes add to the basis, free of what it has.
   MatrixXd KX = symmetric_product(system_.K, X);
-  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
   if (X.cols() > 0) {
+    const VectorXd before = X.cwiseProduct(KX).colwise().sum();
     const MatrixXd part = WKW_.ldlt().solve(KW_.transpose() * X);
     X -= W_ * part;
     KX -= KW_ * part;
+    const VectorXd after = X.cwiseProduct(KX).colwise().sum();
+    constexpr double rounding = 1e-10; // of the energy: the basis had it all
+    std::vector<Index> news;
+    for (Index j = 0; j < X.cols(); ++j)
+      if (after[j] > rounding * before[j]) news.push_back(j);
+    X = MatrixXd(X(Eigen::all, news));
+    KX = MatrixXd(KX(Eigen::all, news));
   }
+  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
   const MatrixXd MX = symmetric_product(system_.M, X);
   MatrixXd E = MatrixXd::Zero(n, n), G(n, n), P(b, n);
   E.topLeftCorner(c, c) = WKW_;

@@ -114,6 +114,22 @@ TEST(ParametricModel, follows_a_stretch_that_loses_its_stiffness) {
   }
 }
 
+// Everything the change asks for is in the basis already: rounding must not join it.
+TEST(ParametricModel, scales_with_the_modulus_of_the_whole) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const ModelChange doubled{[](Model& m) {
+    for (BeamElement& b : m.beams)
+      for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z, &b.section.GJ,
+                        &b.section.GA_y, &b.section.GA_z})
+        *n *= 2;
+  }};
+  const ReducedFamily family = model.with({model.prepare(doubled)});
+  const VectorXd nominal = whole(cantilever(), watched);
+  for (double factor : {0.1, 0.5, 3.})
+    expect_near(reduced(family, VectorXd::Constant(1, factor - 1), watched), factor * nominal,
+                1e-9);
+}
+
 TEST(ParametricModel, weighs_what_is_added) {
   const ParametricModel model(cantilever(), {0}, {12}, 10);
   const ReducedFamily family = model.with({model.prepare(mass_at(7, 0.3))});

@@ -11,6 +11,7 @@ using Eigen::VectorXd;
 
 constexpr double told_apart = 3;          // nats between effects that are told apart
 constexpr double pair_gain = 5;           // over the better half
+constexpr double pair_shrink = 0.3;       // of held-out readings
 constexpr double absurd_z = 3;            // standard deviations of a prior
 constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
 
@@ -143,6 +144,8 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
   const JudgedFit* chosen = nullptr;
   for (const JudgedFit& pair : pairs) {
     if (!pair.fit.solved || !pair.credible()) continue;
+    // With so many parameters only what was held out can speak for it.
+    if (!pair.held_out_shrink || *pair.held_out_shrink < pair_shrink) continue;
     const double single = families.empty() ? none : evidence(families.front().best->fit);
     if (evidence(pair.fit) - std::max(single, none) < pair_gain) continue;
     if (!both_needed(pair, families)) continue;

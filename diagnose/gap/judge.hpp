@@ -7,7 +7,7 @@
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
 //   ambiguous   several adequate effects within 3 of the best
 //   pair        no single one adequate; a pair is, with 5 more than its better half, each half
-//               worth 3, held-out readings met
+//               worth 3, held-out readings there, met, and better by three tenths
 //   unknown     everything else
 #pragma once
 
