@@ -17,20 +17,40 @@ std::set<Axis> bases(const Measured& measured) {
   return axes;
 }
 
+Hypothesis coupling(const std::string& way, std::function<void(Eigen::Matrix3d&, double)> couple) {
+  return {.effect = "cross_axis_base_motion",
+          .place = "base",
+          .way = way,
+          .parameters = {{"fraction", "", {PriorKind::normal, 0, 0.06}}},
+          .setup = [couple = std::move(couple)](TestSetup& setup, const Eigen::VectorXd& v) {
+            couple(setup.base, v[0]);
+          }};
+}
+
+// One commanded axis into another; two into each other alike; and the specimen turned on the table.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  for (Axis base : bases(s.measured))
-    for (int other = 0; other < 3; ++other) {
-      const int told = static_cast<int>(base);
-      if (other == told) continue;
-      found.push_back({.effect = "cross_axis_base_motion",
-                       .place = "base",
-                       .way = std::string(axis_letters[std::size_t(told)]) + " to " +
-                              axis_letters[std::size_t(other)],
-                       .parameters = {{"fraction", "", {PriorKind::normal, 0, 0.06}}},
-                       .setup = [told, other](TestSetup& setup, const Eigen::VectorXd& v) {
-                         setup.base(other, told) += v[0];
-                       }});
+  const std::set<Axis> told = bases(s.measured);
+  const auto name = [](int axis) { return std::string(axis_letters[std::size_t(axis)]); };
+  for (Axis base : told)
+    for (int b = 0; b < 3; ++b)
+      if (const int a = static_cast<int>(base); a != b)
+        found.push_back(coupling(name(a) + " to " + name(b),
+                                 [a, b](Eigen::Matrix3d& m, double f) { m(b, a) += f; }));
+  for (Axis first : told)
+    for (Axis second : told) {
+      const int a = static_cast<int>(first), b = static_cast<int>(second);
+      if (a >= b) continue;
+      found.push_back(
+          coupling(name(a) + " and " + name(b) + " alike", [a, b](Eigen::Matrix3d& m, double f) {
+            m(b, a) += f;
+            m(a, b) += f;
+          }));
+      found.push_back(
+          coupling(name(a) + " turned to " + name(b), [a, b](Eigen::Matrix3d& m, double f) {
+            m(b, a) += f;
+            m(a, b) -= f;
+          }));
     }
   return found;
 }
