@@ -62,6 +62,35 @@ private:
   const Predictor& predict_;
 };
 
+// ln of the standard normal density.
+double log_normal(const VectorXd& z) {
+  return -z.squaredNorm() / 2 - double(z.size()) / 2 * std::log(6.283185307179586);
+}
+
+// Where the chains begin: nine tenths near the optimum, twice as wide as the Gaussian there, the
+// rest from the prior, so that nothing the prior allows is out of reach.
+class Reference {
+public:
+  explicit Reference(const HypothesisFit& fit) : centre_(fit.z), root_(4 * fit.covariance) {
+    const MatrixXd L = root_.matrixL();
+    log_det_ = L.diagonal().array().log().sum();
+  }
+  VectorXd draw(const VectorXd& white, double u) const {
+    return u < near ? VectorXd(centre_ + root_.matrixL() * white) : white;
+  }
+  double log_density(const VectorXd& z) const {
+    const double a = std::log(near) + log_normal(root_.matrixL().solve(z - centre_)) - log_det_,
+                 b = std::log(1 - near) + log_normal(z);
+    return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
+  }
+
+private:
+  static constexpr double near = 0.9;
+  VectorXd centre_;
+  Eigen::LLT<MatrixXd> root_;
+  double log_det_ = 0;
+};
+
 void finish(HypothesisFit& fit) {
   fit.chi2 = fit.error.squaredNorm();
   fit.farthest = fit.z.size() > 0 ? fit.z.cwiseAbs().maxCoeff() : 0;
@@ -173,21 +202,28 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
   const auto normal = [&] {
     return std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform());
   };
-  const auto log_likelihood = [&](const VectorXd& z) {
+  const Reference reference(fit);
+  const auto log_target = [&](const VectorXd& z) { // likelihood times prior
     const auto d = deviation.at(z, true);
-    return d ? -context.fitted(*d).squaredNorm() / 2 : -hopeless;
+    return d ? -context.fitted(*d).squaredNorm() / 2 + log_normal(z) : -hopeless;
   };
   MatrixXd z(p, particles);
-  for (double& x : z.reshaped()) x = normal();
-  VectorXd likelihood(particles);
-  for (Index k = 0; k < particles; ++k) likelihood[k] = log_likelihood(z.col(k));
+  VectorXd target(particles), start(particles);
+  for (Index k = 0; k < particles; ++k) {
+    VectorXd white(p);
+    for (double& x : white) x = normal();
+    z.col(k) = reference.draw(white, uniform());
+    target[k] = log_target(z.col(k));
+    start[k] = reference.log_density(z.col(k));
+  }
   double power = 0, log_evidence = 0;
   constexpr int most_stages = 40;
   for (int stage = 0; stage < most_stages && power < 1; ++stage) {
     // The next power makes the weights vary by as much as they are on average.
-    const double highest = likelihood.maxCoeff();
+    const VectorXd ratio = target - start;
+    const double highest = ratio.maxCoeff();
     const auto weights = [&](double next) {
-      return VectorXd(((next - power) * (likelihood.array() - highest)).exp());
+      return VectorXd(((next - power) * (ratio.array() - highest)).exp());
     };
     double low = power, high = 1;
     const auto varies = [&](double next) {
@@ -208,38 +244,41 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     const VectorXd share = w / w.sum();
     const VectorXd mean = z * share;
     const MatrixXd centred = z.colwise() - mean;
-    constexpr double scale = 0.3; // of the covariance, squared
+    constexpr double scale = 0.5; // of the covariance, squared
     MatrixXd C = scale * centred * share.asDiagonal() * centred.transpose();
     C.diagonal().array() += 1e-10;
     const MatrixXd root = C.llt().matrixL();
     MatrixXd next(p, particles);
-    VectorXd next_likelihood(particles);
+    VectorXd next_target(particles), next_start(particles);
     // Systematic resampling, then a few steps of Metropolis from each.
     double cumulated = share[0];
     Index from = 0;
     const double offset = uniform();
     for (Index k = 0; k < particles; ++k) {
-      const double target = (double(k) + offset) / particles;
-      while (cumulated < target && from + 1 < particles) cumulated += share[++from];
+      const double position = (double(k) + offset) / particles;
+      while (cumulated < position && from + 1 < particles) cumulated += share[++from];
       VectorXd here = z.col(from);
-      double own = likelihood[from];
+      double own = target[from], own_start = start[from];
       constexpr int moves = 2;
       for (int m = 0; m < moves; ++m) {
         VectorXd step(p);
         for (double& x : step) x = normal();
         const VectorXd there = here + root * step;
-        const double value = log_likelihood(there);
-        const double ratio = power * (value - own) - (there.squaredNorm() - here.squaredNorm()) / 2;
-        if (std::log(uniform()) < ratio) {
+        const double value = log_target(there), there_start = reference.log_density(there);
+        const double gain = power * (value - own) + (1 - power) * (there_start - own_start);
+        if (std::log(uniform()) < gain) {
           here = there;
           own = value;
+          own_start = there_start;
         }
       }
       next.col(k) = here;
-      next_likelihood[k] = own;
+      next_target[k] = own;
+      next_start[k] = own_start;
     }
     z = std::move(next);
-    likelihood = std::move(next_likelihood);
+    target = std::move(next_target);
+    start = std::move(next_start);
   }
   fit.draws = z;
   if (power >= 1) fit.sampled_log_evidence = log_evidence;

@@ -6,7 +6,8 @@
 //
 // Without a parameter, ln Z = -1/2 e'e: constants that all share are dropped. Transitional Markov
 // chain Monte Carlo (Ching and Chen, J. Eng. Mech. 133 (2007) 816) gives ln Z on the same scale
-// without the Gaussian shape, and draws of the posterior.
+// without the Gaussian shape, and draws of the posterior. The chains begin near the optimum, with a
+// tenth of them spread over the prior, which takes a few stages in place of twenty.
 #pragma once
 
 #include "diagnose/gap/uncertainty.hpp"

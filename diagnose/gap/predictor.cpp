@@ -148,12 +148,9 @@ public:
     case ReadingKind::mass:
       value = std::log(mass());
       return true;
-    case ReadingKind::stiffness: {
-      const auto k =
-          end_stiffness_of(*own_.nominal, matrix(own_.family.K, own_.family.dK, coefficients_.rig));
-      if (k) value = std::log(along(*k, reading.direction));
+    case ReadingKind::stiffness:
+      value = static_stiffness(reading);
       return true;
-    }
     default:
       return dynamic(reading, value);
     }
@@ -238,6 +235,39 @@ private:
     MatrixXd sum = A;
     for (std::size_t k = 0; k < dA.size(); ++k) sum += c[Index(k)] * dA[k];
     return sum;
+  }
+
+  std::optional<double> stiffness_at(StaticDirection direction, double kept) const {
+    VectorXd c = coefficients_.rig;
+    if (predictor_.softening_ >= 0) {
+      const double present =
+          predictor_.together_[std::size_t(predictor_.softening_)]->group_present;
+      double& group = c[predictor_.first_change_];
+      group = (group + present) * kept - present;
+    }
+    const auto k = end_stiffness_of(*own_.nominal, matrix(own_.family.K, own_.family.dK, c));
+    if (!k) return std::nullopt;
+    return along(*k, direction);
+  }
+
+  // A group that slips answers by what it keeps at the stroke; without one, by what is left when
+  // all slides. Its stretch follows from the energy it has of the whole: dk/d(kept) = u' K_group u.
+  double static_stiffness(const Reading& reading) const {
+    const auto stuck = stiffness_at(reading.direction, 1);
+    if (!stuck) return none;
+    if (predictor_.softening_ < 0) return std::log(*stuck);
+    constexpr double less = 0.9;
+    const auto softer = stiffness_at(reading.direction, less);
+    if (!softer) return none;
+    const double k = predictor_.together_[std::size_t(predictor_.softening_)]->group_stiffness;
+    const double stretch =
+        reading.stroke * std::sqrt(std::max(0., (*stuck - *softer) / (1 - less)) / k);
+    const double kept =
+        reading.stroke > 0
+            ? 1 - softening_.share * (1 - kept_by_sliders(softening_, stretch).real())
+            : 1 - softening_.share;
+    const auto value = stiffness_at(reading.direction, kept);
+    return value ? std::log(*value) : none;
   }
 
   double mass() const {

@@ -99,6 +99,7 @@ private:
            .state = k.state,
            .sensor = "",
            .direction = k.direction,
+           .stroke = k.stroke.value_or(0),
            .value = k.value,
            .sigma = relative(k.sigma, k.value, stiffness_sigma)});
     }

@@ -36,6 +36,7 @@ struct Reading {
   std::string sensor; // amplitude, cross
   int axis = 0;       // of the response
   StaticDirection direction = StaticDirection::axial; // stiffness
+  double stroke = 0;                                  // stiffness: m or rad; 0 = not stated
   MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation
   int order = 0;                                      // of that mode
   double value = 0, log_value = 0;                    // measured, in `unit`
