@@ -48,6 +48,7 @@ struct TestSetup {
 // distances spread evenly in the logarithm about `distance`, over a ratio of `spread`.
 struct Softening {
   double share = 0, distance = 0, spread = 0; // distance in m
+  double across = 1; // times the distance when the table moves across the pipe
 };
 
 // An effect at a place; where it may act in several ways, one for each.

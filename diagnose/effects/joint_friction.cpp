@@ -15,7 +15,8 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
         .parameters = {{"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 0.7}},
                        {"share", "", {PriorKind::uniform, 0, 1}},
                        {"slip", "m", {PriorKind::log_normal, 1e-5, 2}},
-                       {"spread", "", {PriorKind::log_normal, 5, 0.8}}},
+                       {"spread", "", {PriorKind::log_normal, 5, 0.8}},
+                       {"across", "", {PriorKind::log_normal, 1, 0.8}}},
         .changes = {added_group(group)},
         .coefficients =
             [present](const Eigen::VectorXd& v) {
@@ -23,7 +24,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
             },
         .softening =
             [](const Eigen::VectorXd& v) {
-              return Softening{.share = v[1], .distance = v[2], .spread = v[3]};
+              return Softening{.share = v[1], .distance = v[2], .spread = v[3], .across = v[4]};
             },
         .group_stiffness = group.stiffness,
         .group_present = present};

@@ -157,11 +157,12 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
       if (second < p) there[second] += z;
       try_from(there);
     }
-  } else if (together.size() == 1 && together[0]->softening && p == 4) {
-    // Ratio, share, slip, spread: the slip distance decides, so it is tried throughout.
+  } else if (together.size() == 1 && together[0]->softening && p == 5) {
+    // Ratio, share, slip, spread, across: the slip distance decides, so it is tried throughout.
     for (double slip = -2.5; slip <= 2.6; slip += 0.5)
       for (double share : {-0.8, 0.4})
-        for (double spread : {-1., 0.5}) try_from(Eigen::Vector4d(0, share, slip, spread));
+        for (double spread : {-1., 0.5})
+          try_from((VectorXd(5) << 0, share, slip, spread, 0).finished());
   } else {
     const int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
     for (int i = 0; i < tried; ++i) try_from(spread_point(i, p));

@@ -414,8 +414,11 @@ private:
       const auto i = std::size_t(x);
       return rows[i][what] + (x - double(i)) * (rows[i + 1][what] - rows[i][what]);
     };
+    Softening own = softening_;
+    constexpr int along_the_pipe = 1;
+    if (run.base != along_the_pipe) own.distance *= own.across;
     const auto state_at = [&](double amplitude) {
-      const Complex gain = kept_by_sliders(softening_, amplitude);
+      const Complex gain = kept_by_sliders(own, amplitude);
       const double kept = 1 - softening_.share * (1 - gain.real());
       const double lost = softening_.share * gain.imag();
       return Slipping{kept, at(kept, 3) * lost / 2};
