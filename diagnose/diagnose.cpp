@@ -473,10 +473,12 @@ private:
         held_out_->rows().size(), hypotheses_.size(), effects().size());
     add("admissible specimens (%d): modulus 1 %%, density 0.5 %%, wall 1 %% where the case has no "
         "tolerance, field of stiffness 2 %%, masses 1 %%, joints 5 %%, damping 12 %% and 10 %% of "
-        "each mode, sensors 1 %% and 1 degree, table 0.5 %% along other axes; %zu tolerances of "
+        "each mode, sensors 1 %%, 1 degree and 1 mm, table 0.5 %% along other axes; %zu tolerances "
+        "of "
         "the case",
         specimens, case_.tolerances.size());
-    add("reassembly 0.2 %% of frequencies and 4 %% of damping, runs 0.1 %% and 3 %%; model 0.2 %% "
+    add("reassembly 0.2 %% of frequencies and 4 %% of damping, runs 0.05 %% and 1.5 %%; model 0.2 "
+        "%% "
         "of frequencies, 0.4 %% of stiffnesses and a tenth of what the meshes differ by");
     add("adequate: chi-square at most %.1f over %zu readings, no block beyond z = %.1f; ln BF over "
         "the nominal case at least %.1f",

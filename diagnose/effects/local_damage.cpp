@@ -7,7 +7,6 @@ namespace plica {
 namespace {
 
 constexpr double sector = std::numbers::pi / 4; // half of what is damaged
-constexpr int places = 8;                       // convolutions looked at, evenly spread
 
 // Quads of a convolution within the sector round an angle from x towards z, on one side.
 std::vector<int> damaged(const Model& model, const WallElements& wall, int convolution,
@@ -67,10 +66,7 @@ void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Par
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const WallElements& wall : walls(s)) {
-    const int count = std::min(places, wall.convolutions);
-    for (int i = 0; i < count; ++i) {
-      const int k =
-          count == wall.convolutions ? i + 1 : 1 + (2 * i + 1) * wall.convolutions / (2 * count);
+    for (int k : stations_of(wall.convolutions))
       for (const auto& [way, angle] : {std::pair{"x", 0.},
                                        {"z", std::numbers::pi / 2},
                                        {"diagonal", std::numbers::pi / 4},
@@ -80,7 +76,6 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                                   halve_modulus(model, quads);
                                 },
                                 Follow::series}));
-    }
   }
   for (const Part& part : s.data.parts)
     if (std::holds_alternative<BeamPart>(part.body)) add_stretches(found, s, part);

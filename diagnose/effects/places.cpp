@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plica {
 namespace {
@@ -39,19 +38,10 @@ int top_of(const Mesh& mesh, const std::vector<int>& nodes) {
                            [&](int a, int b) { return mesh.nodes[a].z() < mesh.nodes[b].z(); });
 }
 
-// At most so many numbers of 1..count, evenly spread.
-std::vector<int> spread(int count) {
-  std::vector<int> chosen;
-  const int wanted = std::min(count, stations);
-  for (int i = 0; i < wanted; ++i)
-    chosen.push_back(wanted == count ? i + 1 : 1 + ((2 * i + 1) * count) / (2 * wanted));
-  return chosen;
-}
-
 void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part) {
   const Mesh& mesh = s.built.model.mesh;
   const std::vector<double> y = roots(mesh, part);
-  for (int k : spread(int(y.size()) - 1))
+  for (int k : stations_of(int(y.size()) - 1))
     if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
       found.push_back({part + ".convolution[" + std::to_string(k) + "]", ring->nodes,
                        top_of(mesh, ring->nodes)});
@@ -61,7 +51,7 @@ void add_points(std::vector<Spot>& found, const Structure& s, const std::string&
   const auto& sets = s.built.model.mesh.sets;
   int points = 0;
   while (sets.contains(part + ".point[" + std::to_string(points + 1) + "]")) ++points;
-  for (int k : spread(points)) {
+  for (int k : stations_of(points)) {
     const std::string place = part + ".point[" + std::to_string(k) + "]";
     found.push_back({place, sets.at(place), sets.at(place).front()});
   }
@@ -70,7 +60,7 @@ void add_points(std::vector<Spot>& found, const Structure& s, const std::string&
 void add_along(std::vector<Spot>& found, const Structure& s, const std::string& part) {
   const std::vector<int>& nodes = s.built.model.mesh.sets.at(part + ".all");
   if (nodes.size() < 3) return;
-  for (int k : spread(int(nodes.size()) - 2))
+  for (int k : stations_of(int(nodes.size()) - 2))
     found.push_back({part + ".node[" + std::to_string(k) + "]",
                      {nodes[std::size_t(k)]},
                      nodes[std::size_t(k)]});
@@ -86,6 +76,14 @@ double largest_translation(const BushingElement& b) {
 }
 
 } // namespace
+
+std::vector<int> stations_of(int count) {
+  std::vector<int> chosen;
+  const int wanted = std::min(count, stations);
+  for (int i = 0; i < wanted; ++i)
+    chosen.push_back(wanted == count ? i + 1 : 1 + ((2 * i + 1) * count) / (2 * wanted));
+  return chosen;
+}
 
 std::vector<Spot> spots(const Structure& s) {
   std::vector<Spot> found;

@@ -11,6 +11,8 @@ struct Spot {
   std::vector<int> nodes;
   int touched = 0;
 };
+// Numbers of 1..count that are looked at: all, or eight evenly spread.
+std::vector<int> stations_of(int count);
 // Sensors, and up to eight stations along every shell of revolution, pipe, chain and beam.
 std::vector<Spot> spots(const Structure& s);
 

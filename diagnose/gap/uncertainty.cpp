@@ -1,7 +1,6 @@
 #include "diagnose/gap/uncertainty.hpp"
 
 #include "diagnose/gap/scatter.hpp"
-#include "model/case_path.hpp"
 #include "model/error_bars.hpp"
 #include "model/run.hpp"
 #include "solve/parallel.hpp"
