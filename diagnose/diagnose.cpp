@@ -123,19 +123,21 @@ private:
     return fits;
   }
 
-  // The best hypotheses of the best effects once more by Markov chains.
+  // The best hypotheses of the best effects once more by Markov chains; what speaks for its effect
+  // is held against what was held out, too.
   void confirm(const FitContext& context, const std::vector<Family>& ranked,
                std::vector<JudgedFit>& fits, const HypothesisFit& plain, const BlockScores& scores,
                const Standards& standards) {
     settings_.stage("Markov chains");
     std::vector<JudgedFit*> chosen;
     for (const Family& f : ranked)
-      if (int(chosen.size()) < confirmed && f.log_evidence > plain.log_evidence - 1)
+      if (f.log_evidence > plain.log_evidence - 1)
         for (JudgedFit& j : fits)
           if (&j == f.best) chosen.push_back(&j);
     in_parallel(int(chosen.size()), [&](int i) {
       HypothesisFit fit = chosen[std::size_t(i)]->fit;
-      sample(context, fit, settings_.particles, unsigned(i) + 1);
+      if (i < confirmed) sample(context, fit, settings_.particles, unsigned(i) + 1);
+      complete(context, fit);
       *chosen[std::size_t(i)] =
           judged(std::move(fit), plain, context, *held_out_, scores, standards);
     });
@@ -290,10 +292,15 @@ private:
                      });
     for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
     for (NamedEffect& e : result_.effects) add_other_places(e, fits);
-    const JudgedFit* best = best_of(nominal, ranked, pairs, judgement);
-    const JudgedFit* second = second_of(ranked, best);
-    how_far(context, nominal, *best, second);
-    if (best->fit.together.size() == 1) result_.drifts = drifts(context, best->fit);
+    const JudgedFit* first = best_of(nominal, ranked, pairs, judgement);
+    const JudgedFit* other = second_of(ranked, first);
+    std::vector<HypothesisFit> shown{first->fit};
+    if (other) shown.push_back(other->fit);
+    for (HypothesisFit& fit : shown) complete(context, fit);
+    const HypothesisFit& best = shown.front();
+    const HypothesisFit* second = other ? &shown.back() : nullptr;
+    how_far(context, nominal, best, second);
+    if (best.together.size() == 1) result_.drifts = drifts(context, best);
     const Structure structure = nominal_.structure(measured_);
     result_.compensators = compensators(context, *held_out_, nominal.fit, structure);
     const Likeness alike = likeness(all);
@@ -301,14 +308,14 @@ private:
     result_.likeness = alike.cosine;
     result_.mimics = mimics(alike);
     result_.detectable = detectable(all);
-    overlay(*best, second);
-    for (const JudgedFit* j : {best, second})
-      if (j && j->fit.draws.cols() > 0) {
-        MatrixXd values(j->fit.draws.rows(), j->fit.draws.cols());
-        const Predictor& predict = predictors_->of(j->fit.together);
+    overlay(best, second);
+    for (const HypothesisFit& fit : shown)
+      if (fit.draws.cols() > 0) {
+        MatrixXd values(fit.draws.rows(), fit.draws.cols());
+        const Predictor& predict = predictors_->of(fit.together);
         for (Index k = 0; k < values.cols(); ++k)
-          values.col(k) = predict.values_of(j->fit.draws.col(k));
-        result_.posteriors.emplace_back(name_of(j->fit), std::move(values));
+          values.col(k) = predict.values_of(fit.draws.col(k));
+        result_.posteriors.emplace_back(name_of(fit), std::move(values));
       }
     plan_next(nominal, ranked, judgement);
     assumptions(standards);
@@ -368,18 +375,18 @@ private:
     return nullptr;
   }
 
-  void how_far(const FitContext& context, const JudgedFit& nominal, const JudgedFit& best,
-               const JudgedFit* second) {
-    result_.gap = gap_shrink(context, *fitted_, nominal.fit, best.fit);
+  void how_far(const FitContext& context, const JudgedFit& nominal, const HypothesisFit& best,
+               const HypothesisFit* second) {
+    result_.gap = gap_shrink(context, *fitted_, nominal.fit, best);
     if (!held_out_->rows().empty()) {
-      result_.held_out = gap_shrink(context, *held_out_, nominal.fit, best.fit);
+      result_.held_out = gap_shrink(context, *held_out_, nominal.fit, best);
       for (const std::string& h : measured_.hold_out)
         result_.held_out_how += (result_.held_out_how.empty() ? "" : ", ") + h;
       if (result_.held_out_how.empty())
         result_.held_out_how = "the highest level of each direction";
     } else if (fitted_->rows().size() > 2 && fitted_->rows().size() < 16 &&
-               !best.fit.together.empty()) {
-      result_.held_out = in_turn(context, nominal.fit, best.fit);
+               !best.together.empty()) {
+      result_.held_out = in_turn(context, nominal.fit, best);
       result_.held_out_how = "each reading in turn, the others fitted";
     }
     const MatrixXd total = uncertainty_.total();
@@ -394,16 +401,16 @@ private:
                           .unit = r.unit,
                           .measured = r.value,
                           .nominal = value(nominal.fit),
-                          .best = value(best.fit),
+                          .best = value(best),
                           .second = {},
                           .sigma = std::sqrt(total(Index(i), Index(i))),
                           .held_out = r.held_out};
-      if (second) row.second = value(second->fit);
+      if (second) row.second = value(*second);
       result_.readings.push_back(std::move(row));
     }
   }
 
-  void overlay(const JudgedFit& best, const JudgedFit* second) {
+  void overlay(const HypothesisFit& best, const HypothesisFit* second) {
     for (std::size_t i = 0; i < responses_.responses.size(); ++i)
       for (const FrfSet& set : responses_.responses[i]) {
         if (set.references.empty() || result_.overlays.size() >= 4) continue;
@@ -430,8 +437,8 @@ private:
                         .response(VectorXd(), run, set.hertz)
                         .value_or(Eigen::VectorXcd())
                         .cwiseAbs();
-        o.best = magnitude(best.fit);
-        if (second) o.second = magnitude(second->fit);
+        o.best = magnitude(best);
+        if (second) o.second = magnitude(*second);
         result_.overlays.push_back(std::move(o));
       }
   }

@@ -105,9 +105,10 @@ struct SmallestDetectable {
 
 struct ProposedMeasurement {
   std::string what;
-  double cost = 1;       // 1: an hour at the rig
-  double separation = 0; // expected, of what is to be told apart; 25 = beyond doubt
-  std::string separates; // which from which
+  double cost = 1;                   // 1: an hour at the rig
+  double separation = 0;             // expected, of what is to be told apart; 25 = beyond doubt
+  std::string separates;             // which from which
+  std::vector<std::string> resolves; // effects that it tells from all others that are open
 };
 
 // A parameter that would close the gap and is not the cause.

@@ -2,6 +2,7 @@
 
 #include "solve/parallel.hpp"
 
+#include <atomic>
 #include <ceres/ceres.h>
 #include <numeric>
 #include <stdexcept>
@@ -12,14 +13,19 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double step = 1e-4; // of the box
+constexpr double step = 1e-4;                              // of the box
+constexpr double free_step = 1e-3;                         // where there is none
+constexpr double tolerance = 1e-10, free_tolerance = 1e-6; // of the cost
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+enum class Bounds { box, none };
+
 class ModelCost : public ceres::CostFunction {
 public:
-  ModelCost(const ResidualModel& model, Eigen::Index unknowns, Eigen::Index residuals)
-      : model_(model) {
+  ModelCost(const ResidualModel& model, Eigen::Index unknowns, Eigen::Index residuals,
+            Bounds bounds)
+      : model_(model), bounds_(bounds) {
     mutable_parameter_block_sizes()->push_back(static_cast<int>(unknowns));
     set_num_residuals(static_cast<int>(residuals));
   }
@@ -32,14 +38,31 @@ public:
     if (!r) return false;
     Eigen::Map<VectorXd>(residuals, num_residuals()) = *r;
     if (!jacobians || !jacobians[0]) return true;
-    const std::optional<MatrixXd> J = residual_jacobian(model_, x);
+    const std::optional<MatrixXd> J =
+        bounds_ == Bounds::box ? residual_jacobian(model_, x) : forward(x, *r);
     if (!J) return false;
     Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) = *J;
     return true;
   }
 
 private:
+  // Good enough to step by.
+  std::optional<MatrixXd> forward(const VectorXd& x, const VectorXd& r) const {
+    MatrixXd J(r.size(), x.size());
+    std::atomic<bool> all{true};
+    in_parallel(int(x.size()), [&](int i) {
+      VectorXd there = x;
+      there[i] += free_step;
+      if (const auto next = model_(there))
+        J.col(i) = (*next - r) / free_step;
+      else
+        all = false;
+    });
+    return all ? std::optional(J) : std::nullopt;
+  }
+
   const ResidualModel& model_;
+  Bounds bounds_;
 };
 
 class Stop : public ceres::IterationCallback {
@@ -56,7 +79,7 @@ private:
 // Minimum over some of the unknowns, the others held. Ceres creeps where a bound holds an unknown
 // that the residuals would push further, so such an unknown is held and the others go on.
 void solve(const ResidualModel& model, const std::vector<Eigen::Index>& free,
-           Eigen::Index residuals, int steps, const std::function<bool()>& stop,
+           Eigen::Index residuals, int steps, Bounds bounds, const std::function<bool()>& stop,
            LocalSearch& found) {
   const VectorXd held = found.best;
   const ResidualModel reduced = [&](const VectorXd& u) {
@@ -66,15 +89,15 @@ void solve(const ResidualModel& model, const std::vector<Eigen::Index>& free,
   };
   VectorXd u = held(free);
   ceres::Problem problem;
-  problem.AddResidualBlock(new ModelCost(reduced, u.size(), residuals), nullptr, u.data());
-  for (int i = 0; i < u.size(); ++i) {
+  problem.AddResidualBlock(new ModelCost(reduced, u.size(), residuals, bounds), nullptr, u.data());
+  for (int i = 0; i < u.size() && bounds == Bounds::box; ++i) {
     problem.SetParameterLowerBound(u.data(), i, 0);
     problem.SetParameterUpperBound(u.data(), i, 1);
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = steps;
-  options.function_tolerance = 1e-10;
+  options.function_tolerance = bounds == Bounds::box ? tolerance : free_tolerance;
   options.parameter_tolerance = 1e-8;
   options.gradient_tolerance = 1e-12;
   options.logging_type = ceres::SILENT;
@@ -139,6 +162,36 @@ std::optional<MatrixXd> residual_jacobian(const ResidualModel& model, const Vect
   return J;
 }
 
+std::optional<MatrixXd> free_jacobian(const ResidualModel& model, const VectorXd& design) {
+  const auto n = static_cast<int>(design.size());
+  std::vector<std::optional<VectorXd>> at(2 * std::size_t(n));
+  in_parallel(2 * n, [&](int k) {
+    VectorXd x = design;
+    x[k / 2] += k % 2 == 0 ? -free_step : free_step;
+    at[std::size_t(k)] = model(x);
+  });
+  MatrixXd J;
+  for (int i = 0; i < n; ++i) {
+    const auto &a = at[2 * std::size_t(i)], &b = at[2 * std::size_t(i) + 1];
+    if (!a || !b) return std::nullopt;
+    if (J.size() == 0) J.resize(a->size(), n);
+    J.col(i) = (*b - *a) / (2 * free_step);
+  }
+  return J;
+}
+
+LocalSearch search_freely(const ResidualModel& model, const VectorXd& start, int steps) {
+  const std::optional<VectorXd> first = model(start);
+  if (!first) throw std::invalid_argument("the model has no result at the start");
+  LocalSearch found{.best = start, .cost = cost_of(first), .converged = true, .reason = {}};
+  std::vector<Eigen::Index> all(std::size_t(start.size()));
+  std::iota(all.begin(), all.end(), 0);
+  if (!all.empty())
+    solve(
+        model, all, first->size(), steps, Bounds::none, [] { return false; }, found);
+  return found;
+}
+
 LocalSearch search_locally(const ResidualModel& model, const VectorXd& start, int steps,
                            const std::function<bool()>& stop) {
   const std::optional<VectorXd> first = model(start);
@@ -148,7 +201,7 @@ LocalSearch search_locally(const ResidualModel& model, const VectorXd& start, in
   std::iota(free.begin(), free.end(), 0);
   constexpr int rounds = 5;
   for (int round = 0; round < rounds && !free.empty() && !stop(); ++round) {
-    solve(model, free, first->size(), steps, stop, found);
+    solve(model, free, first->size(), steps, Bounds::box, stop, found);
     std::vector<Eigen::Index> next = free_to_move(model, found.best);
     if (next == free) break;
     free = std::move(next);

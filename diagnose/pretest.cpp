@@ -37,15 +37,6 @@ std::vector<std::string> sensors_of(const Case& data) {
   return names;
 }
 
-void append(TestReadings& all, TestReadings part) {
-  for (Reading& r : part.readings) {
-    if (r.run >= 0) r.run += int(all.runs.size());
-    r.sigma = usual_sigma(r.kind) / 2;
-    all.readings.push_back(std::move(r));
-  }
-  for (TestRun& run : part.runs) all.runs.push_back(std::move(run));
-}
-
 TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::string>& words) {
   TestReadings all;
   const auto number = [&](ReadingKind kind, StaticDirection direction) {
@@ -54,7 +45,7 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
     r.kind = kind;
     r.direction = direction;
     one.readings.push_back(r);
-    append(all, one);
+    append_readings(all, one);
   };
   if (plan.weighed) {
     number(ReadingKind::mass, {});
@@ -69,11 +60,12 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
   if (sensors.empty()) throw std::invalid_argument("the case has no sensors to plan with");
   for (int base : plan.bases)
     for (double level : plan.levels) {
-      append(all, sweep_readings(base, level, sensors.front(), sensors));
+      append_readings(all, sweep_readings(base, level, sensors.front(), sensors));
       std::array<char, 64> text{};
       std::snprintf(text.data(), text.size(), "a sweep along %c at %g m/s2", "xyz"[base], level);
       words.emplace_back(text.data());
     }
+  for (Reading& r : all.readings) r.sigma = usual_sigma(r.kind) / 2;
   return all;
 }
 
@@ -129,7 +121,7 @@ std::vector<ProposedMeasurement> better(const Case& data, const TestReadings& te
     TestReadings together;
     std::vector<Index> first{0};
     for (const Offer& o : offers) {
-      append(together, o.readings);
+      append_readings(together, o.readings);
       first.push_back(Index(together.readings.size()));
     }
     const auto y0 = Predictor(nominal, together, {})(VectorXd());
@@ -174,7 +166,8 @@ std::vector<ProposedMeasurement> better(const Case& data, const TestReadings& te
     proposals.push_back({.what = offers[best].what,
                          .cost = offers[best].cost,
                          .separation = apart(g, all) - now,
-                         .separates = ""});
+                         .separates = "",
+                         .resolves = {}});
   }
   return proposals;
 }

@@ -36,6 +36,12 @@ LocalSearch search_locally(
     const ResidualModel& model, const Eigen::VectorXd& start, int steps,
     const std::function<bool()>& stop = [] { return false; });
 
+// The same without a box: unknowns of about unit size, and residuals that hold them back
+// themselves. Cheaper, as no step has to be shortened.
+LocalSearch search_freely(const ResidualModel& model, const Eigen::VectorXd& start, int steps);
+std::optional<Eigen::MatrixXd> free_jacobian(const ResidualModel& model,
+                                             const Eigen::VectorXd& design);
+
 struct GlobalSettings {
   int evaluations = 10000;             // spent at most, to one round of the islands
   int population = 20;                 // designs of an island

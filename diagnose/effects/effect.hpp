@@ -44,11 +44,12 @@ struct TestSetup {
   Eigen::Matrix3d base = Eigen::Matrix3d::Identity(); // column: motion when an axis is commanded
 };
 
-// A group of springs that slip: k(A) = stiffness (1 - share (1 - G(A))), G by sliders whose slip
-// distances spread evenly in the logarithm about `distance`, over a ratio of `spread`.
+// A group of springs that slip: k(A) = stiffness (1 - share (1 - G(A))), G by Iwan's sliders after
+// Segalman: the share of them that slips before a distance d grows as d^exponent up to `distance`.
 struct Softening {
-  double share = 0, distance = 0, spread = 0; // distance in m
+  double share = 0, distance = 0, exponent = 1; // distance in m
   double across = 1; // times the distance when the table moves across the pipe
+  double loss = 1;   // times the damping of Masing's rule
 };
 
 // An effect at a place; where it may act in several ways, one for each.
@@ -67,6 +68,7 @@ struct Hypothesis {
   std::function<Softening(const Eigen::VectorXd&)> softening = {};
   double group_stiffness = 0; // N/m: stretch of the group = sqrt(2 energy / this)
   double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
+  double law_error = 0;       // share of what slip changes that its law may be off
 };
 
 // What effects look at to find their places.

@@ -1,6 +1,8 @@
 #include "diagnose/effects/places.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace plica {
@@ -61,22 +63,23 @@ void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Par
   }
 }
 
-// Young's modulus lost over a quarter of the circumference of a convolution, in four directions; in
-// a beam over a stretch between two of its points.
+// Young's modulus lost over a quarter of the circumference of a convolution, in eight directions
+// from x towards z; in a beam over a stretch between two of its points.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  for (const WallElements& wall : walls(s)) {
+  constexpr int directions = 8; // of half a turn: the other half answers alike
+  for (const WallElements& wall : walls(s))
     for (int k : stations_of(wall.convolutions))
-      for (const auto& [way, angle] : {std::pair{"x", 0.},
-                                       {"z", std::numbers::pi / 2},
-                                       {"diagonal", std::numbers::pi / 4},
-                                       {"other diagonal", 3 * std::numbers::pi / 4}})
-        found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way,
+      for (int i = 0; i < directions; ++i) {
+        const double angle = std::numbers::pi * i / directions;
+        std::array<char, 32> way{};
+        std::snprintf(way.data(), way.size(), "%g degrees", 180. * i / directions);
+        found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way.data(),
                                {[quads = damaged(s.built.model, wall, k, angle)](Model& model) {
                                   halve_modulus(model, quads);
                                 },
                                 Follow::series}));
-  }
+      }
   for (const Part& part : s.data.parts)
     if (std::holds_alternative<BeamPart>(part.body)) add_stretches(found, s, part);
   return found;

@@ -104,16 +104,24 @@ BlockScores::BlockScores(const TestReadings& test, const Uncertainty& u)
   }
 }
 
-double BlockScores::score(std::size_t i, const VectorXd& deviation) const {
-  const double k = double(blocks_[i].rows.size());
-  const double chi2 = root_[i].matrixL().solve(VectorXd(deviation(blocks_[i].rows))).squaredNorm();
+double BlockScores::score(std::size_t i, const VectorXd& deviation, const VectorXd& further) const {
+  const std::vector<Index>& rows = blocks_[i].rows;
+  const double k = double(rows.size());
+  Eigen::LLT<MatrixXd> root = root_[i];
+  if (further.size() > 0) {
+    MatrixXd wider = root.reconstructedMatrix();
+    wider.diagonal() += VectorXd(further(rows)).cwiseAbs2();
+    root.compute(wider);
+  }
+  const double chi2 = root.matrixL().solve(VectorXd(deviation(rows))).squaredNorm();
   return wilson_hilferty(chi2 * k / std::max(healthy_mean_[i], 0.2 * k), k);
 }
 
-std::pair<double, std::string> BlockScores::worst(const VectorXd& deviation) const {
+std::pair<double, std::string> BlockScores::worst(const VectorXd& deviation,
+                                                  const VectorXd& further) const {
   std::pair<double, std::string> found{-40, ""};
   for (std::size_t i = 0; i < blocks_.size(); ++i)
-    if (const double z = fitted_[i] ? score(i, deviation) : -40; z > found.first)
+    if (const double z = fitted_[i] ? score(i, deviation, further) : -40; z > found.first)
       found = {z, name_of(blocks_[i].label)};
   return found;
 }

@@ -21,9 +21,12 @@ class BlockScores {
 public:
   BlockScores(const TestReadings& test, const Uncertainty& u);
   const std::vector<Block>& blocks() const { return blocks_; }
-  double score(std::size_t block, const Eigen::VectorXd& deviation) const;
+  // `further`: standard deviations beside those of the test; none = empty.
+  double score(std::size_t block, const Eigen::VectorXd& deviation,
+               const Eigen::VectorXd& further = {}) const;
   // Largest over the blocks that are fitted.
-  std::pair<double, std::string> worst(const Eigen::VectorXd& deviation) const;
+  std::pair<double, std::string> worst(const Eigen::VectorXd& deviation,
+                                       const Eigen::VectorXd& further = {}) const;
 
 private:
   std::vector<Block> blocks_;

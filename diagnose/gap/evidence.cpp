@@ -16,15 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double box = 4; // |z| that is searched
 constexpr double hopeless = 1e6;
-
-VectorXd z_of(const VectorXd& u) {
-  return box * (2 * u.array() - 1);
-}
-VectorXd u_of(const VectorXd& z) {
-  return (z.array() / box + 1) / 2;
-}
 
 // Evenly spread points of the box |z| < 2.5 (Halton).
 VectorXd spread_point(int index, Index dimensions) {
@@ -41,26 +33,6 @@ VectorXd spread_point(int index, Index dimensions) {
   }
   return z;
 }
-
-// Predictions, corrected for the mesh, with a deviation where the model gives no number.
-class Deviation {
-public:
-  Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together)
-      : context_(context), predict_(context.predictors.of(together)) {}
-
-  std::optional<VectorXd> at(const VectorXd& z, bool fitted_only) const {
-    const auto y = predict_(predict_.values_of(z), fitted_only);
-    if (!y) return std::nullopt;
-    const VectorXd d =
-        context_.measured - *y - context_.uncertainty.correction - context_.uncertainty.bias;
-    return d.array().isFinite().select(d, 10).matrix();
-  }
-  const Predictor& predictor() const { return predict_; }
-
-private:
-  const FitContext& context_;
-  const Predictor& predict_;
-};
 
 // ln of the standard normal density.
 double log_normal(const VectorXd& z) {
@@ -99,10 +71,34 @@ void finish(HypothesisFit& fit) {
 
 } // namespace
 
+Deviation::Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together)
+    : context_(context), predict_(context.predictors.of(together)) {}
+
+std::optional<VectorXd> Deviation::at(const VectorXd& z, Predictor::Which which) const {
+  const auto y = predict_(predict_.values_of(z), which);
+  if (!y) return std::nullopt;
+  const VectorXd d = context_.measured - context_.uncertainty.expected(*y);
+  constexpr double missing = 10; // where the model gives no number
+  return d.array().isFinite().select(d, missing).matrix();
+}
+
 Whitening::Whitening(const TestReadings& test, const Uncertainty& u, bool held_out) {
   for (std::size_t i = 0; i < test.readings.size(); ++i)
     if (test.readings[i].held_out == held_out) rows_.push_back(Index(i));
-  root_.compute(u.total()(rows_, rows_));
+  covariance_ = u.total()(rows_, rows_);
+  root_.compute(covariance_);
+}
+
+Whitening Whitening::widened(const VectorXd& further) const {
+  Whitening wider = *this;
+  if (further.size() == 0 || rows_.empty()) return wider;
+  wider.covariance_.diagonal() += VectorXd(further(rows_)).cwiseAbs2();
+  wider.root_.compute(wider.covariance_);
+  return wider;
+}
+
+double Whitening::log_det() const {
+  return rows_.empty() ? 0 : MatrixXd(root_.matrixL()).diagonal().array().log().sum();
 }
 
 VectorXd Whitening::operator()(const VectorXd& deviation) const {
@@ -111,7 +107,7 @@ VectorXd Whitening::operator()(const VectorXd& deviation) const {
 }
 
 double log_evidence_at_width(const HypothesisFit& fit, double width) {
-  double value = -fit.error.squaredNorm() / 2;
+  double value = -fit.error.squaredNorm() / 2 - fit.law_penalty;
   if (fit.z.size() == 0) return value;
   value -= fit.z.squaredNorm() / (2 * width * width);
   const MatrixXd A =
@@ -121,7 +117,7 @@ double log_evidence_at_width(const HypothesisFit& fit, double width) {
 
 HypothesisFit nominal_fit(const FitContext& context) {
   HypothesisFit fit;
-  fit.solved = true;
+  fit.solved = fit.complete = true;
   fit.deviation = context.measured - context.uncertainty.nominal - context.uncertainty.bias;
   fit.error = context.fitted(fit.deviation);
   fit.J = MatrixXd(fit.error.size(), 0);
@@ -137,19 +133,17 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
   const Index p = deviation.predictor().parameters();
   const Index n = Index(context.fitted.rows().size());
   std::atomic<int> evaluations{0};
-  const ResidualModel residuals = [&](const VectorXd& u) -> std::optional<VectorXd> {
+  Whitening white = context.fitted;
+  const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
     ++evaluations;
-    const VectorXd z = z_of(u);
-    const auto d = deviation.at(z, true);
+    const auto d = deviation.at(z, Predictor::Which::fitted);
     VectorXd r(n + p);
     r.tail(p) = z;
-    r.head(n) = d ? context.fitted(*d) : VectorXd::Constant(n, hopeless);
+    r.head(n) = d ? white(*d) : VectorXd::Constant(n, hopeless);
     return r;
   };
   std::vector<std::pair<double, VectorXd>> starts;
-  const auto try_from = [&](const VectorXd& z) {
-    starts.emplace_back(cost_of(residuals(u_of(z))), z);
-  };
+  const auto try_from = [&](const VectorXd& z) { starts.emplace_back(cost_of(residuals(z)), z); };
   if (start.size() == p) {
     const Index second = Index(together[0]->parameters.size());
     for (double z : {0., -1.5, 1.5}) {
@@ -157,12 +151,13 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
       if (second < p) there[second] += z;
       try_from(there);
     }
-  } else if (together.size() == 1 && together[0]->softening && p == 5) {
-    // Ratio, share, slip, spread, across: the slip distance decides, so it is tried throughout.
+  } else if (together.size() == 1 && together[0]->softening && p == 6) {
+    // Ratio, share, slip, exponent, across, loss: the slip distance decides, so it is tried
+    // throughout.
     for (double slip = -2.5; slip <= 2.6; slip += 0.5)
       for (double share : {-0.8, 0.4})
-        for (double spread : {-1., 0.5})
-          try_from((VectorXd(5) << 0, share, slip, spread, 0).finished());
+        for (double exponent : {-0.7, 0.7})
+          try_from((VectorXd(6) << 0, share, slip, exponent, 0, 0).finished());
   } else {
     const int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
     for (int i = 0; i < tried; ++i) try_from(spread_point(i, p));
@@ -174,24 +169,39 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
   double best = 1e300;
   for (std::size_t i = 0; i < std::min(refined, starts.size()); ++i) {
     if (i > 0 && (starts[i].second - starts[0].second).norm() < 0.8) continue;
-    const LocalSearch found = search_locally(residuals, u_of(starts[i].second), steps);
+    const LocalSearch found = search_freely(residuals, starts[i].second, steps);
     if (found.cost < best) {
       best = found.cost;
-      fit.z = z_of(found.best);
+      fit.z = found.best;
     }
   }
-  const auto d = deviation.at(fit.z, false);
-  const auto J = residual_jacobian(residuals, u_of(fit.z));
+  fit.law_error = deviation.law_error(fit.z, Predictor::Which::fitted);
+  if (fit.law_error.size() > 0) {
+    white = context.fitted.widened(fit.law_error);
+    fit.law_penalty = white.log_det() - context.fitted.log_det();
+    fit.z = search_freely(residuals, fit.z, steps).best;
+  }
+  const auto d = deviation.at(fit.z, Predictor::Which::fitted);
+  const auto J = free_jacobian(residuals, fit.z);
   fit.evaluations = evaluations;
   if (!d || !J) return fit;
+  fit.complete = n == d->size();
   fit.solved = true;
   fit.values = deviation.predictor().values_of(fit.z);
   fit.deviation = *d;
-  fit.error = context.fitted(*d);
-  fit.J = J->topRows(n) / (2 * box);
+  fit.error = white(*d);
+  fit.J = J->topRows(n);
   fit.covariance = (MatrixXd::Identity(p, p) + fit.J.transpose() * fit.J).inverse();
   finish(fit);
   return fit;
+}
+
+void complete(const FitContext& context, HypothesisFit& fit) {
+  if (fit.complete || !fit.solved) return;
+  const Deviation deviation(context, fit.together);
+  if (const auto d = deviation.at(fit.z)) fit.deviation = *d;
+  fit.law_error = deviation.law_error(fit.z, Predictor::Which::all);
+  fit.complete = true;
 }
 
 void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed) {
@@ -204,9 +214,10 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     return std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform());
   };
   const Reference reference(fit);
+  const Whitening whitened = context.fitted.widened(fit.law_error);
   const auto log_target = [&](const VectorXd& z) { // likelihood times prior
-    const auto d = deviation.at(z, true);
-    return d ? -context.fitted(*d).squaredNorm() / 2 + log_normal(z) : -hopeless;
+    const auto d = deviation.at(z, Predictor::Which::fitted);
+    return d ? -whitened(*d).squaredNorm() / 2 + log_normal(z) : -hopeless;
   };
   MatrixXd z(p, particles);
   VectorXd target(particles), start(particles);
@@ -282,7 +293,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     start = std::move(next_start);
   }
   fit.draws = z;
-  if (power >= 1) fit.sampled_log_evidence = log_evidence;
+  if (power >= 1) fit.sampled_log_evidence = log_evidence - fit.law_penalty;
 }
 
 std::string name_of(const HypothesisFit& fit) {

@@ -4,6 +4,10 @@
 //   MAP: least e'e + z'z
 //   ln Z ~ -1/2 (e'e + z'z) - 1/2 ln det(I + J'J),   J = de/dz                    (Laplace)
 //
+// A law of slip is not exact: the readings that it changes get a further standard deviation in
+// proportion (Hypothesis::law_error), fixed at a first optimum, and ln Z loses half the growth of
+// ln det Sigma.
+//
 // Without a parameter, ln Z = -1/2 e'e: constants that all share are dropped. Transitional Markov
 // chain Monte Carlo (Ching and Chen, J. Eng. Mech. 133 (2007) 816) gives ln Z on the same scale
 // without the Gaussian shape, and draws of the posterior. The chains begin near the optimum, with a
@@ -21,18 +25,23 @@ class Whitening {
 public:
   Whitening(const TestReadings& test, const Uncertainty& u, bool held_out);
 
+  // With further standard deviations, over all readings; none = as it is.
+  Whitening widened(const Eigen::VectorXd& further) const;
+
   // Of deviations from nominal and bias, over all readings.
   Eigen::VectorXd operator()(const Eigen::VectorXd& deviation) const;
   const std::vector<Eigen::Index>& rows() const { return rows_; }
+  double log_det() const; // of the covariance, halved
 
 private:
   std::vector<Eigen::Index> rows_;
+  Eigen::MatrixXd covariance_;
   Eigen::LLT<Eigen::MatrixXd> root_;
 };
 
 struct HypothesisFit {
   std::vector<const Hypothesis*> together; // one, or two of a pair; empty = nominal
-  bool solved = false;
+  bool solved = false, complete = false;   // complete: with the deviations of what was held out
   Eigen::VectorXd z, values;
   Eigen::VectorXd deviation;  // log readings of the test less those of the hypothesis and bias
   Eigen::VectorXd error;      // e, of the fitted readings
@@ -42,6 +51,8 @@ struct HypothesisFit {
   std::optional<double> sampled_log_evidence; // by Markov chains
   Eigen::MatrixXd draws;                      // parameters x draws: z of the posterior
   double chi2 = 0;                            // e'e
+  Eigen::VectorXd law_error;                  // further standard deviations; empty = none
+  double law_penalty = 0;                     // of ln Z, for these
   double farthest = 0;                        // largest |z|
   int evaluations = 0;
 };
@@ -55,6 +66,25 @@ struct FitContext {
   const Whitening& fitted;
 };
 
+// What a hypothesis leaves of the readings: test less prediction, corrected for mesh and bias.
+class Deviation {
+public:
+  Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together);
+
+  // At coordinates of the parameters. None: no stable structure. Readings that the model does not
+  // give, or that were not asked for, are far off.
+  std::optional<Eigen::VectorXd> at(const Eigen::VectorXd& z,
+                                    Predictor::Which which = Predictor::Which::all) const;
+  Eigen::VectorXd law_error(const Eigen::VectorXd& z, Predictor::Which which) const {
+    return predict_.law_error(predict_.values_of(z), which);
+  }
+  const Predictor& predictor() const { return predict_; }
+
+private:
+  const FitContext& context_;
+  const Predictor& predict_;
+};
+
 HypothesisFit nominal_fit(const FitContext& context);
 // `start`: coordinates to begin with, besides points spread over the prior; empty = these alone.
 HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together,
@@ -62,6 +92,9 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
 
 // ln Z at prior standard deviations times `width`, from the Gaussian at the optimum.
 double log_evidence_at_width(const HypothesisFit& fit, double width);
+
+// Fills in the deviations of readings that were held out, which fits leave aside.
+void complete(const FitContext& context, HypothesisFit& fit);
 
 // Fills draws and sampled_log_evidence.
 void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed);

@@ -69,10 +69,11 @@ std::optional<double> smallest(const Signature& s,
 // Whitened change of the fitted readings by a hypothesis.
 VectorXd change(const FitContext& context, const Hypothesis& h, const VectorXd& z) {
   const Predictor& predict = context.predictors.of({&h});
-  const VectorXd nominal = context.uncertainty.nominal - context.uncertainty.correction;
-  const auto y = predict(predict.values_of(z), true);
+  const Uncertainty& u = context.uncertainty;
+  const auto y = predict(predict.values_of(z), Predictor::Which::fitted);
   if (!y) return VectorXd::Zero(Index(context.fitted.rows().size()));
-  return context.fitted((*y - nominal).array().isFinite().select(*y - nominal, 0));
+  const VectorXd d = u.expected(*y) - u.expected(u.nominal - u.correction);
+  return context.fitted(d.array().isFinite().select(d, 0));
 }
 
 } // namespace

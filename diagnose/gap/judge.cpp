@@ -60,21 +60,24 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   j.fit = std::move(fit);
   if (!j.fit.solved) return j;
   j.log_bayes_factor = evidence(j.fit) - nominal.log_evidence;
-  j.worst = scores.worst(j.fit.deviation);
+  j.worst = scores.worst(j.fit.deviation, j.fit.law_error);
   const auto& healthy = standards.healthy_chi2;
   j.p = double(healthy.end() - std::lower_bound(healthy.begin(), healthy.end(), j.fit.chi2)) /
         double(healthy.size());
   j.adequate =
       !standards.gate || (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block);
   j.absurd = j.fit.farthest > absurd_z;
-  j.gap_after = std::sqrt(j.fit.chi2 / double(context.fitted.rows().size()));
-  if (!held_out.rows().empty()) {
+  j.gap_after = std::sqrt(context.fitted(j.fit.deviation).squaredNorm() /
+                          double(context.fitted.rows().size()));
+  if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
+  if (!held_out.rows().empty() && j.fit.complete) {
     const double n = double(held_out.rows().size());
     const double chi2 = held_out(j.fit.deviation).squaredNorm();
+    const double by_law = held_out.widened(j.fit.law_error)(j.fit.deviation).squaredNorm();
     const double before = held_out(nominal.deviation).squaredNorm();
     j.held_out_after = std::sqrt(chi2 / n);
     j.held_out_shrink = 1 - std::sqrt(chi2 / before);
-    j.fails_held_out = chi2 > standards.held_out_chi2 && *j.held_out_shrink < believable_shrink;
+    j.fails_held_out = by_law > standards.held_out_chi2 && *j.held_out_shrink < believable_shrink;
   }
   return j;
 }

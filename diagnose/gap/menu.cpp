@@ -122,6 +122,14 @@ TestReadings sweep_readings(int base, double level, const std::string& main,
   return t;
 }
 
+void append_readings(TestReadings& all, const TestReadings& part) {
+  for (Reading r : part.readings) {
+    if (r.run >= 0) r.run += int(all.runs.size());
+    all.readings.push_back(std::move(r));
+  }
+  all.runs.insert(all.runs.end(), part.runs.begin(), part.runs.end());
+}
+
 Case with_further_sensors(Case data, const Structure& s, std::vector<std::string>& names) {
   const auto add = [&](const std::string& place, int node) {
     const Eigen::Vector3d& x = s.built.model.mesh.nodes[node];

@@ -19,6 +19,9 @@ std::vector<Offer> menu(const Case& data, const Measured& measured, const TestRe
 // The case with massless sensors on held ends and along its parts; their places into `names`.
 Case with_further_sensors(Case data, const Structure& s, std::vector<std::string>& names);
 
+// One test after the other, in one list.
+void append_readings(TestReadings& all, const TestReadings& part);
+
 // Standard deviation of a log reading, scatter of specimens included.
 double usual_sigma(ReadingKind kind);
 

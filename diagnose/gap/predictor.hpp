@@ -1,12 +1,7 @@
 // What the readings of a test would be if hypotheses held: logarithms, in their order.
-//
-// Linear hypotheses: modes of the reduced model, peaks where their sum is largest. A group of
-// springs that slips: at each level and peak the amplitude is sought at which the stiffness that
-// the sliders keep (describing function, one for the whole group, over the stretch of its energy)
-// gives a resonance of that amplitude, with the damping that they take.
 #pragma once
 
-#include "diagnose/gap/nominal.hpp"
+#include "diagnose/gap/state_answers.hpp"
 
 #include <map>
 #include <mutex>
@@ -35,10 +30,13 @@ public:
   Eigen::VectorXd values_of(const Eigen::VectorXd& z) const;
 
   // None where the structure has no stable answer for these values; not a number for a reading that
-  // the model does not give, and for those held out where only the fitted ones are wanted. May be
-  // called from several threads.
+  // the model does not give, or that was not asked for. May be called from several threads.
+  enum class Which { all, fitted };
   std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& values,
-                                            bool fitted_only = false) const;
+                                            Which which = Which::all) const;
+
+  // How far off the law of what slips may put each log reading; empty where nothing slips.
+  Eigen::VectorXd law_error(const Eigen::VectorXd& values, Which which = Which::all) const;
 
   // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
   std::vector<int> nominal_modes() const;
@@ -49,26 +47,24 @@ public:
                                            const Eigen::VectorXd& hertz) const;
 
 private:
-  struct StateFamily {
-    const NominalState* nominal = nullptr;
-    ReducedFamily family;
-    std::vector<int> free; // coordinates that the mount leaves
+  struct Lazy {
+    std::once_flag once;
+    StateFamily family;
   };
-  struct Coefficients {
-    Eigen::VectorXd all, rig;
-  };
-  Coefficients coefficients(const Eigen::VectorXd& values) const;
-  TestSetup setup(const Eigen::VectorXd& values) const;
+  const StateFamily& family(std::size_t state) const;
+  void make(std::size_t state, StateFamily& own) const;
+  Acting acting(const Eigen::VectorXd& values) const;
+  std::optional<Eigen::VectorXd> answers(const Acting& acting, Which which) const;
 
+  const Nominal& nominal_;
   const TestReadings& test_;
+  PreparedChanges* prepared_;
   std::vector<const Hypothesis*> together_;
-  std::vector<StateFamily> states_;
-  std::vector<int> state_of_reading_;
+  mutable std::vector<Lazy> states_;
+  std::vector<std::size_t> state_of_reading_;
   int parameters_ = 0;
-  int softening_ = -1;   // which hypothesis
-  int first_change_ = 0; // of it, among all changes
-
-  friend class StateAnswers;
+  int softening_ = -1; // which hypothesis
+  SlipGroup group_;    // its
 };
 
 // Predictors of one test, each made once. May be used by several threads.

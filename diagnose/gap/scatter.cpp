@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 constexpr double modulus = 0.01, density = 0.005, thickness = 0.01, field = 0.02, masses = 0.01,
                  joints = 0.05, all_damping = 0.12, gain = 0.01, off_place = 1e-3,
                  turn = 1 * std::numbers::pi / 180, other_axes = 0.005;
+constexpr int waves = 4;      // half waves of a field of stiffness
 constexpr double step = 0.02; // of the change that stands for a small one
 
 // A relative number with this standard deviation that changes the model.
@@ -104,7 +105,6 @@ void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
       all.push_back(varying("thickness", wall.part, thickness, [quads = wall.quads](Model& m) {
         for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;
       }));
-    constexpr int waves = 4;
     for (int k = 1; k <= waves && wall.convolutions > 1; ++k)
       all.push_back(
           varying("stiffness field", wall.part, field * std::sqrt(2. / waves), [wall, k](Model& m) {
@@ -121,6 +121,27 @@ void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
                 m.shells.push_back(own);
               }
               quad.section = at->second;
+            }
+          }));
+  }
+}
+
+// The same along a beam that stands as one part.
+void add_beams(std::vector<Hypothesis>& all, const Structure& s) {
+  for (const Part& part : s.data.parts) {
+    if (!std::holds_alternative<BeamPart>(part.body)) continue;
+    std::vector<int> own;
+    const Model& model = s.built.model;
+    for (std::size_t i = 0; i < model.beams.size(); ++i)
+      if (model.components[std::size_t(model.beams[i].component)] == part.name)
+        own.push_back(int(i));
+    for (int k = 1; k <= waves && own.size() > 1; ++k)
+      all.push_back(
+          varying("stiffness field", part.name, field * std::sqrt(2. / waves), [own, k](Model& m) {
+            for (std::size_t i = 0; i < own.size(); ++i) {
+              const double x = (double(i) + 0.5) / double(own.size());
+              scale_beam(m.beams[std::size_t(own[i])].section,
+                         1 + step * std::cos(std::numbers::pi * k * x), 1);
             }
           }));
   }
@@ -177,6 +198,7 @@ std::vector<Hypothesis> scatter(const Structure& s) {
   add_tolerances(all, s);
   add_material(all, has_tolerance(s, ".E"), has_tolerance(s, ".rho"));
   add_walls(all, s);
+  add_beams(all, s);
   add_masses(all, s);
   add_test(all, s);
   return all;

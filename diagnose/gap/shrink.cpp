@@ -18,7 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int bootstraps = 400;
-constexpr double box = 4; // |z| that is searched
 
 std::array<double, 2> interval_of(std::vector<double> values) {
   if (values.empty()) return {};
@@ -31,16 +30,6 @@ std::array<double, 2> interval_of(std::vector<double> values) {
 
 double rms(const VectorXd& e) {
   return e.size() > 0 ? std::sqrt(e.squaredNorm() / double(e.size())) : 0;
-}
-
-// Deviations of the test from the hypothesis at z.
-std::optional<VectorXd> deviation_at(const FitContext& context, const Predictor& predict,
-                                     const VectorXd& z) {
-  const auto y = predict(predict.values_of(z));
-  if (!y) return std::nullopt;
-  const VectorXd d =
-      context.measured - *y - context.uncertainty.correction - context.uncertainty.bias;
-  return d.array().isFinite().select(d, 0).matrix();
 }
 
 GapShrink with_interval(const VectorXd& before, const std::vector<VectorXd>& after) {
@@ -71,12 +60,11 @@ GapShrink gap_shrink(const FitContext& context, const Whitening& white,
   const VectorXd before = white(nominal.deviation);
   std::vector<VectorXd> after{white(best.deviation)};
   if (best.draws.cols() > 0) {
-    const Predictor& predict = context.predictors.of(best.together);
+    const Deviation deviation(context, best.together);
     constexpr Index used = 40;
     const Index step = std::max<Index>(1, best.draws.cols() / used);
     for (Index k = 0; k < best.draws.cols(); k += step)
-      if (const auto d = deviation_at(context, predict, best.draws.col(k)))
-        after.push_back(white(*d));
+      if (const auto d = deviation.at(best.draws.col(k))) after.push_back(white(*d));
   }
   return with_interval(before, after);
 }
@@ -87,7 +75,7 @@ GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
   const MatrixXd total = context.uncertainty.total();
   const auto n = Index(rows.size());
   VectorXd before(n), after(n);
-  const Predictor& predict = context.predictors.of(best.together);
+  const Deviation deviation(context, best.together);
   for (Index i = 0; i < n; ++i) {
     std::vector<Index> others;
     for (Index j = 0; j < n; ++j)
@@ -102,18 +90,16 @@ GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
     };
     before[i] = predicted(nominal.deviation);
     const Index p = best.z.size();
-    const auto z_of = [](const VectorXd& u) { return VectorXd(box * (2 * u.array() - 1)); };
-    const ResidualModel residuals = [&](const VectorXd& u) -> std::optional<VectorXd> {
-      const auto d = deviation_at(context, predict, z_of(u));
+    const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
+      const auto d = deviation.at(z);
       VectorXd r(n - 1 + p);
-      r.tail(p) = z_of(u);
+      r.tail(p) = z;
       r.head(n - 1) = d ? VectorXd(root.matrixL().solve(VectorXd((*d)(others))))
                         : VectorXd::Constant(n - 1, 1e6);
       return r;
     };
-    const LocalSearch found =
-        search_locally(residuals, ((best.z.array() / box + 1) / 2).matrix(), 15);
-    const auto d = deviation_at(context, predict, z_of(found.best));
+    const LocalSearch found = search_freely(residuals, best.z, 15);
+    const auto d = deviation.at(found.best);
     after[i] = d ? predicted(*d) : before[i];
   }
   return with_interval(before, {after});
@@ -216,8 +202,9 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
   const BlockScores scores(context.test, context.uncertainty);
   std::vector<Compensator> found;
   for (const Candidate& c : candidates) {
-    const HypothesisFit fit = fit_of(context, {&c.hypothesis});
+    HypothesisFit fit = fit_of(context, {&c.hypothesis});
     if (!fit.solved) continue;
+    complete(context, fit);
     const double factor = fit.values[0];
     Compensator row{.name = c.name,
                     .factor = factor,

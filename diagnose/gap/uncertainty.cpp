@@ -119,6 +119,18 @@ MatrixXd covariance(const MatrixXd& draws) {
 
 } // namespace
 
+VectorXd Uncertainty::expected(const VectorXd& coarse) const {
+  VectorXd y = coarse + correction + bias;
+  const auto squared = [](double log_value) {
+    return std::pow(std::max(0., std::exp(log_value) - cross_floor), 2);
+  };
+  for (Index i : cross) {
+    const double added = squared(nominal[i] + bias[i]) - squared(nominal[i]);
+    y[i] = std::log(std::sqrt(std::max(0., squared(coarse[i]) + added)) + cross_floor);
+  }
+  return y;
+}
+
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
                            const Measured& measured, const std::set<std::string>& without) {
   const auto n = Index(test.readings.size());
@@ -128,6 +140,9 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   if (nominal.coarse && !has_friction(data))
     u.correction = mesh_correction(data, nominal, test, coarse);
   u.nominal = coarse + u.correction;
+  u.bias = VectorXd::Zero(n);
+  for (Index i = 0; i < n; ++i)
+    if (test.readings[std::size_t(i)].kind == ReadingKind::cross) u.cross.push_back(i);
   u.measurement = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
     u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);

@@ -15,12 +15,17 @@
 namespace plica {
 
 struct Uncertainty {
-  Eigen::VectorXd nominal;    // log readings of the case on its own mesh
-  Eigen::VectorXd correction; // what the own mesh differs by from the coarse one
-  Eigen::VectorXd bias;       // mean of the admissible specimens, less the nominal one
+  Eigen::VectorXd nominal;         // log readings of the case on its own mesh
+  Eigen::VectorXd correction;      // what the own mesh differs by from the coarse one
+  Eigen::VectorXd bias;            // mean of the admissible specimens, less the nominal one
+  std::vector<Eigen::Index> cross; // readings along other axes
   Eigen::MatrixXd measurement, reassembly, numeric, form;
   Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
   Eigen::MatrixXd total() const { return measurement + reassembly + numeric + form; }
+
+  // Mean log readings of admissible specimens that answer so on the coarse mesh. What scatter adds
+  // along other axes adds in squares: it vanishes beside a large cross response.
+  Eigen::VectorXd expected(const Eigen::VectorXd& coarse) const;
 };
 
 // `without`: groups left out, for ablations: "form", "nuisance", "reassembly".

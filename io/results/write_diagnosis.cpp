@@ -133,7 +133,8 @@ Json json_of(const ProposedMeasurement& m) {
   return {{"what", m.what},
           {"cost", number(m.cost)},
           {"separation", number(m.separation)},
-          {"separates", m.separates}};
+          {"separates", m.separates},
+          {"resolves", m.resolves}};
 }
 
 Json identifiability_json(const Diagnosis& d) {

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::string data, truth, cases = "all", work, require;
   std::uint64_t seed = 1;
-  int jobs = 2;
+  int jobs = 2, first = 0;
   sealed::RunRequest run;
   sealed::ScoreRequest score;
 
@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   make->add_option("--seed", seed, "of all chance");
   make->add_option("--cases", cases, "smoke or all")->check(CLI::IsMember({"smoke", "all"}));
   make->add_option("--jobs", jobs, "specimens at once");
+  make->add_option("--first", first, "only so many of them; their order is random");
 
   CLI::App* diagnose = app.add_subcommand("run", "diagnose every specimen");
   diagnose->add_option("--data", run.data, "folder of the data")->required();
@@ -55,7 +56,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (make->parsed()) {
-      const auto suite = sealed::plan_suite(seed, cases == "smoke");
+      auto suite = sealed::plan_suite(seed, cases == "smoke");
+      if (first > 0) sealed::keep_first(suite, first);
       std::printf("%s\n", sealed::make_suite(suite, data, truth, jobs).c_str());
     }
     if (one->parsed()) sealed::make_single(single);

@@ -4,6 +4,7 @@
 #include "specimen.hpp"
 
 #include <fmt/format.h>
+#include <set>
 
 namespace sealed {
 namespace {
@@ -157,6 +158,13 @@ Suite plan_suite(std::uint64_t seed, bool smoke) {
   }
   for (const auto& [name, specimen] : walls) p.suite.walls.push_back({name, specimen});
   return p.suite;
+}
+
+void keep_first(Suite& suite, int count) {
+  if (count < int(suite.specimens.size())) suite.specimens.resize(std::size_t(count));
+  std::set<std::string> used;
+  for (const Specimen& s : suite.specimens) used.insert(s.wall);
+  std::erase_if(suite.walls, [&](const auto& wall) { return !used.contains(wall.name); });
 }
 
 } // namespace sealed

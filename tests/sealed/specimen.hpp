@@ -35,6 +35,7 @@ struct Suite {
 };
 
 Suite plan_suite(std::uint64_t seed, bool smoke);
+void keep_first(Suite& suite, int count); // their order is random
 
 // Scatter of the wall that a specimen stands on, by the name of that wall.
 WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed);

@@ -1,0 +1,50 @@
+// Modes of a reduced model under change, with what excites and shows them.
+#pragma once
+
+#include "reduction/parametric_model.hpp"
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace plica {
+
+struct FamilyModes {
+  Eigen::VectorXd lambda, zeta;
+  Eigen::MatrixXd gamma;    // modes x 3: by translations of the base
+  Eigen::MatrixXd marked;   // 6 rows per sensor x modes
+  Eigen::MatrixXd likeness; // nominal modes x modes: M-product
+  Eigen::MatrixXd group;    // modes x modes: of the change that was asked for, coefficient one
+  double omega(Eigen::Index i) const { return std::sqrt(lambda[i]); }
+  double hertz(Eigen::Index i) const;
+};
+
+// A reduced model with some of its coordinates held.
+class FreeFamily {
+public:
+  FreeFamily() = default;
+  // `zeta`: damping ratios of the nominal modes; a mode has those of the nominal ones it is like.
+  FreeFamily(const ReducedFamily& family, const std::vector<int>& free,
+             const Eigen::VectorXd& zeta);
+
+  // At these coefficients of the changes; none where the structure is not stable. `group`: a change
+  // whose stiffness in modes is wanted.
+  std::optional<FamilyModes> modes(const Eigen::VectorXd& coefficients, int group = -1) const;
+
+  // With the coefficient of the group changed by a little, in the space of the lowest of the modes
+  // at hand.
+  FamilyModes changed(const FamilyModes& modes, double more) const;
+
+private:
+  void damp(FamilyModes& modes) const;
+
+  Eigen::MatrixXd K_, M_, load_, marked_, nominal_; // nominal: M times the nominal modes
+  std::vector<Eigen::MatrixXd> dK_, dM_, d_load_;
+  Eigen::VectorXd zeta_;
+};
+
+// A sum with one term per change.
+Eigen::MatrixXd summed(const Eigen::MatrixXd& A, const std::vector<Eigen::MatrixXd>& dA,
+                       const Eigen::VectorXd& coefficients);
+
+} // namespace plica

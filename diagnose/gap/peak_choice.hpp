@@ -1,0 +1,20 @@
+// Which modes of a model are the peaks of a measured channel.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace plica {
+
+// Peaks of a model in the order of measured ones: increasing, each at most once while there are
+// enough, the sum of |ln f - ln f'| least. `first`: the measured ones are the first of the channel,
+// whatever their frequencies.
+std::vector<Eigen::Index> paired(const std::vector<double>& measured,
+                                 const std::vector<double>& model, bool first);
+
+// Modes that show as peaks of so many heights: at least 12 % of the highest, of several within
+// their widths the highest. `hertz` increases.
+std::vector<Eigen::Index> strong_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd& zeta,
+                                       const Eigen::VectorXd& height);
+
+} // namespace plica

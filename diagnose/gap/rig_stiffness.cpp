@@ -1,0 +1,65 @@
+#include "diagnose/gap/rig_stiffness.hpp"
+
+#include "solve/statics.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+double along(const EndStiffness& k, StaticDirection direction) {
+  switch (direction) {
+  case StaticDirection::axial:
+    return k.axial;
+  case StaticDirection::transverse_x:
+    return k.transverse_x;
+  case StaticDirection::transverse_z:
+    return k.transverse_z;
+  case StaticDirection::bending_x:
+    return k.bending_x;
+  case StaticDirection::bending_z:
+    return k.bending_z;
+  case StaticDirection::torsion:
+    break;
+  }
+  return k.torsion;
+}
+
+} // namespace
+
+std::optional<double> rig_stiffness(const NominalState& state, const MatrixXd& K,
+                                    StaticDirection direction) {
+  const Case& data = state.data;
+  if (data.caps.size() != 2) return std::nullopt;
+  std::vector<Index> rows;
+  const std::vector<int>& boundary = state.model->boundary();
+  for (const Cap& cap : data.caps) {
+    const auto at = std::find(boundary.begin(), boundary.end(), state.built.cap_nodes.at(cap.name));
+    if (at == boundary.end()) return std::nullopt;
+    for (int d = 0; d < 6; ++d) rows.push_back(6 * (at - boundary.begin()) + d);
+  }
+  std::vector<Index> others;
+  for (Index i = 0; i < K.rows(); ++i)
+    if (std::find(rows.begin(), rows.end(), i) == rows.end()) others.push_back(i);
+  MatrixXd condensed = K(rows, rows);
+  const Eigen::LDLT<MatrixXd> inner(K(others, others));
+  condensed -= K(rows, others) * inner.solve(MatrixXd(K(others, rows)));
+  for (const BushingElement& b : state.built.model.bushings) {
+    if (b.node2 >= 0) continue;
+    for (std::size_t c = 0; c < 2; ++c)
+      if (b.node1 == state.built.cap_nodes.at(data.caps[c].name))
+        condensed.block<6, 6>(6 * Index(c), 6 * Index(c)) -= ground_bushing_matrix(b.bushing);
+  }
+  try {
+    return along(end_stiffness(Matrix6(condensed.bottomRightCorner<6, 6>())), direction);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+} // namespace plica
