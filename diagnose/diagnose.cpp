@@ -486,7 +486,8 @@ private:
         specimens, case_.tolerances.size());
     add("reassembly 0.2 %% of frequencies and 4 %% of damping, runs 0.05 %% and 1.5 %%; model 0.2 "
         "%% "
-        "of frequencies, 0.4 %% of stiffnesses and a tenth of what the meshes differ by");
+        "of frequencies, 0.4 %% of stiffnesses, 20 %% of cross responses and a tenth of what the "
+        "meshes differ by");
     add("adequate: chi-square at most %.1f over %zu readings, no block beyond z = %.1f; ln BF over "
         "the nominal case at least %.1f",
         standards.chi2, fitted_->rows().size(), standards.worst_block, standards.evidence);

@@ -221,8 +221,17 @@ MatrixXd ParametricModel::constraint_modes(const SparseMatrix& K,
   return Psi;
 }
 
-PreparedChange ParametricModel::difference(const Model& changed) const {
+PreparedChange ParametricModel::difference(const Model& changed,
+                                           const std::vector<OnMeanMotion>& on_mean) const {
   Triplets k, m;
+  for (const OnMeanMotion& own : on_mean) {
+    const auto n = Index(own.nodes.size());
+    MatrixXd mean = MatrixXd::Zero(6 * n, 6 * n);
+    for (Index a = 0; a < n; ++a)
+      for (Index b = 0; b < n; ++b)
+        mean.block<3, 3>(6 * a, 6 * b).diagonal().setConstant(1 / double(n * n));
+    add_element(system_.map, own.nodes, own.stiffness * mean, own.mass * mean, 1, k, m);
+  }
   if (changed.mesh.nodes == model_.mesh.nodes) {
     add_elements(only_in(changed, model_), system_.map, 1, k, m);
     add_elements(only_in(model_, changed), system_.map, -1, k, m);
@@ -300,8 +309,8 @@ MatrixXd ParametricModel::modes_of(const PreparedChange& change) const {
 
 PreparedChange ParametricModel::prepare(const ModelChange& change) const {
   Model changed = model_;
-  change.apply(changed);
-  PreparedChange made = difference(changed);
+  if (change.apply) change.apply(changed);
+  PreparedChange made = difference(changed, change.on_mean);
   made.further = MatrixXd(system_.map.size(), 0);
   if (made.dofs.empty()) return made;
   if (change.follow == Follow::series) made.further = answers(made);

@@ -26,9 +26,15 @@ namespace plica {
 //   series   first terms of its Neumann series join the basis
 //   modes    reaches all of a part: modes of the changed structure join the basis
 enum class Follow { nominal, series, modes };
+// A mass on the mean translation of nodes, kg, and a spring from it to the ground, N/m.
+struct OnMeanMotion {
+  std::vector<int> nodes;
+  double mass = 0, stiffness = 0;
+};
 struct ModelChange {
   std::function<void(Model&)> apply;
   Follow follow = Follow::series;
+  std::vector<OnMeanMotion> on_mean = {}; // besides
 };
 
 // A change over the independent DOFs that it touches, with what it adds to the basis.
@@ -69,7 +75,7 @@ public:
   int unknowns() const { return system_.map.size(); }
 
 private:
-  PreparedChange difference(const Model& changed) const;
+  PreparedChange difference(const Model& changed, const std::vector<OnMeanMotion>& on_mean) const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
   Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;

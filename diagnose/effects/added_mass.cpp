@@ -3,24 +3,29 @@
 namespace plica {
 namespace {
 
+ModelChange on_each(const std::vector<int>& nodes) {
+  return {.apply = [nodes](Model& model) {
+    for (int node : nodes) add_point_mass(model, node, 1 / double(nodes.size()));
+  }};
+}
+
+// A mass all round a crown turns with it; one that is clamped softly does not.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  const auto add = [&](const Spot& spot, const std::vector<int>& nodes, const char* way) {
+  const auto add = [&](const Spot& spot, const char* way, ModelChange one_kilogram) {
     found.push_back({.effect = "added_mass",
                      .place = spot.place,
                      .way = way,
                      .parameters = {{"mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1}}},
-                     .changes = {{[nodes](Model& model) {
-                                    for (int node : nodes)
-                                      add_point_mass(model, node, 1 / double(nodes.size()));
-                                  },
-                                  Follow::series}},
+                     .changes = {std::move(one_kilogram)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
   };
   for (const Spot& spot : spots(s)) {
-    add(spot, {spot.touched}, "");
-    if (spot.nodes.size() > 1) add(spot, spot.nodes, "all round");
+    add(spot, "", on_each({spot.touched}));
+    if (spot.nodes.size() < 2) continue;
+    add(spot, "all round", on_each(spot.nodes));
+    add(spot, "on the mean motion", {.apply = {}, .on_mean = {{.nodes = spot.nodes, .mass = 1}}});
   }
   return found;
 }

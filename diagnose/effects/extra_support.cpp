@@ -4,29 +4,33 @@ namespace plica {
 namespace {
 
 // Something that touches at one node along one axis, or holds a circle all round.
+ModelChange on_each(const std::vector<int>& nodes, const Eigen::Vector3d& along) {
+  return {.apply = [nodes, k = Eigen::Vector3d(along / double(nodes.size()))](Model& model) {
+    for (int node : nodes) add_ground_spring(model, node, {k[0], k[1], k[2], 0, 0, 0});
+  }};
+}
+
+// A support all round a crown holds its turning too; one that touches softly does not.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  const auto add = [&](const Spot& spot, const char* way, const std::vector<int>& nodes,
-                       const Eigen::Vector3d& along) {
-    const double share = 1 / double(nodes.size());
+  const auto add = [&](const Spot& spot, const char* way, ModelChange unit) {
     found.push_back({.effect = "extra_support",
                      .place = spot.place,
                      .way = way,
                      .parameters = {{"k", "N/m", {PriorKind::log_normal, 0.3 * s.stiffness, 1.2}}},
-                     .changes = {{[nodes, k = Eigen::Vector3d(share * along)](Model& model) {
-                                    for (int node : nodes)
-                                      add_ground_spring(model, node, {k[0], k[1], k[2], 0, 0, 0});
-                                  },
-                                  Follow::series}},
+                     .changes = {std::move(unit)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
   };
   for (const Spot& spot : spots(s)) {
     if (spot.place.starts_with("sensor.")) continue;
-    add(spot, "x", {spot.touched}, Eigen::Vector3d::UnitX());
-    add(spot, "y", {spot.touched}, Eigen::Vector3d::UnitY());
-    add(spot, "z", {spot.touched}, Eigen::Vector3d::UnitZ());
-    add(spot, "all round", spot.nodes, Eigen::Vector3d::Ones());
+    add(spot, "x", on_each({spot.touched}, Eigen::Vector3d::UnitX()));
+    add(spot, "y", on_each({spot.touched}, Eigen::Vector3d::UnitY()));
+    add(spot, "z", on_each({spot.touched}, Eigen::Vector3d::UnitZ()));
+    add(spot, "all round", on_each(spot.nodes, Eigen::Vector3d::Ones()));
+    if (spot.nodes.size() > 1)
+      add(spot, "on the mean motion",
+          {.apply = {}, .on_mean = {{.nodes = spot.nodes, .stiffness = 1}}});
   }
   return found;
 }

@@ -76,10 +76,35 @@ Deviation::Deviation(const FitContext& context, const std::vector<const Hypothes
 
 std::optional<VectorXd> Deviation::at(const VectorXd& z, Predictor::Which which) const {
   const auto y = predict_(predict_.values_of(z), which);
+  return y ? std::optional(left_by(*y)) : std::nullopt;
+}
+
+std::optional<Deviation::Widened> Deviation::widened(const VectorXd& z,
+                                                     Predictor::Which which) const {
+  const VectorXd values = predict_.values_of(z);
+  const auto y = predict_(values, which);
   if (!y) return std::nullopt;
-  const VectorXd d = context_.measured - context_.uncertainty.expected(*y);
+  Widened found{.deviation = left_by(*y), .further = predict_.law_error(values, *y, which)};
+  if (!predict_.changes_structure()) return found;
+  const Uncertainty& u = context_.uncertainty;
+  const VectorXd change = u.expected(*y) - u.expected(u.nominal - u.correction);
+  if (found.further.size() == 0) found.further = VectorXd::Zero(change.size());
+  constexpr double of_cross = 0.3, of_amplitude = 0.1;
+  for (Index i = 0; i < change.size(); ++i) {
+    const ReadingKind kind = context_.test.readings[std::size_t(i)].kind;
+    const double share = kind == ReadingKind::cross       ? of_cross
+                         : kind == ReadingKind::amplitude ? of_amplitude
+                                                          : 0;
+    if (std::isfinite(change[i]))
+      found.further[i] = std::hypot(found.further[i], share * change[i]);
+  }
+  return found;
+}
+
+VectorXd Deviation::left_by(const VectorXd& y) const {
+  const VectorXd d = context_.measured - context_.uncertainty.expected(y);
   constexpr double missing = 10; // where the model gives no number
-  return d.array().isFinite().select(d, missing).matrix();
+  return d.array().isFinite().select(d, missing);
 }
 
 Whitening::Whitening(const TestReadings& test, const Uncertainty& u, bool held_out) {
@@ -107,7 +132,7 @@ VectorXd Whitening::operator()(const VectorXd& deviation) const {
 }
 
 double log_evidence_at_width(const HypothesisFit& fit, double width) {
-  double value = -fit.error.squaredNorm() / 2 - fit.law_penalty;
+  double value = -fit.error.squaredNorm() / 2 - fit.penalty;
   if (fit.z.size() == 0) return value;
   value -= fit.z.squaredNorm() / (2 * width * width);
   const MatrixXd A =
@@ -125,31 +150,117 @@ HypothesisFit nominal_fit(const FitContext& context) {
   return fit;
 }
 
+namespace {
+
+// The search of one fit. What the readings are weighed by is held while a step is made, and renewed
+// between searches.
+class Search {
+public:
+  Search(const FitContext& context, const std::vector<const Hypothesis*>& together)
+      : context_(context), deviation_(context, together), white_(context.fitted),
+        p_(deviation_.predictor().parameters()), n_(Index(context.fitted.rows().size())) {}
+
+  Index parameters() const { return p_; }
+
+  // A point to begin at, weighed by its own covariance.
+  void try_from(const VectorXd& z) {
+    const auto there = widen(z);
+    if (!there) return;
+    const double cost = (white_(there->deviation).squaredNorm() + z.squaredNorm()) / 2 + penalty_;
+    starts_.emplace_back(cost, z);
+  }
+
+  // From the best of the starts.
+  std::optional<VectorXd> best() {
+    std::sort(starts_.begin(), starts_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::size_t refined = p_ > 2 ? 3 : 2;
+    std::optional<VectorXd> found;
+    double least = 1e300;
+    for (std::size_t i = 0; i < std::min(refined, starts_.size()); ++i) {
+      VectorXd z = starts_[i].second;
+      if (i > 0 && (z - starts_[0].second).norm() < 0.8) continue;
+      constexpr int rounds = 2, steps = 15;
+      for (int round = 0; round < rounds; ++round) {
+        if (!widen(z)) break;
+        z = search_freely(residuals(), z, steps).best;
+        if (!deviation_.predictor().changes_structure()) break; // the weights stay
+      }
+      const auto there = widen(z);
+      if (!there) continue;
+      const double cost = (white_(there->deviation).squaredNorm() + z.squaredNorm()) / 2 + penalty_;
+      if (cost < least) {
+        least = cost;
+        found = z;
+      }
+    }
+    return found;
+  }
+
+  // All that is known at the optimum.
+  HypothesisFit at(const VectorXd& z) {
+    HypothesisFit fit;
+    const auto there = widen(z);
+    const auto J = there ? free_jacobian(residuals(), z) : std::nullopt;
+    fit.evaluations = evaluations_;
+    if (!J) return fit;
+    fit.solved = true;
+    fit.complete = n_ == there->deviation.size();
+    fit.z = z;
+    fit.values = deviation_.predictor().values_of(z);
+    fit.deviation = there->deviation;
+    fit.further = there->further;
+    fit.penalty = penalty_;
+    fit.error = white_(there->deviation);
+    fit.J = J->topRows(n_);
+    fit.covariance = (MatrixXd::Identity(p_, p_) + fit.J.transpose() * fit.J).inverse();
+    finish(fit);
+    return fit;
+  }
+
+private:
+  std::optional<Deviation::Widened> widen(const VectorXd& z) {
+    ++evaluations_;
+    auto there = deviation_.widened(z, Predictor::Which::fitted);
+    if (there && there->further.size() > 0) {
+      white_ = context_.fitted.widened(there->further);
+      penalty_ = white_.log_det() - context_.fitted.log_det();
+    }
+    return there;
+  }
+
+  ResidualModel residuals() {
+    return [this](const VectorXd& z) -> std::optional<VectorXd> {
+      ++evaluations_;
+      const auto d = deviation_.at(z, Predictor::Which::fitted);
+      VectorXd r(n_ + p_);
+      r.tail(p_) = z;
+      r.head(n_) = d ? white_(*d) : VectorXd::Constant(n_, hopeless);
+      return r;
+    };
+  }
+
+  const FitContext& context_;
+  Deviation deviation_;
+  Whitening white_;
+  double penalty_ = 0;
+  Index p_, n_;
+  std::atomic<int> evaluations_{0};
+  std::vector<std::pair<double, VectorXd>> starts_;
+};
+
+} // namespace
+
 HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together,
                      const VectorXd& start) {
-  HypothesisFit fit;
-  fit.together = together;
-  const Deviation deviation(context, together);
-  const Index p = deviation.predictor().parameters();
-  const Index n = Index(context.fitted.rows().size());
-  std::atomic<int> evaluations{0};
-  Whitening white = context.fitted;
-  const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
-    ++evaluations;
-    const auto d = deviation.at(z, Predictor::Which::fitted);
-    VectorXd r(n + p);
-    r.tail(p) = z;
-    r.head(n) = d ? white(*d) : VectorXd::Constant(n, hopeless);
-    return r;
-  };
-  std::vector<std::pair<double, VectorXd>> starts;
-  const auto try_from = [&](const VectorXd& z) { starts.emplace_back(cost_of(residuals(z)), z); };
+  Search search(context, together);
+  const Index p = search.parameters();
   if (start.size() == p) {
     const Index second = Index(together[0]->parameters.size());
     for (double z : {0., -1.5, 1.5}) {
       VectorXd there = start;
       if (second < p) there[second] += z;
-      try_from(there);
+      search.try_from(there);
     }
   } else if (together.size() == 1 && together[0]->softening && p == 6) {
     // Ratio, share, slip, exponent, across, loss: the slip distance decides, so it is tried
@@ -157,50 +268,25 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
     for (double slip = -2.5; slip <= 2.6; slip += 0.5)
       for (double share : {-0.8, 0.4})
         for (double exponent : {-0.7, 0.7})
-          try_from((VectorXd(6) << 0, share, slip, exponent, 0, 0).finished());
+          search.try_from((VectorXd(6) << 0, share, slip, exponent, 0, 0).finished());
   } else {
     const int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
-    for (int i = 0; i < tried; ++i) try_from(spread_point(i, p));
+    for (int i = 0; i < tried; ++i) search.try_from(spread_point(i, p));
   }
-  std::sort(starts.begin(), starts.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
-  const std::size_t refined = p > 2 ? 3 : 2;
-  constexpr int steps = 25;
-  double best = 1e300;
-  for (std::size_t i = 0; i < std::min(refined, starts.size()); ++i) {
-    if (i > 0 && (starts[i].second - starts[0].second).norm() < 0.8) continue;
-    const LocalSearch found = search_freely(residuals, starts[i].second, steps);
-    if (found.cost < best) {
-      best = found.cost;
-      fit.z = found.best;
-    }
-  }
-  fit.law_error = deviation.law_error(fit.z, Predictor::Which::fitted);
-  if (fit.law_error.size() > 0) {
-    white = context.fitted.widened(fit.law_error);
-    fit.law_penalty = white.log_det() - context.fitted.log_det();
-    fit.z = search_freely(residuals, fit.z, steps).best;
-  }
-  const auto d = deviation.at(fit.z, Predictor::Which::fitted);
-  const auto J = free_jacobian(residuals, fit.z);
-  fit.evaluations = evaluations;
-  if (!d || !J) return fit;
-  fit.complete = n == d->size();
-  fit.solved = true;
-  fit.values = deviation.predictor().values_of(fit.z);
-  fit.deviation = *d;
-  fit.error = white(*d);
-  fit.J = J->topRows(n);
-  fit.covariance = (MatrixXd::Identity(p, p) + fit.J.transpose() * fit.J).inverse();
-  finish(fit);
+  const auto z = search.best();
+  HypothesisFit fit;
+  if (z) fit = search.at(*z);
+  fit.together = together;
   return fit;
 }
 
 void complete(const FitContext& context, HypothesisFit& fit) {
   if (fit.complete || !fit.solved) return;
   const Deviation deviation(context, fit.together);
-  if (const auto d = deviation.at(fit.z)) fit.deviation = *d;
-  fit.law_error = deviation.law_error(fit.z, Predictor::Which::all);
+  if (auto there = deviation.widened(fit.z, Predictor::Which::all)) {
+    fit.deviation = std::move(there->deviation);
+    fit.further = std::move(there->further);
+  }
   fit.complete = true;
 }
 
@@ -214,7 +300,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     return std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform());
   };
   const Reference reference(fit);
-  const Whitening whitened = context.fitted.widened(fit.law_error);
+  const Whitening whitened = context.fitted.widened(fit.further);
   const auto log_target = [&](const VectorXd& z) { // likelihood times prior
     const auto d = deviation.at(z, Predictor::Which::fitted);
     return d ? -whitened(*d).squaredNorm() / 2 + log_normal(z) : -hopeless;
@@ -293,7 +379,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     start = std::move(next_start);
   }
   fit.draws = z;
-  if (power >= 1) fit.sampled_log_evidence = log_evidence - fit.law_penalty;
+  if (power >= 1) fit.sampled_log_evidence = log_evidence - fit.penalty;
 }
 
 std::string name_of(const HypothesisFit& fit) {

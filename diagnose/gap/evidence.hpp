@@ -4,9 +4,11 @@
 //   MAP: least e'e + z'z
 //   ln Z ~ -1/2 (e'e + z'z) - 1/2 ln det(I + J'J),   J = de/dz                    (Laplace)
 //
-// A law of slip is not exact: the readings that it changes get a further standard deviation in
-// proportion (Hypothesis::law_error), fixed at a first optimum, and ln Z loses half the growth of
-// ln det Sigma.
+// What a hypothesis changes it does not change exactly: a law of slip is a law
+// (Hypothesis::law_error), and where modes come near each other, as they may in the changed
+// structure only, what shows along other axes hangs on trifles. Such readings get a further
+// standard deviation in proportion to their change, fixed at a first optimum, and ln Z loses half
+// the growth of ln det Sigma.
 //
 // Without a parameter, ln Z = -1/2 e'e: constants that all share are dropped. Transitional Markov
 // chain Monte Carlo (Ching and Chen, J. Eng. Mech. 133 (2007) 816) gives ln Z on the same scale
@@ -51,8 +53,8 @@ struct HypothesisFit {
   std::optional<double> sampled_log_evidence; // by Markov chains
   Eigen::MatrixXd draws;                      // parameters x draws: z of the posterior
   double chi2 = 0;                            // e'e
-  Eigen::VectorXd law_error;                  // further standard deviations; empty = none
-  double law_penalty = 0;                     // of ln Z, for these
+  Eigen::VectorXd further;                    // further standard deviations; empty = none
+  double penalty = 0;                         // of ln Z, for these
   double farthest = 0;                        // largest |z|
   int evaluations = 0;
 };
@@ -75,12 +77,16 @@ public:
   // give, or that were not asked for, are far off.
   std::optional<Eigen::VectorXd> at(const Eigen::VectorXd& z,
                                     Predictor::Which which = Predictor::Which::all) const;
-  Eigen::VectorXd law_error(const Eigen::VectorXd& z, Predictor::Which which) const {
-    return predict_.law_error(predict_.values_of(z), which);
-  }
+  // The same with the further standard deviations there; empty = none.
+  struct Widened {
+    Eigen::VectorXd deviation, further;
+  };
+  std::optional<Widened> widened(const Eigen::VectorXd& z, Predictor::Which which) const;
   const Predictor& predictor() const { return predict_; }
 
 private:
+  Eigen::VectorXd left_by(const Eigen::VectorXd& y) const;
+
   const FitContext& context_;
   const Predictor& predict_;
 };

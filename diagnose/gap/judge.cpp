@@ -60,7 +60,7 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   j.fit = std::move(fit);
   if (!j.fit.solved) return j;
   j.log_bayes_factor = evidence(j.fit) - nominal.log_evidence;
-  j.worst = scores.worst(j.fit.deviation, j.fit.law_error);
+  j.worst = scores.worst(j.fit.deviation, j.fit.further);
   const auto& healthy = standards.healthy_chi2;
   j.p = double(healthy.end() - std::lower_bound(healthy.begin(), healthy.end(), j.fit.chi2)) /
         double(healthy.size());
@@ -73,7 +73,7 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   if (!held_out.rows().empty() && j.fit.complete) {
     const double n = double(held_out.rows().size());
     const double chi2 = held_out(j.fit.deviation).squaredNorm();
-    const double by_law = held_out.widened(j.fit.law_error)(j.fit.deviation).squaredNorm();
+    const double by_law = held_out.widened(j.fit.further)(j.fit.deviation).squaredNorm();
     const double before = held_out(nominal.deviation).squaredNorm();
     j.held_out_after = std::sqrt(chi2 / n);
     j.held_out_shrink = 1 - std::sqrt(chi2 / before);

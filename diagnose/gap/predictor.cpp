@@ -51,14 +51,13 @@ Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
                      const std::vector<const Hypothesis*>& together, PreparedChanges* prepared)
     : nominal_(nominal), test_(test), prepared_(prepared), together_(together),
       states_(nominal.states.size()) {
-  int changes = 0;
   for (std::size_t h = 0; h < together.size(); ++h) {
     const Hypothesis& own = *together[h];
     if (own.softening) {
       softening_ = int(h);
-      group_ = {.change = changes, .stiffness = own.group_stiffness, .present = own.group_present};
+      group_ = {.change = changes_, .stiffness = own.group_stiffness, .present = own.group_present};
     }
-    changes += int(own.changes.size() + own.case_changes.size());
+    changes_ += int(own.changes.size() + own.case_changes.size());
     parameters_ += int(own.parameters.size());
   }
   for (const Reading& r : test.readings)
@@ -137,14 +136,13 @@ std::optional<VectorXd> Predictor::operator()(const VectorXd& values, Which whic
   return answers(acting(values), which);
 }
 
-VectorXd Predictor::law_error(const VectorXd& values, Which which) const {
+VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which which) const {
   if (softening_ < 0) return VectorXd();
   Acting own = acting(values);
-  const auto slipping = answers(own, which);
   own.group.reset();
   const auto stuck = answers(own, which);
-  if (!slipping || !stuck) return VectorXd();
-  VectorXd change = (*slipping - *stuck).cwiseAbs();
+  if (!stuck) return VectorXd();
+  VectorXd change = (y - *stuck).cwiseAbs();
   change = change.array().isFinite().select(change, 0);
   // What shows along other axes hangs on how directions slip together, which no single law says.
   constexpr double as_along = 3;

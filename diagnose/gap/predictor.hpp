@@ -27,6 +27,7 @@ public:
             const std::vector<const Hypothesis*>& together, PreparedChanges* prepared = nullptr);
 
   int parameters() const { return parameters_; }
+  bool changes_structure() const { return changes_ > 0; }
   Eigen::VectorXd values_of(const Eigen::VectorXd& z) const;
 
   // None where the structure has no stable answer for these values; not a number for a reading that
@@ -35,8 +36,9 @@ public:
   std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& values,
                                             Which which = Which::all) const;
 
-  // How far off the law of what slips may put each log reading; empty where nothing slips.
-  Eigen::VectorXd law_error(const Eigen::VectorXd& values, Which which = Which::all) const;
+  // How far off the law of what slips may put each log reading `y`; empty where nothing slips.
+  Eigen::VectorXd law_error(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
+                            Which which = Which::all) const;
 
   // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
   std::vector<int> nominal_modes() const;
@@ -62,7 +64,7 @@ private:
   std::vector<const Hypothesis*> together_;
   mutable std::vector<Lazy> states_;
   std::vector<std::size_t> state_of_reading_;
-  int parameters_ = 0;
+  int parameters_ = 0, changes_ = 0;
   int softening_ = -1; // which hypothesis
   SlipGroup group_;    // its
 };

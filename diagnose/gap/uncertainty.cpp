@@ -20,6 +20,8 @@ using Eigen::VectorXd;
 constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
 constexpr double run_frequency = 0.0005, run_damping = 0.015; // from run to run
 constexpr double numeric_frequency = 0.002, numeric_stiffness = 0.004;
+// Of what shows along other axes: modes that are nearly alike turn among each other by trifles.
+constexpr double numeric_cross = 0.2;
 constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
 
 bool is_nuisance(const std::string& what) {
@@ -45,6 +47,13 @@ bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
   const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
   if (r.base < 0 || s.base < 0) return r.base == s.base && a.entry == b.entry;
   return r.base == s.base && r.axis == s.axis;
+}
+
+// What one sensor shows along an axis when the table moves along another, at any level.
+bool same_way(const TestReadings& test, const Reading& a, const Reading& b) {
+  return a.sensor == b.sensor && a.axis == b.axis && a.state == b.state &&
+         (a.at_run >= 0) == (b.at_run >= 0) &&
+         test.runs[std::size_t(a.run)].base == test.runs[std::size_t(b.run)].base;
 }
 
 // Weight with which a mode's common shift of frequency or damping enters a reading.
@@ -153,6 +162,10 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   if (without.contains("reassembly")) u.reassembly.setZero();
   u.numeric =
       shared(test, numeric_frequency, 0, [](const Reading&, const Reading&) { return true; });
+  for (Index i : u.cross)
+    for (Index j : u.cross)
+      if (same_way(test, test.readings[std::size_t(i)], test.readings[std::size_t(j)]))
+        u.numeric(i, j) += std::pow(numeric_cross, 2);
   for (Index i = 0; i < n; ++i) {
     u.numeric(i, i) += std::pow(share_of_correction * u.correction[i], 2);
     if (test.readings[std::size_t(i)].kind == ReadingKind::stiffness)
