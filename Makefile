@@ -3,7 +3,7 @@ CASE ?= cases/bellow_a2/bellow_a2.yaml
 OUT ?= out/$(basename $(notdir $(CASE)))
 JOBS ?= $(shell nproc)
 
-.PHONY: run test slow bench build deps clean
+.PHONY: run test slow sealed bench build deps clean
 
 run: build
 	build/app/plica run $(CASE) --out $(OUT)
@@ -14,6 +14,11 @@ test: build
 
 slow: build
 	ctest --preset slow
+
+# The sealed suite of the diagnosis: specimens made, diagnosed, scored; then with guards left out.
+sealed: build
+	ctest --preset slow -R sealed_suite --verbose
+	ctest --preset slow -R sealed_ablations --verbose
 
 bench: deps
 	cmake --preset bench

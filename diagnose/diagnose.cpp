@@ -1,8 +1,10 @@
 #include "diagnose/diagnose.hpp"
 
+#include "diagnose/gap/headline.hpp"
 #include "diagnose/gap/identifiability.hpp"
 #include "diagnose/gap/judge.hpp"
 #include "diagnose/gap/next_measurement.hpp"
+#include "diagnose/gap/pairs.hpp"
 #include "diagnose/gap/shrink.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -19,8 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double silent = 0.3; // |g| below which no data speak of an effect
-constexpr std::size_t first_halves = 3, second_halves = 5; // of pairs that are tried
-constexpr int confirmed = 3;                               // hypotheses followed by Markov chains
+constexpr int confirmed = 3;   // hypotheses followed by Markov chains
 
 // Readings that the model answers; what it does not is said.
 TestReadings answered(const Nominal& nominal, TestReadings test) {
@@ -95,8 +96,10 @@ public:
     ranked = families(fits);
     std::vector<JudgedFit> pairs;
     if (!nominal.adequate && std::none_of(ranked.begin(), ranked.end(),
-                                          [](const Family& f) { return f.best->credible(); }))
-      pairs = fit_pairs(context, ranked, all, plain, scores, standards);
+                                          [](const Family& f) { return f.best->credible(); })) {
+      settings_.stage("pairs of effects");
+      pairs = fit_pairs(context, ranked, all, plain, *held_out_, scores, standards);
+    }
     const Judgement judgement = judge(nominal, ranked, pairs, standards);
     report(context, scores, standards, nominal, ranked, fits, pairs, judgement, all);
     return std::move(result_);
@@ -141,67 +144,6 @@ private:
       *chosen[std::size_t(i)] =
           judged(std::move(fit), plain, context, *held_out_, scores, standards);
     });
-  }
-
-  std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Family>& ranked,
-                                   const std::vector<Signature>& all, const HypothesisFit& plain,
-                                   const BlockScores& scores, const Standards& standards) {
-    settings_.stage("pairs of effects");
-    std::vector<std::vector<const Hypothesis*>> together;
-    std::vector<VectorXd> starts;
-    const bool levels_matter = changes_with_level();
-    // The best effects, each with those that its residual asks for (matched filter).
-    for (std::size_t i = 0; i < std::min(first_halves, ranked.size()); ++i) {
-      const HypothesisFit& first = ranked[i].best->fit;
-      if (ranked[i].best->log_bayes_factor < 1) continue;
-      std::map<std::string, std::pair<double, const Signature*>> gains;
-      for (const Signature& s : all) {
-        if (s.hypothesis->effect == first.together[0]->effect) continue;
-        if (s.hypothesis->softening && (first.together[0]->softening || !levels_matter)) continue;
-        // Of the residual, what the first effect could not take up itself.
-        const MatrixXd J = first.J;
-        const MatrixXd A = MatrixXd::Identity(J.cols(), J.cols()) + J.transpose() * J;
-        const VectorXd g = s.g - J * A.ldlt().solve(J.transpose() * s.g);
-        const double gain = std::pow(g.dot(first.error), 2) / (2 * (g.squaredNorm() + 1)) -
-                            std::log1p(g.squaredNorm()) / 2;
-        auto& best = gains[s.hypothesis->effect];
-        if (!best.second || gain > best.first) best = {gain, &s};
-      }
-      std::vector<std::pair<double, const Signature*>> order;
-      for (const auto& [effect, gain] : gains) order.push_back(gain);
-      std::sort(order.begin(), order.end(),
-                [](const auto& a, const auto& b) { return a.first > b.first; });
-      for (std::size_t k = 0; k < std::min(second_halves, order.size()); ++k) {
-        const Hypothesis *a = first.together[0], *b = order[k].second->hypothesis;
-        if (std::any_of(together.begin(), together.end(),
-                        [&](const auto& t) { return t[0] == b && t[1] == a; }))
-          continue;
-        together.push_back({a, b});
-        VectorXd z(Index(a->parameters.size() + b->parameters.size()));
-        z << first.z, VectorXd::Zero(Index(b->parameters.size()));
-        starts.push_back(z);
-      }
-    }
-    std::vector<JudgedFit> pairs(together.size());
-    in_parallel(int(together.size()), [&](int i) {
-      pairs[std::size_t(i)] =
-          judged(fit_of(context, together[std::size_t(i)], starts[std::size_t(i)]), plain, context,
-                 *held_out_, scores, standards);
-    });
-    std::erase_if(pairs, [](const JudgedFit& j) { return !j.fit.solved; });
-    std::sort(pairs.begin(), pairs.end(), [](const JudgedFit& a, const JudgedFit& b) {
-      return a.fit.log_evidence > b.fit.log_evidence;
-    });
-    return pairs;
-  }
-
-  // A frequency or damping moves with the level by more than its uncertainty: what slips may be in
-  // it.
-  bool changes_with_level() const {
-    constexpr double beyond = 3; // standard deviations
-    const std::vector<LevelTrend> trends = level_trends(test_);
-    return std::any_of(trends.begin(), trends.end(),
-                       [](const LevelTrend& t) { return std::abs(t.slope) > beyond * t.sigma; });
   }
 
   NamedEffect named(const HypothesisFit& fit, std::size_t half, double probability) const {
@@ -300,6 +242,7 @@ private:
     const HypothesisFit& best = shown.front();
     const HypothesisFit* second = other ? &shown.back() : nullptr;
     how_far(context, nominal, best, second);
+    result_.basis_error = predictors_->of(best.together).basis_error(best.values);
     if (best.together.size() == 1) result_.drifts = drifts(context, best);
     const Structure structure = nominal_.structure(measured_);
     result_.compensators = compensators(context, *held_out_, nominal.fit, structure);
@@ -492,52 +435,6 @@ private:
         "the nominal case at least %.1f",
         standards.chi2, fitted_->rows().size(), standards.worst_block, standards.evidence);
     for (const std::string& w : settings_.without) result_.assumptions.push_back("left out: " + w);
-  }
-
-  std::string headline(const JudgedFit& nominal, const Judgement& judgement) const {
-    const auto odds = [](double log_bayes) {
-      std::array<char, 32> text{};
-      if (log_bayes > 13.8) return std::string("odds above a million to one");
-      std::snprintf(text.data(), text.size(), "odds %.3g:1", std::exp(log_bayes));
-      return std::string(text.data());
-    };
-    switch (judgement.verdict) {
-    case Verdict::none:
-      return "No effect: the nominal case explains the test within its uncertainties";
-    case Verdict::identified: {
-      const JudgedFit& j = *judgement.named.front();
-      std::string text = name_of(j.fit) + " (" + odds(j.log_bayes_factor) + " over no effect";
-      for (const auto& [name, p] : judgement.probabilities)
-        if (name != j.fit.together[0]->effect && name != "none") {
-          double own = 0;
-          for (const auto& [other, q] : judgement.probabilities)
-            if (other == j.fit.together[0]->effect) own = q;
-          text +=
-              ", " + odds(std::log(std::max(own, 1e-300) / std::max(p, 1e-300))) + " over " + name;
-          break;
-        }
-      return text + ")";
-    }
-    case Verdict::ambiguous: {
-      std::string text = "Ambiguous: ";
-      for (const JudgedFit* j : judgement.named) {
-        std::array<char, 32> share{};
-        double p = 0;
-        for (const auto& [name, own] : judgement.probabilities)
-          if (name == j->fit.together[0]->effect) p = own;
-        std::snprintf(share.data(), share.size(), " %.0f %%", 100 * p);
-        text += (j == judgement.named.front() ? "" : " or ") + name_of(j->fit) + share.data();
-      }
-      return text;
-    }
-    case Verdict::pair:
-      return "Two effects: " + name_of(judgement.named.front()->fit) + " (" +
-             odds(judgement.named.front()->log_bayes_factor) + " over no effect)";
-    case Verdict::unknown:
-      break;
-    }
-    return "None of the effects known here explains the test; it is farthest off in " +
-           nominal.worst.second;
   }
 
   const Case& case_;

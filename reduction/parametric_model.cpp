@@ -318,7 +318,7 @@ PreparedChange ParametricModel::prepare(const ModelChange& change) const {
   return made;
 }
 
-ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
+ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChange>& changes) const {
   Index further = 0;
   for (const PreparedChange& change : changes) further += change.further.cols();
   MatrixXd X(system_.map.size(), further);
@@ -342,16 +342,10 @@ ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) 
     X = MatrixXd(X(Eigen::all, news));
     KX = MatrixXd(KX(Eigen::all, news));
   }
-  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
-  const MatrixXd MX = symmetric_product(system_.M, X);
-  MatrixXd E = MatrixXd::Zero(n, n), G(n, n), P(b, n);
+  const Index c = W_.cols(), n = c + X.cols();
+  MatrixXd E = MatrixXd::Zero(n, n);
   E.topLeftCorner(c, c) = WKW_;
   E.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * KX;
-  G.topLeftCorner(c, c) = WMW_;
-  G.topRightCorner(c, X.cols()) = MW_.transpose() * X;
-  G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
-  G.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * MX;
-  P << PsiMW_, MPsi_.transpose() * X;
   // Columns of unit energy, those that add none dropped.
   const VectorXd size = E.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(size.asDiagonal() * E * size.asDiagonal());
@@ -360,9 +354,28 @@ ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) 
   for (Index j = 0; j < n; ++j)
     if (gram.eigenvalues()[j] > negligible * gram.eigenvalues().maxCoeff()) kept.push_back(j);
   const VectorXd scale = gram.eigenvalues()(kept).cwiseSqrt().cwiseInverse();
-  const MatrixXd T = size.asDiagonal() * gram.eigenvectors()(Eigen::all, kept) * scale.asDiagonal();
+  MatrixXd T = size.asDiagonal() * gram.eigenvectors()(Eigen::all, kept) * scale.asDiagonal();
+  return {std::move(X), std::move(KX), std::move(T)};
+}
 
-  const auto k = Index(kept.size());
+ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
+  return reduced(changes, basis_of(changes));
+}
+
+ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& changes,
+                                       const Basis& basis) const {
+  const MatrixXd &X = basis.X, &T = basis.T;
+  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
+  const MatrixXd MX = symmetric_product(system_.M, X);
+  MatrixXd E = MatrixXd::Zero(n, n), G(n, n), P(b, n);
+  E.topLeftCorner(c, c) = WKW_;
+  E.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * basis.KX;
+  G.topLeftCorner(c, c) = WMW_;
+  G.topRightCorner(c, X.cols()) = MW_.transpose() * X;
+  G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
+  G.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * MX;
+  P << PsiMW_, MPsi_.transpose() * X;
+  const Index k = T.cols();
   ReducedFamily family;
   family.boundary = int(b);
   family.lambda = lambda_;
@@ -374,19 +387,19 @@ ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) 
   family.M.topRightCorner(b, k) = P * T;
   family.M.bottomLeftCorner(k, b) = family.M.topRightCorner(b, k).transpose();
   family.M.bottomRightCorner(k, k) = T.transpose() * G * T;
-  const auto reduced = [&](const MatrixXd& of_Psi, const MatrixXd& of_W, const MatrixXd& of_X) {
+  const auto rows_of = [&](const MatrixXd& of_Psi, const MatrixXd& of_W, const MatrixXd& of_X) {
     MatrixXd rows(of_Psi.rows(), b + k), inner(of_W.rows(), n);
     inner << of_W, of_X;
     rows << of_Psi, inner * T;
     return rows;
   };
   family.load =
-      reduced(Mr_.transpose() * Psi_, Mr_.transpose() * W_, Mr_.transpose() * X).transpose();
+      rows_of(Mr_.transpose() * Psi_, Mr_.transpose() * W_, Mr_.transpose() * X).transpose();
   family.mass = rigid_.col(1).dot(Mr_.col(1));
-  family.marked = reduced(markers_ * Psi_, markers_ * W_, markers_ * X);
+  family.marked = rows_of(markers_ * Psi_, markers_ * W_, markers_ * X);
   for (const PreparedChange& d : changes) {
     const MatrixXd V =
-        reduced(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all));
+        rows_of(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all));
     const MatrixXd r = rigid_(d.dofs, Eigen::all), Mr = d.M * r;
     family.dK.emplace_back(V.transpose() * (d.K * V));
     family.dM.emplace_back(V.transpose() * (d.M * V));
@@ -397,6 +410,39 @@ ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) 
   family.nominal.bottomRows(k) =
       family.M.bottomRightCorner(k, k).ldlt().solve(T.transpose() * G.leftCols(lambda_.size()));
   return family;
+}
+
+VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& changes,
+                                           const VectorXd& coefficients,
+                                           const std::vector<int>& free, int modes) const {
+  const Basis basis = basis_of(changes);
+  const ReducedFamily f = reduced(changes, basis);
+  MatrixXd K = f.K, M = f.M;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    K += coefficients[Index(i)] * f.dK[i];
+    M += coefficients[Index(i)] * f.dM[i];
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K(free, free), M(free, free));
+  if (pairs.info() != Eigen::Success || !(pairs.eigenvalues()[0] > 0))
+    throw std::runtime_error("the changed structure is not stable");
+  const Index count = std::min<Index>(modes, pairs.eigenvalues().size());
+  const VectorXd lambda = pairs.eigenvalues().head(count);
+  MatrixXd q = MatrixXd::Zero(K.rows(), count);
+  q(free, Eigen::all) = pairs.eigenvectors().leftCols(count);
+  const MatrixXd inner = basis.T * q.bottomRows(basis.T.cols());
+  const MatrixXd u = Psi_ * q.topRows(Psi_.cols()) + W_ * inner.topRows(W_.cols()) +
+                     basis.X * inner.bottomRows(basis.X.cols());
+  MatrixXd r =
+      symmetric_product(system_.K, u) - symmetric_product(system_.M, u) * lambda.asDiagonal();
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const PreparedChange& d = changes[i];
+    const MatrixXd own = u(d.dofs, Eigen::all);
+    const MatrixXd force = d.K * own - d.M * (own * lambda.asDiagonal());
+    r(d.dofs, Eigen::all) += coefficients[Index(i)] * force;
+  }
+  for (int dof : held_) r.row(dof).setZero();
+  const VectorXd energy = r.cwiseProduct(solve_inside(r)).colwise().sum();
+  return (energy.array() / (2 * lambda.array())).matrix();
 }
 
 } // namespace plica

@@ -68,6 +68,14 @@ public:
   PreparedChange prepare(const ModelChange& change) const;
   ReducedFamily with(const std::vector<PreparedChange>& changes) const;
 
+  // How far the frequencies of the lowest modes may lie above those of the whole structure,
+  // relative: r' K_0^-1 r / (2 lambda), r the forces that the reduced mode leaves unbalanced, K_0
+  // the nominal stiffness. `free`: coordinates that are not held. An estimate: K_0 stands for the
+  // changed stiffness. Throws std::runtime_error where the structure is not stable.
+  Eigen::VectorXd frequency_errors(const std::vector<PreparedChange>& changes,
+                                   const Eigen::VectorXd& coefficients,
+                                   const std::vector<int>& free, int modes) const;
+
   const Model& model() const { return model_; }
   Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
   const Eigen::VectorXd& lambda() const { return lambda_; }
@@ -75,6 +83,12 @@ public:
   int unknowns() const { return system_.map.size(); }
 
 private:
+  // What changes add to W: X, free of what W has, and T: unit energy, what adds nothing dropped.
+  struct Basis {
+    Eigen::MatrixXd X, KX, T;
+  };
+  Basis basis_of(const std::vector<PreparedChange>& changes) const;
+  ReducedFamily reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
   PreparedChange difference(const Model& changed, const std::vector<OnMeanMotion>& on_mean) const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;

@@ -114,6 +114,35 @@ TEST(ParametricModel, follows_a_stretch_that_loses_its_stiffness) {
   }
 }
 
+// The whole structure says what the error is; the estimate has the nominal stiffness in place of
+// the changed one, which is a tenth of it here.
+TEST(ParametricModel, estimates_the_error_of_its_frequencies) {
+  const auto soft = [](double loss) { // all stiffness, so that K is linear in the loss
+    return ModelChange{[loss](Model& m) {
+      for (int e : {3, 4}) {
+        BeamProperties& b = m.beams[std::size_t(e)].section;
+        for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ, &b.GA_y, &b.GA_z}) *n *= 1 - loss;
+      }
+    }};
+  };
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const auto changes = std::vector{model.prepare(soft(0.5))};
+  const ReducedFamily family = model.with(changes);
+  std::vector<int> free;
+  for (int i = family.boundary; i < int(family.K.rows()); ++i) free.push_back(i);
+  EXPECT_LT(model.frequency_errors(changes, VectorXd::Zero(1), free, watched).maxCoeff(), 1e-9);
+  const VectorXd c = VectorXd::Constant(1, 0.9 / 0.5);
+  const VectorXd estimate = model.frequency_errors(changes, c, free, watched);
+  Model changed = cantilever();
+  soft(0.9).apply(changed);
+  const VectorXd got = reduced(family, c, watched), want = whole(changed, watched);
+  for (Eigen::Index i = 0; i < watched; ++i) {
+    const double error = std::sqrt(got[i] / want[i]) - 1;
+    EXPECT_GT(estimate[i], 0.1 * error - 1e-9) << "mode " << i + 1;
+    EXPECT_LT(estimate[i], 10 * error + 1e-6) << "mode " << i + 1;
+  }
+}
+
 // Everything the change asks for is in the basis already: rounding must not join it.
 TEST(ParametricModel, scales_with_the_modulus_of_the_whole) {
   const ParametricModel model(cantilever(), {0}, {12}, 10);

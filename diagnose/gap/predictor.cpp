@@ -72,8 +72,7 @@ const StateFamily& Predictor::family(std::size_t s) const {
   return own.family;
 }
 
-void Predictor::make(std::size_t s, StateFamily& own) const {
-  const NominalState& state = nominal_.states[s];
+std::vector<PreparedChange> Predictor::changes_of(const NominalState& state) const {
   std::vector<std::vector<PreparedChange>> parts(together_.size());
   in_parallel(int(parts.size()), [&](int h) {
     const Hypothesis& hypothesis = *together_[std::size_t(h)];
@@ -83,18 +82,30 @@ void Predictor::make(std::size_t s, StateFamily& own) const {
   std::vector<PreparedChange> all;
   for (auto& part : parts)
     for (PreparedChange& change : part) all.push_back(std::move(change));
+  return all;
+}
+
+void Predictor::make(std::size_t s, StateFamily& own) const {
+  const NominalState& state = nominal_.states[s];
   std::vector<int> held = state.built.held_nodes;
   for (const Hypothesis* h : together_)
     for (const std::string& cap : h->released) std::erase(held, state.built.cap_nodes.at(cap));
   own.nominal = &state;
-  own.family = state.model->with(all);
+  own.family = state.model->with(changes_of(state));
   const std::vector<int>& boundary = state.model->boundary();
-  std::vector<int> free;
   for (int i = 0; i < int(own.family.K.rows()); ++i)
     if (i >= own.family.boundary ||
         std::find(held.begin(), held.end(), boundary[std::size_t(i / 6)]) == held.end())
-      free.push_back(i);
-  own.free = FreeFamily(own.family, free, state.zeta);
+      own.coordinates.push_back(i);
+  own.free = FreeFamily(own.family, own.coordinates, state.zeta);
+}
+
+double Predictor::basis_error(const VectorXd& values) const {
+  constexpr int modes = 6;
+  const NominalState& state = nominal_.states.front();
+  return state.model
+      ->frequency_errors(changes_of(state), acting(values).all, family(0).coordinates, modes)
+      .maxCoeff();
 }
 
 VectorXd Predictor::values_of(const VectorXd& z) const {

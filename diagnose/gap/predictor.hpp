@@ -40,6 +40,10 @@ public:
   Eigen::VectorXd law_error(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
                             Which which = Which::all) const;
 
+  // Largest error that the reduction may leave in the lowest frequencies of the specimen as it
+  // stands, relative (ParametricModel::frequency_errors).
+  double basis_error(const Eigen::VectorXd& values) const;
+
   // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
   std::vector<int> nominal_modes() const;
 
@@ -55,6 +59,7 @@ private:
   };
   const StateFamily& family(std::size_t state) const;
   void make(std::size_t state, StateFamily& own) const;
+  std::vector<PreparedChange> changes_of(const NominalState& state) const;
   Acting acting(const Eigen::VectorXd& values) const;
   std::optional<Eigen::VectorXd> answers(const Acting& acting, Which which) const;
 

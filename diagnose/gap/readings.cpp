@@ -1,5 +1,6 @@
 #include "diagnose/gap/readings.hpp"
 
+#include "diagnose/gap/repeats.hpp"
 #include "diagnose/gap/response_peaks.hpp"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ public:
     for (std::size_t i = 0; i < test_.responses.size(); ++i)
       for (const FrfSet& set : test_.responses[i]) responses(i, set);
     cross_resonances();
+    widen_by_repeats(all_);
     hold_out_by_level();
     return std::move(all_);
   }
@@ -127,7 +129,8 @@ private:
                     .shape = m.shape,
                     .order = m.order,
                     .value = m.frequency,
-                    .sigma = relative(m.sigma, m.frequency, frequency_sigma)};
+                    .sigma = relative(m.sigma, m.frequency, frequency_sigma),
+                    .assumed = !m.sigma};
     own.peaks.push_back(m.frequency);
     if (m.direction) reading.name += std::string(" in ") + letters[std::size_t(reading.axis)];
     add(reading);
@@ -142,6 +145,7 @@ private:
     reading.unit = "";
     reading.value = *damping;
     reading.sigma = relative(sigma, *damping, damping_sigma);
+    reading.assumed = !sigma;
     add(std::move(reading));
   }
 
@@ -186,7 +190,8 @@ private:
                         .sensor = run.sensor,
                         .axis = run.axis,
                         .value = mode.frequency,
-                        .sigma = relative(mode.sigma, mode.frequency, frequency_sigma)};
+                        .sigma = relative(mode.sigma, mode.frequency, frequency_sigma),
+                        .assumed = !mode.sigma};
         add(reading);
         add_damping(reading, mode.damping, mode.sigma_damping);
       }
@@ -217,7 +222,8 @@ private:
                       .sensor = p.sensor,
                       .axis = run.axis,
                       .value = p.frequency[k],
-                      .sigma = relative(p.sigma, p.frequency[k], frequency_sigma)};
+                      .sigma = relative(p.sigma, p.frequency[k], frequency_sigma),
+                      .assumed = !p.sigma};
       add(reading);
       if (k < p.amplitude.size()) {
         reading.kind = ReadingKind::amplitude;

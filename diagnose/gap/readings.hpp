@@ -41,6 +41,7 @@ struct Reading {
   int order = 0;                                      // of that mode
   double value = 0, log_value = 0;                    // measured, in `unit`
   double sigma = 0;                                   // of the logarithm, of the measurement
+  bool assumed = false;                               // sigma: the test states none
   bool held_out = false;
 };
 

@@ -16,8 +16,9 @@ namespace plica {
 // The reduced model of a state, all changes of the hypotheses in it.
 struct StateFamily {
   const NominalState* nominal = nullptr;
-  ReducedFamily family; // as in the static rig, where nothing is held
-  FreeFamily free;      // as on the table
+  ReducedFamily family;         // as in the static rig, where nothing is held
+  FreeFamily free;              // as on the table
+  std::vector<int> coordinates; // that the mount leaves
   mutable SlipTables tables;
 };
 

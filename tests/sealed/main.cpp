@@ -1,5 +1,5 @@
 // plica_sealed: makes specimens with known causes, has them diagnosed, and scores the verdicts.
-//   plica_sealed make  --data D --truth T --seed S [--cases smoke|all]
+//   plica_sealed make  --data D --truth T --seed S [--cases smoke|all|beams] [--first N]
 //   plica_sealed run   --data D --plica build/app/plica --out O [--ablate form]
 //   plica_sealed score --data D --truth T --out O [--require]
 //   plica_sealed check --work W
@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
   make->add_option("--data", data, "folder of the data")->required();
   make->add_option("--truth", truth, "folder of the truth")->required();
   make->add_option("--seed", seed, "of all chance");
-  make->add_option("--cases", cases, "smoke or all")->check(CLI::IsMember({"smoke", "all"}));
+  make->add_option("--cases", cases, "smoke, all or beams: those of all that need no wall")
+      ->check(CLI::IsMember({"smoke", "all", "beams"}));
   make->add_option("--jobs", jobs, "specimens at once");
   make->add_option("--first", first, "only so many of them; their order is random");
 
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
   try {
     if (make->parsed()) {
       auto suite = sealed::plan_suite(seed, cases == "smoke");
+      if (cases == "beams") sealed::keep_beams(suite);
       if (first > 0) sealed::keep_first(suite, first);
       std::printf("%s\n", sealed::make_suite(suite, data, truth, jobs).c_str());
     }

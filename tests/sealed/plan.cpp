@@ -100,9 +100,9 @@ void plan_smoke(Planner& p) {
     p.add(structure, "effect", name, strengths[std::size_t(g)], graded(structure, name, g, variant),
           2, "mesh");
   };
-  for (int i = 0; i < 2; ++i) p.add("short_bellows", "none", "none", "", {}, 2, "");
+  p.add("short_bellows", "none", "none", "", {}, 2, "");
   effect("short_bellows", "joint_stiffness", 2, 0);
-  effect("short_bellows", "added_mass", 2, 0);
+  effect("cantilever_masses", "added_mass", 2, 1);
   effect("bolted_lap", "joint_friction", 1, 0);
   effect("cantilever_masses", "component_mass", 2, 0);
   p.add("cantilever_masses", "none", "none", "", {}, 2, "");
@@ -158,6 +158,11 @@ Suite plan_suite(std::uint64_t seed, bool smoke) {
   }
   for (const auto& [name, specimen] : walls) p.suite.walls.push_back({name, specimen});
   return p.suite;
+}
+
+void keep_beams(Suite& suite) {
+  std::erase_if(suite.specimens, [](const Specimen& s) { return s.structure == "short_bellows"; });
+  suite.walls.clear();
 }
 
 void keep_first(Suite& suite, int count) {

@@ -36,6 +36,7 @@ struct Suite {
 
 Suite plan_suite(std::uint64_t seed, bool smoke);
 void keep_first(Suite& suite, int count); // their order is random
+void keep_beams(Suite& suite);            // without those that need a wall
 
 // Scatter of the wall that a specimen stands on, by the name of that wall.
 WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed);

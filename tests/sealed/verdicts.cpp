@@ -12,7 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double non_centrality_of_95 = 13.0; // (1.96 + 1.645)^2: 5 % false alarms, 95 % power
+// 95 % power at ln BF = 3, which the diagnosis asks for: (d - 1.645)^2 / 2 - ln(1 + d^2) / 2 = 3.
+constexpr double non_centrality_of_95 = 22;
 
 json parsed(const fs::path& file) {
   std::ifstream in(file);
@@ -29,9 +30,12 @@ double size_of(const std::string& key, double value) {
 
 // The diagnosis states non-centrality for a size of its own: scaled to the true one.
 double scale_to_truth(const json& entry, const json& truth) {
-  if (!entry.contains("value") || !entry["value"].is_object()) return 1;
+  json values = entry.value("value", json());
+  if (values.is_number() && entry.contains("parameter")) // one value, its parameter beside it
+    values = {{std::string(entry["parameter"]), values}};
+  if (!values.is_object()) return 1;
   double scale = 0;
-  for (const auto& [key, value] : entry["value"].items())
+  for (const auto& [key, value] : values.items())
     if (value.is_number() && truth["value"].contains(key) && size_of(key, value) > 0)
       scale = std::max(scale, std::pow(size_of(key, truth["value"][key]) / size_of(key, value), 2));
   return scale > 0 ? scale : 1;

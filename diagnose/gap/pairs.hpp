@@ -1,0 +1,16 @@
+// Two effects at once, tried where no single one explains the test.
+#pragma once
+
+#include "diagnose/gap/identifiability.hpp"
+#include "diagnose/gap/judge.hpp"
+
+namespace plica {
+
+// The best effects, each with those that its residual asks for (matched filter); by evidence.
+// `ranked`: single effects by evidence; `all`: signatures of all hypotheses.
+std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Family>& ranked,
+                                 const std::vector<Signature>& all, const HypothesisFit& plain,
+                                 const Whitening& held_out, const BlockScores& scores,
+                                 const Standards& standards);
+
+} // namespace plica
