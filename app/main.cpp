@@ -1,6 +1,7 @@
 // The command line. Exit codes: 0 good, 1 user error, 2 a numerical verdict failed, 3 internal.
 #include "app/commands.hpp"
 #include "model/input_error.hpp"
+#include "solve/blas_kernels.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -263,6 +264,7 @@ int dispatch(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+  plica::avoid_faulty_blas_kernels(argv);
   try {
     return dispatch(argc, argv);
   } catch (const plica::InputError& error) {

@@ -5,11 +5,13 @@
 //   plica_sealed check --work W
 //   plica_sealed specimen --structure bolted_lap --effect damping --strength weak --out FOLDER
 #include "files.hpp"
+#include "solve/blas_kernels.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
 int main(int argc, char** argv) {
+  plica::avoid_faulty_blas_kernels(argv);
   CLI::App app{"Sealed test of plica diagnose"};
   app.require_subcommand(1);
   std::string data, truth, cases = "all", work, require;
