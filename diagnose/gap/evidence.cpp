@@ -162,12 +162,9 @@ public:
 
   Index parameters() const { return p_; }
 
-  // A point to begin at, weighed by its own covariance.
+  // A point to begin at.
   void try_from(const VectorXd& z) {
-    const auto there = widen(z);
-    if (!there) return;
-    const double cost = (white_(there->deviation).squaredNorm() + z.squaredNorm()) / 2 + penalty_;
-    starts_.emplace_back(cost, z);
+    if (const auto cost = cost_at(z)) starts_.emplace_back(*cost, z);
   }
 
   // From the best of the starts.
@@ -186,11 +183,9 @@ public:
         z = search_freely(residuals(), z, steps).best;
         if (!deviation_.predictor().changes_structure()) break; // the weights stay
       }
-      const auto there = widen(z);
-      if (!there) continue;
-      const double cost = (white_(there->deviation).squaredNorm() + z.squaredNorm()) / 2 + penalty_;
-      if (cost < least) {
-        least = cost;
+      const auto cost = cost_at(z);
+      if (cost && *cost < least) {
+        least = *cost;
         found = z;
       }
     }
@@ -227,6 +222,13 @@ private:
       penalty_ = white_.log_det() - context_.fitted.log_det();
     }
     return there;
+  }
+
+  // Weighed by its own covariance.
+  std::optional<double> cost_at(const VectorXd& z) {
+    const auto there = widen(z);
+    if (!there) return std::nullopt;
+    return (white_(there->deviation).squaredNorm() + z.squaredNorm()) / 2 + penalty_;
   }
 
   ResidualModel residuals() {
