@@ -128,29 +128,15 @@ std::vector<Eigen::Index> free_to_move(const ResidualModel& model, VectorXd& u) 
   return free;
 }
 
-} // namespace
-
-double cost_of(const std::optional<VectorXd>& residuals) {
-  constexpr double none = 1e30;
-  if (!residuals || !residuals->allFinite()) return none;
-  return std::min(none, residuals->squaredNorm() / 2);
-}
-
-std::optional<MatrixXd> residual_jacobian(const ResidualModel& model, const VectorXd& design) {
+// Differences of the residuals, each unknown moved from one end to the other while the others stay.
+std::optional<MatrixXd> between(const ResidualModel& model, const VectorXd& design,
+                                const VectorXd& low, const VectorXd& high) {
   const auto n = static_cast<int>(design.size());
   std::vector<std::optional<VectorXd>> at(2 * std::size_t(n));
-  VectorXd low = design, high = design;
-  for (int i = 0; i < n; ++i) {
-    // Near a bound, as wide boxes have it, a tenth of the way to it.
-    const double room = std::min(design[i], 1 - design[i]);
-    const double own = room > 0 ? std::clamp(0.1 * room, 1e-8, step) : step;
-    low[i] = std::max(0., design[i] - own);
-    high[i] = std::min(1., design[i] + own);
-  }
   in_parallel(2 * n, [&](int k) {
     VectorXd x = design;
     x[k / 2] = k % 2 == 0 ? low[k / 2] : high[k / 2];
-    at[k] = model(x);
+    at[std::size_t(k)] = model(x);
   });
   MatrixXd J;
   for (int i = 0; i < n; ++i) {
@@ -162,22 +148,28 @@ std::optional<MatrixXd> residual_jacobian(const ResidualModel& model, const Vect
   return J;
 }
 
-std::optional<MatrixXd> free_jacobian(const ResidualModel& model, const VectorXd& design) {
-  const auto n = static_cast<int>(design.size());
-  std::vector<std::optional<VectorXd>> at(2 * std::size_t(n));
-  in_parallel(2 * n, [&](int k) {
-    VectorXd x = design;
-    x[k / 2] += k % 2 == 0 ? -free_step : free_step;
-    at[std::size_t(k)] = model(x);
-  });
-  MatrixXd J;
-  for (int i = 0; i < n; ++i) {
-    const auto &a = at[2 * std::size_t(i)], &b = at[2 * std::size_t(i) + 1];
-    if (!a || !b) return std::nullopt;
-    if (J.size() == 0) J.resize(a->size(), n);
-    J.col(i) = (*b - *a) / (2 * free_step);
+} // namespace
+
+double cost_of(const std::optional<VectorXd>& residuals) {
+  constexpr double none = 1e30;
+  if (!residuals || !residuals->allFinite()) return none;
+  return std::min(none, residuals->squaredNorm() / 2);
+}
+
+std::optional<MatrixXd> residual_jacobian(const ResidualModel& model, const VectorXd& design) {
+  VectorXd low = design, high = design;
+  for (Eigen::Index i = 0; i < design.size(); ++i) {
+    // Near a bound, as wide boxes have it, a tenth of the way to it.
+    const double room = std::min(design[i], 1 - design[i]);
+    const double own = room > 0 ? std::clamp(0.1 * room, 1e-8, step) : step;
+    low[i] = std::max(0., design[i] - own);
+    high[i] = std::min(1., design[i] + own);
   }
-  return J;
+  return between(model, design, low, high);
+}
+
+std::optional<MatrixXd> free_jacobian(const ResidualModel& model, const VectorXd& design) {
+  return between(model, design, design.array() - free_step, design.array() + free_step);
 }
 
 LocalSearch search_freely(const ResidualModel& model, const VectorXd& start, int steps) {
