@@ -2,6 +2,8 @@
 #include "diagnose/diagnose.hpp"
 #include "diagnose/gap/blocks.hpp"
 #include "diagnose/gap/evidence.hpp"
+#include "diagnose/gap/interval.hpp"
+#include "diagnose/gap/peak_choice.hpp"
 #include "diagnose/gap/response_peaks.hpp"
 #include "model/case.hpp"
 #include "model/case_path.hpp"
@@ -180,40 +182,117 @@ TEST(Repeats, widen_what_the_test_leaves_unsaid) {
   EXPECT_EQ(test.warnings.size(), 1U);
 }
 
+// The mass alone was measured, 2 % above what the case has, and 1 % is its standard deviation.
+struct OneReading {
+  static constexpr double sigma = 0.01;
+  OneReading() : nominal(cantilever()), data(test_of(nominal, nominal)) {
+    data.mass->value *= 1.02;
+    data.modes.clear();
+    test = readings_of({.data = data, .responses = {}});
+    model = nominal_of(nominal, data);
+    u.nominal = *Predictor(model, test, {})(VectorXd());
+    u.correction = u.bias = VectorXd::Zero(1);
+    u.series = {0};
+    u.measurement = Eigen::MatrixXd::Constant(1, 1, sigma * sigma);
+    u.reassembly = u.numeric = u.form = Eigen::MatrixXd::Zero(1, 1);
+    u.healthy = Eigen::MatrixXd::Zero(1, 10);
+    measured = VectorXd::Constant(1, test.readings[0].log_value);
+  }
+  Case nominal;
+  Measured data;
+  TestReadings test;
+  Nominal model;
+  Uncertainty u;
+  VectorXd measured;
+};
+
 // One reading, one parameter: everything is Gaussian, so ln Z is known.
 TEST(Evidence, laplace_and_markov_chains_meet_the_closed_form) {
-  const Case nominal = cantilever();
-  Measured m = test_of(nominal, nominal);
-  m.mass->value *= 1.02;
-  m.modes.clear();
-  const DiagnosisData data{.data = m, .responses = {}};
-  const TestReadings test = readings_of(data);
-  const Nominal model = nominal_of(nominal, m);
-  Uncertainty u;
-  u.nominal = *Predictor(model, test, {})(VectorXd());
-  u.correction = u.bias = VectorXd::Zero(1);
-  const double sigma = 0.01;
-  u.measurement = Eigen::MatrixXd::Constant(1, 1, sigma * sigma);
-  u.reassembly = u.numeric = u.form = Eigen::MatrixXd::Zero(1, 1);
-  u.healthy = Eigen::MatrixXd::Zero(1, 10);
-  const VectorXd measured = VectorXd::Constant(1, test.readings[0].log_value);
-  const Whitening white(test, u, false);
-  PredictorStore store(model, test);
-  const FitContext context{store, test, u, measured, white};
-  std::vector<Hypothesis> all = component_mass().hypotheses(model.structure(m));
+  OneReading one;
+  const Whitening white(one.test, one.u, false);
+  PredictorStore store(one.model, one.test);
+  const FitContext context{store, one.test, one.u, one.measured, white};
+  std::vector<Hypothesis> all = component_mass().hypotheses(one.model.structure(one.data));
   Hypothesis& h = all.front();
   const double width = 0.02; // of a ratio: small, so that ln mass is straight
   h.parameters.front().prior = {PriorKind::normal, 1, width};
   HypothesisFit fit = fit_of(context, {&h});
   ASSERT_TRUE(fit.solved);
-  const double total = model.mass;
-  const double slope = std::get<PointMass>(nominal.parts[1].body).mass / total * width / sigma;
-  const double r = std::log(1.02) / sigma;
+  const double total = one.model.mass;
+  const double slope =
+      std::get<PointMass>(one.nominal.parts[1].body).mass / total * width / OneReading::sigma;
+  const double r = std::log(1.02) / OneReading::sigma;
   const double exact = -r * r / (2 * (1 + slope * slope)) - std::log(1 + slope * slope) / 2;
   EXPECT_NEAR(fit.log_evidence, exact, 2e-3);
   sample(context, fit, 400, 1);
   ASSERT_TRUE(fit.sampled_log_evidence.has_value());
   EXPECT_NEAR(*fit.sampled_log_evidence, exact, 0.1);
+}
+
+// A parameter that acts by its square: both signs are found, and its interval holds both.
+TEST(Evidence, a_sign_that_does_not_show_is_left_open) {
+  OneReading one;
+  const Whitening white(one.test, one.u, false);
+  PredictorStore store(one.model, one.test);
+  const FitContext context{store, one.test, one.u, one.measured, white};
+  std::vector<Hypothesis> all = component_mass().hypotheses(one.model.structure(one.data));
+  Hypothesis& h = all.front();
+  const double mass = std::get<PointMass>(one.nominal.parts[1].body).mass;
+  // Twice the reading's 2 % at z = 1.41, so that the optimum is near one.
+  const double per_square = 0.02 * one.model.mass / mass;
+  h.parameters.front().prior = {PriorKind::normal, 0, 1};
+  h.coefficients = [per_square, of_one = h.coefficients](const VectorXd& v) {
+    return of_one(VectorXd::Constant(1, 1 + per_square * v[0] * v[0]));
+  };
+  HypothesisFit fit = fit_of(context, {&h});
+  ASSERT_TRUE(fit.solved);
+  ASSERT_EQ(fit.others.size(), 1U);
+  EXPECT_NEAR(fit.others.front()[0], -fit.z[0], 1e-2);
+  sample(context, fit, 400, 1);
+  const auto [low, high] = interval_of({&fit}, 0, h.parameters.front().prior);
+  EXPECT_LT(low, -0.7);
+  EXPECT_GT(high, 0.7);
+}
+
+// An error that two readings share moves their mean, not their difference.
+TEST(Evidence, a_shared_error_leaves_differences_sharp) {
+  TestReadings test;
+  test.readings.resize(2);
+  Uncertainty u;
+  u.measurement = Eigen::MatrixXd::Identity(2, 2);
+  u.reassembly = u.numeric = u.form = Eigen::MatrixXd::Zero(2, 2);
+  const Whitening white = Whitening(test, u, false).widened(Eigen::MatrixXd::Constant(2, 2, 4));
+  EXPECT_NEAR(white(Eigen::Vector2d(1, -1)).squaredNorm(), 2, 1e-12);
+  EXPECT_NEAR(white(Eigen::Vector2d(1, 1)).squaredNorm(), 2. / 9, 1e-12);
+  EXPECT_NEAR(white.log_det(), std::log(9.) / 2, 1e-12);
+}
+
+// Quantiles of what was drawn: equal tails, or up to the bound where the draws crowd.
+TEST(Intervals, end_at_a_bound_where_the_draws_crowd) {
+  HypothesisFit fit;
+  constexpr int count = 1000;
+  fit.draws.resize(1, count);
+  for (int i = 0; i < count; ++i) fit.draws(0, i) = normal_quantile((i + 0.5) / count);
+  const auto [low, high] = interval_of({&fit}, 0, {PriorKind::normal, 10, 2});
+  EXPECT_NEAR(low, 10 - 2 * 1.645, 0.02);
+  EXPECT_NEAR(high, 10 + 2 * 1.645, 0.02);
+  // Exponential towards zero with mean 0.05, of a share between 0 and 1.
+  for (int i = 0; i < count; ++i)
+    fit.draws(0, i) = normal_quantile(-0.05 * std::log(1 - (i + 0.5) / count));
+  const auto [none, most] = interval_of({&fit}, 0, {PriorKind::uniform, 0, 1});
+  EXPECT_EQ(none, 0);
+  EXPECT_NEAR(most, 0.05 * std::log(10.), 5e-3);
+}
+
+// As many as were measured, though one is weak; none far out of the band.
+TEST(PeakChoice, takes_as_many_as_were_measured) {
+  const VectorXd hertz = (VectorXd(5) << 50, 100, 101, 300, 900).finished(),
+                 zeta = VectorXd::Constant(5, 0.02),
+                 height = (VectorXd(5) << 0, 10, 4, 0.5, 20).finished();
+  using Chosen = std::vector<Eigen::Index>;
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, {80, 400}, 1), (Chosen{1}));
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, {80, 400}, 2), (Chosen{1, 3}));
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, {}, 1), (Chosen{1, 4}));
 }
 
 } // namespace

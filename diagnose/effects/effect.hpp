@@ -80,7 +80,7 @@ struct Structure {
   double stiffness = 0; // N/m
   double mass = 0;      // kg
   double length = 0;    // m
-  double frequency = 0; // Hz
+  double frequency = 0; // Hz, of the lowest four modes, their geometric mean
 };
 
 struct Effect {

@@ -6,29 +6,38 @@
 namespace plica {
 namespace {
 
-// Mass and springs to the table, in rotation as stiff as springs at a quarter of the length.
+constexpr double steel = 7850, gyration_of_cube = 0.41; // kg/m3, radius over edge
+
+// Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
+// straight, with the radius of gyration of a block of its size, nearly.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  const double arm = s.length / 4;
+  const double mass = 2 * s.mass, gyration = gyration_of_cube * std::cbrt(mass / steel);
   for (const HeldEnds& ends : held_ends(s)) {
-    const ModelChange masses{[nodes = ends.nodes, arm](Model& model) {
-                               for (int node : nodes) {
-                                 add_point_mass(model, node, 1);
-                                 model.masses.back().body.inertia.diagonal().setConstant(arm * arm);
-                               }
-                             },
-                             Follow::series};
+    const auto bodies = [nodes = ends.nodes](double kg, double inertia) {
+      return ModelChange{[nodes, kg, inertia](Model& model) {
+                           for (int node : nodes) {
+                             add_point_mass(model, node, kg);
+                             model.masses.back().body.inertia.diagonal().setConstant(inertia);
+                           }
+                         },
+                         Follow::series};
+    };
     found.push_back(
         {.effect = "fixture_flexibility",
          .place = ends.place,
          .way = "",
-         .parameters = {{"mass", "kg", {PriorKind::log_normal, 2 * s.mass, 1}},
-                        {"frequency", "Hz", {PriorKind::log_normal, 1.5 * s.frequency, 0.5}}},
-         .changes = {ground_springs(ends.nodes, 1, arm * arm), masses},
+         .parameters = {{"mass", "kg", {PriorKind::log_normal, mass, 1}},
+                        {"frequency", "Hz", {PriorKind::log_normal, 1.5 * s.frequency, 0.8}},
+                        {"rocking", "", {PriorKind::log_normal, 1.5, 0.4}},
+                        {"gyration", "m", {PriorKind::log_normal, gyration, 0.7}}},
+         .changes = {ground_springs(ends.nodes, 1, 0), bodies(1, 0),
+                     ground_springs(ends.nodes, 0, 1), bodies(0, 1)},
          .coefficients =
              [](const Eigen::VectorXd& v) {
-               const double omega = 2 * std::numbers::pi * v[1];
-               return Eigen::VectorXd(Eigen::Vector2d(v[0] * omega * omega, v[0]));
+               const double omega = 2 * std::numbers::pi * v[1], inertia = v[0] * v[3] * v[3];
+               return Eigen::VectorXd(Eigen::Vector4d(
+                   v[0] * omega * omega, v[0], inertia * std::pow(omega * v[2], 2), inertia));
              },
          .at_rig = false,
          .released = ends.caps});

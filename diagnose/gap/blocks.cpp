@@ -94,31 +94,44 @@ std::vector<Block> blocks_of(const TestReadings& test) {
 }
 
 BlockScores::BlockScores(const TestReadings& test, const Uncertainty& u)
-    : blocks_(blocks_of(test)) {
-  const MatrixXd total = u.total();
+    : blocks_(blocks_of(test)), total_(u.total()) {
+  const MatrixXd& total = total_;
   for (const Block& b : blocks_) {
     root_.emplace_back(total(b.rows, b.rows));
     const MatrixXd white = root_.back().matrixL().solve(MatrixXd(u.healthy(b.rows, Eigen::all)));
     healthy_mean_.push_back(white.colwise().squaredNorm().mean());
     fitted_.push_back(!test.readings[std::size_t(b.rows.front())].held_out);
   }
+  std::map<int, std::vector<Index>> series;
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    if (!test.readings[i].held_out) series[u.series[i]].push_back(Index(i));
+  means_ = MatrixXd::Zero(Index(series.size()), total.cols());
+  Index row = 0;
+  for (const auto& [number, columns] : series) {
+    for (Index i : columns) means_(row, i) = 1 / double(columns.size());
+    ++row;
+  }
 }
 
-double BlockScores::score(std::size_t i, const VectorXd& deviation, const VectorXd& further) const {
+double BlockScores::of_means(const VectorXd& deviation, const MatrixXd& further) const {
+  const MatrixXd total = further.size() > 0 ? MatrixXd(total_ + further) : total_;
+  const Eigen::LLT<MatrixXd> root(means_ * total * means_.transpose());
+  return root.matrixL().solve(VectorXd(means_ * deviation)).squaredNorm();
+}
+
+double BlockScores::score(std::size_t i, const VectorXd& deviation, const MatrixXd& further) const {
   const std::vector<Index>& rows = blocks_[i].rows;
   const double k = double(rows.size());
   Eigen::LLT<MatrixXd> root = root_[i];
   if (further.size() > 0) {
-    MatrixXd wider = root.reconstructedMatrix();
-    wider.diagonal() += VectorXd(further(rows)).cwiseAbs2();
-    root.compute(wider);
+    root.compute(root.reconstructedMatrix() + MatrixXd(further(rows, rows)));
   }
   const double chi2 = root.matrixL().solve(VectorXd(deviation(rows))).squaredNorm();
   return wilson_hilferty(chi2 * k / std::max(healthy_mean_[i], 0.2 * k), k);
 }
 
 std::pair<double, std::string> BlockScores::worst(const VectorXd& deviation,
-                                                  const VectorXd& further) const {
+                                                  const MatrixXd& further) const {
   std::pair<double, std::string> found{-40, ""};
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     if (const double z = fitted_[i] ? score(i, deviation, further) : -40; z > found.first)

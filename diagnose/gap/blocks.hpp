@@ -21,15 +21,20 @@ class BlockScores {
 public:
   BlockScores(const TestReadings& test, const Uncertainty& u);
   const std::vector<Block>& blocks() const { return blocks_; }
-  // `further`: standard deviations beside those of the test; none = empty.
+  // `further`: covariance beside that of the test; none = empty.
   double score(std::size_t block, const Eigen::VectorXd& deviation,
-               const Eigen::VectorXd& further = {}) const;
+               const Eigen::MatrixXd& further = {}) const;
   // Largest over the blocks that are fitted.
   std::pair<double, std::string> worst(const Eigen::VectorXd& deviation,
-                                       const Eigen::VectorXd& further = {}) const;
+                                       const Eigen::MatrixXd& further = {}) const;
+
+  // Chi-square of the fitted readings' means over the levels: what levels have in common does not
+  // hide behind how they may scatter.
+  double of_means(const Eigen::VectorXd& deviation, const Eigen::MatrixXd& further = {}) const;
 
 private:
   std::vector<Block> blocks_;
+  Eigen::MatrixXd means_, total_; // series x readings; of the readings
   std::vector<Eigen::LLT<Eigen::MatrixXd>> root_;
   std::vector<double> healthy_mean_;
   std::vector<bool> fitted_;

@@ -1,5 +1,6 @@
 #include "diagnose/gap/evidence.hpp"
 
+#include "diagnose/gap/spread_point.hpp"
 #include "diagnose/search.hpp"
 
 #include <Eigen/LU>
@@ -18,20 +19,30 @@ using Eigen::VectorXd;
 
 constexpr double hopeless = 1e6;
 
-// Evenly spread points of the box |z| < 2.5 (Halton).
-VectorXd spread_point(int index, Index dimensions) {
-  constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19};
-  VectorXd z(dimensions);
-  for (Index d = 0; d < dimensions; ++d) {
-    const int base = primes[std::size_t(d) % primes.size()];
-    double share = 1, value = 0;
-    for (int i = index + 1; i > 0; i /= base) {
-      share /= base;
-      value += share * (i % base);
-    }
-    z[d] = 5 * value - 2.5;
+constexpr double most_further = 0.3; // of a logarithm
+
+// How far off a change of the structure may put a reading, in terms of what it changes.
+double share_of_change(ReadingKind kind) {
+  switch (kind) {
+  case ReadingKind::cross:
+    return 0.2;
+  case ReadingKind::amplitude:
+    return 0.1;
+  case ReadingKind::frequency:
+  case ReadingKind::stiffness:
+    return 0.02;
+  default:
+    return 0;
   }
-  return z;
+}
+
+// Covariance of errors with these standard deviations that are one and the same within a series.
+MatrixXd at_all_levels(const VectorXd& sigma, const std::vector<int>& series) {
+  MatrixXd S = MatrixXd::Zero(sigma.size(), sigma.size());
+  for (Index i = 0; i < sigma.size(); ++i)
+    for (Index j = 0; j < sigma.size(); ++j)
+      if (series[std::size_t(i)] == series[std::size_t(j)]) S(i, j) = sigma[i] * sigma[j];
+  return S;
 }
 
 // ln of the standard normal density.
@@ -39,26 +50,33 @@ double log_normal(const VectorXd& z) {
   return -z.squaredNorm() / 2 - double(z.size()) / 2 * std::log(6.283185307179586);
 }
 
-// Where the chains begin: nine tenths near the optimum, twice as wide as the Gaussian there, the
+// Where the chains begin: nine tenths near the optima, twice as wide as the Gaussian there, the
 // rest from the prior, so that nothing the prior allows is out of reach.
 class Reference {
 public:
-  explicit Reference(const HypothesisFit& fit) : centre_(fit.z), root_(4 * fit.covariance) {
+  explicit Reference(const HypothesisFit& fit) : centres_(fit.others), root_(4 * fit.covariance) {
+    centres_.push_back(fit.z);
     const MatrixXd L = root_.matrixL();
     log_det_ = L.diagonal().array().log().sum();
   }
   VectorXd draw(const VectorXd& white, double u) const {
-    return u < near ? VectorXd(centre_ + root_.matrixL() * white) : white;
+    if (u >= near) return white;
+    const auto which = std::size_t(u / near * double(centres_.size()));
+    return centres_[which] + root_.matrixL() * white;
   }
   double log_density(const VectorXd& z) const {
-    const double a = std::log(near) + log_normal(root_.matrixL().solve(z - centre_)) - log_det_,
-                 b = std::log(1 - near) + log_normal(z);
-    return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
+    double all = std::log(1 - near) + log_normal(z);
+    for (const VectorXd& centre : centres_) {
+      const double own = std::log(near / double(centres_.size())) +
+                         log_normal(root_.matrixL().solve(z - centre)) - log_det_;
+      all = std::max(all, own) + std::log1p(std::exp(-std::abs(all - own)));
+    }
+    return all;
   }
 
 private:
   static constexpr double near = 0.9;
-  VectorXd centre_;
+  std::vector<VectorXd> centres_;
   Eigen::LLT<MatrixXd> root_;
   double log_det_ = 0;
 };
@@ -84,21 +102,26 @@ std::optional<Deviation::Widened> Deviation::widened(const VectorXd& z,
   const VectorXd values = predict_.values_of(z);
   const auto y = predict_(values, which);
   if (!y) return std::nullopt;
-  Widened found{.deviation = left_by(*y), .further = predict_.law_error(values, *y, which)};
-  if (!predict_.changes_structure()) return found;
+  return Widened{.deviation = left_by(*y), .further = further(values, *y, which)};
+}
+
+MatrixXd Deviation::further(const VectorXd& values, const VectorXd& y,
+                            Predictor::Which which) const {
+  if (!predict_.changes_structure()) return MatrixXd();
   const Uncertainty& u = context_.uncertainty;
-  const VectorXd change = u.expected(*y) - u.expected(u.nominal - u.correction);
-  if (found.further.size() == 0) found.further = VectorXd::Zero(change.size());
-  constexpr double of_cross = 0.3, of_amplitude = 0.1;
-  for (Index i = 0; i < change.size(); ++i) {
-    const ReadingKind kind = context_.test.readings[std::size_t(i)].kind;
-    const double share = kind == ReadingKind::cross       ? of_cross
-                         : kind == ReadingKind::amplitude ? of_amplitude
-                                                          : 0;
-    if (std::isfinite(change[i]))
-      found.further[i] = std::hypot(found.further[i], share * change[i]);
+  VectorXd change = u.expected(y) - u.expected(u.nominal - u.correction);
+  for (Index i = 0; i < change.size(); ++i)
+    change[i] =
+        std::isfinite(change[i])
+            ? std::clamp(share_of_change(context_.test.readings[std::size_t(i)].kind) * change[i],
+                         -most_further, most_further)
+            : 0;
+  MatrixXd S = at_all_levels(change, u.series);
+  if (const VectorXd law = predict_.law_error(values, y, which); law.size() > 0) {
+    S += at_all_levels(law, u.series);
+    S.diagonal() += law.cwiseAbs2();
   }
-  return found;
+  return S;
 }
 
 VectorXd Deviation::left_by(const VectorXd& y) const {
@@ -114,10 +137,10 @@ Whitening::Whitening(const TestReadings& test, const Uncertainty& u, bool held_o
   root_.compute(covariance_);
 }
 
-Whitening Whitening::widened(const VectorXd& further) const {
+Whitening Whitening::widened(const MatrixXd& further) const {
   Whitening wider = *this;
   if (further.size() == 0 || rows_.empty()) return wider;
-  wider.covariance_.diagonal() += VectorXd(further(rows_)).cwiseAbs2();
+  wider.covariance_ += further(rows_, rows_);
   wider.root_.compute(wider.covariance_);
   return wider;
 }
@@ -167,29 +190,38 @@ public:
     if (const auto cost = cost_at(z)) starts_.emplace_back(*cost, z);
   }
 
-  // From the best of the starts.
-  std::optional<VectorXd> best() {
+  // From the best of the starts: optima, the best first, with those nearly as good.
+  std::vector<VectorXd> best() {
     std::sort(starts_.begin(), starts_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
-    const std::size_t refined = p_ > 2 ? 3 : 2;
-    std::optional<VectorXd> found;
-    double least = 1e300;
-    for (std::size_t i = 0; i < std::min(refined, starts_.size()); ++i) {
-      VectorXd z = starts_[i].second;
-      if (i > 0 && (z - starts_[0].second).norm() < 0.8) continue;
+    const std::size_t refined = p_ > 1 ? 3 : 2;
+    constexpr double apart = 0.8, as_good = 3;
+    std::vector<std::pair<double, VectorXd>> found;
+    std::vector<VectorXd> begun;
+    for (const auto& [start_cost, start] : starts_) {
+      if (begun.size() == refined) break;
+      if (std::any_of(begun.begin(), begun.end(),
+                      [&](const VectorXd& other) { return (start - other).norm() < apart; }))
+        continue;
+      begun.push_back(start);
+      VectorXd z = start;
       constexpr int rounds = 2, steps = 15;
       for (int round = 0; round < rounds; ++round) {
         if (!widen(z)) break;
         z = search_freely(residuals(), z, steps).best;
         if (!deviation_.predictor().changes_structure()) break; // the weights stay
       }
-      const auto cost = cost_at(z);
-      if (cost && *cost < least) {
-        least = *cost;
-        found = z;
-      }
+      if (const auto cost = cost_at(z)) found.emplace_back(*cost, z);
     }
-    return found;
+    std::sort(found.begin(), found.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<VectorXd> optima;
+    for (const auto& [cost, z] : found)
+      if (cost < found.front().first + as_good &&
+          std::none_of(optima.begin(), optima.end(),
+                       [&](const VectorXd& other) { return (z - other).norm() < apart / 2; }))
+        optima.push_back(z);
+    return optima;
   }
 
   // All that is known at the optimum.
@@ -273,11 +305,14 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
           search.try_from((VectorXd(6) << 0, share, slip, exponent, 0, 0).finished());
   } else {
     const int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
-    for (int i = 0; i < tried; ++i) search.try_from(spread_point(i, p));
+    for (int i = 0; i < tried; ++i) search.try_from(spread_point(i, p, 2.5));
   }
-  const auto z = search.best();
+  const std::vector<VectorXd> optima = search.best();
   HypothesisFit fit;
-  if (z) fit = search.at(*z);
+  if (!optima.empty()) {
+    fit = search.at(optima.front());
+    fit.others.assign(optima.begin() + 1, optima.end());
+  }
   fit.together = together;
   return fit;
 }

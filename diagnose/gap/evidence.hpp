@@ -5,14 +5,15 @@
 //   ln Z ~ -1/2 (e'e + z'z) - 1/2 ln det(I + J'J),   J = de/dz                    (Laplace)
 //
 // What a hypothesis changes it does not change exactly: a law of slip is a law
-// (Hypothesis::law_error), and where modes come near each other, as they may in the changed
-// structure only, what shows along other axes hangs on trifles. Such readings get a further
-// standard deviation in proportion to their change, fixed at a first optimum, and ln Z loses half
-// the growth of ln det Sigma.
+// (Hypothesis::law_error), an effect does not act just so, and where modes come near each other, as
+// they may in the changed structure only, what shows along other axes hangs on trifles. Such
+// readings get a further covariance in proportion to their change, fixed at a first optimum, and
+// ln Z loses half the growth of ln det Sigma. It is the same at every level, but for a law of slip,
+// which errs at each level in its own way as well.
 //
 // Without a parameter, ln Z = -1/2 e'e: constants that all share are dropped. Transitional Markov
 // chain Monte Carlo (Ching and Chen, J. Eng. Mech. 133 (2007) 816) gives ln Z on the same scale
-// without the Gaussian shape, and draws of the posterior. The chains begin near the optimum, with a
+// without the Gaussian shape, and draws of the posterior. The chains begin near the optima, with a
 // tenth of them spread over the prior, which takes a few stages in place of twenty.
 #pragma once
 
@@ -27,8 +28,8 @@ class Whitening {
 public:
   Whitening(const TestReadings& test, const Uncertainty& u, bool held_out);
 
-  // With further standard deviations, over all readings; none = as it is.
-  Whitening widened(const Eigen::VectorXd& further) const;
+  // With a further covariance, over all readings; empty = as it is.
+  Whitening widened(const Eigen::MatrixXd& further) const;
 
   // Of deviations from nominal and bias, over all readings.
   Eigen::VectorXd operator()(const Eigen::VectorXd& deviation) const;
@@ -45,6 +46,7 @@ struct HypothesisFit {
   std::vector<const Hypothesis*> together; // one, or two of a pair; empty = nominal
   bool solved = false, complete = false;   // complete: with the deviations of what was held out
   Eigen::VectorXd z, values;
+  std::vector<Eigen::VectorXd> others; // further optima, nearly as good: a sign that does not show
   Eigen::VectorXd deviation;  // log readings of the test less those of the hypothesis and bias
   Eigen::VectorXd error;      // e, of the fitted readings
   Eigen::MatrixXd J;          // de/dz
@@ -53,7 +55,7 @@ struct HypothesisFit {
   std::optional<double> sampled_log_evidence; // by Markov chains
   Eigen::MatrixXd draws;                      // parameters x draws: z of the posterior
   double chi2 = 0;                            // e'e
-  Eigen::VectorXd further;                    // further standard deviations; empty = none
+  Eigen::MatrixXd further;                    // further covariance of all readings; empty = none
   double penalty = 0;                         // of ln Z, for these
   double farthest = 0;                        // largest |z|
   int evaluations = 0;
@@ -77,11 +79,15 @@ public:
   // give, or that were not asked for, are far off.
   std::optional<Eigen::VectorXd> at(const Eigen::VectorXd& z,
                                     Predictor::Which which = Predictor::Which::all) const;
-  // The same with the further standard deviations there; empty = none.
+  // The same with the further covariance there; empty = none.
   struct Widened {
-    Eigen::VectorXd deviation, further;
+    Eigen::VectorXd deviation;
+    Eigen::MatrixXd further;
   };
   std::optional<Widened> widened(const Eigen::VectorXd& z, Predictor::Which which) const;
+  // Further covariance where parameters have these values and the readings are predicted as `y`.
+  Eigen::MatrixXd further(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
+                          Predictor::Which which) const;
   const Predictor& predictor() const { return predict_; }
 
 private:

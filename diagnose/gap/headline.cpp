@@ -42,9 +42,12 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
     }
     return text;
   }
-  case Verdict::pair:
-    return "Two effects: " + name_of(judgement.named.front()->fit) + " (" +
-           odds(judgement.named.front()->log_bayes_factor) + " over no effect)";
+  case Verdict::pair: {
+    std::string text = "Two effects: ";
+    for (const JudgedFit* pair : judgement.named)
+      text += (pair == judgement.named.front() ? "" : "; or ") + name_of(pair->fit);
+    return text + " (" + odds(judgement.named.front()->log_bayes_factor) + " over no effect)";
+  }
   case Verdict::unknown:
     break;
   }

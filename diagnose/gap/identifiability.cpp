@@ -1,5 +1,6 @@
 #include "diagnose/gap/identifiability.hpp"
 
+#include "diagnose/gap/spread_point.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -19,29 +20,16 @@ std::vector<VectorXd> points(Index parameters) {
     for (double z : {-1., 1.}) all.push_back(VectorXd::Constant(1, z));
     return all;
   }
-  constexpr std::array primes{2, 3, 5, 7};
   constexpr int count = 14;
-  for (int i = 1; i <= count; ++i) {
-    VectorXd z(parameters);
-    for (Index d = 0; d < parameters; ++d) {
-      double share = 1, value = 0;
-      const int base = primes[std::size_t(d) % primes.size()];
-      for (int k = i; k > 0; k /= base) {
-        share /= base;
-        value += share * (k % base);
-      }
-      z[d] = 3 * value - 1.5;
-    }
-    all.push_back(z);
-  }
+  for (int i = 0; i < count; ++i) all.push_back(spread_point(i, parameters, 1.5));
   return all;
 }
 
-// First parameter at which |g| reaches what is detectable, the others held; both ways from where
-// the effect is least.
+// First parameter at which the visible size reaches what is detectable, the others held; both ways
+// from where the effect is least.
 std::optional<double> smallest(const Signature& s,
                                const std::function<double(const VectorXd&)>& size) {
-  if (s.g.norm() < detectable_size) {
+  if (std::sqrt(s.noncentrality) < detectable_size) {
     VectorXd far = s.z;
     far[0] = far[0] < 0 ? -3 : 3;
     if (size(far) < detectable_size) return std::nullopt;
@@ -66,14 +54,26 @@ std::optional<double> smallest(const Signature& s,
   return value_of(s.hypothesis->parameters[0].prior, away[0]);
 }
 
-// Whitened change of the fitted readings by a hypothesis.
-VectorXd change(const FitContext& context, const Hypothesis& h, const VectorXd& z) {
-  const Predictor& predict = context.predictors.of({&h});
+// Of the fitted readings by a hypothesis.
+struct Change {
+  VectorXd whitened;        // by the covariance of the test
+  double noncentrality = 0; // by that of the hypothesis, less what evidence pays for it
+};
+
+Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z) {
+  const Deviation deviation(context, {&h});
+  const Predictor& predict = deviation.predictor();
   const Uncertainty& u = context.uncertainty;
-  const auto y = predict(predict.values_of(z), Predictor::Which::fitted);
-  if (!y) return VectorXd::Zero(Index(context.fitted.rows().size()));
-  const VectorXd d = u.expected(*y) - u.expected(u.nominal - u.correction);
-  return context.fitted(d.array().isFinite().select(d, 0));
+  const VectorXd values = predict.values_of(z);
+  const auto y = predict(values, Predictor::Which::fitted);
+  if (!y) return {.whitened = VectorXd::Zero(Index(context.fitted.rows().size()))};
+  VectorXd d = u.expected(*y) - u.expected(u.nominal - u.correction);
+  d = d.array().isFinite().select(d, 0).eval();
+  const Whitening own =
+      context.fitted.widened(deviation.further(values, *y, Predictor::Which::fitted));
+  const double paid = 2 * (own.log_det() - context.fitted.log_det());
+  return {.whitened = context.fitted(d),
+          .noncentrality = std::max(0., own(d).squaredNorm() - paid)};
 }
 
 } // namespace
@@ -85,10 +85,11 @@ std::vector<Signature> signatures(const FitContext& context, const std::vector<H
     s.hypothesis = &all[std::size_t(i)];
     double largest = -1;
     for (const VectorXd& z : points(Index(s.hypothesis->parameters.size()))) {
-      const VectorXd g = change(context, *s.hypothesis, z);
-      if (g.norm() > largest) {
-        largest = g.norm();
-        s.g = g;
+      Change own = change(context, *s.hypothesis, z);
+      if (const double size = own.whitened.norm(); size > largest) {
+        largest = size;
+        s.g = std::move(own.whitened);
+        s.noncentrality = own.noncentrality;
         s.z = z;
       }
     }
@@ -101,14 +102,15 @@ void find_smallest(const FitContext& context, std::vector<Signature>& all) {
   std::map<std::string, Signature*> most;
   for (Signature& s : all) {
     Signature*& best = most[s.hypothesis->effect];
-    if (!best || s.g.norm() > best->g.norm()) best = &s;
+    if (!best || s.noncentrality > best->noncentrality) best = &s;
   }
   std::vector<Signature*> chosen;
   for (const auto& [effect, s] : most) chosen.push_back(s);
   in_parallel(int(chosen.size()), [&](int i) {
     Signature& s = *chosen[std::size_t(i)];
-    s.smallest =
-        smallest(s, [&](const VectorXd& z) { return change(context, *s.hypothesis, z).norm(); });
+    s.smallest = smallest(s, [&](const VectorXd& z) {
+      return std::sqrt(change(context, *s.hypothesis, z).noncentrality);
+    });
   });
 }
 
@@ -157,7 +159,7 @@ std::vector<SmallestDetectable> detectable(const std::vector<Signature>& all) {
                      .parameter = h.parameters[0].name,
                      .unit = h.parameters[0].unit,
                      .at = s.at,
-                     .noncentrality = s.g.squaredNorm(),
+                     .noncentrality = s.noncentrality,
                      .value = s.smallest});
   }
   return found;

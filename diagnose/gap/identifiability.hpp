@@ -2,8 +2,9 @@
 //
 //   g_i = L^-1 (y(theta_i) - y(0)),   cos_ij = |g_i' g_j| / (|g_i| |g_j|)
 //
-// Scatter is in L, so what it could explain is projected out. |g|^2 is the non-centrality of the
-// chi-square test for the effect.
+// Scatter is in L, so what it could explain is projected out. The non-centrality of the chi-square
+// test for an effect is |g|^2 by the covariance that the effect itself leaves (evidence.hpp), less
+// twice what the evidence pays for it.
 #pragma once
 
 #include "diagnose/diagnosis.hpp"
@@ -15,6 +16,7 @@ namespace plica {
 struct Signature {
   const Hypothesis* hypothesis = nullptr;
   Eigen::VectorXd z, g;
+  double noncentrality = 0;
   double at = 0;                  // value of its first parameter there
   std::optional<double> smallest; // the one that is found with 95 % power
 };
@@ -22,7 +24,7 @@ std::vector<Signature> signatures(const FitContext& context, const std::vector<H
 // Fills `smallest` of the hypothesis of each effect that shows most.
 void find_smallest(const FitContext& context, std::vector<Signature>& all);
 
-// |g| from which on an effect is found with 95 % power at ln BF = 3.
+// Root of the non-centrality from which on an effect is found with 95 % power at ln BF = 3.
 constexpr double detectable_size = 4.6;
 
 // Largest cosine of two effects over their places, by name.

@@ -19,10 +19,10 @@ double evidence(const HypothesisFit& fit) {
   return fit.sampled_log_evidence.value_or(fit.log_evidence);
 }
 
-std::vector<double> healthy_chi2(const FitContext& context, const Whitening& white) {
+template <class Chi2> std::vector<double> of_healthy(const FitContext& context, const Chi2& chi2) {
   std::vector<double> all;
   for (Eigen::Index k = 0; k < context.uncertainty.healthy.cols(); ++k)
-    all.push_back(white(context.uncertainty.healthy.col(k)).squaredNorm());
+    all.push_back(chi2(VectorXd(context.uncertainty.healthy.col(k))));
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -46,11 +46,17 @@ bool both_needed(const JudgedFit& pair, const std::vector<Family>& families) {
 
 } // namespace
 
-Standards standards_of(const FitContext& context, const Whitening& held_out) {
+Standards standards_of(const FitContext& context, const Whitening& held_out,
+                       const BlockScores& scores) {
   Standards s;
-  s.healthy_chi2 = healthy_chi2(context, context.fitted);
+  const auto by = [](const Whitening& white) {
+    return [&white](const VectorXd& d) { return white(d).squaredNorm(); };
+  };
+  s.healthy_chi2 = of_healthy(context, by(context.fitted));
   s.chi2 = point(s.healthy_chi2, 0.99);
-  if (!held_out.rows().empty()) s.held_out_chi2 = point(healthy_chi2(context, held_out), 0.999);
+  s.chi2_of_means =
+      point(of_healthy(context, [&](const VectorXd& d) { return scores.of_means(d); }), 0.99);
+  if (!held_out.rows().empty()) s.held_out_chi2 = point(of_healthy(context, by(held_out)), 0.999);
   return s;
 }
 
@@ -64,8 +70,9 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   const auto& healthy = standards.healthy_chi2;
   j.p = double(healthy.end() - std::lower_bound(healthy.begin(), healthy.end(), j.fit.chi2)) /
         double(healthy.size());
-  j.adequate =
-      !standards.gate || (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block);
+  j.adequate = !standards.gate ||
+               (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
+                scores.of_means(j.fit.deviation, j.fit.further) <= standards.chi2_of_means);
   j.absurd = j.fit.farthest > absurd_z;
   j.gap_after = std::sqrt(context.fitted(j.fit.deviation).squaredNorm() /
                           double(context.fitted.rows().size()));
@@ -77,7 +84,8 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
     const double before = held_out(nominal.deviation).squaredNorm();
     j.held_out_after = std::sqrt(chi2 / n);
     j.held_out_shrink = 1 - std::sqrt(chi2 / before);
-    j.fails_held_out = by_law > standards.held_out_chi2 && *j.held_out_shrink < believable_shrink;
+    j.held_out_met = by_law <= standards.held_out_chi2;
+    j.fails_held_out = !j.held_out_met && *j.held_out_shrink < believable_shrink;
   }
   return j;
 }
@@ -144,18 +152,34 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
     result.verdict = result.named.size() == 1 ? Verdict::identified : Verdict::ambiguous;
     return result;
   }
-  const JudgedFit* chosen = nullptr;
+  std::vector<const JudgedFit*> standing;
   for (const JudgedFit& pair : pairs) {
     if (!pair.fit.solved || !pair.credible()) continue;
     // With so many parameters only what was held out can speak for it.
-    if (!pair.held_out_shrink || *pair.held_out_shrink < pair_shrink) continue;
+    if (!pair.held_out_met || pair.held_out_shrink.value_or(0) < pair_shrink) continue;
     const double single = families.empty() ? none : evidence(families.front().best->fit);
     if (evidence(pair.fit) - std::max(single, none) < pair_gain) continue;
-    if (!both_needed(pair, families)) continue;
-    if (!chosen || evidence(pair.fit) > evidence(chosen->fit)) chosen = &pair;
+    if (both_needed(pair, families)) standing.push_back(&pair);
   }
-  result.verdict = chosen ? Verdict::pair : Verdict::unknown;
-  if (chosen) result.named = {chosen};
+  result.verdict = standing.empty() ? Verdict::unknown : Verdict::pair;
+  if (standing.empty()) return result;
+  std::stable_sort(standing.begin(), standing.end(), [](const JudgedFit* a, const JudgedFit* b) {
+    return evidence(a->fit) > evidence(b->fit);
+  });
+  const double most = evidence(standing.front()->fit);
+  std::erase_if(standing,
+                [&](const JudgedFit* pair) { return most - evidence(pair->fit) >= told_apart; });
+  result.named = standing;
+  // Of the effects, over the pairs that explain as well.
+  result.probabilities.clear();
+  std::map<std::string, double> shares;
+  double all = 0;
+  for (const JudgedFit* pair : standing) {
+    const double weight = std::exp(evidence(pair->fit) - most);
+    all += weight;
+    for (const Hypothesis* h : pair->fit.together) shares[h->effect] += weight;
+  }
+  for (const auto& [effect, share] : shares) result.probabilities.emplace_back(effect, share / all);
   return result;
 }
 

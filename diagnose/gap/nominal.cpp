@@ -126,8 +126,11 @@ Nominal nominal_of(const Case& data, const Measured& measured) {
   const NominalState& first = nominal.states.front();
   const ReducedFamily family = first.model->with({});
   nominal.mass = family.mass;
-  nominal.frequency = plica::frequency(first.model->lambda()[0]);
-  nominal.stiffness = family.mass * first.model->lambda()[0];
+  constexpr Eigen::Index lowest = 4;
+  const VectorXd& lambda = first.model->lambda();
+  nominal.frequency =
+      plica::frequency(std::exp(lambda.head(std::min(lowest, lambda.size())).array().log().mean()));
+  nominal.stiffness = family.mass * lambda[0];
   Eigen::Vector3d low = first.built.model.mesh.nodes.front(), high = low;
   for (const Eigen::Vector3d& x : first.built.model.mesh.nodes) {
     low = low.cwiseMin(x);

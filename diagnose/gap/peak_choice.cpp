@@ -34,21 +34,30 @@ std::vector<Index> paired(const std::vector<double>& measured, const std::vector
   return pairs;
 }
 
-std::vector<Index> strong_peaks(const VectorXd& hertz, const VectorXd& zeta,
-                                const VectorXd& height) {
+std::vector<Index> strong_peaks(const VectorXd& hertz, const VectorXd& zeta, const VectorXd& height,
+                                const std::array<double, 2>& band, std::size_t wanted) {
   constexpr double strong = 0.12; // below, it does not count as strong in a measurement either
-  const double least = strong * height.maxCoeff();
+  constexpr double beyond = 0.2;  // of an end of the band: a model may be that far off
+  const auto within = [&](Index i) {
+    return !(band[1] > band[0]) ||
+           (hertz[i] > (1 - beyond) * band[0] && hertz[i] < (1 + beyond) * band[1]);
+  };
+  std::vector<Index> order;
+  for (Index i = 0; i < height.size(); ++i)
+    if (within(i) && height[i] > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return height[a] > height[b]; });
   std::vector<Index> peaks;
-  for (Index i = 0; i < height.size(); ++i) {
-    if (!(height[i] >= least)) continue;
+  for (Index i : order) {
+    if (height[i] < strong * height[order.front()] && peaks.size() >= wanted) break;
     // Two modes within their widths show one peak.
-    if (!peaks.empty() &&
-        hertz[i] / hertz[peaks.back()] - 1 < 0.5 * (zeta[i] + zeta[peaks.back()])) {
-      if (height[i] > height[peaks.back()]) peaks.back() = i;
-      continue;
-    }
-    peaks.push_back(i);
+    if (std::none_of(peaks.begin(), peaks.end(), [&](Index other) {
+          return std::abs(hertz[i] - hertz[other]) <
+                 0.5 * (zeta[i] + zeta[other]) * std::min(hertz[i], hertz[other]);
+        }))
+      peaks.push_back(i);
   }
+  std::sort(peaks.begin(), peaks.end());
   return peaks;
 }
 

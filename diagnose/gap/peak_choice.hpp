@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace plica {
@@ -12,9 +13,11 @@ namespace plica {
 std::vector<Eigen::Index> paired(const std::vector<double>& measured,
                                  const std::vector<double>& model, bool first);
 
-// Modes that show as peaks of so many heights: at least 12 % of the highest, of several within
-// their widths the highest. `hertz` increases.
+// Modes that show as peaks of so many heights: at least 12 % of the highest, and as many as were
+// measured in any case; of several within their widths the highest. Those far out of the band that
+// was measured do not count (band of no width: none was stated). `hertz` increases.
 std::vector<Eigen::Index> strong_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd& zeta,
-                                       const Eigen::VectorXd& height);
+                                       const Eigen::VectorXd& height,
+                                       const std::array<double, 2>& band, std::size_t wanted);
 
 } // namespace plica

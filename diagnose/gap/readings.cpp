@@ -61,6 +61,7 @@ public:
     for (std::size_t i = 0; i < test_.responses.size(); ++i)
       for (const FrfSet& set : test_.responses[i]) responses(i, set);
     cross_resonances();
+    highest_along_other_axes();
     widen_by_repeats(all_);
     hold_out_by_level();
     return std::move(all_);
@@ -286,7 +287,8 @@ private:
                 .level = own.level.value_or(0),
                 .sensor = "",
                 .axis = base,
-                .peaks = {}};
+                .peaks = {},
+                .band = {set.hertz[0], set.hertz[set.hertz.size() - 1]}};
     for (const std::string& sensor : sensors_of(set)) {
       const Index c = column(set, sensor, base);
       if (c < 0) continue;
@@ -339,9 +341,40 @@ private:
                        at_level(run.level);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
-        reading.sigma = std::hypot(0.05, noise * ratio / (ratio + cross_floor));
+        reading.sigma = std::hypot(0.03, noise * ratio / (ratio + cross_floor));
         add(reading);
       }
+  }
+
+  // Along an axis that the table is never moved along in this state: the highest of the band.
+  void highest_along_other_axes() {
+    for (const Source& own : sources_) {
+      const TestRun& run = all_.runs[own.run];
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::any_of(all_.runs.begin(), all_.runs.end(), [&](const TestRun& other) {
+              return other.base == axis && other.state == run.state;
+            }))
+          continue;
+        const Index main = column(*own.set, run.sensor, run.base),
+                    c = column(*own.set, run.sensor, axis);
+        if (c < 0) continue;
+        const Eigen::MatrixXcd& H = own.set->H[std::size_t(own.reference)];
+        const double height = H.col(main).cwiseAbs().maxCoeff(),
+                     ratio = H.col(c).cwiseAbs().maxCoeff() / height;
+        Reading reading = blank(own.entry, run, 0);
+        reading.run = int(own.run);
+        reading.kind = ReadingKind::cross;
+        reading.highest = true;
+        reading.axis = axis;
+        reading.name = std::string("highest in ") + letters[std::size_t(axis)] + " over that in " +
+                       letters[std::size_t(run.base)] + at_level(run.level);
+        reading.value = ratio;
+        reading.log_value = std::log(ratio + cross_floor);
+        const double noise = stated_noise(own.entry, ratio * height);
+        reading.sigma = std::hypot(0.03, noise * ratio / (ratio + cross_floor));
+        add(reading);
+      }
+    }
   }
 
   static double largest_near(const FrfSet& set, int reference, Index c, double hertz) {
@@ -370,24 +403,26 @@ private:
                            letters[std::size_t(run.base)] + at_level(run.level);
     const double step = (set.hertz[set.hertz.size() - 1] - set.hertz[0]) /
                         double(std::max<Index>(1, set.hertz.size() - 1)) / peak.frequency;
-    const double noise = stated_noise(i, peak.amplitude);
+    // Of what a fit finds from so many lines: relative to height, half of it to width.
+    const double noise = std::max(peak.noise, stated_noise(i, peak.amplitude)) /
+                         std::sqrt(std::max(1., peak.lines / 4.));
     Reading reading = blank(i, run, k);
     reading.kind = ReadingKind::frequency;
     reading.name = "frequency" + of;
     reading.unit = "Hz";
     reading.value = peak.frequency;
-    reading.sigma = std::hypot(0.0005, std::max(peak.sigma_frequency, 0.05 * step));
+    reading.sigma = std::max(peak.damping * noise, 0.05 * step);
     add(reading);
     reading.kind = ReadingKind::damping;
     reading.name = "damping" + of;
     reading.unit = "";
     reading.value = peak.damping;
-    reading.sigma = std::hypot(0.015, std::max(peak.sigma_damping, noise));
+    reading.sigma = std::hypot(0.005, 2 * noise);
     add(reading);
     reading.kind = ReadingKind::amplitude;
     reading.name = "amplitude" + of;
     reading.value = peak.amplitude;
-    reading.sigma = std::hypot(0.01, std::max(peak.sigma_amplitude, noise / 2));
+    reading.sigma = std::hypot(0.005, noise);
     add(reading);
   }
 
@@ -426,7 +461,7 @@ private:
       reading.name = std::string("share in ") + letters[std::size_t(axis)] + of;
       reading.value = std::max(ratio, 1e-9);
       reading.log_value = std::log(ratio + cross_floor);
-      reading.sigma = std::hypot(0.05, std::hypot(noise, noise * 0.5 / (ratio + cross_floor)));
+      reading.sigma = std::hypot(0.03, std::hypot(noise, noise * 0.5 / (ratio + cross_floor)));
       add(reading);
     }
   }

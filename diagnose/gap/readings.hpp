@@ -8,6 +8,7 @@
 #include "diagnose/frf_set.hpp"
 #include "diagnose/measured.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,17 +25,19 @@ struct TestRun {
   int axis = 0;              // 0..2
   std::vector<double> peaks; // measured, Hz, increasing
   bool first = false;        // they are the first peaks of the channel, whatever comes after
+  std::array<double, 2> band{}; // of a response, Hz
 };
 
 struct Reading {
   ReadingKind kind = ReadingKind::frequency;
   std::string name, unit, entry; // entry: path in measured.yaml, "frf[3]"
   std::string state;
-  int run = -1;       // mass, stiffness: none
-  int peak = 0;       // of the run
-  int at_run = -1;    // cross: at the first peak of that run, whose base is the axis, and over it
-  std::string sensor; // amplitude, cross
-  int axis = 0;       // of the response
+  int run = -1;         // mass, stiffness: none
+  int peak = 0;         // of the run
+  int at_run = -1;      // cross: at the first peak of that run, whose base is the axis, and over it
+  bool highest = false; // cross: wherever in the band it is highest
+  std::string sensor;   // amplitude, cross
+  int axis = 0;         // of the response
   StaticDirection direction = StaticDirection::axial; // stiffness
   double stroke = 0;                                  // stiffness: m or rad; 0 = not stated
   MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation

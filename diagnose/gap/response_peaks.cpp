@@ -42,18 +42,14 @@ OneMode refit(const VectorXd& w, const VectorXcd& H, const OneMode& last) {
   return {x[0], x[1], {x[2], x[3]}, {x[4], x[5]}};
 }
 
-// Standard deviations from what the fit leaves.
-void add_sigmas(FittedPeak& peak, const VectorXd& w, const VectorXcd& H, const OneMode& mode) {
+// What the fit leaves of a line, over the highest.
+double left_by(const OneMode& mode, const VectorXd& w, const VectorXcd& H) {
   double left = 0, level = 0;
   for (Index k = 0; k < w.size(); ++k) {
     left += std::norm(H[k] - mode.at(w[k]));
     level = std::max(level, std::abs(mode.at(w[k])));
   }
-  const double noise = std::sqrt(left / std::max<double>(1, 2 * double(w.size()) - 6));
-  const double relative = noise / level / std::sqrt(std::max(1., double(w.size()) / 4));
-  peak.sigma_frequency = peak.damping * relative;
-  peak.sigma_damping = 2 * relative;
-  peak.sigma_amplitude = relative;
+  return std::sqrt(left / std::max<double>(1, 2 * double(w.size()) - 6)) / level;
 }
 
 } // namespace
@@ -96,7 +92,8 @@ std::vector<FittedPeak> response_peaks(const VectorXd& hertz, const VectorXcd& H
       }
     }
     peak.amplitude = highest;
-    add_sigmas(peak, w, h, mode);
+    peak.noise = left_by(mode, w, h);
+    peak.lines = int(w.size());
     constexpr double believable = 0.3; // of the picked height
     if (std::abs(highest / picked.amplitude - 1) < believable) found.push_back(peak);
   }

@@ -8,7 +8,8 @@ namespace plica {
 
 struct FittedPeak {
   double frequency = 0, amplitude = 0, damping = 0; // Hz, of |H|, fraction of critical
-  double sigma_frequency = 0, sigma_amplitude = 0, sigma_damping = 0; // relative, of the fit
+  double noise = 0;                                 // relative, of a line: what the fit leaves
+  int lines = 0;                                    // that were fitted
 };
 
 // Peaks that reach `share` of the highest, by frequency. Each is fitted over a few of its

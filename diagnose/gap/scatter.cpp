@@ -15,7 +15,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double modulus = 0.01, density = 0.005, thickness = 0.01, field = 0.02, masses = 0.01,
-                 joints = 0.05, all_damping = 0.12, gain = 0.01, off_place = 1e-3,
+                 joints = 0.05, all_damping = 0.08, gain = 0.01, off_place = 1e-3,
                  turn = 1 * std::numbers::pi / 180, other_axes = 0.005;
 constexpr int waves = 4;      // half waves of a field of stiffness
 constexpr double step = 0.02; // of the change that stands for a small one

@@ -56,8 +56,8 @@ int StateAnswers::nominal_mode(const Reading& reading) {
   const FamilyModes* m = linear_modes();
   const TestRun& run = test_.runs[std::size_t(reading.run)];
   if (!m) return -1;
-  if (run.base < 0) return int(nominal_of_kind(reading));
-  const Index own = peak_modes(*m, run)[std::size_t(reading.peak)];
+  const Index own =
+      run.base < 0 ? labelled_mode(*m, reading) : peak_modes(*m, run)[std::size_t(reading.peak)];
   if (own < 0) return -1;
   Index nominal = 0;
   m->likeness.col(own).cwiseAbs().maxCoeff(&nominal);
@@ -182,7 +182,8 @@ std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun&
     hertz[i] = m.hertz(i);
     height[i] = std::abs(in * out) / m.zeta[i];
   }
-  const std::vector<Index> candidates = strong_peaks(hertz, m.zeta, height);
+  const std::vector<Index> candidates =
+      strong_peaks(hertz, m.zeta, height, run.band, run.peaks.size());
   std::vector<double> model;
   for (Index i : candidates) model.push_back(hertz[i]);
   std::vector<Index> result;
@@ -310,6 +311,12 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
     return true;
   }
   if (reading.at_run >= 0) return cross_resonance(reading, run, sensor, value);
+  if (reading.highest) {
+    value =
+        std::log(highest(peak, run, sensor, reading.axis) / highest(peak, run, sensor, run.base) +
+                 cross_floor);
+    return true;
+  }
   const double main = summit(peak, sensor, run.base).second;
   const double cross = std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
                                 reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
@@ -331,6 +338,19 @@ bool StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, i
   const double cross = reading_of(own, sensor, reading.axis).cwiseAbs().maxCoeff();
   value = std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
   return true;
+}
+
+// Of the resonances within the band, as they are at a peak.
+double StateAnswers::highest(const Peak& peak, const TestRun& run, int sensor, int axis) const {
+  std::vector<double> omega;
+  for (Index j = 0; j < peak.modes->lambda.size(); ++j)
+    if (const double f = peak.modes->hertz(j); f >= run.band[0] && f <= run.band[1])
+      for (double x : {-1., -0.5, 0., 0.5, 1.})
+        omega.push_back(peak.modes->omega(j) * (1 + x * peak.zeta[j]));
+  if (omega.empty()) return none;
+  return reading_of(motion(*peak.modes, peak.zeta, run.base, omega), sensor, axis)
+      .cwiseAbs()
+      .maxCoeff();
 }
 
 void StateAnswers::respond(Peak& peak, const TestRun& run) const {
@@ -366,31 +386,60 @@ std::pair<double, double> StateAnswers::summit(const Peak& peak, int sensor, int
   return {peak.omega() * (1 + peak.damping() * x) / (2 * std::numbers::pi), height};
 }
 
-// The nominal mode of that kind, direction and order; -1 = none.
-Index StateAnswers::nominal_of_kind(const Reading& reading) const {
+// Whether a nominal mode is of the kind and direction that a mode was measured as.
+bool StateAnswers::of_kind(Index nominal, const Reading& reading) const {
   constexpr std::array shapes{"axial", "transverse", "torsion", "shell", "mode"};
-  const std::string shape = shapes[static_cast<std::size_t>(reading.shape)];
-  const std::string axis = reading.axis < 0 ? "" : std::string(1, "xyz"[reading.axis]);
-  int order = 0;
-  const auto& labels = own_.nominal->labels;
-  for (std::size_t j = 0; j < labels.size(); ++j) {
-    const bool same = reading.shape == MeasuredShape::other ||
-                      (labels[j].shape == shape && (axis.empty() || labels[j].direction == axis));
-    if (same && ++order == reading.order) return Index(j);
-  }
-  return -1;
+  const ModeLabel& label = own_.nominal->labels[std::size_t(nominal)];
+  return reading.shape == MeasuredShape::other ||
+         (label.shape == shapes[static_cast<std::size_t>(reading.shape)] &&
+          (reading.axis < 0 || label.direction == std::string(1, "xyz"[reading.axis])));
 }
 
-// A mode known by its kind: the one most like the nominal mode of that kind.
+// Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
+// any other, and enough to be seen.
+std::vector<Index> StateAnswers::modes_of_kind(const FamilyModes& m, const Reading& kind) const {
+  constexpr double seen = 0.01;
+  std::vector<Index> found;
+  for (Index i = 0; i < m.lambda.size(); ++i) {
+    double own = 0;
+    std::map<std::pair<std::string, std::string>, double> others;
+    for (Index j = 0; j < m.likeness.rows(); ++j) {
+      const double share = m.likeness(j, i) * m.likeness(j, i);
+      const ModeLabel& label = own_.nominal->labels[std::size_t(j)];
+      (of_kind(j, kind) ? own : others[{label.shape, label.direction}]) += share;
+    }
+    if (own > seen && std::all_of(others.begin(), others.end(),
+                                  [&](const auto& other) { return other.second < own; }))
+      found.push_back(i);
+  }
+  return found;
+}
+
+// Modes known by their kind: in their order, as they lie nearest.
 bool StateAnswers::labelled(const Reading& reading, double& value) {
   const FamilyModes* m = linear_modes();
   if (!m) return false;
-  const Index nominal = nominal_of_kind(reading);
-  if (nominal < 0) return true;
-  Index most = 0;
-  m->likeness.row(nominal).cwiseAbs().maxCoeff(&most);
-  value = std::log(reading.kind == ReadingKind::damping ? m->zeta[most] : m->hertz(most));
+  const Index mode = labelled_mode(*m, reading);
+  if (mode >= 0)
+    value = std::log(reading.kind == ReadingKind::damping ? m->zeta[mode] : m->hertz(mode));
   return true;
+}
+
+Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) const {
+  std::map<int, double> measured; // by order
+  for (const Reading& r : test_.readings)
+    if (r.kind == ReadingKind::frequency && r.run == reading.run && r.shape == reading.shape &&
+        r.axis == reading.axis)
+      measured[r.order] = r.value;
+  std::vector<Index> modes = modes_of_kind(m, reading);
+  const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
+  modes.erase(modes.begin(), modes.begin() + Index(before));
+  std::vector<double> wanted, hertz;
+  for (const auto& [order, value] : measured) wanted.push_back(value);
+  for (Index i : modes) hertz.push_back(m.hertz(i));
+  const auto place = std::distance(measured.begin(), measured.find(reading.order));
+  const Index pair = paired(wanted, hertz, false)[std::size_t(place)];
+  return pair < 0 ? -1 : modes[std::size_t(pair)];
 }
 
 } // namespace plica

@@ -75,10 +75,13 @@ private:
   bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
   void respond(Peak& peak, const TestRun& run) const;
   std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;
+  double highest(const Peak& peak, const TestRun& run, int sensor, int axis) const;
   bool dynamic(const Reading& reading, double& value);
   bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);
   bool labelled(const Reading& reading, double& value);
-  Eigen::Index nominal_of_kind(const Reading& reading) const;
+  bool of_kind(Eigen::Index nominal, const Reading& reading) const;
+  std::vector<Eigen::Index> modes_of_kind(const FamilyModes& m, const Reading& kind) const;
+  Eigen::Index labelled_mode(const FamilyModes& m, const Reading& reading) const;
 
   const StateFamily& own_;
   const TestReadings& test_;

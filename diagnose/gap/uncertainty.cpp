@@ -8,7 +8,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <tuple>
 
 namespace plica {
 namespace {
@@ -18,8 +20,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
-constexpr double run_frequency = 0.0005, run_damping = 0.015; // from run to run
-constexpr double numeric_frequency = 0.002, numeric_stiffness = 0.004;
+constexpr double run_frequency = 0.0003, run_damping = 0.01; // from run to run
+// Of the model, and of what the fit of one mode makes of a peak: damping 1.5 %.
+constexpr double numeric_frequency = 0.002, numeric_damping = 0.015, numeric_stiffness = 0.004;
 // Of what shows along other axes: modes that are nearly alike turn among each other by trifles.
 constexpr double numeric_cross = 0.2;
 constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
@@ -52,8 +55,28 @@ bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
 // What one sensor shows along an axis when the table moves along another, at any level.
 bool same_way(const TestReadings& test, const Reading& a, const Reading& b) {
   return a.sensor == b.sensor && a.axis == b.axis && a.state == b.state &&
-         (a.at_run >= 0) == (b.at_run >= 0) &&
+         (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest &&
          test.runs[std::size_t(a.run)].base == test.runs[std::size_t(b.run)].base;
+}
+
+// Numbers of the series of readings that differ in nothing but the level.
+std::vector<int> series_of(const TestReadings& test) {
+  std::map<std::tuple<ReadingKind, std::string, std::string, int, int, int, bool, bool, int>, int>
+      known;
+  std::vector<int> series;
+  for (const Reading& r : test.readings) {
+    if (r.run < 0 || test.runs[std::size_t(r.run)].base < 0) {
+      series.push_back(-1 - int(series.size())); // alone
+      continue;
+    }
+    const TestRun& run = test.runs[std::size_t(r.run)];
+    series.push_back(known
+                         .try_emplace({r.kind, r.state, r.sensor, r.axis, run.base, run.axis,
+                                       r.at_run >= 0, r.highest, r.peak},
+                                      int(known.size()))
+                         .first->second);
+  }
+  return series;
 }
 
 // Weight with which a mode's common shift of frequency or damping enters a reading.
@@ -152,6 +175,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   u.bias = VectorXd::Zero(n);
   for (Index i = 0; i < n; ++i)
     if (test.readings[std::size_t(i)].kind == ReadingKind::cross) u.cross.push_back(i);
+  u.series = series_of(test);
   u.measurement = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
     u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
@@ -160,8 +184,8 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
                  shared(test, run_frequency, run_damping,
                         [](const Reading& a, const Reading& b) { return a.run == b.run; });
   if (without.contains("reassembly")) u.reassembly.setZero();
-  u.numeric =
-      shared(test, numeric_frequency, 0, [](const Reading&, const Reading&) { return true; });
+  u.numeric = shared(test, numeric_frequency, numeric_damping,
+                     [](const Reading&, const Reading&) { return true; });
   for (Index i : u.cross)
     for (Index j : u.cross)
       if (same_way(test, test.readings[std::size_t(i)], test.readings[std::size_t(j)]))

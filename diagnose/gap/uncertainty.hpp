@@ -19,6 +19,7 @@ struct Uncertainty {
   Eigen::VectorXd correction;      // what the own mesh differs by from the coarse one
   Eigen::VectorXd bias;            // mean of the admissible specimens, less the nominal one
   std::vector<Eigen::Index> cross; // readings along other axes
+  std::vector<int> series; // of each reading: those that differ in level only share a number
   Eigen::MatrixXd measurement, reassembly, numeric, form;
   Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
   Eigen::MatrixXd total() const { return measurement + reassembly + numeric + form; }

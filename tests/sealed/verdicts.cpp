@@ -12,8 +12,23 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// 95 % power at ln BF = 3, which the diagnosis asks for: (d - 1.645)^2 / 2 - ln(1 + d^2) / 2 = 3.
-constexpr double non_centrality_of_95 = 22;
+// 95 % power at ln BF = 3, which the diagnosis asks for, where the evidence of an effect is the
+// mean over its hypotheses: (d - 1.645)^2 / 2 - ln(1 + d^2) / 2 - ln(hypotheses) = 3.
+double non_centrality_of_95(int hypotheses) {
+  double d = 1.645;
+  while ((d - 1.645) * (d - 1.645) / 2 - std::log1p(d * d) / 2 - std::log(hypotheses) < 3)
+    d += 0.01;
+  return d * d;
+}
+
+// Damage is declared for ways "22.5 degrees", half a turn being the same: how far off the truth.
+double degrees_off(const json& entry, const json& truth) {
+  const std::string way = entry.value("way", "");
+  if (!truth["value"].contains("angle") || way.find(" degrees") == std::string::npos) return 0;
+  constexpr double to_degrees = 57.29577951308232;
+  return std::abs(
+      std::remainder(std::stod(way) - to_degrees * double(truth["value"]["angle"]), 180));
+}
 
 json parsed(const fs::path& file) {
   std::ifstream in(file);
@@ -44,14 +59,20 @@ double scale_to_truth(const json& entry, const json& truth) {
 bool detectable(const Scored& s) {
   if (s.truth["effects"].empty()) return false;
   const json& effect = s.truth["effects"][0];
-  double best = -1;
+  double best = -1, nearest = 1e300;
+  int hypotheses = 0;
   const json declared =
       s.diagnosis.value(json::json_pointer("/identifiability/detectable"), json::array());
-  for (const json& entry : declared)
-    if (entry.value("name", "") == effect["name"] &&
-        (!entry.contains("place") || entry["place"] == effect["place"]))
-      best = std::max(best, entry.value("noncentrality", 0.) * scale_to_truth(entry, effect));
-  return best < 0 ? s.truth["strength"] != "weak" : best >= non_centrality_of_95;
+  for (const json& entry : declared) {
+    if (entry.value("name", "") != effect["name"]) continue;
+    ++hypotheses;
+    if (entry.contains("place") && entry["place"] != effect["place"]) continue;
+    const double own = entry.value("noncentrality", 0.) * scale_to_truth(entry, effect),
+                 off = degrees_off(entry, effect);
+    best = off < nearest ? own : off > nearest ? best : std::max(best, own);
+    nearest = std::min(nearest, off);
+  }
+  return best < 0 ? s.truth["strength"] != "weak" : best >= non_centrality_of_95(hypotheses);
 }
 
 } // namespace
