@@ -99,7 +99,7 @@ public:
     if (!nominal.adequate && std::none_of(ranked.begin(), ranked.end(),
                                           [](const Family& f) { return f.best->credible(); })) {
       settings_.stage("pairs of effects");
-      pairs = fit_pairs(context, ranked, all, plain, *held_out_, scores, standards);
+      pairs = fit_pairs(context, ranked, fits, all, plain, *held_out_, scores, standards);
     }
     const Judgement judgement = judge(nominal, ranked, pairs, standards);
     report(context, scores, standards, nominal, ranked, fits, pairs, judgement, all);
@@ -183,6 +183,7 @@ private:
                       .half_width = log_evidence_at_width(j.fit, 0.5) - plain.log_evidence,
                       .double_width = log_evidence_at_width(j.fit, 2) - plain.log_evidence,
                       .chi2 = j.fit.chi2,
+                      .chi2_of_means = j.chi2_of_means,
                       .adequate = j.adequate,
                       .share_of_healthy_worse = j.p,
                       .worst_block = j.worst.second,

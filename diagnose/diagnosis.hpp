@@ -37,10 +37,10 @@ struct TriedHypothesis {
   std::optional<double> sampled_log_evidence; // by Markov chains
   double log_bayes_factor = 0;                // over the nominal case
   double half_width = 0, double_width = 0;    // the same with priors half and twice as wide
-  double chi2 = 0;                            // of the fitted readings
-  bool adequate = false;                      // as good as an admissible specimen
-  double share_of_healthy_worse = 0;          // that fit no better: a p-value
-  std::string worst_block;                    // where it fits least
+  double chi2 = 0, chi2_of_means = 0; // of the fitted readings, of their means over the levels
+  bool adequate = false;              // as good as an admissible specimen
+  double share_of_healthy_worse = 0;  // that fit no better: a p-value
+  std::string worst_block;            // where it fits least
   double worst_block_z = 0;
   double gap_after = 0; // RMS of e
   std::optional<double> held_out_after;

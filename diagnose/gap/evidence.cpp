@@ -19,13 +19,13 @@ using Eigen::VectorXd;
 
 constexpr double hopeless = 1e6;
 
-constexpr double most_further = 0.3; // of a logarithm
+constexpr double most_further = 0.5; // of a logarithm
 
 // How far off a change of the structure may put a reading, in terms of what it changes.
 double share_of_change(ReadingKind kind) {
   switch (kind) {
   case ReadingKind::cross:
-    return 0.2;
+    return 0.3;
   case ReadingKind::amplitude:
     return 0.1;
   case ReadingKind::frequency:

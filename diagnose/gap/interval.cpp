@@ -50,6 +50,13 @@ std::vector<double> drawn(const std::vector<const HypothesisFit*>& ways, Index p
   return z;
 }
 
+// Of points that stand for even steps of the probability.
+double quantile(const std::vector<double>& values, double p) {
+  const double at = p * double(values.size()) - 0.5;
+  const auto i = std::size_t(at);
+  return values[i] + (at - double(i)) * (values[i + 1] - values[i]);
+}
+
 std::array<double, 2> shortest(const std::vector<double>& values, double low, double high) {
   const std::size_t n = values.size(), inside = std::size_t(share * double(n));
   std::size_t best = 0;
@@ -73,9 +80,7 @@ std::array<double, 2> interval_of(const std::vector<const HypothesisFit*>& ways,
     for (double& z : values) z = first.z[parameter] + wider * (z - first.z[parameter]);
   for (double& z : values) z = value_of(prior, z);
   if (prior.kind == PriorKind::uniform) return shortest(values, prior.centre, prior.width);
-  const double last = double(values.size() - 1);
-  return {values[std::size_t((1 - share) / 2 * last + 0.5)],
-          values[std::size_t((1 + share) / 2 * last + 0.5)]};
+  return {quantile(values, (1 - share) / 2), quantile(values, (1 + share) / 2)};
 }
 
 } // namespace plica

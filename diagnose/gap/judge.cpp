@@ -13,6 +13,7 @@ constexpr double told_apart = 3;          // nats between effects that are told 
 constexpr double pair_gain = 5;           // over the better half
 constexpr double pair_shrink = 0.3;       // of held-out readings
 constexpr double absurd_z = 3;            // standard deviations of a prior
+constexpr double most_allowed = 1.5;      // gap without what a hypothesis is allowed to be off
 constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
 
 double evidence(const HypothesisFit& fit) {
@@ -67,15 +68,19 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   if (!j.fit.solved) return j;
   j.log_bayes_factor = evidence(j.fit) - nominal.log_evidence;
   j.worst = scores.worst(j.fit.deviation, j.fit.further);
+  j.chi2_of_means = scores.of_means(j.fit.deviation, j.fit.further);
   const auto& healthy = standards.healthy_chi2;
   j.p = double(healthy.end() - std::lower_bound(healthy.begin(), healthy.end(), j.fit.chi2)) /
         double(healthy.size());
-  j.adequate = !standards.gate ||
-               (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
-                scores.of_means(j.fit.deviation, j.fit.further) <= standards.chi2_of_means);
-  j.absurd = j.fit.farthest > absurd_z;
   j.gap_after = std::sqrt(context.fitted(j.fit.deviation).squaredNorm() /
                           double(context.fitted.rows().size()));
+  const bool slips = std::any_of(j.fit.together.begin(), j.fit.together.end(),
+                                 [](const Hypothesis* h) { return h->law_error > 0; });
+  j.adequate =
+      !standards.gate ||
+      (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
+       j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= most_allowed));
+  j.absurd = j.fit.farthest > absurd_z;
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {
     const double n = double(held_out.rows().size());

@@ -2,7 +2,8 @@
 // specimens.
 //
 //   adequate    chi2 of all readings, and of their means over the levels, at most that of 99 % of
-//               healthy specimens, no block beyond its 99.95 %
+//               healthy specimens, no block beyond its 99.95 %; without what the hypothesis is
+//               allowed to be off (evidence.hpp), which carries laws of slip, a gap of 1.5
 //   none        the nominal case is adequate and no effect has ln BF above the threshold
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 over
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
@@ -35,7 +36,7 @@ struct JudgedFit {
   HypothesisFit fit;
   double log_bayes_factor = 0;
   bool adequate = false, absurd = false, held_out_met = false, fails_held_out = false;
-  double p = 1;
+  double p = 1, chi2_of_means = 0;
   std::pair<double, std::string> worst;
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;

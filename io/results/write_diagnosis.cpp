@@ -98,6 +98,7 @@ Json json_of(const TriedHypothesis& h) {
           {"half_width", number(h.half_width)},
           {"double_width", number(h.double_width)},
           {"chi2", number(h.chi2)},
+          {"chi2_of_means", number(h.chi2_of_means)},
           {"adequate", h.adequate},
           {"p", number(h.share_of_healthy_worse)},
           {"worst_block", h.worst_block},
