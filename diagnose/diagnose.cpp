@@ -6,6 +6,7 @@
 #include "diagnose/gap/judge.hpp"
 #include "diagnose/gap/next_measurement.hpp"
 #include "diagnose/gap/pairs.hpp"
+#include "diagnose/gap/residual_energy.hpp"
 #include "diagnose/gap/shrink.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -226,6 +227,8 @@ private:
           result_.effects.push_back(named(j->fit, h, probability(own.effect), fits));
       }
     result_.where = located(scores, nominal.fit.deviation);
+    for (LocatedGap& gap : residual_energy(nominal_, test_, measured_))
+      result_.where.push_back(std::move(gap));
     add_components(ranked);
     result_.trends = level_trends(test_);
     result_.tried.push_back(tried(nominal, nominal.fit));

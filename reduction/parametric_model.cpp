@@ -201,6 +201,13 @@ MatrixXd ParametricModel::nominal_shapes() const {
   return expand(system_.map, W_.leftCols(lambda_.size()));
 }
 
+MatrixXd ParametricModel::basis() const {
+  const MatrixXd own = W_ * basis_of({}).T;
+  MatrixXd V(Psi_.rows(), Psi_.cols() + own.cols());
+  V << Psi_, own;
+  return expand(system_.map, V);
+}
+
 MatrixXd ParametricModel::inner_columns(const MatrixXd& inside) const {
   MatrixXd all = MatrixXd::Zero(system_.map.size(), inside.cols());
   all(inside_, Eigen::all) = inside;

@@ -78,6 +78,7 @@ public:
 
   const Model& model() const { return model_; }
   Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
+  Eigen::MatrixXd basis() const;          // V without changes, over all DOFs
   const Eigen::VectorXd& lambda() const { return lambda_; }
   const std::vector<int>& boundary() const { return boundary_; }
   int unknowns() const { return system_.map.size(); }

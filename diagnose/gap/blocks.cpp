@@ -70,7 +70,8 @@ double normal_quantile(double p) {
 
 std::string name_of(const LocatedGap& b) {
   std::string name = b.kind;
-  if (!b.component.empty()) return b.component;
+  if (!b.component.empty())
+    return b.kind.empty() ? b.component : b.component + ": " + b.kind + ", " + b.band;
   if (!b.direction.empty()) name += " in " + b.direction;
   if (!b.band.empty()) name += ", " + b.band;
   if (b.level) {

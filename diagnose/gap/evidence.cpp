@@ -1,5 +1,6 @@
 #include "diagnose/gap/evidence.hpp"
 
+#include "diagnose/gap/normal_draws.hpp"
 #include "diagnose/gap/spread_point.hpp"
 #include "diagnose/search.hpp"
 
@@ -8,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace plica {
 namespace {
@@ -331,11 +331,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
   if (fit.together.empty() || !fit.solved) return;
   const Deviation deviation(context, fit.together);
   const Index p = fit.z.size();
-  std::mt19937_64 random(seed);
-  const auto uniform = [&] { return (double(random() >> 11) + 0.5) * 0x1p-53; };
-  const auto normal = [&] {
-    return std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform());
-  };
+  NormalDraws normal(seed);
   const Reference reference(fit);
   const Whitening whitened = context.fitted.widened(fit.further);
   const auto log_target = [&](const VectorXd& z) { // likelihood times prior
@@ -347,7 +343,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
   for (Index k = 0; k < particles; ++k) {
     VectorXd white(p);
     for (double& x : white) x = normal();
-    z.col(k) = reference.draw(white, uniform());
+    z.col(k) = reference.draw(white, normal.uniform());
     target[k] = log_target(z.col(k));
     start[k] = reference.log_density(z.col(k));
   }
@@ -388,7 +384,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     // Systematic resampling, then a few steps of Metropolis from each.
     double cumulated = share[0];
     Index from = 0;
-    const double offset = uniform();
+    const double offset = normal.uniform();
     for (Index k = 0; k < particles; ++k) {
       const double position = (double(k) + offset) / particles;
       while (cumulated < position && from + 1 < particles) cumulated += share[++from];
@@ -401,7 +397,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
         const VectorXd there = here + root * step;
         const double value = log_target(there), there_start = reference.log_density(there);
         const double gain = power * (value - own) + (1 - power) * (there_start - own_start);
-        if (std::log(uniform()) < gain) {
+        if (std::log(normal.uniform()) < gain) {
           here = there;
           own = value;
           own_start = there_start;

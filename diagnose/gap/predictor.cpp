@@ -182,6 +182,10 @@ std::optional<VectorXd> Predictor::answers(const Acting& own, Which which) const
   return y;
 }
 
+std::optional<FamilyModes> Predictor::modes(const VectorXd& values) const {
+  return family(0).free.modes(acting(values).all);
+}
+
 std::vector<int> Predictor::nominal_modes() const {
   const Acting own = acting(VectorXd());
   std::vector<int> modes;

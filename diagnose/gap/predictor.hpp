@@ -44,6 +44,11 @@ public:
   // stands, relative (ParametricModel::frequency_errors).
   double basis_error(const Eigen::VectorXd& values) const;
 
+  // Of the specimen as it stands, nothing slipping: its modes, none where it is not stable, and the
+  // coordinates of ParametricModel::basis that its mount leaves.
+  std::optional<FamilyModes> modes(const Eigen::VectorXd& values) const;
+  const std::vector<int>& coordinates() const { return family(0).coordinates; }
+
   // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
   std::vector<int> nominal_modes() const;
 

@@ -1,5 +1,6 @@
 #include "diagnose/gap/uncertainty.hpp"
 
+#include "diagnose/gap/normal_draws.hpp"
 #include "diagnose/gap/scatter.hpp"
 #include "model/error_bars.hpp"
 #include "model/run.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 #include <tuple>
 
 namespace plica {
@@ -30,20 +30,6 @@ constexpr double share_of_correction = 0.1; // of the difference of meshes that 
 bool is_nuisance(const std::string& what) {
   return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
 }
-
-// N(0, 1) in a fixed order.
-class Normal {
-public:
-  explicit Normal(unsigned seed) : random_(seed) {}
-  double operator()() {
-    const double u = (double(random_() >> 11) + 0.5) * 0x1p-53,
-                 v = double(random_() >> 11) * 0x1p-53;
-    return std::sqrt(-2 * std::log(u)) * std::cos(2 * 3.14159265358979323846 * v);
-  }
-
-private:
-  std::mt19937_64 random_;
-};
 
 bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.run < 0 || b.run < 0 || a.peak != b.peak) return false;
@@ -211,7 +197,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   if (!without.contains("form")) random += own_damping;
   const Eigen::LLT<MatrixXd> root(random);
   in_parallel(specimens, [&](int k) {
-    Normal draw(unsigned(k) + 1);
+    NormalDraws draw(unsigned(k) + 1);
     VectorXd z(predict.parameters());
     for (double& x : z) x = draw();
     const auto y = predict(predict.values_of(z));

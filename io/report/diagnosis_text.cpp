@@ -54,7 +54,7 @@ std::string where_text(const Diagnosis& d) {
   if (beyond > rows.size()) text += fmt::format("  and {} more\n", beyond - rows.size());
   rows.clear();
   for (const LocatedGap& b : components)
-    if (rows.size() < shown_components) rows.push_back({b.component, with_sign(b.z, 1)});
+    if (rows.size() < shown_components) rows.push_back({name_of(b), with_sign(b.z, 1)});
   if (!rows.empty()) text += "  by component\n" + columns_text(rows, 1);
   rows.clear();
   for (const LevelTrend& t : d.trends)

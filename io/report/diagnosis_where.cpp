@@ -1,3 +1,4 @@
+#include "diagnose/gap/blocks.hpp"
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/results/write_diagnosis.hpp"
@@ -120,13 +121,15 @@ std::string components_html(const Diagnosis& d) {
   rows.reserve(list.size());
   for (const LocatedGap& b : list)
     rows.push_back(
-        {{html_escape(b.component), html_signed(b.z, 1),
+        {{html_escape(name_of(b)), html_signed(b.z, 1),
           bar_svg({.from = 0, .to = b.z, .low = low, .high = high, .mark = 0, .width = 16})},
          b.significant ? "nominal" : ""});
   if (rows.empty()) return "";
   return "<h3>Components</h3>\n" +
          html_table(
-             "Root of twice the ln BF of the best hypothesis at that place; shaded: ln BF above 3.",
+             "Root of twice the ln BF of the best hypothesis at that place; shaded: ln BF above 3. "
+            "Residual energy: of a measured shape over many channels, against admissible "
+            "specimens.",
              {{"component", "", false}, {"z", ""}, {"", "", false}}, rows);
 }
 
