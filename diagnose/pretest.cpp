@@ -60,23 +60,13 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
   if (sensors.empty()) throw std::invalid_argument("the case has no sensors to plan with");
   for (int base : plan.bases)
     for (double level : plan.levels) {
-      append_readings(all, sweep_readings(base, level, sensors.front(), sensors));
+      append_readings(all, sweep_readings(data, base, level, sensors.front(), sensors));
       std::array<char, 64> text{};
       std::snprintf(text.data(), text.size(), "a sweep along %c at %g m/s2", "xyz"[base], level);
       words.emplace_back(text.data());
     }
   for (Reading& r : all.readings) r.sigma = usual_sigma(r.kind) / 2;
   return all;
-}
-
-// What of the plan the model answers.
-void drop_unanswered(const Nominal& nominal, TestReadings& test) {
-  const auto y = Predictor(nominal, test, {})(VectorXd());
-  if (!y) throw std::runtime_error("the nominal structure has no stable answer");
-  std::vector<Reading> kept;
-  for (std::size_t i = 0; i < test.readings.size(); ++i)
-    if (std::isfinite((*y)[Index(i)])) kept.push_back(test.readings[i]);
-  test.readings = std::move(kept);
 }
 
 // Sum over pairs of different effects of how far apart the nearest of their hypotheses are.
@@ -114,7 +104,10 @@ std::vector<ProposedMeasurement> better(const Case& data, const TestReadings& te
              return t.kind == r.kind && t.direction == r.direction;
            });
   };
-  std::erase_if(offers, [&](const Offer& o) { return has(o.readings.readings.front()); });
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings);
+  std::erase_if(offers, [&](const Offer& o) {
+    return o.readings.readings.empty() || has(o.readings.readings.front());
+  });
   // Whitened change of every offered reading by every hypothesis.
   std::vector<std::vector<VectorXd>> change(offers.size(), std::vector<VectorXd>(all.size()));
   in_parallel(int(all.size()), [&](int h) {

@@ -56,6 +56,7 @@ struct Softening {
 struct Hypothesis {
   std::string effect, place, way; // way: "x", "diagonal"; empty = there is but one
   std::vector<EffectParameter> parameters;
+  std::size_t size = 0; // the parameter that says how large it is
   std::vector<ModelChange> changes = {};
   // In place of `changes`: of the case, which is built anew; small.
   std::vector<std::function<void(Case&)>> case_changes = {};

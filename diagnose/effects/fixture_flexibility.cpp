@@ -31,6 +31,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                         {"frequency", "Hz", {PriorKind::log_normal, 1.5 * s.frequency, 0.8}},
                         {"rocking", "", {PriorKind::log_normal, 1.5, 0.4}},
                         {"gyration", "m", {PriorKind::log_normal, gyration, 0.7}}},
+         .size = 1,
          .changes = {ground_springs(ends.nodes, 1, 0), bodies(1, 0),
                      ground_springs(ends.nodes, 0, 1), bodies(0, 1)},
          .coefficients =

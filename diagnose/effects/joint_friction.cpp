@@ -25,6 +25,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                        {"exponent", "", {PriorKind::log_normal, 1, 0.7}},
                        {"across", "", {PriorKind::log_normal, 1, 0.8}},
                        {"loss", "", {PriorKind::log_normal, 1, 0.5}}},
+        .size = 1,
         .changes = {added_group(group)},
         .coefficients =
             [present](const Eigen::VectorXd& v) {

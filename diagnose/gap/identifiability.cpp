@@ -25,33 +25,35 @@ std::vector<VectorXd> points(Index parameters) {
   return all;
 }
 
-// First parameter at which the visible size reaches what is detectable, the others held; both ways
-// from where the effect is least.
+// Value of the parameter of its size at which the visible size reaches what is detectable, the
+// others held; both ways from where the effect is least.
 std::optional<double> smallest(const Signature& s,
                                const std::function<double(const VectorXd&)>& size) {
+  const auto own = Index(s.hypothesis->size);
+  const Prior& prior = s.hypothesis->parameters[s.hypothesis->size].prior;
   if (std::sqrt(s.noncentrality) < detectable_size) {
     VectorXd far = s.z;
-    far[0] = far[0] < 0 ? -3 : 3;
+    far[own] = far[own] < 0 ? -3 : 3;
     if (size(far) < detectable_size) return std::nullopt;
-    return value_of(s.hypothesis->parameters[0].prior, far[0]);
+    return value_of(prior, far[own]);
   }
   // From the signature's place towards the end of the prior at which it vanishes.
   VectorXd near = s.z, away = s.z;
   double least = 1e300;
   for (double z : {-4., -3., -2., -1., 0., 1., 2., 3., 4.}) {
     VectorXd there = s.z;
-    there[0] = z;
-    if (const double own = size(there); own < least) {
-      least = own;
+    there[own] = z;
+    if (const double seen = size(there); seen < least) {
+      least = seen;
       near = there;
     }
   }
-  if (least > detectable_size) return value_of(s.hypothesis->parameters[0].prior, near[0]);
+  if (least > detectable_size) return value_of(prior, near[own]);
   for (int i = 0; i < 8; ++i) {
     const VectorXd middle = (near + away) / 2;
     (size(middle) < detectable_size ? near : away) = middle;
   }
-  return value_of(s.hypothesis->parameters[0].prior, away[0]);
+  return value_of(prior, away[own]);
 }
 
 // Of the fitted readings by a hypothesis.
@@ -93,7 +95,8 @@ std::vector<Signature> signatures(const FitContext& context, const std::vector<H
         s.z = z;
       }
     }
-    s.at = value_of(s.hypothesis->parameters[0].prior, s.z[0]);
+    const std::size_t own = s.hypothesis->size;
+    s.at = value_of(s.hypothesis->parameters[own].prior, s.z[Index(own)]);
   });
   return found;
 }
@@ -156,8 +159,8 @@ std::vector<SmallestDetectable> detectable(const std::vector<Signature>& all) {
     found.push_back({.name = h.effect,
                      .place = h.place,
                      .way = h.way,
-                     .parameter = h.parameters[0].name,
-                     .unit = h.parameters[0].unit,
+                     .parameter = h.parameters[h.size].name,
+                     .unit = h.parameters[h.size].unit,
                      .at = s.at,
                      .noncentrality = s.noncentrality,
                      .value = s.smallest});

@@ -17,7 +17,7 @@ struct Signature {
   const Hypothesis* hypothesis = nullptr;
   Eigen::VectorXd z, g;
   double noncentrality = 0;
-  double at = 0;                  // value of its first parameter there
+  double at = 0;                  // value of the parameter of its size there
   std::optional<double> smallest; // the one that is found with 95 % power
 };
 std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all);

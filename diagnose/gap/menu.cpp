@@ -1,6 +1,7 @@
 #include "diagnose/gap/menu.hpp"
 
 #include "diagnose/effects/places.hpp"
+#include "diagnose/gap/predictor.hpp"
 
 #include <algorithm>
 #include <set>
@@ -43,17 +44,18 @@ public:
     for (int base = 0; base < 3; ++base) {
       const std::string axis = letters[std::size_t(base)];
       if (!done_.contains(base))
-        all.push_back(
-            {"a sweep along " + axis + at(level), 1, sweep_readings(base, level, main, {main})});
+        all.push_back({"a sweep along " + axis + at(level), 1,
+                       sweep_readings(case_, base, level, main, {main})});
       else {
         all.push_back({"a sweep along " + axis + " at a tenth of the lowest level" + at(level / 10),
-                       1, sweep_readings(base, level / 10, main, {main})});
+                       1, sweep_readings(case_, base, level / 10, main, {main})});
         all.push_back({"a sweep along " + axis + " at three times the highest level" +
                            at(3 * std::max(highest_, level)),
-                       1, sweep_readings(base, 3 * std::max(highest_, level), main, {main})});
+                       1,
+                       sweep_readings(case_, base, 3 * std::max(highest_, level), main, {main})});
         for (const std::string& place : further)
           all.push_back({"an accelerometer at " + place + ", sweep along " + axis, 1.5,
-                         sweep_readings(base, level, main, {place})});
+                         sweep_readings(case_, base, level, main, {place})});
       }
     }
     return all;
@@ -89,16 +91,18 @@ double usual_sigma(ReadingKind kind) {
   return sigmas[static_cast<std::size_t>(kind)];
 }
 
-TestReadings sweep_readings(int base, double level, const std::string& main,
+TestReadings sweep_readings(const Case& data, int base, double level, const std::string& main,
                             const std::vector<std::string>& sensors) {
   TestReadings t;
-  t.runs.push_back({.state = "",
-                    .base = base,
-                    .level = level,
-                    .sensor = main,
-                    .axis = base,
-                    .peaks = {0, 0},
-                    .first = true});
+  t.runs.push_back(
+      {.state = "",
+       .base = base,
+       .level = level,
+       .sensor = main,
+       .axis = base,
+       .peaks = {0, 0},
+       .first = true,
+       .band = data.analyses.response ? data.analyses.response->band : std::array<double, 2>{}});
   for (int peak = 0; peak < 2; ++peak) {
     Reading r;
     r.run = 0;
@@ -120,6 +124,24 @@ TestReadings sweep_readings(int base, double level, const std::string& main,
       t.readings.push_back(r);
     }
   return t;
+}
+
+void drop_unanswered(const Nominal& nominal, TestReadings& test) {
+  const Predictor predict(nominal, test, {});
+  const auto y = predict(Eigen::VectorXd());
+  if (!y) throw std::runtime_error("the nominal structure has no stable answer");
+  const std::vector<int> modes = predict.nominal_modes();
+  std::set<std::pair<int, int>> first; // runs, and the mode of their first peak
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    if (const Reading& r = test.readings[i]; r.run >= 0 && r.peak == 0)
+      first.insert({r.run, modes[i]});
+  std::vector<Reading> kept;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const Reading& r = test.readings[i];
+    if (std::isfinite((*y)[Eigen::Index(i)]) && !(r.peak > 0 && first.contains({r.run, modes[i]})))
+      kept.push_back(r);
+  }
+  test.readings = std::move(kept);
 }
 
 void append_readings(TestReadings& all, const TestReadings& part) {

@@ -25,8 +25,12 @@ void append_readings(TestReadings& all, const TestReadings& part);
 // Standard deviation of a log reading, scatter of specimens included.
 double usual_sigma(ReadingKind kind);
 
-// The first two peaks along the axis of the table, seen by one sensor, and what sensors show.
-TestReadings sweep_readings(int base, double level, const std::string& main,
+// Takes out what the nominal case does not answer, and peaks that it has not.
+void drop_unanswered(const Nominal& nominal, TestReadings& test);
+
+// The first two peaks along the axis of the table, seen by one sensor, and what sensors show,
+// within the band of the case's response where it has one.
+TestReadings sweep_readings(const Case& data, int base, double level, const std::string& main,
                             const std::vector<std::string>& sensors);
 
 } // namespace plica

@@ -35,7 +35,8 @@ std::vector<ProposedMeasurement> next_measurements(const Case& data, const Measu
   Measured planned = measured;
   planned.states.clear();
   const Nominal nominal = nominal_of(equipped, planned);
-  const std::vector<Offer> offers = menu(data, measured, test, further);
+  std::vector<Offer> offers = menu(data, measured, test, further);
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings);
   TestReadings together;
   std::vector<Index> first{0};
   for (const Offer& offer : offers) {

@@ -6,6 +6,8 @@
 #include "solve/parallel.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -31,8 +33,15 @@ Case with_counted_mesh(Case data, bool light) {
       mesh.arc = std::min(mesh.arc, 2);
       mesh.wall = std::min(mesh.wall, 2);
       mesh.around = std::min(mesh.around, 16);
-      for (MeridianSection& s : bellows->profile) s.elements = std::min(s.elements, 3);
+      // Straight pipes by quads that are nearly square.
+      const double side = 2 * std::numbers::pi * bellows->root_radius / mesh.around;
+      for (MeridianSection& s : bellows->profile)
+        s.elements = std::min(s.elements, std::max(3, int(std::ceil(s.length / side))));
     }
+  // The nearest node of the lighter mesh stands for the place.
+  constexpr double off = 15e-3;
+  if (light)
+    for (Sensor& s : data.sensors) s.reach = std::max(s.reach, off);
   return data;
 }
 

@@ -23,9 +23,10 @@ struct TestRun {
   double level = 0;          // m/s2; 0 = not stated
   std::string sensor;        // in whose channel along `axis` the peaks are seen; empty = not known
   int axis = 0;              // 0..2
-  std::vector<double> peaks; // measured, Hz, increasing
+  std::vector<double> peaks; // measured, Hz, increasing; zero: of a run that is planned
   bool first = false;        // they are the first peaks of the channel, whatever comes after
   std::array<double, 2> band{}; // of a response, Hz
+  bool planned() const { return !peaks.empty() && peaks.front() == 0; }
 };
 
 struct Reading {

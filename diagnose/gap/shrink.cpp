@@ -109,8 +109,13 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   std::vector<ParameterDrift> found;
   if (fit.together.size() != 1 || fit.together[0]->softening) return found;
   const std::vector<Index>& rows = context.fitted.rows();
-  const MatrixXd total = context.uncertainty.total();
+  MatrixXd total = context.uncertainty.total();
+  if (fit.further.size() > 0) total += fit.further; // as the fit weighed them
   const Eigen::LLT<MatrixXd> root(total(rows, rows));
+  const std::size_t size = fit.together[0]->size;
+  const EffectParameter& parameter = fit.together[0]->parameters[size];
+  const Prior& prior = parameter.prior;
+  const double at = fit.z[Index(size)];
   const MatrixXd raw = root.matrixL() * fit.J; // d(deviation)/dz
   const auto add = [&](const std::string& by, auto key) {
     std::map<std::string, std::vector<Index>> parts;
@@ -118,22 +123,20 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
       if (const std::string k = key(context.test.readings[std::size_t(rows[i])]); !k.empty())
         parts[k].push_back(Index(i));
     if (parts.size() < 2) return;
-    ParameterDrift drift{.parameter = fit.together[0]->parameters[0].name, .by = by, .parts = {}};
+    ParameterDrift drift{.parameter = parameter.name, .by = by, .parts = {}};
     double w = 0, wx = 0, wxx = 0;
     int counted = 0;
     for (const auto& [name, own] : parts) {
       std::vector<Index> global;
       for (Index i : own) global.push_back(rows[std::size_t(i)]);
       const Eigen::LLT<MatrixXd> part(total(global, global));
-      const VectorXd j = part.matrixL().solve(VectorXd(raw(own, 0)));
+      const VectorXd j = part.matrixL().solve(VectorXd(raw(own, Index(size))));
       const VectorXd e = part.matrixL().solve(VectorXd(fit.deviation(global)));
       const double information = j.squaredNorm();
       if (information < 0.25) continue; // this part says nothing of it
       const double x = -j.dot(e) / information;
-      const double z = fit.z[0] + x;
-      const Prior& prior = fit.together[0]->parameters[0].prior;
-      const double value = value_of(prior, std::clamp(z, -6., 6.));
-      const double slope = (value_of(prior, fit.z[0] + 0.01) - value_of(prior, fit.z[0])) / 0.01;
+      const double value = value_of(prior, std::clamp(at + x, -6., 6.));
+      const double slope = (value_of(prior, at + 0.01) - value_of(prior, at)) / 0.01;
       drift.parts.push_back({name, {value, std::abs(slope) / std::sqrt(information)}});
       w += information;
       wx += information * x;

@@ -183,7 +183,7 @@ std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun&
     height[i] = std::abs(in * out) / m.zeta[i];
   }
   const std::vector<Index> candidates =
-      strong_peaks(hertz, m.zeta, height, run.band, run.peaks.size());
+      strong_peaks(hertz, m.zeta, height, run.band, run.planned() ? 1 : run.peaks.size());
   std::vector<double> model;
   for (Index i : candidates) model.push_back(hertz[i]);
   std::vector<Index> result;
