@@ -128,8 +128,8 @@ std::string components_html(const Diagnosis& d) {
   return "<h3>Components</h3>\n" +
          html_table(
              "Root of twice the ln BF of the best hypothesis at that place; shaded: ln BF above 3. "
-            "Residual energy: of a measured shape over many channels, against admissible "
-            "specimens.",
+             "Residual energy: of a measured shape over many channels, against admissible "
+             "specimens.",
              {{"component", "", false}, {"z", ""}, {"", "", false}}, rows);
 }
 
