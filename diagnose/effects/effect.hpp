@@ -58,8 +58,9 @@ struct Hypothesis {
   std::vector<EffectParameter> parameters;
   std::size_t size = 0; // the parameter that says how large it is
   std::vector<ModelChange> changes = {};
-  // In place of `changes`: of the case, which is built anew; small.
+  // In place of `changes`: of the case, which is built anew; small, or large for some case.
   std::vector<std::function<void(Case&)>> case_changes = {};
+  bool large = false;
   // Of the changes, by the values of the parameters.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> coefficients = {};
   bool at_rig = true; // acts on the static rig and the scale too, not on the shaker alone

@@ -21,7 +21,7 @@ std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis&
                      change(changed);
                      model = build(changed).model;
                    },
-                   Follow::nominal});
+                   h.large ? Follow::modes : Follow::nominal});
   return all;
 }
 

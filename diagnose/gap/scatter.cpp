@@ -46,6 +46,18 @@ void scale_beam(BeamProperties& b, double stiffness, double mass) {
   for (double* n : {&b.mass, &b.inertia_x, &b.inertia_y, &b.inertia_z}) *n *= mass;
 }
 
+// Another shape, to which the nominal one is no near answer.
+bool moves_nodes(const Structure& s, const std::function<void(Case&)>& change) {
+  Case data = s.data;
+  change(data);
+  const Model changed = build(data).model;
+  const auto &nodes = s.built.model.mesh.nodes, &others = changed.mesh.nodes;
+  constexpr double same = 1e-6; // of the length
+  for (std::size_t i = 0; i < std::min(nodes.size(), others.size()); ++i)
+    if ((nodes[i] - others[i]).norm() > same * s.length) return true;
+  return false;
+}
+
 // A number with a tolerance: the case is built anew at two points of it, and stiffness and mass
 // follow a parabola through them.
 void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
@@ -75,6 +87,7 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
         double& number = *number_at(data, path);
         if (number == nominal) number += x; // a state that sets it knows it
       });
+    h.large = !straight && moves_nodes(s, h.case_changes.back());
     all.push_back(std::move(h));
   }
 }
