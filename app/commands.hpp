@@ -102,6 +102,11 @@ struct CheckOptions {
 };
 
 int check_command(const CheckOptions& options);
+
+// Writes a commented case file; a name without extension gets .yaml. Throws InputError for a file
+// that is there and for a name that no case can have.
+int init_command(const std::filesystem::path& file);
+
 int schema_command(const std::string& what); // case, measured or benchmark
 
 } // namespace plica

@@ -223,6 +223,11 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(0, 256));
 
   std::string schema = "case";
+  std::filesystem::path starter = "pipe.yaml";
+  CLI::App* init_app =
+      app.add_subcommand("init", "write a commented case file of a bellows to begin with");
+  init_app->add_option("FILE", starter, "the file, not there yet")->capture_default_str();
+
   CLI::App* schema_app = app.add_subcommand("schema", "print the JSON Schema of the input files");
   schema_app->add_option("KIND", schema, "case, measured or benchmark")
       ->check(CLI::IsMember({"case", "measured", "benchmark"}))
@@ -258,6 +263,7 @@ int dispatch(int argc, char** argv) {
     return plica::reduce_command(reduce);
   }
   if (*check_app) return plica::check_command(check);
+  if (*init_app) return plica::init_command(starter);
   return plica::schema_command(schema);
 }
 

@@ -24,11 +24,11 @@ std::string short_name(const RivalHypothesis& r) {
 
 } // namespace
 
-std::vector<ProposedMeasurement> next_measurements(const Case& data, const Measured& measured,
+std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& plain,
+                                                   const Measured& measured,
                                                    const TestReadings& test,
                                                    const std::vector<RivalHypothesis>& rivals) {
   if (rivals.size() < 2) return {};
-  const Nominal plain = nominal_of(data, Measured{});
   std::vector<std::string> further;
   const Case equipped =
       with_further_sensors(plain.states.front().data, plain.structure(measured), further);

@@ -18,8 +18,10 @@ struct RivalHypothesis {
   double probability = 0;
 };
 
-// Best first, at most eight; those that separate nothing are left out.
-std::vector<ProposedMeasurement> next_measurements(const Case& data, const Measured& measured,
+// Best first, at most eight; those that separate nothing are left out. `plain`: the case without
+// further sensors.
+std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& plain,
+                                                   const Measured& measured,
                                                    const TestReadings& test,
                                                    const std::vector<RivalHypothesis>& rivals);
 

@@ -1,0 +1,34 @@
+#include "app/commands.hpp"
+
+#include "io/input/starter_case.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/core.h>
+#include <fstream>
+
+namespace plica {
+
+int init_command(const std::filesystem::path& given) {
+  std::filesystem::path file = given;
+  if (file.extension().empty()) file += ".yaml";
+  const auto refused = [&](const char* wrong, const char* allowed) {
+    return InputError(
+        {{.file = file.string(), .line = 0, .key = "", .wrong = wrong, .allowed = allowed}});
+  };
+  const std::string name = file.stem().string();
+  if (name.empty() || !std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_';
+      }))
+    throw refused("is no name for a case", "letters, digits and underscores, as in my_pipe.yaml");
+  if (std::filesystem::exists(file))
+    throw refused("is there already", "a new file; nothing is overwritten");
+  std::ofstream out(file);
+  out << starter_case(name);
+  out.close();
+  if (!out) throw refused("cannot be written", "a file in a folder that is there");
+  fmt::print("{} written. Next: plica run {} --out out\n", file.string(), file.string());
+  return 0;
+}
+
+} // namespace plica
