@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "io/input/starter_case.hpp"
+#include "model/input_error.hpp"
 
 #include <algorithm>
 #include <cctype>

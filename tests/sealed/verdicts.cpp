@@ -35,8 +35,10 @@ json parsed(const fs::path& file) {
   return in ? json::parse(in, nullptr, false) : json();
 }
 
-// How far a value lies from no effect; compliances count by their inverse.
-double size_of(const std::string& key, double value) {
+// How far a value lies from no effect; compliances count by their inverse, the ratio of a mass that
+// was not weighed by itself.
+double size_of(const std::string& effect, const std::string& key, double value) {
+  if (effect == "unweighed_mass") return std::abs(value);
   if (key == "ratio" || key == "gain") return std::abs(std::log(std::max(value, 1e-3)));
   if (key == "bond") return std::abs(value - 0.5);
   if (key.starts_with("k_") || key == "frequency") return 1 / value;
@@ -51,8 +53,10 @@ double scale_to_truth(const json& entry, const json& truth) {
   if (!values.is_object()) return 1;
   double scale = 0;
   for (const auto& [key, value] : values.items())
-    if (value.is_number() && truth["value"].contains(key) && size_of(key, value) > 0)
-      scale = std::max(scale, std::pow(size_of(key, truth["value"][key]) / size_of(key, value), 2));
+    if (value.is_number() && truth["value"].contains(key))
+      if (const double declared = size_of(truth["name"], key, value); declared > 0)
+        scale = std::max(scale,
+                         std::pow(size_of(truth["name"], key, truth["value"][key]) / declared, 2));
   return scale > 0 ? scale : 1;
 }
 
