@@ -13,6 +13,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <random>
 
 namespace plica {
@@ -197,23 +198,28 @@ struct OneReading {
     u.reassembly = u.numeric = u.form = Eigen::MatrixXd::Zero(1, 1);
     u.healthy = Eigen::MatrixXd::Zero(1, 10);
     measured = VectorXd::Constant(1, test.readings[0].log_value);
+    white.emplace(test, u, false);
+    store.emplace(model, test);
+    masses = component_mass().hypotheses(model.structure(data));
   }
+  FitContext context() { return {*store, test, u, measured, *white}; }
+
   Case nominal;
   Measured data;
   TestReadings test;
   Nominal model;
   Uncertainty u;
   VectorXd measured;
+  std::optional<Whitening> white;
+  std::optional<PredictorStore> store;
+  std::vector<Hypothesis> masses;
 };
 
 // One reading, one parameter: everything is Gaussian, so ln Z is known.
 TEST(Evidence, laplace_and_markov_chains_meet_the_closed_form) {
   OneReading one;
-  const Whitening white(one.test, one.u, false);
-  PredictorStore store(one.model, one.test);
-  const FitContext context{store, one.test, one.u, one.measured, white};
-  std::vector<Hypothesis> all = component_mass().hypotheses(one.model.structure(one.data));
-  Hypothesis& h = all.front();
+  const FitContext context = one.context();
+  Hypothesis& h = one.masses.front();
   const double width = 0.02; // of a ratio: small, so that ln mass is straight
   h.parameters.front().prior = {PriorKind::normal, 1, width};
   HypothesisFit fit = fit_of(context, {&h});
@@ -232,11 +238,8 @@ TEST(Evidence, laplace_and_markov_chains_meet_the_closed_form) {
 // A parameter that acts by its square: both signs are found, and its interval holds both.
 TEST(Evidence, a_sign_that_does_not_show_is_left_open) {
   OneReading one;
-  const Whitening white(one.test, one.u, false);
-  PredictorStore store(one.model, one.test);
-  const FitContext context{store, one.test, one.u, one.measured, white};
-  std::vector<Hypothesis> all = component_mass().hypotheses(one.model.structure(one.data));
-  Hypothesis& h = all.front();
+  const FitContext context = one.context();
+  Hypothesis& h = one.masses.front();
   const double mass = std::get<PointMass>(one.nominal.parts[1].body).mass;
   // Twice the reading's 2 % at z = 1.41, so that the optimum is near one.
   const double per_square = 0.02 * one.model.mass / mass;
