@@ -222,12 +222,12 @@ int dispatch(int argc, char** argv) {
   check_app->add_option("--threads", check.threads, "threads, 0 = all cores")
       ->check(CLI::Range(0, 256));
 
-  std::string schema = "case";
   std::filesystem::path starter = "pipe.yaml";
   CLI::App* init_app =
       app.add_subcommand("init", "write a commented case file of a bellows to begin with");
   init_app->add_option("FILE", starter, "the file, not there yet")->capture_default_str();
 
+  std::string schema = "case";
   CLI::App* schema_app = app.add_subcommand("schema", "print the JSON Schema of the input files");
   schema_app->add_option("KIND", schema, "case, measured or benchmark")
       ->check(CLI::IsMember({"case", "measured", "benchmark"}))

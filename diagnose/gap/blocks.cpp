@@ -140,6 +140,17 @@ std::pair<double, std::string> BlockScores::worst(const VectorXd& deviation,
   return found;
 }
 
+// Holm: the k-th smallest p against 5 % / (n - k).
+void mark_significant(std::vector<LocatedGap>& gaps, const std::vector<double>& p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p[a] < p[b]; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (p[order[k]] > 0.05 / double(order.size() - k)) break;
+    gaps[order[k]].significant = true;
+  }
+}
+
 std::vector<LocatedGap> located(const BlockScores& scores, const VectorXd& deviation) {
   std::vector<LocatedGap> found;
   std::vector<double> p;
@@ -151,14 +162,7 @@ std::vector<LocatedGap> located(const BlockScores& scores, const VectorXd& devia
     gap.z = deviation(block.rows).mean() < 0 ? -z : z;
     found.push_back(std::move(gap));
   }
-  // Holm: the k-th smallest p against 5 % / (n - k).
-  std::vector<std::size_t> order(p.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p[a] < p[b]; });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (p[order[k]] > 0.05 / double(order.size() - k)) break;
-    found[order[k]].significant = true;
-  }
+  mark_significant(found, p);
   return found;
 }
 

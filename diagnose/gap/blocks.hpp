@@ -40,6 +40,9 @@ private:
   std::vector<bool> fitted_;
 };
 
+// By their p-values, at 5 % after Holm's correction.
+void mark_significant(std::vector<LocatedGap>& gaps, const std::vector<double>& p);
+
 std::vector<LocatedGap> located(const BlockScores& scores, const Eigen::VectorXd& deviation);
 std::vector<LevelTrend> level_trends(const TestReadings& test);
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace plica {
 namespace {
@@ -163,18 +162,6 @@ bool seen_of(const FamilyModes& m, Shape& s, NormalDraws& normal) {
   return true;
 }
 
-// Holm: the k-th smallest p against 5 % / (n - k).
-void mark_significant(std::vector<LocatedGap>& found) {
-  std::vector<std::size_t> order(found.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return found[a].z > found[b].z; });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (1 - normal_share(found[order[k]].z) > 0.05 / double(order.size() - k)) break;
-    found[order[k]].significant = true;
-  }
-}
-
 } // namespace
 
 std::vector<LocatedGap> residual_energy(const Nominal& nominal, const TestReadings& test,
@@ -221,7 +208,9 @@ std::vector<LocatedGap> residual_energy(const Nominal& nominal, const TestReadin
       found.push_back(gap);
     }
   }
-  mark_significant(found);
+  std::vector<double> p;
+  for (const LocatedGap& gap : found) p.push_back(1 - normal_share(gap.z));
+  mark_significant(found, p);
   return found;
 }
 
