@@ -10,12 +10,12 @@
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/input/schema.hpp"
+#include "io/results/geometry.hpp"
 #include "io/results/summary.hpp"
 #include "io/results/write_beam.hpp"
 #include "io/results/write_results.hpp"
 #include "io/superelements/labels.hpp"
 #include "io/superelements/write.hpp"
-#include "mesh/gmsh_session.hpp"
 #include "model/equivalent_beam.hpp"
 #include "model/error_bars.hpp"
 #include "model/reduce.hpp"
@@ -98,7 +98,7 @@ int run_command(const RunOptions& options) {
   progress.title(file.data.name);
   progress.stage("writing " + options.out.string());
   write_results(results, options.out);
-  if (options.write_mesh) write_msh(results.mesh, results.lines, options.out / "mesh.msh");
+  write_geometry(results, options.geometry, options.out);
   progress.finish();
   if (!options.quiet) fmt::print("{}", summary_text(results, options.out / "report.html"));
   if (results.verification.made && !results.verification.passed) {

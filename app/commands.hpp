@@ -19,8 +19,8 @@ struct RunOptions {
   std::filesystem::path out = "out";
   int threads = 0; // 0 = all cores
   bool quiet = false;
-  bool write_mesh = false; // mesh.msh beside the results
-  std::string deck;        // abaqus or nastran: the model for another solver
+  std::vector<std::string> geometry; // formats to write the part in, of geometry_formats()
+  std::string deck;                  // abaqus or nastran: the model for another solver
   bool variants = true;
   bool error_bars = true;
 };

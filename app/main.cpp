@@ -1,5 +1,6 @@
 // The command line. Exit codes: 0 good, 1 user error, 2 a numerical verdict failed, 3 internal.
 #include "app/commands.hpp"
+#include "io/results/geometry.hpp"
 #include "model/input_error.hpp"
 #include "solve/blas_kernels.hpp"
 
@@ -61,7 +62,11 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   run_app->add_flag("--quiet", run.quiet, "print errors only");
-  run_app->add_flag("--msh", run.write_mesh, "write mesh.msh (Gmsh) beside the results");
+  run_app
+      ->add_option("--geometry", run.geometry,
+                   "write the part and its modes besides, as msh, uff, glb, obj, ply, stl")
+      ->delimiter(',')
+      ->check(CLI::IsMember(plica::geometry_formats()));
   run_app
       ->add_option(
           "--write-deck", run.deck,

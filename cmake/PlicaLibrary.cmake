@@ -11,9 +11,12 @@ if(PLICA_SANITIZE)
   target_link_options(plica_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What nearly every source includes, read once per library.
+# What nearly every source includes, read once per library; from solve/ on, which holds them, with
+# the decompositions that are compiled once.
 set(plica_precompiled <Eigen/Dense> <Eigen/Sparse> <algorithm> <cmath> <functional> <map> <optional>
   <string> <vector>)
+set(plica_precompiled_from_solve ${plica_precompiled}
+  ${PROJECT_SOURCE_DIR}/solve/decompositions.hpp)
 
 function(plica_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
@@ -26,6 +29,10 @@ function(plica_library name)
   target_link_libraries(plica_${name} PUBLIC ${arg_LINKS} PRIVATE
     $<BUILD_INTERFACE:plica_options> ${arg_PRIVATE_LINKS})
   target_compile_features(plica_${name} PUBLIC cxx_std_20)
-  target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
+  if(name MATCHES "mesh|elements")
+    target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
+  else()
+    target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled_from_solve})
+  endif()
   set_property(GLOBAL APPEND PROPERTY PLICA_LIBRARIES plica_${name})
 endfunction()

@@ -4,6 +4,7 @@ set -eu
 here=$(dirname "$0")
 missing=""
 for package in $(grep -v '^#' "$here/packages.txt"); do
+  [ "$package" = npm ] && command -v npm >/dev/null 2>&1 && continue
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
     missing="$missing $package"
 done

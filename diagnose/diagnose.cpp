@@ -416,7 +416,8 @@ private:
         add(*f.best);
     if (rivals.size() > most) rivals.resize(most);
     settings_.stage("next measurement");
-    result_.next = next_measurements(case_, nominal_, measured_, test_, rivals);
+    result_.next =
+        next_measurements(case_, nominal_, measured_, test_, rivals, predictors_->families());
     for (const JudgedFit* j : judgement.named)
       for (const Hypothesis* h : j->fit.together)
         for (const std::string& advice : effect_named(h->effect).look_alikes)

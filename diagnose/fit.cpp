@@ -117,7 +117,7 @@ private:
     // A constraint is no measurement: its rows come last and stay out.
     const Index rows = J->rows() - Index(request_.constraints.size());
     const MatrixXd own = J->topRows(rows)(Eigen::all, inside);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(own.transpose() * own);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(own.transpose() * own));
     const VectorXd& values = eigen.eigenvalues();
     const MatrixXd& vectors = eigen.eigenvectors();
     VectorXd closed(values.size()); // 1 / eigenvalue; the box itself bounds the open ones

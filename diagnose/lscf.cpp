@@ -53,7 +53,7 @@ NormalEquations normal_equations(const FrfSet& set, int n) {
 MatrixXd denominator(const NormalEquations& e, int n, Index inputs) {
   const Index size = (n + 1) * inputs;
   MatrixXd M = e.T.topLeftCorner(size, size);
-  const Eigen::LDLT<MatrixXd> R(e.R.topLeftCorner(n + 1, n + 1));
+  const Eigen::LDLT<MatrixXd> R(MatrixXd(e.R.topLeftCorner(n + 1, n + 1)));
   for (const MatrixXd& S : e.S) {
     const auto part = S.topLeftCorner(n + 1, size);
     M.noalias() -= part.transpose() * R.solve(part);

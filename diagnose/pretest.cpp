@@ -88,37 +88,32 @@ double apart(const std::vector<VectorXd>& g, const std::vector<Hypothesis>& all)
 }
 
 // Greedy: what helps most for its cost, then what helps most beside that.
-std::vector<ProposedMeasurement> better(const Case& data, const TestReadings& test,
-                                        const std::vector<Signature>& own,
-                                        const std::vector<Hypothesis>& all) {
-  const Nominal plain = nominal_of(data, Measured{});
-  std::vector<std::string> further;
-  const Measured nothing;
-  const Case equipped =
-      with_further_sensors(plain.states.front().data, plain.structure(nothing), further);
-  const Nominal nominal = nominal_of(equipped, nothing);
-  std::vector<Offer> offers = menu(data, nothing, test, further);
+std::vector<ProposedMeasurement> better(const Case& data, const Nominal& nominal,
+                                        const TestReadings& test, const std::vector<Signature>& own,
+                                        const std::vector<Hypothesis>& all,
+                                        const std::shared_ptr<StateFamilies>& families) {
+  std::vector<Offer> offers = menu(data, Measured{}, test, nominal.states.front().further_places());
   const auto has = [&](const Reading& r) {
     return r.run < 0 &&
            std::any_of(test.readings.begin(), test.readings.end(), [&](const Reading& t) {
              return t.kind == r.kind && t.direction == r.direction;
            });
   };
-  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings);
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings, families);
   std::erase_if(offers, [&](const Offer& o) {
     return o.readings.readings.empty() || has(o.readings.readings.front());
   });
   // Whitened change of every offered reading by every hypothesis.
   std::vector<std::vector<VectorXd>> change(offers.size(), std::vector<VectorXd>(all.size()));
+  TestReadings together;
+  std::vector<Index> first{0};
+  for (const Offer& o : offers) {
+    append_readings(together, o.readings);
+    first.push_back(Index(together.readings.size()));
+  }
+  const auto y0 = Predictor(nominal, together, {}, families)(VectorXd());
   in_parallel(int(all.size()), [&](int h) {
-    TestReadings together;
-    std::vector<Index> first{0};
-    for (const Offer& o : offers) {
-      append_readings(together, o.readings);
-      first.push_back(Index(together.readings.size()));
-    }
-    const auto y0 = Predictor(nominal, together, {})(VectorXd());
-    const Predictor predict(nominal, together, {&all[std::size_t(h)]});
+    const Predictor predict(nominal, together, {&all[std::size_t(h)]}, families);
     const auto y = predict(predict.values_of(own[std::size_t(h)].z));
     for (std::size_t o = 0; o < offers.size(); ++o) {
       VectorXd d = VectorXd::Zero(first[o + 1] - first[o]);
@@ -200,7 +195,7 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   result.mimics = mimics(alike);
   result.detectable = detectable(own);
   stage("what to add");
-  result.additions = better(data, test, own, all);
+  result.additions = better(data, nominal, test, own, all, predictors.families());
   return result;
 }
 

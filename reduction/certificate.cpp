@@ -1,10 +1,10 @@
 #include "reduction/certificate.hpp"
 
+#include "solve/decompositions.hpp"
 #include "solve/modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <cmath>
@@ -25,11 +25,7 @@ double asymmetry(const MatrixXd& A) {
 
 // Sine of the largest angle between the column spaces.
 double angle_between(const MatrixXd& A, const MatrixXd& B) {
-  const auto orthonormal = [](const MatrixXd& X) {
-    const Eigen::HouseholderQR<MatrixXd> qr(X);
-    return MatrixXd(qr.householderQ() * MatrixXd::Identity(X.rows(), X.cols()));
-  };
-  const MatrixXd Qa = orthonormal(A), Qb = orthonormal(B);
+  const MatrixXd Qa = orthonormal_columns(A), Qb = orthonormal_columns(B);
   return Eigen::JacobiSVD<MatrixXd>(Qb - Qa * (Qa.transpose() * Qb)).singularValues()[0];
 }
 
@@ -124,7 +120,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     MatrixXd K_bb = s.K.topLeftCorner(n, n);
     if (const Index more = s.boundary() - n; more > 0) {
       const MatrixXd coupling = s.K.block(n, 0, more, n);
-      K_bb -= coupling.transpose() * s.K.block(n, n, more, more).ldlt().solve(coupling);
+      K_bb -= coupling.transpose() * MatrixXd(s.K.block(n, n, more, more)).ldlt().solve(coupling);
     }
     c.statics_known_to = part.statics_known_to;
     const VectorXd size = part.static_stiffness.diagonal().cwiseSqrt();

@@ -199,7 +199,7 @@ private:
     const MatrixXd F = wall_motion_.middleCols(na, nw);
     const VectorXd scale = F.diagonal().cwiseSqrt().cwiseInverse(); // m/N beside rad/Nm
     const MatrixXd balanced = scale.asDiagonal() * F * scale.asDiagonal();
-    const Eigen::LLT<MatrixXd> flexibility((balanced + balanced.transpose()) / 2);
+    const Eigen::LLT<MatrixXd> flexibility(MatrixXd((balanced + balanced.transpose()) / 2));
     if (flexibility.info() != Eigen::Success)
       throw std::runtime_error("the boundary nodes on the wall cannot be moved one by one");
     T.middleRows(na, nw) =

@@ -21,6 +21,11 @@ Matrix6x6 turn(double angle) {
   return T;
 }
 
+bool unchanged_by(const MatrixXd& turn, const MatrixXd& A) {
+  const MatrixXd turned = turn * A * turn.transpose();
+  return (turned - A).norm() <= same * A.norm();
+}
+
 std::string node_text(int node) {
   return "node " + std::to_string(node + 1);
 }
@@ -155,8 +160,7 @@ private:
       for (int b = 0; b < 4; ++b)
         if (belt.ring[a] == belt.ring[b] && belt.side[a] != belt.side[b])
           P.block<6, 6>(6 * a, 6 * b).diagonal() << 1, 1, 1, -1, -1, -1;
-    return (P * belt.K * P.transpose() - belt.K).norm() <= same * belt.K.norm() &&
-           (P * belt.M * P.transpose() - belt.M).norm() <= same * belt.M.norm();
+    return unchanged_by(P, belt.K) && unchanged_by(P, belt.M);
   }
 
   std::string axis_elements() {
@@ -170,8 +174,7 @@ private:
       elements.visit(e, [&](const auto&, const auto& K, const auto& M) {
         MatrixXd T = MatrixXd::Zero(K.rows(), K.rows());
         for (Eigen::Index i = 0; i < K.rows(); i += 6) T.block<6, 6>(i, i) = R;
-        turns = (T * K * T.transpose() - K).norm() <= same * K.norm() &&
-                (T * M * T.transpose() - M).norm() <= same * M.norm();
+        turns = unchanged_by(T, K) && unchanged_by(T, M);
       });
       if (!turns)
         return "an element on the axis at " + node_text(elements.nodes(e)[0]) +

@@ -70,6 +70,10 @@ private:
   std::vector<Triplet> k_, m_;
 };
 
+MatrixXd projected(const MatrixXd& A, const MatrixXd& D) {
+  return D.transpose() * A * D;
+}
+
 // Elements that follow the quads, all of them on the axis.
 void add_axis_elements(const Model& model, const std::vector<AxisUnknown>& axis, int first,
                        Collector& collector) {
@@ -86,8 +90,7 @@ void add_axis_elements(const Model& model, const std::vector<AxisUnknown>& axis,
           D.rightCols(1).setZero();
           D.rightCols(1).middleRows(6 * Eigen::Index(i), 6) = axis[k].direction;
         }
-      if (!coordinates.empty())
-        collector.add(coordinates, D.transpose() * K * D, D.transpose() * M * D);
+      if (!coordinates.empty()) collector.add(coordinates, projected(K, D), projected(M, D));
     });
 }
 

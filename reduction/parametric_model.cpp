@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace plica {
@@ -61,7 +62,8 @@ Model only_in(const Model& model, const Model& other) {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Adds the matrices of one element, over the independent DOFs, times a factor.
+// Adds the lower triangles of the matrices of one element, over the independent DOFs, times a
+// factor.
 void add_element(const DofMap& map, const std::vector<int>& nodes, const MatrixXd& K,
                  const MatrixXd& M, double factor, Triplets& k, Triplets& m) {
   std::vector<WeightedDof> reach;
@@ -77,6 +79,7 @@ void add_element(const DofMap& map, const std::vector<int>& nodes, const MatrixX
       for (std::size_t i = start[a]; i < start[a + 1]; ++i)
         for (std::size_t j = start[b]; j < start[b + 1]; ++j) {
           const double weight = factor * reach[i].factor * reach[j].factor;
+          if (reach[i].dof < reach[j].dof) continue;
           if (K(a, b) != 0) k.emplace_back(reach[i].dof, reach[j].dof, weight * K(a, b));
           if (M(a, b) != 0) m.emplace_back(reach[i].dof, reach[j].dof, weight * M(a, b));
         }
@@ -101,23 +104,13 @@ MatrixXd independent_columns(const MatrixXd& A, double tolerance) {
       kept.push_back(j);
     }
   const MatrixXd used = scaled(Eigen::all, kept);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(used.transpose() * used);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(MatrixXd(used.transpose() * used));
   const double least = tolerance * gram.eigenvalues().maxCoeff();
   std::vector<Index> large;
   for (Index j = 0; j < gram.eigenvalues().size(); ++j)
     if (gram.eigenvalues()[j] > least) large.push_back(j);
   const VectorXd scale = gram.eigenvalues()(large).cwiseSqrt().cwiseInverse();
   return used * (gram.eigenvectors()(Eigen::all, large) * scale.asDiagonal());
-}
-
-// Both triangles of a matrix given by its lower one.
-void add_all(const SparseMatrix& lower, double factor, Triplets& entries) {
-  for (int j = 0; j < lower.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
-      if (it.value() == 0) continue;
-      entries.emplace_back(int(it.row()), j, factor * it.value());
-      if (it.row() != j) entries.emplace_back(j, int(it.row()), factor * it.value());
-    }
 }
 
 SparseMatrix from_triplets(int size, const Triplets& entries) {
@@ -142,7 +135,7 @@ constexpr int followed = 6; // modes whose change the basis follows
 } // namespace
 
 ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked,
-                                 int modes)
+                                 int modes, const std::vector<int>& observed)
     : model_(std::move(model)), boundary_(std::move(boundary)), marked_(std::move(marked)),
       count_(modes), system_(assemble(model_)) {
   const DofMap& map = system_.map;
@@ -167,14 +160,16 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   factor_.emplace(std::move(base.factor));
   Psi_ = constraint_modes(system_.K, *factor_);
 
+  std::vector<int> seen = marked_;
+  seen.insert(seen.end(), observed.begin(), observed.end());
   std::vector<Eigen::Triplet<double>> marks;
-  for (std::size_t i = 0; i < marked_.size(); ++i)
+  for (std::size_t i = 0; i < seen.size(); ++i)
     for (int d = 0; d < 6; ++d) {
-      const int dof = 6 * marked_[i] + d, row = 6 * int(i) + d;
+      const int dof = 6 * seen[i] + d, row = 6 * int(i) + d;
       if (map.independent[dof] >= 0) marks.emplace_back(row, map.independent[dof], 1);
       for (const WeightedDof& w : map.dependent[dof]) marks.emplace_back(row, w.dof, w.factor);
     }
-  markers_.resize(6 * Index(marked_.size()), map.size());
+  markers_.resize(6 * Index(seen.size()), map.size());
   markers_.setFromTriplets(marks.begin(), marks.end());
   MatrixXd pulls = MatrixXd::Zero(map.size(), 3 * Index(marked_.size()));
   for (std::size_t i = 0; i < marked_.size(); ++i)
@@ -190,6 +185,8 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   KW_ = symmetric_product(system_.K, W_);
   MW_ = symmetric_product(system_.M, W_);
   MPsi_ = symmetric_product(system_.M, Psi_);
+  PsiKPsi_ = Psi_.transpose() * symmetric_product(system_.K, Psi_);
+  PsiMPsi_ = Psi_.transpose() * MPsi_;
   WKW_ = W_.transpose() * KW_;
   WMW_ = W_.transpose() * MW_;
   PsiMW_ = Psi_.transpose() * MW_;
@@ -230,6 +227,21 @@ MatrixXd ParametricModel::constraint_modes(const SparseMatrix& K,
 
 PreparedChange ParametricModel::difference(const Model& changed,
                                            const std::vector<OnMeanMotion>& on_mean) const {
+  PreparedChange d;
+  const bool other_shape = changed.mesh.nodes != model_.mesh.nodes;
+  const Model more = other_shape ? Model() : only_in(changed, model_);
+  // Another shape, with other arms, or other elements nearly everywhere: the whole anew.
+  if (on_mean.empty() && (other_shape || 2 * more.mesh.quads.size() > model_.mesh.quads.size())) {
+    const System other = assemble(changed);
+    if (other.map.size() != system_.map.size())
+      throw std::invalid_argument("a change of a model that changes its unknowns");
+    d.K = other.K - system_.K;
+    d.M = other.M - system_.M;
+    d.dofs.resize(std::size_t(system_.map.size()));
+    std::iota(d.dofs.begin(), d.dofs.end(), 0);
+    return d;
+  }
+  if (other_shape) throw std::invalid_argument("a change of shape with masses on mean motions");
   Triplets k, m;
   for (const OnMeanMotion& own : on_mean) {
     const auto n = Index(own.nodes.size());
@@ -239,20 +251,9 @@ PreparedChange ParametricModel::difference(const Model& changed,
         mean.block<3, 3>(6 * a, 6 * b).diagonal().setConstant(1 / double(n * n));
     add_element(system_.map, own.nodes, own.stiffness * mean, own.mass * mean, 1, k, m);
   }
-  if (changed.mesh.nodes == model_.mesh.nodes) {
-    add_elements(only_in(changed, model_), system_.map, 1, k, m);
-    add_elements(only_in(model_, changed), system_.map, -1, k, m);
-  } else { // another shape: other elements everywhere, other arms
-    const System other = assemble(changed);
-    if (other.map.size() != system_.map.size())
-      throw std::invalid_argument("a change of a model that changes its unknowns");
-    add_all(other.K, 1, k);
-    add_all(system_.K, -1, k);
-    add_all(other.M, 1, m);
-    add_all(system_.M, -1, m);
-  }
+  add_elements(more, system_.map, 1, k, m);
+  add_elements(only_in(model_, changed), system_.map, -1, k, m);
   std::vector<int> number(std::size_t(system_.map.size()), -1);
-  PreparedChange d;
   for (const Triplets* all : {&k, &m})
     for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
   for (int i = 0; i < int(number.size()); ++i)
@@ -282,35 +283,43 @@ MatrixXd ParametricModel::answers(const PreparedChange& change) const {
   const Index modes = std::min<Index>(followed, lambda_.size());
   const MatrixXd Phi = W_(change.dofs, Eigen::seqN(0, modes)), Psi = Psi_(change.dofs, Eigen::all);
   MatrixXd f(Index(change.dofs.size()), 2 * modes + Psi.cols());
-  f << change.K * Phi, change.M * Phi, change.K * Psi;
+  f << symmetric_product(change.K, Phi), symmetric_product(change.M, Phi),
+      symmetric_product(change.K, Psi);
   constexpr double negligible = 1e-8;
   const MatrixXd directions = independent_columns(f, negligible);
   const MatrixXd first = solve_inside(forces(change, directions));
   if (directions.cols() <= modes) return first;
-  const MatrixXd second =
-      solve_inside(forces(change, change.K * MatrixXd(first(change.dofs, Eigen::seqN(0, modes)))));
+  const MatrixXd second = solve_inside(
+      forces(change, symmetric_product(change.K, first(change.dofs, Eigen::seqN(0, modes)))));
   MatrixXd both(first.rows(), first.cols() + second.cols());
   both << first, second;
   return both;
 }
 
+// The lowest modes of the changed structure, as far as two steps of subspace iteration from the
+// nominal ones bring them, and what its constraint modes differ by.
 MatrixXd ParametricModel::modes_of(const PreparedChange& change) const {
   SparseMatrix K = system_.K, M = system_.M;
   for (const auto& [from, to] : {std::pair{&change.K, &K}, {&change.M, &M}})
     for (int j = 0; j < from->outerSize(); ++j)
       for (SparseMatrix::InnerIterator it(*from, j); it; ++it)
-        if (const int row = change.dofs[std::size_t(it.row())],
-            column = change.dofs[std::size_t(j)];
-            row >= column)
-          to->coeffRef(row, column) += it.value();
-  const SparseMatrix K_inside = restrict_to(K, inside_), M_inside = restrict_to(M, inside_);
-  BaseFactor base = factor_below_spectrum(K_inside, M_inside);
-  constexpr int count = 12;
-  const ModeSet set = find_modes(
-      K_inside, M_inside,
-      {.count = std::min(count, most_modes(K_inside, M_inside)), .band = {}, .proof = false}, base);
-  MatrixXd columns(system_.map.size(), set.Phi.cols() + Psi_.cols());
-  columns << inner_columns(set.Phi), constraint_modes(K, base.factor) - Psi_;
+        to->coeffRef(change.dofs[std::size_t(it.row())], change.dofs[std::size_t(j)]) += it.value();
+  const SparseMatrix M_inside = restrict_to(M, inside_);
+  const SparseMatrix K_inside = restrict_to(K, inside_);
+  const BaseFactor base = factor_below_spectrum(K_inside, M_inside);
+  constexpr int steps = 2, count = 12;
+  MatrixXd V = W_(inside_, Eigen::seqN(0, lambda_.size()));
+  for (int step = 0; step < steps; ++step) {
+    V = base.factor.solve(symmetric_product(M_inside, V));
+    V.colwise().normalize();
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(
+      V.transpose() * symmetric_product(K_inside, V),
+      V.transpose() * symmetric_product(M_inside, V));
+  const Index kept = std::min<Index>(count, V.cols());
+  MatrixXd columns(system_.map.size(), kept + Psi_.cols());
+  columns << inner_columns(V * ritz.eigenvectors().leftCols(kept)),
+      constraint_modes(K, base.factor) - Psi_;
   return columns;
 }
 
@@ -338,7 +347,7 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
   MatrixXd KX = symmetric_product(system_.K, X);
   if (X.cols() > 0) {
     const VectorXd before = X.cwiseProduct(KX).colwise().sum();
-    const MatrixXd part = WKW_.ldlt().solve(KW_.transpose() * X);
+    const MatrixXd part = WKW_.ldlt().solve(MatrixXd(KW_.transpose() * X));
     X -= W_ * part;
     KX -= KW_ * part;
     const VectorXd after = X.cwiseProduct(KX).colwise().sum();
@@ -355,7 +364,8 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
   E.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * KX;
   // Columns of unit energy, those that add none dropped.
   const VectorXd size = E.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(size.asDiagonal() * E * size.asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(
+      MatrixXd(size.asDiagonal() * E * size.asDiagonal()));
   constexpr double negligible = 1e-9;
   std::vector<Index> kept;
   for (Index j = 0; j < n; ++j)
@@ -387,10 +397,10 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   family.boundary = int(b);
   family.lambda = lambda_;
   family.K = MatrixXd::Zero(b + k, b + k);
-  family.K.topLeftCorner(b, b) = Psi_.transpose() * symmetric_product(system_.K, Psi_);
+  family.K.topLeftCorner(b, b) = PsiKPsi_;
   family.K.bottomRightCorner(k, k) = T.transpose() * E * T;
   family.M.resize(b + k, b + k);
-  family.M.topLeftCorner(b, b) = Psi_.transpose() * MPsi_;
+  family.M.topLeftCorner(b, b) = PsiMPsi_;
   family.M.topRightCorner(b, k) = P * T;
   family.M.bottomLeftCorner(k, b) = family.M.topRightCorner(b, k).transpose();
   family.M.bottomRightCorner(k, k) = T.transpose() * G * T;
@@ -407,15 +417,16 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   for (const PreparedChange& d : changes) {
     const MatrixXd V =
         rows_of(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all));
-    const MatrixXd r = rigid_(d.dofs, Eigen::all), Mr = d.M * r;
-    family.dK.emplace_back(V.transpose() * (d.K * V));
-    family.dM.emplace_back(V.transpose() * (d.M * V));
+    const MatrixXd r = rigid_(d.dofs, Eigen::all), Mr = symmetric_product(d.M, r);
+    family.dK.emplace_back(V.transpose() * symmetric_product(d.K, V));
+    family.dM.emplace_back(V.transpose() * symmetric_product(d.M, V));
     family.d_load.emplace_back(V.transpose() * Mr);
     family.d_mass.push_back(r.col(1).dot(Mr.col(1)));
   }
   family.nominal = MatrixXd::Zero(b + k, lambda_.size());
-  family.nominal.bottomRows(k) =
-      family.M.bottomRightCorner(k, k).ldlt().solve(T.transpose() * G.leftCols(lambda_.size()));
+  family.nominal.bottomRows(k) = MatrixXd(family.M.bottomRightCorner(k, k))
+                                     .ldlt()
+                                     .solve(MatrixXd(T.transpose() * G.leftCols(lambda_.size())));
   return family;
 }
 
@@ -444,7 +455,8 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const PreparedChange& d = changes[i];
     const MatrixXd own = u(d.dofs, Eigen::all);
-    const MatrixXd force = d.K * own - d.M * (own * lambda.asDiagonal());
+    const MatrixXd force =
+        symmetric_product(d.K, own) - symmetric_product(d.M, own * lambda.asDiagonal());
     r(d.dofs, Eigen::all) += coefficients[Index(i)] * force;
   }
   for (int dof : held_) r.row(dof).setZero();

@@ -39,7 +39,7 @@ struct ModelChange {
 
 // A change over the independent DOFs that it touches, with what it adds to the basis.
 struct PreparedChange {
-  SparseMatrix K, M;       // all entries
+  SparseMatrix K, M;       // lower triangles
   std::vector<int> dofs;   // independent ones
   Eigen::MatrixXd further; // columns over all independent DOFs
 };
@@ -52,7 +52,7 @@ struct ReducedFamily {
   std::vector<Eigen::MatrixXd> d_load;
   double mass = 0; // of the whole, kg
   std::vector<double> d_mass;
-  Eigen::MatrixXd marked;  // 6 rows per marked node: its motion
+  Eigen::MatrixXd marked;  // 6 rows per marked node, then per observed one: its motion
   Eigen::VectorXd lambda;  // of the nominal modes, the boundary held
   Eigen::MatrixXd nominal; // their coordinates, M-orthonormal
   int boundary = 0;        // coordinates of boundary nodes
@@ -60,9 +60,11 @@ struct ReducedFamily {
 
 class ParametricModel {
 public:
-  // `boundary`, `marked`: nodes. Every boundary node has six independent DOFs. Throws
-  // ConstraintError, std::runtime_error for a structure without stiffness where it needs some.
-  ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes);
+  // `boundary`, `marked`, `observed`: nodes; the last are looked at only, so that no static answers
+  // are kept for them. Every boundary node has six independent DOFs. Throws ConstraintError,
+  // std::runtime_error for a structure without stiffness where it needs some.
+  ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes,
+                  const std::vector<int>& observed = {});
 
   // Both may be called from several threads.
   PreparedChange prepare(const ModelChange& change) const;
@@ -108,8 +110,8 @@ private:
   // Over the independent DOFs. W: modes, then answers to forces on marked nodes; K Psi is zero but
   // at the boundary.
   Eigen::MatrixXd Psi_, W_, KW_, MPsi_, MW_, rigid_, Mr_;
-  Eigen::MatrixXd WKW_, WMW_, PsiMW_;
-  Eigen::SparseMatrix<double> markers_; // 6 rows per marked node
+  Eigen::MatrixXd PsiKPsi_, PsiMPsi_, WKW_, WMW_, PsiMW_;
+  Eigen::SparseMatrix<double> markers_; // 6 rows per marked node, then per observed one
 };
 
 } // namespace plica

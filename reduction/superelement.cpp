@@ -1,10 +1,10 @@
 #include "reduction/superelement.hpp"
 
 #include "solve/couplings.hpp"
+#include "solve/decompositions.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -67,7 +67,7 @@ Balanced balance(const MatrixXd& K, const std::vector<Vector3d>& nodes) {
   b.scale = K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   b.K = b.scale.asDiagonal() * K * b.scale.asDiagonal();
   const MatrixXd R = b.scale.cwiseInverse().asDiagonal() * rigid_motions(nodes, nodes.front());
-  b.Q = Eigen::HouseholderQR<MatrixXd>(R).householderQ() * MatrixXd::Identity(R.rows(), 6);
+  b.Q = orthonormal_columns(R);
   return b;
 }
 

@@ -254,8 +254,32 @@ void add_dense(SparseMatrix& lower, const std::vector<int>& dofs, const MatrixXd
       if (dofs[a] >= dofs[b]) lower.coeffRef(dofs[a], dofs[b]) += block(a, b);
 }
 
+// By blocks of columns, each held by rows, so that an entry of the matrix meets neighbours in
+// memory.
 MatrixXd symmetric_product(const SparseMatrix& lower, const MatrixXd& x) {
-  return lower.selfadjointView<Eigen::Lower>() * x;
+  constexpr int width = 8;
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor>;
+  if (x.cols() < width / 2) return lower.selfadjointView<Eigen::Lower>() * x;
+  MatrixXd y(lower.rows(), x.cols());
+  const int blocks = int((x.cols() + width - 1) / width);
+#pragma omp parallel for schedule(dynamic) if (!omp_in_parallel())
+  for (int b = 0; b < blocks; ++b) {
+    const auto columns =
+        Eigen::seqN(b * width, std::min<Eigen::Index>(width, x.cols() - b * width));
+    Block in = Block::Zero(x.rows(), width), out = Block::Zero(x.rows(), width);
+    in.leftCols(columns.size()) = x(Eigen::all, columns);
+    for (int j = 0; j < lower.outerSize(); ++j) {
+      Eigen::Matrix<double, 1, width> sum = Eigen::Matrix<double, 1, width>::Zero();
+      const Eigen::Matrix<double, 1, width> own = in.row(j);
+      for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+        out.row(it.row()) += it.value() * own;
+        if (it.row() != j) sum += it.value() * in.row(it.row());
+      }
+      out.row(j) += sum;
+    }
+    y(Eigen::all, columns) = out.leftCols(columns.size());
+  }
+  return y;
 }
 
 MatrixXd rigid_body_motions(const Model& model, const DofMap& map, const Eigen::Vector3d& about) {

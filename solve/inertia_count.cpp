@@ -90,7 +90,8 @@ Partition partition(const SparseMatrix& A, const std::vector<int>& p) {
 InertiaCount count_schur(const Partition& part, const SparseFactor& factor) {
   const MatrixXd S = part.pp - factor.quadratic_form(part.rp);
   const VectorXd scale = S.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * S * scale.asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+      MatrixXd(scale.asDiagonal() * S * scale.asDiagonal()));
   const VectorXd size = eigen.eigenvalues().cwiseAbs();
   InertiaCount count;
   count.below = static_cast<int>((eigen.eigenvalues().array() < 0).count());

@@ -36,7 +36,8 @@ ModalBasis add_static_correction(const SparseMatrix& K, const SparseMatrix& M,
   ModalBasis basis{.lambda = lambda, .Phi = Phi, .modes = modes};
   if (R.cols() == 0) return basis;
   const MatrixXd reduced = R.transpose() * symmetric_product(K, R);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> pseudo((reduced + reduced.transpose()) / 2);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> pseudo(
+      MatrixXd((reduced + reduced.transpose()) / 2));
   basis.lambda.conservativeResize(modes + R.cols());
   basis.lambda.tail(R.cols()) = pseudo.eigenvalues();
   basis.Phi.conservativeResize(Eigen::NoChange, modes + R.cols());

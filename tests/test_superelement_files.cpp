@@ -119,7 +119,7 @@ TEST(ReducedCase, carries_loads_and_stresses_of_the_part) {
   const Eigen::Index m = s.modal();
   const auto response = [&](const Eigen::VectorXd& force) {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(s.K.rows());
-    q.tail(m) = s.K.bottomRightCorner(m, m).ldlt().solve(force.tail(m));
+    q.tail(m) = MatrixXd(s.K.bottomRightCorner(m, m)).ldlt().solve(force.tail(m));
     return q;
   };
   const BuiltCase built = build(data);

@@ -116,7 +116,7 @@ BlockScores::BlockScores(const TestReadings& test, const Uncertainty& u)
 
 double BlockScores::of_means(const VectorXd& deviation, const MatrixXd& further) const {
   const MatrixXd total = further.size() > 0 ? MatrixXd(total_ + further) : total_;
-  const Eigen::LLT<MatrixXd> root(means_ * total * means_.transpose());
+  const Eigen::LLT<MatrixXd> root(MatrixXd(means_ * total * means_.transpose()));
   return root.matrixL().solve(VectorXd(means_ * deviation)).squaredNorm();
 }
 

@@ -1,8 +1,5 @@
 #include "diagnose/gap/menu.hpp"
 
-#include "diagnose/effects/places.hpp"
-#include "diagnose/gap/predictor.hpp"
-
 #include <algorithm>
 #include <set>
 
@@ -126,8 +123,9 @@ TestReadings sweep_readings(const Case& data, int base, double level, const std:
   return t;
 }
 
-void drop_unanswered(const Nominal& nominal, TestReadings& test) {
-  const Predictor predict(nominal, test, {});
+void drop_unanswered(const Nominal& nominal, TestReadings& test,
+                     const std::shared_ptr<StateFamilies>& families) {
+  const Predictor predict(nominal, test, {}, families);
   const auto y = predict(Eigen::VectorXd());
   if (!y) throw std::runtime_error("the nominal structure has no stable answer");
   const std::vector<int> modes = predict.nominal_modes();
@@ -150,23 +148,6 @@ void append_readings(TestReadings& all, const TestReadings& part) {
     all.readings.push_back(std::move(r));
   }
   all.runs.insert(all.runs.end(), part.runs.begin(), part.runs.end());
-}
-
-Case with_further_sensors(Case data, const Structure& s, std::vector<std::string>& names) {
-  const auto add = [&](const std::string& place, int node) {
-    const Eigen::Vector3d& x = s.built.model.mesh.nodes[node];
-    Sensor sensor;
-    sensor.name = place;
-    sensor.at = {x.x(), x.y(), x.z()};
-    sensor.reach = 1e-2;
-    data.sensors.push_back(sensor);
-    names.push_back(place);
-  };
-  for (const Mount& m : s.data.mount)
-    if (const int node = cap_node(s, m.cap); node >= 0) add("mount." + m.cap, node);
-  for (const Spot& spot : spots(s))
-    if (!spot.place.starts_with("sensor.") && names.size() < 6) add(spot.place, spot.touched);
-  return data;
 }
 
 std::vector<Offer> menu(const Case& data, const Measured& measured, const TestReadings& test,

@@ -1,7 +1,7 @@
 // What could be measured besides, each as readings a model can be asked for.
 #pragma once
 
-#include "diagnose/gap/nominal.hpp"
+#include "diagnose/gap/predictor.hpp"
 
 namespace plica {
 
@@ -16,9 +16,6 @@ struct Offer {
 std::vector<Offer> menu(const Case& data, const Measured& measured, const TestReadings& test,
                         const std::vector<std::string>& further);
 
-// The case with massless sensors on held ends and along its parts; their places into `names`.
-Case with_further_sensors(Case data, const Structure& s, std::vector<std::string>& names);
-
 // One test after the other, in one list.
 void append_readings(TestReadings& all, const TestReadings& part);
 
@@ -26,7 +23,8 @@ void append_readings(TestReadings& all, const TestReadings& part);
 double usual_sigma(ReadingKind kind);
 
 // Takes out what the nominal case does not answer, and peaks that it has not.
-void drop_unanswered(const Nominal& nominal, TestReadings& test);
+void drop_unanswered(const Nominal& nominal, TestReadings& test,
+                     const std::shared_ptr<StateFamilies>& families = nullptr);
 
 // The first two peaks along the axis of the table, seen by one sensor, and what sensors show,
 // within the band of the case's response where it has one.

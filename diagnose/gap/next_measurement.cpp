@@ -24,19 +24,14 @@ std::string short_name(const RivalHypothesis& r) {
 
 } // namespace
 
-std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& plain,
+std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& nominal,
                                                    const Measured& measured,
                                                    const TestReadings& test,
-                                                   const std::vector<RivalHypothesis>& rivals) {
+                                                   const std::vector<RivalHypothesis>& rivals,
+                                                   const std::shared_ptr<StateFamilies>& families) {
   if (rivals.size() < 2) return {};
-  std::vector<std::string> further;
-  const Case equipped =
-      with_further_sensors(plain.states.front().data, plain.structure(measured), further);
-  Measured planned = measured;
-  planned.states.clear();
-  const Nominal nominal = nominal_of(equipped, planned);
-  std::vector<Offer> offers = menu(data, measured, test, further);
-  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings);
+  std::vector<Offer> offers = menu(data, measured, test, nominal.states.front().further_places());
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings, families);
   TestReadings together;
   std::vector<Index> first{0};
   for (const Offer& offer : offers) {
@@ -46,7 +41,7 @@ std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nomin
   std::vector<std::optional<VectorXd>> y(rivals.size());
   in_parallel(int(rivals.size()), [&](int i) {
     const RivalHypothesis& r = rivals[std::size_t(i)];
-    y[std::size_t(i)] = Predictor(nominal, together, r.together)(r.values);
+    y[std::size_t(i)] = Predictor(nominal, together, r.together, families)(r.values);
   });
   // How far apart two rivals put what is offered, in squared standard deviations.
   const auto apart = [&](std::size_t o, std::size_t i, std::size_t j) {

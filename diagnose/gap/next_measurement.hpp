@@ -18,11 +18,11 @@ struct RivalHypothesis {
   double probability = 0;
 };
 
-// Best first, at most eight; those that separate nothing are left out. `plain`: the case without
-// further sensors.
-std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& plain,
+// Best first, at most eight; those that separate nothing are left out.
+std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& nominal,
                                                    const Measured& measured,
                                                    const TestReadings& test,
-                                                   const std::vector<RivalHypothesis>& rivals);
+                                                   const std::vector<RivalHypothesis>& rivals,
+                                                   const std::shared_ptr<StateFamilies>& families);
 
 } // namespace plica

@@ -1,5 +1,6 @@
 #include "diagnose/gap/nominal.hpp"
 
+#include "diagnose/effects/places.hpp"
 #include "model/build_bellows.hpp"
 #include "model/case_path.hpp"
 #include "model/damping.hpp"
@@ -69,18 +70,35 @@ Eigen::Matrix3d axes_of(const BuiltSensor& sensor, const Measured& measured) {
   return rows;
 }
 
+// Held ends, and some places along the parts.
+std::vector<BuiltSensor> further_places(const Structure& s) {
+  constexpr std::size_t most = 6;
+  std::vector<BuiltSensor> places;
+  for (const Mount& m : s.data.mount)
+    if (const int node = cap_node(s, m.cap); node >= 0)
+      places.push_back({.name = "mount." + m.cap, .node = node});
+  for (const Spot& spot : spots(s))
+    if (!spot.place.starts_with("sensor.") && places.size() < most)
+      places.push_back({.name = spot.place, .node = spot.touched});
+  return places;
+}
+
 NominalState state_of(Case data, const std::string& name, const Measured& measured) {
   NominalState state;
   state.name = name;
   state.data = std::move(data);
   state.built = build(state.data);
-  std::vector<int> sensors;
-  for (const BuiltSensor& s : state.built.sensors) {
-    sensors.push_back(s.node);
-    state.axes.push_back(axes_of(s, measured));
+  std::vector<int> sensors, further;
+  for (const BuiltSensor& s : state.built.sensors) sensors.push_back(s.node);
+  state.observed = state.built.sensors;
+  for (BuiltSensor& place :
+       further_places({.data = state.data, .built = state.built, .measured = measured})) {
+    further.push_back(place.node);
+    state.observed.push_back(std::move(place));
   }
+  for (const BuiltSensor& s : state.observed) state.axes.push_back(axes_of(s, measured));
   state.model = std::make_unique<ParametricModel>(
-      state.built.model, boundary_of(state.built, state.data), sensors, modes);
+      state.built.model, boundary_of(state.built, state.data), sensors, modes, further);
   const VectorXd& lambda = state.model->lambda();
   const MatrixXd u = state.model->nominal_shapes();
   const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,
@@ -97,6 +115,19 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
 }
 
 } // namespace
+
+int NominalState::number_of(const std::string& sensor) const {
+  for (std::size_t i = 0; i < observed.size(); ++i)
+    if (observed[i].name == sensor) return int(i);
+  return -1;
+}
+
+std::vector<std::string> NominalState::further_places() const {
+  std::vector<std::string> names;
+  for (std::size_t i = built.sensors.size(); i < observed.size(); ++i)
+    names.push_back(observed[i].name);
+  return names;
+}
 
 const NominalState& Nominal::state(const std::string& name) const {
   for (const NominalState& s : states)

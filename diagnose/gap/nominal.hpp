@@ -19,7 +19,12 @@ struct NominalState {
   std::unique_ptr<ParametricModel> model;
   Eigen::VectorXd zeta; // of its modes, loss factors included
   std::vector<ModeLabel> labels;
-  std::vector<Eigen::Matrix3d> axes; // of each sensor: rows are its own axes
+  // The sensors of the case, then places where one might be put: massless, named by the place.
+  std::vector<BuiltSensor> observed;
+  std::vector<Eigen::Matrix3d> axes; // of each: rows are its own axes
+
+  int number_of(const std::string& observed) const; // -1: none is called so
+  std::vector<std::string> further_places() const;
 };
 
 struct Nominal {

@@ -126,7 +126,8 @@ std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Fa
   };
   std::vector<Asked> asked = first_round(context, ranked, all);
   fit(asked);
-  fit(second_round(pairs, fits, asked));
+  // Where a pair cannot be named, its places need not be weighed.
+  if (!held_out.rows().empty()) fit(second_round(pairs, fits, asked));
   return pairs;
 }
 

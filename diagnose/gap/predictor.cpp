@@ -34,23 +34,61 @@ std::vector<PreparedChange> prepared_changes(const NominalState& state, const Hy
   return made;
 }
 
-std::vector<PreparedChange> PreparedChanges::of(const NominalState& state, const Hypothesis& h) {
+std::vector<PreparedChange> StateFamilies::prepared(const NominalState& state,
+                                                    const Hypothesis& h) {
   const bool costly = std::any_of(h.changes.begin(), h.changes.end(),
                                   [](const ModelChange& c) { return c.follow == Follow::modes; });
   if (!costly) return prepared_changes(state, h);
   {
     const std::lock_guard lock(mutex_);
-    if (const auto known = known_.find({&state, &h}); known != known_.end()) return known->second;
+    if (const auto known = costly_.find({&state, &h}); known != costly_.end()) return known->second;
   }
   std::vector<PreparedChange> made = prepared_changes(state, h);
   const std::lock_guard lock(mutex_);
-  return known_.try_emplace({&state, &h}, std::move(made)).first->second;
+  return costly_.try_emplace({&state, &h}, std::move(made)).first->second;
+}
+
+std::vector<PreparedChange> StateFamilies::changes(std::size_t s, const Together& together) {
+  std::vector<std::vector<PreparedChange>> parts(together.size());
+  in_parallel(int(parts.size()), [&](int h) {
+    parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
+  });
+  std::vector<PreparedChange> all;
+  for (auto& part : parts)
+    for (PreparedChange& change : part) all.push_back(std::move(change));
+  return all;
+}
+
+void StateFamilies::make(std::size_t s, const Together& together, StateFamily& own) {
+  const NominalState& state = nominal_.states[s];
+  std::vector<int> held = state.built.held_nodes;
+  for (const Hypothesis* h : together)
+    for (const std::string& cap : h->released) std::erase(held, state.built.cap_nodes.at(cap));
+  own.nominal = &state;
+  own.family = state.model->with(changes(s, together));
+  const std::vector<int>& boundary = state.model->boundary();
+  for (int i = 0; i < int(own.family.K.rows()); ++i)
+    if (i >= own.family.boundary ||
+        std::find(held.begin(), held.end(), boundary[std::size_t(i / 6)]) == held.end())
+      own.coordinates.push_back(i);
+  own.free = FreeFamily(own.family, own.coordinates, state.zeta);
+}
+
+const StateFamily& StateFamilies::of(std::size_t state, const Together& together) {
+  Lazy* own = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    own = &known_[{state, together}];
+  }
+  std::call_once(own->once, [&] { make(state, together, own->family); });
+  return own->family;
 }
 
 Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
-                     const std::vector<const Hypothesis*>& together, PreparedChanges* prepared)
-    : nominal_(nominal), test_(test), prepared_(prepared), together_(together),
-      states_(nominal.states.size()) {
+                     const std::vector<const Hypothesis*>& together,
+                     std::shared_ptr<StateFamilies> families)
+    : nominal_(nominal), test_(test), together_(together),
+      families_(families ? std::move(families) : std::make_shared<StateFamilies>(nominal)) {
   for (std::size_t h = 0; h < together.size(); ++h) {
     const Hypothesis& own = *together[h];
     if (own.softening) {
@@ -63,48 +101,24 @@ Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
   for (const Reading& r : test.readings)
     for (std::size_t s = 0; s < nominal.states.size(); ++s)
       if (nominal.states[s].name == r.state) state_of_reading_.push_back(s);
+  for (const NominalState& state : nominal.states) {
+    int last = int(state.built.sensors.size()) - 1;
+    for (const Reading& r : test.readings) last = std::max(last, state.number_of(r.sensor));
+    for (const TestRun& run : test.runs) last = std::max(last, state.number_of(run.sensor));
+    seen_.push_back(last + 1);
+  }
 }
 
-// States are reduced when first asked for: those held out are for few hypotheses.
-const StateFamily& Predictor::family(std::size_t s) const {
-  Lazy& own = states_[s];
-  std::call_once(own.once, [&] { make(s, own.family); });
-  return own.family;
-}
-
-std::vector<PreparedChange> Predictor::changes_of(const NominalState& state) const {
-  std::vector<std::vector<PreparedChange>> parts(together_.size());
-  in_parallel(int(parts.size()), [&](int h) {
-    const Hypothesis& hypothesis = *together_[std::size_t(h)];
-    parts[std::size_t(h)] =
-        prepared_ ? prepared_->of(state, hypothesis) : prepared_changes(state, hypothesis);
-  });
-  std::vector<PreparedChange> all;
-  for (auto& part : parts)
-    for (PreparedChange& change : part) all.push_back(std::move(change));
-  return all;
-}
-
-void Predictor::make(std::size_t s, StateFamily& own) const {
-  const NominalState& state = nominal_.states[s];
-  std::vector<int> held = state.built.held_nodes;
-  for (const Hypothesis* h : together_)
-    for (const std::string& cap : h->released) std::erase(held, state.built.cap_nodes.at(cap));
-  own.nominal = &state;
-  own.family = state.model->with(changes_of(state));
-  const std::vector<int>& boundary = state.model->boundary();
-  for (int i = 0; i < int(own.family.K.rows()); ++i)
-    if (i >= own.family.boundary ||
-        std::find(held.begin(), held.end(), boundary[std::size_t(i / 6)]) == held.end())
-      own.coordinates.push_back(i);
-  own.free = FreeFamily(own.family, own.coordinates, state.zeta);
+StateAnswers Predictor::answers_of(std::size_t state, const Acting& acting) const {
+  return StateAnswers(family(state), test_, acting, seen_[state]);
 }
 
 double Predictor::basis_error(const VectorXd& values) const {
   constexpr int modes = 6;
   const NominalState& state = nominal_.states.front();
   return state.model
-      ->frequency_errors(changes_of(state), acting(values).all, family(0).coordinates, modes)
+      ->frequency_errors(families_->changes(0, together_), acting(values).all,
+                         family(0).coordinates, modes)
       .maxCoeff();
 }
 
@@ -169,14 +183,14 @@ VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which w
 }
 
 std::optional<VectorXd> Predictor::answers(const Acting& own, Which which) const {
-  std::vector<std::unique_ptr<StateAnswers>> answers(states_.size());
+  std::vector<std::optional<StateAnswers>> answers(seen_.size());
   VectorXd y =
       VectorXd::Constant(Index(test_.readings.size()), std::numeric_limits<double>::quiet_NaN());
   for (Index i = 0; i < y.size(); ++i) {
     const Reading& reading = test_.readings[std::size_t(i)];
     if (which == Which::fitted && reading.held_out) continue;
     const std::size_t s = state_of_reading_[std::size_t(i)];
-    if (!answers[s]) answers[s] = std::make_unique<StateAnswers>(family(s), test_, own);
+    if (!answers[s]) answers[s].emplace(answers_of(s, own));
     if (!answers[s]->answer(reading, y[i])) return std::nullopt;
   }
   return y;
@@ -189,20 +203,21 @@ std::optional<FamilyModes> Predictor::modes(const VectorXd& values) const {
 std::vector<int> Predictor::nominal_modes() const {
   const Acting own = acting(VectorXd());
   std::vector<int> modes;
-  std::vector<std::unique_ptr<StateAnswers>> answers;
-  for (std::size_t s = 0; s < states_.size(); ++s)
-    answers.push_back(std::make_unique<StateAnswers>(family(s), test_, own));
-  for (std::size_t i = 0; i < test_.readings.size(); ++i)
-    modes.push_back(answers[state_of_reading_[i]]->nominal_mode(test_.readings[i]));
+  std::vector<std::optional<StateAnswers>> answers(seen_.size());
+  for (std::size_t i = 0; i < test_.readings.size(); ++i) {
+    const std::size_t s = state_of_reading_[i];
+    if (!answers[s]) answers[s].emplace(answers_of(s, own));
+    modes.push_back(answers[s]->nominal_mode(test_.readings[i]));
+  }
   return modes;
 }
 
 std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, const TestRun& run,
                                                     const VectorXd& hertz) const {
   std::size_t s = 0;
-  while (s + 1 < states_.size() && nominal_.states[s].name != run.state) ++s;
+  while (s + 1 < seen_.size() && nominal_.states[s].name != run.state) ++s;
   const Acting own = acting(values);
-  return StateAnswers(family(s), test_, own).response(run, hertz);
+  return answers_of(s, own).response(run, hertz);
 }
 
 const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& together) {
@@ -210,7 +225,7 @@ const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& togeth
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(together); known != known_.end()) return *known->second;
   }
-  auto made = std::make_unique<Predictor>(nominal_, test_, together, &prepared_);
+  auto made = std::make_unique<Predictor>(nominal_, test_, together, families_);
   const std::lock_guard lock(mutex_);
   return *known_.try_emplace(together, std::move(made)).first->second;
 }

@@ -10,21 +10,37 @@ namespace plica {
 
 std::vector<PreparedChange> prepared_changes(const NominalState& state, const Hypothesis& h);
 
-// Changes that are costly to prepare, kept. May be used by several threads.
-class PreparedChanges {
+// States of the specimen reduced with hypotheses in them, each when first asked for: those held out
+// are for few hypotheses. Changes that are costly to prepare are kept. May be used by several
+// threads.
+class StateFamilies {
 public:
-  std::vector<PreparedChange> of(const NominalState& state, const Hypothesis& h);
+  explicit StateFamilies(const Nominal& nominal) : nominal_(nominal) {}
+  using Together = std::vector<const Hypothesis*>;
+  const StateFamily& of(std::size_t state, const Together& together);
+  std::vector<PreparedChange> changes(std::size_t state, const Together& together);
 
 private:
+  struct Lazy {
+    std::once_flag once;
+    StateFamily family;
+  };
+  std::vector<PreparedChange> prepared(const NominalState& state, const Hypothesis& h);
+  void make(std::size_t state, const Together& together, StateFamily& own);
+
+  const Nominal& nominal_;
   std::mutex mutex_;
-  std::map<std::pair<const NominalState*, const Hypothesis*>, std::vector<PreparedChange>> known_;
+  std::map<std::pair<const NominalState*, const Hypothesis*>, std::vector<PreparedChange>> costly_;
+  std::map<std::pair<std::size_t, Together>, Lazy> known_;
 };
 
 class Predictor {
 public:
-  // The hypotheses act together; at most one of them softens.
+  // The hypotheses act together; at most one of them softens. `families`: of the same nominal case,
+  // shared with other tests; none = its own.
   Predictor(const Nominal& nominal, const TestReadings& test,
-            const std::vector<const Hypothesis*>& together, PreparedChanges* prepared = nullptr);
+            const std::vector<const Hypothesis*>& together,
+            std::shared_ptr<StateFamilies> families = nullptr);
 
   int parameters() const { return parameters_; }
   bool changes_structure() const { return changes_ > 0; }
@@ -58,21 +74,16 @@ public:
                                            const Eigen::VectorXd& hertz) const;
 
 private:
-  struct Lazy {
-    std::once_flag once;
-    StateFamily family;
-  };
-  const StateFamily& family(std::size_t state) const;
-  void make(std::size_t state, StateFamily& own) const;
-  std::vector<PreparedChange> changes_of(const NominalState& state) const;
+  const StateFamily& family(std::size_t state) const { return families_->of(state, together_); }
+  StateAnswers answers_of(std::size_t state, const Acting& acting) const;
   Acting acting(const Eigen::VectorXd& values) const;
   std::optional<Eigen::VectorXd> answers(const Acting& acting, Which which) const;
 
   const Nominal& nominal_;
   const TestReadings& test_;
-  PreparedChanges* prepared_;
   std::vector<const Hypothesis*> together_;
-  mutable std::vector<Lazy> states_;
+  std::shared_ptr<StateFamilies> families_;
+  std::vector<Eigen::Index> seen_; // of each state: observed places up to the last of the test
   std::vector<std::size_t> state_of_reading_;
   int parameters_ = 0, changes_ = 0;
   int softening_ = -1; // which hypothesis
@@ -83,14 +94,15 @@ private:
 class PredictorStore {
 public:
   PredictorStore(const Nominal& nominal, const TestReadings& test)
-      : nominal_(nominal), test_(test) {}
+      : nominal_(nominal), test_(test), families_(std::make_shared<StateFamilies>(nominal)) {}
   const Predictor& of(const std::vector<const Hypothesis*>& together);
+  const std::shared_ptr<StateFamilies>& families() const { return families_; }
 
 private:
   const Nominal& nominal_;
   const TestReadings& test_;
   std::mutex mutex_;
-  PreparedChanges prepared_;
+  std::shared_ptr<StateFamilies> families_;
   std::map<std::vector<const Hypothesis*>, std::unique_ptr<Predictor>> known_;
 };
 

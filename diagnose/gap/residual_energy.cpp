@@ -63,8 +63,9 @@ public:
     const MatrixXd fit = c.transpose() * c / (shape_sigma * shape_sigma);
     const VectorXd seen = c.transpose() * s.y / (shape_sigma * shape_sigma);
     const double energy = energy_like(c, s.y);
-    const VectorXd q =
-        (fit + residual / (allowed_residual * allowed_residual * energy)).ldlt().solve(seen);
+    const VectorXd q = MatrixXd(fit + residual / (allowed_residual * allowed_residual * energy))
+                           .ldlt()
+                           .solve(seen);
     const VectorXd R = A * q;
     VectorXd value(Index(parts_.size()));
     for (Index k = 0; k < value.size(); ++k) {

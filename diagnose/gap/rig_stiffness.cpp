@@ -47,7 +47,7 @@ std::optional<double> rig_stiffness(const NominalState& state, const MatrixXd& K
   for (Index i = 0; i < K.rows(); ++i)
     if (std::find(rows.begin(), rows.end(), i) == rows.end()) others.push_back(i);
   MatrixXd condensed = K(rows, rows);
-  const Eigen::LDLT<MatrixXd> inner(K(others, others));
+  const Eigen::LDLT<MatrixXd> inner(MatrixXd(K(others, others)));
   condensed -= K(rows, others) * inner.solve(MatrixXd(K(others, rows)));
   for (const BushingElement& b : state.built.model.bushings) {
     if (b.node2 >= 0) continue;

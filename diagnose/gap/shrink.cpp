@@ -80,7 +80,7 @@ GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
     std::vector<Index> others;
     for (Index j = 0; j < n; ++j)
       if (j != i) others.push_back(rows[std::size_t(j)]);
-    const Eigen::LLT<MatrixXd> root(total(others, others));
+    const Eigen::LLT<MatrixXd> root(MatrixXd(total(others, others)));
     const VectorXd cross = total(others, rows[std::size_t(i)]);
     const VectorXd gain = root.solve(cross);
     const double own =
@@ -111,7 +111,7 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   const std::vector<Index>& rows = context.fitted.rows();
   MatrixXd total = context.uncertainty.total();
   if (fit.further.size() > 0) total += fit.further; // as the fit weighed them
-  const Eigen::LLT<MatrixXd> root(total(rows, rows));
+  const Eigen::LLT<MatrixXd> root(MatrixXd(total(rows, rows)));
   const std::size_t size = fit.together[0]->size;
   const EffectParameter& parameter = fit.together[0]->parameters[size];
   const Prior& prior = parameter.prior;
@@ -129,7 +129,7 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
     for (const auto& [name, own] : parts) {
       std::vector<Index> global;
       for (Index i : own) global.push_back(rows[std::size_t(i)]);
-      const Eigen::LLT<MatrixXd> part(total(global, global));
+      const Eigen::LLT<MatrixXd> part(MatrixXd(total(global, global)));
       const VectorXd j = part.matrixL().solve(VectorXd(raw(own, Index(size))));
       const VectorXd e = part.matrixL().solve(VectorXd(fit.deviation(global)));
       const double information = j.squaredNorm();

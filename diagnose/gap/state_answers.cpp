@@ -66,7 +66,7 @@ int StateAnswers::nominal_mode(const Reading& reading) {
 
 std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const VectorXd& hertz) {
   const FamilyModes* m = linear_modes();
-  const int sensor = sensor_named(run.sensor);
+  const int sensor = own_.nominal->number_of(run.sensor);
   if (!m || sensor < 0 || run.base < 0) return std::nullopt;
   std::vector<double> omega;
   for (double f : hertz) omega.push_back(2 * std::numbers::pi * f);
@@ -117,8 +117,8 @@ double StateAnswers::static_stiffness(const Reading& reading) const {
   return value ? std::log(*value) : none;
 }
 
-// Accelerations of all sensors per unit of the commanded base, part axes: 3 rows each, a column per
-// frequency.
+// Accelerations of the places seen per unit of the commanded base, part axes: 3 rows each, a column
+// per frequency.
 MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, int base,
                                const std::vector<double>& omega) const {
   const Vector3d d = acting_.setup.base.col(base);
@@ -133,9 +133,9 @@ MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, int b
       imaginary(i, k) = -factor * b;
     }
   }
-  const auto& sensors = own_.nominal->built.sensors;
-  MatrixXd rows(3 * Index(sensors.size()), m.lambda.size());
-  for (Index s = 0; s < Index(sensors.size()); ++s) {
+  const auto& sensors = own_.nominal->observed;
+  MatrixXd rows(3 * seen_, m.lambda.size());
+  for (Index s = 0; s < seen_; ++s) {
     rows.middleRows<3>(3 * s) = m.marked.middleRows<3>(6 * s);
     const auto moved = acting_.setup.moved.find(sensors[std::size_t(s)].name);
     if (moved == acting_.setup.moved.end()) continue;
@@ -146,14 +146,13 @@ MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, int b
   MatrixXcd u(rows.rows(), real.cols());
   u.real() = rows * real;
   u.imag() = rows * imaginary;
-  for (Index s = 0; s < Index(sensors.size()); ++s)
-    u.middleRows<3>(3 * s).colwise() += d.cast<Complex>();
+  for (Index s = 0; s < seen_; ++s) u.middleRows<3>(3 * s).colwise() += d.cast<Complex>();
   return u;
 }
 
 // One sensor's own axis of such motions.
 RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int axis) const {
-  const BuiltSensor& own = own_.nominal->built.sensors[std::size_t(sensor)];
+  const BuiltSensor& own = own_.nominal->observed[std::size_t(sensor)];
   Eigen::Matrix3d reading = own_.nominal->axes[std::size_t(sensor)];
   if (const auto turned = acting_.setup.reading.find(own.name);
       turned != acting_.setup.reading.end())
@@ -161,16 +160,9 @@ RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int a
   return reading.row(axis).cast<Complex>() * motion.middleRows<3>(3 * Index(sensor));
 }
 
-int StateAnswers::sensor_named(const std::string& name) const {
-  const auto& sensors = own_.nominal->built.sensors;
-  for (std::size_t i = 0; i < sensors.size(); ++i)
-    if (sensors[i].name == name) return int(i);
-  return -1;
-}
-
 // Modes of a run's measured peaks, by how high each stands in the channel of the run.
 std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun& run) const {
-  const int sensor = sensor_named(run.sensor);
+  const int sensor = own_.nominal->number_of(run.sensor);
   const Vector3d towards = run.axis == run.base ? base_of(run) : Vector3d::Unit(run.axis);
   VectorXd hertz(m.lambda.size()), height(m.lambda.size());
   for (Index i = 0; i < height.size(); ++i) {
@@ -299,7 +291,7 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
     value = std::log(peak.damping());
     return true;
   }
-  const int sensor = sensor_named(reading.sensor);
+  const int sensor = own_.nominal->number_of(reading.sensor);
   if (reading.kind == ReadingKind::frequency) {
     value = std::log(sensor < 0 || run.axis != run.base ? peak.modes->hertz(peak.mode)
                                                         : summit(peak, sensor, reading.axis).first);
@@ -354,7 +346,7 @@ double StateAnswers::highest(const Peak& peak, const TestRun& run, int sensor, i
 }
 
 void StateAnswers::respond(Peak& peak, const TestRun& run) const {
-  if (peak.mode < 0 || own_.nominal->built.sensors.empty()) return;
+  if (peak.mode < 0 || seen_ == 0) return;
   std::vector<double> near, around;
   for (int i = -half_steps; i <= half_steps; ++i)
     near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));

@@ -32,8 +32,10 @@ struct Acting {
 
 class StateAnswers {
 public:
-  StateAnswers(const StateFamily& state, const TestReadings& test, const Acting& acting)
-      : own_(state), test_(test), acting_(acting) {}
+  // `seen`: how many of the observed places of the state the test looks at, those before the last.
+  StateAnswers(const StateFamily& state, const TestReadings& test, const Acting& acting,
+               Eigen::Index seen)
+      : own_(state), test_(test), acting_(acting), seen_(seen) {}
 
   // Logarithm of what the reading would be; not a number where the model does not give it. False:
   // no stable structure.
@@ -68,7 +70,6 @@ private:
   Eigen::MatrixXcd motion(const FamilyModes& m, const Eigen::VectorXd& zeta, int base,
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
-  int sensor_named(const std::string& name) const;
   std::vector<Eigen::Index> peak_modes(const FamilyModes& m, const TestRun& run) const;
   bool slipping(const TestRun& run, int peak, SlipTable& table, Slipping& found) const;
   bool find_peaks(int run);
@@ -86,6 +87,7 @@ private:
   const StateFamily& own_;
   const TestReadings& test_;
   const Acting& acting_;
+  const Eigen::Index seen_;
   std::optional<std::optional<FamilyModes>> linear_;
   std::map<int, std::vector<Peak>> peaks_;
   std::vector<std::unique_ptr<FamilyModes>> kept_;

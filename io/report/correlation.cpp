@@ -103,7 +103,7 @@ std::string responses_section(const Correlation& c) {
                         html_escape(r.response), html_escape(r.reference),
                         r.level ? fmt::format(" at {:g}", *r.level) : "", html_fixed(r.frac, 3),
                         html_fixed(r.best_frac, 3), html_signed(100 * r.stretch, 2)) +
-            plot_svg("test and simulation", curves) + plot_legend(curves);
+            plot_figure("test and simulation", "response", curves) + plot_legend(curves);
   }
   for (const ComparedLines& l : c.lines)
     html += fmt::format("<p>{}: CSAC {}, CSF {} (means over the lines).</p>\n",

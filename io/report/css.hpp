@@ -68,11 +68,27 @@ svg text { fill: var(--ink); font-family: inherit; }
 .pin { fill: var(--paper); stroke: var(--ink); stroke-width: 5; }
 .tag { paint-order: stroke; stroke: var(--paper); stroke-width: 10; stroke-linejoin: round; }
 .legend { max-width: 22rem; }
+figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { display: none; }
+.live { position: relative; } .live canvas { display: block; }
+.controls { display: flex; flex-wrap: wrap; gap: 0.5rem; align-items: center; margin: 0.4rem 0;
+  font-size: 0.8125rem; color: var(--muted); }
+.controls button, .controls select { font: inherit; color: var(--ink); background: var(--panel);
+  border: 1px solid var(--strong-rule); border-radius: 4px; padding: 0.2rem 0.6rem; cursor: pointer; }
+.controls button[aria-pressed="true"] { border-color: var(--accent); box-shadow: inset 0 0 0 1px var(--accent); }
+.controls :focus-visible, [data-mode]:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
+.viewer .live { background: var(--panel); border-radius: 6px; overflow: hidden; touch-action: none; }
+.viewer .tag { position: absolute; left: 0; top: 0; margin: -0.7em 0 0 0.8em; font-size: 0.8125rem;
+  pointer-events: none; text-shadow: 0 0 3px var(--paper), 0 0 3px var(--paper); }
+.viewer .sensor::before { content: ""; position: absolute; left: -1.15em; top: 0.3em; width: 0.6em;
+  height: 0.6em; border-radius: 50%; background: var(--paper); border: 2px solid var(--ink); }
+[data-mode] { cursor: pointer; } .u-legend { text-align: left !important; }
+.u-select { background: var(--accent); opacity: 0.15; }
 footer { margin-top: 3rem; padding-top: 0.75rem; border-top: 1px solid var(--rule);
   color: var(--muted); font-size: 0.875rem; }
 @media screen and (max-width: 46rem) {
   .pair { display: block; } .drawings { grid-template-columns: 1fr; } .modes { grid-template-columns: repeat(2, 1fr); } }
 @media print {
+  figure.is-live > svg, .is-live > .part { display: block; } .live, .controls { display: none; }
   @page { margin: 16mm 14mm; }
   main { max-width: none; padding: 0; } body { font-size: 9.5pt; }
   h2 { break-after: avoid; margin-top: 1.6rem; } table { font-size: 8.5pt; }

@@ -225,8 +225,10 @@ std::string overlays_html(const Diagnosis& d) {
   for (const OverlaidResponse& r : d.overlays) {
     const std::vector<PlotCurve> curves = curves_of(r);
     if (curves.empty()) continue;
-    html += "<h3>" + html_escape(r.name) + "</h3>\n" +
-            plot_svg("test and models, " + r.name, curves) + plot_legend(curves);
+    html +=
+        "<h3>" + html_escape(r.name) + "</h3>\n" +
+        plot_figure("test and models, " + r.name, "acceleration over that of the base", curves) +
+        plot_legend(curves);
   }
   return html;
 }

@@ -37,7 +37,8 @@ std::string diagram_html(const Identification& found) {
                      .filled = p.stability == Stability::all});
   std::vector<double> chosen;
   for (const IdentifiedMode& m : found.modes) chosen.push_back(m.frequency);
-  return plot_svg("stabilisation diagram", curves, marks, top, chosen) + plot_legend(curves) +
+  return plot_figure("stabilisation diagram", "response", curves, marks, top, chosen) +
+         plot_legend(curves) +
          "<p>Filled: stable in frequency, damping and participation against the order below; scale "
          "of "
          "the order at the right. Vertical lines: the modes that were taken.</p>\n";
@@ -120,7 +121,8 @@ std::string synthesis_html(const Identification& found) {
       html += fmt::format("<h3>{} by {}, FRAC {}{}</h3>\n", html_escape(found.set.responses[o]),
                           html_escape(found.set.references[i]),
                           html_fixed(found.frac(o, Index(i)), 4), o == worst ? ", met worst" : "") +
-              plot_svg("measured and synthesised response", curves) + plot_legend(curves);
+              plot_figure("measured and synthesised response", "response", curves) +
+              plot_legend(curves);
       if (worst == largest) break;
     }
   }

@@ -136,7 +136,8 @@ std::string levels_html(const Results& results) {
   for (const LevelFamily& family : results.families) {
     const std::vector<PlotCurve> list = curves(family);
     html += fmt::format("<h3>{}</h3>\n", html_escape(levels_title(family)));
-    if (!list.empty()) html += plot_svg(levels_title(family), list) + plot_legend(list);
+    if (!list.empty())
+      html += plot_figure(levels_title(family), "acceleration, m/s²", list) + plot_legend(list);
     html += fmt::format("<p>First harmonic of {} over the level; {} over {} joints and {} modes, "
                         "harmonics up to {}.</p>\n",
                         channel(family, family.strongest), family.method, family.joints,

@@ -106,6 +106,12 @@ std::string html_section(const std::string& id, const std::string& heading,
   return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, heading, body);
 }
 
+std::string json_script(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
+    json.replace(at, 1, "\\u003c");
+  return "<script type=\"application/json\">" + json + "</script>";
+}
+
 std::string html_list(const std::vector<std::string>& texts) {
   if (texts.empty()) return "";
   std::string html = "<ul>\n";

@@ -34,6 +34,9 @@ std::string html_table(const std::string& note, const std::vector<HtmlColumn>& c
 std::string html_section(const std::string& id, const std::string& heading,
                          const std::string& body);
 
+// <script> with data for the scripts of the page; what would end it is escaped.
+std::string json_script(std::string json);
+
 // <ul> of plain texts, escaped here.
 std::string html_list(const std::vector<std::string>& texts);
 

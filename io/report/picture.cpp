@@ -123,8 +123,9 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
   };
   const ModeResult& result = results.modes[mode];
   const std::string name = fmt::format("{:.1f} Hz, {}", result.frequency, mode_label(result));
-  return "<figure>" + svg_open(frame, fmt::format("mode {}: {}", mode + 1, name)) +
-         drawn(scene, view, frame) + outline(selection.used, view, frame) +
+  return fmt::format("<figure data-mode=\"{}\">", mode) +
+         svg_open(frame, fmt::format("mode {}: {}", mode + 1, name)) + drawn(scene, view, frame) +
+         outline(selection.used, view, frame) +
          fmt::format("</svg><figcaption><b>{}</b>  {:.1f} Hz, {}</figcaption></figure>\n", mode + 1,
                      result.frequency, html_escape(mode_label(result)));
 }

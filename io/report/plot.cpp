@@ -3,6 +3,7 @@
 #include "io/report/markup.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -80,11 +81,9 @@ std::string mark_svg(const Axes& axes, const PlotMark& m) {
                      m.filled ? 0.9 : 0.45);
 }
 
-} // namespace
-
-std::string plot_svg(const std::string& label, const std::vector<PlotCurve>& curves,
-                     const std::vector<PlotMark>& marks, double mark_top,
-                     const std::vector<double>& verticals) {
+std::string svg_of(const std::string& label, const std::vector<PlotCurve>& curves,
+                   const std::vector<PlotMark>& marks, double mark_top,
+                   const std::vector<double>& verticals) {
   const Axes axes = axes_of(curves, marks);
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", width,
                                 height, html_escape(label));
@@ -108,6 +107,55 @@ std::string plot_svg(const std::string& label, const std::vector<PlotCurve>& cur
       svg += text_at(width - right + 4, axes.at_share(share) + 4, "start",
                      fmt::format("{:g}", share * mark_top));
   return svg + "</svg>\n";
+}
+
+// Numbers as JSON, as many digits as a picture needs.
+template <class Numbers> std::string list_of(const Numbers& numbers, int digits) {
+  std::string text = "[";
+  for (const double x : numbers)
+    text += (text.size() > 1 ? "," : "") +
+            (std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : std::string("null"));
+  return text + "]";
+}
+
+std::string json_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', true);
+}
+
+std::string data_of(const std::string& label, const std::string& ordinate,
+                    const std::vector<PlotCurve>& curves, const std::vector<PlotMark>& marks,
+                    double mark_top, const std::vector<double>& verticals) {
+  constexpr int of_frequency = 7, of_value = 5;
+  std::vector<const Eigen::VectorXd*> grids; // those that differ
+  std::string list, grid_list, mark_list;
+  for (const PlotCurve& c : curves) {
+    auto own = std::find_if(grids.begin(), grids.end(), [&](const Eigen::VectorXd* g) {
+      return g->size() == c.hertz.size() && *g == c.hertz;
+    });
+    if (own == grids.end()) {
+      grid_list += (grids.empty() ? "" : ",") + list_of(c.hertz, of_frequency);
+      own = grids.insert(grids.end(), &c.hertz);
+    }
+    list += fmt::format("{}{{\"name\":{},\"grid\":{},\"dashes\":{},\"faint\":{},\"values\":{}}}",
+                        list.empty() ? "" : ",", json_text(c.name), own - grids.begin(), c.dashes,
+                        c.faint, list_of(c.magnitude, of_value));
+  }
+  for (const PlotMark& m : marks)
+    mark_list += fmt::format("{}[{:.7g},{:.5g},{}]", mark_list.empty() ? "" : ",", m.hertz,
+                             m.height * mark_top, m.filled ? 1 : 0);
+  return fmt::format("{{\"label\":{},\"ordinate\":{},\"grids\":[{}],\"curves\":[{}],\"marks\":[{}],"
+                     "\"verticals\":{}}}",
+                     json_text(label), json_text(ordinate), grid_list, list, mark_list,
+                     list_of(verticals, of_frequency));
+}
+
+} // namespace
+
+std::string plot_figure(const std::string& label, const std::string& ordinate,
+                        const std::vector<PlotCurve>& curves, const std::vector<PlotMark>& marks,
+                        double mark_top, const std::vector<double>& verticals) {
+  return "<figure class=\"plot\">" + svg_of(label, curves, marks, mark_top, verticals) +
+         json_script(data_of(label, ordinate, curves, marks, mark_top, verticals)) + "</figure>\n";
 }
 
 std::string plot_legend(const std::vector<PlotCurve>& curves) {

@@ -1,4 +1,6 @@
-// Curves over frequency as SVG: the ordinate logarithmic, lines told apart by dashes, not colour.
+// Curves over frequency: drawn as SVG, and with their numbers beside it for the script of the page,
+// which puts a plot with a cursor in its place. The ordinate is logarithmic, lines are told apart
+// by dashes, not colour.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,9 +24,11 @@ struct PlotMark {
 
 // Curves, then marks with a second scale of their own at the right ("order", 0 to `mark_top`).
 // Lines dropped to the axis at `verticals`. Without curves the marks stand alone.
-std::string plot_svg(const std::string& label, const std::vector<PlotCurve>& curves,
-                     const std::vector<PlotMark>& marks = {}, double mark_top = 0,
-                     const std::vector<double>& verticals = {});
+// `ordinate`: what it is, plain text.
+std::string plot_figure(const std::string& label, const std::string& ordinate,
+                        const std::vector<PlotCurve>& curves,
+                        const std::vector<PlotMark>& marks = {}, double mark_top = 0,
+                        const std::vector<double>& verticals = {});
 
 // "<p>mid y (full line), mid x (dashed)</p>"
 std::string plot_legend(const std::vector<PlotCurve>& curves);

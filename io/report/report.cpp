@@ -1,13 +1,14 @@
 #include "io/report/report.hpp"
 
-#include "io/report/css.hpp"
 #include "io/report/levels.hpp"
 #include "io/report/markup.hpp"
+#include "io/report/page.hpp"
 #include "io/report/picture.hpp"
 #include "io/report/profile.hpp"
 #include "io/report/response.hpp"
 #include "io/report/superelements.hpp"
 #include "io/report/tables.hpp"
+#include "io/report/viewer.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 std::string head_html(const Results& results) {
   const std::string title = results.title.empty() ? results.case_name : results.title;
   std::string html =
-      fmt::format("<header>\n<h1>{}</h1>\n<p class=\"case\">Case <code>{}</code>, "
+      fmt::format("<h1>{}</h1>\n<p class=\"case\">Case <code>{}</code>, "
                   "Plica {}</p>\n",
                   html_escape(title),
                   html_escape(results.case_name +
@@ -36,7 +37,7 @@ std::string head_html(const Results& results) {
   if (!results.warnings.empty()) {
     html += "<div class=\"warnings\"><b>Warnings</b>\n" + html_list(results.warnings) + "</div>\n";
   }
-  return html + "</header>\n";
+  return html;
 }
 
 } // namespace
@@ -45,16 +46,12 @@ std::string report_html(const Results& results) {
   const std::string title = results.title.empty() ? results.case_name : results.title;
   const bool is_measured = !results.comparison.empty();
   std::string html =
-      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                  "<title>{}: Plica report</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
-                  html_escape(title), report_css);
-  html += head_html(results);
-  html += html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
-                       comparison_html(results));
+      html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
+                   comparison_html(results));
   html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
-  html += html_section("part", "The part", profile_drawing(results) + part_picture(results));
+  html += html_section("part", "The part",
+                       profile_drawing(results) + part_viewer(results, part_picture(results)));
   html += html_section("superelements", "Superelements", superelements_html(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
   html += html_section("response", "Response", responses_html(results));
@@ -68,7 +65,7 @@ std::string report_html(const Results& results) {
   html += fmt::format("<footer>Plica {}. SI units unless a column says otherwise; y along the "
                       "pipe, x transverse, z vertical.</footer>\n",
                       html_escape(results.plica_version));
-  return html + "</main>\n</body>\n</html>\n";
+  return html_page(title + ": Plica report", head_html(results), html);
 }
 
 } // namespace plica

@@ -63,8 +63,8 @@ std::string responses_html(const Results& results) {
     if (r.channels.empty() || r.hertz.size() < 2) continue;
     base = base || !r.is_force;
     html += fmt::format("<h3>{}</h3>\n", html_escape(response_title(r))) +
-            plot_svg(response_title(r), curves(r)) + plot_legend(curves(r)) + peaks_html(r) +
-            random_html(r);
+            plot_figure(response_title(r), "acceleration, m/s² per " + r.unit, curves(r)) +
+            plot_legend(curves(r)) + peaks_html(r) + random_html(r);
   }
   if (base)
     html += "<p>Absolute acceleration of the sensor in its own axes over that of the base.</p>\n";

@@ -1,7 +1,7 @@
 #include "io/report/superelements.hpp"
 
-#include "io/report/css.hpp"
 #include "io/report/markup.hpp"
+#include "io/report/page.hpp"
 #include "io/results/text.hpp"
 #include "io/superelements/certificate_lines.hpp"
 
@@ -56,19 +56,16 @@ std::string certificate_report(const ReducedCase& r) {
   const Certificate& c = r.certificate;
   const Superelement& s = r.element;
   const bool good = c.passed && r.proved;
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}: superelement</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n"
-      "<header>\n<h1>Superelement {0}</h1>\n<p class=\"verdict{2}\"><b>{3}&nbsp;{4}</b> "
-      "{5}</p>\n</header>\n",
-      html_escape(s.name), report_css, good ? "" : " open", good ? "✓" : "!",
-      good ? "The certificate is passed." : "The certificate failed.",
-      fmt::format("Good up to {} Hz with an error of {} %.", html_number(c.good_up_to, 4),
-                  html_number(100 * c.error, 2)));
+  const std::string header =
+      fmt::format("<h1>Superelement {}</h1>\n<p class=\"verdict{}\"><b>{}&nbsp;{}</b> {}</p>\n",
+                  html_escape(s.name), good ? "" : " open", good ? "✓" : "!",
+                  good ? "The certificate is passed." : "The certificate failed.",
+                  fmt::format("Good up to {} Hz with an error of {} %.",
+                              html_number(c.good_up_to, 4), html_number(100 * c.error, 2)));
   std::vector<std::string> failures;
   for (const std::string& failure : c.failures) failures.push_back(html_escape(failure));
   if (!r.proved) failures.push_back("not proved: " + html_escape(r.reason));
+  std::string html;
   if (!failures.empty()) html += "<div class=\"warnings\">" + html_list(failures) + "</div>\n";
   std::string names;
   for (const std::string& name : s.node_names)
@@ -94,7 +91,7 @@ std::string certificate_report(const ReducedCase& r) {
   html += html_section("frequencies", "Part and superelement",
                        frequencies_html("Boundary free; rigid motions left out.", c.free) +
                            frequencies_html("Boundary held.", c.fixed));
-  return html + "</main>\n</body>\n</html>\n";
+  return html_page(s.name + ": superelement", header, html);
 }
 
 } // namespace plica

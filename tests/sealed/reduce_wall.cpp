@@ -32,8 +32,8 @@ MatrixXd orthonormal(const SparseMatrix& M, MatrixXd V) {
   for (int pass = 0; pass < 2; ++pass) {
     const MatrixXd gram = V.transpose() * plica::symmetric_product(M, V);
     const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * gram *
-                                                        scale.asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(
+        MatrixXd(scale.asDiagonal() * gram * scale.asDiagonal()));
     const auto kept = (eigen.eigenvalues().array() > 1e-9).count();
     V = V * (scale.asDiagonal() * eigen.eigenvectors().rightCols(kept) *
              eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal());

@@ -1,0 +1,88 @@
+#include "io/report/viewer.hpp"
+
+#include "io/report/colour.hpp"
+#include "io/report/markup.hpp"
+#include "io/report/surface.hpp"
+#include "io/results/geometry.hpp"
+#include "io/results/text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <vtkBase64Utilities.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace plica {
+namespace {
+
+constexpr int quad_budget = 7000;
+constexpr std::size_t most_modes = 12;
+
+std::string base64(std::string_view bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3), ' ');
+  text.resize(vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
+                                         bytes.size(),
+                                         reinterpret_cast<unsigned char*>(text.data())));
+  return text;
+}
+
+// The thinned mesh, its own nodes numbered anew, and which of the model's they are.
+struct Drawn {
+  Surface surface;
+  std::vector<int> nodes;
+};
+
+Drawn drawn(const Results& results) {
+  Drawn d;
+  std::vector<int> number(results.mesh.nodes.size(), -1);
+  const auto own = [&](int node) {
+    int& n = number[std::size_t(node)];
+    if (n < 0) {
+      n = int(d.nodes.size());
+      d.nodes.push_back(node);
+      d.surface.nodes.push_back(results.mesh.nodes[std::size_t(node)]);
+    }
+    return n;
+  };
+  for (const std::array<int, 4>& q : drawn_quads(results.mesh, quad_budget)) {
+    const std::array<int, 4> at{own(q[0]), own(q[1]), own(q[2]), own(q[3])};
+    for (const std::array<int, 3>& t : {std::array{at[0], at[1], at[2]}, {at[0], at[2], at[3]}})
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) d.surface.triangles.push_back(t);
+  }
+  for (const std::array<int, 2>& line : results.lines)
+    d.surface.lines.push_back({own(line[0]), own(line[1])});
+  return d;
+}
+
+std::vector<SurfaceShape> shapes_of(const Results& results, const Drawn& d) {
+  std::vector<SurfaceShape> shapes = drawn_shapes(results);
+  if (shapes.size() > most_modes) shapes.resize(most_modes);
+  for (SurfaceShape& s : shapes) s.displacement = s.displacement(d.nodes, Eigen::all).eval();
+  return shapes;
+}
+
+} // namespace
+
+std::string part_viewer(const Results& results, const std::string& drawing) {
+  const Drawn d = drawn(results);
+  if (d.surface.nodes.empty()) return drawing;
+  const std::vector<SurfaceShape> shapes = shapes_of(results, d);
+  nlohmann::ordered_json data;
+  data["modes"] = nlohmann::ordered_json::array();
+  for (std::size_t m = 0; m < shapes.size(); ++m)
+    data["modes"].push_back(fmt::format("{}: {:.1f} Hz, {}", m + 1, results.modes[m].frequency,
+                                        mode_label(results.modes[m])));
+  for (int stop = 0; stop <= 8; ++stop) data["colours"].push_back(viridis(stop / 8.));
+  data["sensors"] = nlohmann::ordered_json::array();
+  for (const SensorResult& s : results.sensors)
+    if (s.node >= 0 && s.node < int(results.mesh.nodes.size())) {
+      const Eigen::Vector3d& x = results.mesh.nodes[std::size_t(s.node)];
+      data["sensors"].push_back({{"name", s.name}, {"at", {x.x(), x.y(), x.z()}}});
+    }
+  data["glb"] = base64(glb_of(d.surface, shapes));
+  return "<figure class=\"viewer\">\n" + drawing + json_script(data.dump(-1, ' ', true)) +
+         "</figure>\n";
+}
+
+} // namespace plica

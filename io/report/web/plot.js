@@ -1,0 +1,158 @@
+// Curves over frequency with a cursor, zoom and linear or logarithmic axes (uPlot).
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+
+// Told apart by dashes first; colours are those of Okabe and Ito, which differ in lightness too.
+const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
+const dashes = [[], [8, 5], [2, 4], [10, 4, 2, 4]];
+const height = 340;
+
+const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+const digits = (value) => (value == null ? '–' : Number(value.toPrecision(4)).toString());
+
+// What the page says of a plot: { label, ordinate, grids: [[Hz]], curves: [{ name, grid, dashes,
+// faint, values }], marks: [[Hz, order, filled]], verticals: [Hz] }. A curve may turn back on itself
+// (a response that jumps), so it is drawn from its own points; the table below is for the cursor.
+function path(x, y) {
+  return (plot, index) => {
+    const line = new Path2D();
+    let open = false;
+    for (let i = 0; i < x.length; ++i) {
+      if (y[i] == null || (plot.scales.y.distr === 3 && !(y[i] > 0))) { open = false; continue; }
+      const at = [plot.valToPos(x[i], 'x', true), plot.valToPos(y[i], 'y', true)];
+      if (open) line.lineTo(...at); else line.moveTo(...at);
+      open = true;
+    }
+    return { stroke: line, fill: null, clip: null, flags: 0, index };
+  };
+}
+
+// Values of a curve at frequencies in rising order, between its points; null beyond its ends.
+function sampled(x, y, at) {
+  const order = [...x.keys()].filter((i) => y[i] != null).sort((i, j) => x[i] - x[j]);
+  let k = 0;
+  return at.map((f) => {
+    while (k + 1 < order.length && x[order[k + 1]] <= f) ++k;
+    const i = order[k];
+    const j = order[k + 1] ?? i;
+    if (i === undefined || f < x[i] || (j === i && f > x[i])) return null;
+    return x[j] > x[i] ? y[i] + ((y[j] - y[i]) * (f - x[i])) / (x[j] - x[i]) : y[i];
+  });
+}
+
+function table(data) {
+  const all = [...new Set(data.grids.flat())].sort((a, b) => a - b);
+  return [all, ...data.curves.map((c) => sampled(data.grids[c.grid], c.values, all))];
+}
+
+function series(data) {
+  return data.curves.map((curve, i) => ({
+    label: curve.name || `curve ${i + 1}`,
+    stroke: curve.faint ? style('--muted') : colours[i % colours.length],
+    width: curve.faint ? 1 : 1.75,
+    dash: dashes[curve.dashes % dashes.length],
+    points: { show: false },
+    paths: path(data.grids[curve.grid], curve.values),
+    value: (_, v) => digits(v),
+  }));
+}
+
+// Lines down to the axis, and marks at heights of their own.
+function furnish(data) {
+  return (plot) => {
+    const { ctx, bbox } = plot;
+    const top = Math.max(1, ...data.marks.map((m) => m[1]));
+    ctx.save();
+    ctx.strokeStyle = ctx.fillStyle = style('--ink');
+    ctx.lineWidth = devicePixelRatio;
+    const inside = (f) => f >= plot.scales.x.min && f <= plot.scales.x.max;
+    for (const f of data.verticals.filter(inside)) {
+      const x = plot.valToPos(f, 'x', true);
+      ctx.globalAlpha = 0.35;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+    }
+    for (const [f, order, filled] of data.marks.filter((m) => inside(m[0]))) {
+      ctx.globalAlpha = filled ? 0.9 : 0.45;
+      ctx.beginPath();
+      ctx.arc(plot.valToPos(f, 'x', true), bbox.top + bbox.height * (1 - order / top),
+        2.4 * devicePixelRatio, 0, 2 * Math.PI);
+      if (filled) ctx.fill(); else ctx.stroke();
+    }
+    ctx.restore();
+  };
+}
+
+function options(data, width, logarithmic) {
+  const axis = {
+    stroke: style('--ink'),
+    grid: { stroke: style('--rule'), width: 1 },
+    ticks: { stroke: style('--rule') },
+    font: '12px system-ui, sans-serif',
+  };
+  return {
+    width,
+    height,
+    cursor: { drag: { x: true, y: false }, focus: { prox: 24 } },
+    focus: { alpha: 0.45 },
+    legend: { live: true },
+    scales: {
+      x: { time: false, distr: logarithmic.x ? 3 : 1 },
+      y: { distr: logarithmic.y ? 3 : 1 },
+    },
+    axes: [
+      { ...axis, label: 'Hz', labelFont: axis.font, values: (_, v) => v.map((x) => digits(x)) },
+      { ...axis, label: data.ordinate, labelFont: axis.font, size: 64,
+        values: (_, v) => v.map((x) => (x == null ? '' : digits(x))) },
+    ],
+    hooks: { draw: [furnish(data)] },
+    series: [{ label: 'Hz', value: (_, v) => digits(v) }, ...series(data)],
+  };
+}
+
+export function enlivenPlot(figure) {
+  const source = figure.querySelector('script[type="application/json"]');
+  if (!source) return;
+  const data = JSON.parse(source.textContent);
+  if (data.curves.length === 0) return;
+  const positive = data.grids.every((grid) => grid.every((f) => f > 0));
+  const logarithmic = { x: false, y: true };
+  const values = table(data);
+  const stage = element('div', { class: 'live' });
+  const bar = element('div', { class: 'controls', role: 'group', 'aria-label': 'axes' });
+  let plot = null;
+  const draw = () => {
+    if (plot) plot.destroy();
+    plot = new uPlot(options(data, Math.max(300, stage.clientWidth), logarithmic), values, stage);
+    figure.plot = plot;
+  };
+  for (const [axis, text] of [['x', 'frequency'], ['y', 'ordinate']]) {
+    const button = element('button', { type: 'button', 'aria-pressed': String(logarithmic[axis]),
+      'data-axis': axis }, `${text} logarithmic`);
+    button.addEventListener('click', () => {
+      logarithmic[axis] = !logarithmic[axis];
+      button.setAttribute('aria-pressed', String(logarithmic[axis]));
+      draw();
+    });
+    if (axis === 'y' || positive) bar.append(button);
+  }
+  bar.append(element('span', { class: 'hint' },
+    'drag to zoom, double click for all, a name in the legend hides its curve'));
+  figure.prepend(stage, bar);
+  figure.classList.add('is-live');
+  draw();
+  new ResizeObserver(() => {
+    if (plot && stage.clientWidth > 0) plot.setSize({ width: stage.clientWidth, height });
+  }).observe(stage);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
+}

@@ -1,0 +1,131 @@
+#include "io/results/geometry.hpp"
+
+#include "io/files.hpp"
+#include "io/results/text.hpp"
+#include "io/universal/writer.hpp"
+#include "mesh/gmsh_session.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+constexpr double exaggeration = 0.05;                 // largest displacement / size of the part
+constexpr int thin_shell_quad = 94, linear_beam = 21; // fe descriptor ids of data set 2412
+
+std::size_t shown_modes(const Results& results) {
+  return std::min(results.modes.size(), results.shapes.size());
+}
+
+void write_surfaces(const Results& results, const std::string& format,
+                    const std::filesystem::path& folder) {
+  const Surface surface = surface_of(results);
+  const std::vector<SurfaceShape> shapes = drawn_shapes(results);
+  write_surface(surface, shapes, folder / ("part." + format));
+  if (format == "glb") return;
+  for (std::size_t m = 0; m < shapes.size(); ++m)
+    write_surface(deformed(surface, shapes[m]), {},
+                  folder / fmt::format("mode_{:02}.{}", m + 1, format));
+}
+
+UniversalShape mode_shape(const Results& results, std::size_t mode) {
+  UniversalShape s;
+  s.ids[0] = fmt::format("{}: mode {}", results.case_name, mode + 1);
+  s.ids[1] = mode_label(results.modes[mode]);
+  s.data_type = UniversalDataType::real_double;
+  describe(s, UniversalNormalMode{.load_case = 1,
+                                  .mode = int(mode) + 1,
+                                  .frequency = results.modes[mode].frequency,
+                                  .modal_mass = 1,
+                                  .viscous_damping = results.modes[mode].damping,
+                                  .hysteretic_damping = 0});
+  s.data_characteristic = 2;
+  const Eigen::MatrixXd& shape = results.shapes[mode];
+  for (Eigen::Index i = 0; i < shape.rows(); ++i) s.nodes.push_back(int(i) + 1);
+  s.real = shape.leftCols(3).array().isFinite().select(shape.leftCols(3), 0);
+  return s;
+}
+
+} // namespace
+
+const std::vector<std::string>& geometry_formats() {
+  static const std::vector<std::string> formats{"msh", "uff", "glb", "obj", "ply", "stl"};
+  return formats;
+}
+
+Surface surface_of(const Results& results) {
+  Surface s;
+  s.nodes = results.mesh.nodes;
+  for (const ShellQuad& q : results.mesh.quads) {
+    s.triangles.push_back({q.nodes[0], q.nodes[1], q.nodes[2]});
+    s.triangles.push_back({q.nodes[0], q.nodes[2], q.nodes[3]});
+  }
+  s.lines = results.lines;
+  return s;
+}
+
+std::vector<SurfaceShape> drawn_shapes(const Results& results) {
+  require_one_row_per_node(results);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : results.mesh.nodes) box.extend(x);
+  std::vector<SurfaceShape> shapes;
+  for (std::size_t m = 0; m < shown_modes(results); ++m) {
+    Eigen::MatrixXd u = results.shapes[m].leftCols(3);
+    u = u.array().isFinite().select(u, 0).eval();
+    const double largest = u.rowwise().norm().maxCoeff();
+    if (largest > 0) u *= exaggeration * box.diagonal().norm() / largest;
+    shapes.push_back({fmt::format("mode {}", m + 1), std::move(u)});
+  }
+  return shapes;
+}
+
+std::string geometry_uff(const Results& results) {
+  require_one_row_per_node(results);
+  UniversalUnits units;
+  units.description = "SI: metre, newton";
+  UniversalNodes nodes;
+  nodes.double_precision = false;
+  for (std::size_t i = 0; i < results.mesh.nodes.size(); ++i) {
+    const Eigen::Vector3d& x = results.mesh.nodes[i];
+    UniversalNode n;
+    n.label = int(i) + 1;
+    n.position = {x.x(), x.y(), x.z()};
+    nodes.nodes.push_back(n);
+  }
+  UniversalElements elements;
+  const auto add = [&](int descriptor, std::vector<int> of) {
+    UniversalElement e;
+    e.label = int(elements.elements.size()) + 1;
+    e.descriptor = descriptor;
+    e.property = e.material = 1;
+    if (descriptor == linear_beam) e.beam = UniversalBeam{};
+    for (int& node : of) ++node;
+    e.nodes = std::move(of);
+    elements.elements.push_back(std::move(e));
+  };
+  for (const ShellQuad& q : results.mesh.quads)
+    add(thin_shell_quad, {q.nodes.begin(), q.nodes.end()});
+  for (const auto& line : results.lines) add(linear_beam, {line.begin(), line.end()});
+  std::string text = universal_text(units) + universal_text(nodes);
+  if (!elements.elements.empty()) text += universal_text(elements);
+  for (std::size_t m = 0; m < shown_modes(results); ++m)
+    text += universal_text(mode_shape(results, m));
+  return text;
+}
+
+void write_geometry(const Results& results, const std::vector<std::string>& formats,
+                    const std::filesystem::path& folder) {
+  for (const std::string& format : formats) {
+    if (format == "msh")
+      write_msh(results.mesh, results.lines, folder / "mesh.msh");
+    else if (format == "uff")
+      write_whole(folder / "geometry.uff", geometry_uff(results));
+    else
+      write_surfaces(results, format, folder);
+  }
+}
+
+} // namespace plica

@@ -1,0 +1,31 @@
+// The part and its modes for other programs: `plica run --geometry`.
+//
+//   msh            mesh.msh: nodes, quads, lines, node sets, for Gmsh
+//   uff            geometry.uff: data sets 164, 15, 2412 and 55 per mode, SI, for test software
+//   glb            part.glb: surface and lines, a morph target per mode
+//   obj, ply, stl  part.<format> and mode_01.<format> ...: the deformed surface of each mode
+//
+// Of what a surface shows, the largest displacement of a mode is 5 % of the size of the part.
+#pragma once
+
+#include "mesh/surface_file.hpp"
+#include "model/results.hpp"
+
+#include <filesystem>
+
+namespace plica {
+
+const std::vector<std::string>& geometry_formats();
+
+// `formats` from those above. Throws InputError where a file cannot be written.
+void write_geometry(const Results& results, const std::vector<std::string>& formats,
+                    const std::filesystem::path& folder);
+
+// Every node, quad (as two triangles) and line of the results.
+Surface surface_of(const Results& results);
+// Of the modes, scaled for pictures; no row that is not finite.
+std::vector<SurfaceShape> drawn_shapes(const Results& results);
+
+std::string geometry_uff(const Results& results);
+
+} // namespace plica
