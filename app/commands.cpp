@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 
+#include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "diagnose/compare.hpp"
@@ -9,6 +10,7 @@
 #include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
+#include "io/input/reference.hpp"
 #include "io/input/schema.hpp"
 #include "io/results/geometry.hpp"
 #include "io/results/summary.hpp"
@@ -42,6 +44,28 @@ VariantResult run_variant(const CaseFile& file, const Variant& variant,
   if (measured) result.comparison = compare(results, *measured);
   result.set.assign(variant.set.begin(), variant.set.end());
   return result;
+}
+
+// Shares of the work are counted in runs for the headline; the first one does more.
+void add_error_bars_and_variants(Results& results, const CaseFile& file, const RunOptions& options,
+                                 const std::optional<Measured>& measured, Progress& progress) {
+  const bool bars = options.error_bars && file.data.analyses.error_bars;
+  const double first = 1.5, of_bars = bars ? 2 + 2 * double(file.data.tolerances.size()) : 0;
+  const auto variants = options.variants ? file.data.variants.size() : 0;
+  const double all = first + of_bars + double(variants);
+  if (bars) {
+    progress.share(first / all);
+    try {
+      results.error_bars = error_bars(file.data, headline(results),
+                                      [&](const std::string& s) { progress.stage(s); });
+    } catch (const std::exception& error) { // the run itself is good
+      results.warnings.push_back(std::string("error bars left out: ") + error.what());
+    }
+  }
+  for (std::size_t i = 0; i < variants; ++i) {
+    progress.share((first + of_bars + double(i)) / all);
+    results.variants.push_back(run_variant(file, file.data.variants[i], measured, progress));
+  }
 }
 
 int write_deck(const CaseFile& file, const RunOptions& options) {
@@ -84,23 +108,25 @@ int run_command(const RunOptions& options) {
     for (const std::string& caveat : measured->caveats)
       results.assumptions.push_back("Measurement: " + caveat);
   }
-  const auto stage = [&](const std::string& s) { progress.stage(s); };
-  if (options.error_bars && file.data.analyses.error_bars) {
-    try {
-      results.error_bars = error_bars(file.data, headline(results), stage);
-    } catch (const std::exception& error) { // the run itself is good
-      results.warnings.push_back(std::string("error bars left out: ") + error.what());
-    }
+  bool interrupted = false;
+  try {
+    add_error_bars_and_variants(results, file, options, measured, progress);
+  } catch (const Interrupted& stop) { // the run itself is finished
+    interrupted = true;
+    forget_interrupt();
+    results.warnings.push_back("stopped by Ctrl-C before \"" + stop.stage +
+                               "\": what would follow is left out");
   }
-  if (options.variants)
-    for (const Variant& variant : file.data.variants)
-      results.variants.push_back(run_variant(file, variant, measured, progress));
   progress.title(file.data.name);
   progress.stage("writing " + options.out.string());
   write_results(results, options.out);
   write_geometry(results, options.geometry, options.out);
   progress.finish();
   if (!options.quiet) fmt::print("{}", summary_text(results, options.out / "report.html"));
+  if (interrupted) {
+    fmt::print(stderr, "plica: {}\n", results.warnings.back());
+    return interrupted_exit;
+  }
   if (results.verification.made && !results.verification.passed) {
     fmt::print(stderr, "plica: the proof failed: {}\n", results.verification.reason);
     return 2;
@@ -162,11 +188,11 @@ int check_command(const CheckOptions& options) {
   return 0;
 }
 
-int schema_command(const std::string& what) {
+int schema_command(const std::string& what, bool reference) {
   const std::string schema = what == "measured"    ? measured_schema()
                              : what == "benchmark" ? benchmark_schema()
                                                    : case_schema();
-  fmt::print("{}\n", schema);
+  fmt::print("{}\n", reference ? reference_of(schema) : schema);
   return 0;
 }
 

@@ -107,6 +107,7 @@ int check_command(const CheckOptions& options);
 // that is there and for a name that no case can have.
 int init_command(const std::filesystem::path& file);
 
-int schema_command(const std::string& what); // case, measured or benchmark
+// Of case, measured or benchmark files; `reference`: in Markdown.
+int schema_command(const std::string& what, bool reference);
 
 } // namespace plica

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "diagnose/fit.hpp"
@@ -64,6 +65,7 @@ int fit_command(const FitOptions& options) {
   progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
   progress.stage("fit of " + std::to_string(file.data.fit->parameters.size()) + " parameters");
   settings.progress = [&](int evaluations, double cost) {
+    progress.share(double(evaluations) / double(std::max(settings.evaluations, 1)));
     progress.stage(
         fmt::format("{} of {} evaluations, cost {:.4g}", evaluations, settings.evaluations, cost));
   };
@@ -75,7 +77,7 @@ int fit_command(const FitOptions& options) {
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what(), "a start from which the model gives every target");
   }
-  std::signal(SIGINT, SIG_DFL);
+  watch_interrupts();
   if (stopped)
     fit.warnings.insert(fit.warnings.begin(), "the search was stopped before its budget");
   write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, options.out);

@@ -1,5 +1,7 @@
 // The command line. Exit codes: 0 good, 1 user error, 2 a numerical verdict failed, 3 internal.
 #include "app/commands.hpp"
+#include "app/describe_app.hpp"
+#include "app/interrupt.hpp"
 #include "io/results/geometry.hpp"
 #include "model/input_error.hpp"
 #include "solve/blas_kernels.hpp"
@@ -234,9 +236,19 @@ int dispatch(int argc, char** argv) {
 
   std::string schema = "case";
   CLI::App* schema_app = app.add_subcommand("schema", "print the JSON Schema of the input files");
+  bool reference = false;
+  schema_app->add_flag("--reference", reference, "every key in Markdown instead");
   schema_app->add_option("KIND", schema, "case, measured or benchmark")
       ->check(CLI::IsMember({"case", "measured", "benchmark"}))
       ->capture_default_str();
+
+  std::string shell = "bash";
+  CLI::App* completion_app =
+      app.add_subcommand("completion", "print the completions of the command line for a shell");
+  completion_app->add_option("SHELL", shell, "bash or zsh")
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->capture_default_str();
+  CLI::App* manual_app = app.add_subcommand("manual", "print the manual page, as man reads it");
 
   try {
     app.parse(argc, argv);
@@ -269,15 +281,22 @@ int dispatch(int argc, char** argv) {
   }
   if (*check_app) return plica::check_command(check);
   if (*init_app) return plica::init_command(starter);
-  return plica::schema_command(schema);
+  if (*completion_app) fmt::print("{}", plica::completion(app, shell));
+  if (*manual_app) fmt::print("{}", plica::manual_page(app, PLICA_VERSION));
+  if (*completion_app || *manual_app) return 0;
+  return plica::schema_command(schema, reference);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   plica::avoid_faulty_blas_kernels(argv);
+  plica::watch_interrupts();
   try {
     return dispatch(argc, argv);
+  } catch (const plica::Interrupted& stop) {
+    fmt::print(stderr, "plica: stopped before \"{}\"; no file was written\n", stop.stage);
+    return plica::interrupted_exit;
   } catch (const plica::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

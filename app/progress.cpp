@@ -1,5 +1,7 @@
 #include "app/progress.hpp"
 
+#include "app/interrupt.hpp"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -15,11 +17,19 @@ void Progress::title(const std::string& name) {
   title_ = name;
 }
 
+void Progress::share(double done) {
+  share_ = done;
+}
+
 void Progress::stage(const std::string& name) {
+  if (is_interrupted()) throw Interrupted{title_ + ": " + name};
   if (quiet_) return;
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const std::string line = fmt::format("[{:6.1f} s] {}: {}", seconds, title_, name);
+  const std::string left = share_ > 0 ? fmt::format("{:3.0f} %, {:.0f} s left  ", 100 * share_,
+                                                    seconds * (1 - share_) / share_)
+                                      : "";
+  const std::string line = fmt::format("[{:6.1f} s] {}{}: {}", seconds, left, title_, name);
   if (terminal_)
     fmt::print(stderr, "\r\033[K{}", line);
   else

@@ -1,26 +1,56 @@
-# Installs the program, the libraries with their headers, the cases, and a CMake package:
+# Installs the program with its manual, completions and cases (component `program`, also a Debian
+# package by `cpack`), and the libraries with their headers and a CMake package (`development`):
 #   find_package(plica) ... target_link_libraries(mine plica::solve)
 include(CMakePackageConfigHelpers)
 
 get_property(plica_libraries GLOBAL PROPERTY PLICA_LIBRARIES)
 set(plica_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plica)
 
-install(TARGETS plica RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/plica.1 ${PROJECT_BINARY_DIR}/plica.bash
+  COMMAND plica manual > ${PROJECT_BINARY_DIR}/plica.1
+  COMMAND plica completion bash > ${PROJECT_BINARY_DIR}/plica.bash
+  DEPENDS plica)
+add_custom_target(plica_manual ALL DEPENDS ${PROJECT_BINARY_DIR}/plica.1)
+
+install(TARGETS plica RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/plica.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/plica.bash RENAME plica
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/plica COMPONENT program)
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
 install(TARGETS ${plica_libraries} EXPORT plica-targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/plica)
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/plica COMPONENT development)
 foreach(folder mesh elements solve reduction model diagnose io)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plica
-    FILES_MATCHING PATTERN "*.hpp")
+    COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 endforeach()
-install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/plica)
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-
-install(EXPORT plica-targets NAMESPACE plica:: DESTINATION ${plica_package_dir})
+install(EXPORT plica-targets NAMESPACE plica:: DESTINATION ${plica_package_dir}
+  COMPONENT development)
 configure_package_config_file(cmake/plica-config.cmake.in
   ${PROJECT_BINARY_DIR}/plica-config.cmake INSTALL_DESTINATION ${plica_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plica-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/plica-config.cmake
   ${PROJECT_BINARY_DIR}/plica-config-version.cmake
-  cmake/FindCHOLMOD.cmake cmake/FindFftw3.cmake cmake/FindGmshSdk.cmake cmake/FindLibcsv.cmake cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake
-  cmake/FindUMFPACK.cmake DESTINATION ${plica_package_dir})
+  cmake/FindCHOLMOD.cmake cmake/FindFftw3.cmake cmake/FindGmshSdk.cmake cmake/FindLibcsv.cmake
+  cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake cmake/FindUMFPACK.cmake
+  DESTINATION ${plica_package_dir} COMPONENT development)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME plica)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "The developers of Plica <plica@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL program)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME plica)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libopenblas0-pthread)
+set(CPACK_STRIP_FILES ON)
+include(CPack)

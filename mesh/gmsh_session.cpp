@@ -1,42 +1,14 @@
 #include "mesh/gmsh_session.hpp"
 
+#include "mesh/gmsh.hpp"
+
 #include <algorithm>
-#include <gmsh.h>
-#include <mutex>
 #include <numeric>
-#include <omp.h>
-#include <stdexcept>
 
 namespace plica {
 namespace {
 
 using Eigen::Vector2d;
-
-// Opens the Gmsh session of this process, silent, and closes it again; other threads wait. Gmsh
-// sets the number of OpenMP threads; it is put back.
-class Session {
-public:
-  Session() : alone_(session_mutex()), threads_(omp_get_max_threads()) {
-    gmsh::initialize();
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.NumThreads", 1);
-    gmsh::model::add("plica");
-  }
-  ~Session() {
-    gmsh::finalize();
-    omp_set_num_threads(threads_);
-  }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-
-private:
-  static std::mutex& session_mutex() {
-    static std::mutex mutex;
-    return mutex;
-  }
-  std::lock_guard<std::mutex> alone_;
-  int threads_;
-};
 
 int add_point(const Vector2d& p) {
   return gmsh::model::geo::addPoint(p.x(), p.y(), 0);
@@ -77,7 +49,7 @@ CurveNodes nodes_of(int curve, bool with_tangents) {
   return nodes;
 }
 
-std::vector<CurveNodes> mesh_in_session(const std::vector<MeridianCurve>& curves) {
+std::vector<CurveNodes> mesh_in_gmsh(const std::vector<MeridianCurve>& curves) {
   std::vector<int> tags;
   int tip = add_point(curves.front().start);
   for (const MeridianCurve& curve : curves) {
@@ -134,27 +106,16 @@ void add_sets(const Mesh& mesh) {
   }
 }
 
-template <class F> auto in_session(F&& work) {
-  const Session session;
-  try {
-    return work();
-  } catch (const std::exception&) {
-    throw;
-  } catch (...) {
-    throw std::runtime_error("Gmsh failed without a message");
-  }
-}
-
 } // namespace
 
 std::vector<CurveNodes> mesh_curves(const std::vector<MeridianCurve>& curves) {
   if (curves.empty()) return {};
-  return in_session([&] { return mesh_in_session(curves); });
+  return in_gmsh([&] { return mesh_in_gmsh(curves); });
 }
 
 void write_msh(const Mesh& mesh, const std::vector<std::array<int, 2>>& lines,
                const std::filesystem::path& file) {
-  in_session([&] {
+  in_gmsh([&] {
     add_discrete_elements(mesh, lines);
     add_sets(mesh);
     gmsh::option::setNumber("Mesh.SaveAll", 1);

@@ -1,5 +1,5 @@
-// Gmsh, wrapped once: the only source file that includes gmsh.h is gmsh_session.cpp.
-// Gmsh keeps one global session, so calls in two threads wait for each other.
+// Meshing of curves, and files of Gmsh. Gmsh keeps one global session, so calls in two threads wait
+// for each other.
 #pragma once
 
 #include "mesh/meridian.hpp"

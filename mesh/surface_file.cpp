@@ -1,6 +1,8 @@
 #include "mesh/surface_file.hpp"
 
+#include <Eigen/Geometry>
 #include <assimp/Exporter.hpp>
+#include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -95,7 +97,96 @@ std::string exported(const Surface& surface, const std::vector<SurfaceShape>& sh
   return {static_cast<const char*>(blob->data), blob->size};
 }
 
+// Numbers vertices so that those within a distance share one.
+class Welder {
+public:
+  Welder(std::vector<Eigen::Vector3d>& nodes, double distance)
+      : nodes_(nodes), distance_(distance) {}
+
+  int number(const Eigen::Vector3d& x) {
+    const Cell own = cell_of(x);
+    for (long i = -1; i <= 1; ++i)
+      for (long j = -1; j <= 1; ++j)
+        for (long k = -1; k <= 1; ++k)
+          if (const auto found = cells_.find({own[0] + i, own[1] + j, own[2] + k});
+              found != cells_.end())
+            for (int node : found->second)
+              if ((nodes_[std::size_t(node)] - x).norm() <= distance_) return node;
+    cells_[own].push_back(int(nodes_.size()));
+    nodes_.push_back(x);
+    return int(nodes_.size()) - 1;
+  }
+
+private:
+  using Cell = std::array<long, 3>;
+  Cell cell_of(const Eigen::Vector3d& x) const {
+    const double size = std::max(distance_, 1e-12);
+    return {std::lround(x.x() / size), std::lround(x.y() / size), std::lround(x.z() / size)};
+  }
+
+  std::vector<Eigen::Vector3d>& nodes_;
+  double distance_;
+  std::map<Cell, std::vector<int>> cells_;
+};
+
+std::string lower_suffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return suffix;
+}
+
+// assimp takes a text that ends within a facet for whole.
+void require_whole_stl(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (text.starts_with("solid") && text.find("facet") != std::string::npos &&
+      text.find("endsolid") == std::string::npos)
+    throw std::runtime_error(file.string() + ": ends before its endsolid: it was cut short");
+}
+
 } // namespace
+
+bool is_surface_file(const std::filesystem::path& file) {
+  const std::string suffix = lower_suffix(file);
+  return suffix == ".stl" || suffix == ".obj" || suffix == ".ply" || suffix == ".glb" ||
+         suffix == ".gltf";
+}
+
+Surface read_surface(const std::filesystem::path& file, double unit, double weld) {
+  const std::string suffix = lower_suffix(file);
+  if (suffix == ".stl") require_whole_stl(file);
+  Assimp::Importer importer;
+  const aiScene* scene =
+      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  if (!scene) throw std::runtime_error(file.string() + ": " + importer.GetErrorString());
+  const bool y_up = suffix == ".glb" || suffix == ".gltf";
+  Surface surface;
+  Welder welder(surface.nodes, weld);
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene->mMeshes[m];
+    std::vector<int> number;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      const aiVector3D& v = mesh.mVertices[i];
+      const Eigen::Vector3d x =
+          unit * (y_up ? Eigen::Vector3d(v.x, -v.z, v.y) : Eigen::Vector3d(v.x, v.y, v.z));
+      if (!x.allFinite())
+        throw std::runtime_error(file.string() + ": a vertex is not a finite number");
+      number.push_back(welder.number(x));
+    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      if (mesh.mFaces[f].mNumIndices != 3) continue; // lines and points
+      std::array<int, 3> t{};
+      for (unsigned c = 0; c < 3; ++c) t[c] = number[mesh.mFaces[f].mIndices[c]];
+      const auto& x = surface.nodes;
+      const Eigen::Vector3d area = (x[std::size_t(t[1])] - x[std::size_t(t[0])])
+                                       .cross(x[std::size_t(t[2])] - x[std::size_t(t[0])]);
+      if (area.norm() > 0) surface.triangles.push_back(t);
+    }
+  }
+  if (surface.triangles.empty()) throw std::runtime_error(file.string() + ": holds no triangle");
+  return surface;
+}
 
 std::string glb_of(const Surface& surface, const std::vector<SurfaceShape>& shapes) {
   return exported(surface, shapes, "glb2", true);

@@ -31,6 +31,14 @@ std::string glb_of(const Surface& surface, const std::vector<SurfaceShape>& shap
 void write_surface(const Surface& surface, const std::vector<SurfaceShape>& shapes,
                    const std::filesystem::path& file);
 
+// STL, OBJ, PLY, glTF by the suffix, in any case.
+bool is_surface_file(const std::filesystem::path& file);
+
+// Triangles of such a file, its numbers times `unit` (m), glTF turned to z up; vertices within
+// `weld` (m) of each other are one, triangles that this leaves without an area are gone. Throws
+// std::runtime_error: not readable, cut short, no triangle, a number that is not finite.
+Surface read_surface(const std::filesystem::path& file, double unit, double weld);
+
 // The surface moved by a shape.
 Surface deformed(const Surface& surface, const SurfaceShape& shape);
 

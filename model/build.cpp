@@ -4,6 +4,7 @@
 #include "mesh/plate.hpp"
 #include "model/build_bellows.hpp"
 #include "model/build_pipes.hpp"
+#include "model/build_surface.hpp"
 #include "model/connector_curve.hpp"
 #include "model/input_error.hpp"
 #include "model/ply_slip.hpp"
@@ -127,6 +128,20 @@ private:
     const Material& m = case_.materials.at(plate.material);
     built_.model.shells.push_back(
         {{.E = m.E, .nu = m.nu, .rho = m.rho}, plate.membrane, component(name)});
+  }
+
+  void add(const std::string& name, const SurfacePart& surface) {
+    const int section = static_cast<int>(built_.model.shells.size());
+    Mesh mesh;
+    try {
+      mesh = surface_mesh(surface);
+    } catch (const std::runtime_error& error) {
+      input_error("parts." + name + ".file", error.what(), "a surface that can be meshed");
+    }
+    append(built_.model.mesh, mesh, name, section);
+    const Material& m = case_.materials.at(surface.material);
+    built_.model.shells.push_back(
+        {{.E = m.E, .nu = m.nu, .rho = m.rho}, surface.membrane, component(name)});
   }
 
   void add(const std::string& name, const BeamPart& beam) {

@@ -6,12 +6,14 @@
 #pragma once
 
 #include "elements/shell_mitc4.hpp"
+#include "mesh/shell_surface.hpp"
 #include "model/fit_request.hpp"
 #include "model/friction.hpp"
 #include "solve/joint_method.hpp"
 
 #include <array>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -119,6 +121,29 @@ struct Plate {
   Membrane membrane = Membrane::displacement;
 };
 
+// Nodes of a surface near a point, as a set of their own.
+struct SurfacePlace {
+  std::string name;
+  Triple at{};
+  double within = 0;
+};
+
+// A thin-walled part on the faces of a CAD file or of a triangulated surface.
+struct SurfacePart {
+  std::string material;
+  std::string file;                // from the folder of the case
+  std::optional<double> unit = {}; // m per unit of the file, where the format has none
+  double thickness = 0;
+  WallSide given = WallSide::middle; // where the surface lies in the wall
+  double size = 0;                   // of elements
+  double turn = std::numbers::pi / 8;
+  double weld = 1e-6; // vertices of a triangulated surface that are one
+  Triple rotate{};    // about x, then y, then z
+  Triple move{};
+  std::vector<SurfacePlace> places = {};
+  Membrane membrane = Membrane::displacement;
+};
+
 struct BeamPart {
   std::vector<Triple> points; // the axis, straight between points
   int elements = 1;           // per stretch
@@ -187,7 +212,9 @@ struct PointMass {
 
 struct Part {
   std::string name;
-  std::variant<Bellows, Interlock, Plate, BeamPart, PointMass, EquivalentPipe, ConnectorChain> body;
+  std::variant<Bellows, Interlock, Plate, BeamPart, PointMass, EquivalentPipe, ConnectorChain,
+               SurfacePart>
+      body;
 };
 
 // Rigid end cap or flange: reference node in the middle of an end circle, tied to it. On the ends

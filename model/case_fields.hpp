@@ -155,6 +155,38 @@ template <class V> void fields(V& v, Plate& p) {
   fields(v, p.membrane);
 }
 
+template <class V> void fields(V& v, SurfacePlace& p) {
+  v.quantities(p.at, "at", {.unit = Dimension::length, .required = true}, "[x, y, z]");
+  v.quantity(p.within, "within",
+             {.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true},
+             "nodes at most so far from it");
+}
+
+template <class V> void fields(V& v, SurfacePart& s) {
+  const Quantity length{
+      .unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true};
+  v.text(s.material, "material", {.required = true}, "name of a material");
+  v.text(s.file, "file", {.required = true},
+         "STEP, IGES or BREP faces, or triangles as STL, OBJ, PLY or glTF; from the folder of the "
+         "case");
+  v.quantity(s.unit, "unit", {.unit = Dimension::length, .min = 0, .exclusive_min = true},
+             "length of one unit of a file of triangles, which does not say");
+  v.quantity(s.thickness, "thickness", length, "thickness");
+  v.choice(s.given, "surface_is",
+           {{WallSide::middle, "middle"}, {WallSide::outer, "outer"}, {WallSide::inner, "inner"}},
+           optional_key, "of the wall; left out: its middle");
+  v.quantity(s.size, "element_size", length, "largest edge of an element");
+  v.quantity(s.turn, "element_turn", {.unit = Dimension::angle, .min = 0.02, .max = 1.6},
+             "how far an element of a CAD face may turn; left out: 22.5 deg");
+  v.quantity(s.weld, "weld", {.unit = Dimension::length, .min = 0},
+             "vertices of triangles that are one; left out: 1 um");
+  v.quantities(s.rotate, "rotate", {.unit = Dimension::angle}, "about x, then y, then z");
+  v.quantities(s.move, "move", {.unit = Dimension::length}, "then moved by [x, y, z]");
+  v.named(s.places, &SurfacePlace::name, "places", optional_key,
+          "sets of nodes near points of the case, as part.name");
+  fields(v, s.membrane);
+}
+
 template <class V> void fields(V& v, BeamSection& s) {
   const Quantity size{.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true};
   const Quantity section{
@@ -209,7 +241,8 @@ template <class V> void fields(V& v, PointMass& m) {
 }
 
 template <class V> void fields(V& v, Part& p) {
-  v.one_of(p.body, "type", {"bellows", "interlock", "plate", "beam", "mass", "pipe", "connector"},
+  v.one_of(p.body, "type",
+           {"bellows", "interlock", "plate", "beam", "mass", "pipe", "connector", "surface"},
            "kind of part");
 }
 

@@ -23,6 +23,10 @@ void refine(Bellows& bellows, const Refinement& f) {
 void refine(Plate& plate, const Refinement& f) {
   plate.elements = {more(plate.elements[0], f.along), more(plate.elements[1], f.around)};
 }
+void refine(SurfacePart& surface, const Refinement& f) {
+  surface.size /= f.along; // it has no other direction
+  surface.turn /= f.along;
+}
 void refine(BeamPart& beam, const Refinement& f) {
   beam.elements = more(beam.elements, f.along);
 }
@@ -40,6 +44,9 @@ std::array<int, 2> elements(const Bellows& b) {
 }
 std::array<int, 2> elements(const Plate& p) {
   return p.elements;
+}
+std::array<int, 2> elements(const SurfacePart&) {
+  return {1, 1}; // counted by its mesh
 }
 std::array<int, 2> elements(const BeamPart& b) {
   return {b.elements, 1};

@@ -1,13 +1,17 @@
 // The JSON Schema: valid JSON, and the shipped cases conform to it.
 #include "io/input/benchmark_file.hpp"
+#include "io/input/reference.hpp"
 #include "io/input/schema.hpp"
 #include "io/input/yaml_tree.hpp"
 
 #include <charconv>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 namespace plica {
 namespace {
@@ -130,4 +134,31 @@ TEST(Schema, refuses_misspelt_keys_wrong_units_and_keys_of_another_shape) {
 }
 
 } // namespace
+// docs/case_reference.md and docs/measured_reference.md are `plica schema --reference`, of now.
+TEST(Reference, of_the_docs_is_that_of_the_schema) {
+  for (const auto& [file, schema] : {std::pair{"case_reference.md", case_schema()},
+                                     {"measured_reference.md", measured_schema()}}) {
+    std::ifstream in(std::string(PLICA_SOURCE_DIR) + "/docs/" + file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_TRUE(text == reference_of(schema) + "\n")
+        << file << ": write it anew by plica schema --reference";
+  }
+}
+
+// Every key of the schema has a line of its own in the reference.
+TEST(Reference, names_every_key) {
+  const std::string text = reference_of(case_schema());
+  std::set<std::string> keys;
+  const std::function<void(const nlohmann::json&)> walk = [&](const nlohmann::json& schema) {
+    if (schema.is_object() && schema.contains("properties"))
+      for (const auto& [key, value] : schema["properties"].items()) keys.insert(key);
+    if (schema.is_structured())
+      for (const auto& inner : schema) walk(inner);
+  };
+  walk(nlohmann::json::parse(case_schema()));
+  EXPECT_GT(keys.size(), 100u);
+  for (const std::string& key : keys)
+    EXPECT_NE(text.find("\n| `" + key + "` |"), std::string::npos) << key;
+}
+
 } // namespace plica

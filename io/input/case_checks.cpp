@@ -66,6 +66,9 @@ template <class Points> double box_distance(const Triple& x, const Points& point
 double distance(const Triple& x, const Plate& p) {
   return box_distance(x, p.corners);
 }
+double distance(const Triple&, const SurfacePart&) {
+  return 0; // known when it is meshed
+}
 // Sections of beams along the axis are rigid: a sensor sits across it where it likes.
 double distance(const Triple& x, const BeamPart& b) {
   return box_distance(is_on_axis(b) ? Triple{0, x[1], 0} : x, b.points);

@@ -50,6 +50,9 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
     if (!is_below(t.path, "models")) data.tolerances.push_back(t);
   if (root.kind != YamlNode::Kind::map) return data;
   const std::string directory = std::filesystem::path(path).parent_path().string();
+  for (Part& part : data.parts)
+    if (auto* surface = std::get_if<SurfacePart>(&part.body); surface && !surface->file.empty())
+      surface->file = (std::filesystem::path(directory) / surface->file).string();
   CheckLog fit(data, bad_keys(log));
   if (nominal) resolve_fit(data, fit);
   for (const auto& problems : {check_case(data, bad_keys(log), directory), fit.problems})

@@ -8,6 +8,8 @@ namespace plica {
 
 namespace {
 
+constexpr int most_edges = 24; // of a surface, that may be named
+
 void add_sets(const std::string& name, const Bellows& b, std::vector<std::string>& sets) {
   for (const char* set : {".left", ".right", ".all"}) sets.push_back(name + set);
   if (b.profile.empty()) return;
@@ -26,6 +28,12 @@ void add_sets(const std::string& name, const Plate&, std::vector<std::string>& s
   for (const char* set : {".edge1", ".edge2", ".edge3", ".edge4", ".corner1", ".corner2",
                           ".corner3", ".corner4", ".all"})
     sets.push_back(name + set);
+}
+// How many free edges a file has is known when it is meshed.
+void add_sets(const std::string& name, const SurfacePart& s, std::vector<std::string>& sets) {
+  sets.push_back(name + ".all");
+  for (int k = 1; k <= most_edges; ++k) sets.push_back(name + ".edge[" + std::to_string(k) + "]");
+  for (const SurfacePlace& place : s.places) sets.push_back(name + "." + place.name);
 }
 void add_sets(const std::string& name, const BeamPart& b, std::vector<std::string>& sets) {
   for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
@@ -63,6 +71,11 @@ std::vector<std::string> end_names(const Case& data) {
     if (std::holds_alternative<BeamPart>(part.body)) names = {"start", "end"};
     if (std::holds_alternative<Plate>(part.body)) names = {"edge1", "edge2", "edge3", "edge4"};
     for (const char* name : names) ends.push_back(part.name + "." + name);
+    if (const auto* surface = std::get_if<SurfacePart>(&part.body)) {
+      std::vector<std::string> sets;
+      add_sets(part.name, *surface, sets);
+      ends.insert(ends.end(), sets.begin() + 1, sets.end()); // all but `all`
+    }
   }
   return ends;
 }

@@ -1,11 +1,14 @@
 #include "io/input/part_checks.hpp"
 
 #include "io/input/units.hpp"
+#include "mesh/cad_mesh.hpp"
+#include "mesh/surface_file.hpp"
 #include "model/pipe_model.hpp"
 #include "model/profile_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <tuple>
 
@@ -88,6 +91,24 @@ void check(const std::string& key, const Plate& p, const Case& data, CheckLog& l
       if (p.corners[i] == p.corners[j])
         log.add(item(key + ".corners", j), "is the same point as corner " + std::to_string(i + 1),
                 "four different corners in order round the plate");
+}
+
+void check(const std::string& key, const SurfacePart& s, const Case& data, CheckLog& log) {
+  material(log, data, key, s.material);
+  if (!log.fine(key + ".file")) return;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(s.file, ignored))
+    log.add(key + ".file", "there is no file " + s.file, "a path from the folder of the case");
+  const std::string suffix = std::filesystem::path(s.file).extension().string();
+  if (is_surface_file(s.file) && !s.unit && log.fine(key + ".unit"))
+    log.add(key + ".unit", "is missing: " + suffix + " does not say what its numbers mean",
+            "the length of one unit, e.g. 1 mm");
+  if (is_cad_file(s.file) && s.unit)
+    log.add(key + ".unit", "is not for " + suffix + ", which has a unit of its own",
+            "leave it out");
+  if (!is_surface_file(s.file) && !is_cad_file(s.file))
+    log.add(key + ".file", "is neither CAD faces nor triangles",
+            ".step, .stp, .iges, .igs, .brep, .stl, .obj, .ply, .glb or .gltf");
 }
 
 void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog& log) {
@@ -217,6 +238,7 @@ void check_materials_used(const Case& data, CheckLog& log) {
     if (const auto* b = std::get_if<Bellows>(&part.body)) used.insert(b->material);
     if (const auto* p = std::get_if<Plate>(&part.body)) used.insert(p->material);
     if (const auto* p = std::get_if<EquivalentPipe>(&part.body)) used.insert(p->material);
+    if (const auto* s = std::get_if<SurfacePart>(&part.body)) used.insert(s->material);
     if (const auto* b = std::get_if<BeamPart>(&part.body)) used.insert(b->section.material);
   }
   for (const Variant& variant : data.variants)

@@ -1,0 +1,96 @@
+#include "app/describe_app.hpp"
+
+#include <fmt/format.h>
+
+namespace plica {
+namespace {
+
+// Text of a manual: backslashes and leading dots mean something to roff, a hyphen is a minus.
+std::string roff(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else
+      result += c;
+  }
+  return result.starts_with('.') ? "\\&" + result : result;
+}
+
+std::vector<CLI::App*> commands(CLI::App& app) {
+  return app.get_subcommands([](CLI::App* a) { return !a->get_name().empty(); });
+}
+
+std::string options_of(CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string names = option->get_name(false, true);
+    text += ".TP\n.B " + roff(names);
+    if (option->get_expected_min() > 0 && !option->get_positional() &&
+        option->get_items_expected_max() > 0)
+      text += " \\fI" + roff(option->get_type_name()) + "\\fR";
+    text += "\n" + roff(option->get_description());
+    if (!option->get_default_str().empty()) text += roff(" (" + option->get_default_str() + ")");
+    text += "\n";
+  }
+  return text;
+}
+
+std::string words_of(CLI::App& command) {
+  std::string words;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames())
+      words += (words.empty() ? "--" : " --") + name;
+  return words;
+}
+
+} // namespace
+
+std::string manual_page(CLI::App& app, const std::string& version) {
+  std::string text =
+      fmt::format(".TH PLICA 1 \"\" \"Plica {}\"\n.SH NAME\nplica \\- {}\n.SH SYNOPSIS\n", version,
+                  roff(app.get_description()));
+  for (CLI::App* command : commands(app))
+    text += ".B plica " + command->get_name() + "\n[\\fIoptions\\fR] ...\n.br\n";
+  text += ".SH COMMANDS\n";
+  for (CLI::App* command : commands(app))
+    text += ".SS plica " + command->get_name() + "\n" + roff(command->get_description()) + ".\n" +
+            options_of(*command);
+  text += ".SH EXIT STATUS\n"
+          "0 good, 1 an error in the input, 2 a numerical verdict failed, 3 an error within, 130 "
+          "stopped by Ctrl\\-C.\n"
+          ".SH FILES\nThe keys of a case file: \\fBplica schema \\-\\-reference\\fR; one to begin "
+          "with: \\fBplica init\\fR.\n";
+  return text;
+}
+
+std::string completion(CLI::App& app, const std::string& shell) {
+  std::string names, cases;
+  for (CLI::App* command : commands(app)) {
+    names += (names.empty() ? "" : " ") + command->get_name();
+    cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), words_of(*command));
+  }
+  const std::string head = shell == "zsh" ? "autoload -U +X bashcompinit && bashcompinit\n" : "";
+  return head +
+         fmt::format(
+             R"(# Completion of plica: source it, or put it where the shell looks for completions.
+_plica() {{
+  local words
+  case "${{COMP_WORDS[1]}}" in
+{}    *) words="{} --help --version" ;;
+  esac
+  if [ "$COMP_CWORD" -gt 1 ] && [ "${{2#-}}" = "$2" ]; then
+    COMPREPLY=($(compgen -f -- "$2"))
+  else
+    [ "$COMP_CWORD" -eq 1 ] && words="{} --help --version"
+    COMPREPLY=($(compgen -W "$words" -- "$2"))
+  fi
+}}
+complete -o filenames -F _plica plica
+)",
+             cases, names, names);
+}
+
+} // namespace plica

@@ -1,0 +1,14 @@
+// The manual page and the completions of the command line, from its one declaration.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace plica {
+
+std::string manual_page(CLI::App& app, const std::string& version); // roff, section 1
+
+// For bash; for zsh the same behind its bashcompinit.
+std::string completion(CLI::App& app, const std::string& shell);
+
+} // namespace plica

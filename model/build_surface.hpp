@@ -1,0 +1,13 @@
+// Parts whose shape is in a file: CAD faces, or triangles.
+#pragma once
+
+#include "model/case.hpp"
+
+namespace plica {
+
+// Meshed, put where the case says, with its sets: `all`, edge[1] ..., and its places. The same file
+// meshed in the same way is meshed once. Throws std::runtime_error with what is wrong with the
+// file.
+Mesh surface_mesh(const SurfacePart& part);
+
+} // namespace plica

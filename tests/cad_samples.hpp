@@ -1,0 +1,121 @@
+// Files of geometry for tests, written by Gmsh's own OpenCASCADE kernel and by hand.
+#pragma once
+
+#include "mesh/gmsh.hpp"
+#include "mesh/meridian.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+namespace plica::test {
+
+// OpenCASCADE keeps the unit that was read last in this process, and would write it.
+inline void write_in_millimetres() {
+  gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
+}
+
+// The surface of revolution of a meridian about y, in mm as CAD systems write; by the suffix STEP,
+// IGES or BREP.
+inline void write_revolved(const Meridian& meridian, const std::filesystem::path& file) {
+  namespace occ = gmsh::model::occ;
+  in_gmsh([&] {
+    write_in_millimetres();
+    constexpr double mm = 1e3;
+    const auto point = [&](const Eigen::Vector2d& p) {
+      return occ::addPoint(mm * p.y(), mm * p.x(), 0);
+    };
+    gmsh::vectorpair profile, surfaces;
+    int tip = -1;
+    for (const MeridianCurve& c : meridian.curves()) {
+      if (tip < 0) tip = point(c.start);
+      const int end = point(c.end);
+      profile.emplace_back(1, c.kind == CurveKind::arc
+                                  ? occ::addCircleArc(tip, point(c.centre), end)
+                                  : occ::addLine(tip, end));
+      tip = end;
+    }
+    occ::revolve(profile, 0, 0, 0, 0, 1, 0, 2 * std::numbers::pi, surfaces);
+    gmsh::vectorpair curves;
+    occ::synchronize();
+    gmsh::write(file.string());
+  });
+}
+
+struct BracketOnPipe {
+  double radius = 65, length = 200, wall = 1.5;      // mm, along y from 0
+  double height = 40, from = 80, to = 120, hole = 5; // bracket, standing on top in the plane x = 0
+};
+
+inline void write_bracket_on_pipe(const BracketOnPipe& b, const std::filesystem::path& file) {
+  namespace occ = gmsh::model::occ;
+  in_gmsh([&] {
+    write_in_millimetres();
+    const int start = occ::addPoint(b.radius, 0, 0), end = occ::addPoint(b.radius, b.length, 0);
+    gmsh::vectorpair pipe;
+    occ::revolve({{1, occ::addLine(start, end)}}, 0, 0, 0, 0, 1, 0, 2 * std::numbers::pi, pipe);
+    const std::array corners{occ::addPoint(0, b.from, b.radius), occ::addPoint(0, b.to, b.radius),
+                             occ::addPoint(0, b.to, b.radius + b.height),
+                             occ::addPoint(0, b.from, b.radius + b.height)};
+    std::vector<int> outline;
+    for (std::size_t i = 0; i < 4; ++i)
+      outline.push_back(occ::addLine(corners[i], corners[(i + 1) % 4]));
+    const int plate = occ::addPlaneSurface({occ::addCurveLoop(outline)});
+    const int hole = occ::addDisk(0, 0, 0, b.hole, b.hole);
+    occ::rotate({{2, hole}}, 0, 0, 0, 0, 1, 0, std::numbers::pi / 2);
+    occ::translate({{2, hole}}, 0, (b.from + b.to) / 2, b.radius + b.height - 15);
+    gmsh::vectorpair rest;
+    std::vector<gmsh::vectorpair> of;
+    occ::cut({{2, plate}}, {{2, hole}}, rest, of);
+    occ::synchronize();
+    gmsh::write(file.string());
+  });
+}
+
+// Two triangles a cell of a grid, as text STL in mm: a plate a x b in the plane z = 0.
+inline void write_stl_plate(double a, double b, int cells, const std::filesystem::path& file) {
+  std::ofstream out(file);
+  out << "solid plate\n";
+  const auto facet = [&](std::array<std::array<double, 2>, 3> t) {
+    out << "facet normal 0 0 1\nouter loop\n";
+    for (const auto& p : t) out << "vertex " << p[0] << ' ' << p[1] << " 0\n";
+    out << "endloop\nendfacet\n";
+  };
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const double x = a * i / cells, y = b * j / cells, u = a * (i + 1) / cells,
+                   v = b * (j + 1) / cells;
+      facet({{{x, y}, {u, y}, {u, v}}});
+      facet({{{x, y}, {u, v}, {x, v}}});
+    }
+  out << "endsolid plate\n";
+}
+
+// A plate across the pipe, in the plane y = 0, with a round hole: half of it mirrored would do, so
+// it is made of fans between the circle and the square round it.
+inline void write_stl_fixture(double side, double radius, const std::filesystem::path& file) {
+  std::ofstream out(file);
+  out << "solid fixture\n";
+  constexpr int count = 96; // a multiple of 8: the corners are met
+  const auto at = [&](int i, bool outer) {
+    const double a = 2 * std::numbers::pi * i / count;
+    const double r =
+        outer ? side / 2 / std::max(std::abs(std::cos(a)), std::abs(std::sin(a))) : radius;
+    return std::array{r * std::cos(a), r * std::sin(a)};
+  };
+  const auto facet = [&](std::array<std::array<double, 2>, 3> t) {
+    out << "facet normal 0 -1 0\nouter loop\n";
+    for (const auto& p : t) out << "vertex " << p[0] << " 0 " << p[1] << '\n';
+    out << "endloop\nendfacet\n";
+  };
+  for (int i = 0; i < count; ++i) {
+    facet({at(i, false), at(i, true), at(i + 1, true)});
+    facet({at(i, false), at(i + 1, true), at(i + 1, false)});
+  }
+  out << "endsolid fixture\n";
+}
+
+} // namespace plica::test
