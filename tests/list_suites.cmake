@@ -1,0 +1,16 @@
+# Writes OUT: a test of ctest for every suite of PROGRAM. One process a suite, since a process takes
+# longer to start than most tests to run. Suites whose name ends in Slow carry the label slow.
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed
+  COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "(^|\n)[^ \n][^\n]*\\.[^\n]*" suites "${listed}")
+set(text "")
+foreach(suite IN LISTS suites)
+  string(REGEX REPLACE "^\n?([^ ]*)\\..*" "\\1" name "${suite}")
+  string(APPEND text "add_test([=[${name}]=] \"${PROGRAM}\" [=[--gtest_filter=${name}.*]=])\n")
+  if(name MATCHES "Slow$")
+    string(APPEND text "set_tests_properties([=[${name}]=] PROPERTIES LABELS slow TIMEOUT 3600)\n")
+  else()
+    string(APPEND text "set_tests_properties([=[${name}]=] PROPERTIES TIMEOUT 600)\n")
+  endif()
+endforeach()
+file(WRITE ${OUT} "${text}")
