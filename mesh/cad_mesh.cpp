@@ -1,6 +1,7 @@
 #include "mesh/cad_mesh.hpp"
 
 #include "mesh/gmsh.hpp"
+#include "mesh/surface_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -295,9 +296,7 @@ void add_normals(SurfaceQuads& surface) {
 } // namespace
 
 bool is_cad_file(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string suffix = lower_suffix(file);
   return suffix == ".step" || suffix == ".stp" || suffix == ".iges" || suffix == ".igs" ||
          suffix == ".brep";
 }

@@ -129,13 +129,6 @@ private:
   std::map<Cell, std::vector<int>> cells_;
 };
 
-std::string lower_suffix(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return suffix;
-}
-
 // assimp takes a text that ends within a facet for whole.
 void require_whole_stl(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -146,6 +139,13 @@ void require_whole_stl(const std::filesystem::path& file) {
 }
 
 } // namespace
+
+std::string lower_suffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return suffix;
+}
 
 bool is_surface_file(const std::filesystem::path& file) {
   const std::string suffix = lower_suffix(file);

@@ -31,6 +31,8 @@ std::string glb_of(const Surface& surface, const std::vector<SurfaceShape>& shap
 void write_surface(const Surface& surface, const std::vector<SurfaceShape>& shapes,
                    const std::filesystem::path& file);
 
+std::string lower_suffix(const std::filesystem::path& file); // ".stl", of X.STL too
+
 // STL, OBJ, PLY, glTF by the suffix, in any case.
 bool is_surface_file(const std::filesystem::path& file);
 
