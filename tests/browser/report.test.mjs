@@ -54,6 +54,13 @@ const shown = () => page.evaluate(() => {
   return { sum, share: painted / (copy.width * copy.height) };
 });
 
+// Waits until the part was drawn some times more, however slow the machine.
+const framesLater = async (more) => {
+  const frames = () => page.evaluate(() => Number(document.querySelector('.viewer').dataset.frames));
+  const wanted = (await frames()) + more;
+  await page.waitForFunction((n) => Number(document.querySelector('.viewer').dataset.frames) >= n, wanted);
+};
+
 test('the part is drawn', async () => {
   const { share } = await shown();
   assert.ok(share > 0.03, `only ${share} of the canvas is painted`);
@@ -77,9 +84,9 @@ test('the part turns under the mouse and comes back', async () => {
 test('a mode plays, pauses and shows its displacement', async () => {
   const rest = await shown();
   await page.getByLabel('mode', { exact: true }).selectOption('0');
-  await page.waitForTimeout(300);
+  await framesLater(2);
   const first = await shown();
-  await page.waitForTimeout(250);
+  await framesLater(3);
   const second = await shown();
   assert.notEqual(first.sum, rest.sum);
   assert.notEqual(first.sum, second.sum, 'the mode does not move');
