@@ -1,7 +1,6 @@
 // Eigen's dense decompositions of MatrixXd, compiled once (decompositions.cpp) instead of in every
-// source that uses one: two thirds of what such a source takes to compile. Read before every source
-// from `solve/` on (cmake/PlicaLibrary.cmake); holds for arguments that are MatrixXd, not
-// expressions.
+// source that uses one. Read before every source from `solve/` on (cmake/PlicaLibrary.cmake); holds
+// for arguments that are MatrixXd, not expressions.
 #pragma once
 
 #include <Eigen/Cholesky>

@@ -39,7 +39,6 @@ inline void write_revolved(const Meridian& meridian, const std::filesystem::path
       tip = end;
     }
     occ::revolve(profile, 0, 0, 0, 0, 1, 0, 2 * std::numbers::pi, surfaces);
-    gmsh::vectorpair curves;
     occ::synchronize();
     gmsh::write(file.string());
   });

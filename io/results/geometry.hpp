@@ -17,7 +17,8 @@ namespace plica {
 
 const std::vector<std::string>& geometry_formats();
 
-// `formats` from those above. Throws InputError where a file cannot be written.
+// `formats` from those above. Throws InputError or std::runtime_error where a file
+// cannot be written.
 void write_geometry(const Results& results, const std::vector<std::string>& formats,
                     const std::filesystem::path& folder);
 

@@ -2,19 +2,14 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 
+import { element } from './element.js';
+
 // Told apart by dashes first; colours are those of Okabe and Ito, which differ in lightness too.
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const dashes = [[], [8, 5], [2, 4], [10, 4, 2, 4]];
 const height = 340;
 
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-
-function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
-  return made;
-}
 
 const digits = (value) => (value == null ? '–' : Number(value.toPrecision(4)).toString());
 
@@ -128,8 +123,8 @@ export function enlivenPlot(figure) {
   const positive = data.grids.every((grid) => grid.every((f) => f > 0));
   const logarithmic = { x: false, y: true };
   const values = table(data);
-  const stage = element('div', { class: 'live' });
-  const bar = element('div', { class: 'controls', role: 'group', 'aria-label': 'axes' });
+  const stage = element('div', { className: 'live', role: 'group', ariaLabel: data.label });
+  const bar = element('div', { className: 'controls', role: 'group', ariaLabel: 'axes' });
   let plot = null;
   const draw = () => {
     if (plot) plot.destroy();
@@ -137,16 +132,16 @@ export function enlivenPlot(figure) {
     figure.plot = plot;
   };
   for (const [axis, text] of [['x', 'frequency'], ['y', 'ordinate']]) {
-    const button = element('button', { type: 'button', 'aria-pressed': String(logarithmic[axis]),
-      'data-axis': axis }, `${text} logarithmic`);
+    const button = element('button', { type: 'button', ariaPressed: String(logarithmic[axis]) },
+      `${text} logarithmic`);
     button.addEventListener('click', () => {
       logarithmic[axis] = !logarithmic[axis];
-      button.setAttribute('aria-pressed', String(logarithmic[axis]));
+      button.ariaPressed = String(logarithmic[axis]);
       draw();
     });
     if (axis === 'y' || positive) bar.append(button);
   }
-  bar.append(element('span', { class: 'hint' },
+  bar.append(element('span', {},
     'drag to zoom, double click for all, a name in the legend hides its curve'));
   figure.prepend(stage, bar);
   figure.classList.add('is-live');

@@ -7,6 +7,8 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
+import { element } from './element.js';
+
 const period = 1600; // ms of one swing, whatever the frequency
 
 function bytes(base64) {
@@ -62,12 +64,6 @@ function prepare(objects) {
   }
 }
 
-function control(tag, properties, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
-
 class Viewer {
   constructor(figure, data, gltf, renderer) {
     this.figure = figure;
@@ -121,7 +117,7 @@ class Viewer {
     axes.position.copy(frame.worldToLocal(corner.clone()));
     frame.add(axes);
     const tag = (name, at, kind) => {
-      const label = control('span', { className: `tag ${kind}` }, name);
+      const label = element('span', { className: `tag ${kind}` }, name);
       this.renderer.domElement.parentElement.append(label);
       return { label, at: frame.localToWorld(at) };
     };
@@ -183,12 +179,12 @@ class Viewer {
 }
 
 function controls(viewer, data) {
-  const modes = control('select', { ariaLabel: 'mode' }, control('option', { value: '-1' }, 'at rest'));
-  data.modes.forEach((name, i) => modes.append(control('option', { value: String(i) }, name)));
-  const play = control('button', { type: 'button' }, 'play');
-  const amplitude = control('input', { type: 'range', min: '0', max: '3', step: '0.05', value: '1',
+  const modes = element('select', { ariaLabel: 'mode' }, element('option', { value: '-1' }, 'at rest'));
+  data.modes.forEach((name, i) => modes.append(element('option', { value: String(i) }, name)));
+  const play = element('button', { type: 'button' }, 'play');
+  const amplitude = element('input', { type: 'range', min: '0', max: '3', step: '0.05', value: '1',
     ariaLabel: 'amplitude' });
-  const home = control('button', { type: 'button' }, 'view from the start');
+  const home = element('button', { type: 'button' }, 'view from the start');
   const setPlaying = (on) => {
     viewer.play(on);
     play.textContent = viewer.playing ? 'pause' : 'play';
@@ -220,9 +216,9 @@ function controls(viewer, data) {
     picture.addEventListener('click', pick);
     picture.addEventListener('keydown', (event) => { if (event.key === 'Enter') pick(); });
   });
-  const parts = data.modes.length > 0 ? [modes, play, control('label', {}, 'amplitude ', amplitude), home]
+  const parts = data.modes.length > 0 ? [modes, play, element('label', {}, 'amplitude ', amplitude), home]
     : [home];
-  return control('div', { className: 'controls' }, ...parts);
+  return element('div', { className: 'controls' }, ...parts);
 }
 
 export function enlivenPart(figure) {
@@ -237,7 +233,7 @@ export function enlivenPart(figure) {
   renderer.domElement.setAttribute('role', 'img');
   renderer.domElement.setAttribute('aria-label', 'the part in three dimensions: drag to turn it');
   new GLTFLoader().parse(bytes(data.glb), '', (gltf) => {
-    const stage = control('div', { className: 'live' }, renderer.domElement);
+    const stage = element('div', { className: 'live' }, renderer.domElement);
     figure.prepend(stage);
     figure.classList.add('is-live');
     const viewer = new Viewer(figure, data, gltf, renderer);
