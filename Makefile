@@ -3,7 +3,7 @@ CASE ?= cases/bellow_a2/bellow_a2.yaml
 OUT ?= out/$(basename $(notdir $(CASE)))
 JOBS ?= $(shell nproc)
 
-.PHONY: run test slow sealed bench build deps clean
+.PHONY: run test slow sealed table bench build deps clean
 
 run: build
 	build/app/plica run $(CASE) --out $(OUT)
@@ -19,6 +19,10 @@ slow: build
 sealed: build
 	ctest --preset slow -R sealed_suite --verbose
 	ctest --preset slow -R sealed_ablations --verbose
+
+# What the tests of mechanics found beside what their sources say.
+table: build
+	tests/verification_table.sh build/tests/plica_tests > docs/verification_table.md
 
 bench: deps
 	cmake --preset bench

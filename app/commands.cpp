@@ -12,6 +12,7 @@
 #include "io/input/measured_file.hpp"
 #include "io/input/reference.hpp"
 #include "io/input/schema.hpp"
+#include "io/measured_data.hpp"
 #include "io/results/geometry.hpp"
 #include "io/results/summary.hpp"
 #include "io/results/write_beam.hpp"
@@ -25,6 +26,7 @@
 #include "model/run.hpp"
 #include "solve/sparse_factor.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/core.h>
 
@@ -86,14 +88,18 @@ std::string case_file_of(const std::string& path) {
   return (std::filesystem::path(path) / folder.filename()).string() + ".yaml";
 }
 
+InputFile input_file(const std::filesystem::path& path) {
+  return {path.filename().string(), read_whole(path)};
+}
+
 int run_command(const RunOptions& options) {
   if (is_benchmark(options.case_path)) return benchmark_command(options);
   set_threads(options.threads);
   const CaseFile file = read_case(options.case_path, options.model);
   std::optional<Measured> measured;
-  if (!file.data.measured.empty())
-    measured = read_measured(
-        (std::filesystem::path(file.path).parent_path() / file.data.measured).string());
+  const std::filesystem::path measured_file =
+      std::filesystem::path(file.path).parent_path() / file.data.measured;
+  if (!file.data.measured.empty()) measured = read_measured(measured_file.string());
 
   make_folder(options.out);
   if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
@@ -102,9 +108,14 @@ int run_command(const RunOptions& options) {
   Results results = located(
       file, [&] { return run(file.data, [&](const std::string& s) { progress.stage(s); }); });
   results.plica_version = PLICA_VERSION;
+  results.versions = PLICA_LIBRARIES;
+  results.inputs.push_back(input_file(file.path));
   if (measured) {
+    results.inputs.push_back(input_file(measured_file));
     results.comparison = compare(results, *measured);
     results.unanswered = unanswered(results, *measured);
+    if (!measured->frf.empty())
+      add_test_curves(results, load_frfs(*measured, measured_file.parent_path()));
     for (const std::string& caveat : measured->caveats)
       results.assumptions.push_back("Measurement: " + caveat);
   }
@@ -164,21 +175,32 @@ int check_command(const CheckOptions& options) {
   if (!file.data.measured.empty())
     read_measured((std::filesystem::path(file.path).parent_path() / file.data.measured).string());
   const BuiltCase built = located(file, [&] { return build(file.data); });
-  if (file.data.analyses.symmetry == Symmetry::required && !file.data.analyses.reduction)
-    located(file, [&] { symmetric_view(built.model, Symmetry::required); });
+  const auto symmetry = located(file, [&] {
+    return symmetric_view(built.model, file.data.analyses.reduction ? Symmetry::automatic
+                                                                    : file.data.analyses.symmetry);
+  });
   const Estimate cost = located(file, [&] { return estimate(built, file.data.analyses); });
   const MeshQuality quality = mesh_quality(built.model.mesh);
   fmt::print("{}: the case is valid\n", options.case_path);
   fmt::print("  {} nodes, {} elements, {} degrees of freedom\n", cost.nodes, cost.elements,
              cost.dofs);
-  if (!built.model.mesh.quads.empty())
+  if (!built.model.shells.empty())
     fmt::print("  mesh: warp at most {:.2g}, aspect ratio at most {:.2g}, Jacobian ratio at least "
                "{:.2g}\n",
                quality.max_warp, quality.max_aspect, quality.min_jacobian);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : built.model.mesh.nodes) box.extend(x);
+  fmt::print("  {:.4g} x {:.4g} x {:.4g} m (x, y, z)\n", box.sizes().x(), box.sizes().y(),
+             box.sizes().z());
   for (const BuiltSensor& sensor : built.sensors)
     fmt::print("  sensor {}: {:.2f} mm from node {}\n", sensor.name, 1e3 * sensor.distance,
                sensor.node + 1);
   const std::size_t variants = file.data.variants.size(), limits = 2 * file.data.tolerances.size();
+  if (const auto* view = std::get_if<CyclicModel>(&symmetry))
+    fmt::print("  repeats around its axis: solved in {} sectors, in far less than the estimate\n",
+               view->around());
+  else if (!file.data.analyses.reduction)
+    fmt::print("  full mesh: {}\n", std::get<std::string>(symmetry));
   fmt::print("  estimate: {:.1f} GB, {:.0f} s a run", cost.memory / 1e9, cost.seconds);
   if (variants > 0) fmt::print("; {} variants about as long each", variants);
   if (file.data.analyses.error_bars)

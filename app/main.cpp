@@ -52,7 +52,7 @@ void add_model(CLI::App& app, std::string& model) {
 
 int dispatch(int argc, char** argv) {
   CLI::App app{"Plica: dynamics of flexible exhaust pipes"};
-  app.set_version_flag("--version", "plica " PLICA_VERSION);
+  app.set_version_flag("--version", "plica " PLICA_VERSION "\nwith " PLICA_LIBRARIES);
   app.require_subcommand(1);
 
   plica::RunOptions run;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace plica {
 namespace {
@@ -183,6 +184,10 @@ PeakPlace place_of(const MeasuredMode& mode, const std::vector<MeasuredMode>& al
 
 std::vector<std::string> unanswered(const Results& results, const Measured& measured) {
   std::vector<std::string> remarks;
+  if (!measured.peaks.empty() && results.families.empty())
+    remarks.emplace_back("the peaks over the level of the test stand beside nothing: the case asks "
+                         "for no `levels`. A frequency of a single sweep goes to `modes`; `plica "
+                         "diagnose` reads both.");
   for (const MeasuredMode& m : measured.modes) {
     if (!m.base || !m.direction || *m.base == *m.direction) continue;
     const ResponseResult* response = response_to(results, *m.base);
@@ -262,6 +267,32 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   for (std::size_t i = 0; i < measured.peaks.size(); ++i)
     add_level_peaks(rows, results, measured.peaks[i], entry("peaks", i));
   return rows;
+}
+
+void add_test_curves(Results& results, const std::vector<FrfSet>& measured) {
+  for (ResponseResult& r : results.responses) {
+    if (r.is_force) continue;
+    const auto distance = [&](const FrfSet& set) {
+      return set.level && r.level > 0 ? std::abs(std::log(*set.level / r.level)) : 0;
+    };
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const FrfSet& set : measured) {
+      const auto found =
+          std::find(set.references.begin(), set.references.end(), "base." + r.excitation);
+      if (set.quantity != FrfQuantity::transmissibility || found == set.references.end()) continue;
+      if (distance(set) > nearest + 1e-9) continue;
+      if (distance(set) < nearest - 1e-9) r.test.clear();
+      nearest = distance(set);
+      const Eigen::MatrixXcd& H = set.H[std::size_t(found - set.references.begin())];
+      for (std::size_t k = 0; k < set.responses.size(); ++k)
+        for (std::size_t c = 0; c < r.channels.size(); ++c)
+          if (set.responses[k] == r.channels[c].first + "." + r.channels[c].second)
+            r.test.push_back({.channel = int(c),
+                              .hertz = set.hertz,
+                              .magnitude = H.col(Eigen::Index(k)).cwiseAbs(),
+                              .level = set.level});
+    }
+  }
 }
 
 } // namespace plica

@@ -1,6 +1,7 @@
 // Measured numbers beside the computed ones of a run.
 #pragma once
 
+#include "diagnose/frf_set.hpp"
 #include "diagnose/measured.hpp"
 #include "model/results.hpp"
 
@@ -14,5 +15,9 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
 // In words: measured modes that answer across their base motion where, within the band, the model
 // does not (below a thousandth of its largest channel).
 std::vector<std::string> unanswered(const Results& results, const Measured& measured);
+
+// Puts measured transmissibilities beside the responses to motion of the base: of each response
+// those of the level nearest to its own.
+void add_test_curves(Results& results, const std::vector<FrfSet>& measured);
 
 } // namespace plica

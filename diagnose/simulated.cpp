@@ -38,7 +38,9 @@ Measured as_measured(const Results& results) {
   m.specimen = results.case_name;
   m.source = "computed by Plica " + results.plica_version;
   for (const SensorResult& s : results.sensors) {
-    const Eigen::Vector3d& x = results.mesh.nodes[s.node];
+    constexpr double rounding = 1e-12; // m
+    const Eigen::Vector3d x =
+        (results.mesh.nodes[s.node].array().abs() < rounding).select(0, results.mesh.nodes[s.node]);
     m.sensors.push_back({.name = s.name,
                          .at = {x[0], x[1], x[2]},
                          .axes = {s.axes[0], s.axes[1], s.axes[2]},

@@ -33,17 +33,6 @@ double area(const ShellGeometry& g, const Shape& n) {
   return x_r.cross(x_s).norm();
 }
 
-// Row of a . (sum f_i u_i) over the nodal displacements.
-void add_translation(Row& row, const Vector3d& a, const Vector4d& f) {
-  for (int i = 0; i < 4; ++i) row.segment<3>(6 * i) += f[i] * a.transpose();
-}
-
-// Row of a . (sum f_i theta_i x V_i) = sum f_i theta_i . (V_i x a) over the nodal rotations.
-void add_director(Row& row, const Vector3d& a, const Vector4d& f, const ShellGeometry& g) {
-  for (int i = 0; i < 4; ++i)
-    row.segment<3>(6 * i + 3) += f[i] * Vector3d(g.directors.col(i)).cross(a).transpose();
-}
-
 // Covariant membrane strains e_rr, e_ss, 2 e_rs from the bilinear displacements.
 Matrix3x24 displacement_membrane(const ShellGeometry& g, double r, double s) {
   const Shape n = shape_functions(r, s);
@@ -95,7 +84,7 @@ Row covariant_shear(const ShellGeometry& g, double r, double s, bool along_r) {
   const Vector4d& d = along_r ? n.dr : n.ds;
   Row row = Row::Zero();
   add_translation(row, g.directors * n.N, d);
-  add_director(row, g.X * d, n.N, g);
+  add_director(row, g.X * d, n.N, g.directors);
   return row;
 }
 
@@ -113,13 +102,13 @@ CovariantStrain covariant_strain(const ShellGeometry& g, MembraneStrain choice, 
   const auto row = [&](const Vector3d& x, const Vector4d& dw, const Vector3d& V,
                        const Vector4d& du) {
     Row both = Row::Zero();
-    add_director(both, x, dw, g);
+    add_director(both, x, dw, g.directors);
     add_translation(both, V, du);
     return both;
   };
   const auto director_row = [&](const Vector3d& V, const Vector4d& dw) {
     Row one = Row::Zero();
-    add_director(one, V, dw, g);
+    add_director(one, V, dw, g.directors);
     return one;
   };
   CovariantStrain c;
@@ -136,39 +125,15 @@ CovariantStrain covariant_strain(const ShellGeometry& g, MembraneStrain choice, 
   return c;
 }
 
-// Local Cartesian basis and the maps of covariant strains into it, at the distance z from the
-// mid-surface. Third axis: normal of the lamina z = const, so that directors, which are not normal
-// to the facet, tilt in-plane strain into the transverse shear but not the other way round.
-struct LocalFrame {
-  Matrix3d basis;
-  Matrix3d in_plane;                      // (rr, ss, 2rs) -> (11, 22, 2*12)
-  Eigen::Matrix<double, 2, 3> into_shear; // (rr, ss, 2rs) -> (2*13, 2*23)
-  Eigen::Matrix2d shear;                  // (2rz, 2sz) -> (2*13, 2*23)
-  double volume = 0;                      // per unit r s z
-};
-
-LocalFrame local_frame(const ShellGeometry& g, MembraneStrain membrane, const Shape& n, double z) {
+LaminaFrame local_frame(const ShellGeometry& g, MembraneStrain membrane, const Shape& n, double z) {
   Matrix3d G;
   G << (g.X + z * g.directors) * n.dr, (g.X + z * g.directors) * n.ds, g.directors * n.N;
-  LocalFrame f;
-  f.volume = G.determinant();
+  LaminaFrame f = lamina_frame(G, g.X * corner_r); // one direction for the whole element
   if (membrane == MembraneStrain::incompatible) f.volume /= G.col(2).norm(); // keeps its thickness
-  const Vector3d e3 = G.col(0).cross(G.col(1)).normalized();
-  const Vector3d along = g.X * corner_r; // one direction for the whole element
-  const Vector3d e1 = (along - along.dot(e3) * e3).normalized();
-  f.basis << e1, e3.cross(e1), e3;
-  const Matrix3d c = f.basis.transpose() * G.inverse().transpose(); // c(a, i) = e_a . g^i
-  const auto strain_row = [&](int a, int b) {
-    return Eigen::RowVector3d(c(a, 0) * c(b, 0), c(a, 1) * c(b, 1),
-                              (c(a, 0) * c(b, 1) + c(a, 1) * c(b, 0)) / 2);
-  };
-  f.in_plane << strain_row(0, 0), strain_row(1, 1), 2 * strain_row(0, 1);
-  f.into_shear << 2 * strain_row(0, 2), 2 * strain_row(1, 2);
-  f.shear = c.topLeftCorner<2, 2>() * c(2, 2); // e_1 and e_2 have no part along g^z
   return f;
 }
 
-ShellStrainMatrix local_strain(const CovariantStrain& c, const LocalFrame& f, double z) {
+ShellStrainMatrix local_strain(const CovariantStrain& c, const LaminaFrame& f, double z) {
   const Matrix3x24 in_plane = c.e + z * c.k + z * z * c.q;
   return {.in_plane = f.in_plane * in_plane,
           .shear = f.shear * c.shear + f.into_shear * in_plane,
@@ -176,30 +141,19 @@ ShellStrainMatrix local_strain(const CovariantStrain& c, const LocalFrame& f, do
           .volume = f.volume};
 }
 
-// Rotation of the membrane about its normal minus the nodal rotation about it.
 Row drilling_strain(const ShellGeometry& g, const Shape& n) {
-  const Vector3d x_r = g.X * n.dr, x_s = g.X * n.ds;
-  const Vector3d normal = x_r.cross(x_s).normalized();
-  const Vector3d e1 = x_r.normalized(), e2 = normal.cross(e1);
-  Matrix3d G;
-  G << x_r, x_s, normal;
-  const Matrix3d dual = G.inverse().transpose();
-  Row rotation = Row::Zero();
-  add_translation(rotation, e2 / 2, e1.dot(dual.col(0)) * n.dr + e1.dot(dual.col(1)) * n.ds);
-  add_translation(rotation, -e1 / 2, e2.dot(dual.col(0)) * n.dr + e2.dot(dual.col(1)) * n.ds);
-  for (int i = 0; i < 4; ++i) rotation.segment<3>(6 * i + 3) -= n.N[i] * normal.transpose();
-  return rotation;
+  return drilling_row<4>(g.X * n.dr, g.X * n.ds, n.N, n.dr, n.ds);
 }
 
 using Matrix3x4 = Eigen::Matrix<double, 3, 4>;
 using Matrix4x24 = Eigen::Matrix<double, 4, 24>;
 
-LocalFrame centre_frame(const ShellGeometry& g) {
+LaminaFrame centre_frame(const ShellGeometry& g) {
   return local_frame(g, MembraneStrain::incompatible, shape_functions(0, 0), 0);
 }
 
 // Internal membrane modes at (r, s), scaled so that they do no work on a constant stress.
-Matrix3x4 internal_modes(const LocalFrame& centre, double r, double s, double volume) {
+Matrix3x4 internal_modes(const LaminaFrame& centre, double r, double s, double volume) {
   Matrix3x4 covariant = Matrix3x4::Zero();
   covariant(0, 0) = r;
   covariant(1, 1) = s;
@@ -211,7 +165,7 @@ Matrix3x4 internal_modes(const LocalFrame& centre, double r, double s, double vo
 // Amplitudes of the internal modes per nodal displacement, from their own equilibrium.
 Matrix4x24 internal_amplitudes(const ShellGeometry& g, const ShellSection& section,
                                const std::vector<ShellPoint>& points) {
-  const LocalFrame centre = centre_frame(g);
+  const LaminaFrame centre = centre_frame(g);
   const Matrix3d C = shell_law(section).in_plane;
   Eigen::Matrix4d K_aa = Eigen::Matrix4d::Zero();
   Matrix4x24 K_au = Matrix4x24::Zero();
@@ -248,7 +202,7 @@ std::vector<ShellPoint> shell_mitc4_points(const ShellGeometry& g, const ShellSe
                                            MembraneStrain membrane) {
   std::vector<ShellPoint> points = compatible_points(g, section, membrane);
   if (membrane != MembraneStrain::incompatible) return points;
-  const LocalFrame centre = centre_frame(g);
+  const LaminaFrame centre = centre_frame(g);
   const Matrix4x24 amplitudes = internal_amplitudes(g, section, points);
   for (ShellPoint& p : points)
     p.strain.in_plane += internal_modes(centre, p.r, p.s, p.strain.volume) * amplitudes;
@@ -261,7 +215,7 @@ ShellStrainMatrix shell_mitc4_strain(const ShellGeometry& g, const ShellSection&
   ShellStrainMatrix B =
       local_strain(covariant_strain(g, membrane, r, s), local_frame(g, membrane, n, z), z);
   if (membrane != MembraneStrain::incompatible) return B;
-  const LocalFrame centre = centre_frame(g);
+  const LaminaFrame centre = centre_frame(g);
   B.in_plane += internal_modes(centre, r, s, B.volume) *
                 internal_amplitudes(g, section, compatible_points(g, section, membrane));
   return B;
@@ -307,7 +261,7 @@ Eigen::Matrix<double, 48, 24> shell_mitc4_face_stress(const ShellGeometry& g,
                                                       const ShellSection& section,
                                                       MembraneStrain membrane) {
   const bool internal = membrane == MembraneStrain::incompatible;
-  const LocalFrame centre = centre_frame(g);
+  const LaminaFrame centre = centre_frame(g);
   Matrix4x24 amplitudes = Matrix4x24::Zero();
   if (internal)
     amplitudes = internal_amplitudes(g, section, compatible_points(g, section, membrane));
@@ -320,16 +274,10 @@ Eigen::Matrix<double, 48, 24> shell_mitc4_face_stress(const ShellGeometry& g,
     const CovariantStrain c = covariant_strain(g, membrane, r, s);
     for (int face : {0, 1}) {
       const double z = (face == 0 ? -fibre : fibre) * g.thickness[corner];
-      const LocalFrame f = local_frame(g, membrane, n, z);
+      const LaminaFrame f = local_frame(g, membrane, n, z);
       Matrix3x24 strain = local_strain(c, f, z).in_plane;
       if (internal) strain += internal_modes(centre, r, s, f.volume) * amplitudes;
-      const Vector3d e1 = f.basis.col(0), e2 = f.basis.col(1);
-      Eigen::Matrix<double, 6, 3> turn; // (11, 22, 12) -> (xx, yy, zz, xy, yz, zx)
-      for (int k = 0; k < 6; ++k) {
-        const int i = k % 3, j = k < 3 ? i : (i + 1) % 3;
-        turn.row(k) << e1[i] * e1[j], e2[i] * e2[j], e1[i] * e2[j] + e2[i] * e1[j];
-      }
-      stress.middleRows<6>(12 * corner + 6 * face) = turn * C * strain;
+      stress.middleRows<6>(12 * corner + 6 * face) = stress_to_global(f.basis) * C * strain;
     }
   }
   return stress;

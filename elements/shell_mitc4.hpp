@@ -26,6 +26,7 @@
 // Mass: consistent, with rotary inertia; the drilling rotation of a corner has none.
 #pragma once
 
+#include "elements/shell_lamina.hpp"
 #include "elements/shell_section.hpp"
 
 #include <Eigen/Core>
@@ -43,21 +44,9 @@ struct ShellGeometry {
   Eigen::Vector4d thickness;             // m
 };
 
-// Strains at one point from the 24 nodal displacements, in the local basis e1 e2 e3
-// (e3 normal to the lamina, e1 along the middle of the element from edge r = -1 to r = 1).
-struct ShellStrainMatrix {
-  Eigen::Matrix<double, 3, 24> in_plane; // eps11 eps22 gamma12
-  Eigen::Matrix<double, 2, 24> shear;    // gamma13 gamma23
-  Eigen::Matrix3d basis;                 // columns e1 e2 e3
-  double volume = 0;                     // per unit r s z, m2
-};
-
-// An integration point: strain energy = 1/2 sum weight (strain' C strain).
-struct ShellPoint {
-  double r = 0, s = 0, z = 0; // natural coordinates, distance from the mid-surface in m
-  double weight = 0;          // m3
-  ShellStrainMatrix strain;
-};
+// e3 normal to the lamina, e1 along the middle of the element from edge r = -1 to r = 1.
+using ShellStrainMatrix = ShellStrain<24>;
+using ShellPoint = ShellSample<24>;
 
 // At r, s in [-1, 1] and z in m; includes the condensed internal modes.
 ShellStrainMatrix shell_mitc4_strain(const ShellGeometry& geometry, const ShellSection& section,

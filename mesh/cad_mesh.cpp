@@ -75,13 +75,30 @@ Box box_of_model() {
   return b;
 }
 
-void import_cad(const std::filesystem::path& file) {
+// In metres. OpenCASCADE takes a unit for IGES only when it has read one before: the first reading
+// is for nothing.
+Entities shapes_of(const std::filesystem::path& file) {
+  const std::string suffix = lower_suffix(file);
+  Entities shapes;
+  if (suffix == ".iges" || suffix == ".igs") {
+    gmsh::option::setString("Geometry.OCCTargetUnit", "");
+    cad::occ::importShapes(file.string(), shapes, false);
+    gmsh::clear();
+    cad::add("cad");
+    shapes.clear();
+  }
+  gmsh::option::setString("Geometry.OCCTargetUnit", has_unit(file) ? "M" : "");
+  cad::occ::importShapes(file.string(), shapes, false);
+  return shapes;
+}
+
+void import_cad(const std::filesystem::path& file, double unit) {
   gmsh::clear();
   cad::add("cad");
-  gmsh::option::setString("Geometry.OCCTargetUnit", "M");
-  Entities shapes;
   try {
-    cad::occ::importShapes(file.string(), shapes, false);
+    Entities shapes = shapes_of(file);
+    std::erase_if(shapes, [](const auto& shape) { return shape.first != 2; }); // edges follow
+    if (!has_unit(file)) cad::occ::dilate(shapes, 0, 0, 0, unit, unit, unit);
   } catch (...) {
     throw std::runtime_error("Gmsh cannot read " + file.filename().string() +
                              " as STEP, IGES or BREP");
@@ -141,7 +158,7 @@ void join_faces() {
 }
 
 // Cut where faces close on themselves, by the plane that leaves the fewest that cannot be mapped.
-void cut_seams(const std::filesystem::path& file) {
+void cut_seams(const std::filesystem::path& file, double unit) {
   const Entities faces = faces_of_model();
   if (std::none_of(faces.begin(), faces.end(), has_seam)) {
     join_faces();
@@ -151,7 +168,7 @@ void cut_seams(const std::filesystem::path& file) {
   std::size_t least = not_mapped();
   for (int axis : {2, 0, 1}) {
     if (least == 0) break;
-    import_cad(file);
+    import_cad(file, unit);
     cut(axis);
     if (const std::size_t left = not_mapped(); left < least) {
       least = left;
@@ -159,7 +176,7 @@ void cut_seams(const std::filesystem::path& file) {
       if (left == 0) return;
     }
   }
-  import_cad(file);
+  import_cad(file, unit);
   if (best >= 0)
     cut(best);
   else
@@ -238,8 +255,8 @@ void seed(const CadMeshing& meshing) {
 }
 
 // Quads of all faces, their nodes numbered from 0.
-SurfaceQuads collected() {
-  SurfaceQuads surface;
+SurfaceFaces collected() {
+  SurfaceFaces surface;
   std::map<std::size_t, int> number;
   for (const auto& face : faces_of_model()) {
     std::vector<std::size_t> tags;
@@ -258,18 +275,18 @@ SurfaceQuads collected() {
       for (std::size_t e = 0; e < elements[t].size(); ++e) {
         std::array<int, 4> q{};
         for (std::size_t c = 0; c < 4; ++c) q[c] = number.at(nodes[t][4 * e + c]);
-        surface.quads.push_back(q);
+        surface.faces.push_back(q);
       }
     }
   }
-  if (surface.quads.empty()) throw std::runtime_error("Gmsh made no element");
+  if (surface.faces.empty()) throw std::runtime_error("Gmsh made no element");
   return surface;
 }
 
 // Exact normals of CAD faces at the corners of their quads.
-void add_normals(SurfaceQuads& surface) {
+void add_normals(SurfaceFaces& surface) {
   std::size_t q = 0;
-  surface.normals.resize(surface.quads.size());
+  surface.normals.resize(surface.faces.size());
   for (const auto& face : faces_of_model()) {
     std::vector<int> types;
     std::vector<std::vector<std::size_t>> elements, ignored;
@@ -278,7 +295,7 @@ void add_normals(SurfaceQuads& surface) {
     for (const auto& e : elements) own += e.size();
     std::vector<double> x, parameters, normals;
     for (std::size_t i = q; i < q + own; ++i)
-      for (int node : surface.quads[i]) {
+      for (int node : surface.faces[i]) {
         const Vector3d& p = surface.nodes[std::size_t(node)];
         x.insert(x.end(), {p.x(), p.y(), p.z()});
       }
@@ -295,26 +312,30 @@ void add_normals(SurfaceQuads& surface) {
 
 } // namespace
 
+bool has_unit(const std::filesystem::path& cad_file) {
+  return lower_suffix(cad_file) != ".brep";
+}
+
 bool is_cad_file(const std::filesystem::path& file) {
   const std::string suffix = lower_suffix(file);
   return suffix == ".step" || suffix == ".stp" || suffix == ".iges" || suffix == ".igs" ||
          suffix == ".brep";
 }
 
-SurfaceQuads mesh_cad(const std::filesystem::path& file, const CadMeshing& meshing) {
+SurfaceFaces mesh_cad(const std::filesystem::path& file, const CadMeshing& meshing) {
   return in_gmsh([&] {
-    import_cad(file);
-    cut_seams(file);
+    import_cad(file, meshing.unit);
+    cut_seams(file, meshing.unit);
     for (const auto& [face, curves] : curves_inside()) cad::mesh::embed(1, curves, 2, face);
     seed(meshing);
     cad::mesh::generate(2);
-    SurfaceQuads surface = collected();
+    SurfaceFaces surface = collected();
     add_normals(surface);
     return surface;
   });
 }
 
-SurfaceQuads remesh(const std::vector<Vector3d>& nodes,
+SurfaceFaces remesh(const std::vector<Vector3d>& nodes,
                     const std::vector<std::array<int, 3>>& triangles, double size) {
   return in_gmsh([&] {
     constexpr int triangle = 2;

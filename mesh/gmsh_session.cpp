@@ -89,8 +89,11 @@ void add_discrete_elements(const Mesh& mesh, const std::vector<std::array<int, 2
   };
   std::vector<std::array<int, 4>> quads;
   for (const ShellQuad& quad : mesh.quads) quads.push_back(quad.nodes);
-  constexpr int line_type = 1, quad_type = 3;
+  std::vector<std::array<int, 3>> triangles;
+  for (const ShellTriangle& triangle : mesh.triangles) triangles.push_back(triangle.nodes);
+  constexpr int line_type = 1, triangle_type = 2, quad_type = 3;
   add(2, quad_type, quads);
+  add(2, triangle_type, triangles);
   add(1, line_type, lines);
 }
 

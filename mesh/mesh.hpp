@@ -20,6 +20,13 @@ struct ShellQuad {
   int section = 0;                       // index into the sections of the model
 };
 
+struct ShellTriangle {
+  std::array<int, 3> nodes{};
+  Eigen::Matrix3d directors; // unit vectors in columns, one per corner
+  Eigen::Vector3d thickness; // m, one per corner
+  int section = 0;
+};
+
 // Nodes of one circle of a surface of revolution, in equal steps of the circumferential angle,
 // which is measured from x towards z.
 struct Ring {
@@ -30,21 +37,25 @@ struct Ring {
 struct Mesh {
   std::vector<Eigen::Vector3d> nodes;
   std::vector<ShellQuad> quads;
+  std::vector<ShellTriangle> triangles;
   std::vector<Ring> rings;
   std::map<std::string, std::vector<int>> sets; // node sets, e.g. "bellows.left"
 };
 
-// Quality of the quads: worst and mean of each number.
+// Quality of the shells: worst and mean of each number.
 struct MeshQuality {
-  double max_warp = 0;   // distance of a corner from the mean plane / mean edge
-  double max_aspect = 0; // longest mean edge / shortest mean edge
+  double max_warp = 0;   // of quads: distance of a corner from the mean plane / mean edge
+  double max_aspect = 0; // longest / shortest mean edge of a quad, edge of a triangle
   double mean_aspect = 0;
-  double min_jacobian = 0; // smallest / largest corner Jacobian of an element; below 0: folded
+  double min_jacobian = 0; // smallest / largest corner Jacobian of a quad; below 0: folded
 };
 
 MeshQuality mesh_quality(const Mesh& mesh);
 
-// Adds nodes, quads, rings and sets of `part` to `mesh`; sets are prefixed with "name.".
+// A quad as two triangles.
+std::array<std::array<int, 3>, 2> halves(const std::array<int, 4>& quad);
+
+// Adds nodes, shells, rings and sets of `part` to `mesh`; sets are prefixed with "name.".
 // Returns the number of the first node added.
 int append(Mesh& mesh, const Mesh& part, const std::string& name, int section);
 

@@ -13,28 +13,41 @@ namespace {
 
 using Eigen::Vector3d;
 using Edge = std::pair<int, int>; // smaller node first
+using Face = std::array<int, 4>;  // of a triangle the last is -1
 
-Edge edge_of(const std::array<int, 4>& quad, int side) {
-  const int a = quad[std::size_t(side)], b = quad[std::size_t((side + 1) % 4)];
+std::size_t corners(const Face& face) {
+  return face[3] < 0 ? 3 : 4;
+}
+
+void turn_over(Face& face) {
+  std::reverse(face.begin(), face.begin() + std::ptrdiff_t(corners(face)));
+}
+
+Edge edge_of(const Face& face, std::size_t side) {
+  const int a = face[side], b = face[(side + 1) % corners(face)];
   return {std::min(a, b), std::max(a, b)};
 }
 
-std::map<Edge, std::vector<int>> quads_at_edges(const std::vector<std::array<int, 4>>& quads) {
+std::map<Edge, std::vector<int>> faces_at_edges(const std::vector<Face>& faces) {
   std::map<Edge, std::vector<int>> at;
-  for (std::size_t q = 0; q < quads.size(); ++q)
-    for (int side = 0; side < 4; ++side) at[edge_of(quads[q], side)].push_back(int(q));
+  for (std::size_t q = 0; q < faces.size(); ++q)
+    for (std::size_t side = 0; side < corners(faces[q]); ++side)
+      at[edge_of(faces[q], side)].push_back(int(q));
   return at;
 }
 
-bool runs_along(const std::array<int, 4>& quad, const Edge& edge) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (quad[i] == edge.first && quad[(i + 1) % 4] == edge.second) return true;
+bool runs_along(const Face& face, const Edge& edge) {
+  const std::size_t n = corners(face);
+  for (std::size_t i = 0; i < n; ++i)
+    if (face[i] == edge.first && face[(i + 1) % n] == edge.second) return true;
   return false;
 }
 
-Vector3d normal_of(const std::vector<Vector3d>& x, const std::array<int, 4>& q) {
-  return (x[std::size_t(q[2])] - x[std::size_t(q[0])])
-      .cross(x[std::size_t(q[3])] - x[std::size_t(q[1])]);
+// Twice the area long.
+Vector3d normal_of(const std::vector<Vector3d>& x, const Face& f) {
+  const Vector3d &a = x[std::size_t(f[0])], &c = x[std::size_t(f[2])];
+  const Vector3d &from = x[std::size_t(f[1])], &to = f[3] < 0 ? a : x[std::size_t(f[3])];
+  return (c - a).cross(to - from);
 }
 
 std::string place(const Vector3d& x) {
@@ -45,20 +58,26 @@ std::string place(const Vector3d& x) {
 
 class Shells {
 public:
-  explicit Shells(const SurfaceQuads& surface)
-      : surface_(surface), quads_(surface.quads), edges_(quads_at_edges(quads_)) {}
+  explicit Shells(const SurfaceFaces& surface)
+      : surface_(surface), faces_(surface.faces), edges_(faces_at_edges(faces_)) {}
 
   Mesh mesh(double thickness, WallSide side) {
     orient();
     find_normals();
     Mesh mesh;
     mesh.nodes = surface_.nodes;
-    for (std::size_t q = 0; q < quads_.size(); ++q) {
-      ShellQuad shell;
-      shell.nodes = quads_[q];
-      for (int c = 0; c < 4; ++c) shell.directors.col(c) = normals_[q][std::size_t(c)];
+    const auto fill = [&](std::size_t q, auto& shell) {
+      for (std::size_t c = 0; c < corners(faces_[q]); ++c) {
+        shell.nodes[c] = faces_[q][c];
+        shell.directors.col(Eigen::Index(c)) = normals_[q][c];
+      }
       shell.thickness.setConstant(thickness);
-      mesh.quads.push_back(shell);
+    };
+    for (std::size_t q = 0; q < faces_.size(); ++q) {
+      if (corners(faces_[q]) == 4)
+        fill(q, mesh.quads.emplace_back());
+      else
+        fill(q, mesh.triangles.emplace_back());
     }
     if (side != WallSide::middle)
       move_to_middle(mesh, side == WallSide::outer ? thickness : -thickness);
@@ -69,28 +88,28 @@ public:
 private:
   // Neighbours alike, part by part; then each part outwards.
   void orient() {
-    std::vector<char> done(quads_.size(), 0);
-    for (std::size_t seed = 0; seed < quads_.size(); ++seed) {
+    std::vector<char> done(faces_.size(), 0);
+    for (std::size_t seed = 0; seed < faces_.size(); ++seed) {
       if (done[seed]) continue;
       std::vector<int> part{int(seed)};
       done[seed] = 1;
       for (std::size_t i = 0; i < part.size(); ++i) {
         const int q = part[i];
-        for (int side = 0; side < 4; ++side) {
-          const Edge edge = edge_of(quads_[std::size_t(q)], side);
+        for (std::size_t side = 0; side < corners(faces_[std::size_t(q)]); ++side) {
+          const Edge edge = edge_of(faces_[std::size_t(q)], side);
           const std::vector<int>& meeting = edges_.at(edge);
           if (meeting.size() != 2) continue; // free, or a branch
           const int other = meeting[0] == q ? meeting[1] : meeting[0];
           if (other == q) continue;
-          std::array<int, 4>& next = quads_[std::size_t(other)];
-          const bool alike = runs_along(quads_[std::size_t(q)], edge) != runs_along(next, edge);
+          Face& next = faces_[std::size_t(other)];
+          const bool alike = runs_along(faces_[std::size_t(q)], edge) != runs_along(next, edge);
           if (done[std::size_t(other)]) {
             if (!alike)
               throw std::runtime_error("the surface has no two sides near " +
                                        place(surface_.nodes[std::size_t(edge.first)]));
             continue;
           }
-          if (!alike) turned_.push_back(other), std::reverse(next.begin(), next.end());
+          if (!alike) turned_.push_back(other), turn_over(next);
           done[std::size_t(other)] = 1;
           part.push_back(other);
         }
@@ -103,54 +122,57 @@ private:
     Vector3d middle = Vector3d::Zero();
     double area = 0;
     const auto centre = [&](int q) {
+      const Face& face = faces_[std::size_t(q)];
       Vector3d sum = Vector3d::Zero();
-      for (int node : quads_[std::size_t(q)]) sum += surface_.nodes[std::size_t(node)] / 4;
-      return sum;
+      for (std::size_t c = 0; c < corners(face); ++c) sum += surface_.nodes[std::size_t(face[c])];
+      return Vector3d(sum / double(corners(face)));
     };
     for (int q : part) {
-      const double own = normal_of(surface_.nodes, quads_[std::size_t(q)]).norm();
+      const double own = normal_of(surface_.nodes, faces_[std::size_t(q)]).norm();
       middle += own * centre(q);
       area += own;
     }
     middle /= std::max(area, 1e-300);
     double flux = 0;
     for (int q : part)
-      flux += (centre(q) - middle).dot(normal_of(surface_.nodes, quads_[std::size_t(q)]));
+      flux += (centre(q) - middle).dot(normal_of(surface_.nodes, faces_[std::size_t(q)]));
     if (flux < 0)
       for (int q : part) {
-        auto& quad = quads_[std::size_t(q)];
-        std::reverse(quad.begin(), quad.end());
+        turn_over(faces_[std::size_t(q)]);
         turned_.push_back(q);
       }
   }
 
   void find_normals() {
     std::vector<Vector3d> flat;
-    for (const auto& quad : quads_) {
-      const Vector3d n = normal_of(surface_.nodes, quad);
+    for (const Face& face : faces_) {
+      const Vector3d n = normal_of(surface_.nodes, face);
       if (!(n.norm() > 0))
         throw std::runtime_error("an element without an area at " +
-                                 place(surface_.nodes[std::size_t(quad[0])]));
+                                 place(surface_.nodes[std::size_t(face[0])]));
       flat.push_back(n);
     }
-    normals_.resize(quads_.size());
+    normals_.resize(faces_.size());
     if (!surface_.normals.empty()) {
       normals_ = surface_.normals;
       for (int q : turned_)
-        std::reverse(normals_[std::size_t(q)].begin(), normals_[std::size_t(q)].end());
-      for (std::size_t q = 0; q < quads_.size(); ++q)
+        std::reverse(normals_[std::size_t(q)].begin(),
+                     normals_[std::size_t(q)].begin() +
+                         std::ptrdiff_t(corners(faces_[std::size_t(q)])));
+      for (std::size_t q = 0; q < faces_.size(); ++q)
         for (Vector3d& n : normals_[q])
           if (n.dot(flat[q]) < 0) n = -n;
       return;
     }
     std::vector<std::vector<int>> at(surface_.nodes.size());
-    for (std::size_t q = 0; q < quads_.size(); ++q)
-      for (int node : quads_[q]) at[std::size_t(node)].push_back(int(q));
+    for (std::size_t q = 0; q < faces_.size(); ++q)
+      for (std::size_t c = 0; c < corners(faces_[q]); ++c)
+        at[std::size_t(faces_[q][c])].push_back(int(q));
     const double least = std::cos(surface_.crease);
-    for (std::size_t q = 0; q < quads_.size(); ++q)
-      for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t q = 0; q < faces_.size(); ++q)
+      for (std::size_t c = 0; c < corners(faces_[q]); ++c) {
         Vector3d sum = Vector3d::Zero();
-        for (int other : at[std::size_t(quads_[q][c])])
+        for (int other : at[std::size_t(faces_[q][c])])
           if (flat[q].normalized().dot(flat[std::size_t(other)].normalized()) >= least)
             sum += flat[std::size_t(other)];
         normals_[q][c] = sum.normalized();
@@ -161,9 +183,13 @@ private:
   // differ, so far that each face moves by its half.
   static void move_to_middle(Mesh& mesh, double thickness) {
     std::vector<std::vector<Vector3d>> normals(mesh.nodes.size());
-    for (const ShellQuad& q : mesh.quads)
-      for (int c = 0; c < 4; ++c)
-        normals[std::size_t(q.nodes[std::size_t(c)])].push_back(q.directors.col(c));
+    const auto add = [&](const auto& shells) {
+      for (const auto& shell : shells)
+        for (std::size_t c = 0; c < shell.nodes.size(); ++c)
+          normals[std::size_t(shell.nodes[c])].push_back(shell.directors.col(Eigen::Index(c)));
+    };
+    add(mesh.quads);
+    add(mesh.triangles);
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
       if (normals[i].empty()) continue;
       Vector3d mean = Vector3d::Zero();
@@ -180,8 +206,8 @@ private:
     all.resize(mesh.nodes.size());
     std::iota(all.begin(), all.end(), 0);
     std::map<int, std::vector<int>> along; // free edges at a node
-    for (const auto& [edge, quads] : edges_)
-      if (quads.size() == 1) {
+    for (const auto& [edge, faces] : edges_)
+      if (faces.size() == 1) {
         along[edge.first].push_back(edge.second);
         along[edge.second].push_back(edge.first);
       }
@@ -220,8 +246,8 @@ private:
       mesh.sets["edge[" + std::to_string(k + 1) + "]"] = loops[k].nodes;
   }
 
-  const SurfaceQuads& surface_;
-  std::vector<std::array<int, 4>> quads_;
+  const SurfaceFaces& surface_;
+  std::vector<Face> faces_;
   std::map<Edge, std::vector<int>> edges_;
   std::vector<std::array<Vector3d, 4>> normals_;
   std::vector<int> turned_;
@@ -229,7 +255,7 @@ private:
 
 } // namespace
 
-Mesh shell_mesh(const SurfaceQuads& surface, double thickness, WallSide side) {
+Mesh shell_mesh(const SurfaceFaces& surface, double thickness, WallSide side) {
   return Shells(surface).mesh(thickness, side);
 }
 

@@ -3,6 +3,7 @@
 #include "mesh/dent.hpp"
 #include "mesh/plate.hpp"
 #include "model/build_bellows.hpp"
+#include "model/build_deck.hpp"
 #include "model/build_pipes.hpp"
 #include "model/build_surface.hpp"
 #include "model/connector_curve.hpp"
@@ -142,6 +143,17 @@ private:
     const Material& m = case_.materials.at(surface.material);
     built_.model.shells.push_back(
         {{.E = m.E, .nu = m.nu, .rho = m.rho}, surface.membrane, component(name)});
+  }
+
+  void add(const std::string& name, const DeckPart& deck) {
+    const int own = component(name);
+    try {
+      append(built_.model, deck_model(deck), name, own);
+    } catch (const std::runtime_error& error) {
+      input_error("parts." + name + ".file", error.what(), "a deck of a whole model");
+    } catch (const std::invalid_argument& error) {
+      input_error("parts." + name + ".file", error.what(), "a deck of a whole model");
+    }
   }
 
   void add(const std::string& name, const BeamPart& beam) {

@@ -13,48 +13,61 @@ namespace {
 
 using Eigen::Vector3d;
 
-SurfaceQuads quads_of(const SurfacePart& part) {
-  if (is_cad_file(part.file)) return mesh_cad(part.file, {.size = part.size, .turn = part.turn});
+SurfaceFaces faces_of(const SurfacePart& part) {
+  if (is_cad_file(part.file))
+    return mesh_cad(part.file,
+                    {.unit = part.unit.value_or(1), .size = part.size, .turn = part.turn});
   const Surface surface = read_surface(part.file, part.unit.value(), part.weld);
-  return remesh(surface.nodes, surface.triangles, part.size);
+  if (part.size > 0) return remesh(surface.nodes, surface.triangles, part.size);
+  SurfaceFaces faces{.nodes = surface.nodes, .faces = {}, .normals = {}};
+  for (const auto& [a, b, c] : surface.triangles) faces.faces.push_back({a, b, c, -1});
+  return faces;
 }
 
 // Variants, error bars and diagnoses build a case many times.
-SurfaceQuads quads_once(const SurfacePart& part) {
+SurfaceFaces faces_once(const SurfacePart& part) {
   using Key =
       std::tuple<std::string, double, double, double, double, std::filesystem::file_time_type>;
   static std::mutex mutex;
-  static std::map<Key, SurfaceQuads> known;
+  static std::map<Key, SurfaceFaces> known;
   const Key key{part.file, part.unit.value_or(0),
                 part.size, part.turn,
                 part.weld, std::filesystem::last_write_time(part.file)};
   const std::lock_guard lock(mutex);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  return known.try_emplace(key, quads_of(part)).first->second;
+  return known.try_emplace(key, faces_of(part)).first->second;
 }
 
 } // namespace
 
 Mesh surface_mesh(const SurfacePart& part) {
-  Mesh mesh = shell_mesh(quads_once(part), part.thickness, part.given);
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(part.rotate[2], Vector3d::UnitZ()) *
-                                Eigen::AngleAxisd(part.rotate[1], Vector3d::UnitY()) *
-                                Eigen::AngleAxisd(part.rotate[0], Vector3d::UnitX()))
-                                   .toRotationMatrix();
+  Mesh mesh = shell_mesh(faces_once(part), part.thickness, part.given);
+  const Eigen::Matrix3d turn = turn_of(part.rotate);
   const Vector3d move(part.move[0], part.move[1], part.move[2]);
   for (Vector3d& x : mesh.nodes) x = turn * x + move;
   for (ShellQuad& q : mesh.quads) q.directors = turn * q.directors;
-  for (const SurfacePlace& place : part.places) {
+  for (ShellTriangle& t : mesh.triangles) t.directors = turn * t.directors;
+  add_places(mesh, part.places);
+  return mesh;
+}
+
+Eigen::Matrix3d turn_of(const Triple& rotate) {
+  return (Eigen::AngleAxisd(rotate[2], Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(rotate[1], Vector3d::UnitY()) *
+          Eigen::AngleAxisd(rotate[0], Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+void add_places(Mesh& mesh, const std::vector<SurfacePlace>& places) {
+  for (const SurfacePlace& place : places) {
     const Vector3d at(place.at[0], place.at[1], place.at[2]);
     std::vector<int>& set = mesh.sets[place.name];
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       if ((mesh.nodes[i] - at).norm() <= place.within) set.push_back(int(i));
     if (set.empty())
-      throw std::runtime_error("no node of the surface is within " +
-                               std::to_string(1e3 * place.within) + " mm of its place " +
-                               place.name);
+      throw std::runtime_error("no node is within " + std::to_string(1e3 * place.within) +
+                               " mm of the place " + place.name);
   }
-  return mesh;
 }
 
 } // namespace plica

@@ -10,4 +10,10 @@ namespace plica {
 // file.
 Mesh surface_mesh(const SurfacePart& part);
 
+// About x, then y, then z.
+Eigen::Matrix3d turn_of(const Triple& rotate);
+
+// Adds the sets of nodes near points; std::runtime_error for one without a node.
+void add_places(Mesh& mesh, const std::vector<SurfacePlace>& places);
+
 } // namespace plica

@@ -7,12 +7,14 @@
 
 #include "elements/shell_mitc4.hpp"
 #include "mesh/shell_surface.hpp"
+#include "model/deck.hpp"
 #include "model/fit_request.hpp"
 #include "model/friction.hpp"
 #include "solve/joint_method.hpp"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -135,13 +137,26 @@ struct SurfacePart {
   std::optional<double> unit = {}; // m per unit of the file, where the format has none
   double thickness = 0;
   WallSide given = WallSide::middle; // where the surface lies in the wall
-  double size = 0;                   // of elements
+  double size = 0;                   // of elements; 0 = the triangles of the file
   double turn = std::numbers::pi / 8;
   double weld = 1e-6; // vertices of a triangulated surface that are one
   Triple rotate{};    // about x, then y, then z
   Triple move{};
   std::vector<SurfacePlace> places = {};
   Membrane membrane = Membrane::displacement;
+};
+
+// A model from a deck of Abaqus or Nastran.
+struct DeckPart {
+  std::string file; // from the folder of the case
+  double length_unit = 1, mass_unit = 1;
+  UnknownCards unknown_cards = UnknownCards::error;
+  bool held = true; // by what the deck holds
+  Triple rotate{};  // about x, then y, then z
+  Triple move{};
+  std::vector<SurfacePlace> places = {};
+  Membrane membrane = Membrane::incompatible;
+  std::shared_ptr<const DeckModel> content = {}; // read with the case
 };
 
 struct BeamPart {
@@ -213,7 +228,7 @@ struct PointMass {
 struct Part {
   std::string name;
   std::variant<Bellows, Interlock, Plate, BeamPart, PointMass, EquivalentPipe, ConnectorChain,
-               SurfacePart>
+               SurfacePart, DeckPart>
       body;
 };
 

@@ -170,12 +170,13 @@ template <class V> void fields(V& v, SurfacePart& s) {
          "STEP, IGES or BREP faces, or triangles as STL, OBJ, PLY or glTF; from the folder of the "
          "case");
   v.quantity(s.unit, "unit", {.unit = Dimension::length, .min = 0, .exclusive_min = true},
-             "length of one unit of a file of triangles, which does not say");
+             "length of one unit of a file of triangles or a BREP, which do not say");
   v.quantity(s.thickness, "thickness", length, "thickness");
   v.choice(s.given, "surface_is",
            {{WallSide::middle, "middle"}, {WallSide::outer, "outer"}, {WallSide::inner, "inner"}},
            optional_key, "of the wall; left out: its middle");
-  v.quantity(s.size, "element_size", length, "largest edge of an element");
+  v.quantity(s.size, "element_size", {.unit = Dimension::length, .min = 0, .exclusive_min = true},
+             "largest edge of an element; left out: the triangles of the file as they are");
   v.quantity(s.turn, "element_turn", {.unit = Dimension::angle, .min = 0.02, .max = 1.6},
              "how far an element of a CAD face may turn; left out: 22.5 deg");
   v.quantity(s.weld, "weld", {.unit = Dimension::length, .min = 0},
@@ -185,6 +186,26 @@ template <class V> void fields(V& v, SurfacePart& s) {
   v.named(s.places, &SurfacePlace::name, "places", optional_key,
           "sets of nodes near points of the case, as part.name");
   fields(v, s.membrane);
+}
+
+template <class V> void fields(V& v, DeckPart& d) {
+  v.text(d.file, "file", {.required = true},
+         "Abaqus .inp, or Nastran .bdf, .dat, .nas, .fem; from the folder of the case");
+  v.quantity(d.length_unit, "length_unit",
+             {.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true},
+             "length of one unit of the deck, which does not say, e.g. 1 mm");
+  v.quantity(d.mass_unit, "mass_unit",
+             {.unit = Dimension::mass, .required = true, .min = 0, .exclusive_min = true},
+             "mass of one unit, e.g. 1 t in a deck of mm, N and MPa");
+  v.choice(d.unknown_cards, "unknown_cards",
+           {{UnknownCards::error, "error"}, {UnknownCards::list, "list"}}, optional_key,
+           "what to do with cards that are not followed: an error, or a list among the warnings");
+  v.flag(d.held, "held", "keep the supports of the deck; left out: yes");
+  v.quantities(d.rotate, "rotate", {.unit = Dimension::angle}, "about x, then y, then z");
+  v.quantities(d.move, "move", {.unit = Dimension::length}, "then moved by [x, y, z]");
+  v.named(d.places, &SurfacePlace::name, "places", optional_key,
+          "sets of nodes near points of the case, as part.name");
+  fields(v, d.membrane);
 }
 
 template <class V> void fields(V& v, BeamSection& s) {
@@ -241,9 +262,10 @@ template <class V> void fields(V& v, PointMass& m) {
 }
 
 template <class V> void fields(V& v, Part& p) {
-  v.one_of(p.body, "type",
-           {"bellows", "interlock", "plate", "beam", "mass", "pipe", "connector", "surface"},
-           "kind of part");
+  v.one_of(
+      p.body, "type",
+      {"bellows", "interlock", "plate", "beam", "mass", "pipe", "connector", "surface", "deck"},
+      "kind of part");
 }
 
 template <class V> void fields(V& v, Cap& c) {

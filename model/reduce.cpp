@@ -154,7 +154,7 @@ PartReference full_reference(const Model& model, const Boundary& boundary, doubl
   return part;
 }
 
-// Quads that meet in a node, as a model of their own; the node's own number there.
+// Shells that meet in a node, as a model of their own; the node's own number there.
 struct Patch {
   Model model;
   std::vector<int> nodes; // number in the whole
@@ -164,9 +164,8 @@ struct Patch {
 Patch patch_around(const Model& model, int node) {
   Patch patch;
   patch.model.shells = model.shells;
-  for (const ShellQuad& quad : model.mesh.quads) {
-    if (std::find(quad.nodes.begin(), quad.nodes.end(), node) == quad.nodes.end()) continue;
-    ShellQuad own = quad;
+  const auto add = [&](auto own, auto& shells) {
+    if (std::find(own.nodes.begin(), own.nodes.end(), node) == own.nodes.end()) return;
     for (int& n : own.nodes) {
       const auto known = std::find(patch.nodes.begin(), patch.nodes.end(), n);
       if (n == node) patch.centre = int(known - patch.nodes.begin());
@@ -177,8 +176,10 @@ Patch patch_around(const Model& model, int node) {
         n = int(known - patch.nodes.begin());
       }
     }
-    patch.model.mesh.quads.push_back(own);
-  }
+    shells.push_back(own);
+  };
+  for (const ShellQuad& quad : model.mesh.quads) add(quad, patch.model.mesh.quads);
+  for (const ShellTriangle& t : model.mesh.triangles) add(t, patch.model.mesh.triangles);
   return patch;
 }
 

@@ -145,6 +145,8 @@ private:
     std::set<std::string> components;
     for (const ShellQuad& q : own.mesh.quads)
       components.insert(own.components[own.shells[q.section].component]);
+    for (const ShellTriangle& t : own.mesh.triangles)
+      components.insert(own.components[own.shells[t.section].component]);
     for (const BeamElement& b : own.beams) components.insert(own.components[b.component]);
     for (const BushingElement& b : own.bushings) components.insert(own.components[b.component]);
     const Reduction& r = instance.reduced->reduction;

@@ -27,6 +27,7 @@ void refine(SurfacePart& surface, const Refinement& f) {
   surface.size /= f.along; // it has no other direction
   surface.turn /= f.along;
 }
+void refine(DeckPart&, const Refinement&) {} // its mesh is given
 void refine(BeamPart& beam, const Refinement& f) {
   beam.elements = more(beam.elements, f.along);
 }
@@ -47,6 +48,9 @@ std::array<int, 2> elements(const Plate& p) {
 }
 std::array<int, 2> elements(const SurfacePart&) {
   return {1, 1}; // counted by its mesh
+}
+std::array<int, 2> elements(const DeckPart&) {
+  return {1, 1};
 }
 std::array<int, 2> elements(const BeamPart& b) {
   return {b.elements, 1};

@@ -98,6 +98,13 @@ struct RandomResult {
 
 // Acceleration of the sensors in their own axes: absolute and per base acceleration
 // (transmissibility), or per N (Nm) of a force with the base at rest.
+// A measured response of one channel, beside the computed one.
+struct TestCurve {
+  int channel = 0; // of the response
+  Eigen::VectorXd hertz, magnitude;
+  std::optional<double> level; // of the excitation
+};
+
 struct ResponseResult {
   std::string excitation; // base: x y z rx ry rz; or the name of the force
   bool is_force = false;
@@ -109,6 +116,7 @@ struct ResponseResult {
   std::vector<int> shown; // channels that are more than a thousandth of the largest
   std::vector<ResponsePeak> peaks;
   std::optional<RandomResult> random;
+  std::vector<TestCurve> test; // at the measured level that is nearest
 };
 
 // Largest resultant of the three axes of each sensor, frequencies x sensors: root of the sum of the
@@ -171,11 +179,17 @@ struct Reduced {
   int unknowns = 0; // of the reduced model
 };
 
+struct InputFile {
+  std::string name, text;
+};
+
 struct Results {
   std::string case_name, title, plica_version;
   std::string modelled_as; // alternative model of the case; empty = its parts
   std::vector<std::string> assumptions;
   std::vector<std::string> warnings;
+  std::vector<InputFile> inputs; // as they were read
+  std::string versions;          // of the libraries
   ModelSize model;
   std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
   std::optional<Reduced> reduced;

@@ -45,6 +45,10 @@ private:
     results_.modelled_as = case_.model;
     results_.assumptions = case_.assumptions;
     results_.quality = mesh_quality(built_.model.mesh);
+    for (const Part& part : case_.parts)
+      if (const auto* deck = std::get_if<DeckPart>(&part.body))
+        for (const std::string& card : deck->content->left_out)
+          results_.warnings.push_back("left out of the deck: " + card);
     results_.meridian = built_.meridian;
     results_.route = route_->name();
     results_.reduced = route_->reduced();

@@ -190,7 +190,8 @@ std::vector<ResponseResult> responses(const Response& asked, const BuiltCase& bu
                             .acceleration = {},
                             .shown = {},
                             .peaks = {},
-                            .random = {}};
+                            .random = {},
+                            .test = {}};
     for (const BuiltSensor& s : built.sensors)
       for (int axis : {0, 1, 2}) response.channels.push_back({s.name, axis_names[axis]});
     const MatrixXcd relative = frequency_response(modal, static_cast<int>(k), omega);

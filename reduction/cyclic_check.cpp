@@ -49,7 +49,8 @@ public:
 private:
   std::string rings() {
     const std::vector<Ring>& rings = model_.mesh.rings;
-    if (rings.empty() || model_.mesh.quads.empty()) return "it is no shell of revolution";
+    if (rings.empty() || model_.mesh.quads.empty() || !model_.mesh.triangles.empty())
+      return "it is no shell of revolution";
     const int N = view_.around_ = static_cast<int>(rings.front().nodes.size());
     view_.rings_ = static_cast<int>(rings.size());
     view_.place_.assign(model_.mesh.nodes.size(), {});

@@ -22,7 +22,8 @@ bool same(const ShellSection& a, const ShellSection& b) {
   return a.E == b.E && a.nu == b.nu && a.rho == b.rho && a.bending_factor == b.bending_factor &&
          a.shear_correction == b.shear_correction && a.drilling == b.drilling;
 }
-bool same(const ShellQuad& a, const Model& of_a, const ShellQuad& b, const Model& of_b) {
+template <class Shell>
+bool same(const Shell& a, const Model& of_a, const Shell& b, const Model& of_b) {
   return a.thickness == b.thickness &&
          same(of_a.shells[a.section].section, of_b.shells[b.section].section);
 }
@@ -47,9 +48,12 @@ Model only_in(const Model& model, const Model& other) {
   rest.components = model.components;
   rest.mesh.nodes = model.mesh.nodes;
   rest.shells = model.shells;
-  for (std::size_t i = 0; i < model.mesh.quads.size(); ++i)
-    if (!same(model.mesh.quads[i], model, other.mesh.quads[i], other))
-      rest.mesh.quads.push_back(model.mesh.quads[i]);
+  const auto keep_shells = [&](const auto& own, const auto& others, auto& kept) {
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (!same(own[i], model, others[i], other)) kept.push_back(own[i]);
+  };
+  keep_shells(model.mesh.quads, other.mesh.quads, rest.mesh.quads);
+  keep_shells(model.mesh.triangles, other.mesh.triangles, rest.mesh.triangles);
   const auto keep = [](const auto& own, const auto& others, auto& kept) {
     for (std::size_t i = 0; i < own.size(); ++i)
       if (i >= others.size() || !same(own[i], others[i])) kept.push_back(own[i]);

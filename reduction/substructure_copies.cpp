@@ -53,17 +53,18 @@ bool is_copy(const Substructure& a, const Substructure& b) {
   if (a.boundary != b.boundary || m.mesh.nodes.size() != n.mesh.nodes.size()) return false;
   const Eigen::Vector3d shift = n.mesh.nodes.front() - m.mesh.nodes.front();
   const double size = (m.mesh.nodes.back() - m.mesh.nodes.front()).norm() + shift.norm();
+  const auto same_shell = [&](const auto& p, const auto& q) {
+    const ShellProperties &s = m.shells[p.section], &t = n.shells[q.section];
+    return p.nodes == q.nodes && equal(p.directors, q.directors) &&
+           equal(p.thickness, q.thickness) && s.membrane == t.membrane &&
+           equal(s.section, t.section);
+  };
   return all_equal(m.mesh.nodes, n.mesh.nodes,
                    [&](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
                      return (x + shift - y).norm() <= same * size;
                    }) &&
-         all_equal(m.mesh.quads, n.mesh.quads,
-                   [&](const ShellQuad& p, const ShellQuad& q) {
-                     const ShellProperties &s = m.shells[p.section], &t = n.shells[q.section];
-                     return p.nodes == q.nodes && equal(p.directors, q.directors) &&
-                            equal(p.thickness, q.thickness) && s.membrane == t.membrane &&
-                            equal(s.section, t.section);
-                   }) &&
+         all_equal(m.mesh.quads, n.mesh.quads, same_shell) &&
+         all_equal(m.mesh.triangles, n.mesh.triangles, same_shell) &&
          all_equal(m.beams, n.beams,
                    [](const BeamElement& p, const BeamElement& q) {
                      return p.node1 == q.node1 && p.node2 == q.node2 && equal(p.up, q.up) &&

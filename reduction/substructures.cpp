@@ -27,6 +27,9 @@ private:
 std::vector<int> nodes_of(const ShellQuad& q) {
   return {q.nodes.begin(), q.nodes.end()};
 }
+std::vector<int> nodes_of(const ShellTriangle& t) {
+  return {t.nodes.begin(), t.nodes.end()};
+}
 std::vector<int> nodes_of(const BeamElement& b) {
   return {b.node1, b.node2};
 }
@@ -47,6 +50,7 @@ std::vector<int> nodes_of(const Constraint& c) {
 
 template <class F> void for_each_item(const Model& model, F&& f) {
   for (const ShellQuad& x : model.mesh.quads) f(x);
+  for (const ShellTriangle& x : model.mesh.triangles) f(x);
   for (const BeamElement& x : model.beams) f(x);
   for (const MassElement& x : model.masses) f(x);
   for (const BushingElement& x : model.bushings) f(x);
@@ -58,6 +62,9 @@ using Numbers = std::vector<int>; // new number per node, -1 = not there
 
 void renumber(ShellQuad& q, const Numbers& to) {
   for (int& node : q.nodes) node = to[node];
+}
+void renumber(ShellTriangle& t, const Numbers& to) {
+  for (int& node : t.nodes) node = to[node];
 }
 void renumber(BeamElement& b, const Numbers& to) {
   b.node1 = to[b.node1];
@@ -80,6 +87,9 @@ void renumber(Constraint& c, const Numbers& to) {
 
 void add(Model& model, ShellQuad x) {
   model.mesh.quads.push_back(std::move(x));
+}
+void add(Model& model, ShellTriangle x) {
+  model.mesh.triangles.push_back(std::move(x));
 }
 void add(Model& model, BeamElement x) {
   model.beams.push_back(std::move(x));

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -89,6 +90,21 @@ MatrixXd without_grounding(const MatrixXd& K, const std::vector<Vector3d>& nodes
   const MatrixXd P = MatrixXd::Identity(K.rows(), K.rows()) - b.Q * b.Q.transpose();
   const MatrixXd unscale = b.scale.cwiseInverse().asDiagonal();
   return symmetrised(unscale * P * b.K * P * unscale);
+}
+
+Eigen::VectorXd dynamic_stiffness(const Superelement& s, int row, int column,
+                                  const Eigen::VectorXd& hertz) {
+  const Eigen::Index b = s.boundary(), q = s.modal();
+  const Eigen::ArrayXd lambda = s.K.bottomRightCorner(q, q).diagonal().array();
+  const Eigen::ArrayXd both =
+      s.M.col(row).tail(q).array() * s.M.col(column).tail(q).array(); // M_bq M_qb
+  Eigen::VectorXd stiffness(hertz.size());
+  for (Eigen::Index i = 0; i < hertz.size(); ++i) {
+    const double w2 = std::pow(2 * std::numbers::pi * hertz[i], 2);
+    stiffness[i] = s.K.topLeftCorner(b, b)(row, column) - w2 * s.M(row, column) -
+                   w2 * w2 * (both / (lambda - w2)).sum();
+  }
+  return stiffness;
 }
 
 MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& m) {

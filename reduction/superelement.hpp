@@ -62,6 +62,11 @@ double grounding(const Eigen::MatrixXd& K, const std::vector<Eigen::Vector3d>& n
 Eigen::MatrixXd without_grounding(const Eigen::MatrixXd& K,
                                   const std::vector<Eigen::Vector3d>& nodes, double unreduced = 0);
 
+// Force on one boundary coordinate over the displacement of another, all other ones held, undamped:
+// K_bb - w^2 M_bb - w^4 M_bq (Lambda - w^2)^-1 M_qb. Per frequency.
+Eigen::VectorXd dynamic_stiffness(const Superelement& s, int row, int column,
+                                  const Eigen::VectorXd& hertz);
+
 struct MassProperties {
   double mass = 0;
   Eigen::Vector3d centre{0, 0, 0};

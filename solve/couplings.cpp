@@ -41,14 +41,15 @@ void add_kinematic_coupling(Model& model, int reference, const std::vector<int>&
 }
 
 void add_distributing_coupling(Model& model, int reference, const std::vector<int>& nodes,
-                               const std::string& origin) {
+                               const std::string& origin, const std::vector<double>& weights) {
   const auto& x = model.mesh.nodes;
+  const auto weight = [&](std::size_t i) { return weights.empty() ? 1 : weights[i]; };
   Matrix6 normal = Matrix6::Zero();
   double size = 0;
-  for (int node : nodes) {
-    const auto R = rigid_rows(x[node] - x[reference]);
-    normal.noalias() += R.transpose() * R;
-    size = std::max(size, (x[node] - x[reference]).norm());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto R = rigid_rows(x[nodes[i]] - x[reference]);
+    normal.noalias() += weight(i) * R.transpose() * R;
+    size = std::max(size, (x[nodes[i]] - x[reference]).norm());
   }
   Eigen::Matrix<double, 6, 1> scale; // lengths out, so that definiteness can be judged
   scale << 1, 1, 1, 1 / size, 1 / size, 1 / size;
@@ -61,12 +62,12 @@ void add_distributing_coupling(Model& model, int reference, const std::vector<in
   std::array<Constraint, 6> rows;
   for (int i = 0; i < 6; ++i)
     rows[i] = {.node = reference, .dof = i, .terms = {}, .origin = origin};
-  for (int node : nodes) {
-    const Eigen::Matrix<double, 6, 3> weights =
-        inverse * rigid_rows(x[node] - x[reference]).transpose();
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Eigen::Matrix<double, 6, 3> share =
+        weight(n) * inverse * rigid_rows(x[nodes[n]] - x[reference]).transpose();
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 3; ++j)
-        if (weights(i, j) != 0) rows[i].terms.push_back({node, j, weights(i, j)});
+        if (share(i, j) != 0) rows[i].terms.push_back({nodes[n], j, share(i, j)});
   }
   for (Constraint& row : rows) model.constraints.push_back(std::move(row));
 }

@@ -1,4 +1,5 @@
-// Shells, beams, masses, bushings and matrix elements of a model under one running number.
+// Quads, triangles, beams, masses, bushings and matrix elements of a model under one running
+// number.
 #pragma once
 
 #include "solve/model.hpp"
@@ -15,6 +16,9 @@ struct ElementView {
     const int quads = static_cast<int>(model.mesh.quads.size());
     if (e < quads) return model.shells[model.mesh.quads[e].section].component;
     e -= quads;
+    const int triangles = static_cast<int>(model.mesh.triangles.size());
+    if (e < triangles) return model.shells[model.mesh.triangles[e].section].component;
+    e -= triangles;
     const int beams = static_cast<int>(model.beams.size());
     if (e < beams) return model.beams[e].component;
     e -= beams;
@@ -36,6 +40,14 @@ struct ElementView {
                shell_mitc4_mass(g, p.section));
     }
     e -= quads;
+    const int triangles = static_cast<int>(model.mesh.triangles.size());
+    if (e < triangles) {
+      const ShellTriangle& triangle = model.mesh.triangles[e];
+      const ShellSection& section = model.shells[triangle.section].section;
+      const TriangleGeometry g = shell_geometry(model.mesh, triangle);
+      return f(triangle.nodes, shell_mitc3_stiffness(g, section), shell_mitc3_mass(g, section));
+    }
+    e -= triangles;
     if (e < static_cast<int>(model.beams.size())) {
       const BeamElement& b = model.beams[e];
       const BeamGeometry g = beam_geometry(model.mesh, b);
@@ -63,6 +75,10 @@ struct ElementView {
     const int quads = static_cast<int>(model.mesh.quads.size());
     if (e < quads) return {model.mesh.quads[e].nodes.begin(), model.mesh.quads[e].nodes.end()};
     e -= quads;
+    const int triangles = static_cast<int>(model.mesh.triangles.size());
+    if (e < triangles)
+      return {model.mesh.triangles[e].nodes.begin(), model.mesh.triangles[e].nodes.end()};
+    e -= triangles;
     const int beams = static_cast<int>(model.beams.size());
     if (e < beams) return {model.beams[e].node1, model.beams[e].node2};
     e -= beams;

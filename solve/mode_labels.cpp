@@ -102,7 +102,7 @@ ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
 // or when it has shells.
 std::vector<int> axis_line(const Model& model) {
   std::vector<int> nodes;
-  if (!model.mesh.quads.empty()) return {};
+  if (!model.mesh.quads.empty() || !model.mesh.triangles.empty()) return {};
   for (const BeamElement& b : model.beams) nodes.insert(nodes.end(), {b.node1, b.node2});
   for (const BushingElement& b : model.bushings) nodes.insert(nodes.end(), {b.node1, b.node2});
   std::erase(nodes, -1); // the ground

@@ -14,8 +14,9 @@ int dof_count(const Model& model) {
 }
 
 int element_count(const Model& model) {
-  return static_cast<int>(model.mesh.quads.size() + model.beams.size() + model.masses.size() +
-                          model.bushings.size() + model.matrices.size());
+  return static_cast<int>(model.mesh.quads.size() + model.mesh.triangles.size() +
+                          model.beams.size() + model.masses.size() + model.bushings.size() +
+                          model.matrices.size());
 }
 
 ShellGeometry shell_geometry(const Mesh& mesh, const ShellQuad& quad) {
@@ -23,6 +24,14 @@ ShellGeometry shell_geometry(const Mesh& mesh, const ShellQuad& quad) {
   for (int i = 0; i < 4; ++i) g.X.col(i) = mesh.nodes[quad.nodes[i]];
   g.directors = quad.directors;
   g.thickness = quad.thickness;
+  return g;
+}
+
+TriangleGeometry shell_geometry(const Mesh& mesh, const ShellTriangle& triangle) {
+  TriangleGeometry g;
+  for (int i = 0; i < 3; ++i) g.X.col(i) = mesh.nodes[triangle.nodes[i]];
+  g.directors = triangle.directors;
+  g.thickness = triangle.thickness;
   return g;
 }
 

@@ -6,6 +6,7 @@
 #include "elements/beam_timoshenko.hpp"
 #include "elements/bushing.hpp"
 #include "elements/rigid_mass.hpp"
+#include "elements/shell_mitc3.hpp"
 #include "elements/shell_mitc4.hpp"
 #include "mesh/mesh.hpp"
 
@@ -17,7 +18,7 @@ namespace plica {
 
 struct ShellProperties {
   ShellSection section;
-  MembraneStrain membrane = MembraneStrain::displacement;
+  MembraneStrain membrane = MembraneStrain::displacement; // of quads
   int component = 0; // index into Model::components, here and below
 };
 
@@ -61,7 +62,7 @@ struct Constraint {
 struct Model {
   std::vector<std::string> components; // names; every elastic element belongs to one
   Mesh mesh;
-  std::vector<ShellProperties> shells; // index = ShellQuad::section
+  std::vector<ShellProperties> shells; // index = section of quads and triangles
   std::vector<BeamElement> beams;
   std::vector<MassElement> masses;
   std::vector<BushingElement> bushings;
@@ -74,6 +75,7 @@ int add_node(Model& model, const Eigen::Vector3d& position);
 int dof_count(const Model& model);
 int element_count(const Model& model);
 ShellGeometry shell_geometry(const Mesh& mesh, const ShellQuad& quad);
+TriangleGeometry shell_geometry(const Mesh& mesh, const ShellTriangle& triangle);
 BeamGeometry beam_geometry(const Mesh& mesh, const BeamElement& beam);
 Eigen::MatrixXd bushing_matrix(const Mesh& mesh, const BushingElement& bushing); // its nodes' DOFs
 

@@ -24,9 +24,9 @@ Eigen::MatrixXd follow_boundary(const SparseMatrix& K, const std::vector<int>& b
 // DOFs 0..n-1 that are not in `removed` (increasing).
 std::vector<int> complement(int n, const std::vector<int>& removed);
 
-// What a rig measures between two caps, the first one held, y along the pipe (DESIGN of the
-// output contract): axial and lateral force over displacement with the moving end kept parallel;
-// moment over rotation of a free end; torque over twist.
+// What a rig measures between two caps, the first one held, y along the pipe: axial and lateral
+// force over displacement with the moving end kept parallel; moment over rotation of a free end;
+// torque over twist.
 struct EndStiffness {
   double axial = 0, transverse_x = 0, transverse_z = 0; // N/m
   double bending_x = 0, bending_z = 0, torsion = 0;     // Nm/rad

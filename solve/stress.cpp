@@ -19,10 +19,17 @@ Eigen::Matrix<double, 6, 6> von_mises_form() {
   return A;
 }
 
-// Which point each corner of each quad belongs to: corners that meet in a node with one director
+// Calls f(element, shell) for every quad, then every triangle.
+template <class F> void for_each_shell(const Mesh& mesh, F&& f) {
+  std::size_t element = 0;
+  for (const ShellQuad& quad : mesh.quads) f(element++, quad);
+  for (const ShellTriangle& triangle : mesh.triangles) f(element++, triangle);
+}
+
+// Which point each corner of each shell belongs to: corners that meet in a node with one director
 // and one thickness share a point.
 struct Points {
-  std::vector<std::array<int, 4>> of_quad;
+  std::vector<std::array<int, 4>> of_shell; // quads, then triangles
   std::vector<int> node;
 };
 
@@ -30,50 +37,68 @@ Points stress_points(const Mesh& mesh) {
   struct Side {
     Eigen::Vector3d director;
     double thickness = 0;
-    std::vector<std::pair<int, int>> corners; // quad, corner
+    std::vector<std::pair<std::size_t, int>> corners; // shell, corner
   };
   std::vector<std::vector<Side>> sides(mesh.nodes.size());
-  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e)
-    for (int a = 0; a < 4; ++a) {
-      const ShellQuad& quad = mesh.quads[e];
-      const Eigen::Vector3d V = quad.directors.col(a);
-      const double t = quad.thickness[a];
-      std::vector<Side>& known = sides[quad.nodes[a]];
+  for_each_shell(mesh, [&](std::size_t e, const auto& shell) {
+    for (int a = 0; a < static_cast<int>(shell.nodes.size()); ++a) {
+      const Eigen::Vector3d V = shell.directors.col(a);
+      const double t = shell.thickness[a];
+      std::vector<Side>& known = sides[shell.nodes[a]];
       auto side = std::find_if(known.begin(), known.end(), [&](const Side& s) {
         return (s.director - V).norm() < 1e-3 && std::abs(s.thickness - t) < 1e-6 * t;
       });
       if (side == known.end()) side = known.insert(known.end(), {V, t, {}});
       side->corners.emplace_back(e, a);
     }
+  });
   Points points;
-  points.of_quad.resize(mesh.quads.size());
+  points.of_shell.resize(mesh.quads.size() + mesh.triangles.size());
   for (std::size_t node = 0; node < sides.size(); ++node)
     for (const Side& side : sides[node]) {
       for (const auto& [e, a] : side.corners)
-        points.of_quad[e][a] = static_cast<int>(points.node.size());
+        points.of_shell[e][a] = static_cast<int>(points.node.size());
       points.node.push_back(static_cast<int>(node));
     }
   return points;
 }
 
-MatrixXd shell_stress(const Model& model, const Points& points, const MatrixXd& u) {
-  const std::vector<ShellQuad>& quads = model.mesh.quads;
-  const int count = static_cast<int>(quads.size());
-  std::vector<MatrixXd> corner(quads.size()); // summed in order afterwards, whatever the threads
+MatrixXd corner_stress(const Model& model, const ShellQuad& quad) {
+  const ShellProperties& p = model.shells[quad.section];
+  return shell_mitc4_face_stress(shell_geometry(model.mesh, quad), p.section, p.membrane);
+}
+MatrixXd corner_stress(const Model& model, const ShellTriangle& triangle) {
+  return shell_mitc3_face_stress(shell_geometry(model.mesh, triangle),
+                                 model.shells[triangle.section].section);
+}
+
+// Stress at the corners of each shell; summed in order afterwards, whatever the threads.
+template <class Shells>
+void add_corner_stresses(const Model& model, const Shells& shells, const MatrixXd& u,
+                         std::vector<MatrixXd>& corner) {
+  const std::size_t first = corner.size();
+  corner.resize(first + shells.size());
+  const int count = static_cast<int>(shells.size());
 #pragma omp parallel for schedule(static) if (count > 64)
   for (int e = 0; e < count; ++e) {
-    MatrixXd own(24, u.cols());
-    for (int a = 0; a < 4; ++a) own.middleRows<6>(6 * a) = u.middleRows<6>(6 * quads[e].nodes[a]);
-    const ShellProperties& p = model.shells[quads[e].section];
-    corner[e] =
-        shell_mitc4_face_stress(shell_geometry(model.mesh, quads[e]), p.section, p.membrane) * own;
+    const auto& nodes = shells[e].nodes;
+    MatrixXd own(6 * nodes.size(), u.cols());
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      own.middleRows<6>(Eigen::Index(6 * a)) = u.middleRows<6>(6 * nodes[a]);
+    corner[first + e] = corner_stress(model, shells[e]) * own;
   }
+}
+
+MatrixXd shell_stress(const Model& model, const Points& points, const MatrixXd& u) {
+  std::vector<MatrixXd> corner;
+  add_corner_stresses(model, model.mesh.quads, u, corner);
+  add_corner_stresses(model, model.mesh.triangles, u, corner);
   const auto total = static_cast<Eigen::Index>(points.node.size());
   MatrixXd stress = MatrixXd::Zero(12 * total, u.cols());
   Eigen::VectorXd meeting = Eigen::VectorXd::Zero(total);
-  for (int e = 0; e < count; ++e)
-    for (int a = 0; a < 4; ++a) {
-      const int point = points.of_quad[e][a];
+  for (std::size_t e = 0; e < corner.size(); ++e)
+    for (int a = 0; a < corner[e].rows() / 12; ++a) {
+      const int point = points.of_shell[e][a];
       stress.middleRows<12>(12 * point) += corner[e].middleRows<12>(12 * a);
       meeting[point] += 1;
     }

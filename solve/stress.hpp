@@ -1,7 +1,7 @@
 // Stress of shells and beams from displacements, and the measures read off it.
 //
-// Shells: in-plane stress on both faces in global axes, recovered at the corners of every quad and
-// averaged over the quads that meet in a node with the same director and thickness: a kink or a
+// Shells: in-plane stress on both faces in global axes, recovered at the corners of every element
+// and averaged over those that meet in a node with the same director and thickness: a kink or a
 // step of the wall keeps a value for each side. Beams: axial stress of
 // the outermost fibres at both ends of every element.
 //

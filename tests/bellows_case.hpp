@@ -4,8 +4,8 @@
 #include "io/input/case_file.hpp"
 #include "model/build_bellows.hpp"
 #include "model/run.hpp"
+#include "tests/support/verification_line.hpp"
 
-#include <cstdio>
 #include <gtest/gtest.h>
 
 namespace plica::test {
@@ -59,8 +59,7 @@ inline BareBellows bare_bellows(Case data) {
 inline void compare(const std::string& part, const std::string& what, double value,
                     double reference, double tolerance) {
   const double error = value / reference - 1;
-  std::printf("| %s | %s | %.6g | %.6g | %+.2f %% | %.2g %% |\n", part.c_str(), what.c_str(), value,
-              reference, 100 * error, 100 * tolerance);
+  print_for_table(part + ", " + what, value, reference, tolerance);
   EXPECT_LE(std::abs(error), tolerance)
       << part << ", " << what << ": " << value << ", reference " << reference;
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -42,6 +43,55 @@ inline void write_revolved(const Meridian& meridian, const std::filesystem::path
     occ::synchronize();
     gmsh::write(file.string());
   });
+}
+
+// A tube about y from 0 to `length`, as IGES by hand, in mm: a line (entity 110) turned about a
+// line (entity 120, surface of revolution). Lines have 72 columns, the letter of the section and a
+// number.
+inline void write_iges_tube(double radius, double length, const std::filesystem::path& file) {
+  std::ofstream out(file);
+  std::array<int, 4> count{};
+  const auto line = [&](std::string text, int section) {
+    text.resize(72, ' ');
+    std::array<char, 16> tail{};
+    std::snprintf(tail.data(), tail.size(), "%c%7d", "SGDP"[section], ++count[section]);
+    out << text << tail.data() << '\n';
+  };
+  const auto fields = [](std::initializer_list<int> values) {
+    std::string text;
+    for (int v : values) {
+      std::array<char, 16> field{};
+      std::snprintf(field.data(), field.size(), "%8d", v);
+      text += field.data();
+    }
+    return text;
+  };
+  line("tube of Plica's tests", 0);
+  line("1H,,1H;,4Htube,8Htube.igs,5HPlica,3H1.0,32,38,6,308,15,4Htube,1.,2,2HMM,1,", 1);
+  line("0.01,15H20260101.000000,1.E-6,1000.,5HPlica,5HPlica,11,0,", 1);
+  line("15H20260101.000000;", 1);
+  constexpr int depends = 10000; // drawn by another entity alone
+  std::array<std::string, 3> parameters;
+  const auto segment = [](double x, double from, double to) {
+    std::array<char, 120> text{};
+    std::snprintf(text.data(), text.size(), "110,%.6f,%.6f,0.,%.6f,%.6f,0.;", x, from, x, to);
+    return std::string(text.data());
+  };
+  parameters = {segment(0, 0, length), segment(radius, 0, length), "120,1,3,0.,6.283185307179586;"};
+  const std::array kinds{110, 110, 120};
+  for (int e = 0; e < 3; ++e) {
+    line(fields({kinds[e], e + 1, 0, 0, 0, 0, 0, 0, e < 2 ? depends : 0}), 2);
+    line(fields({kinds[e], 0, 0, 1, 0, 0, 0, 0, 0}), 2);
+  }
+  for (int e = 0; e < 3; ++e) {
+    std::string text = parameters[e];
+    text.resize(64, ' ');
+    line(text + fields({2 * e + 1}), 3);
+  }
+  std::array<char, 96> end{};
+  std::snprintf(end.data(), end.size(), "S%7dG%7dD%7dP%7d%40sT%7d\n", count[0], count[1], count[2],
+                count[3], "", 1);
+  out << end.data();
 }
 
 struct BracketOnPipe {

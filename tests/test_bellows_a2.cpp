@@ -1,6 +1,6 @@
 // The bellows of pipe A2: its default mesh, a fine mesh, and each refinement at its own order.
 //
-// Reference (DESIGN.md, section 5; independent shell of revolution with harmonics, converged):
+// Reference (an independent program of axisymmetric shells with harmonics, converged):
 // 253.8 kN/m, 261.6 and 362.7 Hz with one wall; 65.9 kN/m, 133.7 and 187.4 Hz with two slipping
 // plies. Accepted: 1 % at the default mesh, 0.5 % at a fine one.
 #include "tests/bellows_case.hpp"

@@ -85,7 +85,7 @@ TEST_F(Cad, a_bellows_from_step_vibrates_as_that_from_its_profile) {
 TEST_F(Cad, faces_that_touch_share_their_nodes) {
   const BracketOnPipe shape;
   write_bracket_on_pipe(shape, at("pipe.step"));
-  const SurfaceQuads quads = mesh_cad(at("pipe.step"), {.size = 8e-3});
+  const SurfaceFaces quads = mesh_cad(at("pipe.step"), {.size = 8e-3});
   const Mesh mesh = shell_mesh(quads, 1.5e-3, WallSide::middle);
   std::map<std::pair<int, int>, int> edges;
   for (const ShellQuad& q : mesh.quads)
@@ -127,6 +127,25 @@ TEST_F(Cad, an_outer_surface_is_moved_to_the_middle_of_its_wall) {
   }
 }
 
+// The same tube as IGES and as BREP: its area, its radius, its two ends.
+TEST_F(Cad, iges_and_brep_are_read_as_step_is) {
+  constexpr double radius = 0.03, length = 0.2;
+  write_iges_tube(1e3 * radius, 1e3 * length, at("tube.igs"));
+  Meridian meridian(0, radius);
+  meridian.add_cuff(length, radius, 1);
+  write_revolved(meridian, at("tube.brep"));
+  write_revolved(meridian, at("tube.step"));
+  for (const char* name : {"tube.igs", "tube.brep", "tube.step"}) {
+    const Mesh mesh = shell_mesh(mesh_cad(at(name), {.unit = 1e-3, .size = 8e-3, .turn = 0.1}),
+                                 1e-3, WallSide::middle);
+    EXPECT_NEAR(area(mesh) / (2 * std::numbers::pi * radius * length), 1, 2e-3) << name;
+    for (const Vector3d& x : mesh.nodes)
+      EXPECT_NEAR(std::hypot(x.x(), x.z()), radius, 1e-8) << name;
+    EXPECT_TRUE(mesh.sets.contains("edge[2]")) << name;
+    EXPECT_FALSE(mesh.sets.contains("edge[3]")) << name;
+  }
+}
+
 // A plate of triangles beside the same plate by its corners, both free.
 TEST_F(Cad, a_plate_of_triangles_vibrates_as_that_from_its_corners) {
   write_stl_plate(300, 200, 6, at("plate.stl"));
@@ -139,11 +158,11 @@ TEST_F(Cad, a_plate_of_triangles_vibrates_as_that_from_its_corners) {
                                 .elements = {36, 24}}}};
   data.analyses.modes = Modes{.count = 10};
   const Results own = run_silently(data);
-  const SurfacePart triangles{.material = "steel",
-                              .file = at("plate.stl").string(),
-                              .unit = 1e-3,
-                              .thickness = 2e-3,
-                              .size = 8e-3};
+  SurfacePart triangles{.material = "steel",
+                        .file = at("plate.stl").string(),
+                        .unit = 1e-3,
+                        .thickness = 2e-3,
+                        .size = 8e-3};
   data.parts = {{"plate", triangles}};
   const Results read = run_silently(data);
   EXPECT_NEAR(read.model.mass, own.model.mass, 1e-6 * own.model.mass);
@@ -154,6 +173,17 @@ TEST_F(Cad, a_plate_of_triangles_vibrates_as_that_from_its_corners) {
   const Mesh mesh = surface_mesh(triangles);
   EXPECT_TRUE(mesh.sets.contains("edge[1]"));
   EXPECT_FALSE(mesh.sets.contains("edge[2]"));
+  // As they are in the file, a finer one: shells of three nodes.
+  write_stl_plate(300, 200, 24, at("fine.stl"));
+  triangles.file = at("fine.stl").string();
+  triangles.size = 0;
+  data.parts = {{"plate", triangles}};
+  const Results as_they_are = run_silently(data);
+  EXPECT_TRUE(as_they_are.mesh.quads.empty());
+  EXPECT_FALSE(as_they_are.mesh.triangles.empty());
+  for (std::size_t m = 6; m < 10; ++m)
+    compare("plate of triangles", "free mode " + std::to_string(m - 5),
+            as_they_are.modes[m].frequency, own.modes[m].frequency, 0.01);
 }
 
 TEST_F(Cad, surfaces_come_back_as_they_were_written) {
@@ -219,7 +249,7 @@ TEST_F(Cad, broken_files_are_refused_with_what_is_wrong) {
 }
 
 TEST(ShellSurface, refuses_a_band_with_one_side) {
-  SurfaceQuads band;
+  SurfaceFaces band;
   constexpr int n = 12;
   for (int i = 0; i < n; ++i) {
     const double a = 2 * std::numbers::pi * i / n, half = a / 2;
@@ -230,9 +260,9 @@ TEST(ShellSurface, refuses_a_band_with_one_side) {
   for (int i = 0; i < n; ++i) {
     const int a = 2 * i, b = 2 * ((i + 1) % n);
     if (i + 1 < n)
-      band.quads.push_back({a, a + 1, b + 1, b});
+      band.faces.push_back({a, a + 1, b + 1, b});
     else
-      band.quads.push_back({a, a + 1, b, b + 1});
+      band.faces.push_back({a, a + 1, b, b + 1});
   }
   EXPECT_THROW(shell_mesh(band, 1e-3, WallSide::middle), std::runtime_error);
 }

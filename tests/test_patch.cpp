@@ -4,7 +4,7 @@
 //   | \    8----7   / |     the four inner nodes are free.
 //   |  5 ------- 6    |
 //   1-----------------2     MacNeal & Harder, Finite Elem. Anal. Des. 1 (1985) 3-20.
-#include "tests/support/fields.hpp"
+#include "tests/support/patch.hpp"
 #include "tests/support/shell_cases.hpp"
 
 #include <Eigen/Dense>
@@ -18,38 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double E = 1e6, nu = 0.25, t = 0.001;
 constexpr double exact = 1e-10; // relative
-
-using Motion = Eigen::Matrix<double, 6, 1>;
-using Field = std::function<Motion(double x, double y)>;
-
-Mesh patch_mesh() {
-  Mesh mesh;
-  for (const auto& [x, y] : {std::pair{0., 0.},
-                             {0.24, 0.},
-                             {0.24, 0.12},
-                             {0., 0.12},
-                             {0.04, 0.02},
-                             {0.18, 0.03},
-                             {0.16, 0.08},
-                             {0.08, 0.08}})
-    mesh.nodes.emplace_back(x, y, 0);
-  for (const auto& nodes : std::initializer_list<std::array<int, 4>>{
-           {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}) {
-    ShellQuad quad{.nodes = nodes, .directors = {}, .thickness = Eigen::Vector4d::Constant(t)};
-    quad.directors.colwise() = Vector3d::UnitZ();
-    mesh.quads.push_back(quad);
-  }
-  return mesh;
-}
-
-VectorXd nodal_values(const Mesh& mesh, const Field& field) {
-  VectorXd u(6 * mesh.nodes.size());
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-    u.segment<6>(6 * n) = field(mesh.nodes[n].x(), mesh.nodes[n].y());
-  return u;
-}
 
 // The boundary follows the field, the inner nodes find their place.
 VectorXd solve_patch(const Model& model, const Field& field) {
@@ -61,7 +30,7 @@ VectorXd solve_patch(const Model& model, const Field& field) {
 
 class Patch : public testing::TestWithParam<std::pair<std::string, MembraneStrain>> {
 protected:
-  Model model = shell_model(patch_mesh(), {.E = E, .nu = nu, .rho = 1}, GetParam().second);
+  Model model = shell_model(patch_mesh(t), {.E = E, .nu = nu, .rho = 1}, GetParam().second);
 
   // Stress sigma11 sigma22 tau12 and shear strain in global axes, at every Gauss point.
   void for_each_point(const VectorXd& u,

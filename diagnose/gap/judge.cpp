@@ -10,7 +10,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double told_apart = 3;          // nats between effects that are told apart
-constexpr double pair_gain = 5;           // over the better half
+constexpr double pair_gain = 5;           // over the best single one
 constexpr double pair_shrink = 0.3;       // of held-out readings
 constexpr double absurd_z = 3;            // standard deviations of a prior
 constexpr double most_allowed = 1.5;      // gap without what a hypothesis is allowed to be off

@@ -8,7 +8,7 @@
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 over
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
 //   ambiguous   several adequate effects within 3 of the best
-//   pair        no single one adequate; a pair is, with 5 more than its better half, each half
+//   pair        no single one adequate; a pair is, with 5 more than the best single one, each half
 //               worth 3, held-out readings there, met, and better by three tenths; with it all
 //               such pairs within 3 of it
 //   unknown     everything else

@@ -1,6 +1,7 @@
 // Which measurement would tell apart what still looks alike.
 //
-//   e* = argmax sum_ij P_i P_j min(T_ij(e), 25) / cost(e),   T_ij = |L^-1 (y_i - y_j)|^2
+//   e* = argmax [sum_ij P_i P_j min(T_ij(e), 25) / sum_ij P_i P_j] / cost(e)
+//   T_ij = sum_k ((y_i - y_j)_k / s_k)^2,   s_k the usual standard deviation of such a reading
 //
 // over a menu: static directions and axes of the table that were left out, a lower and a higher
 // level, further sensors on held ends and along the parts, a known mass; what cannot be computed

@@ -87,7 +87,7 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
         double& number = *number_at(data, path);
         if (number == nominal) number += x; // a state that sets it knows it
       });
-    h.large = !straight && moves_nodes(s, h.case_changes.back());
+    h.large = moves_nodes(s, h.case_changes.back());
     all.push_back(std::move(h));
   }
 }

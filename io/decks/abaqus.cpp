@@ -17,8 +17,9 @@ public:
         has_rotations_(model_.mesh.nodes.size(), false),
         rotation_node_(model_.mesh.nodes.size(), 0),
         next_node_(static_cast<int>(model_.mesh.nodes.size()) + 1) {
-    for (const ShellQuad& q : model_.mesh.quads)
-      for (int node : q.nodes) has_rotations_[node] = true;
+    for_each_shell([&](const auto& shell) {
+      for (int node : shell.nodes) has_rotations_[node] = true;
+    });
     for (const BeamElement& b : model_.beams)
       has_rotations_[b.node1] = has_rotations_[b.node2] = true;
     for (int node : built_.held_nodes)
@@ -84,25 +85,38 @@ private:
     return {rotation_node_[node], dof - 2};
   }
 
+  template <class F> void for_each_shell(F&& f) const {
+    for (const ShellQuad& q : model_.mesh.quads) f(q);
+    for (const ShellTriangle& t : model_.mesh.triangles) f(t);
+  }
+
+  template <class Shells> void add_elements(const Shells& shells, int section, const char* type) {
+    bool open = false;
+    for (const auto& shell : shells) {
+      if (shell.section != section) continue;
+      if (!open) add("*ELEMENT, TYPE={}, ELSET=SHELL{}\n", type, section + 1);
+      open = true;
+      add("{}", ++elements_);
+      for (int node : shell.nodes) add(", {}", node + 1);
+      add("\n");
+    }
+  }
+
   void add_shells() {
-    const std::vector<ShellQuad>& quads = model_.mesh.quads;
-    if (quads.empty()) return;
+    if (model_.shells.empty()) return;
     std::vector<double> thickness(model_.mesh.nodes.size(), 0), corners(thickness);
     for (std::size_t s = 0; s < model_.shells.size(); ++s) {
-      add("*ELEMENT, TYPE=S4, ELSET=SHELL{}\n", s + 1);
-      for (std::size_t e = 0; e < quads.size(); ++e) {
-        if (quads[e].section != static_cast<int>(s)) continue;
-        add("{}", ++elements_);
-        for (int node : quads[e].nodes) add(", {}", node + 1);
-        add("\n");
-      }
+      add_elements(model_.mesh.quads, static_cast<int>(s), "S4");
+      add_elements(model_.mesh.triangles, static_cast<int>(s), "S3");
       const ShellSection& section = model_.shells[s].section;
       const double root = std::sqrt(section.bending_factor);
-      for (const ShellQuad& q : quads)
-        for (int a = 0; q.section == static_cast<int>(s) && a < 4; ++a) {
-          thickness[q.nodes[a]] += root * q.thickness[a];
-          corners[q.nodes[a]] += 1;
+      for_each_shell([&](const auto& shell) {
+        for (std::size_t a = 0; shell.section == static_cast<int>(s) && a < shell.nodes.size();
+             ++a) {
+          thickness[shell.nodes[a]] += root * shell.thickness[Eigen::Index(a)];
+          corners[shell.nodes[a]] += 1;
         }
+      });
       add("** {}\n*MATERIAL, NAME=WALL{}\n*ELASTIC\n{:.12e}, {:.12e}\n*DENSITY\n{:.12e}\n"
           "*SHELL SECTION, ELSET=SHELL{}, MATERIAL=WALL{}, NODAL THICKNESS\n1.\n",
           model_.components[model_.shells[s].component], s + 1, section.E / root, section.nu,
@@ -126,9 +140,9 @@ private:
       add("*ELEMENT, TYPE=B31, ELSET=BEAM{}\n{}, {}, {}\n", e, e, b.node1 + 1, b.node2 + 1);
       add("*BEAM GENERAL SECTION, ELSET=BEAM{}, DENSITY={:.12e}\n{:.12e}, {:.12e}, 0., {:.12e}, "
           "{:.12e}\n{:.9e}, {:.9e}, {:.9e}\n1., 1.\n",
-          e, p.mass / std::max(p.EA, 1e-300), p.EA, p.EI_z, p.EI_y, p.GJ, n1[0], n1[1], n1[2]);
+          e, p.mass / std::max(p.EA, 1e-300), p.EA, p.EI_y, p.EI_z, p.GJ, n1[0], n1[1], n1[2]);
       if (std::isfinite(p.GA_y) && std::isfinite(p.GA_z))
-        add("*TRANSVERSE SHEAR STIFFNESS\n{:.12e}, {:.12e}\n", p.GA_y, p.GA_z);
+        add("*TRANSVERSE SHEAR STIFFNESS\n{:.12e}, {:.12e}\n", p.GA_z, p.GA_y);
       if (p.inertia_x > 0)
         add("** rotary inertia per length is left out: {:.6g} {:.6g} {:.6g} kg m\n", p.inertia_x,
             p.inertia_y, p.inertia_z);

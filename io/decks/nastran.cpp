@@ -86,30 +86,36 @@ private:
                            10 + d, set.empty() ? "" : "  ACCELERATION(SORT2,PHASE) = 1\n");
   }
 
+  template <class F> void for_each_shell(F&& f) const {
+    for (const ShellQuad& q : model_.mesh.quads) f(q);
+    for (const ShellTriangle& t : model_.mesh.triangles) f(t);
+  }
+
   void shells() {
     for (std::size_t s = 0; s < model_.shells.size(); ++s) {
       const ShellSection& section = model_.shells[s].section;
       const auto id = number(static_cast<int>(s) + 1);
       double thickness = 0;
       int corners = 0;
-      for (const ShellQuad& q : model_.mesh.quads)
-        if (q.section == static_cast<int>(s)) {
-          thickness += q.thickness.sum();
-          corners += 4;
-        }
+      for_each_shell([&](const auto& shell) {
+        if (shell.section != static_cast<int>(s)) return;
+        thickness += shell.thickness.sum();
+        corners += static_cast<int>(shell.nodes.size());
+      });
       text_ += fmt::format("$ {}\n", model_.components[model_.shells[s].component]);
       text_ += large_card("MAT1", {id, real(section.E), "", real(section.nu), real(section.rho)});
       text_ +=
           large_card("PSHELL", {id, id, real(thickness / corners), id, real(section.bending_factor),
                                 id, real(section.shear_correction)});
     }
-    for (const ShellQuad& q : model_.mesh.quads) {
-      std::vector<std::string> fields{number(++elements_), number(q.section + 1)};
-      for (int node : q.nodes) fields.push_back(grid(node));
-      fields.insert(fields.end(), {"", "", "", "0"}); // THETA, ZOFFS, blank, TFLAG
-      for (double t : q.thickness) fields.push_back(real(t));
-      text_ += large_card("CQUAD4", fields);
-    }
+    for_each_shell([&](const auto& shell) {
+      std::vector<std::string> fields{number(++elements_), number(shell.section + 1)};
+      for (int node : shell.nodes) fields.push_back(grid(node));
+      fields.resize(9);         // THETA, ZOFFS, blank
+      fields.emplace_back("0"); // TFLAG
+      for (double t : shell.thickness) fields.push_back(real(t));
+      text_ += large_card(shell.nodes.size() == 4 ? "CQUAD4" : "CTRIA3", fields);
+    });
   }
 
   // Section and material of stiffness given as numbers: E = G = 1.

@@ -69,6 +69,9 @@ double distance(const Triple& x, const Plate& p) {
 double distance(const Triple&, const SurfacePart&) {
   return 0; // known when it is meshed
 }
+double distance(const Triple&, const DeckPart&) {
+  return 0;
+}
 // Sections of beams along the axis are rigid: a sensor sits across it where it likes.
 double distance(const Triple& x, const BeamPart& b) {
   return box_distance(is_on_axis(b) ? Triple{0, x[1], 0} : x, b.points);

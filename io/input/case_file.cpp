@@ -1,5 +1,6 @@
 #include "io/input/case_file.hpp"
 
+#include "io/decks/read_deck.hpp"
 #include "io/input/case_checks.hpp"
 #include "io/input/check_log.hpp"
 #include "io/input/did_you_mean.hpp"
@@ -39,6 +40,19 @@ int line_of(std::string key, const std::map<std::string, int>& lines) {
   }
 }
 
+// What is wrong in a deck is said at its own lines.
+void read_content(DeckPart& deck, const std::string& directory, const std::string& key,
+                  ReadLog& log) {
+  deck.file = (std::filesystem::path(directory) / deck.file).string();
+  if (!is_deck_file(deck.file)) return; // the checks say so
+  try {
+    deck.content = read_deck(deck.file, deck.unknown_cards);
+  } catch (const InputError& error) {
+    log.problems.insert(log.problems.end(), error.problems().begin(), error.problems().end());
+    log.misspelt.push_back(key);
+  }
+}
+
 // `nominal`: as the file says. Its fit belongs to it alone, not to what a variant or a limit of a
 // tolerance makes of it.
 Case read_tree(const YamlNode& root, const std::string& path, const std::string& model,
@@ -50,9 +64,12 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
     if (!is_below(t.path, "models")) data.tolerances.push_back(t);
   if (root.kind != YamlNode::Kind::map) return data;
   const std::string directory = std::filesystem::path(path).parent_path().string();
-  for (Part& part : data.parts)
+  for (Part& part : data.parts) {
     if (auto* surface = std::get_if<SurfacePart>(&part.body); surface && !surface->file.empty())
       surface->file = (std::filesystem::path(directory) / surface->file).string();
+    if (auto* deck = std::get_if<DeckPart>(&part.body); deck && !deck->file.empty())
+      read_content(*deck, directory, "parts." + part.name + ".file", log);
+  }
   CheckLog fit(data, bad_keys(log));
   if (nominal) resolve_fit(data, fit);
   for (const auto& problems : {check_case(data, bad_keys(log), directory), fit.problems})
@@ -65,13 +82,13 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
   return data;
 }
 
-// What is wrong beyond the problems of the nominal case.
+// What is wrong beyond the problems of the nominal case: what is bad there is said once.
 std::vector<InputProblem> new_problems(const ReadLog& changed, const ReadLog& nominal) {
-  std::set<std::pair<std::string, std::string>> known;
-  for (const InputProblem& p : nominal.problems) known.emplace(p.key, p.wrong);
+  std::set<std::string> known;
+  for (const InputProblem& p : nominal.problems) known.insert(p.key);
   std::vector<InputProblem> result;
   for (const InputProblem& p : changed.problems)
-    if (!known.count({p.key, p.wrong})) result.push_back(p);
+    if (!known.count(p.key)) result.push_back(p);
   return result;
 }
 

@@ -22,7 +22,7 @@ struct ReadLog {
   std::vector<InputProblem> problems = {};
   std::map<std::string, int> lines = {}; // key path -> line
   std::vector<std::string> misspelt =
-      {}; // required keys that are missing because of a misspelt one
+      {}; // keys that are bad without a problem of their own: missing because of a misspelt one
   std::vector<Tolerance> tolerances = {}; // numbers written with one
 
   void add(int line, std::string key, std::string wrong, std::string allowed);

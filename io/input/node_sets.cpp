@@ -35,6 +35,12 @@ void add_sets(const std::string& name, const SurfacePart& s, std::vector<std::st
   for (int k = 1; k <= most_edges; ++k) sets.push_back(name + ".edge[" + std::to_string(k) + "]");
   for (const SurfacePlace& place : s.places) sets.push_back(name + "." + place.name);
 }
+void add_sets(const std::string& name, const DeckPart& d, std::vector<std::string>& sets) {
+  sets.push_back(name + ".all");
+  if (d.content)
+    for (const auto& entry : d.content->sets) sets.push_back(name + "." + entry.first);
+  for (const SurfacePlace& place : d.places) sets.push_back(name + "." + place.name);
+}
 void add_sets(const std::string& name, const BeamPart& b, std::vector<std::string>& sets) {
   for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
   for (std::size_t k = 1; k <= b.points.size(); ++k)
@@ -71,11 +77,11 @@ std::vector<std::string> end_names(const Case& data) {
     if (std::holds_alternative<BeamPart>(part.body)) names = {"start", "end"};
     if (std::holds_alternative<Plate>(part.body)) names = {"edge1", "edge2", "edge3", "edge4"};
     for (const char* name : names) ends.push_back(part.name + "." + name);
-    if (const auto* surface = std::get_if<SurfacePart>(&part.body)) {
-      std::vector<std::string> sets;
+    std::vector<std::string> sets;
+    if (const auto* surface = std::get_if<SurfacePart>(&part.body))
       add_sets(part.name, *surface, sets);
-      ends.insert(ends.end(), sets.begin() + 1, sets.end()); // all but `all`
-    }
+    if (const auto* deck = std::get_if<DeckPart>(&part.body)) add_sets(part.name, *deck, sets);
+    if (!sets.empty()) ends.insert(ends.end(), sets.begin() + 1, sets.end()); // all but `all`
   }
   return ends;
 }

@@ -1,5 +1,6 @@
 #include "io/input/part_checks.hpp"
 
+#include "io/decks/read_deck.hpp"
 #include "io/input/units.hpp"
 #include "mesh/cad_mesh.hpp"
 #include "mesh/surface_file.hpp"
@@ -100,15 +101,25 @@ void check(const std::string& key, const SurfacePart& s, const Case& data, Check
   if (!std::filesystem::is_regular_file(s.file, ignored))
     log.add(key + ".file", "there is no file " + s.file, "a path from the folder of the case");
   const std::string suffix = std::filesystem::path(s.file).extension().string();
-  if (is_surface_file(s.file) && !s.unit && log.fine(key + ".unit"))
+  if (is_cad_file(s.file) && s.size == 0 && log.fine(key + ".element_size"))
+    log.add(key + ".element_size", "is missing: CAD faces have no elements", "e.g. 8 mm");
+  const bool unit_known = is_cad_file(s.file) && has_unit(s.file);
+  if ((is_surface_file(s.file) || is_cad_file(s.file)) && !unit_known && !s.unit &&
+      log.fine(key + ".unit"))
     log.add(key + ".unit", "is missing: " + suffix + " does not say what its numbers mean",
             "the length of one unit, e.g. 1 mm");
-  if (is_cad_file(s.file) && s.unit)
+  if (unit_known && s.unit)
     log.add(key + ".unit", "is not for " + suffix + ", which has a unit of its own",
             "leave it out");
   if (!is_surface_file(s.file) && !is_cad_file(s.file))
     log.add(key + ".file", "is neither CAD faces nor triangles",
             ".step, .stp, .iges, .igs, .brep, .stl, .obj, .ply, .glb or .gltf");
+}
+
+void check(const std::string& key, const DeckPart& d, const Case&, CheckLog& log) {
+  if (log.fine(key + ".file") && !is_deck_file(d.file))
+    log.add(key + ".file", "is no deck that can be read",
+            ".inp of Abaqus, or .bdf, .dat, .nas, .fem of Nastran");
 }
 
 void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog& log) {

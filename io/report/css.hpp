@@ -83,6 +83,8 @@ figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { displ
   height: 0.6em; border-radius: 50%; background: var(--paper); border: 2px solid var(--ink); }
 [data-mode] { cursor: pointer; } .u-legend { text-align: left !important; }
 .u-select { background: var(--accent); opacity: 0.15; }
+pre { overflow-x: auto; background: var(--panel); padding: 0.7rem 1rem; font-size: 0.8125rem; }
+summary { cursor: pointer; margin: 0.3rem 0; }
 footer { margin-top: 3rem; padding-top: 0.75rem; border-top: 1px solid var(--rule);
   color: var(--muted); font-size: 0.875rem; }
 @media screen and (max-width: 46rem) {

@@ -40,6 +40,15 @@ std::string head_html(const Results& results) {
   return html;
 }
 
+// The files as they were read, folded.
+std::string inputs_html(const Results& results) {
+  std::string html;
+  for (const InputFile& file : results.inputs)
+    html += fmt::format("<details><summary>{}</summary>\n<pre>{}</pre></details>\n",
+                        html_escape(file.name), html_escape(file.text));
+  return html;
+}
+
 } // namespace
 
 std::string report_html(const Results& results) {
@@ -60,11 +69,13 @@ std::string report_html(const Results& results) {
   html += html_section("variants", "What the assumed quantities do",
                        variants_html(results) + variants_comparison_html(results));
   html += html_section("assumptions", "Assumptions", html_list(results.assumptions));
+  html += html_section("inputs", "Inputs", inputs_html(results));
   html += "<div class=\"pair\">\n" + html_section("model", "Model and mesh", model_html(results));
   html += html_section("timing", "Time and memory", timing_html(results)) + "</div>\n";
-  html += fmt::format("<footer>Plica {}. SI units unless a column says otherwise; y along the "
+  html += fmt::format("<footer>Plica {}{}. SI units unless a column says otherwise; y along the "
                       "pipe, x transverse, z vertical.</footer>\n",
-                      html_escape(results.plica_version));
+                      html_escape(results.plica_version),
+                      results.versions.empty() ? "" : " with " + html_escape(results.versions));
   return html_page(title + ": Plica report", head_html(results), html);
 }
 

@@ -24,6 +24,13 @@ std::vector<PlotCurve> curves(const ResponseResult& r) {
                     .magnitude = r.acceleration.col(c).cwiseAbs(),
                     .name = r.channels[c].first + " " + r.channels[c].second,
                     .dashes = static_cast<int>(list.size())});
+  for (const TestCurve& t : r.test)
+    list.push_back({.hertz = t.hertz,
+                    .magnitude = t.magnitude,
+                    .name = fmt::format("test {} {}{}", r.channels[t.channel].first,
+                                        r.channels[t.channel].second,
+                                        t.level ? fmt::format(", {:g} {}", *t.level, r.unit) : ""),
+                    .dashes = static_cast<int>(list.size())});
   return list;
 }
 

@@ -2,6 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/report/plot.hpp"
 #include "io/results/text.hpp"
 #include "io/superelements/certificate_lines.hpp"
 
@@ -18,6 +19,35 @@ std::string frequencies_html(const std::string& caption, const std::vector<Frequ
         {{html_fixed(f.full, 3), html_fixed(f.reduced, 3), html_signed(100 * f.error(), 4)}, ""});
   if (rows.empty()) return "";
   return html_table(caption, {{"part", "Hz"}, {"superelement", "Hz"}, {"off by", "%"}}, rows);
+}
+
+// Of the last boundary node with all others held, and from it to the first: along the pipe and
+// across.
+std::string stiffness_html(const ReducedCase& r) {
+  const Superelement& s = r.element;
+  if (s.nodes.empty() || !(r.certificate.good_up_to > 0)) return "";
+  constexpr int points = 600;
+  const Eigen::VectorXd hertz = Eigen::VectorXd::LinSpaced(
+      points, r.certificate.good_up_to / points, r.certificate.good_up_to);
+  const int last = s.boundary() - 6;
+  std::vector<PlotCurve> curves;
+  const auto add = [&](int row, int column, const std::string& name) {
+    curves.push_back({.hertz = hertz,
+                      .magnitude = dynamic_stiffness(s, row, column, hertz).cwiseAbs(),
+                      .name = name,
+                      .dashes = static_cast<int>(curves.size())});
+  };
+  const std::string& end = s.node_names.back();
+  add(last + 1, last + 1, "along, at " + end);
+  add(last, last, "across, at " + end);
+  if (last > 0) {
+    add(1, last + 1, "along, " + end + " to " + s.node_names.front());
+    add(0, last, "across, " + end + " to " + s.node_names.front());
+  }
+  return plot_figure("dynamic stiffness", "force / displacement, " + s.units, curves) +
+         plot_legend(curves) +
+         "<p>Force at a boundary node over the displacement of one, all other motions of the "
+         "boundary held, undamped: up to where the certificate is good.</p>\n";
 }
 
 } // namespace
@@ -88,6 +118,7 @@ std::string certificate_report(const ReducedCase& r) {
     rows.push_back({{html_escape(line.text), html_number(line.value, 2)}, ""});
   rows.push_back({{"zero eigenvalues of K", std::to_string(c.zero_stiffness)}, ""});
   html += html_section("checks", "Checks", html_table("", {{"", "", false}, {"", ""}}, rows));
+  html += html_section("stiffness", "Dynamic stiffness", stiffness_html(r));
   html += html_section("frequencies", "Part and superelement",
                        frequencies_html("Boundary free; rigid motions left out.", c.free) +
                            frequencies_html("Boundary held.", c.fixed));

@@ -15,7 +15,7 @@ struct Chain {
 
 struct Split {
   std::vector<Chain> chains;
-  std::vector<std::array<int, 4>> loose; // quads that do not lie between two neighbouring rings
+  std::vector<std::array<int, 4>> loose; // what does not lie between two neighbouring rings
 };
 
 Split split(const Mesh& mesh) {
@@ -38,6 +38,8 @@ Split split(const Mesh& mesh) {
     else
       result.loose.push_back(quad.nodes);
   }
+  for (const ShellTriangle& t : mesh.triangles)
+    result.loose.push_back({t.nodes[0], t.nodes[1], t.nodes[2], t.nodes[2]});
   const int count = static_cast<int>(mesh.rings.size());
   for (int ring = 0; ring < count;) {
     const int first = ring;

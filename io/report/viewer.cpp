@@ -47,7 +47,7 @@ Drawn drawn(const Results& results) {
   };
   for (const std::array<int, 4>& q : drawn_quads(results.mesh, quad_budget)) {
     const std::array<int, 4> at{own(q[0]), own(q[1]), own(q[2]), own(q[3])};
-    for (const std::array<int, 3>& t : {std::array{at[0], at[1], at[2]}, {at[0], at[2], at[3]}})
+    for (const std::array<int, 3>& t : halves(at))
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) d.surface.triangles.push_back(t);
   }
   for (const std::array<int, 2>& line : results.lines)

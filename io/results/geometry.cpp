@@ -13,8 +13,9 @@
 namespace plica {
 namespace {
 
-constexpr double exaggeration = 0.05;                 // largest displacement / size of the part
-constexpr int thin_shell_quad = 94, linear_beam = 21; // fe descriptor ids of data set 2412
+constexpr double exaggeration = 0.05; // largest displacement / size of the part
+constexpr int thin_shell_triangle = 91, thin_shell_quad = 94,
+              linear_beam = 21; // fe descriptor ids of data set 2412
 
 std::size_t shown_modes(const Results& results) {
   return std::min(results.modes.size(), results.shapes.size());
@@ -59,10 +60,9 @@ const std::vector<std::string>& geometry_formats() {
 Surface surface_of(const Results& results) {
   Surface s;
   s.nodes = results.mesh.nodes;
-  for (const ShellQuad& q : results.mesh.quads) {
-    s.triangles.push_back({q.nodes[0], q.nodes[1], q.nodes[2]});
-    s.triangles.push_back({q.nodes[0], q.nodes[2], q.nodes[3]});
-  }
+  for (const ShellQuad& q : results.mesh.quads)
+    for (const auto& half : halves(q.nodes)) s.triangles.push_back(half);
+  for (const ShellTriangle& t : results.mesh.triangles) s.triangles.push_back(t.nodes);
   s.lines = results.lines;
   return s;
 }
@@ -108,6 +108,8 @@ std::string geometry_uff(const Results& results) {
   };
   for (const ShellQuad& q : results.mesh.quads)
     add(thin_shell_quad, {q.nodes.begin(), q.nodes.end()});
+  for (const ShellTriangle& t : results.mesh.triangles)
+    add(thin_shell_triangle, {t.nodes.begin(), t.nodes.end()});
   for (const auto& line : results.lines) add(linear_beam, {line.begin(), line.end()});
   std::string text = universal_text(units) + universal_text(nodes);
   if (!elements.elements.empty()) text += universal_text(elements);

@@ -31,18 +31,24 @@ void add_points(vtkUnstructuredGrid& grid, const Mesh& mesh) {
 
 void add_cells(vtkUnstructuredGrid& grid, const Results& results) {
   const std::vector<ShellQuad>& quads = results.mesh.quads;
+  const std::vector<ShellTriangle>& triangles = results.mesh.triangles;
   vtkNew<vtkDoubleArray> thickness;
   thickness->SetName("thickness");
   vtkNew<vtkIntArray> section;
   section->SetName("section");
-  grid.Allocate(static_cast<vtkIdType>(quads.size()) +
-                static_cast<vtkIdType>(results.lines.size()));
+  grid.Allocate(static_cast<vtkIdType>(quads.size() + triangles.size() + results.lines.size()));
   for (const ShellQuad& quad : quads) {
     const std::array<vtkIdType, 4> nodes{quad.nodes[0], quad.nodes[1], quad.nodes[2],
                                          quad.nodes[3]};
     grid.InsertNextCell(VTK_QUAD, 4, nodes.data());
     thickness->InsertNextValue(quad.thickness.mean());
     section->InsertNextValue(quad.section);
+  }
+  for (const ShellTriangle& triangle : triangles) {
+    const std::array<vtkIdType, 3> nodes{triangle.nodes[0], triangle.nodes[1], triangle.nodes[2]};
+    grid.InsertNextCell(VTK_TRIANGLE, 3, nodes.data());
+    thickness->InsertNextValue(triangle.thickness.mean());
+    section->InsertNextValue(triangle.section);
   }
   for (const auto& [from, to] : results.lines) {
     const std::array<vtkIdType, 2> nodes{from, to};

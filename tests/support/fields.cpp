@@ -103,6 +103,7 @@ VectorXd solve_static(const Model& model, const VectorXd& force) {
 }
 
 void expect_ratio(double value, double wanted, double tolerance, const std::string& what) {
+  print_for_table(what, value, wanted, tolerance);
   EXPECT_NEAR(value / wanted, 1, tolerance) << what << ": " << value << ", wanted " << wanted;
 }
 

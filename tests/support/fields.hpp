@@ -4,6 +4,7 @@
 
 #include "solve/couplings.hpp"
 #include "solve/modes.hpp"
+#include "tests/support/verification_line.hpp"
 
 #include <functional>
 

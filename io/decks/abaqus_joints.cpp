@@ -1,0 +1,288 @@
+#include "io/decks/abaqus_joints.hpp"
+
+#include <Eigen/Geometry>
+
+#include <utility>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+// DOFs "first, last" of a data line, from a field on; all six when there are none.
+std::vector<int> dof_range(const Keyword& k, const DataLine& line, std::size_t field) {
+  if (field >= line.fields.size() || line.fields[field].empty()) return {0, 1, 2, 3, 4, 5};
+  const int first = dof_in(k, line, field);
+  const bool has_last = field + 1 < line.fields.size() && !line.fields[field + 1].empty();
+  const int last = has_last ? dof_in(k, line, field + 1) : first;
+  std::vector<int> dofs;
+  for (int d = first; d <= last; ++d) dofs.push_back(d);
+  return dofs;
+}
+
+} // namespace
+
+KeywordHandlers AbaqusJoints::surfaces() {
+  return {
+      {"SURFACE", {[this](const Keyword& k) { surfaces_[k.word("NAME")] = k; }, {"NAME", "TYPE"}}}};
+}
+
+KeywordHandlers AbaqusJoints::handlers() {
+  const auto by = [this](void (AbaqusJoints::*read)(const Keyword&)) {
+    return [this, read](const Keyword& k) { (this->*read)(k); };
+  };
+  using J = AbaqusJoints;
+  return {
+      {"COUPLING",
+       {[this](const Keyword& k) { coupling_ = k; }, {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
+      {"KINEMATIC", {by(&J::kinematic), {}}},
+      {"DISTRIBUTING", {by(&J::distributing), {"COUPLING", "WEIGHTING METHOD"}}},
+      {"KINEMATIC COUPLING", {by(&J::kinematic_coupling), {"REF NODE"}}},
+      {"DISTRIBUTING COUPLING", {by(&J::distributing_coupling), {"ELSET"}}},
+      {"RIGID BODY", {by(&J::rigid_body), {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET"}}},
+      {"MPC", {by(&J::mpc), {}}},
+      {"EQUATION", {by(&J::equation), {}}},
+      {"BOUNDARY", {by(&J::boundary), {"TYPE"}}}};
+}
+
+void AbaqusJoints::finish() const {
+  if (coupling_)
+    deck_error(coupling_->at, "*COUPLING", "is neither kinematic nor distributing",
+               "*KINEMATIC or *DISTRIBUTING after it");
+}
+
+Keyword AbaqusJoints::take_coupling(const Keyword& k) {
+  if (!coupling_) deck_error(k.at, "*" + k.name, "follows no *COUPLING", "*COUPLING before it");
+  return *std::exchange(coupling_, std::nullopt);
+}
+
+AbaqusJoints::SurfaceNodes AbaqusJoints::surface_nodes(const Keyword& of,
+                                                       const std::string& name) const {
+  const auto found = surfaces_.find(name);
+  if (found == surfaces_.end())
+    deck_error(of.at, "*" + of.name, "there is no surface " + name, "*SURFACE, NAME=...");
+  const Keyword& k = found->second;
+  const std::string type = k.word_or("TYPE", "ELEMENT");
+  std::map<int, double> area;
+  std::set<int> nodes;
+  for (const DataLine& line : k.data) {
+    if (type == "NODE") {
+      for (int n : mesh_.nodes(k, line, line.fields.at(0))) nodes.insert(n);
+      if (line.fields.size() > 1 && number_in(k, line, 1) != 1)
+        deck_error(line.at, "*SURFACE", "gives a weight to nodes", "nodes alone");
+    } else if (type == "ELEMENT") {
+      for (int label : mesh_.elements(k, line, line.fields.at(0))) {
+        const AbaqusElement& e = mesh_.element(label);
+        if (line.fields.size() > 1 && line.fields[1].size() == 2)
+          deck_error(line.at, "*SURFACE", "is on an edge of elements", "SPOS, SNEG or nodes");
+        for (int n : e.nodes) {
+          nodes.insert(n);
+          area[n] += shell_area(e) / double(e.nodes.size());
+        }
+      }
+    } else {
+      deck_error(k.at, "*SURFACE", "has TYPE=" + type, "TYPE=NODE or TYPE=ELEMENT");
+    }
+  }
+  SurfaceNodes all{{nodes.begin(), nodes.end()}, {}};
+  if (type == "ELEMENT")
+    for (int n : all.nodes) all.weights.push_back(area[n]);
+  return all;
+}
+
+double AbaqusJoints::shell_area(const AbaqusElement& e) const {
+  const auto& x = deck_.nodes;
+  if (e.nodes.size() < 3)
+    deck_error(e.at, "*SURFACE", "is on an element that is no shell", "shells or nodes");
+  const Vector3d a = x[e.nodes[2]] - x[e.nodes[0]];
+  const Vector3d b = x[e.nodes[e.nodes.size() - 1]] - x[e.nodes[1]];
+  return a.cross(e.nodes.size() == 4 ? b : Vector3d(x[e.nodes[1]] - x[e.nodes[0]])).norm() / 2;
+}
+
+int AbaqusJoints::reference(const Keyword& k) const {
+  const std::string name = k.word("REF NODE");
+  const std::vector<int> nodes = mesh_.nodes(k, {k.at, {}}, name);
+  if (nodes.size() != 1)
+    deck_error(k.at, "*" + k.name,
+               "has a set of " + std::to_string(nodes.size()) +
+                   " nodes as "
+                   "its reference",
+               "one node");
+  return nodes.front();
+}
+
+int AbaqusJoints::one_node(const Keyword& k, const DataLine& line, std::size_t field) const {
+  const std::vector<int> nodes = mesh_.nodes(k, line, line.fields.at(field));
+  if (nodes.size() != 1)
+    deck_error(line.at, "*" + k.name, "names " + std::to_string(nodes.size()) + " nodes",
+               "one node");
+  return nodes.front();
+}
+
+void AbaqusJoints::kinematic(const Keyword& k) {
+  const Keyword of = take_coupling(k);
+  std::set<int> dofs;
+  for (const DataLine& line : k.data)
+    for (int d : dof_range(k, line, 0)) dofs.insert(d);
+  if (k.data.empty()) dofs = {0, 1, 2, 3, 4, 5};
+  deck_.couplings.push_back({.reference = reference(of),
+                             .nodes = surface_nodes(of, of.word("SURFACE")).nodes,
+                             .weights = {},
+                             .dofs = {dofs.begin(), dofs.end()},
+                             .origin = origin(of, of.word_or("CONSTRAINT NAME", ""))});
+}
+
+void AbaqusJoints::distributing(const Keyword& k) {
+  const Keyword of = take_coupling(k);
+  if (k.word_or("WEIGHTING METHOD", "UNIFORM") != "UNIFORM")
+    deck_error(k.at, "*DISTRIBUTING", "has WEIGHTING METHOD=" + k.word("WEIGHTING METHOD"),
+               "UNIFORM");
+  if (k.word_or("COUPLING", "CONTINUUM") != "CONTINUUM")
+    deck_error(k.at, "*DISTRIBUTING", "has COUPLING=" + k.word("COUPLING"), "CONTINUUM");
+  const SurfaceNodes s = surface_nodes(of, of.word("SURFACE"));
+  deck_.couplings.push_back({.distributing = true,
+                             .reference = reference(of),
+                             .nodes = s.nodes,
+                             .weights = s.weights,
+                             .dofs = {},
+                             .origin = origin(of, of.word_or("CONSTRAINT NAME", ""))});
+}
+
+void AbaqusJoints::kinematic_coupling(const Keyword& k) {
+  for (const DataLine& line : k.data)
+    deck_.couplings.push_back({.reference = reference(k),
+                               .nodes = mesh_.nodes(k, line, line.fields.at(0)),
+                               .weights = {},
+                               .dofs = dof_range(k, line, 1),
+                               .origin = origin(k, "")});
+}
+
+void AbaqusJoints::distributing_coupling(const Keyword& k) {
+  for (const AbaqusElement* e : mesh_.elements_for(k, {"DCOUP3D"})) {
+    DeckCoupling c{.distributing = true,
+                   .reference = e->nodes[0],
+                   .nodes = {},
+                   .weights = {},
+                   .dofs = {},
+                   .origin = origin(k, "")};
+    for (const DataLine& line : k.data)
+      for (int n : mesh_.nodes(k, line, line.fields.at(0))) {
+        c.nodes.push_back(n);
+        c.weights.push_back(number_in(k, line, 1, 1));
+      }
+    deck_.couplings.push_back(std::move(c));
+  }
+}
+
+void AbaqusJoints::rigid_body(const Keyword& k) {
+  DeckCoupling c{
+      .reference = reference(k), .nodes = {}, .weights = {}, .dofs = {}, .origin = origin(k, "")};
+  std::set<int> tied, pinned;
+  for (const char* parameter : {"NSET", "TIE NSET"})
+    if (k.has(parameter))
+      for (int n : mesh_.nodes(k, {k.at, {}}, k.word(parameter))) tied.insert(n);
+  if (k.has("ELSET"))
+    for (int e : mesh_.elements(k, {k.at, {}}, k.word("ELSET")))
+      tied.insert(mesh_.element(e).nodes.begin(), mesh_.element(e).nodes.end());
+  if (k.has("PIN NSET"))
+    for (int n : mesh_.nodes(k, {k.at, {}}, k.word("PIN NSET")))
+      if (!tied.contains(n)) pinned.insert(n);
+  c.nodes = {tied.begin(), tied.end()};
+  c.dofs = {0, 1, 2, 3, 4, 5};
+  if (!tied.empty()) deck_.couplings.push_back(c);
+  c.nodes = {pinned.begin(), pinned.end()};
+  c.dofs = {0, 1, 2};
+  if (!pinned.empty()) deck_.couplings.push_back(c);
+}
+
+void AbaqusJoints::mpc(const Keyword& k) {
+  static const std::map<std::string, std::vector<int>> kinds{
+      {"BEAM", {0, 1, 2, 3, 4, 5}}, {"TIE", {0, 1, 2, 3, 4, 5}}, {"PIN", {0, 1, 2}}};
+  for (const DataLine& line : k.data) {
+    const auto kind = kinds.find(in_capitals(line.fields.at(0)));
+    if (kind == kinds.end() || line.fields.size() != 3)
+      deck_error(line.at, "*MPC",
+                 "is \"" + line.fields.at(0) + "\" of " + std::to_string(line.fields.size() - 1) +
+                     " nodes",
+                 "BEAM, TIE or PIN, a node or set that follows, a node or set that leads");
+    const std::vector<int> follow = mesh_.nodes(k, line, line.fields[1]);
+    const std::vector<int> lead = mesh_.nodes(k, line, line.fields[2]);
+    if (lead.size() != 1 && lead.size() != follow.size())
+      deck_error(line.at, "*MPC",
+                 "joins " + std::to_string(follow.size()) + " nodes to " +
+                     std::to_string(lead.size()),
+                 "as many, or to one");
+    for (std::size_t i = 0; i < follow.size(); ++i) {
+      const int leader = lead[lead.size() == 1 ? 0 : i];
+      if (kind->first == "BEAM") {
+        deck_.couplings.push_back({.reference = leader,
+                                   .nodes = {follow[i]},
+                                   .weights = {},
+                                   .dofs = kind->second,
+                                   .origin = origin(k, "BEAM")});
+        continue;
+      }
+      for (int d : kind->second) // equal, wherever they are
+        deck_.equations.push_back({follow[i], d, {{leader, d, 1}}, origin(k, kind->first)});
+    }
+  }
+}
+
+void AbaqusJoints::equation(const Keyword& k) {
+  for (std::size_t i = 0; i < k.data.size();) {
+    const DataLine& head = k.data[i++];
+    const int terms = whole_in(k, head, 0);
+    std::vector<ConstraintTerm> all;
+    while (static_cast<int>(all.size()) < terms) {
+      const DataLine& line = data_line(k, i++);
+      for (std::size_t field = 0; field + 2 < line.fields.size(); field += 3)
+        all.push_back(
+            {one_node(k, line, field), dof_in(k, line, field + 1), number_in(k, line, field + 2)});
+      if (line.fields.size() < 3)
+        deck_error(line.at, "*EQUATION", "is no term", "node, degree of freedom, factor");
+    }
+    if (static_cast<int>(all.size()) != terms || all.empty() || all.front().factor == 0)
+      deck_error(head.at, "*EQUATION",
+                 "has " + std::to_string(all.size()) + " terms for " + std::to_string(terms) +
+                     ", or a first factor of zero",
+                 "as many terms as it says, the first of which follows the others");
+    Constraint row{all.front().node, all.front().dof, {}, origin(k, "")};
+    for (std::size_t t = 1; t < all.size(); ++t)
+      row.terms.push_back({all[t].node, all[t].dof, -all[t].factor / all.front().factor});
+    (row.terms.empty() ? deck_.supports : deck_.equations).push_back(std::move(row));
+  }
+}
+
+void AbaqusJoints::boundary(const Keyword& k) {
+  if (k.has("TYPE") && k.word("TYPE") != "DISPLACEMENT")
+    deck_error(k.at, "*BOUNDARY", "has TYPE=" + k.word("TYPE"), "displacements held to zero");
+  static const std::map<std::string, std::vector<int>> words{{"ENCASTRE", {0, 1, 2, 3, 4, 5}},
+                                                             {"PINNED", {0, 1, 2}},
+                                                             {"XSYMM", {0, 4, 5}},
+                                                             {"YSYMM", {1, 3, 5}},
+                                                             {"ZSYMM", {2, 3, 4}},
+                                                             {"XASYMM", {1, 2, 3}},
+                                                             {"YASYMM", {0, 2, 4}},
+                                                             {"ZASYMM", {0, 1, 5}}};
+  for (const DataLine& line : k.data) {
+    const std::vector<int> nodes = mesh_.nodes(k, line, line.fields.at(0));
+    std::vector<int> dofs;
+    if (line.fields.size() > 1)
+      if (const auto word = words.find(in_capitals(line.fields[1])); word != words.end())
+        dofs = word->second;
+    if (dofs.empty()) {
+      if (line.fields.size() < 2)
+        deck_error(line.at, "*BOUNDARY", "holds nothing", "degrees of freedom, or ENCASTRE ...");
+      dofs = dof_range(k, line, 1);
+      if (number_in(k, line, 3, 0) != 0)
+        deck_error(line.at, "*BOUNDARY", "prescribes a displacement other than zero",
+                   "zero; motion of the base is asked for in the case");
+    }
+    for (int n : nodes)
+      for (int d : dofs)
+        if (held_.insert({n, d}).second)
+          deck_.supports.push_back({n, d, {}, origin(k, line.fields[0])});
+  }
+}
+
+} // namespace plica

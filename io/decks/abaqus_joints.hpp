@@ -1,0 +1,46 @@
+// What ties and holds the nodes of an Abaqus deck: couplings, rigid bodies, MPC, equations,
+// boundary.
+#pragma once
+
+#include "io/decks/abaqus_mesh.hpp"
+
+#include <optional>
+
+namespace plica {
+
+class AbaqusJoints {
+public:
+  AbaqusJoints(DeckModel& deck, AbaqusMesh& mesh) : deck_(deck), mesh_(mesh) {}
+
+  KeywordHandlers surfaces(); // to be read before the others
+  KeywordHandlers handlers();
+  void finish() const; // no coupling is left open
+
+private:
+  struct SurfaceNodes {
+    std::vector<int> nodes;
+    std::vector<double> weights; // area of the wall that belongs to each; empty = equal
+  };
+
+  SurfaceNodes surface_nodes(const Keyword& of, const std::string& name) const;
+  double shell_area(const AbaqusElement& element) const;
+  int reference(const Keyword& keyword) const;
+  int one_node(const Keyword& keyword, const DataLine& line, std::size_t field) const;
+  Keyword take_coupling(const Keyword& keyword);
+  void kinematic(const Keyword& keyword);
+  void distributing(const Keyword& keyword);
+  void kinematic_coupling(const Keyword& keyword);
+  void distributing_coupling(const Keyword& keyword);
+  void rigid_body(const Keyword& keyword);
+  void mpc(const Keyword& keyword);
+  void equation(const Keyword& keyword);
+  void boundary(const Keyword& keyword);
+
+  DeckModel& deck_;
+  AbaqusMesh& mesh_;
+  std::map<std::string, Keyword> surfaces_;
+  std::optional<Keyword> coupling_; // the one that is open
+  std::set<std::pair<int, int>> held_;
+};
+
+} // namespace plica

@@ -1,0 +1,33 @@
+// Which keyword is read by whom, and with which parameters.
+#pragma once
+
+#include "io/decks/keywords.hpp"
+#include "model/deck.hpp"
+
+#include <functional>
+#include <set>
+
+namespace plica {
+
+struct KeywordHandler {
+  std::function<void(const Keyword&)> read;
+  std::set<std::string> parameters; // others are not known
+};
+using KeywordHandlers = std::map<std::string, KeywordHandler>;
+
+// Notes what is not followed, or throws: as the user wants it.
+class LeftOut {
+public:
+  LeftOut(UnknownCards unknown, DeckModel& deck) : unknown_(unknown), deck_(deck) {}
+  void note(const Keyword& keyword, const std::string& what, const std::string& allowed);
+
+private:
+  UnknownCards unknown_;
+  DeckModel& deck_;
+};
+
+const DataLine& data_line(const Keyword& keyword, std::size_t i); // InputError when there are fewer
+int dof_in(const Keyword& keyword, const DataLine& line, std::size_t field); // 0..5
+std::string origin(const Keyword& keyword, const std::string& name);         // for messages
+
+} // namespace plica

@@ -1,0 +1,45 @@
+// Lines of a Nastran deck as cards: free, small and large fields, continuations, INCLUDE, and what
+// case control chooses.
+#pragma once
+
+#include "io/decks/deck_error.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace plica {
+
+// Fields from the second on, without spaces, eight for every line of the card: fields[8] is the
+// second field of the first continuation. Beyond the end they are empty.
+class Card {
+public:
+  DeckPosition at;
+  std::string name;
+  std::vector<std::string> fields;
+
+  std::string text(std::size_t field) const;
+  bool has(std::size_t field) const { return !text(field).empty(); }
+  // InputError with line and number of the field (from 2, as in the manuals).
+  double real(std::size_t field) const;
+  double real(std::size_t field, double otherwise) const;
+  int whole(std::size_t field) const;
+  int whole(std::size_t field, int otherwise) const;
+  std::vector<int> dofs(std::size_t field) const; // "1236" -> 0 1 2 5
+  // Whole numbers from a field to the end, "1 THRU 5" spelt out.
+  std::vector<int> list(std::size_t first) const;
+  bool is_real(std::size_t field) const; // a number with a point or exponent
+
+  [[noreturn]] void wrong(const std::string& what, const std::string& allowed) const;
+};
+
+struct BulkData {
+  std::vector<Card> cards;
+  std::map<std::string, std::set<int>> chosen; // by "SPC" and "MPC": sets that case control names
+};
+
+// A file without BEGIN BULK is bulk data altogether. Throws InputError.
+BulkData read_bulk_data(const std::filesystem::path& file);
+
+} // namespace plica

@@ -1,0 +1,172 @@
+#include "io/decks/keywords.hpp"
+
+#include "io/files.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace plica {
+namespace {
+
+constexpr std::size_t most_nested = 20;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(trimmed(field));
+  return fields;
+}
+
+class Reader {
+public:
+  std::vector<Keyword> keywords;
+
+  void read(const std::filesystem::path& file, const DeckPosition& from) {
+    if (++depth_ > most_nested)
+      deck_error(from, "*INCLUDE", "files include each other", "a file that ends");
+    std::string text;
+    try {
+      text = read_whole(file);
+    } catch (const std::runtime_error&) {
+      deck_error(from, "*INCLUDE", "there is no file " + file.string() + " that can be read",
+                 "a path from the folder of the deck");
+    }
+    std::istringstream stream(text);
+    DeckPosition at{file.string(), 0};
+    bool open = false; // a keyword that goes on
+    for (std::string line; std::getline(stream, line);) {
+      ++at.line;
+      line = trimmed(line);
+      if (line.empty() || line.starts_with("**")) continue;
+      if (open) {
+        open = line.ends_with(',');
+        add_parameters(split(line), 0);
+        if (!open) include(file);
+      } else if (line.starts_with('*')) {
+        open = line.ends_with(',');
+        begin(at, split(line));
+        if (!open) include(file);
+      } else {
+        if (keywords.empty())
+          deck_error(at, "", "is no keyword: the file does not begin as an Abaqus deck",
+                     "a line such as *NODE");
+        keywords.back().data.push_back({at, split(line)});
+      }
+    }
+    --depth_;
+  }
+
+private:
+  void begin(const DeckPosition& at, const std::vector<std::string>& fields) {
+    Keyword keyword{
+        .at = at, .name = in_capitals(fields.front().substr(1)), .parameters = {}, .data = {}};
+    keyword.name = trimmed(keyword.name);
+    keywords.push_back(std::move(keyword));
+    add_parameters(fields, 1);
+  }
+
+  void add_parameters(const std::vector<std::string>& fields, std::size_t first) {
+    for (std::size_t i = first; i < fields.size(); ++i) {
+      if (fields[i].empty()) continue;
+      const std::size_t equals = fields[i].find('=');
+      const std::string name = in_capitals(trimmed(fields[i].substr(0, equals)));
+      keywords.back().parameters[name] =
+          equals == std::string::npos ? "" : trimmed(fields[i].substr(equals + 1));
+    }
+  }
+
+  // A file is read in place of the *INCLUDE that names it, which may stand amid data, or as the
+  // data of the keyword.
+  void include(const std::filesystem::path& file) {
+    Keyword& last = keywords.back();
+    const auto input = last.parameters.find("INPUT");
+    const bool include = last.name == "INCLUDE";
+    if (input == last.parameters.end()) {
+      if (include) deck_error(last.at, "*INCLUDE", "names no file", "INPUT=file");
+      return;
+    }
+    std::string name = input->second;
+    std::erase(name, '"');
+    const DeckPosition at = last.at;
+    last.parameters.erase(input);
+    if (include) keywords.pop_back();
+    read(file.parent_path() / name, at);
+  }
+
+  std::size_t depth_ = 0;
+};
+
+const std::string& field_of(const Keyword& keyword, const DataLine& line, std::size_t field) {
+  if (field >= line.fields.size() || line.fields[field].empty())
+    deck_error(line.at, "*" + keyword.name, "field " + std::to_string(field + 1) + " is missing",
+               "a number");
+  return line.fields[field];
+}
+
+} // namespace
+
+std::string in_capitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::string Keyword::word(const std::string& parameter) const {
+  const auto found = parameters.find(parameter);
+  if (found == parameters.end() || found->second.empty())
+    deck_error(at, "*" + name, "has no " + parameter, parameter + "=...");
+  std::string value = found->second;
+  std::erase(value, '"');
+  return in_capitals(value);
+}
+
+std::string Keyword::word_or(const std::string& parameter, const std::string& otherwise) const {
+  return has(parameter) ? word(parameter) : otherwise;
+}
+
+std::vector<Keyword> read_keywords(const std::filesystem::path& file) {
+  Reader reader;
+  reader.read(file, {file.string(), 0});
+  if (reader.keywords.empty())
+    deck_error({file.string(), 0}, "", "has no keyword", "an Abaqus deck");
+  return std::move(reader.keywords);
+}
+
+double number_in(const Keyword& keyword, const DataLine& line, std::size_t field) {
+  std::string text = field_of(keyword, line, field);
+  std::replace(text.begin(), text.end(), 'D', 'e');
+  std::replace(text.begin(), text.end(), 'd', 'e');
+  if (text.starts_with('+')) text.erase(0, 1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    deck_error(line.at, "*" + keyword.name,
+               "field " + std::to_string(field + 1) + " is \"" + line.fields[field] + "\"",
+               "a number");
+  return value;
+}
+
+double number_in(const Keyword& keyword, const DataLine& line, std::size_t field,
+                 double otherwise) {
+  if (field >= line.fields.size() || line.fields[field].empty()) return otherwise;
+  return number_in(keyword, line, field);
+}
+
+int whole_in(const Keyword& keyword, const DataLine& line, std::size_t field) {
+  const double value = number_in(keyword, line, field);
+  if (value != std::floor(value) || std::abs(value) > 2e9)
+    deck_error(line.at, "*" + keyword.name,
+               "field " + std::to_string(field + 1) + " is \"" + line.fields[field] + "\"",
+               "a whole number");
+  return static_cast<int>(value);
+}
+
+} // namespace plica

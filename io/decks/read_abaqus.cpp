@@ -1,0 +1,76 @@
+#include "io/decks/read_abaqus.hpp"
+
+#include "io/decks/abaqus_joints.hpp"
+#include "io/decks/abaqus_sections.hpp"
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+// What stands in a step and does not change the structure.
+const std::set<std::string> passed{"HEADING",       "PREPRINT",
+                                   "RESTART",       "OUTPUT",
+                                   "NODE OUTPUT",   "ELEMENT OUTPUT",
+                                   "ENERGY OUTPUT", "NODE PRINT",
+                                   "EL PRINT",      "NODE FILE",
+                                   "EL FILE",       "MODAL FILE",
+                                   "FILE FORMAT",   "MONITOR",
+                                   "STEP",          "END STEP",
+                                   "FREQUENCY",     "STEADY STATE DYNAMICS",
+                                   "MODAL DYNAMIC", "RANDOM RESPONSE",
+                                   "MODAL DAMPING", "SELECT EIGENMODES",
+                                   "BASE MOTION",   "AMPLITUDE"};
+
+void check_known(const std::vector<Keyword>& keywords, const std::vector<KeywordHandlers>& phases,
+                 LeftOut& left_out) {
+  for (const Keyword& k : keywords) {
+    if (passed.contains(k.name)) continue;
+    if (k.name == "PART" || k.name == "INSTANCE" || k.name == "ASSEMBLY")
+      deck_error(k.at, "*" + k.name, "is not read: the deck has parts and instances",
+                 "a flat deck; in Abaqus/CAE, model attribute \"do not use parts and assemblies in "
+                 "input files\"");
+    const KeywordHandler* handler = nullptr;
+    for (const KeywordHandlers& phase : phases)
+      if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;
+    if (handler == nullptr) {
+      left_out.note(k, "is not known", "keywords of docs/decks.md");
+      continue;
+    }
+    for (const auto& [name, value] : k.parameters)
+      if (!handler->parameters.contains(name))
+        left_out.note(k, "has a parameter " + name + " that is not known", "without it");
+  }
+}
+
+void read(const std::vector<Keyword>& keywords, const KeywordHandlers& handlers) {
+  for (const Keyword& k : keywords)
+    if (const auto found = handlers.find(k.name); found != handlers.end()) found->second.read(k);
+}
+
+} // namespace
+
+// What may be named before it is given comes first: nodes, elements and sets, then materials and
+// surfaces, then what uses them.
+DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
+  const std::vector<Keyword> keywords = read_keywords(file);
+  DeckModel deck;
+  LeftOut left_out(unknown, deck);
+  AbaqusMesh mesh(deck, left_out);
+  AbaqusSections sections(deck, mesh, left_out);
+  AbaqusJoints joints(deck, mesh);
+  const std::vector<KeywordHandlers> phases{mesh.handlers(), sections.materials(),
+                                            joints.surfaces(), sections.handlers(),
+                                            joints.handlers()};
+  check_known(keywords, phases, left_out);
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    read(keywords, phases[p]);
+    if (p == 0) mesh.read_sets();
+  }
+  mesh.check_sections();
+  sections.finish();
+  joints.finish();
+  return deck;
+}
+
+} // namespace plica

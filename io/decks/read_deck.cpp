@@ -1,0 +1,42 @@
+#include "io/decks/read_deck.hpp"
+
+#include "io/decks/deck_error.hpp"
+#include "io/decks/read_abaqus.hpp"
+#include "io/decks/read_nastran.hpp"
+#include "mesh/surface_file.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <tuple>
+
+namespace plica {
+namespace {
+
+bool is_abaqus(const std::filesystem::path& file) {
+  return lower_suffix(file) == ".inp";
+}
+
+} // namespace
+
+bool is_deck_file(const std::filesystem::path& file) {
+  const std::string suffix = lower_suffix(file);
+  return is_abaqus(file) || suffix == ".bdf" || suffix == ".dat" || suffix == ".nas" ||
+         suffix == ".fem";
+}
+
+std::shared_ptr<const DeckModel> read_deck(const std::filesystem::path& file,
+                                           UnknownCards unknown) {
+  using Key = std::tuple<std::string, std::filesystem::file_time_type, UnknownCards>;
+  static std::mutex mutex;
+  static std::map<Key, std::shared_ptr<const DeckModel>> known;
+  std::error_code none; // of a file that is not there, which reading says
+  const Key key{file.string(), std::filesystem::last_write_time(file, none), unknown};
+  const std::lock_guard lock(mutex);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  auto deck = std::make_shared<DeckModel>(is_abaqus(file) ? read_abaqus(file, unknown)
+                                                          : read_nastran(file, unknown));
+  if (deck->nodes.empty()) deck_error({file.string(), 0}, "", "has no node", "a model");
+  return known[key] = std::move(deck);
+}
+
+} // namespace plica

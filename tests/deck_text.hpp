@@ -1,0 +1,45 @@
+// Decks written by the tests themselves, and what they are held against.
+#pragma once
+
+#include "mesh/plate.hpp"
+#include "model/deck.hpp"
+#include "tests/support/fields.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace plica::test {
+
+constexpr double deck_agreement = 1e-9; // relative, of eigenfrequencies
+
+// 0.3 x 0.2 x 0.002, 6 x 4 elements, E 2e11, nu 0.3, rho 8000, clamped at x = 0.
+inline Mesh deck_plate(int along = 6, int across = 4, double thickness = 2e-3) {
+  return mesh_plate({Eigen::Vector3d(0, 0, 0), {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}}, along,
+                    across, thickness);
+}
+
+inline Model own_plate(Mesh mesh = deck_plate()) {
+  Model model = shell_model(std::move(mesh), {.E = 2e11, .nu = 0.3, .rho = 8000},
+                            MembraneStrain::incompatible);
+  model.components = {"plate"};
+  return model;
+}
+
+// Number in a deck of the node at a point of the plate.
+inline int number_at(double x, double y) {
+  return node_at(deck_plate(), {x, y, 0}) + 1;
+}
+
+// The lowest frequencies of the deck are those of our own model.
+inline void expect_same_frequencies(const DeckModel& deck, const Model& own, int count = 8) {
+  const Eigen::VectorXd theirs = find_modes(place(deck, {}), count).hertz;
+  const Eigen::VectorXd ours = find_modes(own, count).hertz;
+  ASSERT_EQ(theirs.size(), ours.size());
+  for (Eigen::Index i = 0; i < ours.size(); ++i)
+    EXPECT_LE(std::abs(theirs[i] / ours[i] - 1), deck_agreement)
+        << "mode " << i + 1 << ": " << theirs[i] << " of the deck, " << ours[i];
+}
+
+} // namespace plica::test

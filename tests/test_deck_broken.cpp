@@ -1,0 +1,158 @@
+// Decks that cannot be: each is refused with its line, its card and what is wrong.
+#include "io/decks/read_deck.hpp"
+#include "io/files.hpp"
+#include "model/input_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <random>
+
+namespace plica::test {
+namespace {
+
+struct Broken {
+  std::string text; // after, or in place of a line of, the good deck
+  int line = 0;
+  std::string message;
+};
+
+// Ten lines; what is broken comes after them.
+const std::string good_abaqus = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n"
+                                "*ELEMENT, TYPE=S4, ELSET=WALL\n1, 1, 2, 3, 4\n"
+                                "*MATERIAL, NAME=M\n*ELASTIC\n2.e11, 0.3\n";
+const std::string section = "*SHELL SECTION, ELSET=WALL, MATERIAL=M\n0.001\n";
+
+const std::string good_nastran = "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,1.,1.,0.\n"
+                                 "GRID,4,,0.,1.,0.\nCQUAD4,1,1,1,2,3,4\nMAT1,1,2.+11,,.3\n";
+const std::string property = "PSHELL,1,1,.001,1,,1\n";
+
+std::vector<InputProblem> problems_of(const std::string& text, const std::string& name) {
+  const TemporaryFolder folder("deck");
+  write_whole(folder.path / name, text);
+  try {
+    const auto deck = read_deck(folder.path / name, UnknownCards::error);
+    place(*deck, {});
+  } catch (const InputError& error) {
+    return error.problems();
+  } catch (const std::exception& error) {
+    return {{"", 0, "", error.what(), ""}};
+  }
+  return {};
+}
+
+void expect_refused(const std::string& text, const std::string& name, const Broken& broken) {
+  const std::vector<InputProblem> problems = problems_of(text, name);
+  ASSERT_EQ(problems.size(), 1U) << broken.text;
+  EXPECT_NE(problems[0].wrong.find(broken.message), std::string::npos)
+      << broken.text << "\n-> " << to_string(problems[0]);
+  EXPECT_EQ(problems[0].line, broken.line) << to_string(problems[0]);
+  if (broken.line > 0) {
+    EXPECT_NE(problems[0].file.find(name), std::string::npos);
+  }
+}
+
+TEST(BrokenDeck, abaqus) {
+  const std::vector<Broken> all{
+      {"", 7, "element 1 has no *SHELL SECTION"},
+      {section + "*SHELL SECTION, ELSET=WALL, MATERIAL=M\n0.001\n", 13, "has one already"},
+      {"*SHELL SECTION, ELSET=WAL, MATERIAL=M\n0.001\n", 11, "there is no element set WAL"},
+      {"*SHELL SECTION, ELSET=WALL, MATERIAL=N\n0.001\n", 11, "there is no elastic material N"},
+      {"*SHELL SECTION, ELSET=WALL, MATERIAL=M\n0.\n", 12, "has no thickness"},
+      {"*SHELL SECTION, ELSET=WALL, MATERIAL=M\nthin\n", 12, "field 1 is \"thin\""},
+      {"*SHELL SECTION, ELSET=WALL, MATERIAL=M\n", 11, "has 0 data lines"},
+      {"*SHELL SECTION, ELSET=WALL, MATERIAL=M, ORIENTATION=O\n0.001\n", 11,
+       "has a parameter ORIENTATION that is not known"},
+      {section + "*NODE\n4, 0, 0, 1\n", 14, "node 4 is there twice"},
+      {section + "*ELEMENT, TYPE=S4, ELSET=WALL\n1, 1, 2, 3, 4\n", 14, "element 1 is there twice"},
+      {section + "*ELEMENT, TYPE=S4, ELSET=WALL\n2, 1, 2, 3\n", 14, "has 3 nodes for S4"},
+      {section + "*ELEMENT, TYPE=S4, ELSET=WALL\n2, 1, 2, 3, 9\n", 14, "there is no node 9"},
+      {section + "*ELEMENT, TYPE=S8R, ELSET=WALL\n", 13, "has TYPE=S8R, which is not known"},
+      {section + "*ELEMENT, TYPE=MASS\n9, 1\n", 14, "element 9 has no *MASS"},
+      {section + "*BOUNDARY\n1, 1, 3, 0.5\n", 14, "prescribes a displacement"},
+      {section + "*BOUNDARY\n1, 7\n", 14, "names degree of freedom 7"},
+      {section + "*BOUNDARY\nEDGE, 1\n", 14, "there is no node set EDGE"},
+      {section + "*EQUATION\n2\n1, 1, 1.\n", 13, "has 2 data lines"},
+      {section + "*COUPLING, CONSTRAINT NAME=C, REF NODE=1, SURFACE=S\n", 13,
+       "is neither kinematic nor distributing"},
+      {section + "*COUPLING, CONSTRAINT NAME=C, REF NODE=1, SURFACE=S\n*KINEMATIC\n", 13,
+       "there is no surface S"},
+      {section + "*KINEMATIC\n1, 6\n", 13, "follows no *COUPLING"},
+      {section + "*MPC\nSLIDER, 1, 2\n", 14, "is \"SLIDER\""},
+      {section + "*INCLUDE, INPUT=nowhere.inp\n", 13, "there is no file"},
+      {section + "*INCLUDE, INPUT=model.inp\n", 13, "include each other"},
+      {section + "*PART, NAME=P\n", 13, "the deck has parts and instances"},
+      {section + "*PLASTIC\n1e8, 0\n", 13, "is not known"},
+      {section + "*MATERIAL, NAME=N\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n", 14,
+       "has TYPE=ENGINEERING CONSTANTS"},
+      {section + "*MATERIAL, NAME=N\n*ELASTIC\n2e11, 0.6\n", 15, "is no material"}};
+  for (const Broken& b : all) expect_refused(good_abaqus + b.text, "model.inp", b);
+  expect_refused("solid thing\n", "model.inp", {"not a deck", 1, "is no keyword"});
+  expect_refused("", "model.inp", {"empty", 0, "has no keyword"});
+  expect_refused("*HEADING\nnothing\n", "model.inp", {"nothing", 0, "has no node"});
+  expect_refused("*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 2, 0, 0\n4, 3, 0, 0\n"
+                 "*ELEMENT, TYPE=S4, ELSET=WALL\n1, 1, 2, 3, 4\n*MATERIAL, NAME=M\n*ELASTIC\n"
+                 "2.e11, 0.3\n" +
+                     section,
+                 "model.inp", {"a line", 0, "the shell with node 1 has no area"});
+}
+
+TEST(BrokenDeck, nastran) {
+  const std::vector<Broken> all{
+      {"", 5, "there is no PSHELL 1"},
+      {"PSHELL,1,2,.001,1,,1\n", 7, "there is no MAT1 2"},
+      {"PSHELL,1,1,.001\n", 7, "has no bending"},
+      {"PSHELL,1,1,,1\n", 5, "has no thickness"},
+      {property + "GRID,4,,0.,0.,1.\n", 8, "grid point 4 is there twice"},
+      {property + "GRID,5,7,0.,0.,1.\n", 8, "there is no coordinate system 7"},
+      {property + "GRID,5,,0.,0.,1.,7\n", 8, "has displacements in system 7"},
+      {property + "GRID,5,,zero\n", 8, "field 4 is \"zero\""},
+      {property + "CQUAD4,1,1,1,2,3,4\n", 8, "element 1 is there twice"},
+      {property + "CTRIA3,2,1,1,2,9\n", 8, "there is no grid point 9"},
+      {property + "CHEXA,2,1,1,2,3,4\n", 8, "is not known"},
+      {property + "PARAM,LGDISP,1\n", 8, "LGDISP is not known"},
+      {property + "RBE2,2,1,127,2\n", 8, "field 4 is \"127\""},
+      {property + "RBE2,2,1,123456,2,GRID\n", 8, "amid its grid points"},
+      {property + "RBE3,2,,1,123456,1.,123456,2,3,4\n", 8, "averages components 123456"},
+      {property + "RBAR,2,1,2,123,456\n", 8, "at both ends"},
+      {property + "SPC,1,1,123,.5\n", 8, "prescribes a displacement"},
+      {property + "SPC,1,1,123\nSPC,2,2,123\n", 9, "belongs to one of 2 sets"},
+      {property + "CBUSH,2,1,1,2\n", 8, "has axes of its own"},
+      {property + "CELAS2,2,5.,1\n", 8, "acts on components \"\""},
+      {property + "CORD2R,9,9,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,8,9,0.,0.,0.\n", 8,
+       "refer to each other"},
+      {property + "CORD2R,9,,0.,0.,0.,0.,0.,1.\n,0.,0.,2.\nGRID,8,9,0.,0.,0.\n", 8,
+       "three points on one line"},
+      {property + "CBAR,2,1,1,2,0.,0.,1.\n", 8, "there is no property 1 of a beam"},
+      {property + "INCLUDE 'nowhere.bdf'\n", 8, "there is no file"},
+      {property + "INCLUDE 'model.bdf'\n", 8, "include each other"}};
+  for (const Broken& b : all) expect_refused(good_nastran + b.text, "model.bdf", b);
+  expect_refused("", "model.bdf", {"empty", 0, "has no card"});
+  expect_refused(",1,2,3\n", "model.bdf", {"tail", 1, "continues no card"});
+}
+
+// Whatever a byte becomes, the deck is read or refused, and nothing else.
+TEST(BrokenDeck, any_byte_may_be_wrong) {
+  std::mt19937 random(5);
+  const TemporaryFolder folder("deck");
+  for (const auto& [name, text] :
+       {std::pair{"model.inp", good_abaqus + section}, {"model.bdf", good_nastran + property}})
+    for (int round = 0; round < 400; ++round) {
+      std::string broken = text;
+      for (int change = 0; change < 3; ++change)
+        broken[random() % broken.size()] = char(random() % 256);
+      if (round % 4 == 0) broken.resize(random() % broken.size());
+      const std::string file = fmt::format("{}_{}", round, name);
+      write_whole(folder.path / file, broken);
+      try {
+        place(*read_deck(folder.path / file, UnknownCards::list), {});
+      } catch (const InputError& error) {
+        EXPECT_FALSE(error.problems().empty());
+      } catch (const std::runtime_error& error) { // of the placing
+        EXPECT_NE(std::string(error.what()), "");
+      }
+    }
+}
+
+} // namespace
+} // namespace plica::test

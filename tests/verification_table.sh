@@ -1,0 +1,22 @@
+#!/bin/sh
+# Prints docs/verification_table.md: what the tests of mechanics found beside what sources outside of
+# the code say. With a file as second argument: says where that differs, and fails.
+set -eu
+program=$1
+suites='BeamClosedForms.*:NafemsBeams.*:CylinderVibration.*:FreeTube.*:Nafems.*:NafemsForced.*'
+suites=$suites':PlateStatics.*:ShellStatics.*:ShellTriangle.*:BeamStress.*:ShellStress.*'
+suites=$suites':*BellowsReference.*:*PipeA2.*:Cad.*:DeckCase.*:Ejma.*:EquivalentBeam.*:*BeamOf.*'
+suites=$suites':ConnectorChain.*:EquivalentPipe.*:*PipeBesideShell.*'
+table=$(mktemp)
+trap 'rm -f "$table"' EXIT
+{
+  echo '# Verification table'
+  echo
+  echo 'Written by `make table` from what the tests print. Source, mesh and reason of each tolerance stand'
+  echo 'beside it in the test of that name; [verification](verification.md) says what is proved where.'
+  echo
+  echo '| test | what | Plica | source | difference | allowed |'
+  echo '|---|---|---|---|---|---|'
+  "$program" --gtest_filter="$suites" | grep '^| .* % |$' | sed 's/-0\.00 %/+0.00 %/'
+} >"$table"
+if [ $# -gt 1 ]; then diff -u "$2" "$table"; else cat "$table"; fi
