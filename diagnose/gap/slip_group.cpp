@@ -1,7 +1,5 @@
 #include "diagnose/gap/slip_group.hpp"
 
-#include "elements/joint_law.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,18 +14,20 @@ constexpr std::size_t most_tables = 16;
 } // namespace
 
 // A slider for all between two distances has their stiffness and their slip force.
-std::complex<double> kept_by_sliders(const Softening& s, double amplitude) {
+Sliders::Sliders(const Softening& s) {
   constexpr int count = 14;
   constexpr double step = 0.65; // from one distance to the next
   const double p = s.exponent;
-  JointLaw law;
   for (int i = 0; i < count; ++i) {
     const double high = std::pow(step, i), low = i + 1 < count ? high * step : 0;
     const double stiffness = std::pow(high, p) - std::pow(low, p);
     const double force = p / (p + 1) * (std::pow(high, p + 1) - std::pow(low, p + 1));
-    law.sliders.push_back({.stiffness = stiffness, .slip_force = s.distance * force});
+    law_.sliders.push_back({.stiffness = stiffness, .slip_force = s.distance * force});
   }
-  return describing_function(law, amplitude, 1).gain;
+}
+
+std::complex<double> Sliders::kept(double amplitude) const {
+  return describing_function(law_, amplitude, 1).gain;
 }
 
 SlipTable::SlipTable(const FreeFamily& family, const VectorXd& coefficients, const SlipGroup& group)

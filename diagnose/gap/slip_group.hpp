@@ -3,6 +3,7 @@
 
 #include "diagnose/effects/effect.hpp"
 #include "diagnose/gap/family_modes.hpp"
+#include "elements/joint_law.hpp"
 
 #include <complex>
 #include <map>
@@ -18,8 +19,16 @@ struct SlipGroup {
   double present = 1;   // share of the group that the nominal model has
 };
 
-// How much of the stuck stiffness sliders keep at an amplitude (real part) and lose (imaginary).
-std::complex<double> kept_by_sliders(const Softening& s, double amplitude);
+// The sliders of a group that slips.
+class Sliders {
+public:
+  explicit Sliders(const Softening& s);
+  // How much of the stuck stiffness they keep at an amplitude (real part) and lose (imaginary).
+  std::complex<double> kept(double amplitude) const;
+
+private:
+  JointLaw law_;
+};
 
 // Modes over the group's stiffness, all other changes held: at points in equal ratios, solved when
 // first asked for, and between them in the space of the nearest point's modes. May be used by

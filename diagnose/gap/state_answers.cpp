@@ -35,6 +35,28 @@ double default_level(const Case& data) {
   return data.analyses.response ? data.analyses.response->level : 1;
 }
 
+// A peak's mode over the stiffness of a group, at points of its table: motion per level at unit
+// damping, zeta, energy share of the group per unit of its stiffness.
+struct PeakOverStiffness {
+  explicit PeakOverStiffness(int low)
+      : first(std::log(SlipTable::stiffness_of(low))),
+        step(std::log(SlipTable::stiffness_of(low + 1)) - first) {}
+
+  std::array<double, 3> at(double stiffness) const {
+    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first) / step, 0.,
+                                double(rows.size()) - 1.000001);
+    const auto i = std::size_t(x);
+    std::array<double, 3> between{};
+    for (std::size_t k = 0; k < between.size(); ++k)
+      between[k] = rows[i][k] + (x - double(i)) * (rows[i + 1][k] - rows[i][k]);
+    return between;
+  }
+
+  double first, step;
+  std::vector<std::array<double, 3>> rows;
+  bool lost = false; // at some point there is no such peak
+};
+
 } // namespace
 
 bool StateAnswers::answer(const Reading& reading, double& value) {
@@ -111,7 +133,7 @@ double StateAnswers::static_stiffness(const Reading& reading) const {
                                                     acting_.group->stiffness);
   const double share = acting_.softening.share;
   const double kept = reading.stroke > 0
-                          ? 1 - share * (1 - kept_by_sliders(acting_.softening, stretch).real())
+                          ? 1 - share * (1 - Sliders(acting_.softening).kept(stretch).real())
                           : 1 - share;
   const auto value = stiffness_at(reading.direction, kept);
   return value ? std::log(*value) : none;
@@ -184,57 +206,57 @@ std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun&
   return result;
 }
 
-// The stiffness at which sliders and resonance agree about the amplitude of a peak. False: no
+// The stiffness at which sliders and resonance agree about the amplitude of each peak. None: no
 // stable structure.
-bool StateAnswers::slipping(const TestRun& run, int peak, SlipTable& table, Slipping& found) const {
+std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const TestRun& run,
+                                                                          SlipTable& table) const {
   const SlipGroup& group = *acting_.group;
   Softening own = acting_.softening;
   constexpr int along_the_pipe = 1;
   if (run.base != along_the_pipe) own.distance *= own.across;
   const double stuck = acting_.all[group.change] + group.present;
   constexpr double most = 0.98; // of the share: something is always left
-  // Of the peak's mode at each point: motion per level at unit damping, zeta, energy share of the
-  // group per unit of its stiffness.
   const int low = SlipTable::point_at(stuck * (1 - most * own.share)) - 1,
             high = SlipTable::point_at(stuck) + 1;
-  std::vector<std::array<double, 3>> rows;
+  std::vector<PeakOverStiffness> peaks(run.peaks.size(), PeakOverStiffness(low));
   for (int point = low; point <= high; ++point) {
     const FamilyModes* m = table.modes_at(point);
-    if (!m) return false;
-    const Index i = peak_modes(*m, run)[std::size_t(peak)];
-    if (i < 0) {
-      found.stiffness = stuck;
-      return true;
+    if (!m) return std::nullopt;
+    const std::vector<Index> modes = peak_modes(*m, run);
+    for (std::size_t p = 0; p < peaks.size(); ++p) {
+      const Index i = modes[p];
+      if (i < 0) {
+        peaks[p].lost = true;
+        continue;
+      }
+      const double stretch = std::sqrt(std::max(0., m->group(i, i)) / group.stiffness);
+      peaks[p].rows.push_back(
+          {std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
+           acting_.setup.damping * m->zeta[i], group.stiffness * stretch * stretch / m->lambda[i]});
     }
-    const double stretch = std::sqrt(std::max(0., m->group(i, i)) / group.stiffness);
-    rows.push_back({std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
-                    acting_.setup.damping * m->zeta[i],
-                    group.stiffness * stretch * stretch / m->lambda[i]});
   }
-  const double first = std::log(SlipTable::stiffness_of(low)),
-               step = std::log(SlipTable::stiffness_of(low + 1)) - first;
-  const auto at = [&](double stiffness, std::size_t what) {
-    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first) / step, 0.,
-                                double(rows.size()) - 1.000001);
-    const auto i = std::size_t(x);
-    return rows[i][what] + (x - double(i)) * (rows[i + 1][what] - rows[i][what]);
-  };
+  const Sliders sliders(own);
   const double level = run.level > 0 ? run.level : default_level(own_.nominal->data);
-  const auto state_at = [&](double amplitude) {
-    const Complex gain = kept_by_sliders(own, amplitude);
-    const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
-    return Slipping{stiffness, at(stiffness, 2) * stuck * own.share * own.loss * gain.imag() / 2};
-  };
-  double below = std::log(1e-12), above = std::log(1.);
-  constexpr int halvings = 40;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = (below + above) / 2, amplitude = std::exp(middle);
-    const Slipping s = state_at(amplitude);
-    const double answer = level * at(s.stiffness, 0) / (at(s.stiffness, 1) + s.damping);
-    (answer > amplitude ? below : above) = middle;
+  std::vector<Slipping> found;
+  for (const PeakOverStiffness& peak : peaks) {
+    found.push_back({.stiffness = stuck});
+    if (peak.lost) continue;
+    double below = std::log(1e-12), above = std::log(1.);
+    constexpr int halvings = 40;
+    const auto state_at = [&](double amplitude) { // and what the table's motion makes of it
+      const Complex gain = sliders.kept(amplitude);
+      const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
+      const auto [motion, zeta, energy] = peak.at(stiffness);
+      const double damping = energy * stuck * own.share * own.loss * gain.imag() / 2;
+      return std::pair{Slipping{stiffness, damping}, level * motion / (zeta + damping)};
+    };
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (below + above) / 2, amplitude = std::exp(middle);
+      (state_at(amplitude).second > amplitude ? below : above) = middle;
+    }
+    found.back() = state_at(std::exp(below)).first;
   }
-  found = state_at(std::exp(below));
-  return true;
+  return found;
 }
 
 // The peaks of a run. False: no stable structure. Runs that differ in nothing the model feels share
@@ -266,9 +288,10 @@ bool StateAnswers::find_peaks(int number) {
 
 bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
   const auto table = own_.tables.of(own_.free, acting_.all, *acting_.group);
+  const auto at_peaks = slipping(run, *table);
+  if (!at_peaks) return false;
   for (std::size_t p = 0; p < run.peaks.size(); ++p) {
-    Slipping s;
-    if (!slipping(run, int(p), *table, s)) return false;
+    const Slipping& s = (*at_peaks)[p];
     auto m = table->modes(s.stiffness);
     if (!m) return false;
     m->zeta *= acting_.setup.damping;

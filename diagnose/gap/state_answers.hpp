@@ -71,7 +71,7 @@ private:
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
   std::vector<Eigen::Index> peak_modes(const FamilyModes& m, const TestRun& run) const;
-  bool slipping(const TestRun& run, int peak, SlipTable& table, Slipping& found) const;
+  std::optional<std::vector<Slipping>> slipping(const TestRun& run, SlipTable& table) const;
   bool find_peaks(int run);
   bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
   void respond(Peak& peak, const TestRun& run) const;
