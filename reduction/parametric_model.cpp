@@ -117,6 +117,12 @@ MatrixXd independent_columns(const MatrixXd& A, double tolerance) {
   return used * (gram.eigenvectors()(Eigen::all, large) * scale.asDiagonal());
 }
 
+void append_columns(MatrixXd& A, const MatrixXd& more) {
+  const Index own = A.cols();
+  A.conservativeResize(Eigen::NoChange, own + more.cols());
+  A.rightCols(more.cols()) = more;
+}
+
 SparseMatrix from_triplets(int size, const Triplets& entries) {
   SparseMatrix A(size, size);
   A.setFromTriplets(entries.begin(), entries.end());
@@ -152,6 +158,8 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   std::vector<int> sorted = held_;
   std::sort(sorted.begin(), sorted.end());
   inside_ = complement(map.size(), sorted);
+  row_inside_.assign(std::size_t(map.size()), -1);
+  for (std::size_t i = 0; i < inside_.size(); ++i) row_inside_[std::size_t(inside_[i])] = int(i);
   const SparseMatrix K = restrict_to(system_.K, inside_), M = restrict_to(system_.M, inside_);
   BaseFactor base = factor_below_spectrum(K, M);
   if (base.sigma < 0)
@@ -196,6 +204,10 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   PsiMW_ = Psi_.transpose() * MW_;
   rigid_ = rigid_body_motions(model_, map, {0, 0, 0}).leftCols(3);
   Mr_ = symmetric_product(system_.M, rigid_);
+  rigidMPsi_ = Mr_.transpose() * Psi_;
+  rigidMW_ = Mr_.transpose() * W_;
+  markedPsi_ = markers_ * Psi_;
+  markedW_ = markers_ * W_;
 }
 
 MatrixXd ParametricModel::nominal_shapes() const {
@@ -273,36 +285,69 @@ PreparedChange ParametricModel::difference(const Model& changed,
   return d;
 }
 
-// Of the change under these motions, the boundary held; over all independent DOFs.
-MatrixXd ParametricModel::forces(const PreparedChange& change, const MatrixXd& at_its_dofs) const {
-  MatrixXd f = MatrixXd::Zero(system_.map.size(), at_its_dofs.cols());
-  f(change.dofs, Eigen::all) = at_its_dofs;
-  for (int dof : held_) f.row(dof).setZero();
-  return f;
+// Answers to forces on the DOFs of changes, the boundary held: all solved for at once, as the
+// factor is read once for all columns.
+std::vector<MatrixXd> ParametricModel::answers(const std::vector<Loaded>& loads) const {
+  Index columns = 0;
+  for (const Loaded& load : loads) columns += load.forces.cols();
+  MatrixXd f = MatrixXd::Zero(Index(inside_.size()), columns);
+  Index at = 0;
+  for (const Loaded& load : loads) {
+    for (std::size_t i = 0; i < load.dofs->size(); ++i)
+      if (const int row = row_inside_[std::size_t((*load.dofs)[i])]; row >= 0)
+        f.row(row).segment(at, load.forces.cols()) = load.forces.row(Index(i));
+    at += load.forces.cols();
+  }
+  if (columns > 0) f = factor_->solve(f);
+  std::vector<MatrixXd> found;
+  at = 0;
+  for (const Loaded& load : loads) {
+    found.push_back(inner_columns(f.middleCols(at, load.forces.cols())));
+    at += load.forces.cols();
+  }
+  return found;
 }
 
 // First terms of the Neumann series of modes and constraint modes. Forces of few directions, as
 // those of a spring or a mass are, need few solutions, and no second term: it is in the first.
-MatrixXd ParametricModel::answers(const PreparedChange& change) const {
+void ParametricModel::follow_series(const std::vector<PreparedChange*>& changes) const {
   const Index modes = std::min<Index>(followed, lambda_.size());
-  const MatrixXd Phi = W_(change.dofs, Eigen::seqN(0, modes)), Psi = Psi_(change.dofs, Eigen::all);
-  MatrixXd f(Index(change.dofs.size()), 2 * modes + Psi.cols());
-  f << symmetric_product(change.K, Phi), symmetric_product(change.M, Phi),
-      symmetric_product(change.K, Psi);
-  constexpr double negligible = 1e-8;
-  const MatrixXd directions = independent_columns(f, negligible);
-  const MatrixXd first = solve_inside(forces(change, directions));
-  if (directions.cols() <= modes) return first;
-  const MatrixXd second = solve_inside(
-      forces(change, symmetric_product(change.K, first(change.dofs, Eigen::seqN(0, modes)))));
-  MatrixXd both(first.rows(), first.cols() + second.cols());
-  both << first, second;
-  return both;
+  std::vector<Loaded> first, second;
+  std::vector<std::size_t> of_second;
+  for (const PreparedChange* change : changes) {
+    const MatrixXd Phi = W_(change->dofs, Eigen::seqN(0, modes)),
+                   Psi = Psi_(change->dofs, Eigen::all);
+    MatrixXd f(Index(change->dofs.size()), 2 * modes + Psi.cols());
+    f << symmetric_product(change->K, Phi), symmetric_product(change->M, Phi),
+        symmetric_product(change->K, Psi);
+    constexpr double negligible = 1e-8;
+    first.push_back({&change->dofs, independent_columns(f, negligible)});
+  }
+  std::vector<MatrixXd> to_first = answers(first);
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    if (first[i].forces.cols() > modes) {
+      const std::vector<int>& dofs = changes[i]->dofs;
+      second.push_back(
+          {&dofs, symmetric_product(changes[i]->K, to_first[i](dofs, Eigen::seqN(0, modes)))});
+      of_second.push_back(i);
+    }
+  const std::vector<MatrixXd> to_second = answers(second);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    changes[i]->further = std::move(to_first[i]);
+    changes[i]->forces = std::move(first[i].forces);
+  }
+  for (std::size_t k = 0; k < second.size(); ++k) {
+    append_columns(changes[of_second[k]]->further, to_second[k]);
+    append_columns(changes[of_second[k]]->forces, second[k].forces);
+  }
+  for (PreparedChange* change : changes)
+    for (std::size_t i = 0; i < change->dofs.size(); ++i)
+      if (row_inside_[std::size_t(change->dofs[i])] < 0) change->forces.row(Index(i)).setZero();
 }
 
 // The lowest modes of the changed structure, as far as two steps of subspace iteration from the
 // nominal ones bring them, and what its constraint modes differ by.
-MatrixXd ParametricModel::modes_of(const PreparedChange& change) const {
+void ParametricModel::follow_modes(PreparedChange& change) const {
   SparseMatrix K = system_.K, M = system_.M;
   for (const auto& [from, to] : {std::pair{&change.K, &K}, {&change.M, &M}})
     for (int j = 0; j < from->outerSize(); ++j)
@@ -321,22 +366,60 @@ MatrixXd ParametricModel::modes_of(const PreparedChange& change) const {
       V.transpose() * symmetric_product(K_inside, V),
       V.transpose() * symmetric_product(M_inside, V));
   const Index kept = std::min<Index>(count, V.cols());
-  MatrixXd columns(system_.map.size(), kept + Psi_.cols());
-  columns << inner_columns(V * ritz.eigenvectors().leftCols(kept)),
+  change.further.resize(system_.map.size(), kept + Psi_.cols());
+  change.further << inner_columns(V * ritz.eigenvectors().leftCols(kept)),
       constraint_modes(K, base.factor) - Psi_;
-  return columns;
+  change.forces = symmetric_product(system_.K, change.further);
+  for (int dof : held_) change.forces.row(dof).setZero();
 }
 
 PreparedChange ParametricModel::prepare(const ModelChange& change) const {
-  Model changed = model_;
-  if (change.apply) change.apply(changed);
-  PreparedChange made = difference(changed, change.on_mean);
-  made.further = MatrixXd(system_.map.size(), 0);
-  if (made.dofs.empty()) return made;
-  if (change.follow == Follow::series) made.further = answers(made);
-  if (change.follow == Follow::modes) made.further = modes_of(made);
+  return std::move(prepare(std::vector{change}).front());
+}
+
+std::vector<PreparedChange>
+ParametricModel::prepare(const std::vector<ModelChange>& changes) const {
+  std::vector<PreparedChange> made;
+  for (const ModelChange& change : changes) {
+    Model changed = model_;
+    if (change.apply) change.apply(changed);
+    made.push_back(difference(changed, change.on_mean));
+    made.back().further = MatrixXd(system_.map.size(), 0);
+    made.back().forces = MatrixXd(Index(made.back().dofs.size()), 0);
+  }
+  std::vector<PreparedChange*> series;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (made[i].dofs.empty()) continue;
+    if (changes[i].follow == Follow::series) series.push_back(&made[i]);
+    if (changes[i].follow == Follow::modes) follow_modes(made[i]);
+  }
+  follow_series(series);
   return made;
 }
+
+namespace {
+
+// Rows of a matrix over all independent DOFs that belong to those of a change.
+MatrixXd rows_at(const MatrixXd& all, const std::vector<int>& dofs) {
+  return Index(dofs.size()) == all.rows() ? all : MatrixXd(all(dofs, Eigen::all));
+}
+
+// V' K_0 X for the columns X that changes add.
+MatrixXd work(const MatrixXd& V, const std::vector<PreparedChange>& changes, Index columns) {
+  MatrixXd all(V.cols(), columns);
+  Index at = 0;
+  for (const PreparedChange& change : changes) {
+    const Index own = change.forces.cols();
+    if (change.forces.rows() == V.rows())
+      all.middleCols(at, own) = V.transpose() * change.forces;
+    else
+      all.middleCols(at, own) = V(change.dofs, Eigen::all).transpose() * change.forces;
+    at += own;
+  }
+  return all;
+}
+
+} // namespace
 
 ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChange>& changes) const {
   Index further = 0;
@@ -348,24 +431,25 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
     at += change.further.cols();
   }
   // What the changes add to the basis, free of what it has.
-  MatrixXd KX = symmetric_product(system_.K, X);
-  if (X.cols() > 0) {
-    const VectorXd before = X.cwiseProduct(KX).colwise().sum();
-    const MatrixXd part = WKW_.ldlt().solve(MatrixXd(KW_.transpose() * X));
-    X -= W_ * part;
-    KX -= KW_ * part;
-    const VectorXd after = X.cwiseProduct(KX).colwise().sum();
+  MatrixXd XKX(further, further);
+  if (further > 0) {
+    const VectorXd before = work(X, changes, further).diagonal();
+    const MatrixXd part = WKW_.ldlt().solve(work(W_, changes, further));
+    X.noalias() -= W_ * part;
+    XKX = work(X, changes, further) - (X.transpose() * KW_) * part;
     constexpr double rounding = 1e-10; // of the energy: the basis had it all
     std::vector<Index> news;
-    for (Index j = 0; j < X.cols(); ++j)
-      if (after[j] > rounding * before[j]) news.push_back(j);
-    X = MatrixXd(X(Eigen::all, news));
-    KX = MatrixXd(KX(Eigen::all, news));
+    for (Index j = 0; j < further; ++j)
+      if (XKX(j, j) > rounding * before[j]) news.push_back(j);
+    if (Index(news.size()) < further) {
+      X = MatrixXd(X(Eigen::all, news));
+      XKX = MatrixXd(XKX(news, news));
+    }
   }
   const Index c = W_.cols(), n = c + X.cols();
   MatrixXd E = MatrixXd::Zero(n, n);
   E.topLeftCorner(c, c) = WKW_;
-  E.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * KX;
+  E.bottomRightCorner(X.cols(), X.cols()) = (XKX + XKX.transpose()) / 2;
   // Columns of unit energy, those that add none dropped.
   const VectorXd size = E.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(
@@ -376,7 +460,7 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
     if (gram.eigenvalues()[j] > negligible * gram.eigenvalues().maxCoeff()) kept.push_back(j);
   const VectorXd scale = gram.eigenvalues()(kept).cwiseSqrt().cwiseInverse();
   MatrixXd T = size.asDiagonal() * gram.eigenvectors()(Eigen::all, kept) * scale.asDiagonal();
-  return {std::move(X), std::move(KX), std::move(T)};
+  return {std::move(X), std::move(E), std::move(T)};
 }
 
 ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
@@ -385,12 +469,10 @@ ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) 
 
 ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& changes,
                                        const Basis& basis) const {
-  const MatrixXd &X = basis.X, &T = basis.T;
+  const MatrixXd &X = basis.X, &T = basis.T, &E = basis.E;
   const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
   const MatrixXd MX = symmetric_product(system_.M, X);
-  MatrixXd E = MatrixXd::Zero(n, n), G(n, n), P(b, n);
-  E.topLeftCorner(c, c) = WKW_;
-  E.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * basis.KX;
+  MatrixXd G(n, n), P(b, n);
   G.topLeftCorner(c, c) = WMW_;
   G.topRightCorner(c, X.cols()) = MW_.transpose() * X;
   G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
@@ -408,23 +490,36 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   family.M.topRightCorner(b, k) = P * T;
   family.M.bottomLeftCorner(k, b) = family.M.topRightCorner(b, k).transpose();
   family.M.bottomRightCorner(k, k) = T.transpose() * G * T;
-  const auto rows_of = [&](const MatrixXd& of_Psi, const MatrixXd& of_W, const MatrixXd& of_X) {
-    MatrixXd rows(of_Psi.rows(), b + k), inner(of_W.rows(), n);
-    inner << of_W, of_X;
-    rows << of_Psi, inner * T;
+  // Rows over [Psi | W | X] to those over q.
+  const auto over_q = [&](const MatrixXd& rows) {
+    MatrixXd own(rows.rows(), b + k);
+    own << rows.leftCols(b), rows.rightCols(n) * T;
+    return own;
+  };
+  const auto over_q_both = [&](const MatrixXd& square) {
+    return over_q(over_q(square).transpose()).transpose().eval();
+  };
+  const auto side_by_side = [&](const auto& of_Psi, const auto& of_W, const auto& of_X) {
+    MatrixXd rows(of_Psi.rows(), b + n);
+    rows << of_Psi, of_W, of_X;
     return rows;
   };
   family.load =
-      rows_of(Mr_.transpose() * Psi_, Mr_.transpose() * W_, Mr_.transpose() * X).transpose();
+      over_q(side_by_side(rigidMPsi_, rigidMW_, MatrixXd(Mr_.transpose() * X))).transpose();
   family.mass = rigid_.col(1).dot(Mr_.col(1));
-  family.marked = rows_of(markers_ * Psi_, markers_ * W_, markers_ * X);
+  family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
+  MatrixXd all; // of what reaches everywhere
   for (const PreparedChange& d : changes) {
-    const MatrixXd V =
-        rows_of(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all));
-    const MatrixXd r = rigid_(d.dofs, Eigen::all), Mr = symmetric_product(d.M, r);
-    family.dK.emplace_back(V.transpose() * symmetric_product(d.K, V));
-    family.dM.emplace_back(V.transpose() * symmetric_product(d.M, V));
-    family.d_load.emplace_back(V.transpose() * Mr);
+    const bool whole = Index(d.dofs.size()) == X.rows();
+    if (whole && all.rows() == 0) all = side_by_side(Psi_, W_, X);
+    const MatrixXd own = whole ? MatrixXd()
+                               : side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
+                                              X(d.dofs, Eigen::all));
+    const MatrixXd& V = whole ? all : own;
+    const MatrixXd r = rows_at(rigid_, d.dofs), Mr = symmetric_product(d.M, r);
+    family.dK.push_back(over_q_both(V.transpose() * symmetric_product(d.K, V)));
+    family.dM.push_back(over_q_both(V.transpose() * symmetric_product(d.M, V)));
+    family.d_load.push_back(over_q(Mr.transpose() * V).transpose());
     family.d_mass.push_back(r.col(1).dot(Mr.col(1)));
   }
   family.nominal = MatrixXd::Zero(b + k, lambda_.size());

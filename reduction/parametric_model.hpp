@@ -42,6 +42,9 @@ struct PreparedChange {
   SparseMatrix K, M;       // lower triangles
   std::vector<int> dofs;   // independent ones
   Eigen::MatrixXd further; // columns over all independent DOFs
+  // K_0 `further`, the boundary left out: over `dofs`, where there is nothing elsewhere, else over
+  // all independent DOFs.
+  Eigen::MatrixXd forces;
 };
 
 // Matrices over q; the first 6 coordinates of each boundary node are its DOFs.
@@ -66,8 +69,9 @@ public:
   ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes,
                   const std::vector<int>& observed = {});
 
-  // Both may be called from several threads.
+  // All may be called from several threads. Several changes prepared together take less time.
   PreparedChange prepare(const ModelChange& change) const;
+  std::vector<PreparedChange> prepare(const std::vector<ModelChange>& changes) const;
   ReducedFamily with(const std::vector<PreparedChange>& changes) const;
 
   // How far the frequencies of the lowest modes may lie above those of the whole structure,
@@ -86,9 +90,14 @@ public:
   int unknowns() const { return system_.map.size(); }
 
 private:
-  // What changes add to W: X, free of what W has, and T: unit energy, what adds nothing dropped.
+  // What changes add to W: X, free of what W has; E: energies of [W | X]; T: unit energy, what adds
+  // nothing dropped.
   struct Basis {
-    Eigen::MatrixXd X, KX, T;
+    Eigen::MatrixXd X, E, T;
+  };
+  struct Loaded {
+    const std::vector<int>* dofs;
+    Eigen::MatrixXd forces;
   };
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
   ReducedFamily reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
@@ -96,22 +105,24 @@ private:
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
   Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;
-  Eigen::MatrixXd forces(const PreparedChange& change, const Eigen::MatrixXd& columns) const;
-  Eigen::MatrixXd answers(const PreparedChange& change) const;
-  Eigen::MatrixXd modes_of(const PreparedChange& change) const;
+  std::vector<Eigen::MatrixXd> answers(const std::vector<Loaded>& loads) const;
+  void follow_series(const std::vector<PreparedChange*>& changes) const;
+  void follow_modes(PreparedChange& change) const;
 
   Model model_;
   std::vector<int> boundary_, marked_;
   int count_ = 0;
   System system_;
   std::vector<int> held_, inside_; // independent DOFs
+  std::vector<int> row_inside_;    // of an independent DOF among those inside; -1 = held
   std::optional<SparseFactor> factor_;
   Eigen::VectorXd lambda_;
   // Over the independent DOFs. W: modes, then answers to forces on marked nodes; K Psi is zero but
   // at the boundary.
   Eigen::MatrixXd Psi_, W_, KW_, MPsi_, MW_, rigid_, Mr_;
-  Eigen::MatrixXd PsiKPsi_, PsiMPsi_, WKW_, WMW_, PsiMW_;
+  Eigen::MatrixXd PsiKPsi_, PsiMPsi_, WKW_, WMW_, PsiMW_, rigidMPsi_, rigidMW_;
   Eigen::SparseMatrix<double> markers_; // 6 rows per marked node, then per observed one
+  Eigen::MatrixXd markedPsi_, markedW_;
 };
 
 } // namespace plica

@@ -78,9 +78,23 @@ Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z)
           .noncentrality = std::max(0., own(d).squaredNorm() - paid)};
 }
 
+// Reduced models with each hypothesis in it, a few at a time.
+void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all) {
+  constexpr std::size_t at_once = 4;
+  std::vector<StateFamilies::Together> groups;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i % at_once == 0) groups.emplace_back();
+    groups.back().push_back(&all[i]);
+  }
+  StateFamilies& families = *context.predictors.families();
+  for (std::size_t state : families.fitted_states(context.test))
+    in_parallel(int(groups.size()), [&](int i) { families.reduce(state, groups[std::size_t(i)]); });
+}
+
 } // namespace
 
 std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all) {
+  reduce_each(context, all);
   std::vector<Signature> found(all.size());
   in_parallel(int(all.size()), [&](int i) {
     Signature& s = found[std::size_t(i)];

@@ -103,6 +103,16 @@ std::vector<Asked> second_round(const std::vector<JudgedFit>& pairs,
   return more;
 }
 
+// What the halves change is prepared once: each is in several pairs.
+void keep_halves(const FitContext& context, const std::vector<Asked>& asked) {
+  StateFamilies::Together halves;
+  for (const Asked& pair : asked)
+    for (const Hypothesis* h : pair.together)
+      if (std::find(halves.begin(), halves.end(), h) == halves.end()) halves.push_back(h);
+  StateFamilies& families = *context.predictors.families();
+  for (std::size_t state : families.fitted_states(context.test)) families.keep(state, halves);
+}
+
 } // namespace
 
 std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Family>& ranked,
@@ -112,6 +122,7 @@ std::vector<JudgedFit> fit_pairs(const FitContext& context, const std::vector<Fa
                                  const Standards& standards) {
   std::vector<JudgedFit> pairs;
   const auto fit = [&](const std::vector<Asked>& asked) {
+    keep_halves(context, asked);
     std::vector<JudgedFit> own(asked.size());
     in_parallel(int(asked.size()), [&](int i) {
       const Asked& pair = asked[std::size_t(i)];

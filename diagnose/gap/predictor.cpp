@@ -25,47 +25,47 @@ std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis&
   return all;
 }
 
+bool is_costly(const Hypothesis& h) {
+  return std::any_of(h.changes.begin(), h.changes.end(),
+                     [](const ModelChange& c) { return c.follow == Follow::modes; });
+}
+
 } // namespace
 
-std::vector<PreparedChange> prepared_changes(const NominalState& state, const Hypothesis& h) {
-  std::vector<PreparedChange> made;
-  for (const ModelChange& change : changes_in(state, h))
-    made.push_back(state.model->prepare(change));
-  return made;
-}
-
-std::vector<PreparedChange> StateFamilies::prepared(const NominalState& state,
-                                                    const Hypothesis& h) {
-  const bool costly = std::any_of(h.changes.begin(), h.changes.end(),
-                                  [](const ModelChange& c) { return c.follow == Follow::modes; });
-  if (!costly) return prepared_changes(state, h);
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto known = costly_.find({&state, &h}); known != costly_.end()) return known->second;
-  }
-  std::vector<PreparedChange> made = prepared_changes(state, h);
+std::optional<StateFamilies::Changes> StateFamilies::kept(const NominalState& state,
+                                                          const Hypothesis& h) {
   const std::lock_guard lock(mutex_);
-  return costly_.try_emplace({&state, &h}, std::move(made)).first->second;
+  const auto known = kept_.find({&state, &h});
+  return known == kept_.end() ? std::nullopt : std::optional(known->second);
 }
 
-std::vector<PreparedChange> StateFamilies::changes(std::size_t s, const Together& together) {
-  std::vector<std::vector<PreparedChange>> parts(together.size());
+StateFamilies::Changes StateFamilies::prepared(const NominalState& state, const Hypothesis& h) {
+  if (auto known = kept(state, h)) return std::move(*known);
+  Changes made = state.model->prepare(changes_in(state, h));
+  if (!is_costly(h)) return made;
+  const std::lock_guard lock(mutex_);
+  return kept_.try_emplace({&state, &h}, std::move(made)).first->second;
+}
+
+StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& together) {
+  std::vector<Changes> parts(together.size());
   in_parallel(int(parts.size()), [&](int h) {
     parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
   });
-  std::vector<PreparedChange> all;
-  for (auto& part : parts)
+  Changes all;
+  for (Changes& part : parts)
     for (PreparedChange& change : part) all.push_back(std::move(change));
   return all;
 }
 
-void StateFamilies::make(std::size_t s, const Together& together, StateFamily& own) {
+void StateFamilies::make(std::size_t s, const Together& together, const Changes& changes,
+                         StateFamily& own) {
   const NominalState& state = nominal_.states[s];
   std::vector<int> held = state.built.held_nodes;
   for (const Hypothesis* h : together)
     for (const std::string& cap : h->released) std::erase(held, state.built.cap_nodes.at(cap));
   own.nominal = &state;
-  own.family = state.model->with(changes(s, together));
+  own.family = state.model->with(changes);
   const std::vector<int>& boundary = state.model->boundary();
   for (int i = 0; i < int(own.family.K.rows()); ++i)
     if (i >= own.family.boundary ||
@@ -74,14 +74,58 @@ void StateFamilies::make(std::size_t s, const Together& together, StateFamily& o
   own.free = FreeFamily(own.family, own.coordinates, state.zeta);
 }
 
+StateFamilies::Lazy& StateFamilies::lazy(std::size_t state, const Together& together) {
+  const std::lock_guard lock(mutex_);
+  return known_[{state, together}];
+}
+
 const StateFamily& StateFamilies::of(std::size_t state, const Together& together) {
-  Lazy* own = nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    own = &known_[{state, together}];
+  Lazy& own = lazy(state, together);
+  std::call_once(own.once, [&] { make(state, together, changes(state, together), own.family); });
+  return own.family;
+}
+
+void StateFamilies::reduce(std::size_t s, const Together& each) {
+  const NominalState& state = nominal_.states[s];
+  std::vector<ModelChange> all;
+  std::vector<std::size_t> count;
+  for (const Hypothesis* h : each) {
+    const std::vector<ModelChange> own =
+        is_costly(*h) ? std::vector<ModelChange>() : changes_in(state, *h);
+    all.insert(all.end(), own.begin(), own.end());
+    count.push_back(own.size());
   }
-  std::call_once(own->once, [&] { make(state, together, own->family); });
-  return own->family;
+  Changes made = state.model->prepare(all);
+  auto next = std::make_move_iterator(made.begin());
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const Hypothesis* h = each[i];
+    const Changes own =
+        is_costly(*h) ? prepared(state, *h) : Changes(next, next + std::ptrdiff_t(count[i]));
+    next += std::ptrdiff_t(count[i]);
+    Lazy& family = lazy(s, {h});
+    std::call_once(family.once, [&] { make(s, {h}, own, family.family); });
+  }
+}
+
+void StateFamilies::keep(std::size_t s, const Together& each) {
+  const NominalState& state = nominal_.states[s];
+  in_parallel(int(each.size()), [&](int i) {
+    const Hypothesis& h = *each[std::size_t(i)];
+    if (kept(state, h)) return;
+    Changes made = prepared(state, h);
+    const std::lock_guard lock(mutex_);
+    kept_.try_emplace({&state, &h}, std::move(made));
+  });
+}
+
+std::vector<std::size_t> StateFamilies::fitted_states(const TestReadings& test) const {
+  std::vector<std::size_t> found;
+  for (std::size_t s = 0; s < nominal_.states.size(); ++s)
+    if (std::any_of(test.readings.begin(), test.readings.end(), [&](const Reading& r) {
+          return !r.held_out && r.state == nominal_.states[s].name;
+        }))
+      found.push_back(s);
+  return found;
 }
 
 Predictor::Predictor(const Nominal& nominal, const TestReadings& test,

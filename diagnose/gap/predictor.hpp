@@ -8,8 +8,6 @@
 
 namespace plica {
 
-std::vector<PreparedChange> prepared_changes(const NominalState& state, const Hypothesis& h);
-
 // States of the specimen reduced with hypotheses in them, each when first asked for: those held out
 // are for few hypotheses. Changes that are costly to prepare are kept. May be used by several
 // threads.
@@ -20,17 +18,28 @@ public:
   const StateFamily& of(std::size_t state, const Together& together);
   std::vector<PreparedChange> changes(std::size_t state, const Together& together);
 
+  // Makes a state with each of these alone in it, which takes less time for several at once.
+  void reduce(std::size_t state, const Together& each);
+  // Prepares what these change in a state and keeps it, for hypotheses that will be taken together
+  // with others.
+  void keep(std::size_t state, const Together& each);
+  // States in which something was measured that is fitted.
+  std::vector<std::size_t> fitted_states(const TestReadings& test) const;
+
 private:
   struct Lazy {
     std::once_flag once;
     StateFamily family;
   };
-  std::vector<PreparedChange> prepared(const NominalState& state, const Hypothesis& h);
-  void make(std::size_t state, const Together& together, StateFamily& own);
+  using Changes = std::vector<PreparedChange>;
+  std::optional<Changes> kept(const NominalState& state, const Hypothesis& h);
+  Changes prepared(const NominalState& state, const Hypothesis& h);
+  Lazy& lazy(std::size_t state, const Together& together);
+  void make(std::size_t state, const Together& together, const Changes& changes, StateFamily& own);
 
   const Nominal& nominal_;
   std::mutex mutex_;
-  std::map<std::pair<const NominalState*, const Hypothesis*>, std::vector<PreparedChange>> costly_;
+  std::map<std::pair<const NominalState*, const Hypothesis*>, Changes> kept_;
   std::map<std::pair<std::size_t, Together>, Lazy> known_;
 };
 

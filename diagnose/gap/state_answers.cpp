@@ -308,7 +308,7 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
   const TestRun& run = test_.runs[std::size_t(reading.run)];
   if (run.base < 0) return labelled(reading, value);
   if (!find_peaks(reading.run)) return false;
-  const Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
+  Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
   if (peak.mode < 0) return true;
   if (reading.kind == ReadingKind::damping) {
     value = std::log(peak.damping());
@@ -332,6 +332,7 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
                  cross_floor);
     return true;
   }
+  if (peak.around.size() == 0) respond_around(peak, run);
   const double main = summit(peak, sensor, run.base).second;
   const double cross = std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
                                 reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
@@ -370,16 +371,20 @@ double StateAnswers::highest(const Peak& peak, const TestRun& run, int sensor, i
 
 void StateAnswers::respond(Peak& peak, const TestRun& run) const {
   if (peak.mode < 0 || seen_ == 0) return;
-  std::vector<double> near, around;
+  std::vector<double> near;
   for (int i = -half_steps; i <= half_steps; ++i)
     near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));
+  peak.near = motion(*peak.modes, peak.zeta, run.base, near);
+}
+
+void StateAnswers::respond_around(Peak& peak, const TestRun& run) const {
+  std::vector<double> around;
   constexpr int steps = 8;
   for (int i = -steps; i <= steps; ++i)
     around.push_back(peak.omega() * (1 + cross_window * i / steps));
   for (Index j = 0; j < peak.modes->lambda.size(); ++j)
     if (const double w = peak.modes->omega(j); std::abs(w / peak.omega() - 1) <= cross_window)
       for (double x : {-1., 0., 1.}) around.push_back(w * (1 + x * peak.zeta[j]));
-  peak.near = motion(*peak.modes, peak.zeta, run.base, near);
   peak.around = motion(*peak.modes, peak.zeta, run.base, around);
 }
 

@@ -53,7 +53,8 @@ private:
     const FamilyModes* modes = nullptr;
     Eigen::VectorXd zeta;
     Eigen::Index mode = 0;
-    Eigen::MatrixXcd near, around; // motions within its width, and where cross responses are sought
+    Eigen::MatrixXcd near;   // motions within its width
+    Eigen::MatrixXcd around; // where cross responses are sought, when first asked for
     double omega() const { return modes->omega(mode); }
     double damping() const { return zeta[mode]; }
   };
@@ -75,6 +76,7 @@ private:
   bool find_peaks(int run);
   bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
   void respond(Peak& peak, const TestRun& run) const;
+  void respond_around(Peak& peak, const TestRun& run) const;
   std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;
   double highest(const Peak& peak, const TestRun& run, int sensor, int axis) const;
   bool dynamic(const Reading& reading, double& value);

@@ -191,6 +191,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   std::vector<const Hypothesis*> together;
   for (const Hypothesis& h : varied) together.push_back(&h);
   const Predictor predict(nominal, test, together);
+  predict(predict.values_of(VectorXd::Zero(predict.parameters()))); // reduced once, on all cores
 
   MatrixXd form(n, specimens), noise(n, specimens);
   MatrixXd random = u.measurement + u.reassembly + u.numeric;
