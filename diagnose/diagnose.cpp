@@ -22,8 +22,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double silent = 0.3; // |g| below which no data speak of an effect
-constexpr int confirmed = 3;   // hypotheses followed by Markov chains
+constexpr double silent = 0.3;       // |g| below which no data speak of an effect
+constexpr std::size_t confirmed = 3; // hypotheses followed by Markov chains
 
 // Readings that the model answers; what it does not is said.
 TestReadings answered(const Nominal& nominal, TestReadings test) {
@@ -139,9 +139,10 @@ private:
       if (f.log_evidence > plain.log_evidence - 1)
         for (JudgedFit& j : fits)
           if (&j == f.best) chosen.push_back(&j);
+    for (std::size_t i = 0; i < std::min(confirmed, chosen.size()); ++i)
+      sample(context, chosen[i]->fit, settings_.particles, unsigned(i) + 1);
     in_parallel(int(chosen.size()), [&](int i) {
       HypothesisFit fit = chosen[std::size_t(i)]->fit;
-      if (i < confirmed) sample(context, fit, settings_.particles, unsigned(i) + 1);
       complete(context, fit);
       *chosen[std::size_t(i)] =
           judged(std::move(fit), plain, context, *held_out_, scores, standards);

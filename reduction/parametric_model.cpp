@@ -3,6 +3,7 @@
 #include "solve/dense_modes.hpp"
 #include "solve/element_view.hpp"
 #include "solve/mode_labels.hpp"
+#include "solve/parallel.hpp"
 #include "solve/statics.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -251,8 +252,12 @@ PreparedChange ParametricModel::difference(const Model& changed,
     const System other = assemble(changed);
     if (other.map.size() != system_.map.size())
       throw std::invalid_argument("a change of a model that changes its unknowns");
+    // A change of the modulus leaves the mass as it is, one of the density the stiffness.
+    const auto is_there = [](int, int, double value) { return value != 0; };
     d.K = other.K - system_.K;
     d.M = other.M - system_.M;
+    d.K.prune(is_there);
+    d.M.prune(is_there);
     d.dofs.resize(std::size_t(system_.map.size()));
     std::iota(d.dofs.begin(), d.dofs.end(), 0);
     return d;
@@ -496,8 +501,12 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
     own << rows.leftCols(b), rows.rightCols(n) * T;
     return own;
   };
-  const auto over_q_both = [&](const MatrixXd& square) {
-    return over_q(over_q(square).transpose()).transpose().eval();
+  const auto over_q_both = [&](const MatrixXd& square) -> MatrixXd {
+    return over_q(over_q(square).transpose()).transpose();
+  };
+  const auto seen_by = [&](const SparseMatrix& A, const MatrixXd& V) -> MatrixXd { // V' A V
+    if (A.nonZeros() == 0) return MatrixXd::Zero(b + k, b + k);
+    return over_q_both(V.transpose() * symmetric_product(A, V));
   };
   const auto side_by_side = [&](const auto& of_Psi, const auto& of_W, const auto& of_X) {
     MatrixXd rows(of_Psi.rows(), b + n);
@@ -509,19 +518,25 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   family.mass = rigid_.col(1).dot(Mr_.col(1));
   family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere
-  for (const PreparedChange& d : changes) {
-    const bool whole = Index(d.dofs.size()) == X.rows();
-    if (whole && all.rows() == 0) all = side_by_side(Psi_, W_, X);
+  const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
+  if (std::any_of(changes.begin(), changes.end(), is_whole)) all = side_by_side(Psi_, W_, X);
+  family.dK.resize(changes.size());
+  family.dM.resize(changes.size());
+  family.d_load.resize(changes.size());
+  family.d_mass.resize(changes.size());
+  in_parallel(int(changes.size()), [&](int i) {
+    const PreparedChange& d = changes[std::size_t(i)];
+    const bool whole = is_whole(d);
     const MatrixXd own = whole ? MatrixXd()
                                : side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
                                               X(d.dofs, Eigen::all));
     const MatrixXd& V = whole ? all : own;
     const MatrixXd r = rows_at(rigid_, d.dofs), Mr = symmetric_product(d.M, r);
-    family.dK.push_back(over_q_both(V.transpose() * symmetric_product(d.K, V)));
-    family.dM.push_back(over_q_both(V.transpose() * symmetric_product(d.M, V)));
-    family.d_load.push_back(over_q(Mr.transpose() * V).transpose());
-    family.d_mass.push_back(r.col(1).dot(Mr.col(1)));
-  }
+    family.dK[std::size_t(i)] = seen_by(d.K, V);
+    family.dM[std::size_t(i)] = seen_by(d.M, V);
+    family.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
+    family.d_mass[std::size_t(i)] = r.col(1).dot(Mr.col(1));
+  });
   family.nominal = MatrixXd::Zero(b + k, lambda_.size());
   family.nominal.bottomRows(k) = MatrixXd(family.M.bottomRightCorner(k, k))
                                      .ldlt()

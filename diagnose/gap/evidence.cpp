@@ -3,6 +3,7 @@
 #include "diagnose/gap/normal_draws.hpp"
 #include "diagnose/gap/spread_point.hpp"
 #include "diagnose/search.hpp"
+#include "solve/parallel.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -338,15 +339,18 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     const auto d = deviation.at(z, Predictor::Which::fitted);
     return d ? -whitened(*d).squaredNorm() / 2 + log_normal(z) : -hopeless;
   };
+  // All that is random is drawn in one order, whatever the threads.
   MatrixXd z(p, particles);
   VectorXd target(particles), start(particles);
   for (Index k = 0; k < particles; ++k) {
     VectorXd white(p);
     for (double& x : white) x = normal();
     z.col(k) = reference.draw(white, normal.uniform());
+  }
+  in_parallel(particles, [&](int k) {
     target[k] = log_target(z.col(k));
     start[k] = reference.log_density(z.col(k));
-  }
+  });
   double power = 0, log_evidence = 0;
   constexpr int most_stages = 40;
   for (int stage = 0; stage < most_stages && power < 1; ++stage) {
@@ -382,22 +386,31 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
     MatrixXd next(p, particles);
     VectorXd next_target(particles), next_start(particles);
     // Systematic resampling, then a few steps of Metropolis from each.
+    constexpr int moves = 2;
+    std::vector<Index> origin;
+    MatrixXd steps(p, moves * particles);
+    VectorXd chance(moves * particles);
     double cumulated = share[0];
     Index from = 0;
     const double offset = normal.uniform();
     for (Index k = 0; k < particles; ++k) {
       const double position = (double(k) + offset) / particles;
       while (cumulated < position && from + 1 < particles) cumulated += share[++from];
-      VectorXd here = z.col(from);
-      double own = target[from], own_start = start[from];
-      constexpr int moves = 2;
-      for (int m = 0; m < moves; ++m) {
-        VectorXd step(p);
-        for (double& x : step) x = normal();
-        const VectorXd there = here + root * step;
+      origin.push_back(from);
+      for (Index m = moves * k; m < moves * (k + 1); ++m) {
+        for (double& x : steps.col(m)) x = normal();
+        chance[m] = normal.uniform();
+      }
+    }
+    in_parallel(particles, [&](int k) {
+      const Index of = origin[std::size_t(k)];
+      VectorXd here = z.col(of);
+      double own = target[of], own_start = start[of];
+      for (Index m = moves * k; m < moves * (k + 1); ++m) {
+        const VectorXd there = here + root * steps.col(m);
         const double value = log_target(there), there_start = reference.log_density(there);
         const double gain = power * (value - own) + (1 - power) * (there_start - own_start);
-        if (std::log(normal.uniform()) < gain) {
+        if (std::log(chance[m]) < gain) {
           here = there;
           own = value;
           own_start = there_start;
@@ -406,7 +419,7 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
       next.col(k) = here;
       next_target[k] = own;
       next_start[k] = own_start;
-    }
+    });
     z = std::move(next);
     target = std::move(next_target);
     start = std::move(next_start);

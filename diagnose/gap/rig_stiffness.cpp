@@ -1,13 +1,10 @@
 #include "diagnose/gap/rig_stiffness.hpp"
 
-#include "solve/statics.hpp"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <stdexcept>
 
 namespace plica {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -30,10 +27,7 @@ double along(const EndStiffness& k, StaticDirection direction) {
   return k.torsion;
 }
 
-} // namespace
-
-std::optional<double> rig_stiffness(const NominalState& state, const MatrixXd& K,
-                                    StaticDirection direction) {
+std::optional<EndStiffness> rig_stiffness(const NominalState& state, const MatrixXd& K) {
   const Case& data = state.data;
   if (data.caps.size() != 2) return std::nullopt;
   std::vector<Index> rows;
@@ -56,7 +50,7 @@ std::optional<double> rig_stiffness(const NominalState& state, const MatrixXd& K
         condensed.block<6, 6>(6 * Index(c), 6 * Index(c)) -= ground_bushing_matrix(b.bushing);
   }
   try {
-    return along(end_stiffness(Matrix6(condensed.bottomRightCorner<6, 6>())), direction);
+    return end_stiffness(Matrix6(condensed.bottomRightCorner<6, 6>()));
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnose/gap/nominal.hpp"
+#include "solve/statics.hpp"
 
 #include <optional>
 
@@ -9,7 +10,7 @@ namespace plica {
 
 // Of a reduced model's stiffness under change, spring mounts taken off. None: a part without two
 // caps on the boundary, or so soft that nothing holds the ends together.
-std::optional<double> rig_stiffness(const NominalState& state, const Eigen::MatrixXd& K,
-                                    StaticDirection direction);
+std::optional<EndStiffness> rig_stiffness(const NominalState& state, const Eigen::MatrixXd& K);
+double along(const EndStiffness& k, StaticDirection direction);
 
 } // namespace plica

@@ -3,6 +3,7 @@
 #include "diagnose/effects/places.hpp"
 #include "diagnose/gap/blocks.hpp"
 #include "diagnose/search.hpp"
+#include "solve/parallel.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -76,7 +77,7 @@ GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
   const auto n = Index(rows.size());
   VectorXd before(n), after(n);
   const Deviation deviation(context, best.together);
-  for (Index i = 0; i < n; ++i) {
+  in_parallel(int(n), [&](int i) {
     std::vector<Index> others;
     for (Index j = 0; j < n; ++j)
       if (j != i) others.push_back(rows[std::size_t(j)]);
@@ -101,7 +102,7 @@ GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
     const LocalSearch found = search_freely(residuals, best.z, 15);
     const auto d = deviation.at(found.best);
     after[i] = d ? predicted(*d) : before[i];
-  }
+  });
   return with_interval(before, {after});
 }
 
@@ -203,10 +204,11 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
   candidates.push_back({"all damping", 0.12, damping().hypotheses(structure).front()});
   candidates.back().hypothesis.parameters.front().prior = free;
   const BlockScores scores(context.test, context.uncertainty);
-  std::vector<Compensator> found;
-  for (const Candidate& c : candidates) {
+  std::vector<std::optional<Compensator>> tried(candidates.size());
+  in_parallel(int(candidates.size()), [&](int i) {
+    const Candidate& c = candidates[std::size_t(i)];
     HypothesisFit fit = fit_of(context, {&c.hypothesis});
-    if (!fit.solved) continue;
+    if (!fit.solved) return;
     complete(context, fit);
     const double factor = fit.values[0];
     Compensator row{.name = c.name,
@@ -224,8 +226,11 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
                                std::string("another value for every ") + d.by;
     constexpr double worth_a_word = 0.85;
     if (row.gap_after < worth_a_word * rms(nominal.error) && row.prior_sigmas > 3)
-      found.push_back(std::move(row));
-  }
+      tried[std::size_t(i)] = std::move(row);
+  });
+  std::vector<Compensator> found;
+  for (auto& row : tried)
+    if (row) found.push_back(std::move(*row));
   return found;
 }
 

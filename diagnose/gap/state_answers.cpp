@@ -35,28 +35,6 @@ double default_level(const Case& data) {
   return data.analyses.response ? data.analyses.response->level : 1;
 }
 
-// A peak's mode over the stiffness of a group, at points of its table: motion per level at unit
-// damping, zeta, energy share of the group per unit of its stiffness.
-struct PeakOverStiffness {
-  explicit PeakOverStiffness(int low)
-      : first(std::log(SlipTable::stiffness_of(low))),
-        step(std::log(SlipTable::stiffness_of(low + 1)) - first) {}
-
-  std::array<double, 3> at(double stiffness) const {
-    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first) / step, 0.,
-                                double(rows.size()) - 1.000001);
-    const auto i = std::size_t(x);
-    std::array<double, 3> between{};
-    for (std::size_t k = 0; k < between.size(); ++k)
-      between[k] = rows[i][k] + (x - double(i)) * (rows[i + 1][k] - rows[i][k]);
-    return between;
-  }
-
-  double first, step;
-  std::vector<std::array<double, 3>> rows;
-  bool lost = false; // at some point there is no such peak
-};
-
 } // namespace
 
 bool StateAnswers::answer(const Reading& reading, double& value) {
@@ -111,18 +89,25 @@ double StateAnswers::mass() const {
   return sum;
 }
 
-std::optional<double> StateAnswers::stiffness_at(StaticDirection direction, double kept) const {
+std::optional<double> StateAnswers::stiffness_at(StaticDirection direction, double kept) {
+  const auto known = rig_.find(kept);
+  const auto& ends =
+      known == rig_.end() ? rig_.emplace(kept, ends_at(kept)).first->second : known->second;
+  return ends ? std::optional(along(*ends, direction)) : std::nullopt;
+}
+
+std::optional<EndStiffness> StateAnswers::ends_at(double kept) const {
   VectorXd c = acting_.rig;
   if (acting_.group) {
     double& group = c[acting_.group->change];
     group = (group + acting_.group->present) * kept - acting_.group->present;
   }
-  return rig_stiffness(*own_.nominal, summed(own_.family.K, own_.family.dK, c), direction);
+  return rig_stiffness(*own_.nominal, summed(own_.family.K, own_.family.dK, c));
 }
 
 // A group that slips answers by what it keeps at the stroke; without one, by what is left when all
 // slides. Its stretch follows from the energy it has of the whole: dk/d(kept) = u' K_group u.
-double StateAnswers::static_stiffness(const Reading& reading) const {
+double StateAnswers::static_stiffness(const Reading& reading) {
   const auto stuck = stiffness_at(reading.direction, 1);
   if (!stuck) return none;
   if (!acting_.group) return std::log(*stuck);
@@ -218,43 +203,64 @@ std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const 
   constexpr double most = 0.98; // of the share: something is always left
   const int low = SlipTable::point_at(stuck * (1 - most * own.share)) - 1,
             high = SlipTable::point_at(stuck) + 1;
-  std::vector<PeakOverStiffness> peaks(run.peaks.size(), PeakOverStiffness(low));
-  for (int point = low; point <= high; ++point) {
-    const FamilyModes* m = table.modes_at(point);
+  // Of each peak's mode at points of the table, when first asked for: motion per level at unit
+  // damping, zeta, energy share of the group per unit of its stiffness.
+  using Row = std::array<double, 3>;
+  std::vector<std::optional<std::vector<std::optional<Row>>>> known(std::size_t(high - low + 1));
+  const auto row_at = [&](std::size_t place, std::size_t peak) -> std::optional<Row> {
+    if (known[place]) return (*known[place])[peak];
+    std::vector<std::optional<Row>>& rows = known[place].emplace(run.peaks.size());
+    const FamilyModes* m = table.modes_at(low + int(place));
     if (!m) return std::nullopt;
     const std::vector<Index> modes = peak_modes(*m, run);
-    for (std::size_t p = 0; p < peaks.size(); ++p) {
+    for (std::size_t p = 0; p < rows.size(); ++p) {
       const Index i = modes[p];
-      if (i < 0) {
-        peaks[p].lost = true;
-        continue;
-      }
+      if (i < 0) continue;
       const double stretch = std::sqrt(std::max(0., m->group(i, i)) / group.stiffness);
-      peaks[p].rows.push_back(
-          {std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
-           acting_.setup.damping * m->zeta[i], group.stiffness * stretch * stretch / m->lambda[i]});
+      rows[p] = {std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
+                 acting_.setup.damping * m->zeta[i],
+                 group.stiffness * stretch * stretch / m->lambda[i]};
     }
-  }
+    return rows[peak];
+  };
+  if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
+  const double first = std::log(SlipTable::stiffness_of(low)),
+               step = std::log(SlipTable::stiffness_of(low + 1)) - first;
+  const auto between = [&](double stiffness, std::size_t peak) -> std::optional<Row> {
+    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first) / step, 0.,
+                                double(known.size()) - 1.000001);
+    const auto place = std::size_t(x);
+    const std::optional<Row> below = row_at(place, peak), above = row_at(place + 1, peak);
+    if (!below || !above) return std::nullopt;
+    Row row{};
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = (*below)[k] + (x - double(place)) * ((*above)[k] - (*below)[k]);
+    return row;
+  };
   const Sliders sliders(own);
   const double level = run.level > 0 ? run.level : default_level(own_.nominal->data);
   std::vector<Slipping> found;
-  for (const PeakOverStiffness& peak : peaks) {
-    found.push_back({.stiffness = stuck});
-    if (peak.lost) continue;
-    double below = std::log(1e-12), above = std::log(1.);
-    constexpr int halvings = 40;
+  for (std::size_t p = 0; p < run.peaks.size(); ++p) {
     const auto state_at = [&](double amplitude) { // and what the table's motion makes of it
       const Complex gain = sliders.kept(amplitude);
       const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
-      const auto [motion, zeta, energy] = peak.at(stiffness);
+      const std::optional<Row> row = between(stiffness, p);
+      if (!row) return std::optional<std::pair<Slipping, double>>();
+      const auto [motion, zeta, energy] = *row;
       const double damping = energy * stuck * own.share * own.loss * gain.imag() / 2;
-      return std::pair{Slipping{stiffness, damping}, level * motion / (zeta + damping)};
+      return std::optional(
+          std::pair{Slipping{stiffness, damping}, level * motion / (zeta + damping)});
     };
-    for (int i = 0; i < halvings; ++i) {
+    double below = std::log(1e-12), above = std::log(1.);
+    constexpr int halvings = 40;
+    auto state = state_at(std::exp(below));
+    for (int i = 0; i < halvings && state; ++i) {
       const double middle = (below + above) / 2, amplitude = std::exp(middle);
-      (state_at(amplitude).second > amplitude ? below : above) = middle;
+      state = state_at(amplitude);
+      if (state) (state->second > amplitude ? below : above) = middle;
     }
-    found.back() = state_at(std::exp(below)).first;
+    if (state) state = state_at(std::exp(below));
+    found.push_back(state ? state->first : Slipping{.stiffness = stuck}); // no such peak: as stuck
   }
   return found;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "diagnose/gap/nominal.hpp"
+#include "diagnose/gap/rig_stiffness.hpp"
 #include "diagnose/gap/slip_group.hpp"
 
 #include <map>
@@ -66,8 +67,9 @@ private:
   const FamilyModes* linear_modes();
   Eigen::Vector3d base_of(const TestRun& run) const { return acting_.setup.base.col(run.base); }
   double mass() const;
-  std::optional<double> stiffness_at(StaticDirection direction, double kept) const;
-  double static_stiffness(const Reading& reading) const;
+  std::optional<EndStiffness> ends_at(double kept) const;
+  std::optional<double> stiffness_at(StaticDirection direction, double kept);
+  double static_stiffness(const Reading& reading);
   Eigen::MatrixXcd motion(const FamilyModes& m, const Eigen::VectorXd& zeta, int base,
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
@@ -91,6 +93,7 @@ private:
   const Acting& acting_;
   const Eigen::Index seen_;
   std::optional<std::optional<FamilyModes>> linear_;
+  std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
   std::map<int, std::vector<Peak>> peaks_;
   std::vector<std::unique_ptr<FamilyModes>> kept_;
 };
