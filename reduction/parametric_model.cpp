@@ -90,12 +90,26 @@ void add_element(const DofMap& map, const std::vector<int>& nodes, const MatrixX
         }
 }
 
-void add_elements(const Model& model, const DofMap& map, double factor, Triplets& k, Triplets& m) {
-  const ElementView view{model};
-  for (int e = 0; e < view.size(); ++e)
-    view.visit(e, [&](const auto& nodes, const auto& K, const auto& M) {
-      add_element(map, std::vector<int>(nodes.begin(), nodes.end()), K, M, factor, k, m);
+// What elements of one model have more than those of the other. Their quads are the same ones, one
+// by one, of which only the difference is scattered.
+void add_differences(const Model& more, const Model& less, const DofMap& map, Triplets& k,
+                     Triplets& m) {
+  const ElementView added{more}, removed{less};
+  const int quads = int(more.mesh.quads.size());
+  for (int e = 0; e < quads; ++e)
+    added.visit(e, [&](const auto& nodes, const auto& K, const auto& M) {
+      MatrixXd dK = K, dM = M;
+      removed.visit(e, [&](const auto&, const auto& old_K, const auto& old_M) {
+        dK -= old_K;
+        dM -= old_M;
+      });
+      add_element(map, std::vector<int>(nodes.begin(), nodes.end()), dK, dM, 1, k, m);
     });
+  for (const auto& [view, factor] : {std::pair{&added, 1.}, {&removed, -1.}})
+    for (int e = quads; e < view->size(); ++e)
+      view->visit(e, [&, sign = factor](const auto& nodes, const auto& K, const auto& M) {
+        add_element(map, std::vector<int>(nodes.begin(), nodes.end()), K, M, sign, k, m);
+      });
 }
 
 // Columns that span the same space, those that add nothing dropped.
@@ -272,8 +286,7 @@ PreparedChange ParametricModel::difference(const Model& changed,
         mean.block<3, 3>(6 * a, 6 * b).diagonal().setConstant(1 / double(n * n));
     add_element(system_.map, own.nodes, own.stiffness * mean, own.mass * mean, 1, k, m);
   }
-  add_elements(more, system_.map, 1, k, m);
-  add_elements(only_in(model_, changed), system_.map, -1, k, m);
+  add_differences(more, only_in(model_, changed), system_.map, k, m);
   std::vector<int> number(std::size_t(system_.map.size()), -1);
   for (const Triplets* all : {&k, &m})
     for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
