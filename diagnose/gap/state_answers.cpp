@@ -35,6 +35,42 @@ double default_level(const Case& data) {
   return data.analyses.response ? data.analyses.response->level : 1;
 }
 
+// The modes of peaks over the stiffness of a group, straight between the points of its table; a
+// point is looked at when it is first needed.
+class PeaksOverStiffness {
+public:
+  // Motion per level at unit damping, zeta, energy share of the group per unit of its stiffness.
+  using Row = std::array<double, 3>;
+  using Rows = std::vector<std::optional<Row>>; // of each peak; none: it is not there
+  PeaksOverStiffness(int low, int high, std::function<Rows(int)> look)
+      : low_(low), look_(std::move(look)), first_(std::log(SlipTable::stiffness_of(low))),
+        step_(std::log(SlipTable::stiffness_of(low + 1)) - first_),
+        rows_(std::size_t(high - low + 1)) {}
+
+  std::optional<Row> at(double stiffness, std::size_t peak) {
+    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first_) / step_, 0.,
+                                double(rows_.size()) - 1.000001);
+    const auto place = std::size_t(x);
+    const std::optional<Row> below = at_point(place)[peak], above = at_point(place + 1)[peak];
+    if (!below || !above) return std::nullopt;
+    Row row{};
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = (*below)[k] + (x - double(place)) * ((*above)[k] - (*below)[k]);
+    return row;
+  }
+
+private:
+  const Rows& at_point(std::size_t place) {
+    if (!rows_[place]) rows_[place] = look_(low_ + int(place));
+    return *rows_[place];
+  }
+
+  int low_;
+  std::function<Rows(int)> look_;
+  double first_, step_;
+  std::vector<std::optional<Rows>> rows_;
+};
+
 } // namespace
 
 bool StateAnswers::answer(const Reading& reading, double& value) {
@@ -203,15 +239,11 @@ std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const 
   constexpr double most = 0.98; // of the share: something is always left
   const int low = SlipTable::point_at(stuck * (1 - most * own.share)) - 1,
             high = SlipTable::point_at(stuck) + 1;
-  // Of each peak's mode at points of the table, when first asked for: motion per level at unit
-  // damping, zeta, energy share of the group per unit of its stiffness.
-  using Row = std::array<double, 3>;
-  std::vector<std::optional<std::vector<std::optional<Row>>>> known(std::size_t(high - low + 1));
-  const auto row_at = [&](std::size_t place, std::size_t peak) -> std::optional<Row> {
-    if (known[place]) return (*known[place])[peak];
-    std::vector<std::optional<Row>>& rows = known[place].emplace(run.peaks.size());
-    const FamilyModes* m = table.modes_at(low + int(place));
-    if (!m) return std::nullopt;
+  if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
+  PeaksOverStiffness peaks(low, high, [&](int point) {
+    PeaksOverStiffness::Rows rows(run.peaks.size());
+    const FamilyModes* m = table.modes_at(point);
+    if (!m) return rows;
     const std::vector<Index> modes = peak_modes(*m, run);
     for (std::size_t p = 0; p < rows.size(); ++p) {
       const Index i = modes[p];
@@ -221,22 +253,8 @@ std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const 
                  acting_.setup.damping * m->zeta[i],
                  group.stiffness * stretch * stretch / m->lambda[i]};
     }
-    return rows[peak];
-  };
-  if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
-  const double first = std::log(SlipTable::stiffness_of(low)),
-               step = std::log(SlipTable::stiffness_of(low + 1)) - first;
-  const auto between = [&](double stiffness, std::size_t peak) -> std::optional<Row> {
-    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first) / step, 0.,
-                                double(known.size()) - 1.000001);
-    const auto place = std::size_t(x);
-    const std::optional<Row> below = row_at(place, peak), above = row_at(place + 1, peak);
-    if (!below || !above) return std::nullopt;
-    Row row{};
-    for (std::size_t k = 0; k < row.size(); ++k)
-      row[k] = (*below)[k] + (x - double(place)) * ((*above)[k] - (*below)[k]);
-    return row;
-  };
+    return rows;
+  });
   const Sliders sliders(own);
   const double level = run.level > 0 ? run.level : default_level(own_.nominal->data);
   std::vector<Slipping> found;
@@ -244,7 +262,7 @@ std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const 
     const auto state_at = [&](double amplitude) { // and what the table's motion makes of it
       const Complex gain = sliders.kept(amplitude);
       const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
-      const std::optional<Row> row = between(stiffness, p);
+      const auto row = peaks.at(stiffness, p);
       if (!row) return std::optional<std::pair<Slipping, double>>();
       const auto [motion, zeta, energy] = *row;
       const double damping = energy * stuck * own.share * own.loss * gain.imag() / 2;
