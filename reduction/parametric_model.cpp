@@ -1,7 +1,7 @@
 #include "reduction/parametric_model.hpp"
 
 #include "solve/dense_modes.hpp"
-#include "solve/element_view.hpp"
+#include "solve/dense_product.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/parallel.hpp"
 #include "solve/statics.hpp"
@@ -18,99 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-bool same(const ShellSection& a, const ShellSection& b) {
-  return a.E == b.E && a.nu == b.nu && a.rho == b.rho && a.bending_factor == b.bending_factor &&
-         a.shear_correction == b.shear_correction && a.drilling == b.drilling;
-}
-template <class Shell>
-bool same(const Shell& a, const Model& of_a, const Shell& b, const Model& of_b) {
-  return a.thickness == b.thickness &&
-         same(of_a.shells[a.section].section, of_b.shells[b.section].section);
-}
-bool same(const BeamElement& a, const BeamElement& b) {
-  const BeamProperties &s = a.section, &t = b.section;
-  return s.EA == t.EA && s.EI_y == t.EI_y && s.EI_z == t.EI_z && s.GJ == t.GJ && s.GA_y == t.GA_y &&
-         s.GA_z == t.GA_z && s.mass == t.mass && s.inertia_x == t.inertia_x &&
-         s.inertia_y == t.inertia_y && s.inertia_z == t.inertia_z;
-}
-bool same(const MassElement& a, const MassElement& b) {
-  return a.node == b.node && a.body.mass == b.body.mass && a.body.offset == b.body.offset &&
-         a.body.inertia == b.body.inertia;
-}
-bool same(const BushingElement& a, const BushingElement& b) {
-  return a.node1 == b.node1 && a.node2 == b.node2 && a.bushing.law == b.bushing.law &&
-         a.bushing.axes == b.bushing.axes;
-}
-
-// What one model has and the other has not: a model of its nodes and those elements alone.
-Model only_in(const Model& model, const Model& other) {
-  Model rest;
-  rest.components = model.components;
-  rest.mesh.nodes = model.mesh.nodes;
-  rest.shells = model.shells;
-  const auto keep_shells = [&](const auto& own, const auto& others, auto& kept) {
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (!same(own[i], model, others[i], other)) kept.push_back(own[i]);
-  };
-  keep_shells(model.mesh.quads, other.mesh.quads, rest.mesh.quads);
-  keep_shells(model.mesh.triangles, other.mesh.triangles, rest.mesh.triangles);
-  const auto keep = [](const auto& own, const auto& others, auto& kept) {
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (i >= others.size() || !same(own[i], others[i])) kept.push_back(own[i]);
-  };
-  keep(model.beams, other.beams, rest.beams);
-  keep(model.masses, other.masses, rest.masses);
-  keep(model.bushings, other.bushings, rest.bushings);
-  return rest;
-}
-
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
-// Adds the lower triangles of the matrices of one element, over the independent DOFs, times a
-// factor.
-void add_element(const DofMap& map, const std::vector<int>& nodes, const MatrixXd& K,
-                 const MatrixXd& M, double factor, Triplets& k, Triplets& m) {
-  std::vector<WeightedDof> reach;
-  std::vector<std::size_t> start{0};
-  for (int node : nodes)
-    for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
-      if (map.independent[dof] >= 0) reach.push_back({map.independent[dof], 1});
-      for (const WeightedDof& w : map.dependent[dof]) reach.push_back(w);
-      start.push_back(reach.size());
-    }
-  for (Index a = 0; a < K.rows(); ++a)
-    for (Index b = 0; b < K.cols(); ++b)
-      for (std::size_t i = start[a]; i < start[a + 1]; ++i)
-        for (std::size_t j = start[b]; j < start[b + 1]; ++j) {
-          const double weight = factor * reach[i].factor * reach[j].factor;
-          if (reach[i].dof < reach[j].dof) continue;
-          if (K(a, b) != 0) k.emplace_back(reach[i].dof, reach[j].dof, weight * K(a, b));
-          if (M(a, b) != 0) m.emplace_back(reach[i].dof, reach[j].dof, weight * M(a, b));
-        }
-}
-
-// What elements of one model have more than those of the other. Their quads are the same ones, one
-// by one, of which only the difference is scattered.
-void add_differences(const Model& more, const Model& less, const DofMap& map, Triplets& k,
-                     Triplets& m) {
-  const ElementView added{more}, removed{less};
-  const int quads = int(more.mesh.quads.size());
-  for (int e = 0; e < quads; ++e)
-    added.visit(e, [&](const auto& nodes, const auto& K, const auto& M) {
-      MatrixXd dK = K, dM = M;
-      removed.visit(e, [&](const auto&, const auto& old_K, const auto& old_M) {
-        dK -= old_K;
-        dM -= old_M;
-      });
-      add_element(map, std::vector<int>(nodes.begin(), nodes.end()), dK, dM, 1, k, m);
-    });
-  for (const auto& [view, factor] : {std::pair{&added, 1.}, {&removed, -1.}})
-    for (int e = quads; e < view->size(); ++e)
-      view->visit(e, [&, sign = factor](const auto& nodes, const auto& K, const auto& M) {
-        add_element(map, std::vector<int>(nodes.begin(), nodes.end()), K, M, sign, k, m);
-      });
-}
 
 // Columns that span the same space, those that add nothing dropped.
 MatrixXd independent_columns(const MatrixXd& A, double tolerance) {
@@ -136,12 +43,6 @@ void append_columns(MatrixXd& A, const MatrixXd& more) {
   const Index own = A.cols();
   A.conservativeResize(Eigen::NoChange, own + more.cols());
   A.rightCols(more.cols()) = more;
-}
-
-SparseMatrix from_triplets(int size, const Triplets& entries) {
-  SparseMatrix A(size, size);
-  A.setFromTriplets(entries.begin(), entries.end());
-  return A;
 }
 
 MatrixXd unit_columns(Index rows, const std::vector<int>& at) {
@@ -256,53 +157,6 @@ MatrixXd ParametricModel::constraint_modes(const SparseMatrix& K,
   return Psi;
 }
 
-PreparedChange ParametricModel::difference(const Model& changed,
-                                           const std::vector<OnMeanMotion>& on_mean) const {
-  PreparedChange d;
-  const bool other_shape = changed.mesh.nodes != model_.mesh.nodes;
-  const Model more = other_shape ? Model() : only_in(changed, model_);
-  // Another shape, with other arms, or other elements nearly everywhere: the whole anew.
-  if (on_mean.empty() && (other_shape || 2 * more.mesh.quads.size() > model_.mesh.quads.size())) {
-    const System other = assemble(changed);
-    if (other.map.size() != system_.map.size())
-      throw std::invalid_argument("a change of a model that changes its unknowns");
-    // A change of the modulus leaves the mass as it is, one of the density the stiffness.
-    const auto is_there = [](int, int, double value) { return value != 0; };
-    d.K = other.K - system_.K;
-    d.M = other.M - system_.M;
-    d.K.prune(is_there);
-    d.M.prune(is_there);
-    d.dofs.resize(std::size_t(system_.map.size()));
-    std::iota(d.dofs.begin(), d.dofs.end(), 0);
-    return d;
-  }
-  if (other_shape) throw std::invalid_argument("a change of shape with masses on mean motions");
-  Triplets k, m;
-  for (const OnMeanMotion& own : on_mean) {
-    const auto n = Index(own.nodes.size());
-    MatrixXd mean = MatrixXd::Zero(6 * n, 6 * n);
-    for (Index a = 0; a < n; ++a)
-      for (Index b = 0; b < n; ++b)
-        mean.block<3, 3>(6 * a, 6 * b).diagonal().setConstant(1 / double(n * n));
-    add_element(system_.map, own.nodes, own.stiffness * mean, own.mass * mean, 1, k, m);
-  }
-  add_differences(more, only_in(model_, changed), system_.map, k, m);
-  std::vector<int> number(std::size_t(system_.map.size()), -1);
-  for (const Triplets* all : {&k, &m})
-    for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
-  for (int i = 0; i < int(number.size()); ++i)
-    if (number[std::size_t(i)] == 0) {
-      number[std::size_t(i)] = int(d.dofs.size());
-      d.dofs.push_back(i);
-    }
-  for (Triplets* all : {&k, &m})
-    for (auto& t : *all)
-      t = {number[std::size_t(t.row())], number[std::size_t(t.col())], t.value()};
-  d.K = from_triplets(int(d.dofs.size()), k);
-  d.M = from_triplets(int(d.dofs.size()), m);
-  return d;
-}
-
 // Answers to forces on the DOFs of changes, the boundary held: all solved for at once, as the
 // factor is read once for all columns.
 std::vector<MatrixXd> ParametricModel::answers(const std::vector<Loaded>& loads) const {
@@ -401,9 +255,9 @@ ParametricModel::prepare(const std::vector<ModelChange>& changes) const {
   for (const ModelChange& change : changes) {
     Model changed = model_;
     if (change.apply) change.apply(changed);
-    made.push_back(difference(changed, change.on_mean));
-    made.back().further = MatrixXd(system_.map.size(), 0);
-    made.back().forces = MatrixXd(Index(made.back().dofs.size()), 0);
+    MatrixDifference difference = matrix_difference(changed, model_, system_, change.on_mean);
+    const auto own = Index(difference.dofs.size());
+    made.push_back({std::move(difference), MatrixXd(system_.map.size(), 0), MatrixXd(own, 0)});
   }
   std::vector<PreparedChange*> series;
   for (std::size_t i = 0; i < made.size(); ++i) {
@@ -429,9 +283,10 @@ MatrixXd work(const MatrixXd& V, const std::vector<PreparedChange>& changes, Ind
   for (const PreparedChange& change : changes) {
     const Index own = change.forces.cols();
     if (change.forces.rows() == V.rows())
-      all.middleCols(at, own) = V.transpose() * change.forces;
+      all.middleCols(at, own) = transposed_product(V, change.forces);
     else
-      all.middleCols(at, own) = V(change.dofs, Eigen::all).transpose() * change.forces;
+      all.middleCols(at, own) =
+          transposed_product(MatrixXd(V(change.dofs, Eigen::all)), change.forces);
     at += own;
   }
   return all;
@@ -453,8 +308,8 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
   if (further > 0) {
     const VectorXd before = work(X, changes, further).diagonal();
     const MatrixXd part = WKW_.ldlt().solve(work(W_, changes, further));
-    X.noalias() -= W_ * part;
-    XKX = work(X, changes, further) - (X.transpose() * KW_) * part;
+    subtract_product(X, W_, part);
+    XKX = work(X, changes, further) - transposed_product(X, KW_) * part;
     constexpr double rounding = 1e-10; // of the energy: the basis had it all
     std::vector<Index> news;
     for (Index j = 0; j < further; ++j)
@@ -492,10 +347,10 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   const MatrixXd MX = symmetric_product(system_.M, X);
   MatrixXd G(n, n), P(b, n);
   G.topLeftCorner(c, c) = WMW_;
-  G.topRightCorner(c, X.cols()) = MW_.transpose() * X;
+  G.topRightCorner(c, X.cols()) = transposed_product(MW_, X);
   G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
-  G.bottomRightCorner(X.cols(), X.cols()) = X.transpose() * MX;
-  P << PsiMW_, MPsi_.transpose() * X;
+  G.bottomRightCorner(X.cols(), X.cols()) = transposed_product(X, MX);
+  P << PsiMW_, transposed_product(MPsi_, X);
   const Index k = T.cols();
   ReducedFamily family;
   family.boundary = int(b);
@@ -519,15 +374,14 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   };
   const auto seen_by = [&](const SparseMatrix& A, const MatrixXd& V) -> MatrixXd { // V' A V
     if (A.nonZeros() == 0) return MatrixXd::Zero(b + k, b + k);
-    return over_q_both(V.transpose() * symmetric_product(A, V));
+    return over_q_both(transposed_product(V, symmetric_product(A, V)));
   };
   const auto side_by_side = [&](const auto& of_Psi, const auto& of_W, const auto& of_X) {
     MatrixXd rows(of_Psi.rows(), b + n);
     rows << of_Psi, of_W, of_X;
     return rows;
   };
-  family.load =
-      over_q(side_by_side(rigidMPsi_, rigidMW_, MatrixXd(Mr_.transpose() * X))).transpose();
+  family.load = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
   family.mass = rigid_.col(1).dot(Mr_.col(1));
   family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere

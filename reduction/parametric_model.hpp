@@ -12,7 +12,7 @@
 // boundary and marked nodes always.
 #pragma once
 
-#include "solve/assembly.hpp"
+#include "reduction/matrix_difference.hpp"
 #include "solve/modes.hpp"
 
 #include <functional>
@@ -26,11 +26,6 @@ namespace plica {
 //   series   first terms of its Neumann series join the basis
 //   modes    reaches all of a part: modes of the changed structure join the basis
 enum class Follow { nominal, series, modes };
-// A mass on the mean translation of nodes, kg, and a spring from it to the ground, N/m.
-struct OnMeanMotion {
-  std::vector<int> nodes;
-  double mass = 0, stiffness = 0;
-};
 struct ModelChange {
   std::function<void(Model&)> apply;
   Follow follow = Follow::series;
@@ -38,9 +33,7 @@ struct ModelChange {
 };
 
 // A change over the independent DOFs that it touches, with what it adds to the basis.
-struct PreparedChange {
-  SparseMatrix K, M;       // lower triangles
-  std::vector<int> dofs;   // independent ones
+struct PreparedChange : MatrixDifference {
   Eigen::MatrixXd further; // columns over all independent DOFs
   // K_0 `further`, the boundary left out: over `dofs`, where there is nothing elsewhere, else over
   // all independent DOFs.
@@ -101,7 +94,6 @@ private:
   };
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
   ReducedFamily reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
-  PreparedChange difference(const Model& changed, const std::vector<OnMeanMotion>& on_mean) const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
   Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;
