@@ -9,6 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <numbers>
 
@@ -214,13 +215,18 @@ TEST(CraigBampton, statics_and_rigid_motions_are_exact) {
   EXPECT_LT((m.inertia - whole.inertia).norm(), 1e-9 * whole.inertia.norm());
 }
 
-TEST(CraigBampton, with_all_modes_is_the_part_itself) {
+Model bar() {
   Model model;
   for (int i = 0; i <= 5; ++i) model.mesh.nodes.emplace_back(0.2 * i, 0, 0);
   const BeamProperties section =
       rectangle_section({.E = 210e9, .nu = 0.3, .rho = 7800}, 0.03, 0.05);
   for (int i = 0; i < 5; ++i)
     model.beams.push_back({.node1 = i, .node2 = i + 1, .section = section});
+  return model;
+}
+
+TEST(CraigBampton, with_all_modes_is_the_part_itself) {
+  const Model model = bar();
   const Reduction r = craig_bampton(model, {0, 5}, 1e9);
   ASSERT_EQ(r.element.K.rows(), 36);
   const System full = assemble(model);
@@ -259,6 +265,24 @@ TEST(Superelement, instances_turned_and_mirrored_have_the_same_frequencies) {
     EXPECT_LT((found - wanted).cwiseQuotient(wanted).cwiseAbs().maxCoeff(), 1e-9);
   }
   EXPECT_THROW(placed(r.element, 2 * turn, Vector3d::Zero()), std::invalid_argument);
+}
+
+// The Schur complement of the part at a frequency, from its matrices in full.
+TEST(Superelement, dynamic_stiffness_is_what_is_left_when_the_inside_is_condensed) {
+  const Model part = bar();
+  const Superelement s = craig_bampton(part, {0, 5}, 1e9).element;
+  const MatrixXd K = dense(assemble(part).K), M = dense(assemble(part).M);
+  constexpr int inside = 24, last = 6 + inside; // nodes 1 to 4, first DOF of node 5
+  for (double hertz : {5., 80., 900.}) {
+    const MatrixXd A = K - std::pow(2 * std::numbers::pi * hertz, 2) * M;
+    MatrixXd to_ends(inside, 2); // uy of both
+    to_ends << A.block(6, 1, inside, 1), A.block(6, last + 1, inside, 1);
+    const MatrixXd S =
+        to_ends.transpose() * A.block(6, 6, inside, inside).partialPivLu().solve(to_ends);
+    const VectorXd at = VectorXd::Constant(1, hertz);
+    EXPECT_NEAR(dynamic_stiffness(s, 1, 1, at)[0] / (A(1, 1) - S(0, 0)), 1, 1e-6) << hertz;
+    EXPECT_NEAR(dynamic_stiffness(s, 1, 7, at)[0] / (A(1, last + 1) - S(0, 1)), 1, 1e-6) << hertz;
+  }
 }
 
 TEST(CraigBampton, names_bad_boundaries) {

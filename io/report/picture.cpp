@@ -4,6 +4,7 @@
 #include "io/report/markup.hpp"
 #include "io/report/scene.hpp"
 #include "io/report/surface.hpp"
+#include "io/results/geometry.hpp"
 #include "io/results/text.hpp"
 
 #include <Eigen/Geometry>
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int quad_budget = 7500; // about half of them hidden, and not written
 constexpr int line_budget = 1000;
-constexpr double exaggeration = 0.05; // largest displacement / size of the part
 
 // Elements to draw, and the points they use (for the frame and the outline).
 struct Selection {
@@ -111,7 +111,7 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
   }
   if (!(largest > 0)) largest = 1;
   Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
-  const double scale = exaggeration * selection.size / largest;
+  const double scale = drawn_motion * selection.size / largest;
   for (std::size_t node = 0; node < scene.points.size(); ++node) {
     const Eigen::Vector3d u = shape.row(static_cast<int>(node)).head<3>().transpose();
     if (u.allFinite()) scene.points[node] += scale * u;
@@ -152,7 +152,7 @@ std::string mode_pictures(const Results& results, int most) {
   count = std::min(count, static_cast<std::size_t>(std::max(most, 0)));
   if (selection.used.empty() || count == 0) return "";
   const View view = view_of(selection.used);
-  const Frame frame = frame_round(view, selection.used, 1.1 * exaggeration * selection.size, 1000);
+  const Frame frame = frame_round(view, selection.used, 1.1 * drawn_motion * selection.size, 1000);
   std::string html = "<div class=\"modes\">\n";
   for (std::size_t mode = 0; mode < count; ++mode) {
     html += mode_figure(results, mode, selection, view, frame);

@@ -25,12 +25,13 @@ std::vector<PlotCurve> curves(const ResponseResult& r) {
                     .name = r.channels[c].first + " " + r.channels[c].second,
                     .dashes = static_cast<int>(list.size())});
   for (const TestCurve& t : r.test)
-    list.push_back({.hertz = t.hertz,
-                    .magnitude = t.magnitude,
-                    .name = fmt::format("test {} {}{}", r.channels[t.channel].first,
-                                        r.channels[t.channel].second,
-                                        t.level ? fmt::format(", {:g} {}", *t.level, r.unit) : ""),
-                    .dashes = static_cast<int>(list.size())});
+    if (std::find(r.shown.begin(), r.shown.end(), t.channel) != r.shown.end())
+      list.push_back({.hertz = t.hertz,
+                      .magnitude = t.magnitude,
+                      .name = fmt::format(
+                          "test {} {}{}", r.channels[t.channel].first, r.channels[t.channel].second,
+                          t.level ? fmt::format(", {:g} {}", *t.level, r.unit) : ""),
+                      .dashes = static_cast<int>(list.size())});
   return list;
 }
 

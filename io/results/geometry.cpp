@@ -13,7 +13,6 @@
 namespace plica {
 namespace {
 
-constexpr double exaggeration = 0.05; // largest displacement / size of the part
 constexpr int thin_shell_triangle = 91, thin_shell_quad = 94,
               linear_beam = 21; // fe descriptor ids of data set 2412
 
@@ -76,7 +75,7 @@ std::vector<SurfaceShape> drawn_shapes(const Results& results) {
     Eigen::MatrixXd u = results.shapes[m].leftCols(3);
     u = u.array().isFinite().select(u, 0).eval();
     const double largest = u.rowwise().norm().maxCoeff();
-    if (largest > 0) u *= exaggeration * box.diagonal().norm() / largest;
+    if (largest > 0) u *= drawn_motion * box.diagonal().norm() / largest;
     shapes.push_back({fmt::format("mode {}", m + 1), std::move(u)});
   }
   return shapes;
@@ -118,16 +117,38 @@ std::string geometry_uff(const Results& results) {
   return text;
 }
 
+// All into a folder aside, then in place of what an earlier run left: modes that this run has not
+// must not stay.
 void write_geometry(const Results& results, const std::vector<std::string>& formats,
                     const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  if (formats.empty()) return;
+  struct Aside {
+    fs::path path;
+    ~Aside() {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
+  } const aside{folder / ".geometry"};
+  fs::remove_all(aside.path);
+  fs::create_directories(aside.path);
   for (const std::string& format : formats) {
     if (format == "msh")
-      write_msh(results.mesh, results.lines, folder / "mesh.msh");
+      write_msh(results.mesh, results.lines, aside.path / "mesh.msh");
     else if (format == "uff")
-      write_whole(folder / "geometry.uff", geometry_uff(results));
+      write_whole(aside.path / "geometry.uff", geometry_uff(results));
     else
-      write_surfaces(results, format, folder);
+      write_surfaces(results, format, aside.path);
   }
+  for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
+    const std::string name = old.path().filename().string();
+    const std::string suffix = old.path().extension().string();
+    if (name.starts_with("mode_") && !suffix.empty() &&
+        std::find(formats.begin(), formats.end(), suffix.substr(1)) != formats.end())
+      fs::remove(old.path());
+  }
+  for (const fs::directory_entry& made : fs::directory_iterator(aside.path))
+    fs::rename(made.path(), folder / made.path().filename());
 }
 
 } // namespace plica

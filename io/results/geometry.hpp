@@ -6,6 +6,7 @@
 //   obj, ply, stl  part.<format> and mode_01.<format> ...: the deformed surface of each mode
 //
 // Of what a surface shows, the largest displacement of a mode is 5 % of the size of the part.
+// Files of modes that an earlier run left in these formats are gone afterwards.
 #pragma once
 
 #include "mesh/surface_file.hpp"
@@ -14,6 +15,8 @@
 #include <filesystem>
 
 namespace plica {
+
+constexpr double drawn_motion = 0.05; // largest displacement of a mode / size of the part
 
 const std::vector<std::string>& geometry_formats();
 
