@@ -171,6 +171,11 @@ int reduce_command(const ReduceOptions& options) {
 
 int check_command(const CheckOptions& options) {
   set_threads(options.threads);
+  if (is_benchmark(options.case_path)) {
+    read_benchmark(options.case_path);
+    fmt::print("{}: the benchmark is valid\n", options.case_path);
+    return 0;
+  }
   const CaseFile file = read_case(options.case_path, options.model);
   if (!file.data.measured.empty())
     read_measured((std::filesystem::path(file.path).parent_path() / file.data.measured).string());

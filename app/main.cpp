@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/describe_app.hpp"
 #include "app/interrupt.hpp"
+#include "io/input/did_you_mean.hpp"
 #include "io/results/geometry.hpp"
 #include "model/input_error.hpp"
 #include "solve/blas_kernels.hpp"
@@ -48,6 +49,16 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, E& value,
 void add_model(CLI::App& app, std::string& model) {
   app.add_option("--model", model, "one of the models of the case; left out: its parts")
       ->type_name("NAME");
+}
+
+// What is wrong with the first word when it is no command; empty when it is one, or an option.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return "";
+  return "plica: there is no command '" + plica::shown(argv[1]) + "'; " +
+         plica::suggestion(argv[1], names);
 }
 
 int dispatch(int argc, char** argv) {
@@ -195,7 +206,7 @@ int dispatch(int argc, char** argv) {
   add_model(*diagnose_app, diagnose.model);
   diagnose_app
       ->add_option("--measured", diagnose.measured,
-                   "folder with a measured.yaml; left out: as the case says")
+                   "a measured.yaml, or its folder; left out: as the case says")
       ->type_name("DIR");
   diagnose_app->add_option("--without", diagnose.without, "leave a guard out, to see what it does")
       ->check(CLI::IsMember({"form", "nuisance", "reassembly", "adequacy", "levels", "heldout"}));
@@ -250,6 +261,10 @@ int dispatch(int argc, char** argv) {
       ->capture_default_str();
   CLI::App* manual_app = app.add_subcommand("manual", "print the manual page, as man reads it");
 
+  if (const std::string unknown = unknown_command(app, argc, argv); !unknown.empty()) {
+    fmt::print(stderr, "{}\n", unknown);
+    return 1;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -137,7 +137,8 @@ private:
     try {
       mesh = surface_mesh(surface);
     } catch (const std::runtime_error& error) {
-      input_error("parts." + name + ".file", error.what(), "a surface that can be meshed");
+      input_error("parts." + name, error.what(),
+                  "a surface that can be meshed, and places near it");
     }
     append(built_.model.mesh, mesh, name, section);
     const Material& m = case_.materials.at(surface.material);
@@ -150,9 +151,9 @@ private:
     try {
       append(built_.model, deck_model(deck), name, own);
     } catch (const std::runtime_error& error) {
-      input_error("parts." + name + ".file", error.what(), "a deck of a whole model");
+      input_error("parts." + name + ".file", error.what(), "what docs/decks.md says");
     } catch (const std::invalid_argument& error) {
-      input_error("parts." + name + ".file", error.what(), "a deck of a whole model");
+      input_error("parts." + name + ".file", error.what(), "what docs/decks.md says");
     }
   }
 

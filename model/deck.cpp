@@ -2,6 +2,7 @@
 
 #include "solve/couplings.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -49,27 +50,32 @@ private:
   double force() const { return M_ * L_; } // per second squared
   double per_area(double modulus) const { return modulus * M_ / L_; }
 
-  // Normal of the facet at a corner.
-  Vector3d facet_normal(const DeckShell& shell, std::size_t corner) const {
+  Vector3d corner_normal(const DeckShell& shell, std::size_t corner) const {
     const auto& x = model_.mesh.nodes;
     const std::size_t n = shell.nodes.size();
-    if (n == 4) // one for the whole quad
-      return (x[shell.nodes[2]] - x[shell.nodes[0]]).cross(x[shell.nodes[3]] - x[shell.nodes[1]]);
     const Vector3d a = x[shell.nodes[(corner + 1) % n]] - x[shell.nodes[corner]];
     const Vector3d b = x[shell.nodes[(corner + n - 1) % n]] - x[shell.nodes[corner]];
     return a.cross(b);
   }
 
+  Vector3d facet_normal(const DeckShell& shell) const {
+    if (shell.nodes.size() == 3) return corner_normal(shell, 0);
+    const auto& x = model_.mesh.nodes;
+    return (x[shell.nodes[2]] - x[shell.nodes[0]]).cross(x[shell.nodes[3]] - x[shell.nodes[1]]);
+  }
+
   std::vector<Vector3d> facet_normals() const {
     std::vector<Vector3d> normals;
     for (const DeckShell& shell : deck_.shells) {
-      const Vector3d n = facet_normal(shell, 0);
+      const Vector3d n = facet_normal(shell);
       double size = 0;
       for (int node : shell.nodes)
         size = std::max(size, (model_.mesh.nodes[node] - model_.mesh.nodes[shell.nodes[0]]).norm());
       if (!(n.norm() > rounding * size * size))
-        throw std::runtime_error("the shell with node " +
-                                 std::to_string(deck_.labels[shell.nodes[0]]) + " has no area");
+        throw std::runtime_error(shell.origin + " has no area");
+      for (std::size_t corner = 0; corner < shell.nodes.size(); ++corner)
+        if (!(corner_normal(shell, corner).dot(n) > 0))
+          throw std::runtime_error(shell.origin + " is folded, or its nodes are not in order");
       normals.push_back(n.normalized());
     }
     return normals;
@@ -307,6 +313,12 @@ private:
 };
 
 } // namespace
+
+bool is_body(const RigidMass& body) {
+  const Vector3d J = Eigen::SelfAdjointEigenSolver<Matrix3d>(body.inertia).eigenvalues();
+  const double slack = 1e-6 * J.cwiseAbs().maxCoeff();
+  return body.mass >= 0 && J[0] >= -slack && J[2] <= J[0] + J[1] + slack;
+}
 
 bool keeps_axes(const Matrix3d& turn) {
   return (turn.cwiseAbs().array() < rounding || (turn.cwiseAbs().array() - 1).abs() < rounding)

@@ -19,6 +19,7 @@ struct DeckShell {
   int section = 0;               // index into DeckModel::sections
   std::vector<double> thickness; // one per corner
   double offset = 0;             // nodes to the middle of the wall, along the normal
+  std::string origin = {};       // for messages: "element 12 in line 34"
   std::vector<std::optional<Eigen::Vector3d>> normal; // given ones, one per corner or none at all
 };
 
@@ -70,6 +71,9 @@ struct DeckPlacing {
 // and no constraint reaches are held. Throws std::runtime_error for what has no such model:
 // a shell without area, DOFs one by one under a turn that is no multiple of 90 degrees.
 Model place(const DeckModel& deck, const DeckPlacing& placing);
+
+// No negative mass, and an inertia that a body can have.
+bool is_body(const RigidMass& body);
 
 // Turn of a placing: multiples of 90 degrees take DOFs to DOFs.
 bool keeps_axes(const Eigen::Matrix3d& turn);

@@ -190,6 +190,7 @@ ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& sta
     const double q = along ? ratio.along : ratio.around;
     if (q == 1) continue; // nothing in the case has that direction
     stage(along ? "finer along" : "finer around");
+    (along ? all.along : all.around) = true;
     const Headline fine = headline_of(refined(data, factor));
     for (ErrorBar& bar : all.bars)
       (along ? bar.along : bar.around) = (value_of(fine, bar.key) - bar.value) / (1 - 1 / (q * q));

@@ -49,6 +49,10 @@ public:
   std::string name() const override { return "full mesh: " + reason_; }
   int unknowns() const override { return system_.map.size(); }
   double mass() const override {
+    const auto& rows = built_.model.constraints;
+    const bool supported = std::any_of(rows.begin(), rows.end(),
+                                       [](const Constraint& row) { return row.terms.empty(); });
+    if (supported) return total_mass(built_.model); // what supports hold is no unknown
     const std::vector<int> all = complement(system_.map.size(), {});
     return free_mass(built_.model, system_.map, all, system_.M).mass;
   }

@@ -150,6 +150,7 @@ struct ErrorBar {
 
 struct ErrorBars {
   std::vector<ErrorBar> bars;
+  bool along = false, around = false;  // the mesh could be refined that way
   std::vector<std::string> tolerances; // paths
   double interaction = 0; // largest deviation of a run with all tolerances drawn at random from the
                           // sum of the single effects, relative

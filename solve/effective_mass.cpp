@@ -25,4 +25,20 @@ Eigen::MatrixXd effective_masses(const FreeMass& free, const SparseMatrix& M,
   return (Phi.transpose() * symmetric_product(M, free.R)).array().square();
 }
 
+double total_mass(const Model& model) {
+  double mass = 0;
+  const auto add = [&](const auto& M) {
+    for (Eigen::Index i = 0; i < M.rows(); i += 6)
+      for (Eigen::Index j = 0; j < M.cols(); j += 6) mass += M(i, j); // moved along x
+  };
+  for (const ShellQuad& q : model.mesh.quads)
+    add(shell_mitc4_mass(shell_geometry(model.mesh, q), model.shells[q.section].section));
+  for (const ShellTriangle& t : model.mesh.triangles)
+    add(shell_mitc3_mass(shell_geometry(model.mesh, t), model.shells[t.section].section));
+  for (const BeamElement& b : model.beams) add(beam_mass(beam_geometry(model.mesh, b), b.section));
+  for (const MassElement& m : model.masses) mass += m.body.mass;
+  for (const MatrixElement& m : model.matrices) add(m.M);
+  return mass;
+}
+
 } // namespace plica

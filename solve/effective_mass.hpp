@@ -21,6 +21,9 @@ struct FreeMass {
 FreeMass free_mass(const Model& model, const DofMap& map, const std::vector<int>& free,
                    const SparseMatrix& M);
 
+// Mass of all elements, whatever is held, kg.
+double total_mass(const Model& model);
+
 // One row of six per mode.
 Eigen::MatrixXd effective_masses(const FreeMass& free, const SparseMatrix& M,
                                  const Eigen::MatrixXd& Phi);

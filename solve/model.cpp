@@ -3,6 +3,18 @@
 #include <array>
 
 namespace plica {
+namespace {
+
+template <class Geometry, class Shell> Geometry geometry_of(const Mesh& mesh, const Shell& shell) {
+  Geometry g;
+  for (std::size_t i = 0; i < shell.nodes.size(); ++i)
+    g.X.col(Eigen::Index(i)) = mesh.nodes[shell.nodes[i]];
+  g.directors = shell.directors;
+  g.thickness = shell.thickness;
+  return g;
+}
+
+} // namespace
 
 int add_node(Model& model, const Eigen::Vector3d& position) {
   model.mesh.nodes.push_back(position);
@@ -20,19 +32,11 @@ int element_count(const Model& model) {
 }
 
 ShellGeometry shell_geometry(const Mesh& mesh, const ShellQuad& quad) {
-  ShellGeometry g;
-  for (int i = 0; i < 4; ++i) g.X.col(i) = mesh.nodes[quad.nodes[i]];
-  g.directors = quad.directors;
-  g.thickness = quad.thickness;
-  return g;
+  return geometry_of<ShellGeometry>(mesh, quad);
 }
 
 TriangleGeometry shell_geometry(const Mesh& mesh, const ShellTriangle& triangle) {
-  TriangleGeometry g;
-  for (int i = 0; i < 3; ++i) g.X.col(i) = mesh.nodes[triangle.nodes[i]];
-  g.directors = triangle.directors;
-  g.thickness = triangle.thickness;
-  return g;
+  return geometry_of<TriangleGeometry>(mesh, triangle);
 }
 
 BeamGeometry beam_geometry(const Mesh& mesh, const BeamElement& b) {

@@ -32,6 +32,15 @@ inline int number_at(double x, double y) {
   return node_at(deck_plate(), {x, y, 0}) + 1;
 }
 
+// A body off the end of the plate, on a node of its own.
+inline int add_body(Model& own) {
+  const int node = add_node(own, {0.34, 0.08, 0.03});
+  RigidMass mass{.mass = 0.4};
+  mass.inertia.diagonal() << 1e-4, 1e-4, 2e-4;
+  own.masses.push_back({node, mass});
+  return node;
+}
+
 // The lowest frequencies of the deck are those of our own model.
 inline void expect_same_frequencies(const DeckModel& deck, const Model& own, int count = 8) {
   const Eigen::VectorXd theirs = find_modes(place(deck, {}), count).hertz;

@@ -165,6 +165,8 @@ inline Results sample(int convolutions = 3, int per = 8, int around = 24) {
                             .around = -90,
                             .interval = {{50e3, 80e3}},
                             .shares = {0.25, 0.75}}},
+                  .along = true,
+                  .around = true,
                   .tolerances = {"parts.a<b.height", "parts.b.E"},
                   .interaction = 0.003};
   r.unanswered = {"z & x"};

@@ -133,14 +133,6 @@ const std::string body = "*NODE\n500, 0.34, 0.08, 0.03\n*ELEMENT, TYPE=MASS, ELS
                          "*ROTARY INERTIA, ELSET=DISC\n1.e-4, 1.e-4, 2.e-4\n";
 const std::string tip_surface = "*SURFACE, NAME=END, TYPE=NODE\nTIP\n";
 
-int add_body(Model& own) {
-  const int node = add_node(own, {0.34, 0.08, 0.03});
-  RigidMass mass{.mass = 0.4};
-  mass.inertia.diagonal() << 1e-4, 1e-4, 2e-4;
-  own.masses.push_back({node, mass});
-  return node;
-}
-
 TEST(AbaqusReader, kinematic_coupling) {
   const auto by_hand = [](Model& own) {
     const int node = add_body(own);
@@ -369,6 +361,19 @@ TEST(AbaqusReader, normals_are_averaged_below_20_degrees) {
         std::acos(std::min(1., mesh.quads[0].directors.col(1).dot(mesh.quads[1].directors.col(0))));
     EXPECT_NEAR(between, shared ? 0 : angle, 1e-7);
   }
+}
+
+// As Abaqus/CAE writes a flat deck.
+TEST(AbaqusReader, sets_in_quotes_internal_sets_and_boundaries_anew_in_a_step) {
+  std::string text = mesh_text(deck_plate());
+  text.replace(text.find("*NSET, NSET=ROOT"), 16, "*Nset, nset=\"Clamp set\", internal");
+  text += steel + section +
+          "*Boundary\nTIP, ENCASTRE\n*Step, name=Step-1\n*Frequency, eigensolver=Lanczos\n10\n"
+          "*Boundary, op=NEW\n\"Clamp set\", 1, 3\n*Boundary, op=NEW\n\"Clamp set\", 4, 6\n"
+          "*End Step\n";
+  Model own = own_plate();
+  hold(own, "edge4", all_dofs);
+  expect_same_frequencies(read_text(text), own);
 }
 
 TEST(AbaqusReader, triangles) {

@@ -77,6 +77,10 @@ TEST(BrokenDeck, abaqus) {
        "is neither kinematic nor distributing"},
       {section + "*COUPLING, CONSTRAINT NAME=C, REF NODE=1, SURFACE=S\n*KINEMATIC\n", 13,
        "there is no surface S"},
+      {section + "*COUPLING, CONSTRAINT NAME=C, REF NODE=1, SURFACE=S\n*COUPLING, CONSTRAINT "
+                 "NAME=D, REF NODE=1, SURFACE=S\n*KINEMATIC\n",
+       13, "is neither kinematic nor distributing"},
+      {section + "*TRANSVERSE SHEAR STIFFNESS\n1e6, 1e6, 0.\n", 13, "follows no section of a beam"},
       {section + "*KINEMATIC\n1, 6\n", 13, "follows no *COUPLING"},
       {section + "*MPC\nSLIDER, 1, 2\n", 14, "is \"SLIDER\""},
       {section + "*INCLUDE, INPUT=nowhere.inp\n", 13, "there is no file"},
@@ -94,7 +98,18 @@ TEST(BrokenDeck, abaqus) {
                  "*ELEMENT, TYPE=S4, ELSET=WALL\n1, 1, 2, 3, 4\n*MATERIAL, NAME=M\n*ELASTIC\n"
                  "2.e11, 0.3\n" +
                      section,
-                 "model.inp", {"a line", 0, "the shell with node 1 has no area"});
+                 "model.inp", {"a line", 0, "element 1 in line 7 has no area"});
+}
+
+TEST(BrokenDeck, shells_that_are_folded_and_bodies_that_are_none) {
+  std::string folded = good_abaqus + section;
+  folded.replace(folded.find("3, 1, 1, 0"), 10, "3, 0.2, 0.2, 0");
+  expect_refused(folded, "model.inp", {"folded", 0, "element 1 in line 7 is folded"});
+  expect_refused(good_abaqus + section +
+                     "*ELEMENT, TYPE=MASS, ELSET=M\n9, 1\n*MASS, ELSET=M\n-1.\n",
+                 "model.inp", {"negative", 16, "is no body"});
+  expect_refused(good_nastran + property + "CONM2,9,1,,1.\n,1.-4,5.-4,1.-4,,,1.-4\n", "model.bdf",
+                 {"inertia", 8, "is no body"});
 }
 
 TEST(BrokenDeck, nastran) {
@@ -128,6 +143,7 @@ TEST(BrokenDeck, nastran) {
       {property + "INCLUDE 'model.bdf'\n", 8, "include each other"}};
   for (const Broken& b : all) expect_refused(good_nastran + b.text, "model.bdf", b);
   expect_refused("", "model.bdf", {"empty", 0, "has no card"});
+  expect_refused("*NODE\n1, 0, 0, 0\n", "model.bdf", {"Abaqus", 1, "is a keyword of Abaqus"});
   expect_refused(",1,2,3\n", "model.bdf", {"tail", 1, "continues no card"});
 }
 

@@ -9,9 +9,11 @@ namespace {
 
 using Eigen::Vector3d;
 
+const std::vector<int> all_six{0, 1, 2, 3, 4, 5};
+
 // DOFs "first, last" of a data line, from a field on; all six when there are none.
 std::vector<int> dof_range(const Keyword& k, const DataLine& line, std::size_t field) {
-  if (field >= line.fields.size() || line.fields[field].empty()) return {0, 1, 2, 3, 4, 5};
+  if (field >= line.fields.size() || line.fields[field].empty()) return all_six;
   const int first = dof_in(k, line, field);
   const bool has_last = field + 1 < line.fields.size() && !line.fields[field + 1].empty();
   const int last = has_last ? dof_in(k, line, field + 1) : first;
@@ -20,11 +22,20 @@ std::vector<int> dof_range(const Keyword& k, const DataLine& line, std::size_t f
   return dofs;
 }
 
+// Of all data lines; all six without any.
+std::vector<int> dofs_of(const Keyword& k) {
+  std::set<int> dofs;
+  for (const DataLine& line : k.data)
+    for (int d : dof_range(k, line, 0)) dofs.insert(d);
+  return k.data.empty() ? all_six : std::vector<int>(dofs.begin(), dofs.end());
+}
+
 } // namespace
 
 KeywordHandlers AbaqusJoints::surfaces() {
-  return {
-      {"SURFACE", {[this](const Keyword& k) { surfaces_[k.word("NAME")] = k; }, {"NAME", "TYPE"}}}};
+  return {{"SURFACE",
+           {[this](const Keyword& k) { surfaces_[k.word("NAME")] = k; },
+            {"NAME", "TYPE", "INTERNAL"}}}};
 }
 
 KeywordHandlers AbaqusJoints::handlers() {
@@ -34,7 +45,11 @@ KeywordHandlers AbaqusJoints::handlers() {
   using J = AbaqusJoints;
   return {
       {"COUPLING",
-       {[this](const Keyword& k) { coupling_ = k; }, {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
+       {[this](const Keyword& k) {
+          finish();
+          coupling_ = k;
+        },
+        {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
       {"KINEMATIC", {by(&J::kinematic), {}}},
       {"DISTRIBUTING", {by(&J::distributing), {"COUPLING", "WEIGHTING METHOD"}}},
       {"KINEMATIC COUPLING", {by(&J::kinematic_coupling), {"REF NODE"}}},
@@ -42,7 +57,8 @@ KeywordHandlers AbaqusJoints::handlers() {
       {"RIGID BODY", {by(&J::rigid_body), {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET"}}},
       {"MPC", {by(&J::mpc), {}}},
       {"EQUATION", {by(&J::equation), {}}},
-      {"BOUNDARY", {by(&J::boundary), {"TYPE"}}}};
+      {"STEP", {[this](const Keyword&) { kept_in_step_ = true; }, {}}},
+      {"BOUNDARY", {by(&J::boundary), {"TYPE", "OP"}}}};
 }
 
 void AbaqusJoints::finish() const {
@@ -121,14 +137,10 @@ int AbaqusJoints::one_node(const Keyword& k, const DataLine& line, std::size_t f
 
 void AbaqusJoints::kinematic(const Keyword& k) {
   const Keyword of = take_coupling(k);
-  std::set<int> dofs;
-  for (const DataLine& line : k.data)
-    for (int d : dof_range(k, line, 0)) dofs.insert(d);
-  if (k.data.empty()) dofs = {0, 1, 2, 3, 4, 5};
   deck_.couplings.push_back({.reference = reference(of),
                              .nodes = surface_nodes(of, of.word("SURFACE")).nodes,
                              .weights = {},
-                             .dofs = {dofs.begin(), dofs.end()},
+                             .dofs = dofs_of(k),
                              .origin = origin(of, of.word_or("CONSTRAINT NAME", ""))});
 }
 
@@ -139,12 +151,15 @@ void AbaqusJoints::distributing(const Keyword& k) {
                "UNIFORM");
   if (k.word_or("COUPLING", "CONTINUUM") != "CONTINUUM")
     deck_error(k.at, "*DISTRIBUTING", "has COUPLING=" + k.word("COUPLING"), "CONTINUUM");
+  const std::vector<int> dofs = dofs_of(k);
+  if (dofs != all_six && dofs != std::vector{0, 1, 2})
+    deck_error(k.at, "*DISTRIBUTING", "couples some degrees of freedom", "1, 3 or all six");
   const SurfaceNodes s = surface_nodes(of, of.word("SURFACE"));
   deck_.couplings.push_back({.distributing = true,
                              .reference = reference(of),
                              .nodes = s.nodes,
                              .weights = s.weights,
-                             .dofs = {},
+                             .dofs = dofs,
                              .origin = origin(of, of.word_or("CONSTRAINT NAME", ""))});
 }
 
@@ -254,6 +269,10 @@ void AbaqusJoints::equation(const Keyword& k) {
 }
 
 void AbaqusJoints::boundary(const Keyword& k) {
+  if (k.word_or("OP", "MOD") == "NEW" && std::exchange(kept_in_step_, false)) {
+    deck_.supports.clear(); // what was held before this step
+    held_.clear();
+  }
   if (k.has("TYPE") && k.word("TYPE") != "DISPLACEMENT")
     deck_error(k.at, "*BOUNDARY", "has TYPE=" + k.word("TYPE"), "displacements held to zero");
   static const std::map<std::string, std::vector<int>> words{{"ENCASTRE", {0, 1, 2, 3, 4, 5}},

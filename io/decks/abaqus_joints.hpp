@@ -41,6 +41,7 @@ private:
   std::map<std::string, Keyword> surfaces_;
   std::optional<Keyword> coupling_; // the one that is open
   std::set<std::pair<int, int>> held_;
+  bool kept_in_step_ = true; // no OP=NEW in this step so far
 };
 
 } // namespace plica

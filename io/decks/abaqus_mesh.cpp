@@ -53,8 +53,8 @@ KeywordHandlers AbaqusMesh::handlers() {
   const auto keep = [this](const Keyword& k) { sets_.push_back(k); };
   return {{"NODE", {[this](const Keyword& k) { read_nodes(k); }, {"NSET"}}},
           {"ELEMENT", {[this](const Keyword& k) { read_elements(k); }, {"TYPE", "ELSET"}}},
-          {"NSET", {keep, {"NSET", "GENERATE", "ELSET", "UNSORTED"}}},
-          {"ELSET", {keep, {"ELSET", "GENERATE"}}}};
+          {"NSET", {keep, {"NSET", "GENERATE", "ELSET", "UNSORTED", "INTERNAL"}}},
+          {"ELSET", {keep, {"ELSET", "GENERATE", "INTERNAL"}}}};
 }
 
 void AbaqusMesh::read_nodes(const Keyword& k) {
@@ -84,7 +84,11 @@ void AbaqusMesh::read_elements(const Keyword& k) {
       deck_error(line.at, "*ELEMENT",
                  "has " + std::to_string(line.fields.size() - 1) + " nodes for " + type,
                  std::to_string(count));
-    AbaqusElement element{.at = line.at, .type = type, .nodes = {}};
+    AbaqusElement element{.at = line.at,
+                          .type = type,
+                          .origin = "element " + std::to_string(label) + " in line " +
+                                    std::to_string(line.at.line),
+                          .nodes = {}};
     for (std::size_t i = 1; i <= count; ++i) element.nodes.push_back(node(k, line, i));
     if (!elements_.try_emplace(label, std::move(element)).second)
       deck_error(line.at, "*ELEMENT", "element " + std::to_string(label) + " is there twice",

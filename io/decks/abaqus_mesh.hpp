@@ -8,6 +8,7 @@ namespace plica {
 struct AbaqusElement {
   DeckPosition at;
   std::string type;
+  std::string origin;     // for messages: "element 12 in line 34"
   std::vector<int> nodes; // indices
   int shell = -1;         // index into DeckModel::shells
 };

@@ -51,6 +51,12 @@ BeamProperties profile(const Keyword& k, const std::string& shape, const BeamMat
   return general_section(m, size(0), size(1), size(3), number_in(k, line, 4));
 }
 
+void check_body(const Keyword& k, const RigidMass& body) {
+  if (!is_body(body))
+    deck_error(data_line(k, 0).at, "*" + k.name, "is no body",
+               "a mass of at least 0, moments of inertia none above the sum of the other two");
+}
+
 } // namespace
 
 KeywordHandlers AbaqusSections::materials() {
@@ -67,7 +73,7 @@ KeywordHandlers AbaqusSections::handlers() {
   using S = AbaqusSections;
   return {
       {"SHELL SECTION",
-       {by(&S::shell_section), {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS"}}},
+       {by(&S::shell_section), {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS"}}},
       {"NODAL THICKNESS", {by(&S::nodal_thickness), {}}},
       {"NORMAL", {by(&S::normal), {"TYPE"}}},
       {"BEAM SECTION", {by(&S::beam_section), {"ELSET", "MATERIAL", "SECTION", "POISSON"}}},
@@ -100,6 +106,9 @@ void AbaqusSections::elastic(const Keyword& k) {
 
 void AbaqusSections::density(const Keyword& k) {
   Material& m = open_material(k);
+  if (k.data.size() > 1)
+    deck_error(k.at, "*DENSITY", "has " + std::to_string(k.data.size()) + " data lines",
+               "one; values over temperature are not read");
   m.rho = number_in(k, data_line(k, 0), 0);
   if (m.rho < 0) deck_error(k.data[0].at, "*DENSITY", "is below zero", "0 or more");
 }
@@ -115,6 +124,7 @@ const AbaqusSections::Material& AbaqusSections::material_of(const Keyword& k) co
 void AbaqusSections::shell_section(const Keyword& k) {
   const Material& m = material_of(k);
   const double t = number_in(k, data_line(k, 0), 0);
+  open_beams_.clear();
   if (!(t > 0)) deck_error(k.data[0].at, "*SHELL SECTION", "has no thickness", "above 0");
   const int section = static_cast<int>(deck_.sections.size());
   deck_.sections.push_back({.E = m.E, .nu = m.nu, .rho = m.rho});
@@ -124,6 +134,7 @@ void AbaqusSections::shell_section(const Keyword& k) {
                             .section = section,
                             .thickness = std::vector(e->nodes.size(), t),
                             .offset = offset(k) * t,
+                            .origin = e->origin,
                             .normal = {}});
     if (k.has("NODAL THICKNESS")) of_nodal_thickness_.push_back(e->shell);
   }
@@ -204,9 +215,10 @@ void AbaqusSections::transverse_shear(const Keyword& k) {
 }
 
 void AbaqusSections::mass(const Keyword& k) {
+  const RigidMass body{.mass = number_in(k, data_line(k, 0), 0)};
+  check_body(k, body);
   for (const AbaqusElement* e : mesh_.elements_for(k, {"MASS"}))
-    deck_.masses.push_back(
-        {e->nodes[0], {.mass = number_in(k, data_line(k, 0), 0), .offset = {0, 0, 0}}});
+    deck_.masses.push_back({e->nodes[0], body});
 }
 
 void AbaqusSections::rotary_inertia(const Keyword& k) {
@@ -217,6 +229,7 @@ void AbaqusSections::rotary_inertia(const Keyword& k) {
                  xz = number_in(k, line, 4, 0), yz = number_in(k, line, 5, 0);
     MassElement body{.node = e->nodes[0], .body = {}};
     body.body.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    check_body(k, body.body);
     deck_.masses.push_back(body);
   }
 }

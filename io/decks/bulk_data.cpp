@@ -102,6 +102,7 @@ public:
     const auto begin = std::find_if(lines.begin(), lines.end(), [](const Line& line) {
       return in_capitals(trimmed(line.text)).starts_with("BEGIN");
     });
+    data.has_control = begin != lines.begin() && begin != lines.end();
     if (begin != lines.end())
       for (auto line = lines.begin(); line != begin; ++line) control(*line);
     for (auto line = begin == lines.end() ? lines.begin() : begin + 1; line != lines.end();
@@ -131,7 +132,12 @@ private:
     bool wide = false;
     const std::vector<std::string> fields = fields_of(line.text, wide);
     if (is_continuation(line.text)) {
-      if (data.cards.empty()) deck_error(line.at, "", "continues no card", "a card before it");
+      if (data.cards.empty()) {
+        if (line.text.size() > 1 && line.text[0] == '*' &&
+            std::isalpha(static_cast<unsigned char>(line.text[1])))
+          deck_error(line.at, "", "is a keyword of Abaqus", "the suffix .inp for such a deck");
+        deck_error(line.at, "", "continues no card", "a card before it");
+      }
       std::vector<std::string>& all = data.cards.back().fields;
       if (!wide) all.resize((all.size() + 7) / 8 * 8);
       all.insert(all.end(), fields.begin(), fields.end());

@@ -36,7 +36,8 @@ public:
 
 struct BulkData {
   std::vector<Card> cards;
-  std::map<std::string, std::set<int>> chosen; // by "SPC" and "MPC": sets that case control names
+  bool has_control = false;                    // case control before BEGIN BULK
+  std::map<std::string, std::set<int>> chosen; // by "SPC" and "MPC": sets that it names
 };
 
 // A file without BEGIN BULK is bulk data altogether. Throws InputError.

@@ -21,7 +21,10 @@ std::string trimmed(const std::string& text) {
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
   std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) fields.push_back(trimmed(field));
+  for (std::string field; std::getline(stream, field, ',');) {
+    std::erase(field, '"');
+    fields.push_back(trimmed(field));
+  }
   return fields;
 }
 

@@ -105,8 +105,8 @@ void mpc(const Card& card, const NastranGrids& grids, DeckModel& deck) {
 }
 
 // Numbers of the sets that are in force, sums of sets spelt out.
-std::set<int> in_force(const CardsByName& cards, const std::map<std::string, std::set<int>>& chosen,
-                       const std::string& kind, const std::vector<const char*>& names) {
+std::set<int> in_force(const CardsByName& cards, const BulkData& bulk, const std::string& kind,
+                       const std::vector<const char*>& names) {
   std::set<int> there;
   const Card* any = nullptr;
   for (const char* name : names)
@@ -114,20 +114,23 @@ std::set<int> in_force(const CardsByName& cards, const std::map<std::string, std
       there.insert(card.whole(0));
       any = &card;
     });
-  const auto choice = chosen.find(kind);
-  std::set<int> sets = choice == chosen.end() ? std::set<int>{} : choice->second;
-  if (sets.empty() && !chosen.empty()) return {}; // case control chooses none of this kind
-  if (sets.empty() && there.size() > 1)
+  if (any == nullptr) return {};
+  const auto choice = bulk.chosen.find(kind);
+  std::set<int> sets = choice == bulk.chosen.end() ? std::set<int>{} : choice->second;
+  if (sets.empty() && (bulk.has_control || there.size() > 1))
     any->wrong("belongs to one of " + std::to_string(there.size()) +
                    " sets, and no case control chooses one",
                kind + " = number before BEGIN BULK");
   if (sets.empty()) return there;
-  if (sets.size() > 1 && any != nullptr)
+  if (sets.size() > 1)
     any->wrong("the subcases choose different sets of " + kind, "one set for all");
   for_each(cards, (kind + "ADD").c_str(), [&](const Card& card) {
     if (!sets.contains(card.whole(0))) return;
     for (int set : card.list(1)) sets.insert(set);
   });
+  if (std::none_of(sets.begin(), sets.end(), [&](int set) { return there.contains(set); }))
+    any->wrong("is not of set " + std::to_string(*sets.begin()) + ", which case control chooses",
+               "a set that is there");
   return sets;
 }
 
@@ -139,13 +142,13 @@ void read_rigid_elements(const CardsByName& cards, const NastranGrids& grids, De
   for_each(cards, "RBAR", [&](const Card& card) { rbar(card, grids, deck); });
 }
 
-void read_constraints(const CardsByName& cards, const std::map<std::string, std::set<int>>& chosen,
-                      const NastranGrids& grids, DeckModel& deck) {
-  const std::set<int> mpcs = in_force(cards, chosen, "MPC", {"MPC"});
+void read_constraints(const CardsByName& cards, const BulkData& bulk, const NastranGrids& grids,
+                      DeckModel& deck) {
+  const std::set<int> mpcs = in_force(cards, bulk, "MPC", {"MPC"});
   for_each(cards, "MPC", [&](const Card& card) {
     if (mpcs.contains(card.whole(0))) mpc(card, grids, deck);
   });
-  const std::set<int> spcs = in_force(cards, chosen, "SPC", {"SPC", "SPC1"});
+  const std::set<int> spcs = in_force(cards, bulk, "SPC", {"SPC", "SPC1"});
   std::set<std::pair<int, int>> held;
   for (const Constraint& row : deck.supports) held.insert({row.node, row.dof});
   const auto hold = [&](const Card& card, int node, const std::vector<int>& dofs) {

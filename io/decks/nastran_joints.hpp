@@ -7,8 +7,9 @@ namespace plica {
 
 void read_rigid_elements(const CardsByName& cards, const NastranGrids& grids, DeckModel& deck);
 
-// Of the sets that case control chooses, or, without it, of the only one there is.
-void read_constraints(const CardsByName& cards, const std::map<std::string, std::set<int>>& chosen,
-                      const NastranGrids& grids, DeckModel& deck);
+// Of the sets that case control chooses, or, in a file without it, of the only one there is. Cards
+// that are there and not chosen, and a set that is chosen and not there, are errors.
+void read_constraints(const CardsByName& cards, const BulkData& bulk, const NastranGrids& grids,
+                      DeckModel& deck);
 
 } // namespace plica

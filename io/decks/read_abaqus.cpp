@@ -9,18 +9,35 @@ namespace plica {
 namespace {
 
 // What stands in a step and does not change the structure.
-const std::set<std::string> passed{"HEADING",       "PREPRINT",
-                                   "RESTART",       "OUTPUT",
-                                   "NODE OUTPUT",   "ELEMENT OUTPUT",
-                                   "ENERGY OUTPUT", "NODE PRINT",
-                                   "EL PRINT",      "NODE FILE",
-                                   "EL FILE",       "MODAL FILE",
-                                   "FILE FORMAT",   "MONITOR",
-                                   "STEP",          "END STEP",
-                                   "FREQUENCY",     "STEADY STATE DYNAMICS",
-                                   "MODAL DYNAMIC", "RANDOM RESPONSE",
-                                   "MODAL DAMPING", "SELECT EIGENMODES",
-                                   "BASE MOTION",   "AMPLITUDE"};
+const std::set<std::string> passed{"HEADING",
+                                   "PREPRINT",
+                                   "RESTART",
+                                   "OUTPUT",
+                                   "NODE OUTPUT",
+                                   "ELEMENT OUTPUT",
+                                   "ENERGY OUTPUT",
+                                   "NODE PRINT",
+                                   "EL PRINT",
+                                   "NODE FILE",
+                                   "EL FILE",
+                                   "MODAL FILE",
+                                   "FILE FORMAT",
+                                   "MONITOR",
+                                   "STEP",
+                                   "END STEP",
+                                   "FREQUENCY",
+                                   "STEADY STATE DYNAMICS",
+                                   "MODAL DYNAMIC",
+                                   "RANDOM RESPONSE",
+                                   "MODAL DAMPING",
+                                   "SELECT EIGENMODES",
+                                   "BASE MOTION",
+                                   "AMPLITUDE",
+                                   "DAMPING",
+                                   "GLOBAL DAMPING",
+                                   "PHYSICAL CONSTANTS",
+                                   "SECTION CONTROLS",
+                                   "DIAGNOSTICS"};
 
 void check_known(const std::vector<Keyword>& keywords, const std::vector<KeywordHandlers>& phases,
                  LeftOut& left_out) {
@@ -30,6 +47,9 @@ void check_known(const std::vector<Keyword>& keywords, const std::vector<Keyword
       deck_error(k.at, "*" + k.name, "is not read: the deck has parts and instances",
                  "a flat deck; in Abaqus/CAE, model attribute \"do not use parts and assemblies in "
                  "input files\"");
+    if (k.name == "SYSTEM" || k.name == "TRANSFORM" || (k.name == "NODE" && k.has("SYSTEM")))
+      deck_error(k.at, "*" + k.name, "gives coordinates in axes that are not followed",
+                 "nodes and degrees of freedom in global axes");
     const KeywordHandler* handler = nullptr;
     for (const KeywordHandlers& phase : phases)
       if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;

@@ -21,14 +21,14 @@ const std::set<std::string> followed{
     "RBAR",   "MPC",    "MPCADD", "SPC",    "SPC1",   "SPCADD", "PARAM"};
 
 // What asks for an analysis: that says the case.
-const std::set<std::string> passed{"EIGRL",   "EIGR",    "EIGB",  "TABDMP1", "FREQ",   "FREQ1",
-                                   "FREQ2",   "FREQ3",   "FREQ4", "RLOAD1",  "RLOAD2", "DLOAD",
-                                   "TABLED1", "TABRND1", "SPCD",  "DAREA",   "RANDPS"};
+const std::set<std::string> passed{"EIGRL",   "EIGR",    "EIGB",   "TABDMP1", "FREQ",   "FREQ1",
+                                   "FREQ2",   "FREQ3",   "FREQ4",  "RLOAD1",  "RLOAD2", "DLOAD",
+                                   "TABLED1", "TABRND1", "PLOTEL", "SPCD",    "DAREA",  "RANDPS"};
 
 // Parameters that change nothing here.
-const std::set<std::string> idle{"POST",   "AUTOSPC",  "COUPMASS", "GRDPNT",   "BAILOUT",
-                                 "PRGPST", "K6ROT",    "SNORM",    "PRTMAXIM", "OUGCORD",
-                                 "RESVEC", "MAXRATIO", "DDRMM",    "OGEOM",    "INREL"};
+const std::set<std::string> idle{"POST",  "AUTOSPC", "COUPMASS", "GRDPNT",  "BAILOUT", "PRGPST",
+                                 "K6ROT", "SNORM",   "PRTMAXIM", "OUGCORD", "RESVEC",  "MAXRATIO",
+                                 "DDRMM", "G",       "W3",       "W4",      "OGEOM",   "INREL"};
 
 class NastranReader {
 public:
@@ -81,7 +81,7 @@ private:
     });
     for_each("CELAS2", [&](const Card& card) { spring(card, card.real(1), 2); });
     read_rigid_elements(cards_, grids, deck);
-    read_constraints(cards_, bulk.chosen, grids, deck);
+    read_constraints(cards_, bulk, grids, deck);
   }
 
   void parameter(const Card& card) {
@@ -89,7 +89,8 @@ private:
     if (name == "WTMASS")
       mass_factor_ = card.real(1);
     else if (!idle.contains(name))
-      leave_out(card, name + " is not known", "parameters of docs/decks.md");
+      leave_out(card, name + " is not known",
+                "WTMASS, or one that changes nothing here, such as POST or AUTOSPC");
   }
 
   const Card& by_number(const char* name, int number, const Card& asker) const {
@@ -220,6 +221,7 @@ private:
       if (!(shell.thickness.back() > 0)) card.wrong("has no thickness", "T of PSHELL, or T1 ...");
     }
     shell.offset = card.real(n + 3, 0);
+    shell.origin = card.name + " " + card.text(0) + " in line " + std::to_string(card.at.line);
     deck.shells.push_back(std::move(shell));
   }
 
@@ -259,6 +261,9 @@ private:
     const auto J = [&](std::size_t field) { return mass_factor_ * card.real(field, 0); };
     // Products of inertia are integrals: the matrix has them with the other sign.
     body.inertia << J(8), -J(9), -J(11), -J(9), J(10), -J(12), -J(11), -J(12), J(13);
+    if (!is_body(body))
+      card.wrong("is no body", "a mass of at least 0, moments of inertia none above the sum of the "
+                               "other two");
     deck.masses.push_back(element);
   }
 

@@ -44,7 +44,9 @@ int line_of(std::string key, const std::map<std::string, int>& lines) {
 void read_content(DeckPart& deck, const std::string& directory, const std::string& key,
                   ReadLog& log) {
   deck.file = (std::filesystem::path(directory) / deck.file).string();
-  if (!is_deck_file(deck.file)) return; // the checks say so
+  std::error_code ignored;
+  if (!is_deck_file(deck.file) || !std::filesystem::is_regular_file(deck.file, ignored))
+    return; // the checks say so
   try {
     deck.content = read_deck(deck.file, deck.unknown_cards);
   } catch (const InputError& error) {

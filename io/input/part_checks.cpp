@@ -120,6 +120,8 @@ void check(const std::string& key, const DeckPart& d, const Case&, CheckLog& log
   if (log.fine(key + ".file") && !is_deck_file(d.file))
     log.add(key + ".file", "is no deck that can be read",
             ".inp of Abaqus, or .bdf, .dat, .nas, .fem of Nastran");
+  else if (log.fine(key + ".file") && !d.content)
+    log.add(key + ".file", "there is no file " + d.file, "a path from the folder of the case");
 }
 
 void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog& log) {

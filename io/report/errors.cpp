@@ -29,8 +29,8 @@ std::string error_bars_html(const Results& results) {
       if (bar.key != quantity.key) continue;
       const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
       HtmlRow row{{html_escape(quantity.name), unit, html_number(bar.value * factor, 4),
-                   html_signed(100 * bar.along / bar.value, 2),
-                   html_signed(100 * bar.around / bar.value, 2)},
+                   errors.along ? html_signed(100 * bar.along / bar.value, 2) : "–",
+                   errors.around ? html_signed(100 * bar.around / bar.value, 2) : "–"},
                   ""};
       if (reduced) row.cells.push_back(html_signed(100 * bar.cutoff / bar.value, 2));
       if (tolerances && bar.interval) {

@@ -87,8 +87,8 @@ std::string error_table(const Results& results) {
       const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
       const auto fixed = [&, f = factor](double x) { return significant(x * f, 4); };
       rows.push_back({quantity.name, unit, fixed(bar.value),
-                      with_sign(100 * bar.along / bar.value, 2),
-                      with_sign(100 * bar.around / bar.value, 2)});
+                      errors.along ? with_sign(100 * bar.along / bar.value, 2) : "-",
+                      errors.around ? with_sign(100 * bar.around / bar.value, 2) : "-"});
       if (reduced) rows.back().push_back(with_sign(100 * bar.cutoff / bar.value, 2));
       rows.back().push_back(
           bar.interval ? fixed((*bar.interval)[0]) + " to " + fixed((*bar.interval)[1]) : "-");

@@ -4,40 +4,27 @@
 //   node --test other_reports.test.mjs   with  REPORTS (html files, a semicolon between them; the
 //                                              folder of each is its name), PACKAGES, PICTURES
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
 import { basename, dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { launch, watch } from './chromium.mjs';
 
-const { chromium } = createRequire(join(process.env.PACKAGES, 'x.js'))('playwright-core');
 const reports = Object.fromEntries(
   process.env.REPORTS.split(';').map((file) => [basename(dirname(file)), pathToFileURL(file).href]));
 
 let browser;
-before(async () => {
-  browser = await chromium.launch({
-    executablePath: '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-      '--disable-background-networking', '--disable-component-update', '--disable-sync',
-      '--no-first-run'],
-  });
-});
+before(async () => { browser = await launch(); });
 after(async () => { await browser?.close(); });
 
 // Opens a report, gives its page to `look`, and asks that nothing was wrong.
 async function open(name, look) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
-  const troubles = [];
-  page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
-  page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) troubles.push(request.url());
-  });
+  const seen = watch(page);
   await page.goto(reports[name]);
   await page.waitForSelector('figure.plot.is-live');
   await look(page);
   await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`), fullPage: true });
-  assert.deepEqual(troubles, []);
+  assert.deepEqual(seen, { errors: [], requests: [] });
   await page.close();
 }
 

@@ -4,33 +4,22 @@
 //   node --test report.test.mjs   with  REPORT (an html file), PACKAGES (a node_modules folder),
 //                                       PICTURES (a folder for screenshots)
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { launch, watch } from './chromium.mjs';
 
-const { chromium } = createRequire(join(process.env.PACKAGES, 'x.js'))('playwright-core');
 const report = pathToFileURL(process.env.REPORT).href;
 const picture = (name) => join(process.env.PICTURES, `${name}.png`);
 
 let browser;
 let page;
-const troubles = [];
-const requests = [];
+let seen;
 
 before(async () => {
-  browser = await chromium.launch({
-    executablePath: '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-      '--disable-background-networking', '--disable-component-update', '--disable-sync',
-      '--no-first-run'],
-  });
+  browser = await launch();
   page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
-  page.on('console', (message) => { if (message.type() === 'error') troubles.push(message.text()); });
-  page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) requests.push(request.url());
-  });
+  seen = watch(page);
   await page.goto(report);
   await page.waitForSelector('.viewer.is-live canvas');
 });
@@ -187,8 +176,7 @@ test('a narrow window needs no scrolling sideways', async () => {
 });
 
 test('no error was said and nothing was fetched', () => {
-  assert.deepEqual(troubles, []);
-  assert.deepEqual(requests, []);
+  assert.deepEqual(seen, { errors: [], requests: [] });
 });
 
 test('without scripts the drawings stand', async () => {
