@@ -48,18 +48,31 @@ VariantResult run_variant(const CaseFile& file, const Variant& variant,
   return result;
 }
 
+// Work of a stage of the error bars, in runs for the headline: finer meshes cost more, those of
+// tolerances are coarse.
+double work_of(const std::string& stage) {
+  if (stage == "finer along") return 2;
+  if (stage == "finer around") return 1.5;
+  return stage.starts_with("tolerance of") ? 0.6 : 0.3;
+}
+
 // Shares of the work are counted in runs for the headline; the first one does more.
 void add_error_bars_and_variants(Results& results, const CaseFile& file, const RunOptions& options,
                                  const std::optional<Measured>& measured, Progress& progress) {
   const bool bars = options.error_bars && file.data.analyses.error_bars;
-  const double first = 1.5, of_bars = bars ? 2 + 2 * double(file.data.tolerances.size()) : 0;
+  const double tolerances = double(file.data.tolerances.size());
+  const double first = 1.5,
+               of_bars = bars ? 3.5 + (tolerances > 0 ? 0.6 + 0.6 * tolerances : 0) : 0;
   const auto variants = options.variants ? file.data.variants.size() : 0;
   const double all = first + of_bars + double(variants);
   if (bars) {
-    progress.share(first / all);
+    double done = first;
     try {
-      results.error_bars = error_bars(file.data, headline(results),
-                                      [&](const std::string& s) { progress.stage(s); });
+      results.error_bars = error_bars(file.data, headline(results), [&](const std::string& s) {
+        progress.share(done / all);
+        progress.stage(s);
+        done += work_of(s);
+      });
     } catch (const std::exception& error) { // the run itself is good
       results.warnings.push_back(std::string("error bars left out: ") + error.what());
     }

@@ -52,7 +52,8 @@ public:
     const auto& rows = built_.model.constraints;
     const bool supported = std::any_of(rows.begin(), rows.end(),
                                        [](const Constraint& row) { return row.terms.empty(); });
-    if (supported) return total_mass(built_.model); // what supports hold is no unknown
+    // What supports hold is no unknown. Superelements hold scalar coordinates, not nodes.
+    if (supported && built_.model.scalar_nodes.empty()) return total_mass(built_.model);
     const std::vector<int> all = complement(system_.map.size(), {});
     return free_mass(built_.model, system_.map, all, system_.M).mass;
   }

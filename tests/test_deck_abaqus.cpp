@@ -76,6 +76,11 @@ const int corner = number_at(0.3, 0.2), middle = number_at(0.15, 0.1);
 
 TEST(AbaqusReader, node_element_section_material_boundary) {
   expect_plate("", [](Model&) {});
+  std::string text = mesh_text(deck_plate()) + steel + section + clamped;
+  text.replace(text.find("TYPE=S4,"), 8, "TYPE=S4R5,");
+  Model own = own_plate();
+  hold(own, "edge4", all_dofs);
+  expect_same_frequencies(read_text(text), own);
 }
 
 TEST(AbaqusReader, reads_small_letters_comments_lines_that_go_on_and_steps) {

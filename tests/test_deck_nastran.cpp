@@ -264,6 +264,8 @@ TEST(NastranReader, mpc) {
       fmt::format("MPC,5,{},3,2.,{},3,-1.\n,,{},5,.02\n", corner, middle, middle);
   expect_same_frequencies(read_text("SPC = 1\nMPC = 5\nBEGIN BULK\n" + plate() + clamped() + card),
                           own);
+  expect_same_frequencies(
+      read_text("SPC = 1\nMPC = 9\nBEGIN BULK\nMPCADD,9,5\n" + plate() + clamped() + card), own);
   for (const char* control : {"SPC = 1\n", "SPC = 1\nMPC = 6\n", "SPC = 2\nMPC = 5\n", "CEND\n"})
     EXPECT_THROW(read_text(control + ("BEGIN BULK\n" + plate() + clamped() + card)), InputError)
         << control; // a set that is not chosen, or is not there
