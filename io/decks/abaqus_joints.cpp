@@ -116,15 +116,7 @@ double AbaqusJoints::shell_area(const AbaqusElement& e) const {
 }
 
 int AbaqusJoints::reference(const Keyword& k) const {
-  const std::string name = k.word("REF NODE");
-  const std::vector<int> nodes = mesh_.nodes(k, {k.at, {}}, name);
-  if (nodes.size() != 1)
-    deck_error(k.at, "*" + k.name,
-               "has a set of " + std::to_string(nodes.size()) +
-                   " nodes as "
-                   "its reference",
-               "one node");
-  return nodes.front();
+  return one_node(k, {k.at, {k.word("REF NODE")}}, 0);
 }
 
 int AbaqusJoints::one_node(const Keyword& k, const DataLine& line, std::size_t field) const {
@@ -203,7 +195,7 @@ void AbaqusJoints::rigid_body(const Keyword& k) {
     for (int n : mesh_.nodes(k, {k.at, {}}, k.word("PIN NSET")))
       if (!tied.contains(n)) pinned.insert(n);
   c.nodes = {tied.begin(), tied.end()};
-  c.dofs = {0, 1, 2, 3, 4, 5};
+  c.dofs = all_six;
   if (!tied.empty()) deck_.couplings.push_back(c);
   c.nodes = {pinned.begin(), pinned.end()};
   c.dofs = {0, 1, 2};
@@ -212,7 +204,7 @@ void AbaqusJoints::rigid_body(const Keyword& k) {
 
 void AbaqusJoints::mpc(const Keyword& k) {
   static const std::map<std::string, std::vector<int>> kinds{
-      {"BEAM", {0, 1, 2, 3, 4, 5}}, {"TIE", {0, 1, 2, 3, 4, 5}}, {"PIN", {0, 1, 2}}};
+      {"BEAM", all_six}, {"TIE", all_six}, {"PIN", {0, 1, 2}}};
   for (const DataLine& line : k.data) {
     const auto kind = kinds.find(in_capitals(line.fields.at(0)));
     if (kind == kinds.end() || line.fields.size() != 3)
@@ -270,19 +262,16 @@ void AbaqusJoints::equation(const Keyword& k) {
 
 void AbaqusJoints::boundary(const Keyword& k) {
   if (k.word_or("OP", "MOD") == "NEW" && std::exchange(kept_in_step_, false)) {
-    deck_.supports.clear(); // what was held before this step
+    std::erase_if(deck_.supports, [&](const Constraint& row) { // of boundaries before this step
+      return held_.contains({row.node, row.dof});
+    });
     held_.clear();
   }
   if (k.has("TYPE") && k.word("TYPE") != "DISPLACEMENT")
     deck_error(k.at, "*BOUNDARY", "has TYPE=" + k.word("TYPE"), "displacements held to zero");
-  static const std::map<std::string, std::vector<int>> words{{"ENCASTRE", {0, 1, 2, 3, 4, 5}},
-                                                             {"PINNED", {0, 1, 2}},
-                                                             {"XSYMM", {0, 4, 5}},
-                                                             {"YSYMM", {1, 3, 5}},
-                                                             {"ZSYMM", {2, 3, 4}},
-                                                             {"XASYMM", {1, 2, 3}},
-                                                             {"YASYMM", {0, 2, 4}},
-                                                             {"ZASYMM", {0, 1, 5}}};
+  static const std::map<std::string, std::vector<int>> words{
+      {"ENCASTRE", all_six}, {"PINNED", {0, 1, 2}}, {"XSYMM", {0, 4, 5}},  {"YSYMM", {1, 3, 5}},
+      {"ZSYMM", {2, 3, 4}},  {"XASYMM", {1, 2, 3}}, {"YASYMM", {0, 2, 4}}, {"ZASYMM", {0, 1, 5}}};
   for (const DataLine& line : k.data) {
     const std::vector<int> nodes = mesh_.nodes(k, line, line.fields.at(0));
     std::vector<int> dofs;

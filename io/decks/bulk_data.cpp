@@ -11,14 +11,7 @@
 namespace plica {
 namespace {
 
-constexpr std::size_t most_nested = 20;
 constexpr std::size_t small_width = 8, large_width = 16;
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 struct Line {
   DeckPosition at;

@@ -1,6 +1,7 @@
 #include "io/decks/keywords.hpp"
 
 #include "io/files.hpp"
+#include "io/universal/lines.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,14 +10,6 @@
 
 namespace plica {
 namespace {
-
-constexpr std::size_t most_nested = 20;
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
@@ -115,6 +108,10 @@ const std::string& field_of(const Keyword& keyword, const DataLine& line, std::s
 }
 
 } // namespace
+
+std::string trimmed(const std::string& text) {
+  return std::string(plica::universal::trimmed(text));
+}
 
 std::string in_capitals(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),

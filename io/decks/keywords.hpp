@@ -35,7 +35,10 @@ struct Keyword {
 // before the first keyword.
 std::vector<Keyword> read_keywords(const std::filesystem::path& file);
 
+constexpr std::size_t most_nested = 20; // files that include each other; of Nastran too
+
 std::string in_capitals(std::string text);
+std::string trimmed(const std::string& text); // without spaces, tabs and returns around it
 
 // Fields as numbers; InputError with line and field number. An empty field beyond the end of a line
 // or between commas is `otherwise` where there is one.
