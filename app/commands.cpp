@@ -19,6 +19,7 @@
 #include "io/results/write_results.hpp"
 #include "io/superelements/labels.hpp"
 #include "io/superelements/write.hpp"
+#include "model/doubts.hpp"
 #include "model/equivalent_beam.hpp"
 #include "model/error_bars.hpp"
 #include "model/reduce.hpp"
@@ -210,6 +211,7 @@ int check_command(const CheckOptions& options) {
   for (const Eigen::Vector3d& x : built.model.mesh.nodes) box.extend(x);
   fmt::print("  {:.4g} x {:.4g} x {:.4g} m (x, y, z)\n", box.sizes().x(), box.sizes().y(),
              box.sizes().z());
+  for (const std::string& doubt : doubts(file.data, built)) fmt::print("  warning: {}\n", doubt);
   for (const BuiltSensor& sensor : built.sensors)
     fmt::print("  sensor {}: {:.2f} mm from node {}\n", sensor.name, 1e3 * sensor.distance,
                sensor.node + 1);

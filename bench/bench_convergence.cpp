@@ -2,6 +2,7 @@
 // transverse frequency, refining the circumference and the meridian apart from each other, and the
 // values extrapolated in both directions at order 2.
 #include "model/run.hpp"
+#include "solve/blas_kernels.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <fmt/core.h>
@@ -66,7 +67,8 @@ std::array<double, 3> headline_of(const Drawing& d, MembraneStrain membrane, int
 
 } // namespace
 
-int main() {
+int main(int, char** argv) {
+  avoid_faulty_blas_kernels(argv);
   set_threads(0);
   constexpr std::array names{"displacement", "mitc4+", "incompatible"};
   for (const Drawing& d : drawings)

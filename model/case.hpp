@@ -367,7 +367,7 @@ struct ReductionRequest {
 struct Analyses {
   Symmetry symmetry = Symmetry::automatic;
   std::optional<ReductionRequest> reduction;
-  bool statics = true; // end stiffness between two caps (needs exactly two)
+  std::optional<bool> statics; // end stiffness between two caps; none: where there are two
   std::optional<Modes> modes;
   Damping damping;
   std::optional<Response> response;

@@ -169,7 +169,8 @@ template <class V> void fields(V& v, SurfacePart& s) {
   v.text(s.file, "file", {.required = true},
          "STEP, IGES or BREP faces, or triangles as STL, OBJ, PLY or glTF; from the folder of the "
          "case");
-  v.quantity(s.unit, "unit", {.unit = Dimension::length, .min = 0, .exclusive_min = true},
+  v.quantity(s.unit, "unit",
+             {.unit = Dimension::length, .min = 0, .exclusive_min = true, .is_unit = true},
              "length of one unit of a file of triangles or a BREP, which do not say");
   v.quantity(s.thickness, "thickness", length, "thickness");
   v.choice(s.given, "surface_is",
@@ -192,11 +193,16 @@ template <class V> void fields(V& v, DeckPart& d) {
   v.text(d.file, "file", {.required = true},
          "Abaqus .inp, or Nastran .bdf, .dat, .nas, .fem; from the folder of the case");
   v.quantity(d.length_unit, "length_unit",
-             {.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true},
-             "length of one unit of the deck, which does not say, e.g. 1 mm");
-  v.quantity(d.mass_unit, "mass_unit",
-             {.unit = Dimension::mass, .required = true, .min = 0, .exclusive_min = true},
-             "mass of one unit, e.g. 1 t in a deck of mm, N and MPa");
+             {.unit = Dimension::length,
+              .required = true,
+              .min = 0,
+              .exclusive_min = true,
+              .is_unit = true},
+             "length of one unit of the deck, which does not say, e.g. mm");
+  v.quantity(
+      d.mass_unit, "mass_unit",
+      {.unit = Dimension::mass, .required = true, .min = 0, .exclusive_min = true, .is_unit = true},
+      "mass of one unit, e.g. t in a deck of mm, N and MPa");
   v.choice(d.unknown_cards, "unknown_cards",
            {{UnknownCards::error, "error"}, {UnknownCards::list, "list"}}, optional_key,
            "what to do with cards that are not followed: an error, or a list among the warnings");
@@ -419,7 +425,8 @@ template <class V> void fields(V& v, Analyses& a) {
            optional_key, "solve harmonic by harmonic where the part repeats around its axis");
   v.object(a.reduction, "reduction", optional_key,
            "solve with a superelement in place of every part between caps");
-  v.flag(a.statics, "static", "static stiffness between the two caps");
+  v.flag(a.statics, "static",
+         "static stiffness between the two caps; default: where there are two");
   v.object(a.modes, "modes", optional_key, "natural modes");
   v.object(a.damping, "damping", optional_key, "damping of the modes");
   v.object(a.response, "response", optional_key,

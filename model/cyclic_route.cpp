@@ -1,7 +1,6 @@
-#include "model/input_error.hpp"
+#include "model/constraint_clash.hpp"
 #include "model/route.hpp"
 #include "reduction/cyclic_modes.hpp"
-#include "solve/constraints.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/static_correction.hpp"
 #include "solve/stopwatch.hpp"
@@ -27,19 +26,11 @@ MatrixXd padded(const MatrixXd& rows, const std::vector<int>& free, Eigen::Index
   return q;
 }
 
-DofMap eliminate_case(const Model& model) {
-  try {
-    return eliminate(model);
-  } catch (const ConstraintError& error) {
-    input_error("", error.what(), "");
-  }
-}
-
 class CyclicRoute : public Route {
 public:
   CyclicRoute(const BuiltCase& built, CyclicModel model, const StageListener& stage, Timing& timing)
       : built_(built), model_(std::move(model)), stage_(stage), timing_(timing),
-        unknowns_(eliminate_case(built.model).size()) {}
+        unknowns_(eliminate_constraints(built.model).size()) {}
 
   std::string name() const override {
     return "rotational symmetry, " + std::to_string(model_.around()) + " sectors";

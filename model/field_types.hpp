@@ -58,6 +58,7 @@ struct Quantity {
   std::optional<Dimension> tail = {}; // unit of the numbers of a row from tail_from on
   int tail_from = 3;
   int min_items = 1, max_items = 2000;
+  bool is_unit = false; // "mm" alone is 1 mm
 };
 
 struct Whole {

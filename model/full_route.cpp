@@ -1,3 +1,4 @@
+#include "model/constraint_clash.hpp"
 #include "model/input_error.hpp"
 #include "model/route.hpp"
 #include "solve/base_motion.hpp"
@@ -27,7 +28,7 @@ System assemble_case(const BuiltCase& built) {
   try {
     return assemble(built.model);
   } catch (const ConstraintError& error) {
-    input_error("", error.what(), "");
+    refuse_clash(error);
   } catch (const std::invalid_argument& error) {
     input_error("", error.what(), "");
   }
@@ -217,7 +218,10 @@ std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& anal
 
 SymmetricView symmetric_view(const Model& model, Symmetry asked) {
   if (asked == Symmetry::off) return std::string("as the case asks");
-  SymmetricView view = cyclic_model(model);
+  const bool massless = std::any_of(model.shells.begin(), model.shells.end(),
+                                    [](const ShellProperties& s) { return s.section.rho == 0; });
+  SymmetricView view =
+      massless ? "a wall has no density, so most harmonics have no mass" : cyclic_model(model);
   if (const auto* reason = std::get_if<std::string>(&view); reason && asked == Symmetry::required)
     input_error("analyses.symmetry",
                 "is required, but the part does not repeat around its axis: " + *reason,

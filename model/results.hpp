@@ -41,6 +41,7 @@ struct ModeResult {
   std::string direction;                  // x, y, z or empty
   int order = 0;       // half waves along the axis, counted from 1; 0 = not counted
   int harmonic = -1;   // circumferential order; -1 = not a body of revolution
+  std::string place;   // of most of its strain energy, where another mode is called the same
   double residual = 0; // ||K phi - w2 M phi|| / ||K phi||
 };
 

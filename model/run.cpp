@@ -2,15 +2,18 @@
 
 #include "model/connector_curve.hpp"
 #include "model/damping.hpp"
+#include "model/doubts.hpp"
 #include "model/joint_strokes.hpp"
 #include "model/run_levels.hpp"
 #include "model/run_stress.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
+#include "solve/strain_energy.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace plica {
 namespace {
@@ -29,7 +32,7 @@ public:
     route_ = choose_route(built_, case_.analyses, stage_, results_.timing);
     describe();
     if (has_friction(case_)) let_slip();
-    if (case_.analyses.statics && case_.caps.size() == 2) statics();
+    if (case_.analyses.statics.value_or(true) && case_.caps.size() == 2) statics();
     if (case_.analyses.modes) modes();
     if (case_.analyses.levels) levels();
     results_.peak_memory = peak_memory();
@@ -49,6 +52,7 @@ private:
       if (const auto* deck = std::get_if<DeckPart>(&part.body))
         for (const std::string& card : deck->content->left_out)
           results_.warnings.push_back("left out of the deck: " + card);
+    for (std::string& doubt : doubts(case_, built_)) results_.warnings.push_back(std::move(doubt));
     results_.meridian = built_.meridian;
     results_.route = route_->name();
     results_.reduced = route_->reduced();
@@ -251,9 +255,11 @@ private:
 
   void add_modes(const DampedModes& damped) {
     const ModalSolution& s = damped.solution;
-    double elastic = 0; // lowest eigenvalue well above zero
-    for (Eigen::Index i = 0; i < s.modes && elastic == 0; ++i)
-      if (s.lambda[i] > 1e-6 * s.lambda[s.modes - 1]) elastic = s.lambda[i];
+    // Lowest eigenvalue well above zero; where all are rigid, sigma lies above them.
+    const double scale = std::max(s.modes > 0 ? s.lambda[s.modes - 1] : 0, s.proof.sigma);
+    double elastic = scale;
+    for (Eigen::Index i = s.modes - 1; i >= 0; --i)
+      if (s.lambda[i] > 1e-6 * scale) elastic = s.lambda[i];
     const MatrixXd effective = s.participation.array().square();
     for (Eigen::Index i = 0; i < s.modes; ++i) {
       const Eigen::Matrix<double, 6, 1> m = effective.row(i).transpose();
@@ -267,6 +273,7 @@ private:
                       .direction = label.direction,
                       .order = label.order,
                       .harmonic = label.harmonic,
+                      .place = "",
                       .residual = s.residual[i]};
       std::copy(m.begin(), m.end(), mode.effective_mass.begin());
       results_.modes.push_back(mode);
@@ -274,9 +281,29 @@ private:
           Eigen::Map<const MatrixXd>(s.u.col(i).data(), 6, s.u.rows() / 6).transpose();
       results_.shapes.push_back(std::move(shape));
     }
+    tell_apart(s.u);
     std::copy(s.free_mass.begin(), s.free_mass.end(), results_.free_mass.begin());
     const Eigen::RowVectorXd sum = effective.colwise().sum();
     std::copy(sum.begin(), sum.end(), results_.effective_mass_sum.begin());
+  }
+
+  // Modes of one name by the part that is strained most.
+  void tell_apart(const MatrixXd& u) {
+    if (built_.model.components.size() < 2) return;
+    std::map<std::tuple<std::string, std::string, int, int>, std::vector<Eigen::Index>> named;
+    for (std::size_t i = 0; i < results_.modes.size(); ++i)
+      if (const ModeResult& m = results_.modes[i]; m.shape != "rigid")
+        named[{m.shape, m.direction, m.order, m.harmonic}].push_back(Eigen::Index(i));
+    for (const auto& [name, modes] : named) {
+      if (modes.size() < 2) continue;
+      const MatrixXd energy = strain_energy(built_.model, u(Eigen::all, modes));
+      std::vector<Eigen::Index> most(modes.size());
+      for (std::size_t i = 0; i < modes.size(); ++i) energy.col(Eigen::Index(i)).maxCoeff(&most[i]);
+      if (std::all_of(most.begin(), most.end(), [&](Eigen::Index m) { return m == most[0]; }))
+        continue;
+      for (std::size_t i = 0; i < modes.size(); ++i)
+        results_.modes[std::size_t(modes[i])].place = built_.model.components[std::size_t(most[i])];
+    }
   }
 
   void warn_of_the_cutoff(const Modes& asked) {
@@ -304,7 +331,13 @@ private:
                              .passed = proof.passed,
                              .reason = proof.reason,
                              .of = results_.reduced ? "the reduced model" : ""};
-    if (results_.reduced) warn_of_the_cutoff(*case_.analyses.modes);
+    const Modes& asked = *case_.analyses.modes;
+    if (results_.reduced)
+      warn_of_the_cutoff(asked);
+    else if (static_cast<int>(results_.modes.size()) < asked.count)
+      results_.warnings.push_back("there are " + std::to_string(results_.modes.size()) +
+                                  " modes, fewer than asked for: no more degrees of freedom have "
+                                  "mass");
   }
 
   const Case& case_;

@@ -18,10 +18,10 @@ constexpr double pair_tolerance = 1e-5;
 
 // Finds at least `count` modes of the family.
 void solve_family(CyclicFamily& family, int count) {
-  const int most = static_cast<int>(family.K.rows()) - 1;
   BaseFactor base = factor_below_spectrum(family.K, family.M);
   const ModeSet set =
-      find_modes(family.K, family.M, {.count = std::min(count, most), .proof = false}, base);
+      find_modes(family.K, family.M,
+                 {.count = std::min(count, reachable_modes(family.M)), .proof = false}, base);
   family.shift = base.sigma;
   family.lambda = set.lambda;
   family.Phi = set.Phi;
@@ -102,7 +102,7 @@ private:
   }
 
   bool exhausted(int f) const {
-    return result_.families[f].lambda.size() + 1 >= result_.families[f].K.rows();
+    return result_.families[f].lambda.size() >= reachable_modes(result_.families[f].M);
   }
 
   // Every family must be known up to here.

@@ -23,7 +23,8 @@ std::vector<int> owners(const Model& model) {
     const Constraint& other = model.constraints[taken];
     if (row.terms.empty() && other.terms.empty()) continue;
     throw ConstraintError("two constraints determine one degree of freedom: " + row_name(other) +
-                          " and " + row_name(row) + "; remove one of them");
+                              " and " + row_name(row),
+                          {other.origin, row.origin});
   }
   return owner;
 }
@@ -57,7 +58,8 @@ public:
       const int from = 6 * term.node + term.dof;
       if (state_[from] == State::open)
         throw ConstraintError("constraints determine each other in a circle: " + row_name(row) +
-                              " and " + row_name(model_.constraints[owner_[from]]));
+                                  " and " + row_name(model_.constraints[owner_[from]]),
+                              {row.origin, model_.constraints[owner_[from]].origin});
       resolve(from);
       if (owner_[from] < 0)
         sum[map_.independent[from]] += term.factor;

@@ -11,8 +11,10 @@
 
 namespace plica {
 
-class ConstraintError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct ConstraintError : std::runtime_error {
+  ConstraintError(const std::string& what, std::vector<std::string> of)
+      : std::runtime_error(what), origins(std::move(of)) {}
+  std::vector<std::string> origins; // of the two rows
 };
 
 struct WeightedDof {

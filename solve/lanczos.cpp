@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Spectra/SymGEigsShiftSolver.h>
+#include <Spectra/SymEigsSolver.h>
 #include <random>
 
 namespace plica {
@@ -12,40 +12,69 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using Eigen::VectorXi;
 
-// y = (K - sigma M)^-1 x; the shift is already in the factor.
-struct ShiftInvert {
-  using Scalar = double;
-  const SparseFactor& factor;
-  Eigen::Index rows() const { return factor.rows(); }
-  Eigen::Index cols() const { return factor.rows(); }
-  void set_shift(const double&) const {}
-  void perform_op(const double* x, double* y) const { factor.solve(x, y); }
-};
-
-// y = M x, on all cores: a column of the full matrix is also a row, summed in one order. Spectra
-// asks for several products in each step.
-struct MassProduct {
-  using Scalar = double;
+// Matrix in the order of the factor, with both triangles.
+SparseMatrix in_order(const SparseMatrix& lower, const SparseFactor& factor) {
+  const Eigen::PermutationMatrix<Eigen::Dynamic> to_rows{VectorXi(factor.order())};
   SparseMatrix full;
-  Eigen::Index rows() const { return full.rows(); }
-  Eigen::Index cols() const { return full.cols(); }
+  full = lower.selfadjointView<Eigen::Lower>().twistedBy(to_rows.transpose());
+  return full;
+}
+
+// y = L^-1 P M P' L'^-1 x; the shift is already in the factor.
+class ShiftInvert {
+public:
+  using Scalar = double;
+
+  ShiftInvert(const SparseMatrix& M, const SparseFactor& factor)
+      : factor_(factor), mass_(in_order(M, factor)), x_(M.rows()), Mx_(M.rows()) {}
+
+  Eigen::Index rows() const { return mass_.rows(); }
+  Eigen::Index cols() const { return mass_.cols(); }
+
   void perform_op(const double* x, double* y) const {
-    constexpr Eigen::Index worth_a_team = 500000;
-#pragma omp parallel for schedule(static) if (full.nonZeros() > worth_a_team)
-    for (int i = 0; i < full.outerSize(); ++i) {
-      double sum = 0;
-      for (SparseMatrix::InnerIterator it(full, i); it; ++it) sum += it.value() * x[it.row()];
-      y[i] = sum;
-    }
+    factor_.solve_upper(x, x_.data());
+    range(x_, y);
   }
+
+  // y = L^-1 P M P' x. The product on all cores: a column of the full matrix is also a row, summed
+  // in one order.
+  void range(const VectorXd& x, double* y) const {
+    constexpr Eigen::Index worth_a_team = 500000;
+#pragma omp parallel for schedule(static) if (mass_.nonZeros() > worth_a_team)
+    for (int i = 0; i < mass_.outerSize(); ++i) {
+      double sum = 0;
+      for (SparseMatrix::InnerIterator it(mass_, i); it; ++it) sum += it.value() * x[it.row()];
+      Mx_[i] = sum;
+    }
+    factor_.solve_lower(Mx_.data(), y);
+  }
+
+private:
+  const SparseFactor& factor_;
+  SparseMatrix mass_;
+  mutable VectorXd x_, Mx_;
 };
 
-VectorXd start_vector(const SparseMatrix& M, const SparseFactor& factor, unsigned seed) {
+// In the range of the operator.
+VectorXd start_vector(const ShiftInvert& shift_invert, unsigned seed) {
   std::mt19937 random(seed);
-  VectorXd v(M.rows());
+  VectorXd v(shift_invert.rows()), y(shift_invert.rows());
   for (double& x : v) x = double(random()) / double(std::mt19937::max()) - 0.5;
-  return factor.solve(symmetric_product(M, v));
+  shift_invert.range(v, y.data());
+  return y;
+}
+
+// phi = P' L'^-1 y
+MatrixXd shapes(const MatrixXd& y, const SparseFactor& factor) {
+  MatrixXd phi(y.rows(), y.cols());
+  VectorXd x(y.rows());
+  for (Eigen::Index i = 0; i < y.cols(); ++i) {
+    factor.solve_upper(y.col(i).data(), x.data());
+    phi(factor.order(), i) = x;
+  }
+  return phi;
 }
 
 // One pass x = A^-1 M v, A = K - sigma M, removes what is not in the range of the operator; then
@@ -69,25 +98,23 @@ EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sig
   // Wide enough for most runs to need no restart; at least 2 count + 20.
   const int subspace =
       std::min(n, std::max(settings.subspace, std::max(2 * count + 20, 3 * count + 16)));
-  ShiftInvert shift_invert{factor};
   const SparseMatrix pruned =
       M.pruned(); // M has the pattern of K; two thirds of a shell's are zero
-  MassProduct mass{pruned.selfadjointView<Eigen::Lower>()};
-  Spectra::SymGEigsShiftSolver<ShiftInvert, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
-      shift_invert, mass, count, subspace, sigma);
-  const VectorXd start = start_vector(pruned, factor, settings.seed);
+  ShiftInvert shift_invert(pruned, factor);
+  Spectra::SymEigsSolver<ShiftInvert> solver(shift_invert, count, subspace);
+  const VectorXd start = start_vector(shift_invert, settings.seed);
   constexpr int max_restarts = 300;
   solver.init(start.data());
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, max_restarts, 1e-8,
-                                    Spectra::SortRule::SmallestAlge);
+                                    Spectra::SortRule::LargestAlge);
   EigenPairs pairs;
   pairs.operations = static_cast<int>(solver.num_operations());
   pairs.converged = solver.info() == Spectra::CompInfo::Successful;
   if (!pairs.converged)
     pairs.reason = "Lanczos converged " + std::to_string(found) + " of " + std::to_string(count) +
                    " modes in " + std::to_string(max_restarts) + " restarts";
-  pairs.values = solver.eigenvalues();
-  pairs.vectors = solver.eigenvectors();
+  pairs.values = sigma + solver.eigenvalues().cwiseInverse().array();
+  pairs.vectors = shapes(solver.eigenvectors(), factor);
   if (pairs.vectors.cols() > 0) purify(pairs, pruned, factor, sigma);
   return pairs;
 }

@@ -1,10 +1,14 @@
 // Smallest eigenpairs of K phi = lambda M phi by Lanczos in shift-invert mode (Spectra).
 //
-//   (K - sigma M)^-1 M phi = theta phi,   lambda = sigma + 1/theta
+//   K - sigma M = P' L L' P,   L^-1 P M P' L'^-1 y = theta y,   lambda = sigma + 1/theta,
+//   phi = P' L'^-1 y
 //
-// K - sigma M is given by its Cholesky factor, so sigma lies below the spectrum. M may be
-// semidefinite (massless rotations): the start vector is taken from the range of the operator and
-// each vector is passed through it once more at the end. Vectors are M-orthonormal.
+// sigma lies below the spectrum. M may be semidefinite (massless rotations): the operator is
+// symmetric in the plain inner product, where its null space has eigenvalue zero and stays apart.
+// (With (K - sigma M)^-1 M and the inner product of M, what M does not see grows from rounding in
+// each step: Nour-Omid, Parlett, Ericsson & Jensen, Math. Comp. 48 (1987) 663. A free body whose
+// rigid modes are 1e6 times nearer to the shift than its elastic ones then overflows.) Vectors are
+// M-orthonormal.
 #pragma once
 
 #include "solve/sparse_factor.hpp"

@@ -21,6 +21,10 @@ constexpr double pair_tolerance = 1e-5; // relative distance of lambda within a 
 constexpr double residual_limit = 1e-5;
 constexpr double orthogonality_limit = 1e-8;
 
+int dofs_with_mass(const SparseMatrix& M) {
+  return static_cast<int>((VectorXd(M.diagonal()).array() > 0).count());
+}
+
 // Order of magnitude of the largest eigenvalue.
 double spectrum_scale(const SparseMatrix& K, const SparseMatrix& M) {
   const double mass = VectorXd(M.diagonal()).sum();
@@ -89,8 +93,8 @@ int modes_asked(const ModesRequest& request, const VectorXd& lambda) {
 }
 
 // Enough modes: the count asked for and a gap above, or one mode beyond the band.
-bool reaches_far_enough(const ModesRequest& request, const VectorXd& lambda, Index unknowns) {
-  return modes_asked(request, lambda) < lambda.size() || lambda.size() + 1 >= unknowns;
+bool reaches_far_enough(const ModesRequest& request, const VectorXd& lambda, int most) {
+  return modes_asked(request, lambda) < lambda.size() || lambda.size() >= most;
 }
 
 void drop_below_band(ModeSet& modes, double low_hertz) {
@@ -132,10 +136,15 @@ BaseFactor factor_below_spectrum(const SparseMatrix& K, const SparseMatrix& M) {
     status = base.factor.factorise(shifted(K, M, base.sigma));
     if (status.ok) return base;
   }
-  throw std::runtime_error("the model has a degree of freedom without stiffness and mass, or an "
-                           "indefinite stiffness: factorisation stops at unknown " +
+  throw std::runtime_error("the model has a degree of freedom without stiffness and mass (a part "
+                           "that nothing holds and that has no density?), or an indefinite "
+                           "stiffness: factorisation stops at unknown " +
                            std::to_string(status.failed_column + 1) + " of " +
                            std::to_string(K.rows()));
+}
+
+int reachable_modes(const SparseMatrix& M) {
+  return std::min(dofs_with_mass(M), static_cast<int>(M.rows()) - 1);
 }
 
 ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const VectorXd& lambda,
@@ -165,14 +174,16 @@ ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const Ve
 
 ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
                    BaseFactor& base) {
-  if (!(VectorXd(M.diagonal()).maxCoeff() > 0))
+  const int most = reachable_modes(M);
+  if (dofs_with_mass(M) == 0)
     throw std::runtime_error("what is free to move has no mass, so there are no modes");
   ModeSet modes;
   Stopwatch watch;
   LanczosSettings settings;
   // A free body: beyond its rigid modes, or nothing tells them from small elastic ones.
   const int least = base.sigma < 0 ? 6 : 1;
-  settings.count = (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes;
+  settings.count =
+      std::min(most, (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes);
   constexpr int attempts = 3;
   bool scaled = base.sigma == 0;
   double factored_at = base.sigma;
@@ -192,8 +203,8 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
       continue;
     }
     if (pairs.converged && !better_dense(K, M) &&
-        !reaches_far_enough(request, pairs.values, K.rows())) {
-      settings.count = std::min<int>(2 * settings.count, static_cast<int>(K.rows()) - 1);
+        !reaches_far_enough(request, pairs.values, most)) {
+      settings.count = std::min(2 * settings.count, most);
       continue;
     }
     const int keep = modes_asked(request, pairs.values);
@@ -217,7 +228,7 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     ++attempt;
     modes.restarts = attempt;
     settings.seed += 1;
-    settings.count = std::min<int>(settings.count + 8, static_cast<int>(K.rows()) - 1);
+    settings.count = std::min(settings.count + 8, most);
     settings.subspace = 3 * settings.count + 40;
   }
   if (request.proof && modes.proof.passed &&

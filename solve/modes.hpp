@@ -53,7 +53,12 @@ struct BaseFactor {
 // then indefinite, or a DOF has neither stiffness nor mass (named by its number in the message).
 BaseFactor factor_below_spectrum(const SparseMatrix& K, const SparseMatrix& M);
 
-// `base` is used for the solves and overwritten by the proof.
+// How many modes Lanczos can find: no more than degrees of freedom with mass, and one less than
+// unknowns.
+int reachable_modes(const SparseMatrix& M);
+
+// `base` is used for the solves and overwritten by the proof. Gives fewer modes than asked for
+// where there are no more. Throws std::runtime_error when nothing has mass.
 ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
                    BaseFactor& base);
 

@@ -4,6 +4,7 @@
 
 #include <cholmod.h>
 #include <cstring>
+#include <mutex>
 #include <omp.h>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -43,6 +44,8 @@ struct SparseFactor::Impl {
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
+
+  void solve(int system, const double* b, double* result) const; // one vector
 };
 
 namespace {
@@ -106,8 +109,20 @@ std::string words(int status) {
 
 } // namespace
 
+void SparseFactor::Impl::solve(int system, const double* b, double* result) const {
+  const OneOpenMpThread scope;
+  cholmod_dense B = view(b, rows, 1);
+  if (cholmod_solve2(system, factor, &B, nullptr, &x, nullptr, &y, &e, &common) == 0)
+    throw std::runtime_error("sparse solve failed: " + words(common.status));
+  std::memcpy(result, x->x, sizeof(double) * static_cast<std::size_t>(rows));
+}
+
 SparseFactor::SparseFactor(const SparseMatrix& pattern, Factorisation kind)
     : impl_(std::make_unique<Impl>(kind, static_cast<int>(pattern.rows()))) {
+  // METIS draws from rand(), which threads share: one analysis at a time, or the order, and with it
+  // the last digits of all that follows, differs from run to run.
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
   cholmod_sparse A = view(pattern);
   impl_->factor = cholmod_analyze(&A, &impl_->common);
   if (impl_->factor == nullptr)
@@ -128,8 +143,7 @@ FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
     throw std::runtime_error("sparse factorisation failed: " + words(c.status));
   const bool cut_short = impl_->factor->minor < impl_->factor->n;
   if (!cut_short && c.status == CHOLMOD_OK) return {.ok = true, .failed_column = -1, .reason = ""};
-  const int* order = static_cast<const int*>(impl_->factor->Perm);
-  const int column = cut_short ? order[impl_->factor->minor] : -1;
+  const int column = cut_short ? order()[Eigen::Index(impl_->factor->minor)] : -1;
   return {.ok = false,
           .failed_column = column,
           .reason = impl_->kind == Factorisation::cholesky ? "the matrix is not positive definite"
@@ -151,8 +165,7 @@ Eigen::MatrixXd SparseFactor::quadratic_form(const SparseMatrix& b) const {
   const OneOpenMpThread scope;
   const auto n = static_cast<std::size_t>(b.rows()), k = static_cast<std::size_t>(b.cols());
   std::vector<int> place(n); // of a row in the order of the factor
-  const int* order = static_cast<const int*>(impl_->factor->Perm);
-  for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<int>(i);
+  for (std::size_t i = 0; i < n; ++i) place[order()[Eigen::Index(i)]] = static_cast<int>(i);
   cholmod_dense* permuted = cholmod_zeros(n, k, CHOLMOD_REAL, &impl_->common);
   if (permuted == nullptr) throw std::runtime_error("sparse solve: not enough memory");
   for (int j = 0; j < b.outerSize(); ++j)
@@ -169,13 +182,16 @@ Eigen::MatrixXd SparseFactor::quadratic_form(const SparseMatrix& b) const {
   return form.selfadjointView<Eigen::Lower>();
 }
 
-void SparseFactor::solve(const double* b, double* x) const {
-  const OneOpenMpThread scope;
-  cholmod_dense B = view(b, impl_->rows, 1);
-  if (cholmod_solve2(CHOLMOD_A, impl_->factor, &B, nullptr, &impl_->x, nullptr, &impl_->y,
-                     &impl_->e, &impl_->common) == 0)
-    throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
-  std::memcpy(x, impl_->x->x, sizeof(double) * static_cast<std::size_t>(impl_->rows));
+void SparseFactor::solve_lower(const double* b, double* x) const {
+  impl_->solve(CHOLMOD_L, b, x);
+}
+
+void SparseFactor::solve_upper(const double* b, double* x) const {
+  impl_->solve(CHOLMOD_Lt, b, x);
+}
+
+Eigen::Map<const Eigen::VectorXi> SparseFactor::order() const {
+  return {static_cast<const int*>(impl_->factor->Perm), impl_->rows};
 }
 
 int SparseFactor::rows() const {

@@ -22,8 +22,8 @@ struct FactorStatus {
 
 class SparseFactor {
 public:
-  // Analyses the pattern of a symmetric matrix (lower triangle). Throws std::runtime_error when
-  // memory is short.
+  // Analyses the pattern of a symmetric matrix (lower triangle); the same pattern gives the same
+  // order whatever runs beside it. Throws std::runtime_error when memory is short.
   explicit SparseFactor(const SparseMatrix& pattern, Factorisation kind = Factorisation::cholesky);
   ~SparseFactor();
   SparseFactor(SparseFactor&&) noexcept;
@@ -36,8 +36,12 @@ public:
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   // b' A^-1 b, symmetric, from one forward solve. Cholesky only.
   Eigen::MatrixXd quadratic_form(const SparseMatrix& b) const;
-  // A^-1 b for one vector of rows() numbers, without allocation after the first call.
-  void solve(const double* b, double* x) const;
+  // L^-1 b and L'^-1 b of A = P' L L' P, for one vector of rows() numbers in the order of the
+  // factor, without allocation after the first call. Cholesky only.
+  void solve_lower(const double* b, double* x) const;
+  void solve_upper(const double* b, double* x) const;
+  // P: row of the factor -> row of A.
+  Eigen::Map<const Eigen::VectorXi> order() const;
 
   int rows() const;
   int negative_pivots() const; // ldlt only

@@ -15,6 +15,7 @@ struct Broken {
   std::string text; // after, or in place of a line of, the good deck
   int line = 0;
   std::string message;
+  std::size_t problems = 1; // the first of them is looked at
 };
 
 // Ten lines; what is broken comes after them.
@@ -43,7 +44,7 @@ std::vector<InputProblem> problems_of(const std::string& text, const std::string
 
 void expect_refused(const std::string& text, const std::string& name, const Broken& broken) {
   const std::vector<InputProblem> problems = problems_of(text, name);
-  ASSERT_EQ(problems.size(), 1U) << broken.text;
+  ASSERT_EQ(problems.size(), broken.problems) << broken.text;
   EXPECT_NE(problems[0].wrong.find(broken.message), std::string::npos)
       << broken.text << "\n-> " << to_string(problems[0]);
   EXPECT_EQ(problems[0].line, broken.line) << to_string(problems[0]);
@@ -79,7 +80,7 @@ TEST(BrokenDeck, abaqus) {
        "there is no surface S"},
       {section + "*COUPLING, CONSTRAINT NAME=C, REF NODE=1, SURFACE=S\n*COUPLING, CONSTRAINT "
                  "NAME=D, REF NODE=1, SURFACE=S\n*KINEMATIC\n",
-       13, "is neither kinematic nor distributing"},
+       13, "is neither kinematic nor distributing", 2},
       {section + "*TRANSVERSE SHEAR STIFFNESS\n1e6, 1e6, 0.\n", 13, "follows no section of a beam"},
       {section + "*KINEMATIC\n1, 6\n", 13, "follows no *COUPLING"},
       {section + "*MPC\nSLIDER, 1, 2\n", 14, "is \"SLIDER\""},
@@ -99,6 +100,27 @@ TEST(BrokenDeck, abaqus) {
                  "2.e11, 0.3\n" +
                      section,
                  "model.inp", {"a line", 0, "element 1 in line 7 has no area"});
+}
+
+TEST(BrokenDeck, says_at_once_what_does_not_build_on_each_other) {
+  std::vector<InputProblem> problems =
+      problems_of(good_abaqus + "*SOLID SECTION, ELSET=WALL\n*PLASTIC\n1e8, 0\n*CREEP\n" + section,
+                  "model.inp");
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[2].line, 14);
+  problems =
+      problems_of(good_abaqus + section + "*BOUNDARY\n1, 7\n*BOUNDARY\nEDGE, 1\n", "model.inp");
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0].line, 14);
+  EXPECT_EQ(problems[1].line, 16);
+  problems =
+      problems_of(good_nastran + property + "CHEXA,2,1,1,2,3,4\nCTETRA,3,1,1,2,3,4\n", "model.bdf");
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[1].line, 9);
+  problems =
+      problems_of(good_nastran + property + "CTRIA3,2,1,1,2,9\nCTRIA3,3,1,1,2,8\n", "model.bdf");
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_NE(problems[1].wrong.find("there is no grid point 8"), std::string::npos);
 }
 
 TEST(BrokenDeck, shells_that_are_folded_and_bodies_that_are_none) {

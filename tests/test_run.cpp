@@ -106,6 +106,68 @@ TEST(FreeMount, has_six_rigid_modes_and_the_bending_of_a_free_beam) {
                 1, 1e-3);
 }
 
+// Asked for few modes all are rigid, and are called so.
+TEST(FreeMount, has_rigid_modes_alone_when_few_are_asked_for) {
+  Case data = tube(2);
+  for (Mount& mount : data.mount) mount.kind = MountKind::free;
+  data.analyses.modes = Modes{.count = 3};
+  const Results results = run_silently(data);
+  ASSERT_EQ(results.modes.size(), 6U);
+  for (const ModeResult& mode : results.modes) EXPECT_EQ(mode.shape, "rigid");
+}
+
+// Two tubes beside each other, one stiffer: their modes have the same names but for the part.
+TEST(Labels, of_modes_called_the_same_name_the_part) {
+  Case data = tube(2);
+  BeamPart other = std::get<BeamPart>(data.parts[0].body);
+  other.section.EI = 2 * EI;
+  data.parts.push_back({"stiff", other});
+  data.caps.clear();
+  data.mount.clear();
+  for (const char* set : {"tube.start", "tube.end", "stiff.start", "stiff.end"})
+    data.supports.push_back({set, {0, 1, 2, 3, 4, 5}});
+  data.analyses.modes = Modes{.count = 4};
+  const Results results = run_silently(data);
+  ASSERT_EQ(results.modes.size(), 4U);
+  for (int i : {0, 1}) EXPECT_EQ(results.modes[i].place, "tube") << i;
+  for (int i : {2, 3}) EXPECT_EQ(results.modes[i].place, "stiff") << i;
+  ASSERT_EQ(results.warnings.size(), 1U);
+  EXPECT_NE(results.warnings[0].find("2 pieces"), std::string::npos);
+}
+
+// A massless beam between two held ends with a body in the middle: six modes, and no seventh.
+TEST(Modes, are_no_more_than_what_has_mass) {
+  Case data = tube(0);
+  BeamPart& beam = std::get<BeamPart>(data.parts[0].body);
+  beam.section.rotary_inertia_per_length = beam.section.polar_inertia_per_length = 0;
+  beam.points = {{0, 0, 0}, {0, L / 2, 0}, {0, L, 0}};
+  data.parts.push_back(
+      {"ball", PointMass{.at = "tube.point[2]", .mass = 3, .inertia = {1, 1, 1, 0, 0, 0}}});
+  data.analyses.modes = Modes{.count = 6};
+  const Results results = run_silently(data);
+  ASSERT_TRUE(results.verification.passed) << results.verification.reason;
+  ASSERT_EQ(results.modes.size(), 6U);
+  EXPECT_NEAR(results.modes[5].frequency, std::sqrt(4 * EA / L / 3) / (2 * pi),
+              1e-9 * results.modes[5].frequency);
+  data.analyses.modes = Modes{.count = 7};
+  const Results all = run_silently(data);
+  EXPECT_EQ(all.modes.size(), 6U);
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_NE(all.warnings[0].find("there are 6 modes, fewer than asked for"), std::string::npos);
+}
+
+// A node that a support holds and a cap ties is named with the cap.
+TEST(Clash, of_a_cap_and_a_support_is_said_at_the_cap) {
+  Case data = tube(1);
+  data.supports.push_back({"tube.start", {0, 1, 2}});
+  try {
+    run_silently(data);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().at(0).key, "caps.left.of") << error.what();
+  }
+}
+
 // Lowest modes of a clamped tube, R = 0.1, L = 0.2, t = 0.002 m: five waves, then four, then six.
 TEST(Labels, count_the_waves_of_shell_modes) {
   Case data = verification_case("cylinder_clamped", {}, 6);

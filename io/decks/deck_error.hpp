@@ -18,4 +18,27 @@ struct DeckPosition {
   throw InputError({{at.file, at.line, card, wrong, allowed}});
 }
 
+// What is wrong in cards that do not depend on each other, to be said at once.
+class DeckProblems {
+public:
+  // Runs f and keeps what it throws.
+  template <class F> void collect(F&& f) {
+    constexpr std::size_t most = 50;
+    try {
+      f();
+    } catch (const InputError& error) {
+      found_.insert(found_.end(), error.problems().begin(), error.problems().end());
+      if (found_.size() >= most) raise();
+    }
+  }
+
+  // Throws InputError when there are any; to be called before what builds on these cards.
+  void raise() const {
+    if (!found_.empty()) throw InputError(found_);
+  }
+
+private:
+  std::vector<InputProblem> found_;
+};
+
 } // namespace plica

@@ -39,33 +39,32 @@ const std::set<std::string> passed{"HEADING",
                                    "SECTION CONTROLS",
                                    "DIAGNOSTICS"};
 
-void check_known(const std::vector<Keyword>& keywords, const std::vector<KeywordHandlers>& phases,
-                 LeftOut& left_out) {
-  for (const Keyword& k : keywords) {
-    if (passed.contains(k.name)) continue;
-    if (k.name == "PART" || k.name == "INSTANCE" || k.name == "ASSEMBLY")
-      deck_error(k.at, "*" + k.name, "is not read: the deck has parts and instances",
-                 "a flat deck; in Abaqus/CAE, model attribute \"do not use parts and assemblies in "
-                 "input files\"");
-    if (k.name == "SYSTEM" || k.name == "TRANSFORM" || (k.name == "NODE" && k.has("SYSTEM")))
-      deck_error(k.at, "*" + k.name, "gives coordinates in axes that are not followed",
-                 "nodes and degrees of freedom in global axes");
-    const KeywordHandler* handler = nullptr;
-    for (const KeywordHandlers& phase : phases)
-      if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;
-    if (handler == nullptr) {
-      left_out.note(k, "is not known", "keywords of docs/decks.md");
-      continue;
-    }
-    for (const auto& [name, value] : k.parameters)
-      if (!handler->parameters.contains(name))
-        left_out.note(k, "has a parameter " + name + " that is not known", "without it");
+void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases, LeftOut& left_out) {
+  if (passed.contains(k.name)) return;
+  if (k.name == "PART" || k.name == "INSTANCE" || k.name == "ASSEMBLY")
+    deck_error(k.at, "*" + k.name, "is not read: the deck has parts and instances",
+               "a flat deck; in Abaqus/CAE, model attribute \"do not use parts and assemblies in "
+               "input files\"");
+  if (k.name == "SYSTEM" || k.name == "TRANSFORM" || (k.name == "NODE" && k.has("SYSTEM")))
+    deck_error(k.at, "*" + k.name, "gives coordinates in axes that are not followed",
+               "nodes and degrees of freedom in global axes");
+  const KeywordHandler* handler = nullptr;
+  for (const KeywordHandlers& phase : phases)
+    if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;
+  if (handler == nullptr) {
+    left_out.note(k, "is not known", "keywords of docs/decks.md");
+    return;
   }
+  for (const auto& [name, value] : k.parameters)
+    if (!handler->parameters.contains(name))
+      left_out.note(k, "has a parameter " + name + " that is not known", "without it");
 }
 
-void read(const std::vector<Keyword>& keywords, const KeywordHandlers& handlers) {
-  for (const Keyword& k : keywords)
-    if (const auto found = handlers.find(k.name); found != handlers.end()) found->second.read(k);
+// f of each keyword; what is wrong in them is said together.
+template <class F> void for_each(const std::vector<Keyword>& keywords, F&& f) {
+  DeckProblems problems;
+  for (const Keyword& k : keywords) problems.collect([&] { f(k); });
+  problems.raise();
 }
 
 } // namespace
@@ -82,9 +81,12 @@ DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   const std::vector<KeywordHandlers> phases{mesh.handlers(), sections.materials(),
                                             joints.surfaces(), sections.handlers(),
                                             joints.handlers()};
-  check_known(keywords, phases, left_out);
+  for_each(keywords, [&](const Keyword& k) { check_known(k, phases, left_out); });
   for (std::size_t p = 0; p < phases.size(); ++p) {
-    read(keywords, phases[p]);
+    for_each(keywords, [&](const Keyword& k) {
+      if (const auto found = phases[p].find(k.name); found != phases[p].end())
+        found->second.read(k);
+    });
     if (p == 0) mesh.read_sets();
   }
   mesh.check_sections();

@@ -33,16 +33,17 @@ const std::set<std::string> idle{"POST",  "AUTOSPC", "COUPMASS", "GRDPNT",  "BAI
 class NastranReader {
 public:
   NastranReader(const BulkData& bulk, UnknownCards unknown) : unknown_(unknown) {
-    for (const Card& card : bulk.cards) sort(card);
+    for (const Card& card : bulk.cards) problems_.collect([&] { sort(card); });
+    problems_.raise();
     read(bulk);
   }
 
   DeckModel deck;
 
 private:
-  template <class F> void for_each(const char* name, F&& f) const {
+  template <class F> void for_each(const char* name, F&& f) {
     if (const auto found = cards_.find(name); found != cards_.end())
-      for (const Card* card : found->second) f(*card);
+      for (const Card* card : found->second) problems_.collect([&] { f(*card); });
   }
 
   void sort(const Card& card) {
@@ -67,9 +68,11 @@ private:
     const NastranGrids grids(cards_, deck);
     grids_ = &grids;
     for_each("MAT1", [&](const Card& card) { material(card); });
+    problems_.raise();
     for_each("PSHELL", [&](const Card& card) { shell_property(card); });
     for (const char* name : {"PBAR", "PBARL", "PBEAM", "PBEAML"})
       for_each(name, [&](const Card& card) { beam_property(card); });
+    problems_.raise();
     for (const char* name : {"CQUAD4", "CQUADR", "CTRIA3", "CTRIAR"})
       for_each(name, [&](const Card& card) { shell(card); });
     for (const char* name : {"CBAR", "CBEAM"})
@@ -80,6 +83,7 @@ private:
       spring(card, by_number("PELAS", card.whole(1), card).real(1), 2);
     });
     for_each("CELAS2", [&](const Card& card) { spring(card, card.real(1), 2); });
+    problems_.raise();
     read_rigid_elements(cards_, grids, deck);
     read_constraints(cards_, bulk, grids, deck);
   }
@@ -306,6 +310,7 @@ private:
   }
 
   UnknownCards unknown_;
+  DeckProblems problems_;
   CardsByName cards_;
   std::set<int> elements_; // numbers
   const NastranGrids* grids_ = nullptr;

@@ -124,10 +124,11 @@ void check_analyses(const Case& data, CheckLog& log) {
   const Analyses& a = data.analyses;
   check_responses(data, log);
   const std::size_t n = data.caps.size();
-  if (a.statics && n != 2 && !data.parts.empty() && log.fine("caps") && log.fine("analyses.static"))
+  if (a.statics.value_or(false) && n != 2 && !data.parts.empty() && log.fine("caps") &&
+      log.fine("analyses.static"))
     log.add("analyses.static",
             "static stiffness is between two caps, this case has " + std::to_string(n),
-            "give exactly two caps, or static: false");
+            "give exactly two caps, or leave static out");
   const double highest =
       std::max(a.response ? a.response->band[1] : 0, a.modes ? a.modes->band[1] : 0);
   if (a.reduction && a.reduction->cutoff > 0 && a.reduction->cutoff < highest)

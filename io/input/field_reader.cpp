@@ -81,7 +81,9 @@ bool FieldReader::number(const YamlNode& node, const std::string& path, double& 
              "allowed: " + describe(q, unit));
     return false;
   }
-  const TolerancedQuantity toleranced = parse_toleranced(node.text, unit);
+  const bool one =
+      q.is_unit && !node.text.empty() && std::isalpha(static_cast<unsigned char>(node.text[0]));
+  const TolerancedQuantity toleranced = parse_toleranced((one ? "1 " : "") + node.text, unit);
   const ParsedQuantity& parsed = toleranced.value;
   if (!parsed.wrong.empty()) {
     log_.add(node.line, path, parsed.wrong, parsed.allowed);
@@ -162,6 +164,15 @@ void FieldReader::flag(bool& x, const char* key, const char* help) {
     log_.add(node->line, at(key), "is " + kind_of(*node), "allowed: true or false");
   else
     x = yes;
+}
+
+void FieldReader::flag(std::optional<bool>& x, const char* key, const char* help) {
+  if (bool value = false; find(key)) {
+    flag(value, key, help);
+    x = value;
+  } else {
+    take(key, false, help);
+  }
 }
 
 void FieldReader::text(std::string& x, const char* key, const Text& t, const char* help) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -73,6 +74,7 @@ public:
     for (std::size_t i = 0; i < N; ++i) integer(node->items[i], at(key, i), x[i], w);
   }
   void flag(bool& x, const char* key, const char* help);
+  void flag(std::optional<bool>& x, const char* key, const char* help);
   void text(std::string& x, const char* key, const Text& t, const char* help);
   void texts(std::vector<std::string>& x, const char* key, const char* help);
   void one_or_more(std::vector<std::string>& x, const char* key, const char* help);

@@ -242,24 +242,6 @@ void check(const std::string& key, const PointMass& m, const Case&, CheckLog& lo
   check_inertia(key + ".inertia", m.inertia, log);
 }
 
-void check_materials_used(const Case& data, CheckLog& log) {
-  if (!data.model.empty()) return;    // the parts of the case do
-  for (const Part& part : data.parts) // it needs none; its case may keep that of the bellows
-    if (std::holds_alternative<ConnectorChain>(part.body)) return;
-  std::set<std::string> used;
-  for (const Part& part : data.parts) {
-    if (const auto* b = std::get_if<Bellows>(&part.body)) used.insert(b->material);
-    if (const auto* p = std::get_if<Plate>(&part.body)) used.insert(p->material);
-    if (const auto* p = std::get_if<EquivalentPipe>(&part.body)) used.insert(p->material);
-    if (const auto* s = std::get_if<SurfacePart>(&part.body)) used.insert(s->material);
-    if (const auto* b = std::get_if<BeamPart>(&part.body)) used.insert(b->section.material);
-  }
-  for (const Variant& variant : data.variants)
-    for (const auto& [path, value] : variant.set) used.insert(value);
-  for (const auto& [name, material] : data.materials)
-    if (!used.count(name)) log.add("materials." + name, "no part uses this material", "remove it");
-}
-
 } // namespace
 
 void check_inertia(const std::string& key, const Sextuple& J, CheckLog& log) {
@@ -282,8 +264,6 @@ void check_parts(const Case& data, CheckLog& log) {
     if (log.fine(key + ".type"))
       std::visit([&](const auto& body) { check(key, body, data, log); }, part.body);
   }
-  if (log.fine("parts") && log.fine("materials") && log.problems.empty())
-    check_materials_used(data, log);
 }
 
 } // namespace plica

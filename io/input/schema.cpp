@@ -29,7 +29,7 @@ Json quantity_schema(const Quantity& q, Dimension unit, const std::string& help)
   Json number{{"type", "number"}};
   if (std::isfinite(q.min)) number[q.exclusive_min ? "exclusiveMinimum" : "minimum"] = q.min;
   if (std::isfinite(q.max)) number[q.exclusive_max ? "exclusiveMaximum" : "maximum"] = q.max;
-  Json string{{"type", "string"}, {"pattern", quantity_pattern(unit, q.min < 0)}};
+  Json string{{"type", "string"}, {"pattern", quantity_pattern(unit, q.min < 0, q.is_unit)}};
   const std::string allowed = describe(q, unit);
   return with_help({{"anyOf", {number, string}}}, help.empty() ? allowed : help + "; " + allowed);
 }

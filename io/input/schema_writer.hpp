@@ -71,6 +71,9 @@ public:
   void flag(bool& x, const char* key, const char* help) {
     add(key, {{"type", "boolean"}, {"description", help}, {"default", x}}, false);
   }
+  void flag(std::optional<bool>&, const char* key, const char* help) {
+    add(key, {{"type", "boolean"}, {"description", help}}, false);
+  }
   void text(std::string&, const char* key, const Text& t, const char* help) {
     add(key, text_schema(t, help), t.required);
   }

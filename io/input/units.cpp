@@ -30,8 +30,10 @@ const std::vector<DimensionInfo>& table() {
       {Dimension::angle, "angle", {{"rad", 1}, {"deg", degree}}},
       {Dimension::mass, "mass", {{"kg", 1}, {"g", 1e-3}, {"t", 1e3}}},
       {Dimension::inertia, "moment of inertia", {{"kg m2", 1}, {"kg mm2", 1e-6}, {"kg cm2", 1e-4}}},
-      {Dimension::density, "density", {{"kg/m3", 1}, {"g/cm3", 1e3}}},
-      {Dimension::pressure, "pressure", {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}},
+      {Dimension::density, "density", {{"kg/m3", 1}, {"g/cm3", 1e3}, {"t/mm3", 1e12}}},
+      {Dimension::pressure,
+       "pressure",
+       {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/mm2", 1e6}}},
       {Dimension::force, "force", {{"N", 1}, {"kN", 1e3}, {"MN", 1e6}}},
       {Dimension::moment,
        "moment",
@@ -170,7 +172,7 @@ std::string describe(const Quantity& q, Dimension unit) {
   return unit_list(unit) + (bounds.empty() ? "" : "," + bounds);
 }
 
-std::string quantity_pattern(Dimension dimension, bool negative) {
+std::string quantity_pattern(Dimension dimension, bool negative, bool unit_alone) {
   std::string units;
   for (const std::string& name : units_of(dimension)) {
     std::string unit = name;
@@ -182,7 +184,8 @@ std::string quantity_pattern(Dimension dimension, bool negative) {
   const std::string limit = " *[+-]?" + number + unit + " *";
   const std::string tolerance =
       " *([+]-|±) *" + number + "( *%|" + unit + ")|" + " *\\[" + limit + "," + limit + "\\]";
-  return std::string(negative ? "^[+-]?" : "^[+]?") + number + unit + "(" + tolerance + ")?$";
+  return std::string(negative ? "^[+-]?" : "^[+]?") + number + unit + "(" + tolerance + ")?$" +
+         (unit_alone ? "|^(" + units + ")$" : "");
 }
 
 } // namespace plica

@@ -31,8 +31,9 @@ std::string name_of(Dimension dimension);
 // What may be written: "a length above 0 in m, mm, cm or um (plain number: m)".
 std::string describe(const Quantity& quantity, Dimension unit);
 
-// Regular expression for such a string, with or without a tolerance, for the JSON schema.
-std::string quantity_pattern(Dimension dimension, bool negative);
+// Regular expression for such a string, with or without a tolerance, for the JSON schema; the unit
+// alone too, on request.
+std::string quantity_pattern(Dimension dimension, bool negative, bool unit_alone = false);
 
 // Shortest text of a number for messages: 6 significant digits, no trailing zeros.
 std::string short_number(double value);

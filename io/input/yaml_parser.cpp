@@ -220,7 +220,9 @@ YamlNode parse_yaml(const std::string& text, const std::string& file,
           {file, line, "", "nested too deeply", "at most " + std::to_string(deepest) + " levels"});
     else
       problems.push_back({file, line, "", "YAML syntax: " + e.msg,
-                          "check brackets, quotes, colons and indentation here and above"});
+                          "check brackets, quotes, colons and indentation here and above; within { "
+                          "} a name with [ ] "
+                          "needs quotes"});
   }
   return {};
 }

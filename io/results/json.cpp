@@ -51,6 +51,7 @@ Json json_of(const ModeResult& mode) {
           {"shape", mode.shape},
           {"direction", mode.direction},
           {"order", mode.order > 0 ? Json(mode.order) : Json(nullptr)},
+          {"place", mode.place},
           {"harmonic", mode.harmonic >= 0 ? Json(mode.harmonic) : Json(nullptr)},
           {"label", mode_label(mode)},
           {"residual", number(mode.residual)}};

@@ -13,17 +13,18 @@
 namespace plica {
 
 std::string mode_label(const ModeResult& mode) {
+  const std::string place = mode.place.empty() ? "" : " (" + mode.place + ")";
   if (mode.shape == "shell") {
     std::string label = "shell";
     if (mode.harmonic >= 0) label += fmt::format(" n={}", mode.harmonic);
     if (mode.order > 0) label += fmt::format(" m={}", mode.order);
-    return label;
+    return label + place;
   }
   std::string label = mode.shape.empty() ? "mode" : mode.shape;
   if (mode.order > 0) label += fmt::format(" {}", mode.order);
   const bool direction_is_plain = mode.shape == "axial" || mode.shape == "torsion";
   if (!mode.direction.empty() && !direction_is_plain) label += " in " + mode.direction;
-  return label;
+  return label + place;
 }
 
 int decimals_for(double value, int digits) {

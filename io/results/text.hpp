@@ -9,7 +9,8 @@
 namespace plica {
 
 // "axial 1", "transverse 1 in x", "torsion 2", "shell n=3 m=1" (n waves around, m half waves
-// along), "rigid in z"; what is not counted is left out.
+// along), "rigid in z"; what is not counted is left out. "transverse 1 in x (bracket)" where
+// several modes would be called the same.
 std::string mode_label(const ModeResult& mode);
 
 // `digits` significant digits, and never fewer than the integer ones: 54365, 116.2, 2.1e-09.

@@ -1,0 +1,87 @@
+// Cases that are allowed and most likely not meant: each is doubted in words, good ones are not.
+#include "io/files.hpp"
+#include "model/doubts.hpp"
+#include "tests/bellows_case.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace plica::test {
+namespace {
+
+const std::string plate_case = R"(case: plate
+materials: {steel: {E: 200 GPa, nu: 0.3, rho: 7850 kg/m3}}
+parts:
+  web: {type: plate, corners: [[0, 0, 0], [300 mm, 0, 0], [300 mm, 200 mm, 0], [0, 200 mm, 0]],
+        thickness: 2 mm, elements: [3, 2], material: steel}
+supports: [{set: web.edge1, fix: [ux, uy, uz, rx, ry, rz]}]
+analyses: {modes: {count: 4}}
+)";
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::vector<std::string> doubts_of(const std::string& text) {
+  const TemporaryFolder folder("doubts");
+  write_whole(folder.path / "case.yaml", text);
+  write_whole(folder.path / "deck.inp",
+              "*NODE\n1, 0, 0, 0\n2, 100, 0, 0\n3, 100, 100, 0\n4, 0, 100, 0\n"
+              "*ELEMENT, TYPE=S4, ELSET=WALL\n1, 1, 2, 3, 4\n*MATERIAL, NAME=M\n"
+              "*ELASTIC\n2.e5, 0.3\n*DENSITY\n7850.\n*SHELL SECTION, ELSET=WALL, MATERIAL=M\n1.\n");
+  const Case data = read_case((folder.path / "case.yaml").string()).data;
+  return doubts(data, build(data));
+}
+
+void expect_doubt(const std::string& text, const std::string& words) {
+  const std::vector<std::string> found = doubts_of(text);
+  ASSERT_EQ(found.size(), 1U) << words;
+  EXPECT_NE(found[0].find(words), std::string::npos) << found[0];
+}
+
+TEST(Doubts, are_none_of_shipped_cases) {
+  for (const char* name : {"bellow_a2", "hose_b", "dual_assembly", "pipe_with_bracket",
+                           "bolted_lap", "cantilever_masses", "tutorial"}) {
+    const Case data =
+        read_case(std::string(PLICA_SOURCE_DIR) + "/cases/" + name + "/" + name + ".yaml").data;
+    for (const std::string& doubt : doubts(data, build(data)))
+      ADD_FAILURE() << name << ": " << doubt;
+  }
+}
+
+TEST(Doubts, name_what_a_forgotten_unit_gives) {
+  EXPECT_TRUE(doubts_of(plate_case).empty());
+  expect_doubt(with(plate_case, "7850 kg/m3", "7.85e-9"), "a density of 7.85e-09 kg/m3");
+  expect_doubt(with(plate_case, "200 GPa", "200"), "E = 200 Pa");
+  expect_doubt(with(plate_case, "2 mm, el", "2, el"), "a wall of 2000 mm");
+  expect_doubt(with(plate_case, "7850 kg/m3", "0"), "has no density");
+}
+
+TEST(Doubts, name_materials_that_no_part_uses) {
+  expect_doubt(
+      with(plate_case, "materials: {", "materials: {copper: {E: 120 GPa, nu: 0.3, rho: 8900}, "),
+      "materials.copper: no part uses it");
+}
+
+TEST(Doubts, name_a_deck_of_other_units_and_a_turn_of_many_turns) {
+  const std::vector<std::string> found = doubts_of(
+      "case: deck\nparts:\n  net: {type: deck, file: deck.inp, length_unit: mm, mass_unit: "
+      "t, rotate: [0, 90, 0]}\nanalyses: {modes: {count: 2}}\n");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NE(found[0].find("the deck net has a density of 7.85e+15"), std::string::npos) << found[0];
+  EXPECT_NE(found[1].find("write 90 deg"), std::string::npos) << found[1];
+}
+
+TEST(Doubts, name_what_is_joined_across_a_distance_and_what_is_not_joined) {
+  const std::string second = "  far: {type: plate, corners: [[5, 0, 0], [6, 0, 0], [6, 1, 0], [5, "
+                             "1, 0]], thickness: 2 mm, "
+                             "elements: [2, 2], material: steel}\n";
+  expect_doubt(with(plate_case, "supports", second + "supports"),
+               "falls into 2 pieces that nothing joins (a cap or a clamp does): web | far");
+  expect_doubt(with(plate_case, "supports",
+                    second + "caps: {joint: {of: [web.edge2, far.edge4]}}\nsupports"),
+               "cap joint joins web.edge2 and far.edge4 rigidly");
+}
+
+} // namespace
+} // namespace plica::test
