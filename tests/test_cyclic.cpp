@@ -136,6 +136,25 @@ TEST(CyclicModes, are_those_of_the_full_mesh_and_counted) {
   }
 }
 
+// The torsion of a free bellows has one rigid mode, far nearer to the first shift than all others,
+// and rotations without inertia, which rounding must not let grow.
+TEST(CyclicModes, of_torsion_bear_a_shift_near_the_rigid_mode) {
+  const BuiltCase built = build(verification_case("bellows_a", {20, 2, 3}, 12));
+  const CyclicFamily family = cyclic_family(symmetric(built.model), {0, true}, {});
+  BaseFactor base = factor_below_spectrum(family.K, family.M);
+  const VectorXd wanted = plica::find_modes(family.K, family.M, {.count = 8}, base).lambda;
+  for (const double nearness : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8}) {
+    const double sigma = -nearness * wanted[1];
+    SparseFactor factor(family.K);
+    ASSERT_TRUE(factor.factorise(shifted(family.K, family.M, sigma)).ok) << nearness;
+    const EigenPairs pairs = lanczos(family.M, factor, sigma, {.count = 20});
+    ASSERT_TRUE(pairs.converged) << nearness << ": " << pairs.reason;
+    for (int i = 1; i < 8; ++i)
+      EXPECT_NEAR(pairs.values[i] / wanted[i], 1, 1e-8 + 1e-13 / nearness)
+          << nearness << ", mode " << i + 1;
+  }
+}
+
 TEST(CyclicModes, in_a_band_are_all_there) {
   const BuiltCase built = build(verification_case("cylinder_clamped"));
   const CyclicModel model = symmetric(built.model);
