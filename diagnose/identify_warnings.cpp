@@ -14,14 +14,14 @@ std::string text(const char* format, auto... values) {
   return buffer.data();
 }
 
-int lines_within(const Eigen::VectorXd& hertz, double low, double high) {
+int count_within(const Eigen::VectorXd& hertz, double low, double high) {
   return static_cast<int>((hertz.array() >= low && hertz.array() <= high).count());
 }
 
 void warn_of_mode(const FrfSet& set, const IdentifiedMode& m, std::vector<std::string>& warnings) {
   const std::string mode = text("mode at %.5g Hz: ", m.frequency);
   const double half = m.damping * m.frequency;
-  const int lines = lines_within(set.hertz, m.frequency - half, m.frequency + half);
+  const int lines = count_within(set.hertz, m.frequency - half, m.frequency + half);
   if (lines < 5)
     warnings.push_back(mode + text("%d lines within the half-power bandwidth of %.2g Hz, five are "
                                    "needed for its damping",

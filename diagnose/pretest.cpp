@@ -15,7 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double beyond_doubt = 25;
 constexpr int additions = 4;
 
 TestPlan completed(TestPlan plan, const Case& data) {

@@ -9,7 +9,7 @@
 namespace plica {
 namespace {
 
-constexpr double same = 1e-9; // relative
+constexpr double same_place = 1e-9; // relative
 
 struct RingPlace {
   int ring = -1;
@@ -39,7 +39,7 @@ std::vector<bool> broken_rings(const Mesh& mesh, const std::vector<RingPlace>& p
     if (place[node].ring < 0) continue;
     const Ring& ring = mesh.rings[place[node].ring];
     const Eigen::Vector3d x = cylindrical(mesh.nodes[node], place[node].angle);
-    if ((x - Eigen::Vector3d(ring.radius, ring.y, 0)).norm() > same * ring.radius)
+    if ((x - Eigen::Vector3d(ring.radius, ring.y, 0)).norm() > same_place * ring.radius)
       broken[place[node].ring] = true;
   }
   // Director and thickness at a ring, seen from the quads on one side of it.
@@ -52,8 +52,8 @@ std::vector<bool> broken_rings(const Mesh& mesh, const std::vector<RingPlace>& p
       if (p.ring < 0) continue;
       const Eigen::Vector3d director = cylindrical(quad.directors.col(a), p.angle);
       const auto [first, is_new] = wall.try_emplace({p.ring, rings}, director, quad.thickness[a]);
-      if (!is_new && ((first->second.first - director).norm() > same ||
-                      std::abs(first->second.second / quad.thickness[a] - 1) > same))
+      if (!is_new && ((first->second.first - director).norm() > same_place ||
+                      std::abs(first->second.second / quad.thickness[a] - 1) > same_place))
         broken[p.ring] = true;
     }
   }

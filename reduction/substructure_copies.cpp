@@ -8,14 +8,14 @@ namespace {
 
 // Relative. Meshing a bellows elsewhere on the axis moves its nodes by 1e-10 of their radius and
 // turns its directors by 1e-7.
-constexpr double same = 1e-6;
+constexpr double rounding = 1e-6;
 
 bool equal(double a, double b) { // two infinities are equal too
-  return a == b || std::abs(a - b) <= same * std::max(std::abs(a), std::abs(b));
+  return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 template <class A, class B>
 bool equal(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() <= same * b.norm();
+  return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() <= rounding * b.norm();
 }
 template <class T, class F> bool all_equal(const T& a, const T& b, F&& pairwise) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), pairwise);
@@ -43,7 +43,7 @@ bool equal(const Constraint& a, const Constraint& b) {
   for (const ConstraintTerm& t : a.terms) difference[{t.node, t.dof}] += t.factor;
   for (const ConstraintTerm& t : b.terms) difference[{t.node, t.dof}] -= t.factor;
   return std::all_of(difference.begin(), difference.end(),
-                     [](const auto& entry) { return std::abs(entry.second) <= same; });
+                     [](const auto& entry) { return std::abs(entry.second) <= rounding; });
 }
 
 } // namespace
@@ -61,7 +61,7 @@ bool is_copy(const Substructure& a, const Substructure& b) {
   };
   return all_equal(m.mesh.nodes, n.mesh.nodes,
                    [&](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
-                     return (x + shift - y).norm() <= same * size;
+                     return (x + shift - y).norm() <= rounding * size;
                    }) &&
          all_equal(m.mesh.quads, n.mesh.quads, same_shell) &&
          all_equal(m.mesh.triangles, n.mesh.triangles, same_shell) &&

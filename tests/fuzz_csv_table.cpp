@@ -9,16 +9,16 @@
 namespace plica::test {
 namespace {
 
-constexpr std::array seeds{
+constexpr std::array csv_seeds{
     "f [Hz],mid y real [g],mid y imaginary [g]\n1,2.5,-3\n2,1e-3,4\n3,-7,8.5\n",
     "# made by a lab\nf;\"a;b\";c\n1;2,5;-3+2j\n2;1e-3;(4-1i)\n\n3;1;2\n",
     "0.5+0j;-1.5e-3+2i;(1-2j)\n1;3j;4\n2;5;6\n", "1\t2\t3\n4\t5\t6\n"};
 
-void fuzz(unsigned seed, long rounds) {
+void fuzz_csv(unsigned seed, long rounds) {
   Mutator mutator(seed);
   int read = 0, refused = 0;
   for (long round = 0; round < rounds && !testing::Test::HasFailure(); ++round) {
-    std::string text = seeds[mutator.below(seeds.size())];
+    std::string text = csv_seeds[mutator.below(csv_seeds.size())];
     for (std::size_t k = 0, n = 1 + mutator.below(4); k < n; ++k) mutator.damage(text);
     try {
       const CsvTable table = csv_of_text(text, "fuzz.csv");
@@ -35,11 +35,11 @@ void fuzz(unsigned seed, long rounds) {
 }
 
 TEST(FuzzCsv, damaged_tables_are_read_or_refused) {
-  fuzz(1, 4000);
+  fuzz_csv(1, 4000);
 }
 
 TEST(FuzzCsvSlow, damaged_tables_are_read_or_refused_for_long) {
-  fuzz(2, fuzz_rounds());
+  fuzz_csv(2, fuzz_rounds());
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 namespace plica::test {
 namespace {
 
-std::vector<std::string> seeds() {
+std::vector<std::string> universal_seeds() {
   std::vector<std::string> files{one_of_each()};
   for (int type : {2, 4, 5, 6})
     for (bool even : {true, false})
@@ -54,8 +54,8 @@ void read_and_write(const std::string& text, int& read, int& refused) {
   }
 }
 
-void fuzz(unsigned seed, long rounds) {
-  const std::vector<std::string> files = seeds();
+void fuzz_universal(unsigned seed, long rounds) {
+  const std::vector<std::string> files = universal_seeds();
   Mutator mutator(seed);
   int read = 0, refused = 0;
   for (long round = 0; round < rounds && !testing::Test::HasFailure(); ++round) {
@@ -73,11 +73,11 @@ void fuzz(unsigned seed, long rounds) {
 }
 
 TEST(UniversalFuzz, few_damaged_files_are_read_or_refused) {
-  fuzz(1, 4000);
+  fuzz_universal(1, 4000);
 }
 
 TEST(UniversalFuzzSlow, many_damaged_files_are_read_or_refused) {
-  fuzz(2, fuzz_rounds());
+  fuzz_universal(2, fuzz_rounds());
 }
 
 } // namespace

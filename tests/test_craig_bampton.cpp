@@ -101,14 +101,14 @@ Pipe pipe(const MeshDensity& mesh = {20, 2, 3}) {
   return pipe_of(data);
 }
 
-CyclicModel symmetric(const Model& model) {
+CyclicModel symmetric_model(const Model& model) {
   return std::get<CyclicModel>(cyclic_model(model));
 }
 
 // Boundary blocks to 1e-8, frequencies to 1e-9, the couplings of every eigenvalue.
 void expect_symmetric_is_full(const Pipe& p, double cutoff) {
   const Reduction full = craig_bampton(p.built.model, p.caps, cutoff);
-  const Reduction fast = craig_bampton(symmetric(p.built.model), p.caps, cutoff);
+  const Reduction fast = craig_bampton(symmetric_model(p.built.model), p.caps, cutoff);
   ASSERT_TRUE(full.proved && fast.proved);
   const int n = 12;
   for (const auto& [a, b] :
@@ -164,7 +164,7 @@ TEST(CraigBampton, by_symmetry_reaches_nodes_on_the_wall) {
   std::vector<int> boundary{p.caps[0], rings[rings.size() / 3].nodes[4], p.caps[1]};
   for (int node : rings[rings.size() / 2].nodes) boundary.push_back(node);
   const Reduction full = craig_bampton(p.built.model, boundary, 2000);
-  const Reduction fast = craig_bampton(symmetric(p.built.model), boundary, 2000);
+  const Reduction fast = craig_bampton(symmetric_model(p.built.model), boundary, 2000);
   ASSERT_TRUE(full.proved && fast.proved) << full.reason << fast.reason;
   const Superelement &a = full.element, &b = fast.element;
   for (int i = 0; i < a.boundary(); ++i)
@@ -197,7 +197,7 @@ TEST(CraigBampton, by_symmetry_reaches_nodes_on_the_wall) {
 
 TEST(CraigBampton, statics_and_rigid_motions_are_exact) {
   const Pipe p = pipe();
-  const Reduction r = craig_bampton(symmetric(p.built.model), p.caps, 500);
+  const Reduction r = craig_bampton(symmetric_model(p.built.model), p.caps, 500);
   const MatrixXd R = rigid_motions(r.element, Vector3d::Zero());
   EXPECT_LT((r.element.K * R).norm(), 1e-9 * r.element.K.norm());
   const System full = assemble(p.built.model);
@@ -242,7 +242,7 @@ TEST(CraigBampton, with_all_modes_is_the_part_itself) {
 
 TEST(Superelement, instances_turned_and_mirrored_have_the_same_frequencies) {
   const Pipe p = pipe();
-  const Reduction r = craig_bampton(symmetric(p.built.model), p.caps, 1500);
+  const Reduction r = craig_bampton(symmetric_model(p.built.model), p.caps, 1500);
   const auto frequencies = [](const Superelement& s, const Matrix3d& R) {
     // Held at the first node, a lopsided mass that turns along at the second.
     Model model;

@@ -64,11 +64,13 @@ void support_sector(Model& model, const Sector& sector, int n) {
 // The lowest frequencies of harmonic n, Hz.
 std::vector<double> harmonic(const Sector& sector, int n, int wanted) {
   const double angle = sector_angle(n);
-  const Surface surface = [&](double a, double b) { return sector.surface(a * angle, b); };
+  const ParametricSurface surface = [&](double a, double b) {
+    return sector.surface(a * angle, b);
+  };
   Model model = shell_model(mesh_surface(surface, sector.around, sector.along, sector.thickness),
                             sector.section);
   support_sector(model, sector, n);
-  const Modes modes = find_modes(model, n == 1 ? 26 : 8);
+  const SolvedModes modes = find_modes(model, n == 1 ? 26 : 8);
   std::vector<double> found;
   for (Eigen::Index mode = 0; mode < modes.hertz.size(); ++mode) {
     double of_n = 0, normal_motion = 0, motion = 0; // squares, summed over the nodes
@@ -183,7 +185,7 @@ Model free_tube() {
 TEST(FreeTube, has_six_rigid_modes_and_pairs) {
   const Model tube = free_tube();
   for (int count : {9, 10, 14}) {
-    const Modes modes = find_modes(tube, count);
+    const SolvedModes modes = find_modes(tube, count);
     const VectorXd& f = modes.hertz;
     ASSERT_GE(f.size(), count);
     EXPECT_EQ(f.size() % 2, 0) << "a pair is never cut";

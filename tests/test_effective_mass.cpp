@@ -77,7 +77,7 @@ TEST(EffectiveMass, cantilever_fractions) {
 
 TEST(EffectiveMass, lanczos_modes_give_the_same_fractions) {
   const Model model = cantilever();
-  const Modes modes = find_modes(model, 8);
+  const SolvedModes modes = find_modes(model, 8);
   const FreeMass free = free_mass(model, modes.system.map, all_free(modes.system), modes.system.M);
   const MatrixXd masses = effective_masses(free, modes.system.M, modes.set.Phi) / 6;
   std::vector<double> found; // first bending in z, then in y, ...
@@ -109,7 +109,7 @@ TEST(EffectiveMass, rigid_modes_of_a_free_body_carry_all) {
       mesh_plate({Vector3d(0, 0, 0), {1, 0, 0.1}, {1.2, 0.7, -0.1}, {0, 0.6, 0.2}}, 6, 5, 0.01),
       {.E = 2e11, .nu = 0.3, .rho = 8000});
   model.masses.push_back({0, {.mass = 5, .offset = {-0.1, 0.2, 0.3}}});
-  const Modes modes = find_modes(model, 12);
+  const SolvedModes modes = find_modes(model, 12);
   const FreeMass free = free_mass(model, modes.system.map, all_free(modes.system), modes.system.M);
   const MatrixXd masses = effective_masses(free, modes.system.M, modes.set.Phi);
   for (int j = 0; j < 6; ++j) {

@@ -80,7 +80,7 @@ TEST(NafemsForced, deep_beam_5h_and_5r) {
 }
 
 Swept supported_plate(double thickness, double pressure, double low, double high) {
-  const Surface square = [](double a, double b) {
+  const ParametricSurface square = [](double a, double b) {
     return SurfacePoint{{10 * a, 10 * b, 0}, {0, 0, 1}};
   };
   Model model =

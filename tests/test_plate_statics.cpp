@@ -86,17 +86,18 @@ Mesh quarter_disc(int n, double thickness) {
     const Vector3d arc(std::cos(angle), std::sin(angle), 0);
     return SurfacePoint{(1 - a) * inner + a * arc, Vector3d::UnitZ()};
   };
-  const std::array<Surface, 3> blocks{[&](double a, double b) {
-                                        return SurfacePoint{{c * a, c * b, 0}, Vector3d::UnitZ()};
-                                      },
-                                      [&](double a, double b) {
-                                        return blend({c, c * b, 0}, b * pi / 4, a);
-                                      },
-                                      [&](double a, double b) {
-                                        return blend({c - c * b, c, 0}, (1 + b) * pi / 4, a);
-                                      }};
+  const std::array<ParametricSurface, 3> blocks{
+      [&](double a, double b) {
+        return SurfacePoint{{c * a, c * b, 0}, Vector3d::UnitZ()};
+      },
+      [&](double a, double b) {
+        return blend({c, c * b, 0}, b * pi / 4, a);
+      },
+      [&](double a, double b) {
+        return blend({c - c * b, c, 0}, (1 + b) * pi / 4, a);
+      }};
   Mesh mesh;
-  for (const Surface& block : blocks) {
+  for (const ParametricSurface& block : blocks) {
     const Mesh part = mesh_surface(block, n, n, thickness);
     std::vector<int> number;
     for (const Vector3d& x : part.nodes) {
@@ -139,7 +140,7 @@ TEST(PlateStatics, circular_plate_at_order_two) {
 
 // A quarter ring, 4.12 to 4.32, clamped at one end, unit tip shear: displacement of the tip.
 double curved_beam(int along, int across, int dof, MembraneStrain membrane) {
-  const Surface ring = [](double a, double b) {
+  const ParametricSurface ring = [](double a, double b) {
     const double angle = a * pi / 2, radius = 4.32 - 0.2 * b;
     return SurfacePoint{radius * Vector3d(std::cos(angle), std::sin(angle), 0), Vector3d::UnitZ()};
   };

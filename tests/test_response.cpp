@@ -33,7 +33,7 @@ struct Rig {
 };
 
 Rig bent_plate() {
-  const Surface sheet = [](double a, double b) {
+  const ParametricSurface sheet = [](double a, double b) {
     const double angle = 1.2 * a;
     const Vector3d n(std::sin(angle), 0, std::cos(angle));
     return SurfacePoint{0.2 * n + 0.15 * b * Vector3d::UnitY(), n};

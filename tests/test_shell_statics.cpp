@@ -33,7 +33,7 @@ double at(const Model& model, const VectorXd& u, const Vector3d& position, int d
 }
 
 // A piece of a cylinder about y: a turns from the crown to the angle, b runs along y.
-Surface cylinder(double radius, double angle, double length) {
+ParametricSurface cylinder(double radius, double angle, double length) {
   return [=](double a, double b) {
     const Vector3d n(std::sin(a * angle), 0, std::cos(a * angle));
     return SurfacePoint{radius * n + b * length * Vector3d::UnitY(), n};
@@ -42,7 +42,7 @@ Surface cylinder(double radius, double angle, double length) {
 
 // Roof on two diaphragms under its weight: deflection of the middle of the free edge.
 double scordelis_lo(int n) {
-  const Surface roof = cylinder(25, 40 * pi / 180, 25);
+  const ParametricSurface roof = cylinder(25, 40 * pi / 180, 25);
   Model model = shell_model(mesh_surface(roof, n, n, 0.25), material(4.32e8, 0));
   hold_symmetry(model, "a0", 0);
   hold_symmetry(model, "b0", 1);
@@ -58,7 +58,7 @@ TEST(ShellStatics, scordelis_lo_roof) {
 
 // One octant between rigid diaphragms, a quarter of the load.
 double pinched_cylinder(int n) {
-  const Surface tube = cylinder(300, pi / 2, 300);
+  const ParametricSurface tube = cylinder(300, pi / 2, 300);
   Model model = shell_model(mesh_surface(tube, n, n, 3), material(3e6, 0.3));
   hold_symmetry(model, "a0", 0);
   hold_symmetry(model, "a1", 2);
@@ -78,7 +78,7 @@ TEST(ShellStatics, pinched_cylinder_with_diaphragms) {
 
 // A quarter of the hemisphere with a hole of 18 degrees; +-1 on the two nodes of the equator.
 double hemisphere(int n, double drilling = ShellSection{}.drilling) {
-  const Surface sphere = [](double a, double b) {
+  const ParametricSurface sphere = [](double a, double b) {
     const double longitude = a * pi / 2, latitude = b * 72 * pi / 180;
     const Vector3d n_(std::cos(longitude) * std::cos(latitude),
                       std::sin(longitude) * std::cos(latitude), std::sin(latitude));
@@ -110,7 +110,7 @@ struct Saddle {
 };
 
 Saddle hypar(int n, double thickness, double weight) {
-  const Surface saddle = [](double a, double b) {
+  const ParametricSurface saddle = [](double a, double b) {
     const double x = a - 0.5, y = b / 2;
     return SurfacePoint{{x, y, x * x - y * y}, {-2 * x, 2 * y, 1}};
   };
@@ -146,7 +146,7 @@ TEST(ShellStatics, clamped_hyperbolic_paraboloid) {
 
 // Width direction turns from y at the root to z at the tip; unit load at the tip's centre.
 double twisted_beam(int along, int across, double thickness, double load, int dof) {
-  const Surface strip = [](double a, double b) {
+  const ParametricSurface strip = [](double a, double b) {
     const double angle = pi / 2 * a, eta = 1.1 * (b - 0.5);
     const Vector3d width(0, std::cos(angle), std::sin(angle));
     const Vector3d turning(0, -std::sin(angle), std::cos(angle));
@@ -189,7 +189,7 @@ double raasch_hook(int along, int across, double nu, double drilling = ShellSect
   const int first = static_cast<int>(
       std::lround(along * R1 * turn1 / (R1 * turn1 + R2 * turn2))); // elements on the small arc
   const Vector3d centre2 = (R1 + R2) * Vector3d(std::sin(turn1), 0, std::cos(turn1));
-  const Surface hook = [&](double a, double b) {
+  const ParametricSurface hook = [&](double a, double b) {
     const double i = a * along;
     const bool small = i <= first;
     const double angle = small ? turn1 * i / first : turn1 - turn2 * (i - first) / (along - first);

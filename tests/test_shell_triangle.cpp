@@ -142,7 +142,7 @@ TEST(ShellTriangle, square_plates_converge) {
 
 // Roof on two diaphragms under its weight, 0.3024 (Ko, Lee & Bathe 2017; test_shell_statics.cpp).
 double scordelis_lo(int n) {
-  const Surface roof = [](double a, double b) {
+  const ParametricSurface roof = [](double a, double b) {
     const Vector3d normal(std::sin(a * 40 * pi / 180), 0, std::cos(a * 40 * pi / 180));
     return SurfacePoint{25 * normal + b * 25 * Vector3d::UnitY(), normal};
   };

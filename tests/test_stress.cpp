@@ -21,7 +21,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 // together: 1333.33 -+ 0.6667 in both directions, 400 -+ 0.2 in shear, below and above.
 TEST(ShellStress, of_the_patch_state_is_exact_on_both_faces_of_distorted_elements) {
   constexpr double E = 1e6, nu = 0.25, t = 0.001;
-  const Surface sheet = [](double a, double b) { // skewed quads
+  const ParametricSurface sheet = [](double a, double b) { // skewed quads
     return SurfacePoint{{0.24 * a + 0.03 * b * (1 - a), 0.12 * b + 0.02 * a * b, 0}, {0, 0, 1}};
   };
   for (const auto& [name, membrane] : membranes) {
@@ -49,7 +49,7 @@ TEST(ShellStress, of_the_patch_state_is_exact_on_both_faces_of_distorted_element
 // Curvature 1/m: a ply of two that slip sees E/(1-nu^2) k t_ply/2, half of the solid wall.
 TEST(ShellStress, of_slipping_plies_is_that_of_the_bending_of_one_ply) {
   constexpr double E = 200e9, nu = 0.3, t = 0.0005;
-  const Surface sheet = [](double a, double b) {
+  const ParametricSurface sheet = [](double a, double b) {
     return SurfacePoint{{0.01 * a, 0.01 * b, 0}, {0, 0, 1}};
   };
   const auto largest = [&](double factor) {
@@ -70,7 +70,7 @@ TEST(ShellStress, of_slipping_plies_is_that_of_the_bending_of_one_ply) {
 // Tube under internal pressure: hoop stress p R / t away from the ends.
 TEST(ShellStress, of_a_tube_under_pressure_is_the_membrane_stress) {
   constexpr double R = 0.1, t = 0.001, p = 1e5;
-  const Surface tube = [=](double a, double b) {
+  const ParametricSurface tube = [=](double a, double b) {
     const double phi = pi / 2 * a;
     const Eigen::Vector3d n(std::cos(phi), 0, std::sin(phi));
     return SurfacePoint{R * n - 0.4 * b * Eigen::Vector3d::UnitY(), n};

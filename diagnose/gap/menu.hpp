@@ -5,6 +5,10 @@
 
 namespace plica {
 
+// Two hypotheses that readings put further apart than this, in squared standard deviations, are
+// told apart no better.
+inline constexpr double beyond_doubt = 25;
+
 struct Offer {
   std::string what;
   double cost = 1; // 1: an hour at the rig

@@ -12,7 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double beyond_doubt = 25;
 constexpr double told_apart = 9;
 constexpr double open = 0.03; // probability from which a rival is to be told apart
 

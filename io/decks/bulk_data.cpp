@@ -89,9 +89,9 @@ std::string name_of(const std::string& line) {
   return in_capitals(trimmed(name));
 }
 
-class Reader {
+class CardReader {
 public:
-  explicit Reader(const std::vector<Line>& lines) {
+  explicit CardReader(const std::vector<Line>& lines) {
     const auto begin = std::find_if(lines.begin(), lines.end(), [](const Line& line) {
       return in_capitals(trimmed(line.text)).starts_with("BEGIN");
     });
@@ -216,7 +216,7 @@ std::vector<int> Card::list(std::size_t first) const {
 BulkData read_bulk_data(const std::filesystem::path& file) {
   std::vector<Line> lines;
   collect(file, {file.string(), 0}, 0, lines);
-  BulkData data = Reader(lines).data;
+  BulkData data = CardReader(lines).data;
   if (data.cards.empty()) deck_error({file.string(), 0}, "", "has no card", "a Nastran deck");
   return data;
 }

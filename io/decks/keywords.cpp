@@ -21,7 +21,7 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-class Reader {
+class KeywordReader {
 public:
   std::vector<Keyword> keywords;
 
@@ -133,7 +133,7 @@ std::string Keyword::word_or(const std::string& parameter, const std::string& ot
 }
 
 std::vector<Keyword> read_keywords(const std::filesystem::path& file) {
-  Reader reader;
+  KeywordReader reader;
   reader.read(file, {file.string(), 0});
   if (reader.keywords.empty())
     deck_error({file.string(), 0}, "", "has no keyword", "an Abaqus deck");

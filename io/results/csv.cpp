@@ -12,10 +12,6 @@
 namespace plica {
 namespace {
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
-}
-
 std::string line(const std::vector<std::string>& cells) {
   std::string text;
   for (const std::string& cell : cells) {
@@ -26,6 +22,10 @@ std::string line(const std::vector<std::string>& cells) {
 }
 
 } // namespace
+
+std::string csv_number(const std::optional<double>& x) {
+  return x && std::isfinite(*x) ? fmt::format("{}", *x) : "";
+}
 
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -46,15 +46,15 @@ std::string modes_csv(const Results& results) {
   int count = 0;
   for (const ModeResult& mode : results.modes) {
     std::vector<std::string> cells{std::to_string(++count),
-                                   number(mode.frequency),
-                                   number(mode.damping),
+                                   csv_number(mode.frequency),
+                                   csv_number(mode.damping),
                                    mode_label(mode),
                                    mode.shape,
                                    mode.direction,
                                    mode.order > 0 ? std::to_string(mode.order) : "",
                                    mode.harmonic >= 0 ? std::to_string(mode.harmonic) : ""};
-    for (const double mass : mode.effective_mass) cells.push_back(number(mass));
-    cells.push_back(number(mode.residual));
+    for (const double mass : mode.effective_mass) cells.push_back(csv_number(mass));
+    cells.push_back(csv_number(mode.residual));
     text += line(cells);
   }
   return text;
@@ -77,8 +77,8 @@ std::vector<std::string> with_frequency(std::vector<std::string> heads) {
 }
 
 void add_complex(std::vector<std::string>& cells, std::complex<double> value) {
-  cells.push_back(number(value.real()));
-  cells.push_back(number(value.imag()));
+  cells.push_back(csv_number(value.real()));
+  cells.push_back(csv_number(value.imag()));
 }
 
 } // namespace
@@ -92,9 +92,9 @@ std::string response_csv(const ResponseResult& r) {
   std::string text = line(head);
   const Eigen::MatrixXd sums = vector_sum(r);
   for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
-    std::vector<std::string> cells{number(r.hertz[i])};
+    std::vector<std::string> cells{csv_number(r.hertz[i])};
     for (const std::complex<double> value : r.acceleration.row(i)) add_complex(cells, value);
-    for (const double value : sums.row(i)) cells.push_back(number(value));
+    for (const double value : sums.row(i)) cells.push_back(csv_number(value));
     text += line(cells);
   }
   return text;
@@ -104,11 +104,11 @@ std::string motion_csv(const ResponseResult& r) {
   std::string text = line(with_frequency(
       channel_heads(r, {"acceleration [m/s2]", "velocity [m/s]", "displacement [m]"})));
   for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
-    std::vector<std::string> cells{number(r.hertz[i])};
+    std::vector<std::string> cells{csv_number(r.hertz[i])};
     const double omega = 2 * std::numbers::pi * r.hertz[i];
     for (const std::complex<double> value : r.acceleration.row(i))
       for (const double divisor : {1., omega, omega * omega})
-        cells.push_back(number(r.level * std::abs(value) / divisor));
+        cells.push_back(csv_number(r.level * std::abs(value) / divisor));
     text += line(cells);
   }
   return text;
@@ -124,8 +124,8 @@ std::string random_csv(const ResponseResult& r) {
       head.push_back(fmt::format("{} with {} {} [(m/s2)2/Hz]", name(cross.a), name(cross.b), part));
   std::string text = line(head);
   for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
-    std::vector<std::string> cells{number(r.hertz[i]), number(random.input[i])};
-    for (const double value : random.density.row(i)) cells.push_back(number(value));
+    std::vector<std::string> cells{csv_number(r.hertz[i]), csv_number(random.input[i])};
+    for (const double value : random.density.row(i)) cells.push_back(csv_number(value));
     for (const CrossDensity& cross : random.cross) add_complex(cells, cross.density[i]);
     text += line(cells);
   }
@@ -136,11 +136,11 @@ std::string stress_csv(const Results& results) {
   std::string text = line({"kind", "stress of", "von Mises [Pa]", "face", "x [m]", "y [m]", "z [m]",
                            "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]"});
   for (const StressResult& s : results.stresses) {
-    std::vector<std::string> cells{s.kind, s.name, number(s.largest), s.face};
-    for (const double x : s.at) cells.push_back(s.face.empty() ? "" : number(x));
+    std::vector<std::string> cells{s.kind, s.name, csv_number(s.largest), s.face};
+    for (const double x : s.at) cells.push_back(s.face.empty() ? "" : csv_number(x));
     const bool beam = s.largest_beam > 0;
-    cells.push_back(beam ? number(s.largest_beam) : "");
-    for (const double x : s.beam_at) cells.push_back(beam ? number(x) : "");
+    cells.push_back(beam ? csv_number(s.largest_beam) : "");
+    for (const double x : s.beam_at) cells.push_back(beam ? csv_number(x) : "");
     text += line(cells);
   }
   return text;
@@ -153,11 +153,13 @@ std::string error_bars_csv(const Results& results) {
   for (const std::string& path : errors.tolerances) head.push_back("share of " + path);
   std::string text = line(head);
   for (const ErrorBar& bar : errors.bars) {
-    std::vector<std::string> cells{bar.key, number(bar.value), number(bar.along),
-                                   number(bar.around), results.reduced ? number(bar.cutoff) : ""};
-    for (std::size_t i : {0, 1}) cells.push_back(bar.interval ? number((*bar.interval)[i]) : "");
+    std::vector<std::string> cells{bar.key, csv_number(bar.value), csv_number(bar.along),
+                                   csv_number(bar.around),
+                                   results.reduced ? csv_number(bar.cutoff) : ""};
+    for (std::size_t i : {0, 1})
+      cells.push_back(bar.interval ? csv_number((*bar.interval)[i]) : "");
     for (std::size_t i = 0; i < errors.tolerances.size(); ++i)
-      cells.push_back(i < bar.shares.size() ? number(bar.shares[i]) : "");
+      cells.push_back(i < bar.shares.size() ? csv_number(bar.shares[i]) : "");
     text += line(cells);
   }
   return text;
@@ -168,17 +170,18 @@ std::string static_csv(const Results& results) {
                            "bending x [Nm/rad]", "bending z [Nm/rad]", "torsion [Nm/rad]"});
   if (!results.statics) return text;
   const StaticStiffness& k = *results.statics;
-  return text + line({number(k.k_axial), number(k.k_transverse_x), number(k.k_transverse_z),
-                      number(k.k_bending_x), number(k.k_bending_z), number(k.k_torsion)});
+  return text +
+         line({csv_number(k.k_axial), csv_number(k.k_transverse_x), csv_number(k.k_transverse_z),
+               csv_number(k.k_bending_x), csv_number(k.k_bending_z), csv_number(k.k_torsion)});
 }
 
 std::string comparison_csv(const Results& results) {
   std::string text = line(
       {"quantity", "unit", "measured", "sigma", "computed", "deviation [%]", "deviation [sigma]"});
   for (const MeasuredComparison& row : results.comparison) {
-    text += line({row.quantity, row.unit, number(row.measured),
-                  row.sigma > 0 ? number(row.sigma) : "", number(row.computed),
-                  number(100 * relative_deviation(row)), number(sigma_deviation(row))});
+    text += line({row.quantity, row.unit, csv_number(row.measured),
+                  row.sigma > 0 ? csv_number(row.sigma) : "", csv_number(row.computed),
+                  csv_number(100 * relative_deviation(row)), csv_number(sigma_deviation(row))});
   }
   return text;
 }
@@ -195,7 +198,7 @@ std::string variants_csv(const Results& results) {
     std::vector<std::string> cells{name, set};
     for (const HeadlineQuantity& quantity : quantities) {
       const auto value = values.find(quantity.key);
-      cells.push_back(value == values.end() ? "" : number(value->second));
+      cells.push_back(value == values.end() ? "" : csv_number(value->second));
     }
     text += line(cells);
   };

@@ -22,4 +22,7 @@ std::string variants_csv(const Results& results);   // first row: the nominal ca
 // One cell, in quotes when it holds a comma, a quote or a line break.
 std::string csv_cell(const std::string& text);
 
+// All digits of a number; empty for one that does not exist or is not finite.
+std::string csv_number(const std::optional<double>& x);
+
 } // namespace plica

@@ -1,30 +1,23 @@
 #include "io/results/json.hpp"
 
+#include "io/results/json_number.hpp"
 #include "io/results/levels_json.hpp"
 #include "io/results/text.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 namespace plica {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 template <class Numbers> Json numbers(const Numbers& values) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(number(value));
+  for (const double value : values) list.push_back(json_number(value));
   return list;
 }
 
 Json named_numbers(const std::map<std::string, double>& values) {
   Json object = Json::object();
-  for (const auto& [name, value] : values) object[name] = number(value);
+  for (const auto& [name, value] : values) object[name] = json_number(value);
   return object;
 }
 
@@ -33,20 +26,21 @@ Json json_of(const StaticStiffness& k) {
   for (int row = 0; row < 12; ++row) {
     Json entries = Json::array();
     for (int column = 0; column < 12; ++column) {
-      entries.push_back(number(k.end_stiffness(row, column)));
+      entries.push_back(json_number(k.end_stiffness(row, column)));
     }
     matrix.push_back(std::move(entries));
   }
-  return {{"k_axial", number(k.k_axial)},
-          {"k_transverse", {{"x", number(k.k_transverse_x)}, {"z", number(k.k_transverse_z)}}},
-          {"k_bending", {{"x", number(k.k_bending_x)}, {"z", number(k.k_bending_z)}}},
-          {"k_torsion", number(k.k_torsion)},
+  return {{"k_axial", json_number(k.k_axial)},
+          {"k_transverse",
+           {{"x", json_number(k.k_transverse_x)}, {"z", json_number(k.k_transverse_z)}}},
+          {"k_bending", {{"x", json_number(k.k_bending_x)}, {"z", json_number(k.k_bending_z)}}},
+          {"k_torsion", json_number(k.k_torsion)},
           {"end_stiffness", std::move(matrix)}};
 }
 
 Json json_of(const ModeResult& mode) {
-  return {{"frequency", number(mode.frequency)},
-          {"damping", number(mode.damping)},
+  return {{"frequency", json_number(mode.frequency)},
+          {"damping", json_number(mode.damping)},
           {"effective_mass", numbers(mode.effective_mass)},
           {"shape", mode.shape},
           {"direction", mode.direction},
@@ -54,16 +48,16 @@ Json json_of(const ModeResult& mode) {
           {"place", mode.place},
           {"harmonic", mode.harmonic >= 0 ? Json(mode.harmonic) : Json(nullptr)},
           {"label", mode_label(mode)},
-          {"residual", number(mode.residual)}};
+          {"residual", json_number(mode.residual)}};
 }
 
 Json json_of(const Verification& v) {
   return {{"made", v.made},
-          {"sigma_frequency", v.made ? number(v.sigma_frequency) : Json(nullptr)},
+          {"sigma_frequency", v.made ? json_number(v.sigma_frequency) : Json(nullptr)},
           {"inertia_count", v.made ? Json(v.inertia_count) : Json(nullptr)},
           {"found", v.found},
-          {"max_residual", number(v.max_residual)},
-          {"orthogonality", number(v.orthogonality)},
+          {"max_residual", json_number(v.max_residual)},
+          {"orthogonality", json_number(v.orthogonality)},
           {"passed", v.passed},
           {"reason", v.reason}};
 }
@@ -71,11 +65,11 @@ Json json_of(const Verification& v) {
 Json json_of(const MeasuredComparison& row) {
   return {{"quantity", row.quantity},
           {"unit", row.unit},
-          {"measured", number(row.measured)},
-          {"sigma", row.sigma > 0 ? number(row.sigma) : Json(nullptr)},
-          {"computed", number(row.computed)},
-          {"deviation", number(relative_deviation(row))},
-          {"deviation_sigmas", number(sigma_deviation(row))}};
+          {"measured", json_number(row.measured)},
+          {"sigma", row.sigma > 0 ? json_number(row.sigma) : Json(nullptr)},
+          {"computed", json_number(row.computed)},
+          {"deviation", json_number(relative_deviation(row))},
+          {"deviation_sigmas", json_number(sigma_deviation(row))}};
 }
 
 Json json_of(const VariantResult& variant) {
@@ -90,14 +84,14 @@ Json json_of(const VariantResult& variant) {
 }
 
 Json json_of(const SensorResult& sensor) {
-  return {{"name", sensor.name}, {"node", sensor.node}, {"distance", number(sensor.distance)}};
+  return {{"name", sensor.name}, {"node", sensor.node}, {"distance", json_number(sensor.distance)}};
 }
 
 Json json_of(const MeshQuality& quality) {
-  return {{"max_warp", number(quality.max_warp)},
-          {"max_aspect", number(quality.max_aspect)},
-          {"mean_aspect", number(quality.mean_aspect)},
-          {"min_jacobian", number(quality.min_jacobian)}};
+  return {{"max_warp", json_number(quality.max_warp)},
+          {"max_aspect", json_number(quality.max_aspect)},
+          {"mean_aspect", json_number(quality.mean_aspect)},
+          {"min_jacobian", json_number(quality.min_jacobian)}};
 }
 
 Json json_of(const RandomResult& random, const ResponseResult& r) {
@@ -107,8 +101,8 @@ Json json_of(const RandomResult& random, const ResponseResult& r) {
     for (std::size_t c = 0; c < r.channels.size(); ++c)
       rms.push_back({{"sensor", r.channels[c].first},
                      {"direction", r.channels[c].second},
-                     {"value", number(b.rms[Eigen::Index(c)])}});
-    bands.push_back({{"band", numbers(b.band)}, {"input", number(b.input)}, {"rms", rms}});
+                     {"value", json_number(b.rms[Eigen::Index(c)])}});
+    bands.push_back({{"band", numbers(b.band)}, {"input", json_number(b.input)}, {"rms", rms}});
   }
   return {{"file", "random_" + response_name(r) + ".csv"}, {"bands", bands}};
 }
@@ -118,12 +112,12 @@ Json json_of(const ResponseResult& r) {
   for (const ResponsePeak& p : r.peaks)
     peaks.push_back({{"sensor", r.channels[p.channel].first},
                      {"direction", r.channels[p.channel].second},
-                     {"frequency", number(p.frequency)},
-                     {"amplitude", number(p.amplitude)},
-                     {"damping", number(p.damping)}});
+                     {"frequency", json_number(p.frequency)},
+                     {"amplitude", json_number(p.amplitude)},
+                     {"damping", json_number(p.damping)}});
   return {{"base", r.is_force ? Json(nullptr) : Json(r.excitation)},
           {"force", r.is_force ? Json(r.excitation) : Json(nullptr)},
-          {"level", number(r.level)},
+          {"level", json_number(r.level)},
           {"file", "response_" + response_name(r) + ".csv"},
           {"motion_file", "motion_" + response_name(r) + ".csv"},
           {"peaks", peaks},
@@ -133,10 +127,10 @@ Json json_of(const ResponseResult& r) {
 Json json_of(const StressResult& s) {
   return {{"kind", s.kind},
           {"name", s.name},
-          {"von_mises", number(s.largest)},
+          {"von_mises", json_number(s.largest)},
           {"at", s.face.empty() ? Json(nullptr) : numbers(s.at)},
           {"face", s.face},
-          {"beam_axial", number(s.largest_beam)},
+          {"beam_axial", json_number(s.largest_beam)},
           {"beam_at", s.largest_beam > 0 ? numbers(s.beam_at) : Json(nullptr)}};
 }
 
@@ -151,8 +145,9 @@ Json json_of(const Reduced& reduced) {
                     {"copy_of", s.copy_of > 0 ? Json(s.copy_of) : Json(nullptr)},
                     {"route", s.route},
                     {"proved", s.proved}});
-  return {
-      {"cutoff", number(reduced.cutoff)}, {"unknowns", reduced.unknowns}, {"superelements", list}};
+  return {{"cutoff", json_number(reduced.cutoff)},
+          {"unknowns", reduced.unknowns},
+          {"superelements", list}};
 }
 
 Json json_of(const ErrorBars& errors) {
@@ -160,16 +155,16 @@ Json json_of(const ErrorBars& errors) {
   for (const ErrorBar& bar : errors.bars) {
     Json shares = Json::object();
     for (std::size_t i = 0; i < bar.shares.size(); ++i)
-      shares[errors.tolerances[i]] = number(bar.shares[i]);
+      shares[errors.tolerances[i]] = json_number(bar.shares[i]);
     list.push_back({{"quantity", bar.key},
-                    {"value", number(bar.value)},
-                    {"mesh_along", number(bar.along)},
-                    {"mesh_around", number(bar.around)},
-                    {"cutoff", number(bar.cutoff)},
+                    {"value", json_number(bar.value)},
+                    {"mesh_along", json_number(bar.along)},
+                    {"mesh_around", json_number(bar.around)},
+                    {"cutoff", json_number(bar.cutoff)},
                     {"interval_90", bar.interval ? numbers(*bar.interval) : Json(nullptr)},
                     {"shares", shares}});
   }
-  return {{"quantities", list}, {"interaction", number(errors.interaction)}};
+  return {{"quantities", list}, {"interaction", json_number(errors.interaction)}};
 }
 
 template <class Item> Json list_of(const std::vector<Item>& items) {
@@ -189,7 +184,7 @@ std::string results_json(const Results& r) {
   json["model"] = {{"nodes", r.model.nodes},
                    {"elements", r.model.elements},
                    {"dofs", r.model.dofs},
-                   {"mass", number(r.model.mass)}};
+                   {"mass", json_number(r.model.mass)}};
   json["route"] = r.route;
   if (r.reduced) json["reduction"] = json_of(*r.reduced);
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
@@ -213,7 +208,7 @@ std::string results_json(const Results& r) {
   json["assumptions"] = r.assumptions;
   json["warnings"] = r.warnings;
   json["timing"] = named_numbers(r.timing);
-  json["peak_memory"] = number(r.peak_memory);
+  json["peak_memory"] = json_number(r.peak_memory);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -10,17 +10,13 @@
 namespace plica {
 namespace {
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
-}
-
 std::string channel(const LevelFamily& family, int c) {
   const auto& [sensor, axis] = family.channels[std::size_t(c)];
   return sensor + " " + axis;
 }
 
 std::string excitation_cells(const LevelFamily& family, double level) {
-  return csv_cell(levels_title(family)) + "," + number(level) + "," + family.unit + ",";
+  return csv_cell(levels_title(family)) + "," + csv_number(level) + "," + family.unit + ",";
 }
 
 void add_peaks(std::string& text, const LevelFamily& family, const LevelCurve& curve,
@@ -28,8 +24,8 @@ void add_peaks(std::string& text, const LevelFamily& family, const LevelCurve& c
   for (const LevelPeak& p : peaks)
     text += excitation_cells(family, curve.level) +
             fmt::format("{},{},{},{},{},{}\n", sweep, csv_cell(channel(family, p.channel)),
-                        number(p.frequency), number(p.amplitude), number(p.damping),
-                        number(p.energy_damping));
+                        csv_number(p.frequency), csv_number(p.amplitude), csv_number(p.damping),
+                        csv_number(p.energy_damping));
 }
 
 } // namespace
@@ -60,11 +56,12 @@ std::string levels_csv(const LevelFamily& family) {
       const auto seen = [&](const std::vector<int>& sweep) {
         return std::find(sweep.begin(), sweep.end(), int(i)) != sweep.end() ? 1 : 0;
       };
-      text += fmt::format("{},{},{},{},{}", number(curve.level), number(curve.hertz[i]),
+      text += fmt::format("{},{},{},{},{}", csv_number(curve.level), csv_number(curve.hertz[i]),
                           curve.stable[std::size_t(i)] ? 1 : 0, seen(curve.up), seen(curve.down));
       for (int c : family.shown) {
-        text += "," + number(curve.first(i, c).real()) + "," + number(curve.first(i, c).imag());
-        for (const Eigen::MatrixXd& higher : curve.higher) text += "," + number(higher(i, c));
+        text +=
+            "," + csv_number(curve.first(i, c).real()) + "," + csv_number(curve.first(i, c).imag());
+        for (const Eigen::MatrixXd& higher : curve.higher) text += "," + csv_number(higher(i, c));
       }
       text += "\n";
     }
@@ -88,8 +85,8 @@ std::string level_joints_csv(const Results& results) {
   for (const LevelFamily& family : results.families)
     for (const LevelCurve& curve : family.curves)
       for (const JointMotion& j : curve.joints)
-        text += excitation_cells(family, curve.level) + csv_cell(j.joint) + "," + number(j.motion) +
-                "," + number(j.energy) + "\n";
+        text += excitation_cells(family, curve.level) + csv_cell(j.joint) + "," +
+                csv_number(j.motion) + "," + csv_number(j.energy) + "\n";
   return text;
 }
 
@@ -100,8 +97,8 @@ std::string level_backbones_csv(const Results& results) {
     for (const BackboneCurve& b : family.backbones)
       for (Eigen::Index i = 0; i < b.amplitude.size(); ++i)
         text += fmt::format("{},{},{},{},{}\n", csv_cell(levels_title(family)),
-                            number(b.stuck_frequency), number(b.amplitude[i]),
-                            number(b.frequency[i]), number(b.damping[i]));
+                            csv_number(b.stuck_frequency), csv_number(b.amplitude[i]),
+                            csv_number(b.frequency[i]), csv_number(b.damping[i]));
   return text;
 }
 

@@ -1,29 +1,22 @@
 #include "io/results/levels_json.hpp"
 
+#include "io/results/json_number.hpp"
 #include "io/results/levels_csv.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 namespace plica {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json json_of(const std::vector<LevelPeak>& peaks, const LevelFamily& family) {
   Json list = Json::array();
   for (const LevelPeak& p : peaks)
     list.push_back({{"sensor", family.channels[std::size_t(p.channel)].first},
                     {"direction", family.channels[std::size_t(p.channel)].second},
-                    {"frequency", number(p.frequency)},
-                    {"amplitude", number(p.amplitude)},
-                    {"damping", number(p.damping)},
-                    {"energy_damping", number(p.energy_damping)}});
+                    {"frequency", json_number(p.frequency)},
+                    {"amplitude", json_number(p.amplitude)},
+                    {"damping", json_number(p.damping)},
+                    {"energy_damping", json_number(p.energy_damping)}});
   return list;
 }
 
@@ -31,8 +24,8 @@ Json json_of(const LevelCurve& curve, const LevelFamily& family) {
   Json joints = Json::array();
   for (const JointMotion& j : curve.joints)
     joints.push_back(
-        {{"joint", j.joint}, {"motion", number(j.motion)}, {"energy", number(j.energy)}});
-  return {{"level", number(curve.level)},
+        {{"joint", j.joint}, {"motion", json_number(j.motion)}, {"energy", json_number(j.energy)}});
+  return {{"level", json_number(curve.level)},
           {"complete", curve.complete},
           {"reason", curve.reason},
           {"peaks_up", json_of(curve.peaks_up, family)},
@@ -45,10 +38,10 @@ Json json_of(const LevelCurve& curve, const LevelFamily& family) {
 Json json_of(const BackboneCurve& b) {
   Json points = Json::array();
   for (Eigen::Index i = 0; i < b.amplitude.size(); ++i)
-    points.push_back({{"amplitude", number(b.amplitude[i])},
-                      {"frequency", number(b.frequency[i])},
-                      {"damping", number(b.damping[i])}});
-  return {{"stuck_frequency", number(b.stuck_frequency)},
+    points.push_back({{"amplitude", json_number(b.amplitude[i])},
+                      {"frequency", json_number(b.frequency[i])},
+                      {"damping", json_number(b.damping[i])}});
+  return {{"stuck_frequency", json_number(b.stuck_frequency)},
           {"complete", b.complete},
           {"reason", b.reason},
           {"points", points}};
@@ -60,13 +53,13 @@ Json json_of(const LevelFamily& family) {
   for (const LevelCurve& c : family.curves) curves.push_back(json_of(c, family));
   for (const BackboneCurve& b : family.backbones) backbones.push_back(json_of(b));
   for (const LinearisedError& e : family.linearised)
-    fast.push_back({{"level", number(e.level)},
-                    {"frequency", number(e.frequency)},
-                    {"amplitude", number(e.amplitude)}});
+    fast.push_back({{"level", json_number(e.level)},
+                    {"frequency", json_number(e.frequency)},
+                    {"amplitude", json_number(e.amplitude)}});
   for (const RefereeCheck& r : family.referee)
-    referee.push_back({{"level", number(r.level)},
-                       {"frequency", number(r.frequency)},
-                       {"difference", number(r.difference)},
+    referee.push_back({{"level", json_number(r.level)},
+                       {"frequency", json_number(r.frequency)},
+                       {"difference", json_number(r.difference)},
                        {"settled", r.settled}});
   return {{"base", family.is_force ? Json(nullptr) : Json(family.excitation)},
           {"force", family.is_force ? Json(family.excitation) : Json(nullptr)},
@@ -80,7 +73,7 @@ Json json_of(const LevelFamily& family) {
           {"backbones", backbones},
           {"linearised_error", fast},
           {"referee", referee},
-          {"seconds", number(family.seconds)}};
+          {"seconds", json_number(family.seconds)}};
 }
 
 } // namespace

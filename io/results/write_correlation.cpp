@@ -3,10 +3,10 @@
 #include "io/files.hpp"
 #include "io/report/correlation.hpp"
 #include "io/results/csv.hpp"
+#include "io/results/json_number.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
@@ -15,22 +15,12 @@ namespace plica {
 namespace {
 
 using Eigen::Index;
-using Json = nlohmann::ordered_json;
-
-Json number(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
-
 std::string percent(const std::optional<double>& x, int digits = 1) {
   return x ? with_sign(100 * *x, digits) : "-";
 }
 
 std::string plain(const std::optional<double>& x, int digits = 3) {
   return x ? significant(*x, digits) : "-";
-}
-
-std::string cell(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? fmt::format("{}", *x) : "";
 }
 
 std::string pairs_csv(const Correlation& c, const TestData& a, const TestData& b) {
@@ -40,8 +30,8 @@ std::string pairs_csv(const Correlation& c, const TestData& a, const TestData& b
     const MeasuredMode &s = a.data.modes[p.simulated], &t = b.data.modes[p.measured];
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_cell(mode_name(t, p.measured)),
                         csv_cell(mode_name(s, p.simulated)), p.by, t.frequency, s.frequency,
-                        p.frequency_error, cell(p.frequency_sigmas), cell(t.damping),
-                        cell(s.damping), cell(p.mac));
+                        p.frequency_error, csv_number(p.frequency_sigmas), csv_number(t.damping),
+                        csv_number(s.damping), csv_number(p.mac));
   }
   return text;
 }
@@ -50,7 +40,7 @@ std::string responses_csv(const Correlation& c) {
   std::string text = "response,reference,level,from [Hz],to [Hz],FRAC,best FRAC,stretch\n";
   for (const ComparedResponse& r : c.responses)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(r.response), csv_cell(r.reference),
-                        cell(r.level), r.low, r.high, r.frac, r.best_frac, r.stretch);
+                        csv_number(r.level), r.low, r.high, r.frac, r.best_frac, r.stretch);
   return text;
 }
 
@@ -132,7 +122,7 @@ std::string correlation_json(const Correlation& c, const TestData& a, const Test
                                {"unit", n.unit},
                                {"simulated", n.simulated},
                                {"measured", n.measured},
-                               {"sigma", number(n.sigma)}});
+                               {"sigma", json_number(n.sigma)}});
   json["pairs"] = Json::array();
   for (const PairedMode& p : c.pairs)
     json["pairs"].push_back({{"measured", p.measured + 1},
@@ -142,10 +132,10 @@ std::string correlation_json(const Correlation& c, const TestData& a, const Test
                              {"frequency_measured", b.data.modes[p.measured].frequency},
                              {"frequency_simulated", a.data.modes[p.simulated].frequency},
                              {"frequency_error", p.frequency_error},
-                             {"frequency_sigmas", number(p.frequency_sigmas)},
-                             {"damping_error", number(p.damping_error)},
-                             {"damping_sigmas", number(p.damping_sigmas)},
-                             {"mac", number(p.mac)}});
+                             {"frequency_sigmas", json_number(p.frequency_sigmas)},
+                             {"damping_error", json_number(p.damping_error)},
+                             {"damping_sigmas", json_number(p.damping_sigmas)},
+                             {"mac", json_number(p.mac)}});
   const auto counted = [](const std::vector<int>& list) {
     Json numbers = Json::array();
     for (const int i : list) numbers.push_back(i + 1);
@@ -166,7 +156,7 @@ std::string correlation_json(const Correlation& c, const TestData& a, const Test
   for (const ComparedResponse& r : c.responses)
     json["responses"].push_back({{"response", r.response},
                                  {"reference", r.reference},
-                                 {"level", number(r.level)},
+                                 {"level", json_number(r.level)},
                                  {"band", {r.low, r.high}},
                                  {"frac", r.frac},
                                  {"best_frac", r.best_frac},

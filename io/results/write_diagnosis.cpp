@@ -3,9 +3,9 @@
 #include "io/files.hpp"
 #include "io/report/diagnosis.hpp"
 #include "io/results/csv.hpp"
+#include "io/results/json_number.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,8 @@ namespace plica {
 namespace {
 
 using Eigen::Index;
-using Json = nlohmann::ordered_json;
-
-Json number(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
-
 Json interval(const std::array<double, 2>& x) {
-  return Json::array({number(x[0]), number(x[1])});
+  return Json::array({json_number(x[0]), json_number(x[1])});
 }
 
 template <class List, class Row> Json list_of(const List& list, const Row& row) {
@@ -37,7 +31,7 @@ Json json_of(const NamedEffect& e) {
             {"value", Json::object()},
             {"interval", Json::object()}};
   for (const EstimatedParameter& p : e.parameters) {
-    json["value"][p.name] = number(p.value);
+    json["value"][p.name] = json_number(p.value);
     json["interval"][p.name] = interval(p.interval);
   }
   return json;
@@ -45,7 +39,7 @@ Json json_of(const NamedEffect& e) {
 
 Json named_json(const NamedEffect& e) {
   Json json = json_of(e);
-  json["probability"] = number(e.probability);
+  json["probability"] = json_number(e.probability);
   json["other_places"] = e.other_places;
   json["unit"] = Json::object();
   for (const EstimatedParameter& p : e.parameters) json["unit"][p.name] = p.unit;
@@ -56,33 +50,35 @@ Json json_of(const LocatedGap& b) {
   Json json = Json::object();
   if (!b.component.empty()) {
     json["component"] = b.component;
-    json["z"] = number(b.z);
+    json["z"] = json_number(b.z);
     return json;
   }
   if (!b.direction.empty()) json["direction"] = b.direction;
   if (!b.band.empty()) json["band"] = b.band;
-  if (b.level) json["level"] = number(b.level);
+  if (b.level) json["level"] = json_number(b.level);
   json["kind"] = b.kind;
   if (!b.state.empty()) json["state"] = b.state;
-  json["z"] = number(b.z);
+  json["z"] = json_number(b.z);
   json["significant"] = b.significant;
   return json;
 }
 
 Json json_of(const ParameterDrift& d) {
   const auto part = [](const auto& p) {
-    return Json{{"part", p.first}, {"value", number(p.second[0])}, {"sigma", number(p.second[1])}};
+    return Json{{"part", p.first},
+                {"value", json_number(p.second[0])},
+                {"sigma", json_number(p.second[1])}};
   };
   return {{"parameter", d.parameter},
           {"by", d.by},
           {"parts", list_of(d.parts, part)},
-          {"p", number(d.p)}};
+          {"p", json_number(d.p)}};
 }
 
 Json json_of(const GapShrink& g) {
-  return {{"before", number(g.before)},
-          {"after", number(g.after)},
-          {"shrink", number(g.shrink())},
+  return {{"before", json_number(g.before)},
+          {"after", json_number(g.after)},
+          {"shrink", json_number(g.shrink())},
           {"interval", interval(g.interval)},
           {"readings", g.readings}};
 }
@@ -92,19 +88,19 @@ Json json_of(const TriedHypothesis& h) {
   return {{"effects", list_of(h.effects, [](const NamedEffect& e) { return json_of(e); })},
           {"name", nominal ? "none" : h.effects.front().name},
           {"place", nominal ? "" : h.effects.front().place},
-          {"log_evidence", number(h.log_evidence)},
-          {"sampled_log_evidence", number(h.sampled_log_evidence)},
-          {"log_bayes_factor", number(h.log_bayes_factor)},
-          {"half_width", number(h.half_width)},
-          {"double_width", number(h.double_width)},
-          {"chi2", number(h.chi2)},
-          {"chi2_of_means", number(h.chi2_of_means)},
+          {"log_evidence", json_number(h.log_evidence)},
+          {"sampled_log_evidence", json_number(h.sampled_log_evidence)},
+          {"log_bayes_factor", json_number(h.log_bayes_factor)},
+          {"half_width", json_number(h.half_width)},
+          {"double_width", json_number(h.double_width)},
+          {"chi2", json_number(h.chi2)},
+          {"chi2_of_means", json_number(h.chi2_of_means)},
           {"adequate", h.adequate},
-          {"p", number(h.share_of_healthy_worse)},
+          {"p", json_number(h.share_of_healthy_worse)},
           {"worst_block", h.worst_block},
-          {"worst_block_z", number(h.worst_block_z)},
-          {"gap_after", number(h.gap_after)},
-          {"heldout_after", number(h.held_out_after)},
+          {"worst_block_z", json_number(h.worst_block_z)},
+          {"gap_after", json_number(h.gap_after)},
+          {"heldout_after", json_number(h.held_out_after)},
           {"absurd", h.absurd},
           {"fails_heldout", h.fails_held_out},
           {"rejected", h.rejected}};
@@ -113,27 +109,27 @@ Json json_of(const TriedHypothesis& h) {
 Json json_of(const ComparedReading& r) {
   return {{"name", r.name},
           {"unit", r.unit},
-          {"measured", number(r.measured)},
-          {"nominal", number(r.nominal)},
-          {"best", number(r.best)},
-          {"second", number(r.second)},
-          {"sigma", number(r.sigma)},
+          {"measured", json_number(r.measured)},
+          {"nominal", json_number(r.nominal)},
+          {"best", json_number(r.best)},
+          {"second", json_number(r.second)},
+          {"sigma", json_number(r.sigma)},
           {"held_out", r.held_out}};
 }
 
 Json json_of(const Compensator& c) {
   return {{"name", c.name},
-          {"factor", number(c.factor)},
-          {"prior_sigmas", number(c.prior_sigmas)},
-          {"gap_after", number(c.gap_after)},
-          {"heldout_after", number(c.held_out_after)},
+          {"factor", json_number(c.factor)},
+          {"prior_sigmas", json_number(c.prior_sigmas)},
+          {"gap_after", json_number(c.gap_after)},
+          {"heldout_after", json_number(c.held_out_after)},
           {"contradicted_by", c.contradicted_by}};
 }
 
 Json json_of(const ProposedMeasurement& m) {
   return {{"what", m.what},
-          {"cost", number(m.cost)},
-          {"separation", number(m.separation)},
+          {"cost", json_number(m.cost)},
+          {"separation", json_number(m.separation)},
           {"separates", m.separates},
           {"resolves", m.resolves}};
 }
@@ -142,11 +138,11 @@ Json identifiability_json(const Diagnosis& d) {
   Json likeness = Json::array();
   for (Index i = 0; i < d.likeness.rows(); ++i) {
     Json row = Json::array();
-    for (Index j = 0; j < d.likeness.cols(); ++j) row.push_back(number(d.likeness(i, j)));
+    for (Index j = 0; j < d.likeness.cols(); ++j) row.push_back(json_number(d.likeness(i, j)));
     likeness.push_back(std::move(row));
   }
   const auto mimic = [](const Mimic& m) {
-    return Json{{"a", m.a}, {"b", m.b}, {"cosine", number(m.cosine)}};
+    return Json{{"a", m.a}, {"b", m.b}, {"cosine", json_number(m.cosine)}};
   };
   const auto detectable = [](const SmallestDetectable& s) {
     return Json{{"name", s.name},
@@ -154,9 +150,9 @@ Json identifiability_json(const Diagnosis& d) {
                 {"way", s.way},
                 {"parameter", s.parameter},
                 {"unit", s.unit},
-                {"value", number(s.at)},
-                {"smallest", number(s.value)},
-                {"noncentrality", number(s.noncentrality)}};
+                {"value", json_number(s.at)},
+                {"smallest", json_number(s.value)},
+                {"noncentrality", json_number(s.noncentrality)}};
   };
   return {{"effects", d.effect_names},
           {"likeness", likeness},
@@ -164,17 +160,12 @@ Json identifiability_json(const Diagnosis& d) {
           {"detectable", list_of(d.detectable, detectable)}};
 }
 
-// Comma-separated: a number that does not exist is an empty cell.
-std::string cell(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? fmt::format("{}", *x) : "";
-}
-
 std::string readings_csv(const Diagnosis& d) {
   std::string text = "reading,unit,measured,nominal,best,second,relative sigma,held out\n";
   for (const ComparedReading& r : d.readings)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(r.name), csv_cell(r.unit),
-                        cell(r.measured), cell(r.nominal), cell(r.best), cell(r.second),
-                        cell(r.sigma), r.held_out ? 1 : 0);
+                        csv_number(r.measured), csv_number(r.nominal), csv_number(r.best),
+                        csv_number(r.second), csv_number(r.sigma), r.held_out ? 1 : 0);
   return text;
 }
 
@@ -193,11 +184,12 @@ std::string hypotheses_csv(const Diagnosis& d) {
     for (const std::optional<double>& x :
          {std::optional(h.log_evidence), h.sampled_log_evidence, std::optional(h.log_bayes_factor),
           std::optional(h.half_width), std::optional(h.double_width), std::optional(h.chi2)})
-      text += "," + cell(x);
+      text += "," + csv_number(x);
     text += fmt::format(",{},{},{},{},{},{},{},{},{}\n", h.adequate ? 1 : 0,
-                        cell(h.share_of_healthy_worse), csv_cell(h.worst_block),
-                        cell(h.worst_block_z), cell(h.gap_after), cell(h.held_out_after),
-                        h.absurd ? 1 : 0, h.fails_held_out ? 1 : 0, csv_cell(h.rejected));
+                        csv_number(h.share_of_healthy_worse), csv_cell(h.worst_block),
+                        csv_number(h.worst_block_z), csv_number(h.gap_after),
+                        csv_number(h.held_out_after), h.absurd ? 1 : 0, h.fails_held_out ? 1 : 0,
+                        csv_cell(h.rejected));
   }
   return text;
 }
@@ -206,8 +198,8 @@ std::string where_csv(const Diagnosis& d) {
   std::string text = "component,direction,band,level [m/s2],kind,state,z,significant\n";
   for (const LocatedGap& b : d.where)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(b.component), csv_cell(b.direction),
-                        csv_cell(b.band), cell(b.level), csv_cell(b.kind), csv_cell(b.state),
-                        cell(b.z), b.significant ? 1 : 0);
+                        csv_cell(b.band), csv_number(b.level), csv_cell(b.kind), csv_cell(b.state),
+                        csv_number(b.z), b.significant ? 1 : 0);
   return text;
 }
 
@@ -271,7 +263,8 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["effects"] = list_of(d.effects, [](const NamedEffect& e) { return named_json(e); });
   json["where"] = list_of(d.where, item);
   json["level_trends"] = list_of(d.trends, [](const LevelTrend& t) {
-    return Json{{"quantity", t.quantity}, {"slope", number(t.slope)}, {"sigma", number(t.sigma)}};
+    return Json{
+        {"quantity", t.quantity}, {"slope", json_number(t.slope)}, {"sigma", json_number(t.sigma)}};
   });
   json["drifts"] = list_of(d.drifts, item);
   json["gap"] = json_of(d.gap);
@@ -281,16 +274,16 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["advice"] = d.advice;
   json["hypotheses"] = list_of(d.tried, item);
   json["probabilities"] = Json::object();
-  for (const auto& [effect, p] : d.probabilities) json["probabilities"][effect] = number(p);
+  for (const auto& [effect, p] : d.probabilities) json["probabilities"][effect] = json_number(p);
   json["readings"] = list_of(d.readings, item);
   json["compensators"] = list_of(d.compensators, item);
   json["identifiability"] = identifiability_json(d);
   json["assumptions"] = d.assumptions;
   json["warnings"] = d.warnings;
-  json["basis_error"] = number(d.basis_error);
+  json["basis_error"] = json_number(d.basis_error);
   json["tried"] = d.hypotheses;
   json["evaluations"] = d.evaluations;
-  json["seconds"] = number(d.seconds);
+  json["seconds"] = json_number(d.seconds);
   return json.dump(2) + "\n";
 }
 

@@ -3,11 +3,11 @@
 #include "io/files.hpp"
 #include "io/report/fit.hpp"
 #include "io/results/csv.hpp"
+#include "io/results/json_number.hpp"
 #include "io/results/text.hpp"
 #include "model/input_error.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kept_designs = 50; // in fit.json, for a restart
-
-Json number(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
 
 std::vector<std::size_t> by_cost(const FitResult& fit) {
   std::vector<std::size_t> order(fit.samples.size());
@@ -143,7 +137,7 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
                                   {"also", p.also},
                                   {"before", p.start},
                                   {"after", p.value},
-                                  {"sigma", number(p.sigma)},
+                                  {"sigma", json_number(p.sigma)},
                                   {"known", p.known},
                                   {"at_bound", p.at_bound}});
   json["ties"] = Json::object();
@@ -163,8 +157,10 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
         {{"name", r.name}, {"lines", r.lines}, {"before_db", r.start}, {"after_db", r.value}});
   json["constraints"] = Json::array();
   for (const FittedConstraint& c : fit.constraints)
-    json["constraints"].push_back(
-        {{"name", c.name}, {"value", c.value}, {"min", number(c.min)}, {"max", number(c.max)}});
+    json["constraints"].push_back({{"name", c.name},
+                                   {"value", c.value},
+                                   {"min", json_number(c.min)},
+                                   {"max", json_number(c.max)}});
   json["correlation"] = Json::array();
   for (Index i = 0; i < fit.correlation.rows(); ++i) {
     const VectorXd row = fit.correlation.row(i).transpose();

@@ -3,12 +3,12 @@
 #include "io/files.hpp"
 #include "io/report/identification.hpp"
 #include "io/results/csv.hpp"
+#include "io/results/json_number.hpp"
 #include "io/results/text.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -16,12 +16,6 @@ namespace plica {
 namespace {
 
 using Eigen::Index;
-using Json = nlohmann::ordered_json;
-
-Json number(double x) {
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
-
 Json json_of(const Identification& found, const IdentifiedMode& m) {
   Json shape = Json::array(), participation = Json::array();
   for (std::size_t c = 0; c < found.set.responses.size(); ++c)
@@ -33,21 +27,24 @@ Json json_of(const Identification& found, const IdentifiedMode& m) {
     participation.push_back({{"channel", found.set.references[i]},
                              {"real", m.participation[Index(i)].real()},
                              {"imaginary", m.participation[Index(i)].imag()}});
-  return {{"frequency", m.frequency},
-          {"sigma_frequency", m.sigma_frequency},
-          {"damping", m.damping},
-          {"sigma_damping", m.sigma_damping},
-          {"mass_normalised", m.mass_normalised},
-          {"shape", shape},
-          {"participation", participation},
-          {"collinearity", m.collinearity},
-          {"rank", m.rank},
-          {"share", m.share},
-          {"orders", m.orders},
-          {"strongest", m.strongest},
-          {"circle_fit",
-           {{"frequency", number(m.circle_frequency)}, {"damping", number(m.circle_damping)}}},
-          {"peak", {{"frequency", number(m.peak_frequency)}, {"damping", number(m.peak_damping)}}}};
+  return {
+      {"frequency", m.frequency},
+      {"sigma_frequency", m.sigma_frequency},
+      {"damping", m.damping},
+      {"sigma_damping", m.sigma_damping},
+      {"mass_normalised", m.mass_normalised},
+      {"shape", shape},
+      {"participation", participation},
+      {"collinearity", m.collinearity},
+      {"rank", m.rank},
+      {"share", m.share},
+      {"orders", m.orders},
+      {"strongest", m.strongest},
+      {"circle_fit",
+       {{"frequency", json_number(m.circle_frequency)},
+        {"damping", json_number(m.circle_damping)}}},
+      {"peak",
+       {{"frequency", json_number(m.peak_frequency)}, {"damping", json_number(m.peak_damping)}}}};
 }
 
 Json json_of(const LinearityOfSet& linearity) {

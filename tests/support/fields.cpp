@@ -10,7 +10,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-Mesh mesh_surface(const Surface& surface, int along, int across, double thickness) {
+Mesh mesh_surface(const ParametricSurface& surface, int along, int across, double thickness) {
   Mesh mesh;
   const auto node = [&](int i, int j) { return i * (across + 1) + j; };
   std::vector<Vector3d> normals;
@@ -107,8 +107,8 @@ void expect_ratio(double value, double wanted, double tolerance, const std::stri
   EXPECT_NEAR(value / wanted, 1, tolerance) << what << ": " << value << ", wanted " << wanted;
 }
 
-Modes find_modes(const Model& model, int count) {
-  Modes modes;
+SolvedModes find_modes(const Model& model, int count) {
+  SolvedModes modes;
   modes.system = assemble(model);
   const SparseMatrix &K = modes.system.K, &M = modes.system.M;
   BaseFactor base = factor_below_spectrum(K, M);

@@ -15,11 +15,11 @@ struct SurfacePoint {
 };
 
 // The point at a, b in [0, 1]; (x_a, x_b, normal) right-handed.
-using Surface = std::function<SurfacePoint(double a, double b)>;
+using ParametricSurface = std::function<SurfacePoint(double a, double b)>;
 
 // `along` x `across` quads with the normals of the surface as directors. Sets: a0 a1 b0 b1 (the
 // edges a = 0, a = 1, b = 0, b = 1) and all. Edges that coincide are not merged.
-Mesh mesh_surface(const Surface& surface, int along, int across, double thickness);
+Mesh mesh_surface(const ParametricSurface& surface, int along, int across, double thickness);
 
 Model shell_model(Mesh mesh, const ShellSection& section,
                   MembraneStrain membrane = MembraneStrain::displacement);
@@ -50,7 +50,7 @@ Eigen::VectorXd solve_static(const Model& model, const Eigen::VectorXd& force);
 // |value / wanted - 1| <= tolerance
 void expect_ratio(double value, double wanted, double tolerance, const std::string& what);
 
-struct Modes {
+struct SolvedModes {
   Eigen::VectorXd hertz;
   Eigen::MatrixXd u; // all DOFs
   System system;
@@ -58,7 +58,7 @@ struct Modes {
 };
 
 // The lowest modes; fails the test when the proof of completeness does.
-Modes find_modes(const Model& model, int count);
+SolvedModes find_modes(const Model& model, int count);
 
 // K (or M) in full, from the lower triangle.
 Eigen::MatrixXd dense(const SparseMatrix& lower);
