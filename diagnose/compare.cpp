@@ -240,11 +240,11 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   }
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {
     const MeasuredMode& m = measured.modes[i];
-    int order = 0;
+    std::map<std::string, int> order; // of the shape in each direction: a pair counts once
     for (const ModeResult& mode : results.modes) {
       const bool same = mode.shape == shape_name(m.shape) &&
                         (!m.direction || mode.direction == std::string(1, letter(*m.direction)));
-      if (!same || ++order < m.order) continue;
+      if (!same || ++order[mode.direction] < m.order) continue;
       rows.push_back(
           {.quantity = std::string(shape_name(m.shape)) + " mode " + std::to_string(m.order),
            .unit = "Hz",

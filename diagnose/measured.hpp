@@ -63,7 +63,7 @@ struct MeasuredMode {
   double frequency = 0;
   std::optional<double> sigma, damping, sigma_damping;
   MeasuredShape shape = MeasuredShape::other;
-  int order = 1;                 // which mode of that shape, from the lowest
+  int order = 1;                 // which mode of that shape in its direction, from the lowest
   std::optional<Axis> direction; // in which the mode moves, where known
   std::optional<Axis> base;      // excited along
   std::optional<double> level;

@@ -97,7 +97,8 @@ template <class V> void fields(V& v, MeasuredMode& m) {
             {MeasuredShape::shell, "shell"},
             {MeasuredShape::other, "other"}},
            required_key, "kind of motion");
-  v.whole(m.order, "order", {.min = 1, .max = 1000}, "which mode of that shape, from the lowest");
+  v.whole(m.order, "order", {.min = 1, .max = 1000},
+          "which mode of that shape in its direction, from the lowest");
   v.choice(m.direction, "direction", axis_names, optional_key, "axis along which the mode moves");
   v.choice(m.base, "base", axis_names, optional_key, "axis along which the table moved");
   v.quantity(m.level, "level", measured_level, "base acceleration");

@@ -62,6 +62,7 @@ Measured as_measured(const Results& results) {
       m.statics.back().value = values[d];
     }
   }
+  std::map<std::pair<std::string, std::string>, int> so_far; // of a shape and direction
   for (std::size_t i = 0; i < results.modes.size(); ++i) {
     const ModeResult& mode = results.modes[i];
     if (mode.shape == "rigid" || !(mode.frequency > 0)) continue;
@@ -69,7 +70,7 @@ Measured as_measured(const Results& results) {
     out.frequency = mode.frequency;
     if (mode.damping > 0) out.damping = mode.damping;
     out.shape = shape_of(mode.shape);
-    out.order = std::max(1, mode.order);
+    out.order = ++so_far[{mode.shape, mode.direction}];
     out.direction = axis_of(mode.direction);
     if (!m.sensors.empty()) out.vector = at_sensors(results, i);
   }

@@ -268,19 +268,32 @@ SurfaceFaces collected() {
     std::vector<int> types;
     std::vector<std::vector<std::size_t>> elements, nodes;
     cad::mesh::getElements(types, elements, nodes, 2, face.second);
-    constexpr int quad = 3;
+    constexpr int triangle = 2, quad = 3;
     for (std::size_t t = 0; t < types.size(); ++t) {
-      if (types[t] != quad)
-        throw std::runtime_error("Gmsh left elements that are not quads: another size may help");
+      if (types[t] != quad && types[t] != triangle)
+        throw std::runtime_error("Gmsh left elements that are no quads and no triangles");
+      const std::size_t corners = types[t] == quad ? 4 : 3;
       for (std::size_t e = 0; e < elements[t].size(); ++e) {
-        std::array<int, 4> q{};
-        for (std::size_t c = 0; c < 4; ++c) q[c] = number.at(nodes[t][4 * e + c]);
+        std::array<int, 4> q{-1, -1, -1, -1};
+        for (std::size_t c = 0; c < corners; ++c) q[c] = number.at(nodes[t][corners * e + c]);
         surface.faces.push_back(q);
       }
     }
   }
   if (surface.faces.empty()) throw std::runtime_error("Gmsh made no element");
   return surface;
+}
+
+// Where its parametrisation fails Gmsh puts nodes anywhere.
+void check_near(const std::vector<Vector3d>& made, const std::vector<Vector3d>& given,
+                double size) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& x : given) box.extend(x);
+  for (const Vector3d& x : made)
+    if (!(box.exteriorDistance(x) <= size))
+      throw std::runtime_error(
+          "Gmsh put a node off the surface; another element_size, or none: the "
+          "triangles of the file");
 }
 
 // Exact normals of CAD faces at the corners of their quads.
@@ -352,11 +365,12 @@ SurfaceFaces remesh(const std::vector<Vector3d>& nodes,
     cad::mesh::classifySurfaces(sharp, true, true, sharp);
     cad::mesh::createGeometry();
     for (const auto& face : faces_of_model()) cad::mesh::setRecombine(2, face.second);
-    gmsh::option::setNumber("Mesh.CharacteristicLengthMin", 2 * size);
-    gmsh::option::setNumber("Mesh.CharacteristicLengthMax", 2 * size);
-    gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
+    gmsh::option::setNumber("Mesh.CharacteristicLengthMin", size);
+    gmsh::option::setNumber("Mesh.CharacteristicLengthMax", size);
     cad::mesh::generate(2);
-    return collected();
+    SurfaceFaces surface = collected();
+    check_near(surface.nodes, nodes, size);
+    return surface;
   });
 }
 

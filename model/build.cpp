@@ -150,10 +150,10 @@ private:
     const int own = component(name);
     try {
       append(built_.model, deck_model(deck), name, own);
-    } catch (const std::runtime_error& error) {
-      input_error("parts." + name + ".file", error.what(), "what docs/decks.md says");
-    } catch (const std::invalid_argument& error) {
-      input_error("parts." + name + ".file", error.what(), "what docs/decks.md says");
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception& error) {
+      input_error("parts." + name + ".file", error.what(), "a deck as docs/decks.md has it");
     }
   }
 
@@ -238,8 +238,26 @@ private:
     return pipe_section(material, s.radius, s.thickness);
   }
 
-  // Reference node in the middle of the circles, tied rigidly to them.
+  // A node that follows others in all directions, such as the reference of an RBE3.
+  bool follows_others(int node) const {
+    const auto& rows = built_.model.constraints;
+    return std::count_if(rows.begin(), rows.end(), [&](const Constraint& row) {
+             return row.node == node && !row.terms.empty();
+           }) == 6;
+  }
+
+  // Reference node in the middle of the circles, tied rigidly to them. One that follows others
+  // cannot follow it too: it leads them.
   int add_spider(const std::string& cap, const std::vector<int>& circles) {
+    const auto leads = [&](int node) { return follows_others(node); };
+    if (const auto leader = std::find_if(circles.begin(), circles.end(), leads);
+        leader != circles.end() && std::none_of(leader + 1, circles.end(), leads)) {
+      std::vector<int> others = circles;
+      std::erase(others, *leader);
+      if (!others.empty())
+        add_kinematic_coupling(built_.model, *leader, others, all_dofs, "spider of cap " + cap);
+      return *leader;
+    }
     const int node = add_node(built_.model, centroid(built_.model.mesh, circles));
     add_kinematic_coupling(built_.model, node, circles, all_dofs, "spider of cap " + cap);
     return node;
@@ -421,6 +439,9 @@ private:
   void add_mount() {
     for (const Mount& mount : case_.mount) {
       const int node = built_.cap_nodes.at(mount.cap);
+      if (mount.kind == MountKind::rigid && follows_others(node))
+        input_error("mount." + mount.cap, "cannot be rigid: the node of that cap follows others",
+                    "springs, or supports that hold those");
       if (mount.kind == MountKind::rigid) built_.held_nodes.push_back(node);
       if (mount.kind != MountKind::springs) continue;
       BushingElement spring;

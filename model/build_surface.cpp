@@ -13,6 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double folded = 0.01; // Jacobian ratio of a quad
+
 SurfaceFaces faces_of(const SurfacePart& part) {
   if (is_cad_file(part.file))
     return mesh_cad(part.file,
@@ -22,6 +24,12 @@ SurfaceFaces faces_of(const SurfacePart& part) {
   SurfaceFaces faces{.nodes = surface.nodes, .faces = {}, .normals = {}};
   for (const auto& [a, b, c] : surface.triangles) faces.faces.push_back({a, b, c, -1});
   return faces;
+}
+
+std::string length_text(double length) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g mm", 1e3 * length);
+  return text.data();
 }
 
 // Variants, error bars and diagnoses build a case many times.
@@ -42,6 +50,10 @@ SurfaceFaces faces_once(const SurfacePart& part) {
 
 Mesh surface_mesh(const SurfacePart& part) {
   Mesh mesh = shell_mesh(faces_once(part), part.thickness, part.given);
+  if (const double ratio = mesh_quality(mesh).min_jacobian; !(ratio > folded))
+    throw std::runtime_error("a quad of the mesh is folded, or a triangle (Jacobian ratio " +
+                             std::to_string(ratio) +
+                             "); another element_size, or none: the triangles of the file");
   const Eigen::Matrix3d turn = turn_of(part.rotate);
   const Vector3d move(part.move[0], part.move[1], part.move[2]);
   for (Vector3d& x : mesh.nodes) x = turn * x + move;
@@ -65,8 +77,9 @@ void add_places(Mesh& mesh, const std::vector<SurfacePlace>& places) {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       if ((mesh.nodes[i] - at).norm() <= place.within) set.push_back(int(i));
     if (set.empty())
-      throw std::runtime_error("no node is within " + std::to_string(1e3 * place.within) +
-                               " mm of the place " + place.name);
+      throw std::runtime_error("no node is within " + length_text(place.within) + " of the place " +
+                               place.name + " at [" + length_text(place.at[0]) + ", " +
+                               length_text(place.at[1]) + ", " + length_text(place.at[2]) + "]");
   }
 }
 

@@ -1,5 +1,7 @@
 #include "model/case.hpp"
 
+#include "model/deck.hpp"
+
 #include <algorithm>
 
 namespace plica {
@@ -9,12 +11,22 @@ bool is_on_axis(const BeamPart& beam) {
                      [](const Triple& p) { return p[0] == 0 && p[2] == 0; });
 }
 
+double highest_frequency(const Analyses& analyses) {
+  return std::max(analyses.response ? analyses.response->band[1] : 0,
+                  analyses.modes ? analyses.modes->band[1] : 0);
+}
+
 double reduction_cutoff(const Analyses& analyses) {
   if (analyses.reduction && analyses.reduction->cutoff > 0) return analyses.reduction->cutoff;
-  double highest = 0;
-  if (analyses.response) highest = analyses.response->band[1];
-  if (analyses.modes) highest = std::max(highest, analyses.modes->band[1]);
+  const double highest = highest_frequency(analyses);
   return highest > 0 ? 2 * highest : 1000;
+}
+
+bool held_by_deck(const Case& data) {
+  return std::any_of(data.parts.begin(), data.parts.end(), [](const Part& part) {
+    const auto* deck = std::get_if<DeckPart>(&part.body);
+    return deck != nullptr && deck->held && (!deck->content || !deck->content->supports.empty());
+  });
 }
 
 bool has_friction(const Case& data) {

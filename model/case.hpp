@@ -376,6 +376,9 @@ struct Analyses {
   bool error_bars = true; // discretisation and tolerances of the headline numbers
 };
 
+// Of response and modes, Hz; 0 when neither has a band.
+double highest_frequency(const Analyses& analyses);
+
 // Cut-off of a reduction, Hz: as asked, or twice the upper end of the bands of response and modes,
 // or 1000 Hz where there is none.
 double reduction_cutoff(const Analyses& analyses);
@@ -430,5 +433,8 @@ struct Case {
 
 // True when a part, a joint, a mount or the plies of a wall have friction or a nonlinear spring.
 bool has_friction(const Case& data);
+
+// A deck that holds some of its nodes; one that could not be read may.
+bool held_by_deck(const Case& data);
 
 } // namespace plica

@@ -16,12 +16,14 @@ struct Range {
   double low, high;
   bool holds(double x) const { return x >= low && x <= high; }
 };
-constexpr Range modulus{1e5, 1.3e12};  // Pa: soft rubber to diamond
-constexpr Range density{10, 23e3};     // kg/m3: foam to osmium
-constexpr Range extent{1e-3, 100};     // m, of a model
-constexpr double thickest_wall = 0.25; // of the largest extent of its part
-constexpr double widest_joint = 2;     // radii of the larger end that a cap joins
-constexpr double one_place = 1e-3;     // m: ends that lie there are one, however small they are
+constexpr Range modulus{1e9, 1.3e12};     // Pa: plastics to diamond
+constexpr Range density{10, 23e3};        // kg/m3: foam to osmium
+constexpr Range extent{1e-3, 20};         // m, of a model
+constexpr double thickest_wall = 0.25;    // of the largest extent of its part
+constexpr double widest_joint = 2;        // radii of the larger end that a cap joins
+constexpr double heaviest = 100;          // kg, of a body in an exhaust system
+constexpr double highest_convolution = 1; // of the root radius
+constexpr double one_place = 1e-3;        // m: ends that lie there are one, however small they are
 
 std::string number(double x) {
   std::array<char, 32> text{};
@@ -121,7 +123,7 @@ private:
   void material(const std::string& of, double E, double rho) {
     if (!modulus.holds(E))
       add(of + " has E = " + number(E) +
-          " Pa, which no solid has: is its unit missing or another?");
+          " Pa, which no metal has: is its unit missing or another?");
     if (rho == 0)
       add(of + " has no density: its wall moves without mass");
     else if (!density.holds(rho))
@@ -164,7 +166,34 @@ private:
             number(angle) + " deg if you mean that");
   }
 
-  void placed(const std::string& name, const DeckPart& deck) { turned(name, deck.rotate); }
+  void placed(const std::string& name, const DeckPart& deck) {
+    turned(name, deck.rotate);
+    for (const std::string& card : deck.content->left_out) add("left out of the deck: " + card);
+  }
+
+  void placed(const std::string& name, const Bellows& bellows) {
+    for (const MeridianSection& section : bellows.profile)
+      if (section.height > highest_convolution * bellows.root_radius)
+        add("parts." + name + ".profile has convolutions of " + number(1e3 * section.height) +
+            " mm on a pipe of radius " + number(1e3 * bellows.root_radius) + " mm");
+  }
+
+  void placed(const std::string& name, const Interlock& liner) {
+    heavy("parts." + name + ".mass", liner.mass);
+    for (const Part& part : case_.parts)
+      if (const auto* bellows = std::get_if<Bellows>(&part.body);
+          bellows && part.name == liner.along && liner.radius > bellows->root_radius)
+        add("parts." + name + ".radius is " + number(1e3 * liner.radius) +
+            " mm, that of the bellows around it " + number(1e3 * bellows->root_radius) + " mm");
+  }
+
+  void placed(const std::string& name, const PointMass& mass) {
+    heavy("parts." + name + ".mass", mass.mass);
+  }
+
+  void heavy(const std::string& key, double mass) {
+    if (mass > heaviest) add(key + " is " + number(mass) + " kg: a mass without unit is in kg");
+  }
 
   void placed(const std::string& name, const SurfacePart& surface) {
     turned(name, surface.rotate);
@@ -185,6 +214,7 @@ private:
   }
 
   void caps() {
+    for (const Cap& cap : case_.caps) heavy("caps." + cap.name + ".mass", cap.mass);
     const auto& sets = model_.mesh.sets;
     for (const Cap& cap : case_.caps)
       for (std::size_t i = 1; i < cap.of.size(); ++i) {
@@ -209,9 +239,9 @@ private:
     };
     for_each_shell([&](const auto& shell) { element(shell.nodes, int(component(shell))); });
     for (const BeamElement& b : model_.beams) element(std::array{b.node1, b.node2}, b.component);
-    for (const BushingElement& b : model_.bushings)
-      if (b.node2 >= 0) element(std::array{b.node1, b.node2}, b.component);
-    for (const MatrixElement& m : model_.matrices) element(m.nodes, m.component);
+    for (const BushingElement& b : model_.bushings) // springs join, and are no piece of their own
+      if (b.node2 >= 0) pieces.join(b.node1, b.node2);
+    for (const MatrixElement& m : model_.matrices) pieces.join(m.nodes);
     for (const Constraint& c : model_.constraints)
       for (const ConstraintTerm& t : c.terms) pieces.join(c.node, t.node);
     for (const auto& [node, component] : elements)

@@ -191,7 +191,8 @@ private:
 void require_held(bool free_body) {
   if (free_body)
     input_error("analyses",
-                "nothing holds the part (joints with friction count as slipping), so it has no "
+                "nothing holds the part, or a piece of it that nothing joins to the rest (joints "
+                "with friction count as slipping), so it has no "
                 "steady response",
                 "a mount or supports that leave no rigid motion free");
 }

@@ -304,6 +304,7 @@ ReducedCase reduce_case(const Case& given, const ReduceRequest& request,
   data.mount.clear(); // whoever takes the superelement holds it
   ReducedCase result;
   result.cutoff = request.cutoff > 0 ? request.cutoff : reduction_cutoff(data.analyses);
+  result.asked = highest_frequency(data.analyses);
   Stopwatch watch;
   stage("mesh");
   const BuiltCase built = build(data);
@@ -333,7 +334,7 @@ ReducedCase reduce_case(const Case& given, const ReduceRequest& request,
   stage("certificate");
   PartReference part = symmetric ? symmetric_reference(*symmetric, boundary, result.cutoff)
                                  : full_reference(built.model, boundary, result.cutoff);
-  part.grounded = !data.supports.empty();
+  part.grounded = !data.supports.empty() || held_by_deck(data);
   if (boundary.caps == 2) add_statics(part, built, view, boundary, nested != nullptr);
   result.left_out = select_modes(reduction, request.least_interface_mass);
   part.left_out = result.left_out.count;

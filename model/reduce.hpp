@@ -27,6 +27,7 @@ struct ReducedCase {
   Certificate certificate;
   std::string route; // how it was reduced
   double cutoff = 0; // Hz
+  double asked = 0;  // highest frequency that the case asks for, Hz
   ModesLeftOut left_out;
   bool proved = false;
   std::string reason;

@@ -48,10 +48,6 @@ private:
     results_.modelled_as = case_.model;
     results_.assumptions = case_.assumptions;
     results_.quality = mesh_quality(built_.model.mesh);
-    for (const Part& part : case_.parts)
-      if (const auto* deck = std::get_if<DeckPart>(&part.body))
-        for (const std::string& card : deck->content->left_out)
-          results_.warnings.push_back("left out of the deck: " + card);
     for (std::string& doubt : doubts(case_, built_)) results_.warnings.push_back(std::move(doubt));
     results_.meridian = built_.meridian;
     results_.route = route_->name();
@@ -249,7 +245,8 @@ private:
     const double last = frequency(modes.solution.lambda[modes.solution.modes - 1]);
     if (last < asked.band[1])
       results_.warnings.push_back("the modes end at " + std::to_string(std::lround(last)) +
-                                  " Hz: above, the response holds only their static part");
+                                  " Hz: above, the response holds only their static part and no "
+                                  "peak is listed; ask for modes up to twice the band");
     lap("response");
   }
 

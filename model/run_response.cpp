@@ -53,11 +53,13 @@ std::vector<int> channels_with_path(const MatrixXcd& acceleration) {
   return channels;
 }
 
-void add_peaks(ResponseResult& response) {
+// Above the last mode the response is that of static terms, whose own maxima are no resonances.
+void add_peaks(ResponseResult& response, double last_mode) {
   for (int c : response.shown)
     for (const Peak& p : find_peaks(response.hertz, response.acceleration.col(c).cwiseAbs()))
-      response.peaks.push_back(
-          {.channel = c, .frequency = p.frequency, .amplitude = p.height, .damping = p.damping});
+      if (p.frequency < (1 + p.damping) * last_mode)
+        response.peaks.push_back(
+            {.channel = c, .frequency = p.frequency, .amplitude = p.height, .damping = p.damping});
 }
 
 int channel_of(const ResponseResult& response, const std::string& name, const std::string& key) {
@@ -198,7 +200,7 @@ std::vector<ResponseResult> responses(const Response& asked, const BuiltCase& bu
     response.acceleration = -(omega.cwiseAbs2().asDiagonal() * relative);
     response.acceleration.rowwise() += rigid.col(Eigen::Index(k)).transpose();
     response.shown = channels_with_path(response.acceleration);
-    add_peaks(response);
+    add_peaks(response, frequency(modes.solution.lambda[modes.solution.modes - 1]));
     if (!e.random.table.empty()) response.random = random_result(asked, e.random, response);
     results.push_back(std::move(response));
   }

@@ -143,6 +143,29 @@ inline void write_stl_plate(double a, double b, int cells, const std::filesystem
   out << "endsolid plate\n";
 }
 
+// Tube along y, open at both ends, as text STL in mm.
+inline void write_stl_tube(double radius, double length, int around, int along,
+                           const std::filesystem::path& file) {
+  std::ofstream out(file);
+  out << "solid tube\n";
+  const auto vertex = [&](int i, int j) {
+    const double angle = 2 * std::numbers::pi * (i % around) / around;
+    out << "vertex " << radius * std::cos(angle) << ' ' << length * j / along << ' '
+        << radius * std::sin(angle) << "\n";
+  };
+  const auto facet = [&](std::array<std::array<int, 2>, 3> corners) {
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (const auto& [i, j] : corners) vertex(i, j);
+    out << "endloop\nendfacet\n";
+  };
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < along; ++j) {
+      facet({{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
+      facet({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
+    }
+  out << "endsolid tube\n";
+}
+
 // A plate across the pipe, in the plane y = 0, with a round hole: half of it mirrored would do, so
 // it is made of fans between the circle and the square round it.
 inline void write_stl_fixture(double side, double radius, const std::filesystem::path& file) {

@@ -186,6 +186,41 @@ TEST_F(Cad, a_plate_of_triangles_vibrates_as_that_from_its_corners) {
             as_they_are.modes[m].frequency, own.modes[m].frequency, 0.01);
 }
 
+// A closed tube of few facets, meshed anew with elements of several sizes, clamped at one end,
+// beside the tube as one cuff of the radius at which its polygon has the same length.
+TEST_F(Cad, a_closed_tube_of_triangles_is_meshed_anew_without_a_fold) {
+  constexpr double radius = 30, length = 100;
+  constexpr int around = 48;
+  write_stl_tube(radius, length, around, 12, at("tube.stl"));
+  Case data;
+  data.name = "tube";
+  data.materials["steel"] = {200e9, 0.3, 7800};
+  data.mount = {{.cap = "left"}};
+  data.analyses.modes = Modes{.count = 4};
+  MeridianSection cuff{.shape = SectionShape::cuff, .length = 1e-3 * length};
+  Bellows bellows{.material = "steel", .root_radius = 1e-3 * radius, .profile = {cuff}};
+  bellows.wall.plies = {1.5e-3};
+  bellows.mesh.accuracy = 0.01;
+  data.parts = {{"tube", bellows}};
+  data.caps = {{.name = "left", .of = {"tube.left"}},
+               {.name = "right", .of = {"tube.right"}, .mass = 0.2}};
+  const Results own = run_silently(data);
+  for (const double size : {12e-3, 8e-3, 5e-3}) {
+    const SurfacePart surface{.material = "steel",
+                              .file = at("tube.stl").string(),
+                              .unit = 1e-3,
+                              .thickness = 1.5e-3,
+                              .size = size};
+    EXPECT_GT(mesh_quality(surface_mesh(surface)).min_jacobian, 0.01) << size;
+    data.parts = {{"tube", surface}};
+    data.caps[0].of = {"tube.edge[1]"};
+    data.caps[1].of = {"tube.edge[2]"};
+    const Results read = run_silently(data);
+    compare("tube", "clamped bending mode, elements of " + std::to_string(size),
+            read.modes[0].frequency, own.modes[0].frequency, 0.03);
+  }
+}
+
 TEST_F(Cad, surfaces_come_back_as_they_were_written) {
   Surface s;
   s.nodes = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.2, 0}, {0, 0.2, 0.03}};

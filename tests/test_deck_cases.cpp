@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace plica::test {
 namespace {
@@ -147,6 +148,59 @@ supports: [{set: web.edge4, fix: [ux, uy, uz, rx, ry, rz]}]
   const std::string loose = base + ", held: false, places: {" + places + "}}\nsupports: [";
   expect_same(run_text(loose + "{set: web.ROOT" + fix + "]\n" + asked, folder.path), plain);
   expect_same(run_text(loose + supports + "]\n" + asked, folder.path), plain);
+}
+
+// The reference of a coupling that averages follows its nodes: a cap on it leads the rest.
+TEST(DeckCase, a_cap_takes_the_reference_of_an_average) {
+  const TemporaryFolder folder("deck_case");
+  const std::string average =
+      "*NODE, NSET=REF\n99, 250., 100., 50.\n*NSET, NSET=FACE\n5, 7, 405, 407\n"
+      "*SURFACE, TYPE=NODE, NAME=S\nFACE\n"
+      "*COUPLING, CONSTRAINT NAME=C, REF NODE=99, SURFACE=S\n*DISTRIBUTING\n";
+  const std::string base = "case: plate\nparts:\n  web: {type: deck, file: plate.inp, "
+                           "length_unit: mm, mass_unit: t}\n";
+  write_whole(folder.path / "plate.inp",
+              plate_deck() + average +
+                  "*ELEMENT, TYPE=MASS, ELSET=B\n990, 99\n*MASS, ELSET=B\n0.3e-3\n");
+  const Results by_deck = run_text(base + asked, folder.path);
+  write_whole(folder.path / "plate.inp", plate_deck() + average);
+  const std::string alone = base + "caps: {tip: {of: web.REF, mass: 0.3 kg}}\n";
+  expect_same(run_text(alone + asked, folder.path), by_deck);
+  try {
+    run_text(alone + "mount: {tip: rigid}\n" + asked, folder.path);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("follows others"), std::string::npos) << error.what();
+  }
+}
+
+// Bars of Nastran have no rotary inertia; bodies at their ends keep the torsion of a shaft.
+TEST(DeckCase, rotary_inertia_of_beams_comes_back_from_nastran) {
+  const TemporaryFolder folder("deck_case");
+  const Results ours = run_text(R"(case: shaft
+parts:
+  shaft: {type: beam, points: [[0, 0, 0], [0, 1, 0]], elements: 40, section: {shape: general, EA: 1e9, EI: 1e6,
+          GJ: 500, mass_per_length: 2, polar_inertia_per_length: 2e-2, rotary_inertia_per_length: 1e-2}}
+supports: [{set: shaft.start, fix: [ux, uy, uz, rx, ry, rz]}]
+)" + std::string(asked),
+                                folder.path);
+  const Case data = read_case((folder.path / "case.yaml").string()).data;
+  write_whole(folder.path / "model.bdf", nastran_model(data, build(data)));
+  const Results back = run_text(
+      std::string("case: read\nparts:\n  all: {type: deck, file: model.bdf, length_unit: 1 m, "
+                  "mass_unit: 1 kg}\n") +
+          asked,
+      folder.path);
+  const double torsion = std::sqrt(500 / 2e-2) / 4; // quarter wave
+  EXPECT_NEAR(ours.modes[0].frequency, torsion, 1e-3 * torsion);
+  // A consistent mass gives 1 + (k h)^2 / 24 of the frequency, a lumped one 1 - (k h)^2 / 24.
+  for (int m = 0; m < 5; ++m) {
+    const double kh = (2 * m + 1) * std::numbers::pi / 2 / 40;
+    EXPECT_NEAR((1 - back.modes[std::size_t(m)].frequency / ours.modes[std::size_t(m)].frequency) /
+                    (kh * kh / 12),
+                1, 0.05)
+        << "mode " << m + 1;
+  }
 }
 
 TEST(DeckCase, says_in_the_case_what_is_wrong_there) {

@@ -155,8 +155,15 @@ TEST(NastranDeck, says_field_by_field_what_the_model_is) {
   EXPECT_EQ(cards["RBE2"][0].fields.size(), 3u + 32u);
   EXPECT_EQ(cards["CBAR"].size(), 16u);
   EXPECT_NEAR(nastran_number(cards["PBAR"][0].fields[2]), 2e3, 1e-9);
-  ASSERT_EQ(cards["CONM2"].size(), 1u);
-  const std::vector<std::string>& body = cards["CONM2"][0].fields;
+  ASSERT_EQ(cards["CONM2"].size(), 1u + 2 * 16u);
+  double polar = 0, wanted = 0; // about y, of the liner: bodies at the ends of its beams
+  for (std::size_t i = 0; i < 32; ++i) polar += nastran_number(cards["CONM2"][i].fields[10]);
+  for (const Part& part : data.parts)
+    if (const auto* liner = std::get_if<Interlock>(&part.body))
+      wanted = liner->mass * liner->radius * liner->radius;
+  ASSERT_GT(wanted, 0);
+  EXPECT_NEAR(polar, wanted, 1e-12);
+  const std::vector<std::string>& body = cards["CONM2"][32].fields;
   EXPECT_NEAR(nastran_number(body[3]), 1.5, 1e-12);
   EXPECT_NEAR(nastran_number(body[5]), 0.02, 1e-12) << "offset y";
   // A matrix entry J_xy = 2e-4 is minus the integral that the card wants.

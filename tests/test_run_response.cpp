@@ -31,6 +31,21 @@ TEST(BaseResponse, of_a_tube_on_springs_is_that_of_one_dof) {
   EXPECT_NEAR(r.peaks[0].damping / zeta, 1, 0.02);
 }
 
+// With a single mode the static rest has a maximum of its own near the next one: no resonance.
+TEST(BaseResponse, lists_no_peak_above_the_last_mode) {
+  Case data = tube(2);
+  data.analyses.damping.modal = 0.01;
+  data.sensors = {{.name = "mid", .at = {0, L / 2, 0}}};
+  data.analyses.response = Response{.bases = {2}, .band = {5, 3000}};
+  data.analyses.modes = Modes{.count = 2};
+  const Results few = run_silently(data);
+  ASSERT_FALSE(few.responses[0].peaks.empty());
+  for (const ResponsePeak& p : few.responses[0].peaks)
+    EXPECT_LT(p.frequency, 1.02 * few.modes.back().frequency);
+  ASSERT_EQ(few.warnings.size(), 1U);
+  EXPECT_NE(few.warnings[0].find("no peak is listed"), std::string::npos);
+}
+
 TEST(ForceResponse, tends_to_the_static_displacement_and_reads_sensor_axes) {
   constexpr double k = 4e4;
   Case data = sprung_tube(k);

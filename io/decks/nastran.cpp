@@ -131,9 +131,25 @@ private:
     text_ += large_card("PBAR", {number(property), number(property), real(p.EA), real(p.EI_y),
                                  real(p.EI_z), real(p.GJ), real(p.mass), "", "", "", "", "", "", "",
                                  "", "", shear(p.GA_z), shear(p.GA_y)});
-    if (p.inertia_x > 0) text_ += "$ rotary inertia per length of this beam is left out\n";
     text_ += large_card("CBAR", {number(e), number(property), grid(b.node1), grid(b.node2),
                                  real(b.up[0]), real(b.up[1]), real(b.up[2])});
+    rotary_inertia(b);
+  }
+
+  // Bars have none: half of it is a body without mass at each end.
+  void rotary_inertia(const BeamElement& b) {
+    const BeamProperties& p = b.section;
+    const Eigen::Vector3d inertia(p.inertia_x, p.inertia_y, p.inertia_z);
+    if (inertia.isZero()) return;
+    const Eigen::Vector3d along = model_.mesh.nodes[b.node2] - model_.mesh.nodes[b.node1];
+    Eigen::Matrix3d axes; // x along, z in the plane of x and up
+    axes.col(0) = along.normalized();
+    axes.col(1) = b.up.cross(axes.col(0)).normalized();
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    RigidMass half{.mass = 0, .offset = {0, 0, 0}, .inertia = {}};
+    half.inertia = along.norm() / 2 * axes * inertia.asDiagonal() * axes.transpose();
+    text_ += "$ rotary inertia of the beam\n";
+    for (int node : {b.node1, b.node2}) mass({.node = node, .body = half});
   }
 
   void mass(const MassElement& m) {

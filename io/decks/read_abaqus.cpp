@@ -2,6 +2,7 @@
 
 #include "io/decks/abaqus_joints.hpp"
 #include "io/decks/abaqus_sections.hpp"
+#include "io/input/did_you_mean.hpp"
 
 #include <algorithm>
 
@@ -52,19 +53,18 @@ void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases, L
   for (const KeywordHandlers& phase : phases)
     if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;
   if (handler == nullptr) {
-    left_out.note(k, "is not known", "keywords of docs/decks.md");
+    std::vector<std::string> names;
+    for (const KeywordHandlers& phase : phases)
+      for (const auto& [name, h] : phase) names.push_back(name);
+    const std::string near = nearest_word(k.name, names);
+    left_out.note(k, "is not known",
+                  (near.empty() ? "" : "did you mean *" + near + "? ") +
+                      "keywords of docs/decks.md");
     return;
   }
   for (const auto& [name, value] : k.parameters)
     if (!handler->parameters.contains(name))
       left_out.note(k, "has a parameter " + name + " that is not known", "without it");
-}
-
-// f of each keyword; what is wrong in them is said together.
-template <class F> void for_each(const std::vector<Keyword>& keywords, F&& f) {
-  DeckProblems problems;
-  for (const Keyword& k : keywords) problems.collect([&] { f(k); });
-  problems.raise();
 }
 
 } // namespace
@@ -81,13 +81,15 @@ DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   const std::vector<KeywordHandlers> phases{mesh.handlers(), sections.materials(),
                                             joints.surfaces(), sections.handlers(),
                                             joints.handlers()};
-  for_each(keywords, [&](const Keyword& k) { check_known(k, phases, left_out); });
+  DeckProblems problems;
+  for (const Keyword& k : keywords) problems.collect([&] { check_known(k, phases, left_out); });
   for (std::size_t p = 0; p < phases.size(); ++p) {
-    for_each(keywords, [&](const Keyword& k) {
+    for (const Keyword& k : keywords)
       if (const auto found = phases[p].find(k.name); found != phases[p].end())
-        found->second.read(k);
-    });
-    if (p == 0) mesh.read_sets();
+        problems.collect([&] { found->second.read(k); });
+    if (p == 0) continue; // materials build on no mesh
+    problems.raise();
+    if (p == 1) mesh.read_sets();
   }
   mesh.check_sections();
   sections.finish();

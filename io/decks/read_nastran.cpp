@@ -3,6 +3,7 @@
 #include "io/decks/deck_sections.hpp"
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_joints.hpp"
+#include "io/input/did_you_mean.hpp"
 
 #include <Eigen/Geometry>
 
@@ -54,7 +55,12 @@ private:
       if (element && !elements_.insert(card.whole(0)).second)
         card.wrong("element " + card.text(0) + " is there twice", "a number once");
     } else if (!passed_cards.contains(card.name))
-      leave_out(card, "is not known", "cards of docs/decks.md");
+      leave_out(card, "is not known", near(card.name) + "cards of docs/decks.md");
+  }
+
+  static std::string near(const std::string& name) {
+    const std::string word = nearest_word(name, {followed.begin(), followed.end()});
+    return word.empty() ? "" : "did you mean " + word + "? ";
   }
 
   void leave_out(const Card& card, const std::string& what, const std::string& allowed) {

@@ -129,8 +129,7 @@ void check_analyses(const Case& data, CheckLog& log) {
     log.add("analyses.static",
             "static stiffness is between two caps, this case has " + std::to_string(n),
             "give exactly two caps, or leave static out");
-  const double highest =
-      std::max(a.response ? a.response->band[1] : 0, a.modes ? a.modes->band[1] : 0);
+  const double highest = highest_frequency(a);
   if (a.reduction && a.reduction->cutoff > 0 && a.reduction->cutoff < highest)
     log.add("analyses.reduction.cutoff", "lies below the highest frequency that is asked for",
             "give twice or three times " + std::to_string(std::lround(highest)) + " Hz");

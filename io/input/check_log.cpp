@@ -33,7 +33,8 @@ bool CheckLog::fine(const std::string& key) const {
 
 bool CheckLog::sets_known(const std::string& set) const {
   const std::string part = "parts." + set.substr(0, set.find('.'));
-  return fine(part + ".type") && fine(part + ".profile") && fine(part + ".points");
+  return fine(part + ".type") && fine(part + ".profile") && fine(part + ".points") &&
+         fine(part + ".file");
 }
 
 bool are_three_axes(std::vector<int> axes) {

@@ -126,11 +126,7 @@ void check_stress(const Case& data, CheckLog& log) {
 } // namespace
 
 void check_held(const std::string& key, const Case& data, CheckLog& log) {
-  const bool by_deck = std::any_of(data.parts.begin(), data.parts.end(), [](const Part& part) {
-    const auto* deck = std::get_if<DeckPart>(&part.body);
-    return deck != nullptr && deck->held && deck->content && !deck->content->supports.empty();
-  });
-  const bool held = by_deck || !data.supports.empty() ||
+  const bool held = held_by_deck(data) || !data.supports.empty() ||
                     std::any_of(data.mount.begin(), data.mount.end(),
                                 [](const Mount& m) { return m.kind != MountKind::free; });
   if (!held && log.fine("mount") && log.fine("supports"))

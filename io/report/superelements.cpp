@@ -5,6 +5,7 @@
 #include "io/report/plot.hpp"
 #include "io/results/text.hpp"
 #include "io/superelements/certificate_lines.hpp"
+#include "io/superelements/write.hpp"
 
 #include <fmt/format.h>
 
@@ -87,12 +88,10 @@ std::string certificate_report(const ReducedCase& r) {
   const Certificate& c = r.certificate;
   const Superelement& s = r.element;
   const bool good = c.passed && r.proved;
-  const std::string header =
-      fmt::format("<h1>Superelement {}</h1>\n<p class=\"verdict{}\"><b>{}&nbsp;{}</b> {}</p>\n",
-                  html_escape(s.name), good ? "" : " open", good ? "✓" : "!",
-                  good ? "The certificate is passed." : "The certificate failed.",
-                  fmt::format("Good up to {} Hz with an error of {} %.",
-                              html_number(c.good_up_to, 4), html_number(100 * c.error, 2)));
+  const std::string header = fmt::format(
+      "<h1>Superelement {}</h1>\n<p class=\"verdict{}\"><b>{}&nbsp;{}</b> {}</p>\n",
+      html_escape(s.name), good ? "" : " open", good ? "✓" : "!",
+      good ? "The certificate is passed." : "The certificate failed.", html_escape(reach_of(r)));
   std::vector<std::string> failures;
   for (const std::string& failure : c.failures) failures.push_back(html_escape(failure));
   if (!r.proved) failures.push_back("not proved: " + html_escape(r.reason));

@@ -55,6 +55,20 @@ Json sidecar(const Superelement& s, const ReducedCase& r) {
 
 } // namespace
 
+std::string reach_of(const ReducedCase& r) {
+  const Certificate& c = r.certificate;
+  std::string text =
+      c.free.empty()
+          ? "Good for stiffness and mass; no frequency of the part lies below the cut-off, "
+            "so nothing is known of modes."
+          : fmt::format("Good up to {} Hz with an error of {} %.", significant(c.good_up_to, 4),
+                        significant(100 * c.error, 2));
+  if (r.asked > c.good_up_to)
+    text += fmt::format(" The case asks for {} Hz: raise the cut-off of {} Hz.",
+                        significant(r.asked, 4), significant(r.cutoff, 4));
+  return text;
+}
+
 std::string certificate_text(const ReducedCase& r) {
   const Certificate& c = r.certificate;
   const Superelement& s = r.element;
@@ -77,8 +91,7 @@ std::string certificate_text(const ReducedCase& r) {
     text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}\n", f.full, f.reduced,
                         with_sign(100 * f.error(), 4));
   if (c.free.empty()) text += "    none below the cut-off: nothing compared\n";
-  text += fmt::format("Good up to {} Hz with an error of {} %.\n", significant(c.good_up_to, 4),
-                      significant(100 * c.error, 2));
+  text += reach_of(r) + "\n";
   text += c.passed ? "The certificate is passed.\n" : "The certificate FAILED:\n";
   for (const std::string& failure : c.failures) text += "  " + failure + "\n";
   return text;

@@ -14,6 +14,8 @@ enum class Units { metres, millimetres }; // m kg s N, or mm t s N
 void write_superelement(const ReducedCase& reduced, Units units,
                         const std::filesystem::path& folder);
 
+// Up to where it is good, and what the case asks for beyond.
+std::string reach_of(const ReducedCase& reduced);
 std::string certificate_text(const ReducedCase& reduced);
 std::string certificate_json(const ReducedCase& reduced);
 
