@@ -213,8 +213,8 @@ int check_command(const CheckOptions& options) {
              box.sizes().z());
   for (const std::string& doubt : doubts(file.data, built)) fmt::print("  warning: {}\n", doubt);
   for (const BuiltSensor& sensor : built.sensors)
-    fmt::print("  sensor {}: {:.2f} mm from node {}\n", sensor.name, 1e3 * sensor.distance,
-               sensor.node + 1);
+    fmt::print("  sensor {}: {:.2f} mm from the nearest node\n", sensor.name,
+               1e3 * sensor.distance);
   const std::size_t variants = file.data.variants.size(), limits = 2 * file.data.tolerances.size();
   if (const auto* view = std::get_if<CyclicModel>(&symmetry))
     fmt::print("  repeats around its axis: solved in {} sectors, in far less than the estimate\n",

@@ -5,6 +5,10 @@
 add_library(plica_options INTERFACE)
 target_compile_options(plica_options INTERFACE
   $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
+# Of sources compiled together GCC says what is none of theirs.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(plica_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+endif()
 target_compile_features(plica_options INTERFACE cxx_std_20)
 if(PLICA_SANITIZE)
   target_compile_options(plica_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)

@@ -36,7 +36,7 @@ MeasuredVector at_sensors(const Results& results, std::size_t mode) {
 Measured as_measured(const Results& results) {
   Measured m;
   m.specimen = results.case_name;
-  m.source = "computed by Plica " + results.plica_version;
+  m.source = results.case_name + " computed by Plica " + results.plica_version;
   for (const SensorResult& s : results.sensors) {
     constexpr double rounding = 1e-12; // m
     const Eigen::Vector3d x =

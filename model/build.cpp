@@ -42,12 +42,22 @@ bool has_mass(double mass, const Sextuple& J) {
   return mass > 0 || std::any_of(J.begin(), J.end(), [](double v) { return v != 0; });
 }
 
+// The sets of the same part, the first of them.
+std::string sets_beside(const Model& model, const std::string& name) {
+  constexpr int most = 12;
+  const std::string part = name.substr(0, name.find('.') + 1);
+  std::string text;
+  int count = 0;
+  for (const auto& [set, nodes] : model.mesh.sets)
+    if (set.starts_with(part) && ++count <= most) text += (text.empty() ? "" : ", ") + set;
+  return text + (count > most ? ", ..." : "");
+}
+
 const std::vector<int>& set_of(const Model& model, const std::string& name,
                                const std::string& key) {
   const auto found = model.mesh.sets.find(name);
   if (found == model.mesh.sets.end())
-    input_error(key, "there is no set \"" + name + "\" on the mesh",
-                "the sets of the parts of the case");
+    input_error(key, "there is no set \"" + name + "\" on the mesh", sets_beside(model, name));
   return found->second;
 }
 

@@ -88,7 +88,8 @@ std::set<std::string> unused_materials(const Case& data) {
 class Doubts {
 public:
   Doubts(const Case& data, const BuiltCase& built)
-      : case_(data), model_(built.model), boxes_(model_.components.size()) {
+      : case_(data), model_(built.model), held_nodes_(built.held_nodes),
+        boxes_(model_.components.size()) {
     for_each_shell([&](const auto& shell) {
       for (int node : shell.nodes)
         boxes_[component(shell)].extend(model_.mesh.nodes[std::size_t(node)]);
@@ -247,19 +248,27 @@ private:
     for (const auto& [node, component] : elements)
       parts[pieces.root(node)].insert(model_.components[std::size_t(component)]);
     if (parts.size() < 2) return;
+    std::set<int> held;
+    for (int node : held_nodes_) held.insert(pieces.root(node));
+    for (const Constraint& c : model_.constraints)
+      if (c.terms.empty()) held.insert(pieces.root(c.node));
+    for (const BushingElement& b : model_.bushings)
+      if (b.node2 < 0) held.insert(pieces.root(b.node1));
     constexpr std::size_t most = 4;
     std::string text = "the model falls into " + std::to_string(parts.size()) +
                        " pieces that nothing joins (a cap or a clamp does):";
     std::size_t said = 0;
     for (const auto& [root, names] : parts) {
       if (said == most) break;
-      text += (said++ == 0 ? " " : " | ") + listed(names);
+      text += (said++ == 0 ? " " : " | ") + listed(names) +
+              (held.contains(root) ? "" : " (held by nothing)");
     }
     add(text + (parts.size() > most ? " | ..." : ""));
   }
 
   const Case& case_;
   const Model& model_;
+  const std::vector<int>& held_nodes_;
   std::vector<Box> boxes_; // of the shells of each component
   std::vector<std::string> doubts_;
 };

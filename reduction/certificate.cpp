@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 constexpr double frequency_limit = 0.005; // what "good" means: the usual 0.5 %
 
 double asymmetry(const MatrixXd& A) {
-  return (A - A.transpose()).norm() / A.norm();
+  return (A - A.transpose()).norm() / std::max(1e-300, A.norm());
 }
 
 // Sine of the largest angle between the column spaces.
@@ -111,10 +111,12 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     c.coordinates = coordinate_error(s, scale.asDiagonal() * stiffness.eigenvectors().leftCols(6));
   }
-  const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
-  c.mass = std::abs(own.mass / whole.mass - 1);
-  c.centre = (own.centre - whole.centre).norm();
-  c.inertia = (own.inertia - whole.inertia).norm() / whole.inertia.norm();
+  if (rigid == 6) { // what is held has no rigid motion to weigh it by
+    const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
+    c.mass = std::abs(own.mass / whole.mass - 1);
+    c.centre = (own.centre - whole.centre).norm();
+    c.inertia = (own.inertia - whole.inertia).norm() / whole.inertia.norm();
+  }
   if (part.static_stiffness.size() > 0) {
     const Index n = part.static_stiffness.rows();
     MatrixXd K_bb = s.K.topLeftCorner(n, n);

@@ -34,7 +34,7 @@ struct Certificate {
   double grounding = 0;   // largest force that a rigid motion (1 m, 1 rad) raises / largest of K
   double rigid_modes = 0; // sine of the angle between the lowest six modes and the geometry's
   double coordinates = 0; // m: boundary nodes found from the null space of K, off the true ones
-  double mass = 0, centre = 0, inertia = 0; // relative; m; relative
+  double mass = 0, centre = 0, inertia = 0; // relative; m; relative; of a free part
   double statics_known_to = 0; // as far as the part's own stiffness is known: its rounding
   // Largest |dK_ij| / sqrt(K_ii K_jj) against the condensed part; NaN = not compared (not two
   // caps).

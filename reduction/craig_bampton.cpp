@@ -36,7 +36,6 @@ Reduction craig_bampton(const Model& model, const std::vector<int>& boundary, do
   const Eigen::Index n = s.boundary();
   s.K.topLeftCorner(n, n) =
       without_grounding(D * blocks->K_bb * D.transpose(), s.nodes, blocks->unreduced);
-  s.K = ((s.K + s.K.transpose()) / 2).eval();
   s.K.diagonal().tail(modes) = blocks->lambda;
   s.M.topLeftCorner(n, n) = D * blocks->M_bb * D.transpose();
   s.M.topRightCorner(n, modes) = D * blocks->M_bq;

@@ -80,7 +80,6 @@ public:
     s.K.topLeftCorner(n, n) = without_grounding(s.K.topLeftCorner(n, n), s.nodes, unreduced);
     s.K.topRightCorner(n, modes_).setZero(); // K Psi is a force at the boundary, where Phi rests
     s.K.bottomRows(modes_).setZero();
-    s.K = ((s.K + s.K.transpose()) / 2).eval();
     s.K.diagonal().tail(modes_) = lambda_;
     s.M = T->transpose() * M_ * *T;
     s.M = ((s.M + s.M.transpose()) / 2).eval();

@@ -77,7 +77,8 @@ TEST(Doubts, name_what_is_joined_across_a_distance_and_what_is_not_joined) {
                              "1, 0]], thickness: 2 mm, "
                              "elements: [2, 2], material: steel}\n";
   expect_doubt(with(plate_case, "supports", second + "supports"),
-               "falls into 2 pieces that nothing joins (a cap or a clamp does): web | far");
+               "falls into 2 pieces that nothing joins (a cap or a clamp does): web | far (held by "
+               "nothing)");
   expect_doubt(with(plate_case, "supports",
                     second + "caps: {joint: {of: [web.edge2, far.edge4]}}\nsupports"),
                "cap joint joins web.edge2 and far.edge4 rigidly");

@@ -185,6 +185,26 @@ TEST(ReducedCase, leaves_out_modes_the_boundary_hardly_feels_and_says_so) {
   EXPECT_EQ(some.element.recovery[0].rows.cols(), some.element.K.cols());
 }
 
+TEST(ReducedCase, of_one_node_below_all_modes_is_a_mass) {
+  const ReducedCase r =
+      reduce_case(sample_case(), {.cutoff = 1, .boundary = {"left"}}, [](const auto&) {});
+  EXPECT_EQ(r.element.modal(), 0);
+  EXPECT_TRUE(r.element.K.isZero());
+  EXPECT_TRUE(r.certificate.passed)
+      << (r.certificate.failures.empty() ? "" : r.certificate.failures[0]);
+  EXPECT_NE(reach_of(r).find("nothing is known of modes"), std::string::npos);
+  EXPECT_NE(reach_of(r).find("The case asks for 900.0 Hz"), std::string::npos) << reach_of(r);
+}
+
+TEST(ReducedCase, may_be_held_by_supports) {
+  Case data = sample_case();
+  data.supports.push_back({"bellows.crown[4]", {0, 1, 2}});
+  const ReducedCase r = reduced(data);
+  EXPECT_TRUE(r.certificate.passed)
+      << (r.certificate.failures.empty() ? "" : r.certificate.failures[0]);
+  EXPECT_GT(r.certificate.good_up_to, 500);
+}
+
 // A superelement of superelements against the unreduced part.
 TEST(ReducedCase, may_have_one_node_alone_or_a_sensor_beside_its_caps) {
   for (const std::vector<std::string>& names :

@@ -2,7 +2,6 @@
 
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_cards.hpp"
-#include "io/files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +34,7 @@ std::string plain(const std::string& raw) {
 // All lines of the deck and its includes.
 void collect(const std::filesystem::path& file, const DeckPosition& from, std::size_t depth,
              std::vector<Line>& lines) {
-  if (depth > most_nested)
-    deck_error(from, "INCLUDE", "files include each other", "a file that ends");
-  std::string text;
-  try {
-    text = read_whole(file);
-  } catch (const std::runtime_error&) {
-    deck_error(from, "INCLUDE", "there is no file " + file.string() + " that can be read",
-               "a path from the folder of the deck");
-  }
-  std::istringstream stream(text);
+  std::istringstream stream(included_text(file, from, "INCLUDE", depth));
   DeckPosition at{file.string(), 0};
   for (std::string raw; std::getline(stream, raw);) {
     ++at.line;

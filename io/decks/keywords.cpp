@@ -26,16 +26,7 @@ public:
   std::vector<Keyword> keywords;
 
   void read(const std::filesystem::path& file, const DeckPosition& from) {
-    if (++depth_ > most_nested)
-      deck_error(from, "*INCLUDE", "files include each other", "a file that ends");
-    std::string text;
-    try {
-      text = read_whole(file);
-    } catch (const std::runtime_error&) {
-      deck_error(from, "*INCLUDE", "there is no file " + file.string() + " that can be read",
-                 "a path from the folder of the deck");
-    }
-    std::istringstream stream(text);
+    std::istringstream stream(included_text(file, from, "*INCLUDE", ++depth_));
     DeckPosition at{file.string(), 0};
     bool open = false; // a keyword that goes on
     for (std::string line; std::getline(stream, line);) {
@@ -108,6 +99,18 @@ const std::string& field_of(const Keyword& keyword, const DataLine& line, std::s
 }
 
 } // namespace
+
+std::string included_text(const std::filesystem::path& file, const DeckPosition& from,
+                          const std::string& card, std::size_t depth) {
+  constexpr std::size_t most_nested = 20;
+  if (depth > most_nested) deck_error(from, card, "files include each other", "a file that ends");
+  try {
+    return read_whole(file);
+  } catch (const std::runtime_error&) {
+    deck_error(from, card, "there is no file " + file.string() + " that can be read",
+               "a path from the folder of the deck");
+  }
+}
 
 std::string trimmed(const std::string& text) {
   return std::string(plica::universal::trimmed(text));

@@ -35,7 +35,10 @@ struct Keyword {
 // before the first keyword.
 std::vector<Keyword> read_keywords(const std::filesystem::path& file);
 
-constexpr std::size_t most_nested = 20; // files that include each other; of Nastran too
+// Text of a file that a card of a deck includes, of either code. Throws InputError at `from` when
+// it cannot be read, or lies deeper than twenty files.
+std::string included_text(const std::filesystem::path& file, const DeckPosition& from,
+                          const std::string& card, std::size_t depth);
 
 std::string in_capitals(std::string text);
 std::string trimmed(const std::string& text); // without spaces, tabs and returns around it

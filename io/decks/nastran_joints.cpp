@@ -128,9 +128,12 @@ std::set<int> in_force(const CardsByName& cards, const BulkData& bulk, const std
     if (!sets.contains(card.whole(0))) return;
     for (int set : card.list(1)) sets.insert(set);
   });
-  if (std::none_of(sets.begin(), sets.end(), [&](int set) { return there.contains(set); }))
+  if (std::none_of(sets.begin(), sets.end(), [&](int set) { return there.contains(set); })) {
+    std::string known;
+    for (int set : there) known += (known.empty() ? "" : ", ") + std::to_string(set);
     any->wrong("is not of set " + std::to_string(*sets.begin()) + ", which case control chooses",
-               "a set that is there");
+               kind + " = one of " + known + " there, or none");
+  }
   return sets;
 }
 

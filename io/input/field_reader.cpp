@@ -94,7 +94,9 @@ bool FieldReader::number(const YamlNode& node, const std::string& path, double& 
            (q.exclusive_max && v == q.max);
   };
   if (outside(parsed.value)) {
-    log_.add(node.line, path, kind_of(node) + " is out of range", "allowed: " + describe(q, unit));
+    const bool cut = path.ends_with(']') && node.text == "0"; // of "0,2 mm"
+    log_.add(node.line, path, kind_of(node) + " is out of range",
+             "allowed: " + describe(q, unit) + (cut ? "; decimals with a point, not a comma" : ""));
     return false;
   }
   if (const auto& limits = toleranced.limits) {

@@ -148,12 +148,18 @@ std::string stress_csv(const Results& results) {
 
 std::string error_bars_csv(const Results& results) {
   const ErrorBars& errors = results.error_bars;
-  std::vector<std::string> head{"quantity", "value", "mesh along", "mesh around",
-                                "cut-off",  "5 %",   "95 %"};
+  std::vector<std::string> head{"quantity",    "unit",    "value", "mesh along",
+                                "mesh around", "cut-off", "5 %",   "95 %"};
   for (const std::string& path : errors.tolerances) head.push_back("share of " + path);
+  std::map<std::string, std::string> units;
+  for (const HeadlineQuantity& quantity : headline_quantities(results))
+    units[quantity.key] = quantity.unit;
   std::string text = line(head);
   for (const ErrorBar& bar : errors.bars) {
-    std::vector<std::string> cells{bar.key, csv_number(bar.value), csv_number(bar.along),
+    std::vector<std::string> cells{bar.key,
+                                   units[bar.key],
+                                   csv_number(bar.value),
+                                   csv_number(bar.along),
                                    csv_number(bar.around),
                                    results.reduced ? csv_number(bar.cutoff) : ""};
     for (std::size_t i : {0, 1})

@@ -113,8 +113,8 @@ std::string beam_text(const EquivalentBeam& beam) {
                         good_up_to(beam, &TransferStiffness::pipe, k),
                         good_up_to(beam, &TransferStiffness::connector, k));
   if (beam.ejma_axial > 0)
-    text +=
-        fmt::format("\nEJMA formula for the bellows alone: {:.2f} kN/m\n", beam.ejma_axial / 1e3);
+    text += fmt::format("\nEJMA formula for the bellows alone, plies free to slip: {:.2f} kN/m\n",
+                        beam.ejma_axial / 1e3);
   for (const std::string& remark : beam.remarks) text += "remark: " + remark + "\n";
   return text;
 }
