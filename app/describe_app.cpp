@@ -1,5 +1,6 @@
 #include "app/describe_app.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace plica {
@@ -46,6 +47,22 @@ std::string words_of(CLI::App& command) {
   return words;
 }
 
+// Shell cases of the options whose values are words of a list, "{m,mm}" in their type.
+std::string value_cases(CLI::App& command) {
+  std::string cases;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name();
+    const std::size_t begin = type.find('{'), end = type.find('}');
+    if (begin == std::string::npos || end == std::string::npos || option->get_lnames().empty())
+      continue;
+    std::string words = type.substr(begin + 1, end - begin - 1);
+    std::replace(words.begin(), words.end(), ',', ' ');
+    cases += fmt::format("    \"{} --{}\") COMPREPLY=($(compgen -W \"{}\" -- \"$2\")); return ;;\n",
+                         command.get_name(), option->get_lnames().front(), words);
+  }
+  return cases;
+}
+
 } // namespace
 
 std::string manual_page(CLI::App& app, const std::string& version) {
@@ -67,10 +84,11 @@ std::string manual_page(CLI::App& app, const std::string& version) {
 }
 
 std::string completion(CLI::App& app, const std::string& shell) {
-  std::string names, cases;
+  std::string names, cases, values;
   for (CLI::App* command : commands(app)) {
     names += (names.empty() ? "" : " ") + command->get_name();
     cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), words_of(*command));
+    values += value_cases(*command);
   }
   const std::string head = shell == "zsh" ? "autoload -U +X bashcompinit && bashcompinit\n" : "";
   return head +
@@ -78,6 +96,9 @@ std::string completion(CLI::App& app, const std::string& shell) {
              R"(# Completion of plica: source it, or put it where the shell looks for completions.
 _plica() {{
   local words
+  case "${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD-1]}}" in
+{}    *) ;;
+  esac
   case "${{COMP_WORDS[1]}}" in
 {}    *) words="{} --help --version" ;;
   esac
@@ -90,7 +111,7 @@ _plica() {{
 }}
 complete -o filenames -F _plica plica
 )",
-             cases, names, names);
+             values, cases, names, names);
 }
 
 } // namespace plica

@@ -1,5 +1,6 @@
 #include "diagnose/identify_warnings.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -38,6 +39,16 @@ void warn_of_mode(const FrfSet& set, const IdentifiedMode& m, std::vector<std::s
                        text("the sweep is too fast for it, the response is off by about %.0f %% "
                             "and may show one mode as two",
                             100 * lag));
+  // What the modes leave out shifts a fit without widening its uncertainty.
+  const double by_circle = m.circle_frequency - m.frequency,
+               by_peak = m.peak_frequency - m.frequency;
+  const double apart = std::min(std::abs(by_circle), std::abs(by_peak));
+  if (m.circle_frequency > 0 && m.peak_frequency > 0 && by_circle * by_peak > 0 &&
+      apart > std::max(3 * m.sigma_frequency, 0.01 * half))
+    warnings.push_back(mode +
+                       text("circle fit (%.6g Hz) and peak (%.6g Hz) both lie %s it by more than "
+                            "its uncertainty, which does not hold what the modes leave out",
+                            m.circle_frequency, m.peak_frequency, by_peak > 0 ? "above" : "below"));
   if (m.rank > 0.3)
     warnings.push_back(mode +
                        "its residues are not of one mode: a close pair, or references that were "

@@ -88,8 +88,9 @@ std::string certificate_text(const ReducedCase& r) {
   text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
   text += "  free-interface frequencies, Hz: part, superelement, error %\n";
   for (const FrequencyCheck& f : c.free)
-    text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}\n", f.full, f.reduced,
-                        with_sign(100 * f.error(), 4));
+    text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}{}\n", f.full, f.reduced,
+                        with_sign(100 * f.error(), 4),
+                        f.full > c.good_up_to ? "  beyond its band" : "");
   if (c.free.empty()) text += "    none below the cut-off: nothing compared\n";
   text += reach_of(r) + "\n";
   text += c.passed ? "The certificate is passed.\n" : "The certificate FAILED:\n";
