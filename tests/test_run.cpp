@@ -5,6 +5,7 @@
 #include "model/route.hpp"
 
 #include <numbers>
+#include <set>
 
 namespace plica::test {
 namespace {
@@ -133,6 +134,20 @@ TEST(Labels, of_modes_called_the_same_name_the_part) {
   for (int i : {2, 3}) EXPECT_EQ(results.modes[i].place, "stiff") << i;
   ASSERT_EQ(results.warnings.size(), 1U);
   EXPECT_NE(results.warnings[0].find("2 pieces"), std::string::npos);
+}
+
+// A heavy end makes both lowest bending modes of a cantilever one half wave.
+TEST(Labels, of_modes_called_the_same_in_one_part_are_numbered) {
+  Case data = tube(2);
+  data.mount = {{.cap = "left"}};
+  data.caps[1].mass = 50;
+  data.caps[1].inertia = {5, 5, 5, 0, 0, 0};
+  data.analyses.modes = Modes{.count = 8};
+  std::set<std::string> names;
+  for (const ModeResult& m : run_silently(data).modes)
+    EXPECT_TRUE(names.insert(m.shape + m.direction + std::to_string(m.order) + m.place).second)
+        << m.shape << ' ' << m.direction << ' ' << m.order << ' ' << m.place;
+  EXPECT_TRUE(names.contains("transversex1no. 2"));
 }
 
 // A massless beam between two held ends with a body in the middle: six modes, and no seventh.
