@@ -128,8 +128,11 @@ int run_command(const RunOptions& options) {
     results.inputs.push_back(input_file(measured_file));
     results.comparison = compare(results, *measured);
     results.unanswered = unanswered(results, *measured);
-    if (!measured->frf.empty())
-      add_test_curves(results, load_frfs(*measured, measured_file.parent_path()));
+    if (!measured->frf.empty()) {
+      const std::vector<FrfSet> frfs = load_frfs(*measured, measured_file.parent_path());
+      add_test_curves(results, frfs);
+      for (std::string& warning : warnings_of(frfs)) results.warnings.push_back(std::move(warning));
+    }
     for (const std::string& caveat : measured->caveats)
       results.assumptions.push_back("Measurement: " + caveat);
   }

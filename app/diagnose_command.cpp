@@ -121,6 +121,8 @@ int diagnose_command(const DiagnoseOptions& options) {
                        .wrong = error.what(),
                        .allowed = "mass, static, modes, peaks or frf that this case answers"}});
   }
+  for (const std::vector<FrfSet>& sets : test.responses)
+    for (std::string& warning : warnings_of(sets)) diagnosis.warnings.push_back(std::move(warning));
   write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, options.out);
   progress.finish();
   if (!options.quiet)

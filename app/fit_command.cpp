@@ -78,6 +78,7 @@ int fit_command(const FitOptions& options) {
     refuse(file, error.what(), "a start from which the model gives every target");
   }
   watch_interrupts();
+  for (std::string& warning : warnings_of(test.frfs)) fit.warnings.push_back(std::move(warning));
   if (stopped)
     fit.warnings.insert(fit.warnings.begin(), "the search was stopped before its budget");
   write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, options.out);

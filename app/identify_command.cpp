@@ -73,6 +73,7 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
                                 quantity, options.welch, options.estimator);
     });
     frf.set.level = entry.level;
+    frf.set.warnings = signals.warnings;
     if (!entry.force.empty()) frf.set.references = {entry.force};
     sets.push_back(frf.set);
     tasks.list.push_back({title_of(measured.specimen, frf.set), std::move(frf)});

@@ -1,6 +1,7 @@
 #include "io/csv_table.hpp"
 
 #include "io/files.hpp"
+#include "io/lab_units.hpp"
 #include "model/input_error.hpp"
 
 #include <csv.h>
@@ -119,6 +120,13 @@ void name_columns(CsvTable& table, const Row& header) {
     if (const auto open = cell.rfind('['); open != std::string::npos && cell.back() == ']') {
       column.unit = cell.substr(open + 1, cell.size() - open - 2);
       column.name = trimmed(cell.substr(0, open));
+    } else if (const auto round = cell.rfind('(');
+               round != std::string::npos && cell.back() == ')') {
+      const std::string inside = cell.substr(round + 1, cell.size() - round - 2);
+      if (lab_unit(inside)) { // or a part of the name
+        column.unit = inside;
+        column.name = trimmed(cell.substr(0, round));
+      }
     }
     table.columns.push_back(std::move(column));
   }
@@ -154,6 +162,7 @@ CsvTable csv_of_text(const std::string& text, const std::filesystem::path& path)
   table.header = !is_numeric(rows[0], decimal_comma);
   if (table.header) {
     name_columns(table, rows[0]);
+    table.header_line = lines[0].number;
     first = 1;
   } else {
     table.columns.resize(rows[0].size());

@@ -18,6 +18,7 @@ struct CsvColumn {
 struct CsvTable {
   std::vector<CsvColumn> columns;
   bool header = false;
+  int header_line = 0; // in the file
 };
 
 // Throws InputError with file, line and column: cells that are no finite numbers, rows of different

@@ -144,24 +144,46 @@ bool MatlabReader::holds(const std::string& name) const {
   return MatlabVariable(Mat_VarReadInfo(file_.get(), name.c_str())) != nullptr;
 }
 
-MatrixXcd MatlabReader::matrix(const std::string& name) const {
-  const auto point = name.find('.');
-  const MatlabVariable v = variable(name.substr(0, point));
-  matvar_t* at = v.get();
-  for (auto from = point; at && from != std::string::npos;) {
-    const auto next = name.find('.', from + 1);
+namespace {
+
+// The field of a variable that the rest of a name, ".run.H", leads to; null when there is none.
+matvar_t* field_of(matvar_t* at, const std::string& path) {
+  for (std::size_t from = path.empty() ? std::string::npos : 0; at && from != std::string::npos;) {
+    const auto next = path.find('.', from + 1);
     const std::string field =
-        name.substr(from + 1, next == std::string::npos ? next : next - from - 1);
+        path.substr(from + 1, next == std::string::npos ? next : next - from - 1);
     at = at->class_type == MAT_C_STRUCT ? Mat_VarGetStructFieldByName(at, field.c_str(), 0)
                                         : nullptr;
     from = next;
   }
+  return at;
+}
+
+std::string behind_point(const std::string& name) {
+  const auto point = name.find('.');
+  return point == std::string::npos ? "" : name.substr(point);
+}
+
+} // namespace
+
+MatrixXcd MatlabReader::matrix(const std::string& name) const {
+  const MatlabVariable v = variable(name.substr(0, name.find('.')));
+  const matvar_t* at = field_of(v.get(), behind_point(name));
   if (!at) fail("there is no matrix " + name);
   try {
     return matrix_of(*at);
   } catch (const std::invalid_argument& e) {
     fail(name + " " + e.what());
   }
+}
+
+std::optional<std::string> MatlabReader::text_if(const std::string& name) const {
+  const std::string root = name.substr(0, name.find('.'));
+  if (!holds(root)) return std::nullopt;
+  const MatlabVariable v = variable(root);
+  const matvar_t* at = field_of(v.get(), behind_point(name));
+  if (!at || at->class_type != MAT_C_CHAR || !at->data) return std::nullopt;
+  return text_of(*at);
 }
 
 std::string MatlabReader::text(const std::string& name) const {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ public:
   Eigen::MatrixXcd matrix(const std::string& name) const;
   bool holds(const std::string& name) const;
   std::string text(const std::string& name) const;
+  // Nothing where there is none; `name` may go into structures.
+  std::optional<std::string> text_if(const std::string& name) const;
   std::vector<std::string> cell(const std::string& name) const;
 
 private:

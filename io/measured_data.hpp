@@ -5,6 +5,8 @@
 // are "sensor.axis". Without a list of channels CSV columns are taken by their names ("mid y real"
 // is mid.y), functions of a universal file by their response: the sensor with that node number,
 // else the entity's name; direction 1 2 3 is x y z, negative reverses the sign.
+//
+// Units that a file states are brought to SI or refused (io/lab_units.hpp, io/universal_units.hpp).
 #pragma once
 
 #include "diagnose/measured.hpp"
@@ -13,19 +15,11 @@
 
 namespace plica {
 
-// Channels over one abscissa: Hz or s.
-struct ChannelTable {
-  Eigen::VectorXd abscissa;
-  std::vector<std::string> channels;
-  Eigen::MatrixXcd values; // abscissa x channels
-  std::vector<std::string> warnings;
-  std::optional<FrfQuantity> quantity; // where the file says it
-};
-
 struct SignalSet {
   double rate = 0; // Hz
   std::vector<std::string> channels;
-  Eigen::MatrixXd samples; // time x channels
+  Eigen::MatrixXd samples; // time x channels, in SI
+  std::vector<std::string> warnings;
 };
 
 // All throw InputError: with the file and its line, or with the key of `entry` ("frf[2].channels").
@@ -33,6 +27,9 @@ struct SignalSet {
 // Frequency responses of all entries. Entries of one quantity, level, set of lines and channels
 // that differ in what was driven become references of one set, in their order.
 std::vector<FrfSet> load_frfs(const Measured& measured, const std::filesystem::path& folder);
+
+// What is doubtful in their files, each thing once.
+std::vector<std::string> warnings_of(const std::vector<FrfSet>& sets);
 
 SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                        const std::filesystem::path& folder, const std::string& key);

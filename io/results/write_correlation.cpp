@@ -1,6 +1,7 @@
 #include "io/results/write_correlation.hpp"
 
 #include "io/files.hpp"
+#include "io/measured_data.hpp"
 #include "io/report/correlation.hpp"
 #include "io/results/csv.hpp"
 #include "io/results/json_number.hpp"
@@ -109,6 +110,9 @@ std::string correlation_text(const Correlation& c, const TestData& a, const Test
     text += "\n";
   }
   for (const std::string& limit : c.limits) text += "What these data cannot tell: " + limit + ".\n";
+  for (const TestData* side : {&a, &b})
+    for (const std::string& warning : warnings_of(side->frfs))
+      text += "Warning: " + warning + ".\n";
   return text;
 }
 
@@ -162,6 +166,9 @@ std::string correlation_json(const Correlation& c, const TestData& a, const Test
                                  {"best_frac", r.best_frac},
                                  {"stretch", r.stretch}});
   json["limits"] = c.limits;
+  json["warnings"] = Json::array();
+  for (const TestData* side : {&a, &b})
+    for (const std::string& warning : warnings_of(side->frfs)) json["warnings"].push_back(warning);
   return json.dump(2) + "\n";
 }
 

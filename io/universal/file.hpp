@@ -93,6 +93,7 @@ struct UniversalAxis {
                      // 18 frequency, ...
   int length = 0, force = 0, temperature = 0; // exponents of units
   std::string label = "NONE", unit = "NONE";
+  int line = 0; // in the file it was read from
 };
 
 enum class UniversalByteOrder : int { little_endian = 1, big_endian = 2 };

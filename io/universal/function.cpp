@@ -83,7 +83,7 @@ UniversalAxis read_axis(Lines& lines, int number) {
   const auto type = whole_columns(line, 0, 10), length = whole_columns(line, 10, 5),
              force = whole_columns(line, 15, 5), temperature = whole_columns(line, 20, 5);
   if (type && length && force && temperature && is_blank(columns(line, 25, 1))) {
-    axis = {*type, *length, *force, *temperature, "", ""};
+    axis = {*type, *length, *force, *temperature, "", "", lines.number()};
     if (is_blank(columns(line, 46, 1)) && line.find('\t') == std::string_view::npos) {
       axis.label = text_of(columns(line, 26, 20));
       axis.unit = text_of(columns(line, 47, 20));
@@ -101,7 +101,7 @@ UniversalAxis read_axis(Lines& lines, int number) {
                  "data type and three exponents of units, label and unit");
     whole[i] = *value;
   }
-  axis = {whole[0], whole[1], whole[2], whole[3], "", ""};
+  axis = {whole[0], whole[1], whole[2], whole[3], "", "", lines.number()};
   label_and_unit(line.substr(std::size_t(t[3].data() + t[3].size() - line.data())), axis);
   return axis;
 }
