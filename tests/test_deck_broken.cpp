@@ -90,7 +90,17 @@ TEST(BrokenDeck, abaqus) {
       {section + "*PLASTIC\n1e8, 0\n", 13, "is not known"},
       {section + "*MATERIAL, NAME=N\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n", 14,
        "has TYPE=ENGINEERING CONSTANTS"},
-      {section + "*MATERIAL, NAME=N\n*ELASTIC\n2e11, 0.6\n", 15, "is no material"}};
+      {section + "*MATERIAL, NAME=N\n*ELASTIC\n2e11, 0.6\n", 15, "is no material"},
+      {"*DENSITY\n7800.\n" + section + "*DENSITY\n8000.\n", 15,
+       "material M has one already in line 11"},
+      {section + "*ELASTIC\n2e11, 0.3\n", 13, "material M has one already in line 9"},
+      {section + "*MATERIAL, NAME=M\n", 13, "material M is there already in line 8"},
+      {section + "*MATERIAL, NAME=N, NAME=O\n", 13, "has NAME twice, N and O"},
+      {section + "*NODE\n5, x, 0, 0\n", 14, "field 2 is \"x\""},
+      {section + "*NODE\n5-3, 0, 0, 0\n", 14, "field 1 is \"5-3\""},
+      {section + "*NSET, NSET=A, GENERATE\n1, 4, 1e300\n", 14, "field 3 is \"1e300\""},
+      {section + "*NSET, NSET=A, GENERATE\n1, 2000000000, 1000000000\n", 14,
+       "there is no node set 1000000001"}};
   for (const Broken& b : all) expect_refused(good_abaqus + b.text, "model.inp", b);
   expect_refused("solid thing\n", "model.inp", {"not a deck", 1, "is no keyword"});
   expect_refused("", "model.inp", {"empty", 0, "has no keyword"});
@@ -150,7 +160,7 @@ TEST(BrokenDeck, nastran) {
       {property + "PARAM,LGDISP,1\n", 8, "LGDISP is not known"},
       {property + "RBE2,2,1,127,2\n", 8, "field 4 is \"127\""},
       {property + "RBE2,2,1,123456,2,GRID\n", 8, "amid its grid points"},
-      {property + "RBE3,2,,1,123456,1.,123456,2,3,4\n", 8, "averages components 123456"},
+      {property + "RBE3,2,,1,123456,1.,123456,2,3\n", 8, "averages components 123456"},
       {property + "RBAR,2,1,2,123,456\n", 8, "at both ends"},
       {property + "SPC,1,1,123,.5\n", 8, "prescribes a displacement"},
       {property + "SPC,1,1,123\nSPC,2,2,123\n", 9, "belongs to one of 2 sets"},
@@ -161,6 +171,19 @@ TEST(BrokenDeck, nastran) {
       {property + "CORD2R,9,,0.,0.,0.,0.,0.,1.\n,0.,0.,2.\nGRID,8,9,0.,0.,0.\n", 8,
        "three points on one line"},
       {property + "CBAR,2,1,1,2,0.,0.,1.\n", 8, "there is no property 1 of a beam"},
+      {property + "GRID,-,,1.,0.,0.\n", 8, "field 2 is \"-\""},
+      {property + "GRID,25-3,,1.,0.,0.\n", 8, "field 2 is \"25-3\""},
+      {property + "CTRIA3,2,1,1,2,3x\n", 8, "field 6 is \"3x\""},
+      {property + "SPC1,1,123,1,THRU,999999999\n", 8, "THRU leads to 999999999"},
+      {property + "GRID,5,,0x1p3,0.,0.\n", 8, "field 4 is \"0x1p3\""},
+      {property + "PSHELL,1,1,.002,1,,1\n", 8, "1 is there already in line 7"},
+      {property + "SPC1,1,123,1,2,3,4,1,2,3,4\n", 8, "behind its 8 fields"},
+      {property + "GRID,5,,0.,0.,0.,,,,+A\n+B,1.\n", 9, "is continued by \"+B\""},
+      {property + "GRID,5,,0.,0.,0.\n,1.\n", 8, "goes on beyond its last field with \"1.\""},
+      {property + "MAT1,2,,4.+10\n", 8, "is no material"},
+      {property + "MAT1,2,2.+11,,7.\n", 8, "has nu = 7."},
+      {property + "MAT1,2,2.+11,4.+10,.3\nPSHELL,2,2,.001,2,,2\n", 9,
+       "a wall of MAT1 2 in line 8 with G = 4e+10, which E and nu make 7.69231e+10"},
       {property + "INCLUDE 'nowhere.bdf'\n", 8, "there is no file"},
       {property + "INCLUDE 'model.bdf'\n", 8, "include each other"}};
   for (const Broken& b : all) expect_refused(good_nastran + b.text, "model.bdf", b);

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace plica::test {
 namespace {
@@ -74,6 +75,34 @@ void expect_plate(const std::string& more, const std::function<void(Model&)>& by
 }
 
 const int corner = number_at(0.3, 0.2), middle = number_at(0.15, 0.1), other = number_at(0.3, 0);
+
+// Of three given constants each is used where it enters; within rounding a wall takes them.
+TEST(NastranReader, shear_modulus_beside_E_and_nu_is_that_of_beams) {
+  const std::string two = "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nCBAR,1,1,1,2,0.,1.,0.\n";
+  const double J = std::numbers::pi / 2 * std::pow(0.02, 4);
+  const auto beam = [&](const std::string& material, const std::string& property) {
+    return read_text(two + material + property).beams.at(0).section;
+  };
+  const std::string rod = "PBARL,1,1,,ROD\n,.02\n", numbers = "PBAR,1,1,1.-3,1.-6,1.-6,2.-6\n";
+  const BeamProperties given = beam("MAT1,1,2.1+11,4.+10,.3,7800.\n", rod);
+  const BeamProperties usual = beam("MAT1,1,2.1+11,,.3,7800.\n", rod);
+  EXPECT_NEAR(given.GJ / (4e10 * J), 1, 1e-12);
+  EXPECT_NEAR(given.GA_y / usual.GA_y, 4e10 / (2.1e11 / 2.6), 1e-12);
+  EXPECT_EQ(given.EI_y, usual.EI_y);
+  EXPECT_NEAR(beam("MAT1,1,2.1+11,4.+10,.3,7800.\n", numbers).GJ, 4e10 * 2e-6, 1e-6);
+  EXPECT_NEAR(beam("MAT1,1,2.1+11,4.+10\n", numbers).GJ, 4e10 * 2e-6, 1e-6);
+  EXPECT_NO_THROW(read_text(grids(deck_plate()) + elements(deck_plate().quads, "CQUAD4") +
+                            "MAT1,1,2.0+11,7.7+10,.3,8000.\n" + pshell));
+}
+
+TEST(NastranReader, blanks_may_stand_before_a_card) {
+  const DeckModel deck = read_text("  PARAM, POST,-1\n GRID,1,,0.,0.,0.\n\t GRID , 2,,1.,0.,0.\n"
+                                   "         GRID,3,,2.,0.,\n        ,\n GRID   4       "
+                                   "        3.\n");
+  ASSERT_EQ(deck.nodes.size(), 4U);
+  EXPECT_EQ(deck.nodes[2], Vector3d(2, 0, 0));
+  EXPECT_EQ(deck.nodes[3], Vector3d(3, 0, 0));
+}
 
 TEST(NastranReader, grid_cquad4_pshell_mat1_spc1) {
   expect_plate("", [](Model&) {});

@@ -17,10 +17,11 @@ template <class F> void for_each_entry(const Keyword& k, F&& f) {
   for (const DataLine& line : k.data) {
     if (k.has("GENERATE")) {
       const int first = whole_in(k, line, 0), last = whole_in(k, line, 1);
-      const int step = static_cast<int>(number_in(k, line, 2, 1));
+      const bool stepped = line.fields.size() > 2 && !line.fields[2].empty();
+      const long step = stepped ? whole_in(k, line, 2) : 1;
       if (step <= 0)
         deck_error(line.at, "*" + k.name, "has a step of " + std::to_string(step), "1 or more");
-      for (int label = first; label <= last; label += step) f(line, std::to_string(label));
+      for (long label = first; label <= last; label += step) f(line, std::to_string(label));
     } else {
       for (const std::string& field : line.fields)
         if (!field.empty()) f(line, in_capitals(field));

@@ -60,8 +60,7 @@ void check_body(const Keyword& k, const RigidMass& body) {
 } // namespace
 
 KeywordHandlers AbaqusSections::materials() {
-  return {{"MATERIAL",
-           {[this](const Keyword& k) { materials_[material_ = k.word("NAME")]; }, {"NAME"}}},
+  return {{"MATERIAL", {[this](const Keyword& k) { begin_material(k); }, {"NAME"}}},
           {"ELASTIC", {[this](const Keyword& k) { elastic(k); }, {"TYPE"}}},
           {"DENSITY", {[this](const Keyword& k) { density(k); }, {}}}};
 }
@@ -84,10 +83,27 @@ KeywordHandlers AbaqusSections::handlers() {
       {"SPRING", {by(&S::spring), {"ELSET"}}}};
 }
 
+void AbaqusSections::begin_material(const Keyword& k) {
+  material_ = k.word("NAME");
+  const auto [material, first] = materials_.try_emplace(material_);
+  int& line = material->second.lines["MATERIAL"];
+  if (!first)
+    deck_error(k.at, "*MATERIAL",
+               "material " + material_ + " is there already in line " + std::to_string(line),
+               "a name once");
+  line = k.at.line;
+}
+
 AbaqusSections::Material& AbaqusSections::open_material(const Keyword& k) {
   if (material_.empty())
     deck_error(k.at, "*" + k.name, "belongs to no material", "*MATERIAL, NAME=... before it");
-  return materials_.at(material_);
+  Material& material = materials_.at(material_);
+  const auto [line, first] = material.lines.try_emplace(k.name, k.at.line);
+  if (!first)
+    deck_error(k.at, "*" + k.name,
+               "material " + material_ + " has one already in line " + std::to_string(line->second),
+               "one for each material");
+  return material;
 }
 
 void AbaqusSections::elastic(const Keyword& k) {

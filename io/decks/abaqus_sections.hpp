@@ -18,6 +18,7 @@ public:
 private:
   struct Material : BeamMaterial {
     bool elastic = false;
+    std::map<std::string, int> lines; // of what is given of it
   };
   struct Normal {
     int element = 0;
@@ -25,7 +26,8 @@ private:
     Eigen::Vector3d n;
   };
 
-  Material& open_material(const Keyword& keyword);
+  void begin_material(const Keyword& keyword);
+  Material& open_material(const Keyword& keyword); // for what is given once of a material
   const Material& material_of(const Keyword& keyword) const;
   void elastic(const Keyword& keyword);
   void density(const Keyword& keyword);

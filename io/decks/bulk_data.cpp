@@ -4,6 +4,7 @@
 #include "io/decks/nastran_cards.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -51,32 +52,64 @@ void collect(const std::filesystem::path& file, const DeckPosition& from, std::s
   }
 }
 
-bool is_continuation(const std::string& line) {
-  return line[0] == '+' || line[0] == '*' || line[0] == ' ' || line[0] == ',';
+// The first field: to the comma, or of eight columns. Blanks may stand before a name.
+std::string first_field(const std::string& line) {
+  const std::size_t comma = line.find(',');
+  return trimmed(line.substr(0, comma == std::string::npos ? small_width : comma));
 }
 
-// Fields after the first, and whether they are wide.
-std::vector<std::string> fields_of(const std::string& line, bool& wide) {
-  std::vector<std::string> fields;
+bool is_continuation(const std::string& line) {
+  const std::string first = first_field(line);
+  return first.empty() || first[0] == '+' || first[0] == '*';
+}
+
+struct LineFields {
+  std::vector<std::string> fields; // behind the first, as many as a line has
+  std::string continuation;        // what names the next line: the tenth field
+  bool wide = false;
+};
+
+LineFields fields_of(const Line& source) {
+  const std::string& line = source.text;
+  LineFields all;
+  all.wide = first_field(line).find('*') != std::string::npos;
+  const std::size_t count = all.wide ? 4 : 8;
   if (line.find(',') != std::string::npos) {
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(trimmed(field));
-    wide = fields.front().find('*') != std::string::npos;
-    fields.erase(fields.begin());
+    std::istringstream stream(line.substr(line.find(',') + 1));
+    for (std::string field; std::getline(stream, field, ',');) all.fields.push_back(trimmed(field));
+    while (all.fields.size() > count + 1 && all.fields.back().empty()) all.fields.pop_back();
+    if (all.fields.size() > count) all.continuation = all.fields[count];
+    const bool number = !all.continuation.empty() &&
+                        (std::isdigit(static_cast<unsigned char>(all.continuation[0])) ||
+                         all.continuation[0] == '-' || all.continuation[0] == '.');
+    if (number || all.fields.size() > count + 1)
+      deck_error(source.at, first_field(line),
+                 "has \"" + all.fields[number ? count : count + 1] + "\" behind its " +
+                     std::to_string(count) + " fields",
+                 "the rest on a line that continues it");
   } else {
-    wide = line.substr(0, small_width).find('*') != std::string::npos;
-    const std::size_t width = wide ? large_width : small_width;
+    const std::size_t width = all.wide ? large_width : small_width;
     for (std::size_t at = small_width; at < std::min<std::size_t>(line.size(), 72); at += width)
-      fields.push_back(trimmed(line.substr(at, std::min(width, 72 - at))));
+      all.fields.push_back(trimmed(line.substr(at, std::min(width, 72 - at))));
+    if (line.size() > 72) all.continuation = trimmed(line.substr(72, small_width));
   }
-  fields.resize(wide ? 4 : 8); // what follows names the continuation
-  return fields;
+  all.fields.resize(count);
+  return all;
 }
 
 std::string name_of(const std::string& line) {
-  std::string name = trimmed(line.substr(0, std::min(line.find(','), small_width)));
+  std::string name = first_field(line);
   std::erase(name, '*');
   return in_capitals(trimmed(name));
+}
+
+// All of `text` as a whole number with a sign or without.
+std::optional<int> whole_number_of(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 class CardReader {
@@ -103,17 +136,15 @@ private:
     for (const char* name : {"SPC", "MPC"}) {
       const std::size_t equals = text.find('=');
       if (equals == std::string::npos || trimmed(text.substr(0, equals)) != name) continue;
-      try {
-        data.chosen[name].insert(std::stoi(text.substr(equals + 1)));
-      } catch (const std::logic_error&) {
-        deck_error(line.at, name, "is \"" + text.substr(equals + 1) + "\"", "the number of a set");
-      }
+      const std::string number = trimmed(text.substr(equals + 1));
+      const auto set = whole_number_of(number);
+      if (!set) deck_error(line.at, name, "is \"" + number + "\"", "the number of a set");
+      data.chosen[name].insert(*set);
     }
   }
 
   void bulk(const Line& line) {
-    bool wide = false;
-    const std::vector<std::string> fields = fields_of(line.text, wide);
+    LineFields read = fields_of(line);
     if (is_continuation(line.text)) {
       if (data.cards.empty()) {
         if (line.text.size() > 1 && line.text[0] == '*' &&
@@ -121,17 +152,32 @@ private:
           deck_error(line.at, "", "is a keyword of Abaqus", "the suffix .inp for such a deck");
         deck_error(line.at, "", "continues no card", "a card before it");
       }
+      follow(line);
       std::vector<std::string>& all = data.cards.back().fields;
-      if (!wide) all.resize((all.size() + 7) / 8 * 8);
-      all.insert(all.end(), fields.begin(), fields.end());
-      return;
+      if (!read.wide) all.resize((all.size() + 7) / 8 * 8);
+      all.insert(all.end(), read.fields.begin(), read.fields.end());
+    } else {
+      Card card;
+      card.at = line.at;
+      card.name = name_of(line.text);
+      card.fields = std::move(read.fields);
+      data.cards.push_back(std::move(card));
     }
-    Card card;
-    card.at = line.at;
-    card.name = name_of(line.text);
-    card.fields = fields;
-    data.cards.push_back(std::move(card));
+    awaited_ = read.continuation;
   }
+
+  // A line that names what it continues has to come behind the line that names it too.
+  void follow(const Line& line) const {
+    const std::string first = first_field(line.text);
+    const std::string name = first.size() > 1 ? first.substr(1) : "";
+    if (name.empty() || awaited_.size() < 2 || awaited_.substr(1) == name) return;
+    if (awaited_[0] == '+' || awaited_[0] == '*')
+      deck_error(line.at, data.cards.back().name,
+                 "is continued by \"" + first + "\", the line before it by \"" + awaited_ + "\"",
+                 "the lines of a card behind each other");
+  }
+
+  std::string awaited_; // name of the continuation in the line before
 };
 
 } // namespace
@@ -164,11 +210,10 @@ double Card::real(std::size_t field, double otherwise) const {
 }
 
 int Card::whole(std::size_t field) const {
-  const std::string value = text(field);
-  if (value.empty() || value.size() > 9 ||
-      value.find_first_not_of("-0123456789") != std::string::npos)
-    wrong("field " + std::to_string(field + 2) + " is \"" + value + "\"", "a whole number");
-  return std::stoi(value);
+  const auto value = whole_number_of(text(field));
+  if (!value || std::abs(*value) > 999999999)
+    wrong("field " + std::to_string(field + 2) + " is \"" + text(field) + "\"", "a whole number");
+  return *value;
 }
 
 int Card::whole(std::size_t field, int otherwise) const {
@@ -195,8 +240,10 @@ std::vector<int> Card::list(std::size_t first) const {
       continue;
     }
     const int last = whole(i + 1);
-    if (all.empty() || last < all.back())
-      wrong("THRU leads to " + std::to_string(last), "a number above the first");
+    constexpr int longest = 10000000;
+    if (all.empty() || last < all.back() || last - all.back() > longest)
+      wrong("THRU leads to " + std::to_string(last),
+            "a number above the first, by at most " + std::to_string(longest));
     for (int n = all.back() + 1; n <= last; ++n) all.push_back(n);
     ++i;
   }

@@ -65,8 +65,12 @@ private:
       if (fields[i].empty()) continue;
       const std::size_t equals = fields[i].find('=');
       const std::string name = in_capitals(trimmed(fields[i].substr(0, equals)));
-      keywords.back().parameters[name] =
+      const std::string value =
           equals == std::string::npos ? "" : trimmed(fields[i].substr(equals + 1));
+      const auto [known, first] = keywords.back().parameters.try_emplace(name, value);
+      if (!first && known->second != value)
+        deck_error(keywords.back().at, "*" + keywords.back().name,
+                   "has " + name + " twice, " + known->second + " and " + value, "one of them");
     }
   }
 

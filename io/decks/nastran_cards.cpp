@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 namespace plica {
@@ -35,14 +35,16 @@ std::string nastran_real(double x) {
 }
 
 double nastran_number(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  std::replace(text.begin(), text.end(), 'D', 'e');
+  std::erase(text, ' ');
+  if (text.starts_with('+') && !text.starts_with("+-")) text.erase(0, 1);
+  for (char& c : text)
+    if (c == 'D' || c == 'd' || c == 'E') c = 'e';
   const std::size_t sign = text.find_first_of("+-", 1);
-  if (sign != std::string::npos && text.find_first_of("eE") == std::string::npos)
-    text.insert(sign, "e");
-  std::size_t used = 0;
-  const double x = std::stod(text, &used);
-  if (used != text.size()) throw std::invalid_argument(text);
+  if (sign != std::string::npos && text.find('e') == std::string::npos) text.insert(sign, "e");
+  if (const std::size_t plus = text.find("e+"); plus != std::string::npos) text.erase(plus + 1, 1);
+  double x = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (error != std::errc() || end != text.data() + text.size()) throw std::invalid_argument(text);
   return x;
 }
 

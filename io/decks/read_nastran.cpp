@@ -6,8 +6,10 @@
 #include "io/input/did_you_mean.hpp"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace plica {
@@ -31,6 +33,19 @@ const std::set<std::string> idle{"POST",  "AUTOSPC", "COUPMASS", "GRDPNT",  "BAI
                                  "K6ROT", "SNORM",   "PRTMAXIM", "OUGCORD", "RESVEC",  "MAXRATIO",
                                  "DDRMM", "G",       "W3",       "W4",      "OGEOM",   "INREL"};
 
+// Numbered cards that others refer to; those of a group share their numbers.
+const std::map<std::string, std::string> numbered{
+    {"PSHELL", "PSHELL"}, {"PBUSH", "PBUSH"},  {"PELAS", "PELAS"}, {"CORD2R", "CORD2"},
+    {"CORD2C", "CORD2"},  {"CORD2S", "CORD2"}, {"PBAR", "beam"},   {"PBARL", "beam"},
+    {"PBEAM", "beam"},    {"PBEAML", "beam"}};
+
+// Fields that a card can have, rounded up to whole lines; not of those with lists.
+const std::map<std::string, std::size_t> longest{
+    {"GRID", 8},    {"CORD2R", 16}, {"CORD2C", 16}, {"CORD2S", 16}, {"MAT1", 16},  {"PSHELL", 16},
+    {"CQUAD4", 16}, {"CQUADR", 16}, {"CTRIA3", 16}, {"CTRIAR", 16}, {"PBAR", 24},  {"CBAR", 16},
+    {"CBEAM", 24},  {"CONM2", 16},  {"CBUSH", 16},  {"PELAS", 8},   {"CELAS1", 8}, {"CELAS2", 8},
+    {"RBAR", 16},   {"PARAM", 8},   {"SPC", 8}};
+
 class NastranReader {
 public:
   NastranReader(const BulkData& bulk, UnknownCards unknown) : unknown_(unknown) {
@@ -50,12 +65,29 @@ private:
   void sort(const Card& card) {
     if (followed.contains(card.name)) {
       cards_[card.name].push_back(&card);
+      check_length(card);
+      if (const auto group = numbered.find(card.name); group != numbered.end()) {
+        const auto [line, first] = lines_.try_emplace({group->second, card.whole(0)}, card.at.line);
+        if (!first)
+          card.wrong(card.text(0) + " is there already in line " + std::to_string(line->second),
+                     "a number once");
+      }
       const bool element =
           (card.name[0] == 'C' && !card.name.starts_with("CORD")) || card.name.starts_with("RB");
       if (element && !elements_.insert(card.whole(0)).second)
         card.wrong("element " + card.text(0) + " is there twice", "a number once");
     } else if (!passed_cards.contains(card.name))
       leave_out(card, "is not known", near(card.name) + "cards of docs/decks.md");
+  }
+
+  // Lines that continue another card than the one they stand behind make it too long.
+  static void check_length(const Card& card) {
+    const auto most = longest.find(card.name);
+    for (std::size_t i = most == longest.end() ? card.fields.size() : most->second;
+         i < card.fields.size(); ++i)
+      if (card.has(i))
+        card.wrong("goes on beyond its last field with \"" + card.text(i) + "\"",
+                   "at most " + std::to_string(most->second) + " fields");
   }
 
   static std::string near(const std::string& name) {
@@ -96,9 +128,13 @@ private:
 
   void parameter(const Card& card) {
     const std::string name = in_capitals(card.text(0));
-    if (name == "WTMASS")
+    if (name == "WTMASS") {
+      if (wtmass_line_ > 0)
+        card.wrong("WTMASS is there already in line " + std::to_string(wtmass_line_), "once");
+      wtmass_line_ = card.at.line;
       mass_factor_ = card.real(1);
-    else if (!idle.contains(name))
+      if (!(mass_factor_ > 0)) card.wrong("WTMASS is " + card.text(1), "above 0");
+    } else if (!idle.contains(name))
       leave_out(card, name + " is not known",
                 "WTMASS, or one that changes nothing here, such as POST or AUTOSPC");
   }
@@ -113,28 +149,50 @@ private:
 
   // --- materials and properties
 
+  struct Material : BeamMaterial {
+    double G = 0; // of beams: as given, whatever E and nu say
+    int line = 0;
+    double isotropic_shear() const { return E / (2 * (1 + nu)); }
+  };
+
+  // Two of E, G and nu give the third; of all three each is used where it enters.
   void material(const Card& card) {
-    BeamMaterial m;
-    const double G = card.real(2, 0);
+    Material m;
+    m.line = card.at.line;
     m.E = card.real(1, 0);
-    if (card.has(3))
-      m.nu = card.real(3);
-    else if (m.E > 0 && G > 0)
-      m.nu = m.E / (2 * G) - 1;
-    if (m.E == 0) m.E = 2 * (1 + m.nu) * G;
+    m.G = card.real(2, 0);
+    m.nu = card.real(3, 0);
+    if (!(card.has(3) ? m.nu > -1 && m.nu <= 0.5 : true))
+      card.wrong("has nu = " + card.text(3), "above -1 and at most 0.5");
+    if (card.has(1) && card.has(2) && !card.has(3) && m.G > 0) m.nu = m.E / (2 * m.G) - 1;
+    if (!card.has(1) && card.has(2) && card.has(3)) m.E = 2 * (1 + m.nu) * m.G;
+    if (!card.has(2)) m.G = m.isotropic_shear();
     m.rho = mass_factor_ * card.real(4, 0);
-    if (!(m.E > 0) || m.rho < 0) card.wrong("is no material", "E above 0, density at least 0");
+    if (!(m.E > 0 && m.G > 0) || m.rho < 0)
+      card.wrong("is no material", "two of E, G and nu, E and G above 0, density at least 0");
     if (card.real(7, 0) != 0)
       leave_out(card, "has structural damping GE", "loss factors in the damping of the case");
     if (!materials_.try_emplace(card.whole(0), m).second)
       card.wrong("material " + card.text(0) + " is there twice", "a number once");
   }
 
-  const BeamMaterial& material_of(const Card& card, std::size_t field) const {
+  const Material& material_of(const Card& card, std::size_t field) const {
     const auto found = materials_.find(card.whole(field));
     if (found == materials_.end())
       card.wrong("there is no MAT1 " + card.text(field), "a material of the deck");
     return found->second;
+  }
+
+  // The wall of a shell is isotropic here: its G follows from E and nu.
+  const Material& isotropic(const Card& card) const {
+    const Material& m = material_of(card, 1);
+    constexpr double rounded = 0.02;
+    if (std::abs(m.G / m.isotropic_shear() - 1) > rounded)
+      card.wrong(fmt::format("has a wall of MAT1 {} in line {} with G = {:g}, which E and nu make "
+                             "{:g}",
+                             card.text(1), m.line, m.G, m.isotropic_shear()),
+                 "G within 2 % of E/2/(1+nu), or blank: walls are isotropic");
+    return m;
   }
 
   struct ShellProperty {
@@ -143,7 +201,7 @@ private:
   };
 
   void shell_property(const Card& card) {
-    const BeamMaterial& m = material_of(card, 1);
+    const Material& m = isotropic(card);
     if (!(m.nu < 0.5)) card.wrong("has a material with nu of 0.5 or more", "nu below 0.5");
     const double t = card.real(2, 0);
     for (std::size_t field : {std::size_t{3}, std::size_t{5}})
@@ -167,9 +225,13 @@ private:
 
   // Our local z is the y of the element, the direction of its orientation vector.
   void beam_property(const Card& card) {
-    const BeamMaterial& m = material_of(card, 1);
+    const Material& m = material_of(card, 1);
     const bool shape = card.name == "PBARL" || card.name == "PBEAML";
     BeamProperties section = shape ? shaped(card, m) : given(card, m);
+    const double shear = m.G / m.isotropic_shear();
+    section.GJ *= shear;
+    section.GA_y *= shear;
+    section.GA_z *= shear;
     beam_properties_[card.whole(0)] = section;
   }
 
@@ -207,7 +269,7 @@ private:
     BeamProperties section =
         general_section(m, card.real(2), card.real(3), card.real(4), card.real(5 + after, 0));
     section.mass += mass_factor_ * card.real(6 + after, 0);
-    const double GA = m.E / (2 * (1 + m.nu)) * card.real(2);
+    const double GA = m.E / (2 * (1 + m.nu)) * card.real(2); // of an isotropic material
     const double K1 = card.real(factors, beam ? 1 : 0), K2 = card.real(factors + 1, beam ? 1 : 0);
     if (K1 > 0) section.GA_z = K1 * GA;
     if (K2 > 0) section.GA_y = K2 * GA;
@@ -318,10 +380,12 @@ private:
   UnknownCards unknown_;
   DeckProblems problems_;
   CardsByName cards_;
-  std::set<int> elements_; // numbers
+  std::set<int> elements_;                           // numbers
+  std::map<std::pair<std::string, int>, int> lines_; // of numbered cards, by group
   const NastranGrids* grids_ = nullptr;
   double mass_factor_ = 1;
-  std::map<int, BeamMaterial> materials_;
+  int wtmass_line_ = 0;
+  std::map<int, Material> materials_;
   std::map<int, ShellProperty> shell_properties_;
   std::map<int, BeamProperties> beam_properties_;
 };
