@@ -142,7 +142,7 @@ int run_command(const RunOptions& options) {
   } catch (const Interrupted& stop) { // the run itself is finished
     interrupted = true;
     forget_interrupt();
-    results.warnings.push_back("stopped by Ctrl-C before \"" + stop.stage +
+    results.warnings.push_back("stopped by " + interrupted_by() + " before \"" + stop.stage +
                                "\": what would follow is left out");
   }
   progress.title(file.data.name);
@@ -153,7 +153,7 @@ int run_command(const RunOptions& options) {
   if (!options.quiet) fmt::print("{}", summary_text(results, options.out / "report.html"));
   if (interrupted) {
     fmt::print(stderr, "plica: {}\n", results.warnings.back());
-    return interrupted_exit;
+    return interrupted_exit();
   }
   if (results.verification.made && !results.verification.passed) {
     fmt::print(stderr, "plica: the proof failed: {}\n", results.verification.reason);

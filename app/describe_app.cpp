@@ -77,7 +77,7 @@ std::string manual_page(CLI::App& app, const std::string& version) {
             options_of(*command);
   text += ".SH EXIT STATUS\n"
           "0 good, 1 an error in the input, 2 a numerical verdict failed, 3 an error within, 130 "
-          "stopped by Ctrl\\-C.\n"
+          "stopped by Ctrl\\-C, 143 by SIGTERM.\n"
           ".SH FILES\nThe keys of a case file: \\fBplica schema \\-\\-reference\\fR; one to begin "
           "with: \\fBplica init\\fR.\n";
   return text;

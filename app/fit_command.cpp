@@ -21,7 +21,8 @@ std::atomic<bool> stopped{false};
 
 // The first time the search ends and its best is refined; the second time the program does.
 void stop_searching(int) {
-  if (stopped.exchange(true)) std::signal(SIGINT, SIG_DFL);
+  if (!stopped.exchange(true)) return;
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
 }
 
 [[noreturn]] void refuse(const CaseFile& file, const std::string& wrong,
@@ -70,7 +71,8 @@ int fit_command(const FitOptions& options) {
         fmt::format("{} of {} evaluations, cost {:.4g}", evaluations, settings.evaluations, cost));
   };
   settings.stop = [] { return stopped.load(); };
-  std::signal(SIGINT, stop_searching); // the best so far is refined and written
+  for (const int signal : {SIGINT, SIGTERM})
+    std::signal(signal, stop_searching); // the best so far is refined and written
   FitResult fit;
   try {
     fit = located(file, [&] { return fit_case(file.data, *file.data.fit, test, settings); });

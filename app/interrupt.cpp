@@ -6,10 +6,18 @@
 namespace plica {
 namespace {
 
-volatile std::sig_atomic_t asked = 0;
+volatile std::sig_atomic_t asked = 0, once = 0, last = SIGINT;
 
-void on_interrupt(int) {
+void on_interrupt(int signal) {
+  if (once != 0) { // the second one kills
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+    return;
+  }
   asked = 1;
+  once = 1;
+  last = signal;
+  stop_workers();
   constexpr char text[] = "\nplica: stopping after this stage; Ctrl-C again stops at once\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
 }
@@ -17,13 +25,16 @@ void on_interrupt(int) {
 } // namespace
 
 void watch_interrupts() {
-  struct sigaction now {};
-  sigaction(SIGINT, nullptr, &now);
-  if (now.sa_handler == SIG_IGN) return;
-  struct sigaction own {};
-  own.sa_handler = on_interrupt;
-  own.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  sigaction(SIGINT, &own, nullptr);
+  once = 0;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler == SIG_IGN) continue;
+    struct sigaction own {};
+    own.sa_handler = on_interrupt;
+    own.sa_flags = SA_RESTART;
+    sigaction(signal, &own, nullptr);
+  }
 }
 
 bool is_interrupted() {
@@ -32,6 +43,15 @@ bool is_interrupted() {
 
 void forget_interrupt() {
   asked = 0;
+  allow_workers();
+}
+
+std::string interrupted_by() {
+  return last == SIGTERM ? "SIGTERM" : "Ctrl-C";
+}
+
+int interrupted_exit() {
+  return 128 + last;
 }
 
 } // namespace plica

@@ -1,20 +1,16 @@
-// Ctrl-C: work stops at the next stage, and what was finished is kept. A second one kills.
+// Ctrl-C and SIGTERM: work stops at the next stage, files of geometry that are being meshed at
+// once, and what was finished is kept. A second one kills.
 #pragma once
 
-#include <string>
+#include "mesh/worker.hpp"
 
 namespace plica {
-
-// Thrown by Progress::stage after a Ctrl-C. Not a std::exception: nothing on the way mistakes it
-// for a failure.
-struct Interrupted {
-  std::string stage; // that was not begun
-};
 
 void watch_interrupts(); // unless the shell has them ignored
 bool is_interrupted();
 void forget_interrupt(); // what was finished is being written
 
-constexpr int interrupted_exit = 130; // as a shell says it: 128 + SIGINT
+std::string interrupted_by(); // "Ctrl-C" or "SIGTERM"
+int interrupted_exit();       // as a shell says it: 128 + the signal, 130 or 143
 
 } // namespace plica

@@ -311,7 +311,7 @@ int main(int argc, char** argv) {
     return dispatch(argc, argv);
   } catch (const plica::Interrupted& stop) {
     fmt::print(stderr, "plica: stopped before \"{}\"; no file was written\n", stop.stage);
-    return plica::interrupted_exit;
+    return plica::interrupted_exit();
   } catch (const plica::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

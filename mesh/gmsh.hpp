@@ -6,6 +6,7 @@
 #include <mutex>
 #include <omp.h>
 #include <stdexcept>
+#include <string>
 
 namespace plica {
 
@@ -20,7 +21,10 @@ public:
     gmsh::model::add("plica");
   }
   ~GmshSession() {
-    gmsh::finalize();
+    try {
+      gmsh::finalize();
+    } catch (...) { // an error of before, once more
+    }
     omp_set_num_threads(threads_);
   }
   GmshSession(const GmshSession&) = delete;
@@ -42,6 +46,8 @@ template <class F> auto in_gmsh(F&& work) {
     return work();
   } catch (const std::exception&) {
     throw;
+  } catch (const std::string& message) { // as Gmsh throws its own
+    throw std::runtime_error("Gmsh says: " + message);
   } catch (...) {
     throw std::runtime_error("Gmsh failed without a message");
   }

@@ -1,7 +1,6 @@
 #include "model/build_surface.hpp"
 
-#include "mesh/cad_mesh.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesh/surface_mesher.hpp"
 
 #include <Eigen/Geometry>
 
@@ -14,17 +13,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double folded = 0.01; // Jacobian ratio of a quad
-
-SurfaceFaces faces_of(const SurfacePart& part) {
-  if (is_cad_file(part.file))
-    return mesh_cad(part.file,
-                    {.unit = part.unit.value_or(1), .size = part.size, .turn = part.turn});
-  const Surface surface = read_surface(part.file, part.unit.value(), part.weld);
-  if (part.size > 0) return remesh(surface.nodes, surface.triangles, part.size);
-  SurfaceFaces faces{.nodes = surface.nodes, .faces = {}, .normals = {}};
-  for (const auto& [a, b, c] : surface.triangles) faces.faces.push_back({a, b, c, -1});
-  return faces;
-}
 
 std::string length_text(double length) {
   std::array<char, 32> text{};
@@ -41,9 +29,11 @@ SurfaceFaces faces_once(const SurfacePart& part) {
   const Key key{part.file, part.unit.value_or(0),
                 part.size, part.turn,
                 part.weld, std::filesystem::last_write_time(part.file)};
+  const SurfaceMeshing meshing{
+      .unit = part.unit.value_or(1), .size = part.size, .turn = part.turn, .weld = part.weld};
   const std::lock_guard lock(mutex);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  return known.try_emplace(key, faces_of(part)).first->second;
+  return known.try_emplace(key, mesh_surface_file(part.file, meshing)).first->second;
 }
 
 } // namespace

@@ -2,8 +2,8 @@
 #include "tests/cad_samples.hpp"
 
 #include "io/input/case_file.hpp"
-#include "mesh/cad_mesh.hpp"
 #include "mesh/surface_file.hpp"
+#include "mesh/surface_mesher.hpp"
 #include "model/build_bellows.hpp"
 #include "model/build_surface.hpp"
 #include "model/input_error.hpp"
@@ -85,7 +85,7 @@ TEST_F(Cad, a_bellows_from_step_vibrates_as_that_from_its_profile) {
 TEST_F(Cad, faces_that_touch_share_their_nodes) {
   const BracketOnPipe shape;
   write_bracket_on_pipe(shape, at("pipe.step"));
-  const SurfaceFaces quads = mesh_cad(at("pipe.step"), {.size = 8e-3});
+  const SurfaceFaces quads = mesh_surface_file(at("pipe.step"), {.size = 8e-3});
   const Mesh mesh = shell_mesh(quads, 1.5e-3, WallSide::middle);
   std::map<std::pair<int, int>, int> edges;
   for (const ShellQuad& q : mesh.quads)
@@ -117,7 +117,7 @@ TEST_F(Cad, an_outer_surface_is_moved_to_the_middle_of_its_wall) {
   write_revolved(tube, at("tube.step"));
   for (const auto& [side, radius] :
        {std::pair{WallSide::outer, 0.049}, {WallSide::middle, 0.05}, {WallSide::inner, 0.051}}) {
-    const Mesh mesh = shell_mesh(mesh_cad(at("tube.step"), {.size = 5e-3}), 2e-3, side);
+    const Mesh mesh = shell_mesh(mesh_surface_file(at("tube.step"), {.size = 5e-3}), 2e-3, side);
     for (const Vector3d& x : mesh.nodes) EXPECT_NEAR(std::hypot(x.x(), x.z()), radius, 1e-7);
     for (const ShellQuad& q : mesh.quads)
       for (int c = 0; c < 4; ++c) {
@@ -136,8 +136,9 @@ TEST_F(Cad, iges_and_brep_are_read_as_step_is) {
   write_revolved(meridian, at("tube.brep"));
   write_revolved(meridian, at("tube.step"));
   for (const char* name : {"tube.igs", "tube.brep", "tube.step"}) {
-    const Mesh mesh = shell_mesh(mesh_cad(at(name), {.unit = 1e-3, .size = 8e-3, .turn = 0.1}),
-                                 1e-3, WallSide::middle);
+    const Mesh mesh =
+        shell_mesh(mesh_surface_file(at(name), {.unit = 1e-3, .size = 8e-3, .turn = 0.1}), 1e-3,
+                   WallSide::middle);
     EXPECT_NEAR(area(mesh) / (2 * std::numbers::pi * radius * length), 1, 2e-3) << name;
     for (const Vector3d& x : mesh.nodes)
       EXPECT_NEAR(std::hypot(x.x(), x.z()), radius, 1e-8) << name;

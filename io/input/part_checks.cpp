@@ -2,8 +2,8 @@
 
 #include "io/decks/read_deck.hpp"
 #include "io/input/units.hpp"
-#include "mesh/cad_mesh.hpp"
 #include "mesh/surface_file.hpp"
+#include "mesh/surface_mesher.hpp"
 #include "model/pipe_model.hpp"
 #include "model/profile_checks.hpp"
 

@@ -1,13 +1,12 @@
-#include "mesh/cad_mesh.hpp"
+#include "mesher/mesh_faces.hpp"
 
 #include "mesh/gmsh.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesher/meshed.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 
 namespace plica {
@@ -16,12 +15,6 @@ namespace {
 namespace cad = gmsh::model;
 using Entities = gmsh::vectorpair;
 using Eigen::Vector3d;
-
-Entities faces_of_model() {
-  Entities faces;
-  cad::getEntities(faces, 2);
-  return faces;
-}
 
 // Tags of the curves round a face, a seam twice.
 std::vector<int> sides(const std::pair<int, int>& face) {
@@ -56,12 +49,33 @@ std::map<int, std::vector<int>> curves_inside() {
   return inside;
 }
 
-// Faces of four different sides and no curve inside.
+// Each side begins where another ends: no hole.
+bool is_one_loop(const std::vector<int>& tags) {
+  std::set<int> reached, left(tags.begin(), tags.end());
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (int curve : std::set<int>(left)) {
+      Entities ends;
+      cad::getBoundary({{1, curve}}, ends, false, false, false);
+      const bool touches =
+          reached.empty() || std::any_of(ends.begin(), ends.end(),
+                                         [&](const auto& e) { return reached.contains(e.second); });
+      if (!touches) continue;
+      for (const auto& end : ends) reached.insert(end.second);
+      left.erase(curve);
+      grown = true;
+    }
+  }
+  return left.empty();
+}
+
+// Faces of four different sides, without a hole and a curve inside.
 std::set<int> mapped_faces() {
   const std::map<int, std::vector<int>> inside = curves_inside();
   std::set<int> mapped;
   for (const auto& face : faces_of_model())
-    if (sides(face).size() == 4 && !has_seam(face) && !inside.contains(face.second))
+    if (const std::vector<int> tags = sides(face);
+        tags.size() == 4 && !has_seam(face) && !inside.contains(face.second) && is_one_loop(tags))
       mapped.insert(face.second);
   return mapped;
 }
@@ -75,43 +89,12 @@ Box box_of_model() {
   return b;
 }
 
-// In metres. OpenCASCADE takes a unit for IGES only when it has read one before: the first reading
-// is for nothing.
-Entities shapes_of(const std::filesystem::path& file) {
-  const std::string suffix = lower_suffix(file);
-  Entities shapes;
-  if (suffix == ".iges" || suffix == ".igs") {
-    gmsh::option::setString("Geometry.OCCTargetUnit", "");
-    cad::occ::importShapes(file.string(), shapes, false);
-    gmsh::clear();
-    cad::add("cad");
-    shapes.clear();
-  }
-  gmsh::option::setString("Geometry.OCCTargetUnit", has_unit(file) ? "M" : "");
-  cad::occ::importShapes(file.string(), shapes, false);
-  return shapes;
-}
-
-void import_cad(const std::filesystem::path& file, double unit) {
+void import_cad(const CadFaces& part) {
   gmsh::clear();
   cad::add("cad");
-  try {
-    Entities shapes = shapes_of(file);
-    std::erase_if(shapes, [](const auto& shape) { return shape.first != 2; }); // edges follow
-    if (!has_unit(file)) cad::occ::dilate(shapes, 0, 0, 0, unit, unit, unit);
-  } catch (...) {
-    throw std::runtime_error("Gmsh cannot read " + file.filename().string() +
-                             " as STEP, IGES or BREP");
-  }
+  Entities shapes;
+  cad::occ::importShapesNativePointer(part.shape.get(), shapes, false);
   cad::occ::synchronize();
-  Entities solids;
-  cad::getEntities(solids, 3);
-  if (!solids.empty())
-    throw std::runtime_error(file.filename().string() + " holds " + std::to_string(solids.size()) +
-                             " solids; a shell is meshed on faces: export the middle or outer "
-                             "surface alone");
-  if (faces_of_model().empty())
-    throw std::runtime_error(file.filename().string() + " holds no face");
 }
 
 // Cuts all faces by the plane through the middle of the part with this normal.
@@ -158,7 +141,7 @@ void join_faces() {
 }
 
 // Cut where faces close on themselves, by the plane that leaves the fewest that cannot be mapped.
-void cut_seams(const std::filesystem::path& file, double unit) {
+void cut_seams(const CadFaces& part) {
   const Entities faces = faces_of_model();
   if (std::none_of(faces.begin(), faces.end(), has_seam)) {
     join_faces();
@@ -168,7 +151,7 @@ void cut_seams(const std::filesystem::path& file, double unit) {
   std::size_t least = not_mapped();
   for (int axis : {2, 0, 1}) {
     if (least == 0) break;
-    import_cad(file, unit);
+    import_cad(part);
     cut(axis);
     if (const std::size_t left = not_mapped(); left < least) {
       least = left;
@@ -176,7 +159,7 @@ void cut_seams(const std::filesystem::path& file, double unit) {
       if (left == 0) return;
     }
   }
-  import_cad(file, unit);
+  import_cad(part);
   if (best >= 0)
     cut(best);
   else
@@ -184,7 +167,7 @@ void cut_seams(const std::filesystem::path& file, double unit) {
 }
 
 // Elements that a curve needs by its length and its turn.
-int elements_along(int curve, const CadMeshing& meshing) {
+int elements_along(int curve, const SurfaceMeshing& meshing) {
   std::vector<double> low, high, at, points, slopes;
   cad::getParametrizationBounds(1, curve, low, high);
   constexpr int steps = 64;
@@ -220,7 +203,7 @@ private:
 
 constexpr int most_along = 5000; // elements on a curve
 
-void seed(const CadMeshing& meshing) {
+void seed(const SurfaceMeshing& meshing) {
   const std::set<int> mapped = mapped_faces();
   Alike alike;
   for (const auto& face : faces_of_model()) {
@@ -254,48 +237,6 @@ void seed(const CadMeshing& meshing) {
   gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", split ? 1 : 0);
 }
 
-// Quads of all faces, their nodes numbered from 0.
-SurfaceFaces collected() {
-  SurfaceFaces surface;
-  std::map<std::size_t, int> number;
-  for (const auto& face : faces_of_model()) {
-    std::vector<std::size_t> tags;
-    std::vector<double> x, ignored;
-    cad::mesh::getNodes(tags, x, ignored, 2, face.second, true, false);
-    for (std::size_t i = 0; i < tags.size(); ++i)
-      if (number.try_emplace(tags[i], int(surface.nodes.size())).second)
-        surface.nodes.emplace_back(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> elements, nodes;
-    cad::mesh::getElements(types, elements, nodes, 2, face.second);
-    constexpr int triangle = 2, quad = 3;
-    for (std::size_t t = 0; t < types.size(); ++t) {
-      if (types[t] != quad && types[t] != triangle)
-        throw std::runtime_error("Gmsh left elements that are no quads and no triangles");
-      const std::size_t corners = types[t] == quad ? 4 : 3;
-      for (std::size_t e = 0; e < elements[t].size(); ++e) {
-        std::array<int, 4> q{-1, -1, -1, -1};
-        for (std::size_t c = 0; c < corners; ++c) q[c] = number.at(nodes[t][corners * e + c]);
-        surface.faces.push_back(q);
-      }
-    }
-  }
-  if (surface.faces.empty()) throw std::runtime_error("Gmsh made no element");
-  return surface;
-}
-
-// Where its parametrisation fails Gmsh puts nodes anywhere.
-void check_near(const std::vector<Vector3d>& made, const std::vector<Vector3d>& given,
-                double size) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& x : given) box.extend(x);
-  for (const Vector3d& x : made)
-    if (!(box.exteriorDistance(x) <= size))
-      throw std::runtime_error(
-          "Gmsh put a node off the surface; another element_size, or none: the "
-          "triangles of the file");
-}
-
 // Exact normals of CAD faces at the corners of their quads.
 void add_normals(SurfaceFaces& surface) {
   std::size_t q = 0;
@@ -323,54 +264,40 @@ void add_normals(SurfaceFaces& surface) {
   }
 }
 
+// Of the faces as they are meshed: cut, and joined where they touch.
+double area_of_faces() {
+  double sum = 0;
+  for (const auto& [dimension, face] : faces_of_model()) {
+    double own = 0;
+    cad::occ::getMass(dimension, face, own);
+    sum += own;
+  }
+  return sum;
+}
+
+// Chords across arcs of `turn` are short by its square over 24.
+void require_area(const SurfaceFaces& surface, double turn) {
+  const double right = area_of_faces(), made = area_of(surface);
+  const double tolerance = 0.02 + 2 * turn * turn / 24;
+  if (!(std::abs(made - right) <= tolerance * right))
+    throw std::runtime_error("the mesh has an area of " + area_text(made) +
+                             ", the faces of the file " + area_text(right) +
+                             ": another element_size");
+}
+
 } // namespace
 
-bool has_unit(const std::filesystem::path& cad_file) {
-  return lower_suffix(cad_file) != ".brep";
-}
-
-bool is_cad_file(const std::filesystem::path& file) {
-  const std::string suffix = lower_suffix(file);
-  return suffix == ".step" || suffix == ".stp" || suffix == ".iges" || suffix == ".igs" ||
-         suffix == ".brep";
-}
-
-SurfaceFaces mesh_cad(const std::filesystem::path& file, const CadMeshing& meshing) {
+SurfaceFaces mesh_cad(const CadFaces& part, const SurfaceMeshing& meshing) {
   return in_gmsh([&] {
-    import_cad(file, meshing.unit);
-    cut_seams(file, meshing.unit);
+    import_cad(part);
+    cut_seams(part);
     for (const auto& [face, curves] : curves_inside()) cad::mesh::embed(1, curves, 2, face);
     seed(meshing);
-    cad::mesh::generate(2);
+    mesh_faces();
     SurfaceFaces surface = collected();
+    require_area(surface, meshing.turn);
     add_normals(surface);
-    return surface;
-  });
-}
-
-SurfaceFaces remesh(const std::vector<Vector3d>& nodes,
-                    const std::vector<std::array<int, 3>>& triangles, double size) {
-  return in_gmsh([&] {
-    constexpr int triangle = 2;
-    std::vector<std::size_t> tags(nodes.size()), corners;
-    std::iota(tags.begin(), tags.end(), 1);
-    std::vector<double> x;
-    for (const Vector3d& p : nodes) x.insert(x.end(), {p.x(), p.y(), p.z()});
-    for (const auto& t : triangles)
-      for (int node : t) corners.push_back(std::size_t(node) + 1);
-    cad::addDiscreteEntity(2, 1);
-    cad::mesh::addNodes(2, 1, tags, x);
-    cad::mesh::addElementsByType(1, triangle, {}, corners);
-    constexpr double sharp = 40 * std::numbers::pi / 180;
-    cad::mesh::classifySurfaces(sharp, true, true, sharp);
-    cad::mesh::createGeometry();
-    for (const auto& face : faces_of_model()) cad::mesh::setRecombine(2, face.second);
-    gmsh::option::setNumber("Mesh.CharacteristicLengthMin", size);
-    gmsh::option::setNumber("Mesh.CharacteristicLengthMax", size);
-    cad::mesh::generate(2);
-    SurfaceFaces surface = collected();
-    check_near(surface.nodes, nodes, size);
-    return surface;
+    return in_order(surface);
   });
 }
 

@@ -1,0 +1,103 @@
+#include "mesh/surface_mesher.hpp"
+
+#include "mesh/surface_file.hpp"
+#include "mesh/worker.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view faces_follow = "PLICAFACES 1\n", failure_follows = "PLICAERROR 1\n";
+
+template <class T> void append(std::string& text, const std::vector<T>& list) {
+  const std::uint64_t count = list.size();
+  text.append(reinterpret_cast<const char*>(&count), sizeof count);
+  text.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
+}
+
+template <class T> void take(std::string_view& text, std::vector<T>& list) {
+  std::uint64_t count = 0;
+  if (text.size() < sizeof count) throw std::runtime_error("the mesher's answer was cut short");
+  std::memcpy(&count, text.data(), sizeof count);
+  text.remove_prefix(sizeof count);
+  if (text.size() / sizeof(T) < count)
+    throw std::runtime_error("the mesher's answer was cut short");
+  list.resize(count);
+  if (count > 0) std::memcpy(static_cast<void*>(list.data()), text.data(), count * sizeof(T));
+  text.remove_prefix(count * sizeof(T));
+}
+
+std::string exact(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.17g", value);
+  return text.data();
+}
+
+} // namespace
+
+bool has_unit(const fs::path& cad_file) {
+  return lower_suffix(cad_file) != ".brep";
+}
+
+bool is_cad_file(const fs::path& file) {
+  const std::string suffix = lower_suffix(file);
+  return suffix == ".step" || suffix == ".stp" || suffix == ".iges" || suffix == ".igs" ||
+         suffix == ".brep";
+}
+
+fs::path mesher_program() {
+  if (const char* told = std::getenv("PLICA_MESHER")) return told;
+  std::error_code ignored;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  const std::vector<fs::path> places{beside / "mesher" / "plica_mesher",
+                                     beside / PLICA_MESHER_FOLDER / "plica_mesher",
+                                     fs::path(PLICA_MESHER_INSTALLED) / "plica_mesher"};
+  std::string all;
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place, ignored)) return place;
+    all += (all.empty() ? "" : ", ") + place.string();
+  }
+  throw std::runtime_error("the program plica_mesher, which reads files of geometry, is not at " +
+                           all + "; the environment variable PLICA_MESHER says where it is");
+}
+
+SurfaceFaces mesh_surface_file(const fs::path& file, const SurfaceMeshing& meshing) {
+  const std::string reply = run_worker(mesher_program().string(),
+                                       {file.string(), exact(meshing.unit), exact(meshing.size),
+                                        exact(meshing.turn), exact(meshing.weld)},
+                                       worker_limits(), file.filename().string());
+  return faces_of_message(reply);
+}
+
+std::string message_of(const SurfaceFaces& faces) {
+  std::string text(faces_follow);
+  append(text, faces.nodes);
+  append(text, faces.faces);
+  append(text, faces.normals);
+  return text;
+}
+
+std::string message_of_failure(const std::string& what) {
+  return std::string(failure_follows) + what;
+}
+
+SurfaceFaces faces_of_message(const std::string& message) {
+  std::string_view text = message;
+  if (text.starts_with(failure_follows))
+    throw std::runtime_error(message.substr(failure_follows.size()));
+  if (!text.starts_with(faces_follow))
+    throw std::runtime_error("the mesher gave no answer of this version of Plica");
+  text.remove_prefix(faces_follow.size());
+  SurfaceFaces faces;
+  take(text, faces.nodes);
+  take(text, faces.faces);
+  take(text, faces.normals);
+  return faces;
+}
+
+} // namespace plica

@@ -1,0 +1,247 @@
+// Damaged files of geometry: an error with the file and what is wrong, or what the whole file
+// gives; never a crash, never without end.
+#include "tests/cad_samples.hpp"
+
+#include "mesh/surface_mesher.hpp"
+#include "mesh/worker.hpp"
+#include "mesher/step_text.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+namespace plica::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+double area(const SurfaceFaces& surface) {
+  double sum = 0;
+  const auto x = [&](int i) { return surface.nodes[std::size_t(i)]; };
+  for (const auto& [a, b, c, d] : surface.faces) {
+    sum += (x(b) - x(a)).cross(x(c) - x(a)).norm() / 2;
+    if (d >= 0) sum += (x(c) - x(a)).cross(x(d) - x(a)).norm() / 2;
+  }
+  return sum;
+}
+
+class DamagedGeometry : public testing::Test {
+protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override {
+    fs::remove_all(folder_);
+    for (const char* name : {"PLICA_MESHER", "PLICA_MESH_SECONDS", "PLICA_MESH_MEMORY"})
+      unsetenv(name);
+    allow_workers();
+  }
+
+  fs::path at(const std::string& name) const { return folder_ / name; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(at(name), std::ios::binary) << text;
+  }
+  std::string text_of(const std::string& name) const {
+    std::ifstream in(at(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  // What is said of the file; empty where it is meshed.
+  std::string refusal(const std::string& name, const SurfaceMeshing& meshing) const {
+    try {
+      mesh_surface_file(at(name), meshing);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  // Each line left out in turn: refused, or the area and extent of the whole file. Gives back how
+  // many were refused.
+  int without_each_line(const std::string& name, const SurfaceMeshing& meshing,
+                        void (*check)(const std::string&)) const;
+
+private:
+  fs::path folder_ = fs::temp_directory_path() /
+                     ("plica_damage_" +
+                      std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size() - 1) + 1;
+    lines.push_back(text.substr(from, end - from));
+    from = end;
+  }
+  return lines;
+}
+
+bool refuses(void (*check)(const std::string&), const std::string& text) {
+  try {
+    check(text);
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("line "), std::string::npos) << error.what();
+    return true;
+  }
+  return false;
+}
+
+int DamagedGeometry::without_each_line(const std::string& name, const SurfaceMeshing& meshing,
+                                       void (*check)(const std::string&)) const {
+  const SurfaceFaces whole = mesh_surface_file(at(name), meshing);
+  const std::vector<std::string> lines = lines_of(text_of(name));
+  const std::string cut = "cut" + fs::path(name).extension().string();
+  int refused = 0;
+  for (std::size_t left_out = 0; left_out < lines.size(); ++left_out) {
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (i != left_out) text += lines[i];
+    if (refuses(check, text)) { // as the mesher does first
+      ++refused;
+      continue;
+    }
+    write(cut, text);
+    try {
+      const SurfaceFaces read = mesh_surface_file(at(cut), meshing);
+      EXPECT_NEAR(area(read), area(whole), 1e-9 * area(whole)) << lines[left_out];
+      EXPECT_EQ(read.nodes.size(), whole.nodes.size()) << lines[left_out];
+      for (std::size_t i = 0; i < std::min(read.nodes.size(), whole.nodes.size()); ++i)
+        EXPECT_LT((read.nodes[i] - whole.nodes[i]).norm(), 1e-9) << lines[left_out];
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+  }
+  return refused;
+}
+
+TEST_F(DamagedGeometry, step_without_any_one_line_is_refused_or_has_the_same_area) {
+  write_bracket_on_pipe({}, at("pipe.step"));
+  const int lines = int(lines_of(text_of("pipe.step")).size());
+  const int refused = without_each_line("pipe.step", {.size = 20e-3}, check_step_text);
+  // Left over: the description, and the categories of the three products.
+  EXPECT_EQ(lines - refused, 4);
+}
+
+TEST_F(DamagedGeometry, step_with_numbers_that_do_not_agree_is_refused) {
+  write_bracket_on_pipe({}, at("pipe.step"));
+  const std::string whole = text_of("pipe.step");
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    write("changed.step", text);
+    return refusal("changed.step", {.size = 20e-3});
+  };
+  EXPECT_EQ(changed("CYLINDRICAL_SURFACE", "CYLINDRICAL_SURFACE"), "");
+  for (const auto& [from, to, says] :
+       {std::array{"'',#48,65.", "'',#48,35.", "lies off"},
+        {"CYLINDRICAL_SURFACE('',#54,65.", "CYLINDRICAL_SURFACE('',#54,64.", "lies off"},
+        {"(0.,120.,105.)", "(0.,120.,505.)", "lies off"},
+        {"#193 = VECTOR", "#2147483648 = VECTOR", "#2147483648 is above 2147483647"},
+        {"#193 = VECTOR", "#192 = VECTOR", "#192 is defined a second time"},
+        {"(#127,#150,#166,#182)", "(#127,#150,#166,#9999)",
+         "#9999 is named here and defined nowhere"},
+        {"(#127,#150,#166,#182)", "(#127,#150,#166)", "ORIENTED_EDGE #182 belongs to nothing"},
+        {"(#125,#196),#139", "(#125),#139", "FACE_BOUND #196 belongs to nothing"},
+        {"PLANE('',#140)", "PLANE('',#141)", "OpenCASCADE says"},
+        {"((#104,#105,#106))", "((#105,#106))", "no unit of length"},
+        {"(0.,120.,105.)", "(0.,12O.,105.)", "is missing before"}}) {
+    const std::string said = changed(from, to);
+    EXPECT_NE(said.find(says), std::string::npos) << to << ": " << said;
+    EXPECT_TRUE(said.starts_with("changed.step: ")) << said;
+  }
+}
+
+// Four triangles on one another: meshed anew they never end.
+TEST_F(DamagedGeometry, triangles_on_each_other_are_refused) {
+  write("twice.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3\nf 1 3 4\n");
+  write("folded.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\nf 1 2 4\nf 2 3 4\n");
+  for (const double size : {0., 0.05}) {
+    EXPECT_NE(refusal("twice.obj", {.size = size}).find("the same three vertices"),
+              std::string::npos);
+    EXPECT_NE(refusal("folded.obj", {.size = size}).find("lie on each other"), std::string::npos);
+  }
+}
+
+// A ring of 64 corners and elements far larger than it: 6 % of its area were gone.
+TEST_F(DamagedGeometry, a_mesh_of_another_area_than_its_triangles_is_refused_naming_both) {
+  std::ofstream out(at("ring.obj"));
+  constexpr int n = 32;
+  for (double r : {0.74, 0.69})
+    for (int i = 0; i < n; ++i)
+      out << "v 0 " << r * std::cos(2 * std::numbers::pi * i / n) << ' '
+          << r * std::sin(2 * std::numbers::pi * i / n) << '\n';
+  for (int i = 0; i < n; ++i) {
+    const int a = i + 1, b = (i + 1) % n + 1;
+    out << "f " << a << ' ' << b << ' ' << b + n << ' ' << a + n << '\n';
+  }
+  out.close();
+  const double exact = n / 2. * std::sin(2 * std::numbers::pi / n) * (0.74 * 0.74 - 0.69 * 0.69);
+  EXPECT_NEAR(exact, 0.22318, 1e-5);
+  EXPECT_NEAR(area(mesh_surface_file(at("ring.obj"), {.size = 30e-3})), exact, 0.01 * exact);
+  const std::string said = refusal("ring.obj", {.size = 0.5});
+  EXPECT_NE(said.find(" mm2 of triangles of 22318"), std::string::npos) << said;
+  EXPECT_NE(said.find("Gmsh made a mesh of "), std::string::npos) << said;
+}
+
+// A program in the place of the mesher.
+class Worker : public DamagedGeometry {
+protected:
+  std::string said_of(const std::string& script) {
+    write("mesher", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(at("mesher"), fs::perms::owner_all);
+    setenv("PLICA_MESHER", at("mesher").c_str(), 1);
+    return refusal("a.step", {});
+  }
+};
+
+TEST_F(Worker, that_crashes_is_an_error_with_the_file) {
+  EXPECT_NE(said_of("kill -SEGV $$").find("a.step: the mesher broke down on it (Segm"),
+            std::string::npos);
+  EXPECT_NE(said_of("kill -ABRT $$").find("(Aborted)"), std::string::npos);
+  EXPECT_NE(said_of("exit 3").find("ended with 3"), std::string::npos);
+  EXPECT_NE(said_of("printf nonsense >&3").find("no answer"), std::string::npos);
+  EXPECT_NE(said_of("printf 'PLICAFACES 1\\n12345' >&3").find("cut short"), std::string::npos);
+}
+
+TEST_F(Worker, that_does_not_end_is_stopped_when_its_time_is_out) {
+  setenv("PLICA_MESH_SECONDS", "0.2", 1);
+  const std::string said = said_of("exec sleep 1000");
+  EXPECT_NE(said.find("a.step: not meshed within 0.2 s"), std::string::npos) << said;
+  EXPECT_NE(said.find("PLICA_MESH_SECONDS"), std::string::npos);
+}
+
+TEST_F(Worker, limits_that_are_no_numbers_are_refused) {
+  for (const char* wrong : {"", "0", "-1", "x", "3 s", "nan"}) {
+    setenv("PLICA_MESH_SECONDS", wrong, 1);
+    EXPECT_NE(said_of("exit 0").find("PLICA_MESH_SECONDS"), std::string::npos) << wrong;
+  }
+}
+
+TEST_F(Worker, is_stopped_at_once_by_a_signal_handler) {
+  setenv("PLICA_MESH_SECONDS", "60", 1);
+  std::signal(SIGUSR1, [](int) { stop_workers(); });
+  EXPECT_THROW(said_of("kill -USR1 $PPID; exec sleep 1000"), Interrupted);
+  EXPECT_THROW(said_of("exit 0"), Interrupted); // and none is begun
+  allow_workers();
+  EXPECT_NE(said_of("exit 3").find("ended with 3"), std::string::npos);
+  std::signal(SIGUSR1, SIG_DFL);
+}
+
+TEST_F(DamagedGeometry, more_memory_than_allowed_is_an_error_that_says_so) {
+  write_bracket_on_pipe({}, at("pipe.step"));
+  setenv("PLICA_MESH_MEMORY", "0.1", 1);
+  const std::string said = refusal("pipe.step", {.size = 20e-3});
+  EXPECT_NE(said.find("pipe.step: needs more than 0.1 GB"), std::string::npos) << said;
+  EXPECT_NE(said.find("PLICA_MESH_MEMORY"), std::string::npos) << said;
+}
+
+TEST_F(DamagedGeometry, a_missing_mesher_is_named) {
+  setenv("PLICA_MESHER", "/nowhere/plica_mesher", 1);
+  write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_NE(refusal("a.obj", {}).find("cannot start /nowhere/plica_mesher"), std::string::npos);
+}
+
+} // namespace
+} // namespace plica::test
