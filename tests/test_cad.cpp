@@ -198,8 +198,13 @@ TEST_F(Cad, a_closed_tube_of_triangles_is_meshed_anew_without_a_fold) {
   data.materials["steel"] = {200e9, 0.3, 7800};
   data.mount = {{.cap = "left"}};
   data.analyses.modes = Modes{.count = 4};
-  MeridianSection cuff{.shape = SectionShape::cuff, .length = 1e-3 * length};
-  Bellows bellows{.material = "steel", .root_radius = 1e-3 * radius, .profile = {cuff}};
+  MeridianSection cuff;
+  cuff.shape = SectionShape::cuff;
+  cuff.length = 1e-3 * length;
+  Bellows bellows;
+  bellows.material = "steel";
+  bellows.root_radius = 1e-3 * radius;
+  bellows.profile = {cuff};
   bellows.wall.plies = {1.5e-3};
   bellows.mesh.accuracy = 0.01;
   data.parts = {{"tube", bellows}};
