@@ -7,6 +7,7 @@
 #include "diagnose/gap/next_measurement.hpp"
 #include "diagnose/gap/pairs.hpp"
 #include "diagnose/gap/residual_energy.hpp"
+#include "diagnose/gap/scatter.hpp"
 #include "diagnose/gap/shrink.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -110,8 +111,11 @@ public:
 private:
   void list_hypotheses() {
     const Structure structure = nominal_.structure(measured_);
-    for (const Effect& effect : effects())
-      for (Hypothesis& h : effect.hypotheses(structure)) hypotheses_.push_back(std::move(h));
+    for (const Effect& effect : effects()) {
+      std::vector<Hypothesis> own = effect.hypotheses(structure);
+      if (own.empty()) result_.not_tried.push_back({effect.name, effect.needs});
+      for (Hypothesis& h : own) hypotheses_.push_back(std::move(h));
+    }
   }
 
   std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,
@@ -232,16 +236,10 @@ private:
       result_.where.push_back(std::move(gap));
     add_components(ranked);
     result_.trends = level_trends(test_);
-    result_.tried.push_back(tried(nominal, nominal.fit));
-    for (const Family& f : ranked) result_.tried.push_back(tried(*f.best, nominal.fit));
-    for (const JudgedFit& p : pairs) result_.tried.push_back(tried(p, nominal.fit));
-    std::stable_sort(result_.tried.begin(), result_.tried.end(),
-                     [](const TriedHypothesis& a, const TriedHypothesis& b) {
-                       return a.log_bayes_factor > b.log_bayes_factor;
-                     });
+    const JudgedFit* first = best_of(nominal, ranked, pairs, judgement);
+    add_tried(nominal, ranked, pairs, first);
     for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
     for (NamedEffect& e : result_.effects) add_other_places(e, fits);
-    const JudgedFit* first = best_of(nominal, ranked, pairs, judgement);
     const JudgedFit* other = second_of(ranked, first);
     std::vector<HypothesisFit> shown{first->fit};
     if (other) shown.push_back(other->fit);
@@ -273,6 +271,21 @@ private:
     result_.hypotheses = int(hypotheses_.size());
     result_.headline = headline(nominal, judgement);
     result_.seconds = watch_.seconds();
+  }
+
+  // By evidence, with which of them is the best.
+  void add_tried(const JudgedFit& nominal, const std::vector<Family>& ranked,
+                 const std::vector<JudgedFit>& pairs, const JudgedFit* best) {
+    std::vector<const JudgedFit*> all{&nominal};
+    for (const Family& f : ranked) all.push_back(f.best);
+    for (const JudgedFit& p : pairs) all.push_back(&p);
+    std::stable_sort(all.begin(), all.end(), [](const JudgedFit* a, const JudgedFit* b) {
+      return a->log_bayes_factor > b->log_bayes_factor;
+    });
+    for (const JudgedFit* j : all) {
+      if (j == best && j != &nominal) result_.best = result_.tried.size();
+      result_.tried.push_back(tried(*j, nominal.fit));
+    }
   }
 
   // Places of the effect, alone, that the readings do not tell from the named one.
@@ -433,16 +446,25 @@ private:
     };
     add("%zu readings, %zu of them held out; %zu hypotheses of %zu effects", test_.readings.size(),
         held_out_->rows().size(), hypotheses_.size(), effects().size());
-    add("admissible specimens (%d): modulus 1 %%, density 0.5 %%, wall 1 %% where the case has no "
-        "tolerance, field of stiffness 2 %%, masses 1 %%, joints 5 %%, damping 8 %% and 12 %% of "
-        "each mode, sensors 1 %%, 1 degree and 1 mm, table 0.5 %% along other axes; %zu tolerances "
-        "of "
-        "the case",
-        specimens, case_.tolerances.size());
-    add("reassembly 0.2 %% of frequencies and 4 %% of damping, runs 0.03 %% and 1 %%; model 0.2 %% "
-        "of frequencies, 1.5 %% of damping, 0.4 %% of stiffnesses, 20 %% of cross responses and a "
-        "tenth of what the "
-        "meshes differ by");
+    const auto percent = [](double share) { return 100 * share; };
+    add("admissible specimens (%d): modulus %g %%, density %g %%, wall %g %% where the case has no "
+        "tolerance, field of stiffness %g %%, masses %g %%, joints %g %%; %zu tolerances of the "
+        "case",
+        specimens, percent(scatters::modulus), percent(scatters::density),
+        percent(scatters::thickness), percent(scatters::field), percent(scatters::masses),
+        percent(scatters::joints), case_.tolerances.size());
+    add("damping %g %% of all modes alike and %g %% of each; sensors %g %%, %g degree and %g mm, "
+        "table %g %% along other axes",
+        percent(scatters::all_damping), percent(scatters::mode_damping), percent(scatters::gain),
+        scatters::turn, 1e3 * scatters::off_place, percent(scatters::other_axes));
+    add("reassembly %g %% of frequencies and %g %% of damping, runs %g %% and %g %%",
+        percent(test_sigma::reassembled_frequency), percent(test_sigma::reassembled_damping),
+        percent(test_sigma::run_frequency), percent(test_sigma::run_damping));
+    add("model %g %% of frequencies, %g %% of damping, %g %% of stiffnesses, %g %% of cross "
+        "responses and %g %% of what the meshes differ by",
+        percent(test_sigma::numeric_frequency), percent(test_sigma::numeric_damping),
+        percent(test_sigma::numeric_stiffness), percent(test_sigma::numeric_cross),
+        percent(test_sigma::share_of_correction));
     add("adequate: chi-square at most %.1f over %zu readings and %.1f over their means over the "
         "levels, no block beyond z = %.1f; ln BF over the nominal case at least %.1f",
         standards.chi2, fitted_->rows().size(), standards.chi2_of_means, standards.worst_block,

@@ -49,6 +49,11 @@ struct TriedHypothesis {
   std::string rejected; // why, in words; empty = not
 };
 
+// An effect that has no place in the case.
+struct EffectNotTried {
+  std::string name, needs; // needs: "a bellows"
+};
+
 // One block of readings against admissible specimens.
 struct LocatedGap {
   std::string component; // by hypotheses at that place; else empty and
@@ -135,6 +140,10 @@ struct Diagnosis {
   std::vector<LevelTrend> trends;
   std::vector<ParameterDrift> drifts;
   std::vector<TriedHypothesis> tried; // best of each effect, then pairs; by evidence
+  // Of these what the gap is closed with, in gap, readings and pictures: the effects named, the
+  // first of an ambiguous set, else what comes nearest. None: the nominal case.
+  std::optional<std::size_t> best;
+  std::vector<EffectNotTried> not_tried;
   std::vector<std::pair<std::string, double>> probabilities; // of effects and "none"
   GapShrink gap;
   std::optional<GapShrink> held_out;

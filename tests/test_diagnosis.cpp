@@ -128,6 +128,7 @@ TEST(Diagnose, finds_nothing_where_there_is_nothing) {
   const Diagnosis d = diagnosis_of(cantilever(), cantilever());
   EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
   EXPECT_LT(d.gap.before, 0.3);
+  EXPECT_FALSE(d.best.has_value());
 }
 
 TEST(Diagnose, names_a_mass_that_is_missing) {
@@ -139,6 +140,11 @@ TEST(Diagnose, names_a_mass_that_is_missing) {
   EXPECT_EQ(d.effects.front().place, "m2");
   EXPECT_LT(d.effects.front().parameters.front().value, 0.1);
   EXPECT_GT(d.gap.shrink(), 0.8);
+  // What the gap is closed with is the one that is named, not the one whose gap is nearest.
+  ASSERT_TRUE(d.best.has_value());
+  ASSERT_EQ(d.tried[*d.best].effects.size(), 1U);
+  EXPECT_EQ(d.tried[*d.best].effects.front().place, "m2");
+  EXPECT_NEAR(d.tried[*d.best].gap_after, d.gap.after, 1e-9);
 }
 
 TEST(Diagnose, calls_modulus_lowered_to_a_third_no_effect_it_knows) {
@@ -233,6 +239,19 @@ TEST(Evidence, laplace_and_markov_chains_meet_the_closed_form) {
   sample(context, fit, 400, 1);
   ASSERT_TRUE(fit.sampled_log_evidence.has_value());
   EXPECT_NEAR(*fit.sampled_log_evidence, exact, 0.1);
+}
+
+// What is kept of a hypothesis is not taken for another one that lies where it lay.
+TEST(Evidence, a_hypothesis_in_the_place_of_another_is_not_taken_for_it) {
+  OneReading one;
+  std::optional<Hypothesis> h = one.masses.front();
+  const VectorXd doubled = VectorXd::Constant(1, 2);
+  const double first = (*one.store->of({&*h})(doubled))[0];
+  const Hypothesis* place = &*h;
+  h.emplace(one.masses.back());
+  ASSERT_EQ(place, &*h);
+  const double last = (*one.store->of({&*h})(doubled))[0];
+  EXPECT_GT(std::abs(last - first), 1e-3);
 }
 
 // A parameter that acts by its square: both signs are found, and its interval holds both.

@@ -39,6 +39,7 @@ Effect added_mass() {
           .look_alikes = {"component_mass: weigh the part",
                           "unweighed_mass: a second sensor of the same mass",
                           "boundary_compliance: the antinodes of further modes"},
+          .needs = "a sensor, bellows, pipe, chain or beam",
           .hypotheses = hypotheses};
 }
 

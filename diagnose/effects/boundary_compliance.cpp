@@ -1,22 +1,91 @@
+#include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
+
+#include <algorithm>
+#include <array>
 
 namespace plica {
 namespace {
 
-std::vector<Hypothesis> hypotheses(const Structure& s) {
-  std::vector<Hypothesis> found;
+constexpr double width = 1.5; // of the priors, on a log scale
+
+// Under a cap that is held rigidly: springs.
+void add_rigid_ends(std::vector<Hypothesis>& found, const Structure& s) {
   const double arm = s.length / 4, k = 10 * s.stiffness;
-  for (const HeldEnds& ends : held_ends(s))
+  for (const HeldEnds& ends : held_ends(s, true))
     found.push_back(
         {.effect = "boundary_compliance",
          .place = ends.place,
          .way = "",
-         .parameters = {{"k_translation", "N/m", {PriorKind::log_normal, k, 1.5}},
-                        {"k_rotation", "Nm/rad", {PriorKind::log_normal, k * arm * arm, 1.5}}},
+         .parameters = {{"k_translation", "N/m", {PriorKind::log_normal, k, width}},
+                        {"k_rotation", "Nm/rad", {PriorKind::log_normal, k * arm * arm, width}}},
          .changes = {ground_springs(ends.nodes, 1, 0), ground_springs(ends.nodes, 0, 1)},
          .coefficients = [](const Eigen::VectorXd& v) { return v; },
          .at_rig = false,
-         .released = ends.caps});
+         .released = ends.nodes});
+}
+
+// Springs of a mount once more: all of them, or those against one kind of motion.
+struct Motion {
+  const char* name;
+  int first, count; // of the rows of their law
+};
+constexpr std::array motions{Motion{"", 0, 6}, Motion{"translation", 0, 3},
+                             Motion{"rotation", 3, 3}};
+
+ModelChange once_more(const std::vector<int>& springs, const Motion& motion) {
+  return {[springs, motion](Model& model) {
+            for (int i : springs) {
+              Matrix6& law = model.bushings[std::size_t(i)].bushing.law;
+              law.diagonal().segment(motion.first, motion.count) *= 2;
+            }
+          },
+          Follow::series};
+}
+
+bool stiff(const Model& model, const std::vector<int>& springs, const Motion& motion) {
+  return std::any_of(springs.begin(), springs.end(), [&](int i) {
+    return (model.bushings[std::size_t(i)]
+                .bushing.law.diagonal()
+                .segment(motion.first, motion.count)
+                .array() > 0)
+        .any();
+  });
+}
+
+// Under a mount that is drawn with springs, whose law is diagonal: what they are in terms of these.
+void add_springs(std::vector<Hypothesis>& found, const Structure& s) {
+  const auto add = [&](const std::string& place, const std::vector<int>& springs) {
+    const bool both =
+        stiff(s.built.model, springs, motions[1]) && stiff(s.built.model, springs, motions[2]);
+    for (const Motion& motion : motions) {
+      if (motion.count < 6 && !both) continue;
+      found.push_back(
+          {.effect = "boundary_compliance",
+           .place = place,
+           .way = motion.name,
+           .parameters = {{"ratio", "", {PriorKind::log_normal, 1, width}}},
+           .changes = {once_more(springs, motion)},
+           .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(v.array() - 1); },
+           .at_rig = false});
+    }
+  };
+  std::vector<int> all;
+  int mounts = 0;
+  for (const Mount& m : s.data.mount) {
+    const std::vector<int> own = springs_of(s.built.model, m);
+    if (!stiff(s.built.model, own, motions[0])) continue;
+    add("mount." + m.cap, own);
+    all.insert(all.end(), own.begin(), own.end());
+    ++mounts;
+  }
+  if (mounts > 1) add("mount", all);
+}
+
+std::vector<Hypothesis> hypotheses(const Structure& s) {
+  std::vector<Hypothesis> found;
+  add_rigid_ends(found, s);
+  add_springs(found, s);
   return found;
 }
 
@@ -29,6 +98,7 @@ Effect boundary_compliance() {
           .look_alikes = {"fixture_flexibility: an accelerometer on the fixture",
                           "joint_stiffness: the static stiffness of the rig",
                           "unweighed_mass: an accelerometer on the held end"},
+          .needs = "a mount, rigid or with springs",
           .hypotheses = hypotheses};
 }
 

@@ -63,6 +63,7 @@ Effect cross_axis_base_motion() {
           .signature = "cross responses that follow the other axis",
           .look_alikes = {"local_damage: an accelerometer on the table",
                           "rotated_sensor: turn the sensor"},
+          .needs = "a run of the table",
           .hypotheses = hypotheses};
 }
 

@@ -18,6 +18,7 @@ Effect damping() {
           .physics = "all damping is higher or lower than the case says, at every level",
           .signature = "peaks and their widths, not their frequencies",
           .look_alikes = {"joint_friction: further levels", "sensor_gain: the width of the peaks"},
+          .needs = "",
           .hypotheses = hypotheses};
 }
 

@@ -2,10 +2,16 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
 namespace plica {
+
+std::uint64_t Identity::next() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 double value_of(const Prior& prior, double z) {
   if (prior.kind == PriorKind::normal) return prior.centre + prior.width * z;

@@ -11,6 +11,7 @@
 #include "reduction/parametric_model.hpp"
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -52,6 +53,23 @@ struct Softening {
   double loss = 1;   // times the damping of Masing's rule
 };
 
+// Tells a hypothesis from all others, also from a copy and from one that lies where it lay before.
+class Identity {
+public:
+  Identity() : number_(next()) {}
+  Identity(const Identity&) : Identity() {}
+  Identity& operator=(const Identity&) {
+    number_ = next();
+    return *this;
+  }
+  ~Identity() = default;
+  std::uint64_t number() const { return number_; }
+
+private:
+  static std::uint64_t next();
+  std::uint64_t number_;
+};
+
 // An effect at a place; where it may act in several ways, one for each.
 struct Hypothesis {
   std::string effect, place, way; // way: "x", "diagonal"; empty = there is but one
@@ -64,13 +82,14 @@ struct Hypothesis {
   // Of the changes, by the values of the parameters.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> coefficients = {};
   bool at_rig = true; // acts on the static rig and the scale too, not on the shaker alone
-  std::vector<std::string> released = {}; // caps that the mount no longer holds
+  std::vector<int> released = {}; // held nodes that the table no longer holds
   std::function<void(TestSetup&, const Eigen::VectorXd&)> setup = {};
   // The first change adds `present` times less than the group has; it softens.
   std::function<Softening(const Eigen::VectorXd&)> softening = {};
   double group_stiffness = 0; // N/m: stretch of the group = sqrt(2 energy / this)
   double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
   double law_error = 0;       // share of what slip changes that its law may be off
+  Identity identity = {};
 };
 
 // What effects look at to find their places.
@@ -90,6 +109,7 @@ struct Effect {
   std::string physics; // one sentence
   std::string signature;
   std::vector<std::string> look_alikes; // with the measurement that tells them apart
+  std::string needs;                    // of a case, to have a place for it: "a joint"
   std::vector<Hypothesis> (*hypotheses)(const Structure&) = nullptr;
 };
 

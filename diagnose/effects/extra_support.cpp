@@ -42,6 +42,7 @@ Effect extra_support() {
           .physics = "something touches the structure between its held ends",
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
           .look_alikes = {"joint_stiffness: other modes", "component_mass: weigh the part"},
+          .needs = "a bellows, pipe, chain or beam",
           .hypotheses = hypotheses};
 }
 

@@ -41,7 +41,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                    v[0] * omega * omega, v[0], inertia * std::pow(omega * v[2], 2), inertia));
              },
          .at_rig = false,
-         .released = ends.caps});
+         .released = ends.nodes});
   }
   return found;
 }
@@ -54,6 +54,7 @@ Effect fixture_flexibility() {
           .signature = "the lowest modes fall, a further resonance appears, the held end moves",
           .look_alikes = {"boundary_compliance: an accelerometer on the fixture",
                           "added_mass: a response of the fixture alone"},
+          .needs = "a mount, rigid or with springs",
           .hypotheses = hypotheses};
 }
 

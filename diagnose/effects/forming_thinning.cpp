@@ -44,6 +44,7 @@ Effect forming_thinning() {
           .physics = "the wall is thinner towards the crown, as forming leaves it",
           .signature = "the stiffness falls, and the mass a little",
           .look_alikes = {"ply_slip: weigh, measure the thickness", "temperature: weigh"},
+          .needs = "a bellows",
           .hypotheses = hypotheses};
 }
 

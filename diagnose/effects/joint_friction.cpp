@@ -53,6 +53,7 @@ Effect joint_friction() {
           .look_alikes = {"ply_slip: the static stiffness at a small and a large stroke",
                           "joint_stiffness: further levels",
                           "damping: a free decay at a low level"},
+          .needs = "a joint, connector, interlock or springs of a mount",
           .hypotheses = hypotheses};
 }
 

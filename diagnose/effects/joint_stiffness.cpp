@@ -6,6 +6,7 @@ namespace {
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const JointGroup& group : joint_groups(s)) {
+    if (group.mount) continue; // boundary_compliance
     const double present = group.present ? 1 : 0;
     found.push_back(
         {.effect = "joint_stiffness",
@@ -29,6 +30,7 @@ Effect joint_stiffness() {
           .look_alikes = {"joint_friction: further levels",
                           "ply_slip: modes that do not strain the joint",
                           "boundary_compliance: an accelerometer on the held end"},
+          .needs = "a joint, connector or interlock",
           .hypotheses = hypotheses};
 }
 

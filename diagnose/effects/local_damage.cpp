@@ -94,6 +94,7 @@ Effect local_damage() {
           .look_alikes = {"rotated_sensor: turn the sensor",
                           "cross_axis_base_motion: an accelerometer on the table",
                           "joint_stiffness: turn the specimen by 90 degrees"},
+          .needs = "a bellows or a beam",
           .hypotheses = hypotheses};
 }
 

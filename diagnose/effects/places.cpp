@@ -1,5 +1,7 @@
 #include "diagnose/effects/places.hpp"
 
+#include "diagnose/effects/on_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,7 +117,11 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
     group.bushings.push_back(int(i));
     group.stiffness = std::max(group.stiffness, largest_translation(model.bushings[i]));
   }
-  for (JointGroup& g : groups) g.stiffness /= double(g.bushings.size()); // in series
+  for (JointGroup& g : groups) {
+    g.mount = std::any_of(s.data.mount.begin(), s.data.mount.end(),
+                          [&](const Mount& m) { return g.place == "mount." + m.cap; });
+    if (!g.mount) g.stiffness /= double(g.bushings.size()); // in series
+  }
   for (const Part& part : s.data.parts) {
     const auto* liner = std::get_if<Interlock>(&part.body);
     if (!liner) continue;
@@ -189,22 +195,16 @@ int cap_node(const Structure& s, const std::string& cap) {
   return found == s.built.cap_nodes.end() ? -1 : found->second;
 }
 
-std::vector<std::string> held_caps(const Structure& s) {
-  std::vector<std::string> caps;
-  for (const Mount& m : s.data.mount)
-    if (m.kind == MountKind::rigid) caps.push_back(m.cap);
-  return caps;
-}
-
-std::vector<HeldEnds> held_ends(const Structure& s) {
+std::vector<HeldEnds> held_ends(const Structure& s, bool rigid) {
   std::vector<HeldEnds> found;
-  HeldEnds all{.place = "mount", .caps = {}, .nodes = {}};
-  for (const std::string& cap : held_caps(s)) {
-    found.push_back({"mount." + cap, {cap}, {cap_node(s, cap)}});
-    all.caps.push_back(cap);
-    all.nodes.push_back(cap_node(s, cap));
+  HeldEnds all{.place = "mount", .nodes = {}};
+  for (const Mount& m : s.data.mount) {
+    if (m.kind == MountKind::free || (rigid && m.kind != MountKind::rigid)) continue;
+    const int node = node_on_table(s.built, m);
+    found.push_back({"mount." + m.cap, {node}});
+    all.nodes.push_back(node);
   }
-  if (all.caps.size() > 1) found.push_back(std::move(all));
+  if (all.nodes.size() > 1) found.push_back(std::move(all));
   return found;
 }
 

@@ -24,6 +24,7 @@ struct JointGroup {
   double radius = 0;
   double stiffness = 0; // N/m, the largest of its translations
   bool present = true;  // false: the case gives it no stiffness
+  bool mount = false;   // the springs of a mount
 };
 std::vector<JointGroup> joint_groups(const Structure& s);
 // The stiffness of the group times a factor; an absent one gets the factor times `stiffness`.
@@ -46,16 +47,14 @@ std::vector<WallElements> walls(const Structure& s);
 
 // Reference node of a cap; -1 = none.
 int cap_node(const Structure& s, const std::string& cap);
-// Caps that the mount holds rigidly.
-std::vector<std::string> held_caps(const Structure& s);
-
-// Each held end, and all of them alike.
+// What the table holds: a cap that is mounted rigidly, or the foot under the springs of a mount
+// (build_on_table).
 struct HeldEnds {
   std::string place;
-  std::vector<std::string> caps;
   std::vector<int> nodes;
 };
-std::vector<HeldEnds> held_ends(const Structure& s);
+// Each, and all of them alike; `rigid`: without the feet of springs.
+std::vector<HeldEnds> held_ends(const Structure& s, bool rigid = false);
 // Springs to the table: N/m each way, Nm/rad about each axis.
 ModelChange ground_springs(const std::vector<int>& nodes, double translation, double rotation);
 

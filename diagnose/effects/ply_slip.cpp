@@ -58,6 +58,7 @@ Effect ply_slip() {
           .look_alikes = {"forming_thinning: weigh, measure the thickness by ultrasound",
                           "temperature: repeat after a soak",
                           "joint_stiffness: a sweep at a lower level, strain of other modes"},
+          .needs = "a bellows",
           .hypotheses = hypotheses};
 }
 

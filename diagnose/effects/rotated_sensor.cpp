@@ -34,6 +34,7 @@ Effect rotated_sensor() {
           .signature = "its cross channels show the main motion, those of other sensors do not",
           .look_alikes = {"local_damage: turn the sensor, look at a second one",
                           "cross_axis_base_motion: an accelerometer on the table"},
+          .needs = "a sensor",
           .hypotheses = hypotheses};
 }
 

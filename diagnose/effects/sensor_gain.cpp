@@ -23,6 +23,7 @@ Effect sensor_gain() {
           .physics = "a sensor reads too much or too little",
           .signature = "all its amplitudes, no frequency, no width of a peak",
           .look_alikes = {"damping: the width of the peaks", "added_mass: exchange the sensor"},
+          .needs = "a sensor",
           .hypotheses = hypotheses};
 }
 

@@ -38,6 +38,7 @@ Effect temperature() {
           .physics = "the specimen is warmer or colder than the material data",
           .signature = "frequencies, static stiffness and damping move together",
           .look_alikes = {"ply_slip: a thermometer", "damping: repeat after a soak"},
+          .needs = "",
           .hypotheses = hypotheses};
 }
 

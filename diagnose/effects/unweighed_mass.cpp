@@ -41,6 +41,7 @@ Effect unweighed_mass() {
           .look_alikes = {"boundary_compliance: an accelerometer on the held end",
                           "fixture_flexibility: a response of the fixture",
                           "added_mass: further modes"},
+          .needs = "a bellows, plate or beam",
           .hypotheses = hypotheses};
 }
 

@@ -1,5 +1,6 @@
 #include "diagnose/gap/nominal.hpp"
 
+#include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
 #include "model/build_bellows.hpp"
 #include "model/case_path.hpp"
@@ -87,7 +88,7 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   NominalState state;
   state.name = name;
   state.data = std::move(data);
-  state.built = build(state.data);
+  state.built = build_on_table(state.data);
   std::vector<int> sensors, further;
   for (const BuiltSensor& s : state.built.sensors) sensors.push_back(s.node);
   state.observed = state.built.sensors;

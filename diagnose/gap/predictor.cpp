@@ -1,5 +1,6 @@
 #include "diagnose/gap/predictor.hpp"
 
+#include "diagnose/effects/on_table.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis&
     all.push_back({[&data = state.data, change](Model& model) {
                      Case changed = data;
                      change(changed);
-                     model = build(changed).model;
+                     model = build_on_table(changed).model;
                    },
                    h.large ? Follow::modes : Follow::nominal});
   return all;
@@ -32,10 +33,16 @@ bool is_costly(const Hypothesis& h) {
 
 } // namespace
 
+Identities identities_of(const std::vector<const Hypothesis*>& together) {
+  Identities all;
+  for (const Hypothesis* h : together) all.push_back(h->identity.number());
+  return all;
+}
+
 std::optional<StateFamilies::Changes> StateFamilies::kept(const NominalState& state,
                                                           const Hypothesis& h) {
   const std::lock_guard lock(mutex_);
-  const auto known = kept_.find({&state, &h});
+  const auto known = kept_.find({&state, h.identity.number()});
   return known == kept_.end() ? std::nullopt : std::optional(known->second);
 }
 
@@ -44,7 +51,7 @@ StateFamilies::Changes StateFamilies::prepared(const NominalState& state, const 
   Changes made = state.model->prepare(changes_in(state, h));
   if (!is_costly(h)) return made;
   const std::lock_guard lock(mutex_);
-  return kept_.try_emplace({&state, &h}, std::move(made)).first->second;
+  return kept_.try_emplace({&state, h.identity.number()}, std::move(made)).first->second;
 }
 
 StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& together) {
@@ -63,7 +70,7 @@ void StateFamilies::make(std::size_t s, const Together& together, const Changes&
   const NominalState& state = nominal_.states[s];
   std::vector<int> held = state.built.held_nodes;
   for (const Hypothesis* h : together)
-    for (const std::string& cap : h->released) std::erase(held, state.built.cap_nodes.at(cap));
+    for (int node : h->released) std::erase(held, node);
   own.nominal = &state;
   own.family = state.model->with(changes);
   const std::vector<int>& boundary = state.model->boundary();
@@ -76,7 +83,7 @@ void StateFamilies::make(std::size_t s, const Together& together, const Changes&
 
 StateFamilies::Lazy& StateFamilies::lazy(std::size_t state, const Together& together) {
   const std::lock_guard lock(mutex_);
-  return known_[{state, together}];
+  return known_[{state, identities_of(together)}];
 }
 
 const StateFamily& StateFamilies::of(std::size_t state, const Together& together) {
@@ -114,7 +121,7 @@ void StateFamilies::keep(std::size_t s, const Together& each) {
     if (kept(state, h)) return;
     Changes made = prepared(state, h);
     const std::lock_guard lock(mutex_);
-    kept_.try_emplace({&state, &h}, std::move(made));
+    kept_.try_emplace({&state, h.identity.number()}, std::move(made));
   });
 }
 
@@ -265,13 +272,14 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
 }
 
 const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& together) {
+  const Identities identities = identities_of(together);
   {
     const std::lock_guard lock(mutex_);
-    if (const auto known = known_.find(together); known != known_.end()) return *known->second;
+    if (const auto known = known_.find(identities); known != known_.end()) return *known->second;
   }
   auto made = std::make_unique<Predictor>(nominal_, test_, together, families_);
   const std::lock_guard lock(mutex_);
-  return *known_.try_emplace(together, std::move(made)).first->second;
+  return *known_.try_emplace(identities, std::move(made)).first->second;
 }
 
 } // namespace plica

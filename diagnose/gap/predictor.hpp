@@ -8,6 +8,11 @@
 
 namespace plica {
 
+// Of hypotheses that act together. What is kept is known by them: an address may be that of another
+// one later.
+using Identities = std::vector<std::uint64_t>;
+Identities identities_of(const std::vector<const Hypothesis*>& together);
+
 // States of the specimen reduced with hypotheses in them, each when first asked for: those held out
 // are for few hypotheses. Changes that are costly to prepare are kept. May be used by several
 // threads.
@@ -39,8 +44,8 @@ private:
 
   const Nominal& nominal_;
   std::mutex mutex_;
-  std::map<std::pair<const NominalState*, const Hypothesis*>, Changes> kept_;
-  std::map<std::pair<std::size_t, Together>, Lazy> known_;
+  std::map<std::pair<const NominalState*, std::uint64_t>, Changes> kept_;
+  std::map<std::pair<std::size_t, Identities>, Lazy> known_;
 };
 
 class Predictor {
@@ -112,7 +117,7 @@ private:
   const TestReadings& test_;
   std::mutex mutex_;
   std::shared_ptr<StateFamilies> families_;
-  std::map<std::vector<const Hypothesis*>, std::unique_ptr<Predictor>> known_;
+  std::map<Identities, std::unique_ptr<Predictor>> known_;
 };
 
 } // namespace plica

@@ -28,6 +28,7 @@ double along(const EndStiffness& k, StaticDirection direction) {
 }
 
 std::optional<EndStiffness> rig_stiffness(const NominalState& state, const MatrixXd& K) {
+  // Feet of spring mounts are among the others: nothing holds them here.
   const Case& data = state.data;
   if (data.caps.size() != 2) return std::nullopt;
   std::vector<Index> rows;
@@ -43,12 +44,6 @@ std::optional<EndStiffness> rig_stiffness(const NominalState& state, const Matri
   MatrixXd condensed = K(rows, rows);
   const Eigen::LDLT<MatrixXd> inner(MatrixXd(K(others, others)));
   condensed -= K(rows, others) * inner.solve(MatrixXd(K(others, rows)));
-  for (const BushingElement& b : state.built.model.bushings) {
-    if (b.node2 >= 0) continue;
-    for (std::size_t c = 0; c < 2; ++c)
-      if (b.node1 == state.built.cap_nodes.at(data.caps[c].name))
-        condensed.block<6, 6>(6 * Index(c), 6 * Index(c)) -= ground_bushing_matrix(b.bushing);
-  }
   try {
     return end_stiffness(Matrix6(condensed.bottomRightCorner<6, 6>()));
   } catch (const std::runtime_error&) {

@@ -8,8 +8,8 @@
 
 namespace plica {
 
-// Of a reduced model's stiffness under change, spring mounts taken off. None: a part without two
-// caps on the boundary, or so soft that nothing holds the ends together.
+// Of a reduced model's stiffness under change; nothing holds the feet of spring mounts. None: a
+// part without two caps on the boundary, or so soft that nothing holds the ends together.
 std::optional<EndStiffness> rig_stiffness(const NominalState& state, const Eigen::MatrixXd& K);
 double along(const EndStiffness& k, StaticDirection direction);
 

@@ -14,9 +14,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double modulus = 0.01, density = 0.005, thickness = 0.01, field = 0.02, masses = 0.01,
-                 joints = 0.05, all_damping = 0.08, gain = 0.01, off_place = 1e-3,
-                 turn = 1 * std::numbers::pi / 180, other_axes = 0.005;
+constexpr double radians = std::numbers::pi / 180;
 constexpr int waves = 4;      // half waves of a field of stiffness
 constexpr double step = 0.02; // of the change that stands for a small one
 
@@ -100,12 +98,12 @@ bool has_tolerance(const Structure& s, const std::string& part_of_path) {
 
 void add_material(std::vector<Hypothesis>& all, bool modulus_known, bool density_known) {
   if (!modulus_known)
-    all.push_back(varying("modulus", "all", modulus, [](Model& m) {
+    all.push_back(varying("modulus", "all", scatters::modulus, [](Model& m) {
       for (ShellProperties& s : m.shells) s.section.E *= 1 + step;
       for (BeamElement& b : m.beams) scale_beam(b.section, 1 + step, 1);
     }));
   if (!density_known)
-    all.push_back(varying("density", "all", density, [](Model& m) {
+    all.push_back(varying("density", "all", scatters::density, [](Model& m) {
       for (ShellProperties& s : m.shells) s.section.rho *= 1 + step;
       for (BeamElement& b : m.beams) scale_beam(b.section, 1, 1 + step);
     }));
@@ -115,27 +113,28 @@ void add_material(std::vector<Hypothesis>& all, bool modulus_known, bool density
 void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
   for (const WallElements& wall : walls(s)) {
     if (!has_tolerance(s, wall.part + ".wall.plies"))
-      all.push_back(varying("thickness", wall.part, thickness, [quads = wall.quads](Model& m) {
-        for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;
-      }));
-    for (int k = 1; k <= waves && wall.convolutions > 1; ++k)
       all.push_back(
-          varying("stiffness field", wall.part, field * std::sqrt(2. / waves), [wall, k](Model& m) {
-            // One section per convolution.
-            std::map<int, int> section;
-            for (std::size_t i = 0; i < wall.quads.size(); ++i) {
-              ShellQuad& quad = m.mesh.quads[std::size_t(wall.quads[i])];
-              const auto [at, made] = section.try_emplace(wall.convolution[i], 0);
-              if (made) {
-                const double x = (wall.convolution[i] - 0.5) / wall.convolutions;
-                ShellProperties own = m.shells[quad.section];
-                own.section.E *= 1 + step * std::cos(std::numbers::pi * k * x);
-                at->second = int(m.shells.size());
-                m.shells.push_back(own);
-              }
-              quad.section = at->second;
-            }
+          varying("thickness", wall.part, scatters::thickness, [quads = wall.quads](Model& m) {
+            for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;
           }));
+    for (int k = 1; k <= waves && wall.convolutions > 1; ++k)
+      all.push_back(varying("stiffness field", wall.part, scatters::field * std::sqrt(2. / waves),
+                            [wall, k](Model& m) {
+                              // One section per convolution.
+                              std::map<int, int> section;
+                              for (std::size_t i = 0; i < wall.quads.size(); ++i) {
+                                ShellQuad& quad = m.mesh.quads[std::size_t(wall.quads[i])];
+                                const auto [at, made] = section.try_emplace(wall.convolution[i], 0);
+                                if (made) {
+                                  const double x = (wall.convolution[i] - 0.5) / wall.convolutions;
+                                  ShellProperties own = m.shells[quad.section];
+                                  own.section.E *= 1 + step * std::cos(std::numbers::pi * k * x);
+                                  at->second = int(m.shells.size());
+                                  m.shells.push_back(own);
+                                }
+                                quad.section = at->second;
+                              }
+                            }));
   }
 }
 
@@ -149,48 +148,49 @@ void add_beams(std::vector<Hypothesis>& all, const Structure& s) {
       if (model.components[std::size_t(model.beams[i].component)] == part.name)
         own.push_back(int(i));
     for (int k = 1; k <= waves && own.size() > 1; ++k)
-      all.push_back(
-          varying("stiffness field", part.name, field * std::sqrt(2. / waves), [own, k](Model& m) {
-            for (std::size_t i = 0; i < own.size(); ++i) {
-              const double x = (double(i) + 0.5) / double(own.size());
-              scale_beam(m.beams[std::size_t(own[i])].section,
-                         1 + step * std::cos(std::numbers::pi * k * x), 1);
-            }
-          }));
+      all.push_back(varying("stiffness field", part.name, scatters::field * std::sqrt(2. / waves),
+                            [own, k](Model& m) {
+                              for (std::size_t i = 0; i < own.size(); ++i) {
+                                const double x = (double(i) + 0.5) / double(own.size());
+                                scale_beam(m.beams[std::size_t(own[i])].section,
+                                           1 + step * std::cos(std::numbers::pi * k * x), 1);
+                              }
+                            }));
   }
 }
 
 void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
   for (Hypothesis& h : component_mass().hypotheses(s)) {
     if (has_tolerance(s, h.place + ".mass")) continue;
-    h.parameters = {{"mass", "", {PriorKind::normal, 1, masses}}};
+    h.parameters = {{"mass", "", {PriorKind::normal, 1, scatters::masses}}};
     h.changes.front().follow = Follow::nominal;
     all.push_back(std::move(h));
   }
   for (const JointGroup& group : joint_groups(s))
     if (group.present && !has_tolerance(s, group.place + ".EA"))
-      all.push_back(varying("joint", group.place, joints,
+      all.push_back(varying("joint", group.place, scatters::joints,
                             [group](Model& m) { scale_group(m, group, 1 + step); }));
 }
 
 void add_test(std::vector<Hypothesis>& all, const Structure& s) {
-  all.push_back(of_the_test("damping", "all", all_damping,
+  all.push_back(of_the_test("damping", "all", scatters::all_damping,
                             [](TestSetup& setup, double v) { setup.damping *= std::exp(v); }));
   for (const BuiltSensor& sensor : s.built.sensors) {
     const auto reading = [name = sensor.name](TestSetup& setup) -> Eigen::Matrix3d& {
       return setup.reading.try_emplace(name, Eigen::Matrix3d::Identity()).first->second;
     };
-    all.push_back(of_the_test("gain", "sensor." + sensor.name, gain,
+    all.push_back(of_the_test("gain", "sensor." + sensor.name, scatters::gain,
                               [reading](TestSetup& setup, double v) { reading(setup) *= 1 + v; }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
-          "place", "sensor." + sensor.name, off_place,
+          "place", "sensor." + sensor.name, scatters::off_place,
           [name = sensor.name, axis](TestSetup& setup, double v) {
             setup.moved.try_emplace(name, Eigen::Vector3d::Zero()).first->second[axis] += v;
           }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
-          "turn", "sensor." + sensor.name, turn, [reading, axis](TestSetup& setup, double v) {
+          "turn", "sensor." + sensor.name, scatters::turn * radians,
+          [reading, axis](TestSetup& setup, double v) {
             reading(setup) = Eigen::AngleAxisd(v, Eigen::Vector3d::Unit(axis)).toRotationMatrix() *
                              reading(setup);
           }));
@@ -198,10 +198,9 @@ void add_test(std::vector<Hypothesis>& all, const Structure& s) {
   for (int told = 0; told < 3; ++told)
     for (int other = 0; other < 3; ++other)
       if (told != other)
-        all.push_back(
-            of_the_test("table", "base", other_axes, [told, other](TestSetup& setup, double v) {
-              setup.base(other, told) += v;
-            }));
+        all.push_back(of_the_test(
+            "table", "base", scatters::other_axes,
+            [told, other](TestSetup& setup, double v) { setup.base(other, told) += v; }));
 }
 
 } // namespace

@@ -1,10 +1,7 @@
 // What varies between admissible specimens and tests: the scatter that no effect has to explain.
 //
-// Young's modulus 1 %, density 0.5 %, wall thickness 1 % where the drawing gives no tolerance, a
-// smooth field of the wall's stiffness 2 %, masses 1 %, joints and interlocks 5 %, all damping 8 %
-// and that of each mode 12 %, gain of a sensor 1 %, its axes 1 degree and its place 1 mm, motion of
-// the table along other axes 0.5 %; and the tolerances of the case itself. One standard deviation
-// each.
+// Standard deviations stand below; the tolerances of the case itself come besides. The wall's
+// thickness scatters where the drawing gives no tolerance, its stiffness as a smooth field.
 #pragma once
 
 #include "diagnose/effects/effect.hpp"
@@ -13,6 +10,14 @@ namespace plica {
 
 std::vector<Hypothesis> scatter(const Structure& s);
 
-constexpr double scatter_of_mode_damping = 0.12; // relative, each mode on its own
+// Relative but for the last two of a sensor.
+namespace scatters {
+constexpr double modulus = 0.01, density = 0.005, thickness = 0.01, field = 0.02, masses = 0.01,
+                 joints = 0.05;
+constexpr double all_damping = 0.08;              // of all modes alike,
+constexpr double mode_damping = 0.12;             // and of each on its own
+constexpr double gain = 0.01, other_axes = 0.005; // of a sensor; of the table along other axes
+constexpr double turn = 1, off_place = 1e-3;      // of a sensor: degrees about each axis, m
+} // namespace scatters
 
 } // namespace plica

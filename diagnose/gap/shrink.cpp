@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/places.hpp"
 #include "diagnose/gap/blocks.hpp"
+#include "diagnose/gap/scatter.hpp"
 #include "diagnose/search.hpp"
 #include "solve/parallel.hpp"
 
@@ -187,21 +188,22 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
                  .coefficients = [](const VectorXd& v) { return VectorXd(v.array() - 1); }};
     candidates.push_back({name, sigma, std::move(h)});
   };
-  add("Young's modulus", 0.01, [](Model& m) {
+  add("Young's modulus", scatters::modulus, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.E *= 2;
     for (BeamElement& b : m.beams)
       for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z, &b.section.GJ,
                         &b.section.GA_y, &b.section.GA_z})
         *n *= 2;
   });
-  add("density", 0.005, [](Model& m) {
+  add("density", scatters::density, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.rho *= 2;
     for (BeamElement& b : m.beams)
       for (double* n :
            {&b.section.mass, &b.section.inertia_x, &b.section.inertia_y, &b.section.inertia_z})
         *n *= 2;
   });
-  candidates.push_back({"all damping", 0.12, damping().hypotheses(structure).front()});
+  candidates.push_back(
+      {"all damping", scatters::all_damping, damping().hypotheses(structure).front()});
   candidates.back().hypothesis.parameters.front().prior = free;
   const BlockScores scores(context.test, context.uncertainty);
   std::vector<std::optional<Compensator>> tried(candidates.size());

@@ -112,10 +112,15 @@ std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const
 
 const FamilyModes* StateAnswers::linear_modes() {
   if (!linear_) {
-    linear_ = own_.free.modes(acting_.all);
+    linear_ = acting_.given ? std::optional(*acting_.given) : own_.free.modes(acting_.all);
     if (*linear_) (*linear_)->zeta *= acting_.setup.damping;
   }
   return *linear_ ? &**linear_ : nullptr;
+}
+
+VectorXd StateAnswers::damping_of(const FamilyModes& linear) const {
+  if (acting_.mode_damping.size() == 0) return linear.zeta;
+  return linear.zeta.cwiseProduct(acting_.mode_damping);
 }
 
 double StateAnswers::mass() const {
@@ -303,7 +308,7 @@ bool StateAnswers::find_peaks(int number) {
     }
     const FamilyModes* m = linear_modes();
     if (!m) return false;
-    for (Index i : peak_modes(*m, run)) found.push_back({m, m->zeta, i, {}, {}});
+    for (Index i : peak_modes(*m, run)) found.push_back({m, damping_of(*m), i, {}, {}});
   }
   for (Peak& peak : found) respond(peak, run);
   peaks_[number] = std::move(found);
@@ -465,7 +470,7 @@ bool StateAnswers::labelled(const Reading& reading, double& value) {
   if (!m) return false;
   const Index mode = labelled_mode(*m, reading);
   if (mode >= 0)
-    value = std::log(reading.kind == ReadingKind::damping ? m->zeta[mode] : m->hertz(mode));
+    value = std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
   return true;
 }
 

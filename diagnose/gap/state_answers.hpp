@@ -29,6 +29,10 @@ struct Acting {
   TestSetup setup;
   std::optional<SlipGroup> group;
   Softening softening;
+  // Modes in place of those that follow, and factors of the damping of each, which do not choose
+  // what peak is of what mode.
+  const FamilyModes* given = nullptr;
+  Eigen::VectorXd mode_damping = {}; // empty: 1
 };
 
 class StateAnswers {
@@ -65,6 +69,7 @@ private:
   };
 
   const FamilyModes* linear_modes();
+  Eigen::VectorXd damping_of(const FamilyModes& linear) const;
   Eigen::Vector3d base_of(const TestRun& run) const { return acting_.setup.base.col(run.base); }
   double mass() const;
   std::optional<EndStiffness> ends_at(double kept) const;

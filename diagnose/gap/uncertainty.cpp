@@ -1,5 +1,6 @@
 #include "diagnose/gap/uncertainty.hpp"
 
+#include "diagnose/gap/damping_weights.hpp"
 #include "diagnose/gap/normal_draws.hpp"
 #include "diagnose/gap/scatter.hpp"
 #include "model/error_bars.hpp"
@@ -18,14 +19,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
-constexpr double run_frequency = 0.0003, run_damping = 0.01; // from run to run
-// Of the model, and of what the fit of one mode makes of a peak: damping 1.5 %.
-constexpr double numeric_frequency = 0.002, numeric_damping = 0.015, numeric_stiffness = 0.004;
-// Of what shows along other axes: modes that are nearly alike turn among each other by trifles.
-constexpr double numeric_cross = 0.2;
-constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
 
 bool is_nuisance(const std::string& what) {
   return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
@@ -65,26 +58,37 @@ std::vector<int> series_of(const TestReadings& test) {
   return series;
 }
 
-// Weight with which a mode's common shift of frequency or damping enters a reading.
-double by_frequency(const Reading& r) {
-  return r.kind == ReadingKind::frequency ? 1 : 0;
-}
-double by_damping(const Reading& r) {
-  return r.kind == ReadingKind::damping ? 1 : r.kind == ReadingKind::amplitude ? -1 : 0;
-}
-
-// Shifts shared by the readings of one mode where `together` says so.
+// Shifts of frequency that the readings of one mode share where `together` says so.
 template <class Together>
-MatrixXd shared(const TestReadings& test, double frequency, double damping, Together together) {
+MatrixXd shared_frequency(const TestReadings& test, double sigma, Together together) {
   const auto n = Index(test.readings.size());
+  const auto is_frequency = [](const Reading& r) { return r.kind == ReadingKind::frequency; };
   MatrixXd S = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
     for (Index j = 0; j < n; ++j) {
       const Reading &a = test.readings[std::size_t(i)], &b = test.readings[std::size_t(j)];
-      if (!same_mode(test, a, b) || !together(a, b)) continue;
-      S(i, j) = frequency * frequency * by_frequency(a) * by_frequency(b) +
-                damping * damping * by_damping(a) * by_damping(b);
+      if (is_frequency(a) && is_frequency(b) && same_mode(test, a, b) && together(a, b))
+        S(i, j) = sigma * sigma;
     }
+  return S;
+}
+
+// Whether the table moved alike; a mode without excitation stands for itself.
+bool same_base(const TestReadings& test, const Reading& a, const Reading& b) {
+  if (a.run < 0 || b.run < 0) return false;
+  const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
+  return r.base == s.base && (r.base >= 0 || a.entry == b.entry);
+}
+
+// What the damping of every mode puts on the readings, by `weights` (damping_weights.hpp), where
+// `together` says that it is one and the same shift.
+template <class Together>
+MatrixXd shared_damping(const TestReadings& test, const MatrixXd& weights, double sigma,
+                        Together together) {
+  MatrixXd S = sigma * sigma * weights * weights.transpose();
+  for (Index i = 0; i < S.rows(); ++i)
+    for (Index j = 0; j < S.cols(); ++j)
+      if (!together(test.readings[std::size_t(i)], test.readings[std::size_t(j)])) S(i, j) = 0;
   return S;
 }
 
@@ -165,13 +169,23 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   u.measurement = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
     u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
-  u.reassembly = shared(test, reassembled_frequency, reassembled_damping,
-                        [](const Reading& a, const Reading& b) { return a.state == b.state; }) +
-                 shared(test, run_frequency, run_damping,
-                        [](const Reading& a, const Reading& b) { return a.run == b.run; });
+  using namespace test_sigma;
+  const MatrixXd weights = damping_weights(nominal, test);
+  const auto always = [](const Reading&, const Reading&) { return true; };
+  const auto assembled = [](const Reading& a, const Reading& b) { return a.state == b.state; };
+  const auto at_once = [](const Reading& a, const Reading& b) { return a.run == b.run; };
+  const auto by_base = [&](auto together) {
+    return [&test, together](const Reading& a, const Reading& b) {
+      return same_base(test, a, b) && together(a, b);
+    };
+  };
+  u.reassembly = shared_frequency(test, reassembled_frequency, assembled) +
+                 shared_damping(test, weights, reassembled_damping, by_base(assembled)) +
+                 shared_frequency(test, run_frequency, at_once) +
+                 shared_damping(test, weights, run_damping, by_base(at_once));
   if (without.contains("reassembly")) u.reassembly.setZero();
-  u.numeric = shared(test, numeric_frequency, numeric_damping,
-                     [](const Reading&, const Reading&) { return true; });
+  u.numeric = shared_frequency(test, numeric_frequency, always) +
+              shared_damping(test, weights, numeric_damping, by_base(always));
   for (Index i : u.cross)
     for (Index j : u.cross)
       if (same_way(test, test.readings[std::size_t(i)], test.readings[std::size_t(j)]))
@@ -181,8 +195,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
     if (test.readings[std::size_t(i)].kind == ReadingKind::stiffness)
       u.numeric(i, i) += std::pow(numeric_stiffness, 2);
   }
-  const MatrixXd own_damping =
-      shared(test, 0, scatter_of_mode_damping, [](const Reading&, const Reading&) { return true; });
+  const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always);
 
   std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
   std::erase_if(varied, [&](const Hypothesis& h) {

@@ -35,4 +35,15 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
 
 constexpr int specimens = 500;
 
+// Standard deviations, relative.
+namespace test_sigma {
+constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
+constexpr double run_frequency = 0.0003, run_damping = 0.01; // from run to run
+// Of the model, and of what the fit of one mode makes of a peak: damping.
+constexpr double numeric_frequency = 0.002, numeric_damping = 0.015, numeric_stiffness = 0.004;
+// Of what shows along other axes: modes that are nearly alike turn among each other by trifles.
+constexpr double numeric_cross = 0.2;
+constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
+} // namespace test_sigma
+
 } // namespace plica

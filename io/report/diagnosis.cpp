@@ -75,7 +75,10 @@ std::string facts(const Diagnosis& d) {
 }
 
 std::string assumptions(const Diagnosis& d) {
-  return html_list(d.assumptions) +
+  std::vector<std::string> lines = d.assumptions;
+  for (const EffectNotTried& e : d.not_tried)
+    lines.push_back("not tried: " + e.name + "; the case has no place for it, which is " + e.needs);
+  return html_list(lines) +
          fmt::format(
              "<p>Hypotheses are tried on a reduced model; of a frequency of the best one it "
              "is off by {} %.</p>\n",

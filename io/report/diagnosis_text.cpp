@@ -125,6 +125,9 @@ std::string diagnosis_text(const Diagnosis& d) {
   std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + where_text(d) +
                      effects_text(d) + gap_text(d) + compensators_text(d) + next_text(d);
   text += fmt::format("\n{} hypotheses, {} evaluations\n", d.hypotheses, d.evaluations);
+  std::string without;
+  for (const EffectNotTried& e : d.not_tried) without += (without.empty() ? "" : ", ") + e.name;
+  if (!without.empty()) text += "not tried, as the case has no place for them: " + without + "\n";
   for (const std::string& w : d.warnings) text += "warning: " + w + "\n";
   return text;
 }

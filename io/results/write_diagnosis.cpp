@@ -232,18 +232,7 @@ std::string hypothesis_label(const TriedHypothesis& h) {
 }
 
 const TriedHypothesis* best_hypothesis(const Diagnosis& d) {
-  if (d.verdict == Verdict::none) return nullptr;
-  TriedHypothesis named;
-  named.effects = d.effects;
-  if (d.verdict == Verdict::ambiguous && !d.effects.empty()) named.effects.resize(1);
-  const TriedHypothesis* best = nullptr;
-  for (const TriedHypothesis& h : d.tried) {
-    if (h.effects.empty()) continue;
-    if (hypothesis_label(h) == hypothesis_label(named)) return &h;
-    if (!best || std::abs(h.gap_after - d.gap.after) < std::abs(best->gap_after - d.gap.after))
-      best = &h;
-  }
-  return best;
+  return d.best ? &d.tried.at(*d.best) : nullptr;
 }
 
 std::vector<LocatedGap> located_blocks(const Diagnosis& d) {
@@ -276,6 +265,10 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["probabilities"] = Json::object();
   for (const auto& [effect, p] : d.probabilities) json["probabilities"][effect] = json_number(p);
   json["readings"] = list_of(d.readings, item);
+  json["best"] = d.best ? Json(*d.best) : Json(nullptr); // of hypotheses
+  json["not_tried"] = list_of(d.not_tried, [](const EffectNotTried& e) {
+    return Json{{"name", e.name}, {"needs", e.needs}};
+  });
   json["compensators"] = list_of(d.compensators, item);
   json["identifiability"] = identifiability_json(d);
   json["assumptions"] = d.assumptions;

@@ -23,8 +23,7 @@ std::string verdict_name(Verdict verdict);
 std::string effect_label(const NamedEffect& effect);
 std::string hypothesis_label(const TriedHypothesis& hypothesis);
 
-// What the gap is closed with: the effects named, the first of an ambiguous set, else the one that
-// leaves this gap. Null for the nominal case.
+// What the gap is closed with (Diagnosis::best); null for the nominal case.
 const TriedHypothesis* best_hypothesis(const Diagnosis& d);
 
 // Blocks of readings without the components, and components alone; each with the farthest first.
