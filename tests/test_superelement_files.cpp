@@ -3,6 +3,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 #include "io/files.hpp"
+#include "io/report/superelements.hpp"
 #include "io/superelements/abaqus.hpp"
 #include "io/superelements/hdf5.hpp"
 #include "io/superelements/labels.hpp"
@@ -91,6 +92,15 @@ TEST(Certificate, sees_what_is_wrong_with_a_superelement) {
 }
 
 // Force over displacement of the sensor by the rows is that of the whole field.
+TEST(CertificateReport, escapes_what_did_not_pass_once) {
+  ReducedCase r;
+  r.element.name = "bellows";
+  r.certificate.failures = {"K < 0 at \"left\""};
+  const std::string html = certificate_report(r);
+  EXPECT_NE(html.find("<li>K &lt; 0"), std::string::npos);
+  EXPECT_EQ(html.find("&amp;lt;"), std::string::npos);
+}
+
 TEST(ReducedCase, recovers_its_sensor_and_carries_damping) {
   const Case data = sample_case();
   const ReducedCase r = reduced(data);
