@@ -1,6 +1,8 @@
 #include "mesher/read_cad.hpp"
 
 #include "mesh/surface_file.hpp"
+#include "mesher/brep_text.hpp"
+#include "mesher/iges_text.hpp"
 #include "mesher/step_text.hpp"
 
 #include <BRepBuilderAPI_Transform.hxx>
@@ -139,8 +141,14 @@ TopoDS_Shape shape_of(const std::filesystem::path& file, double unit) {
   std::ifstream in(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::string suffix = lower_suffix(file);
-  if (suffix == ".brep") return read_brep(text, unit);
-  if (suffix == ".iges" || suffix == ".igs") return transferred<IGESControl_Reader>(file.string());
+  if (suffix == ".brep") {
+    check_brep_text(text);
+    return read_brep(text, unit);
+  }
+  if (suffix == ".iges" || suffix == ".igs") {
+    check_iges_text(text);
+    return transferred<IGESControl_Reader>(file.string());
+  }
   check_step_text(text);
   return transferred<STEPControl_Reader>(file.string());
 }

@@ -4,6 +4,8 @@
 
 #include "mesh/surface_mesher.hpp"
 #include "mesh/worker.hpp"
+#include "mesher/brep_text.hpp"
+#include "mesher/iges_text.hpp"
 #include "mesher/step_text.hpp"
 
 #include <Eigen/Geometry>
@@ -120,6 +122,58 @@ TEST_F(DamagedGeometry, step_without_any_one_line_is_refused_or_has_the_same_are
   const int refused = without_each_line("pipe.step", {.size = 20e-3}, check_step_text);
   // Left over: the description, and the categories of the three products.
   EXPECT_EQ(lines - refused, 4);
+}
+
+TEST_F(DamagedGeometry, brep_without_any_one_line_is_refused_or_has_the_same_area) {
+  Meridian tube(0, 0.03);
+  tube.add_cuff(0.2, 0.03, 1);
+  write_revolved(tube, at("tube.brep"));
+  const std::vector<std::string> lines = lines_of(text_of("tube.brep"));
+  const int refused =
+      without_each_line("tube.brep", {.unit = 1e-3, .size = 20e-3}, check_brep_text);
+  const auto empty = std::count(lines.begin(), lines.end(), "\n");
+  EXPECT_GE(refused, int(lines.size()) - int(empty) - 1); // the name of the writer
+}
+
+TEST_F(DamagedGeometry, iges_without_any_one_line_is_refused) {
+  write_iges_tube(30, 200, at("tube.igs"));
+  const int lines = int(lines_of(text_of("tube.igs")).size());
+  EXPECT_EQ(without_each_line("tube.igs", {.size = 20e-3}, check_iges_text), lines);
+}
+
+// What OpenCASCADE takes for zero, or never ends with.
+TEST_F(DamagedGeometry, brep_and_iges_whose_numbers_are_none_are_refused_with_the_line) {
+  Meridian tube(0, 0.03);
+  tube.add_cuff(0.2, 0.03, 1);
+  write_revolved(tube, at("tube.brep"));
+  write_iges_tube(30, 200, at("tube.igs"));
+  const std::string brep = text_of("tube.brep"), iges = text_of("tube.igs");
+  const auto refused = [](auto check, std::string text, const std::string& from,
+                          const std::string& to, const std::string& says) {
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(std::min(place, text.size()), from.size(), to);
+    try {
+      check(text);
+      ADD_FAILURE() << to;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+      EXPECT_TRUE(std::string(error.what()).starts_with("line ")) << error.what();
+    }
+  };
+  EXPECT_NO_THROW(check_brep_text(brep));
+  EXPECT_NO_THROW(check_iges_text(iges));
+  refused(check_brep_text, brep, "-1 30\n", "-1 3O\n", "'3O' where a number belongs");
+  refused(check_brep_text, brep, "-1 30\n", "-1 nan\n", "'nan' where a number belongs");
+  refused(check_brep_text, brep, "-1 30\n", "-1 1E30\n", "'1E30' where a number belongs");
+  refused(check_brep_text, brep, "Curves 3", "Curves 2", "where Polygon3D begin");
+  refused(check_brep_text, brep, "1  3 0 0 200", "1  9 0 0 200", "number 9 of 3 Curves");
+  refused(check_brep_text, brep, "+7 0 -5 0", "-5 0", "part of no other");
+  refused(check_iges_text, iges, ",2,2HMM", ",1,2HMM", "do not go together");
+  refused(check_iges_text, iges, "P      3", "P      4", "P4 where P3 belongs");
+  refused(check_iges_text, iges, "D      6P", "D      8P", "the file has 6 lines D");
+  refused(check_iges_text, iges, "6.283185307179586;", "6.283185307179586,", "does not end");
+  refused(check_iges_text, iges, "120,1,3,", "110,1,3,", "the directory says 120");
 }
 
 TEST_F(DamagedGeometry, step_with_numbers_that_do_not_agree_is_refused) {
