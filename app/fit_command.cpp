@@ -4,6 +4,7 @@
 #include "app/progress.hpp"
 #include "diagnose/fit.hpp"
 #include "io/files.hpp"
+#include "io/input/case_checks.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
 #include "io/results/write_fit.hpp"
@@ -18,9 +19,11 @@ namespace plica {
 namespace {
 
 std::atomic<bool> stopped{false};
+std::atomic<int> stopping_signal{SIGINT};
 
 // The first time the search ends and its best is refined; the second time the program does.
-void stop_searching(int) {
+void stop_searching(int signal) {
+  stopping_signal = signal;
   if (!stopped.exchange(true)) return;
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
 }
@@ -70,7 +73,14 @@ int fit_command(const FitOptions& options) {
     progress.stage(
         fmt::format("{} of {} evaluations, cost {:.4g}", evaluations, settings.evaluations, cost));
   };
+  settings.step = [&](int step, int evaluations, double cost) {
+    progress.share(0); // how many steps it takes, nobody knows
+    progress.stage(fmt::format("step {}, {} evaluations, cost {:.4g}", step, evaluations, cost));
+  };
   settings.stop = [] { return stopped.load(); };
+  settings.refused = [&](const Case& design) {
+    return !check_case(design, {}, beside.string()).empty();
+  };
   for (const int signal : {SIGINT, SIGTERM})
     std::signal(signal, stop_searching); // the best so far is refined and written
   FitResult fit;
@@ -82,11 +92,14 @@ int fit_command(const FitOptions& options) {
   watch_interrupts();
   for (std::string& warning : warnings_of(test.frfs)) fit.warnings.push_back(std::move(warning));
   if (stopped)
-    fit.warnings.insert(fit.warnings.begin(), "the search was stopped before its budget");
+    fit.warnings.insert(fit.warnings.begin(),
+                        fit.stopped ? "the search was stopped: these are the best values so far"
+                                    : "the search was stopped before its budget");
   write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, options.out);
   progress.finish();
   if (!options.quiet)
     fmt::print("{}\nReport: {}\n", fit_text(fit), (options.out / "report.html").string());
+  if (stopped) return 128 + stopping_signal;
   return fit.converged ? 0 : 2;
 }
 

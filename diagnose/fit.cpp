@@ -5,8 +5,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 
@@ -21,8 +23,9 @@ constexpr double open_effect = 1; // sigmas over the whole box: less is not seen
 
 class Fit {
 public:
-  Fit(const Case& data, const FitRequest& request, const TestData& test)
-      : request_(request), problem_(data, request, test) {}
+  Fit(const Case& data, const FitRequest& request, const TestData& test,
+      const FitSettings& settings)
+      : request_(request), problem_(data, request, test, settings.refused) {}
 
   FitResult result(const FitSettings& settings) {
     const ResidualModel model = [this](const VectorXd& u) { return problem_.residuals(u); };
@@ -34,15 +37,16 @@ public:
     for (const VectorXd& other : settings.starts)
       if (const VectorXd u = problem_.box_of(other); cost_of(model(u)) < cost_of(model(best)))
         best = u;
-    constexpr int steps = 200;
-    const bool ended = settings.stop(); // the global search: its best is still refined
-    const LocalSearch local =
-        search_locally(model, best, steps, ended ? [] { return false; } : settings.stop);
+    const LocalSearch local = refined(settings, best);
     fit.converged = local.converged;
+    fit.stopped = local.stopped;
     fit.reason = local.reason;
     fit.cost = local.cost;
     describe(start, local.best, fit);
-    uncertainty(model, local.best, fit);
+    if (local.stopped)
+      fit.warnings.push_back("no uncertainties: the search was stopped before it had converged");
+    else
+      uncertainty(model, local.best, fit);
     warn(fit);
     fit.evaluations = problem_.evaluations();
     fit.samples = problem_.take_samples();
@@ -50,6 +54,33 @@ public:
   }
 
 private:
+  LocalSearch refined(const FitSettings& settings, const VectorXd& from) {
+    LocalSettings local;
+    if (!settings.stop()) local.stop = settings.stop; // a global one: its best is still refined
+    int steps = 0;
+    double cost = cost_of(std::nullopt);
+    std::mutex mutex;
+    auto said = std::chrono::steady_clock::now();
+    const auto say = [&] {
+      settings.step(steps, problem_.evaluations(), cost);
+      said = std::chrono::steady_clock::now();
+    };
+    local.step = [&](int step, double) {
+      const std::lock_guard lock(mutex);
+      steps = step;
+      say();
+    };
+    const ResidualModel model = [&](const VectorXd& u) {
+      auto residuals = problem_.residuals(u);
+      constexpr std::chrono::seconds silence{5};
+      const std::lock_guard lock(mutex);
+      cost = std::min(cost, cost_of(residuals));
+      if (std::chrono::steady_clock::now() - said > silence) say();
+      return residuals;
+    };
+    return search_locally(model, from, local);
+  }
+
   VectorXd global(const FitSettings& settings, const VectorXd& start, FitResult& fit) {
     GlobalSettings search;
     search.evaluations = settings.evaluations;
@@ -89,12 +120,13 @@ private:
     for (std::size_t i = 0; i < request_.parameters.size(); ++i) {
       const std::vector<std::string>& paths = request_.parameters[i].paths;
       const double u = best[Index(i)]; // the search puts onto a bound what is pushed against it
-      fit.parameters.push_back({.path = paths.front(),
-                                .also = {paths.begin() + 1, paths.end()},
-                                .start = from[Index(i)],
-                                .value = to[Index(i)],
-                                .sigma = {},
-                                .at_bound = u == 0 || u == 1});
+      fit.parameters.push_back(
+          {.path = paths.front(),
+           .also = {paths.begin() + 1, paths.end()},
+           .start = from[Index(i)],
+           .value = to[Index(i)],
+           .sigma = {},
+           .at_bound = (u == 0 || u == 1) && to[Index(i)] == problem_.unsettled(best)[Index(i)]});
     }
     Case design = with_design(problem_.data(), request_, to);
     for (const FitTie& t : request_.ties) fit.ties.emplace_back(t.path, *number_at(design, t.path));
@@ -182,7 +214,8 @@ private:
             t.quantity + " is missed by " + number(100 * (t.value / t.measured - 1)) + " %, " +
             number(std::abs(std::log(t.value / t.measured)) * t.measured / t.sigma) +
             " standard deviations: the model cannot meet all targets");
-    if (!fit.converged) fit.warnings.push_back("the search did not converge: " + fit.reason);
+    if (!fit.converged && !fit.stopped)
+      fit.warnings.push_back("the search did not converge: " + fit.reason);
   }
 
   const FitRequest& request_;
@@ -241,7 +274,7 @@ Case with_design(Case data, const FitRequest& request, const VectorXd& values) {
 
 FitResult fit_case(const Case& data, const FitRequest& request, const TestData& test,
                    const FitSettings& settings) {
-  return Fit(data, request, test).result(settings);
+  return Fit(data, request, test, settings).result(settings);
 }
 
 } // namespace plica

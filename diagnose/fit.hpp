@@ -63,6 +63,7 @@ struct FitResult {
   double start_cost = 0, cost = 0;
   int evaluations = 0;
   bool converged = false;
+  bool stopped = false; // before it had converged: the best so far, without uncertainties
   std::string reason;
 };
 
@@ -73,7 +74,11 @@ struct FitSettings {
   std::vector<Eigen::VectorXd> starts =
       {}; // further designs to begin with, values of the parameters
   std::function<void(int evaluations, double cost)> progress = [](int, double) {};
+  // Of a local search, after every step and, while one takes long, now and then.
+  std::function<void(int step, int evaluations, double cost)> step = [](int, int, double) {};
   std::function<bool()> stop = [] { return false; };
+  // Designs that no reader would take again are not tried.
+  std::function<bool(const Case& design)> refused = [](const Case&) { return false; };
 };
 
 // Throws std::invalid_argument when there is nothing to fit: no target that the model gives, an

@@ -98,8 +98,10 @@ std::string bad_tie(Case& design, const FitRequest& request) {
 
 } // namespace
 
-FitProblem::FitProblem(const Case& data, const FitRequest& request, const TestData& test)
-    : request_(request), test_(test), measured_(test.data), case_(for_comparison(data)) {
+FitProblem::FitProblem(const Case& data, const FitRequest& request, const TestData& test,
+                       std::function<bool(const Case&)> refused)
+    : request_(request), test_(test), measured_(test.data), whole_(data),
+      case_(for_comparison(data)), refused_(std::move(refused)), bodies_(data, request) {
   if (case_.analyses.levels) case_.analyses.levels->method = request.level_method;
   choose_targets();
 }
@@ -109,10 +111,22 @@ double prior_residual(const FitParameter& p, double value) {
   return p.log_scale ? std::log(value / mean) * mean / sigma : (value - mean) / sigma;
 }
 
-VectorXd FitProblem::values_of(const VectorXd& u) const {
+VectorXd FitProblem::unsettled(const VectorXd& u) const {
   VectorXd values(u.size());
   for (Index i = 0; i < u.size(); ++i) values[i] = from_box(request_.parameters[i], u[i]);
   return values;
+}
+VectorXd FitProblem::values_of(const VectorXd& u) const {
+  VectorXd values = unsettled(u);
+  bodies_.settle(values);
+  return values;
+}
+bool FitProblem::is_refused(const VectorXd& values) const {
+  for (Index i = 0; i < values.size(); ++i) {
+    const auto& [low, high] = request_.parameters[std::size_t(i)].bounds;
+    if (values[i] < low || values[i] > high) return true; // settled out of its bounds
+  }
+  return refused_ && refused_(with_design(whole_, request_, values));
 }
 VectorXd FitProblem::box_of(const VectorXd& values) const {
   VectorXd u(values.size());
@@ -291,8 +305,9 @@ double FitProblem::broken(std::size_t constraint, double value) const {
 }
 
 std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const {
-  Case design = with_design(case_, request_, values_of(u));
-  if (!bad_tie(design, request_).empty()) return std::nullopt;
+  const VectorXd values = values_of(u);
+  Case design = with_design(case_, request_, values);
+  if (!bad_tie(design, request_).empty() || is_refused(values)) return std::nullopt;
   Results results;
   try {
     results = results_of(design);

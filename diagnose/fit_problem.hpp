@@ -3,12 +3,14 @@
 #pragma once
 
 #include "diagnose/correlate.hpp"
+#include "diagnose/fit_bodies.hpp"
 #include "diagnose/search.hpp"
 #include "model/case.hpp"
 #include "model/results.hpp"
 #include "model/run_levels.hpp"
 
 #include <atomic>
+#include <functional>
 #include <mutex>
 
 namespace plica {
@@ -23,7 +25,9 @@ class FitProblem {
 public:
   // Runs the case once to see what it gives. Throws std::invalid_argument when that is nothing the
   // test has, or an unknown target is named.
-  FitProblem(const Case& data, const FitRequest& request, const TestData& test);
+  // `refused`: says which designs, of the whole case, are none.
+  FitProblem(const Case& data, const FitRequest& request, const TestData& test,
+             std::function<bool(const Case&)> refused = {});
 
   struct Target {
     std::string quantity, unit, entry; // of the measured data: "static[0]"
@@ -45,8 +49,10 @@ public:
   const std::vector<Target>& targets() const { return targets_; }
   const std::vector<Curve>& curves() const { return curves_; }
 
-  // Values of the parameters by a design of the box and back, on their scales.
+  // Values of the parameters by a design of the box and back, on their scales. Moments of inertia
+  // that no body has become the nearest that one has (FitBodies).
   Eigen::VectorXd values_of(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd unsettled(const Eigen::VectorXd& u) const; // without this
   Eigen::VectorXd box_of(const Eigen::VectorXd& values) const;
   Eigen::VectorXd start() const;                // of the case, in the box
   double slope(Eigen::Index i, double u) const; // change of the value per unit of the box
@@ -63,6 +69,7 @@ public:
 
 private:
   void choose_targets();
+  bool is_refused(const Eigen::VectorXd& values) const;
   bool friction_alone() const;
   Results results_of(const Case& design) const;
   bool is_curve(const std::string& name) const;
@@ -75,7 +82,9 @@ private:
   const FitRequest& request_;
   const TestData& test_;
   const Measured& measured_;
-  Case case_;
+  Case whole_, case_; // as given, and what of it is computed
+  std::function<bool(const Case&)> refused_;
+  FitBodies bodies_;
   // Where friction alone changes and no target feels it but the levels: what does not change.
   std::optional<FrictionFamilies> families_;
   Results unchanged_;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <ceres/ceres.h>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 
@@ -65,21 +66,51 @@ private:
   Bounds bounds_;
 };
 
-class Stop : public ceres::IterationCallback {
+class AfterStep : public ceres::IterationCallback {
 public:
-  explicit Stop(const std::function<bool()>& stop) : stop_(stop) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return stop_() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  explicit AfterStep(const LocalSettings& settings) : settings_(settings) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    settings_.step(summary.iteration, summary.cost);
+    return settings_.stop() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
   }
 
 private:
+  const LocalSettings& settings_;
+};
+
+// The best of the designs that a model is asked for; once stopped, it has no results any more.
+class BestSoFar {
+public:
+  BestSoFar(const ResidualModel& model, const std::function<bool()>& stop)
+      : model_(model), stop_(stop) {}
+
+  std::optional<VectorXd> operator()(const VectorXd& design) {
+    if (stop_()) return std::nullopt;
+    std::optional<VectorXd> residuals = model_(design);
+    const double cost = cost_of(residuals);
+    const std::lock_guard lock(mutex_);
+    if (best_.size() == 0 || cost < cost_) {
+      best_ = design;
+      cost_ = cost;
+    }
+    return residuals;
+  }
+
+  const VectorXd& best() const { return best_; }
+  double cost() const { return cost_; }
+
+private:
+  const ResidualModel& model_;
   const std::function<bool()>& stop_;
+  std::mutex mutex_;
+  VectorXd best_;
+  double cost_ = 0;
 };
 
 // Minimum over some of the unknowns, the others held. Ceres creeps where a bound holds an unknown
 // that the residuals would push further, so such an unknown is held and the others go on.
 void solve(const ResidualModel& model, const std::vector<Eigen::Index>& free,
-           Eigen::Index residuals, int steps, Bounds bounds, const std::function<bool()>& stop,
+           Eigen::Index residuals, Bounds bounds, const LocalSettings& settings,
            LocalSearch& found) {
   const VectorXd held = found.best;
   const ResidualModel reduced = [&](const VectorXd& u) {
@@ -96,12 +127,12 @@ void solve(const ResidualModel& model, const std::vector<Eigen::Index>& free,
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = steps;
+  options.max_num_iterations = settings.steps;
   options.function_tolerance = bounds == Bounds::box ? tolerance : free_tolerance;
   options.parameter_tolerance = 1e-8;
   options.gradient_tolerance = 1e-12;
   options.logging_type = ceres::SILENT;
-  Stop callback(stop);
+  AfterStep callback(settings);
   options.callbacks = {&callback};
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
@@ -128,7 +159,8 @@ std::vector<Eigen::Index> free_to_move(const ResidualModel& model, VectorXd& u) 
   return free;
 }
 
-// Differences of the residuals, each unknown moved from one end to the other while the others stay.
+// Differences of the residuals, each unknown moved from one end to the other while the others stay;
+// from the design itself where there is no result at one of the ends.
 std::optional<MatrixXd> between(const ResidualModel& model, const VectorXd& design,
                                 const VectorXd& low, const VectorXd& high) {
   const auto n = static_cast<int>(design.size());
@@ -139,11 +171,20 @@ std::optional<MatrixXd> between(const ResidualModel& model, const VectorXd& desi
     at[std::size_t(k)] = model(x);
   });
   MatrixXd J;
+  std::optional<VectorXd> middle;
   for (int i = 0; i < n; ++i) {
-    const auto &a = at[2 * std::size_t(i)], &b = at[2 * std::size_t(i) + 1];
-    if (!a || !b) return std::nullopt;
+    auto &a = at[2 * std::size_t(i)], &b = at[2 * std::size_t(i) + 1];
+    if (!a && !b) return std::nullopt;
+    double width = high[i] - low[i];
+    if (!a || !b) {
+      if (!middle) middle = model(design);
+      if (!middle) return std::nullopt;
+      width = a ? design[i] - low[i] : high[i] - design[i];
+      if (!(width > 0)) return std::nullopt;
+      (a ? b : a) = middle;
+    }
     if (J.size() == 0) J.resize(a->size(), n);
-    J.col(i) = (*b - *a) / (high[i] - low[i]);
+    J.col(i) = (*b - *a) / width;
   }
   return J;
 }
@@ -178,25 +219,34 @@ LocalSearch search_freely(const ResidualModel& model, const VectorXd& start, int
   LocalSearch found{.best = start, .cost = cost_of(first), .converged = true, .reason = {}};
   std::vector<Eigen::Index> all(std::size_t(start.size()));
   std::iota(all.begin(), all.end(), 0);
-  if (!all.empty())
-    solve(
-        model, all, first->size(), steps, Bounds::none, [] { return false; }, found);
+  if (!all.empty()) solve(model, all, first->size(), Bounds::none, {.steps = steps}, found);
   return found;
 }
 
-LocalSearch search_locally(const ResidualModel& model, const VectorXd& start, int steps,
-                           const std::function<bool()>& stop) {
+LocalSearch search_locally(const ResidualModel& model, const VectorXd& start,
+                           const LocalSettings& settings) {
   const std::optional<VectorXd> first = model(start);
   if (!first) throw std::invalid_argument("the model has no result at the start");
   LocalSearch found{.best = start, .cost = cost_of(first), .converged = true, .reason = {}};
   std::vector<Eigen::Index> free(std::size_t(start.size()));
   std::iota(free.begin(), free.end(), 0);
+  BestSoFar so_far(model, settings.stop);
+  const ResidualModel watched = [&](const VectorXd& u) { return so_far(u); };
   constexpr int rounds = 5;
-  for (int round = 0; round < rounds && !free.empty() && !stop(); ++round) {
-    solve(model, free, first->size(), steps, Bounds::box, stop, found);
-    std::vector<Eigen::Index> next = free_to_move(model, found.best);
+  for (int round = 0; round < rounds && !free.empty() && !settings.stop(); ++round) {
+    solve(watched, free, first->size(), Bounds::box, settings, found);
+    std::vector<Eigen::Index> next = free_to_move(watched, found.best);
     if (next == free) break;
     free = std::move(next);
+  }
+  if (!settings.stop()) return found;
+  found.stopped = true;
+  found.converged = false;
+  found.reason = "it was stopped";
+  // Ceres leaves where it began.
+  if (so_far.best().size() > 0 && so_far.cost() < found.cost) {
+    found.best = so_far.best();
+    found.cost = so_far.cost();
   }
   return found;
 }

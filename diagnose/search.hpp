@@ -27,14 +27,20 @@ struct LocalSearch {
   Eigen::VectorXd best;
   double cost = 0;
   bool converged = false;
+  bool stopped = false;
   std::string reason; // Ceres's own words
 };
 
-// From `start`, at most so many steps. The start must have a result: std::invalid_argument.
-// `stop` is asked after every step.
-LocalSearch search_locally(
-    const ResidualModel& model, const Eigen::VectorXd& start, int steps,
-    const std::function<bool()>& stop = [] { return false; });
+struct LocalSettings {
+  int steps = 200;
+  std::function<bool()> stop = [] { return false; }; // asked before every evaluation
+  std::function<void(int step, double cost)> step = [](int, double) {}; // after each
+};
+
+// From `start`, at most so many steps. The start must have a result: std::invalid_argument. One
+// that is stopped has the best design of all that were evaluated.
+LocalSearch search_locally(const ResidualModel& model, const Eigen::VectorXd& start,
+                           const LocalSettings& settings = {});
 
 // The same without a box: unknowns of about unit size, and residuals that hold them back
 // themselves. Cheaper, as no step has to be shortened.

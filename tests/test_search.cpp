@@ -2,6 +2,7 @@
 // Schwefel, Griewank), and on a fit with two valleys.
 #include "diagnose/search.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -95,7 +96,7 @@ TEST(LocalSearch, solves_rosenbrock_as_least_squares) {
     const double x = -2 + 4 * u[0], y = -1 + 3 * u[1];
     return VectorXd{{10 * (y - x * x), 1 - x}};
   };
-  const LocalSearch found = search_locally(model, VectorXd{{0.1, 0.9}}, 200);
+  const LocalSearch found = search_locally(model, VectorXd{{0.1, 0.9}});
   EXPECT_TRUE(found.converged) << found.reason;
   EXPECT_NEAR(found.best[0], 0.75, 1e-6);
   EXPECT_NEAR(found.best[1], 2. / 3, 1e-6);
@@ -107,10 +108,48 @@ TEST(LocalSearch, stays_in_the_box_and_steps_back_where_there_is_no_result) {
     if (u[0] > 0.8) return std::nullopt;
     return VectorXd{{u[0] - 0.75, u[1] + 1}};
   };
-  const LocalSearch found = search_locally(model, VectorXd{{0.1, 0.5}}, 100);
+  const LocalSearch found = search_locally(model, VectorXd{{0.1, 0.5}});
   EXPECT_NEAR(found.best[0], 0.75, 1e-6);
   EXPECT_NEAR(found.best[1], 0, 1e-9);
-  EXPECT_THROW(search_locally(model, VectorXd{{0.9, 0.5}}, 10), std::invalid_argument);
+  EXPECT_THROW(search_locally(model, VectorXd{{0.9, 0.5}}), std::invalid_argument);
+}
+
+// Stopped within a step, where Ceres has nothing but its start.
+TEST(LocalSearch, that_is_stopped_has_the_best_design_it_was_asked_for) {
+  std::atomic<int> asked{0};
+  std::atomic<double> least{1e30};
+  const ResidualModel model = [&](const VectorXd& u) -> std::optional<VectorXd> {
+    ++asked;
+    const VectorXd r{{10 * (u[1] - u[0] * u[0]), 1 - u[0]}};
+    for (double known = least;
+         cost_of(r) < known && !least.compare_exchange_weak(known, cost_of(r));)
+      ;
+    return r;
+  };
+  const VectorXd start{{0.1, 0.9}};
+  const double first = cost_of(model(start));
+  int steps = 0;
+  const LocalSearch found = search_locally(
+      model, start, {.stop = [&] { return asked >= 12; }, .step = [&](int, double) { ++steps; }});
+  EXPECT_TRUE(found.stopped);
+  EXPECT_FALSE(found.converged);
+  EXPECT_GT(steps, 0);
+  EXPECT_LT(found.cost, 0.9 * first);
+  EXPECT_EQ(found.cost, least);
+  EXPECT_EQ(cost_of(model(found.best)), found.cost);
+  EXPECT_LE(asked, 12 + 4); // those under way
+}
+
+// A strip at the optimum has results on one side alone.
+TEST(LocalSearch, takes_slopes_from_the_side_that_has_a_result) {
+  const ResidualModel model = [](const VectorXd& u) -> std::optional<VectorXd> {
+    if (u[0] > 0.5) return std::nullopt;
+    return VectorXd{{2 * u[0], 3 * u[1]}};
+  };
+  const auto J = residual_jacobian(model, VectorXd{{0.5, 0.5}});
+  ASSERT_TRUE(J.has_value());
+  EXPECT_NEAR((*J)(0, 0), 2, 1e-9);
+  EXPECT_NEAR((*J)(1, 1), 3, 1e-9);
 }
 
 // x^2 is met by both signs of x, x itself by one of them.
@@ -119,7 +158,7 @@ TEST(Search, is_trapped_locally_in_a_valley_that_the_global_one_leaves) {
     const double x = 6 * u[0] - 3; // valleys near -2 (cost 0.5) and 2 (cost 0)
     return VectorXd{{x * x - 4, 0.25 * (x - 2)}};
   };
-  const LocalSearch local = search_locally(model, VectorXd{{0.2}}, 200);
+  const LocalSearch local = search_locally(model, VectorXd{{0.2}});
   EXPECT_TRUE(local.converged);
   EXPECT_NEAR(6 * local.best[0] - 3, -1.984252, 1e-5); // root of its derivative
   EXPECT_GT(local.cost, 0.4);
