@@ -1,5 +1,8 @@
 #include "io/matlab_file.hpp"
 
+#include "io/files.hpp"
+#include "io/matlab5_elements.hpp"
+
 #include <matio.h>
 
 #include <array>
@@ -121,6 +124,9 @@ MatrixXcd matrix_of(const matvar_t& v) {
 MatlabReader::MatlabReader(const fs::path& path)
     : path_(path), file_(Mat_Open(path.c_str(), MAT_ACC_RDONLY)) {
   if (!file_) fail("damaged, or no MATLAB file");
+  if (Mat_GetVersion(file_.get()) != MAT_FT_MAT5) return;
+  if (const std::string wrong = fault_of_matlab5(read_whole(path)); !wrong.empty())
+    fail("damaged, or changed on its way: " + wrong);
 }
 
 void MatlabReader::fail(const std::string& what) const {

@@ -5,11 +5,13 @@
 #include "mesh/worker.hpp"
 #include "mesher/mesh_faces.hpp"
 #include "mesher/read_cad.hpp"
+#include "mesher/surface_frame.hpp"
 #include "mesher/triangles.hpp"
 
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <unistd.h>
 
@@ -19,6 +21,8 @@ using namespace plica;
 
 SurfaceFaces faces_of(const std::filesystem::path& file, const SurfaceMeshing& meshing) {
   if (is_cad_file(file)) return mesh_cad(read_cad(file, meshing.unit), meshing);
+  std::ifstream in(file, std::ios::binary);
+  check_surface_bytes(lower_suffix(file), {std::istreambuf_iterator<char>(in), {}});
   const Surface surface = read_surface(file, meshing.unit, meshing.weld);
   require_single_wall(surface);
   return meshing.size > 0 ? remesh(surface, meshing.size) : as_they_are(surface);

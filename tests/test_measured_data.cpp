@@ -211,6 +211,35 @@ TEST(MeasuredData, believes_the_data_types_of_universal_files) {
   EXPECT_LT((set.H[0] - 9.80665 * truth.H[0]).norm(), 1e-10 * set.H[0].norm());
 }
 
+// matio would give other numbers of a file that was cut, or sent as a text.
+TEST(MatlabFile, damaged_on_its_way_is_refused) {
+  const TemporaryFolder folder("matlab");
+  {
+    MatlabWriter mat(folder.path / "a.mat", "MATLAB 5.0 MAT-file");
+    mat.put(matlab_matrix("f", MatrixXd(Eigen::VectorXd::LinSpaced(40, 1, 40))));
+    mat.put(matlab_cell("names", {"one", "two"}));
+    mat.put(matlab_matrix("H", MatrixXcd(MatrixXcd::Random(40, 2))));
+  }
+  const std::string good = read_whole(folder.path / "a.mat");
+  EXPECT_EQ(MatlabReader(folder.path / "a.mat").matrix("f").rows(), 40);
+  const auto refused = [&](const std::string& bytes) {
+    write_whole(folder.path / "b.mat", bytes);
+    try {
+      MatlabReader(folder.path / "b.mat").matrix("H");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).find("b.mat") != std::string::npos;
+    }
+    return false;
+  };
+  for (const std::size_t left : {100UL, 130UL, 300UL, good.size() / 2, good.size() - 8})
+    EXPECT_TRUE(refused(good.substr(0, left))) << left;
+  std::string as_text = good;
+  as_text.insert(good.size() / 2, "\r"); // before a byte that was taken for the end of a line
+  EXPECT_TRUE(refused(as_text));
+  EXPECT_TRUE(refused(good + "\n"));
+  EXPECT_FALSE(refused(good));
+}
+
 // A base-driven oscillator under noise, as time signals in a file: its transmissibility identified.
 TEST(MeasuredData, goes_from_time_signals_to_modes) {
   const TemporaryFolder folder("signals");

@@ -1,4 +1,5 @@
 #include "mesh/surface_file.hpp"
+#include "mesher/surface_frame.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -100,6 +101,55 @@ TEST(SurfaceFile, moves_by_a_shape) {
   const Surface moved = deformed(roof(), shape(0.5));
   EXPECT_LT((moved.nodes[4] - Vector3d(0.2, 1.9, 1.5)).norm(), 1e-15);
   EXPECT_EQ(moved.triangles, roof().triangles);
+}
+
+// What assimp passes over is refused before it reads: lines left out or doubled, counts that are
+// not kept, vertices that are not there.
+TEST(SurfaceFrame, of_damaged_triangles_is_refused) {
+  const auto refusal = [](const std::string& suffix, const std::string& bytes) {
+    try {
+      check_surface_bytes(suffix, bytes);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto without = [](std::string text, const std::string& part) {
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.erase(at, part.size());
+  };
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                            "vertex 1 1 0\nendloop\nendfacet\n";
+  const std::string stl = "solid a b\n" + facet + facet + "endsolid a b\n";
+  EXPECT_EQ(refusal(".stl", stl), "");
+  EXPECT_EQ(refusal(".stl", without(stl, "vertex 1 0 0\n")),
+            "line 6: 'endloop' where vertex is due");
+  EXPECT_EQ(refusal(".stl", without(stl, "endfacet\n")), "line 8: 'facet' where endfacet is due");
+  EXPECT_NE(refusal(".stl", without(stl, "endsolid a b\n")), "");
+  EXPECT_NE(refusal(".stl", stl + std::string(60, 'x')), "");
+  EXPECT_NE(refusal(".stl", without(stl, "vertex 1 0 0\n").insert(30, 1, '\0')), "");
+  std::string binary(84, ' ');
+  binary.replace(80, 4, std::string("\2\0\0\0", 4));
+  EXPECT_EQ(refusal(".stl", binary + std::string(100, '\0')), "");
+  EXPECT_NE(refusal(".stl", binary + std::string(99, '\0')).find("184"), std::string::npos);
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty "
+                          "float y\nproperty float z\nelement face 1\nproperty list uchar int "
+                          "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(refusal(".ply", ply), "");
+  EXPECT_NE(refusal(".ply", without(ply, "1 0 0\n")), "");
+  EXPECT_NE(refusal(".ply", ply + "3 0 1 2\n"), "");
+  EXPECT_EQ(refusal(".ply", without(ply, "3 0 1 2\n") + "3 0 1 3\n"),
+            "line 13: a face names vertex 3 of 3");
+  const std::string obj =
+      "# a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf -3 -2 -1\n";
+  EXPECT_EQ(refusal(".obj", obj), "");
+  EXPECT_EQ(refusal(".obj", without(obj, "v 1 0 0\n")), "line 5: a face names vertex 3 of 2");
+  EXPECT_EQ(refusal(".obj", obj + "w 1 2 3\n"), "line 8: 'w' begins no line of an OBJ of faces");
+  EXPECT_EQ(refusal(".obj", obj + "v 1 nan 3\n"), "line 8: 'nan' is no finite number");
+  const std::string glb = glb_of(roof(), {});
+  EXPECT_EQ(refusal(".glb", glb), "");
+  EXPECT_NE(refusal(".glb", glb.substr(0, glb.size() - 4)), "");
 }
 
 } // namespace

@@ -61,7 +61,6 @@ public:
     (this->*work)(text);
     return name;
   }
-  std::size_t below(std::size_t n) { return any_.below(n); }
 
 private:
   void by_lines(std::string& text, const std::function<void(std::vector<std::string>&)>& work) {
@@ -218,9 +217,7 @@ bool good_text(const std::string& original, const std::string& damaged, const Fo
 Damaged damaged(const std::string& original, unsigned seed) {
   Breaker breaker(seed);
   Damaged result{original, ""};
-  const std::size_t times = breaker.below(4) == 0 ? 2 : 1;
-  for (std::size_t k = 0; k < times && !result.bytes.empty(); ++k)
-    result.what += (k > 0 ? ", " : "") + breaker.once(result.bytes);
+  result.what = breaker.once(result.bytes);
   return result;
 }
 
@@ -228,8 +225,11 @@ bool another_good_file(const std::string& original, const std::string& damaged,
                        const FormatRule& rule) {
   if (rule.payload.empty()) return good_text(original, damaged, rule);
   if (original.size() != damaged.size()) return false;
+  const auto [begin, end] = rule.text;
+  if (!good_text(original.substr(begin, end - begin), damaged.substr(begin, end - begin), rule))
+    return false;
   for (std::size_t i = 0; i < original.size(); ++i)
-    if (original[i] != damaged[i] &&
+    if (original[i] != damaged[i] && (i < begin || i >= end) &&
         std::none_of(rule.payload.begin(), rule.payload.end(),
                      [&](const auto& range) { return i >= range.first && i < range.second; }))
       return false;

@@ -25,8 +25,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(resource, &limits);
 }
 
-[[noreturn]] void child(std::vector<std::string> arguments, const std::filesystem::path& folder,
-                        bool anew) {
+[[noreturn]] void child(std::vector<std::string> arguments, const std::filesystem::path& folder) {
   setpgid(0, 0);
   const int output =
       open((folder / "output").c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_APPEND, 0644);
@@ -42,10 +41,6 @@ void limit(int resource, rlim_t most) {
   std::vector<char*> words;
   for (std::string& word : arguments) words.push_back(word.data());
   words.push_back(nullptr);
-  if (anew) {
-    execv(PLICA_PROGRAM, words.data());
-    _exit(98);
-  }
   const int code = plica_main(int(arguments.size()), words.data());
   std::cout.flush();
   std::fflush(nullptr);
@@ -54,11 +49,10 @@ void limit(int resource, rlim_t most) {
 
 } // namespace
 
-Ended run_plica(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                bool anew) {
+Ended run_plica(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
   std::fflush(nullptr);
   const pid_t process = fork();
-  if (process == 0) child(arguments, folder, anew);
+  if (process == 0) child(arguments, folder);
   Ended ended;
   const auto begin = std::chrono::steady_clock::now();
   int status = 0;

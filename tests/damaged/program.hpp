@@ -14,9 +14,8 @@ struct Ended {
   std::string how;    // "exit 1", "signal 11", "no end within 30 s"
 };
 
-// `plica` with these arguments in that folder. By fork alone, which saves loading the libraries;
-// `anew`: as a new program, where what runs starts processes by itself.
-Ended run_plica(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                bool anew = false);
+// `plica` with these arguments in that folder: its main() in a fork, which saves loading the
+// libraries.
+Ended run_plica(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
 } // namespace plica::test

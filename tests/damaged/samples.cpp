@@ -5,6 +5,7 @@
 #include "io/matlab_file.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
+#include "tests/damaged/geometry_samples.hpp"
 
 #include <fmt/format.h>
 
@@ -243,7 +244,8 @@ FormatRule binary_rule(const std::string& bytes, bool abscissa) {
   const Index n = set.hertz.size();
   FormatRule rule;
   if (abscissa) {
-    rule.payload = {numbers_at(bytes, set.hertz[0], n)};
+    constexpr std::size_t description = 116; // a text, to no purpose
+    rule.payload = {{0, description}, numbers_at(bytes, set.hertz[0], n)};
     for (int c = 0; c < 2; ++c) {
       rule.payload.push_back(numbers_at(bytes, set.H[0](0, c).real(), n));
       rule.payload.push_back(numbers_at(bytes, set.H[0](0, c).imag(), n));
@@ -324,6 +326,7 @@ std::vector<Sample> all_samples() {
   std::vector<Sample> all{yaml_case(), benchmark_yaml(), nastran_deck(), abaqus_deck(),
                           fit_restart()};
   for (Sample& sample : lab_files()) all.push_back(std::move(sample));
+  for (Sample& sample : geometry_samples()) all.push_back(std::move(sample));
   return all;
 }
 

@@ -17,7 +17,6 @@ struct Sample {
   std::map<std::string, std::string> beside; // other files of its folder
   std::vector<std::string> arguments;        // of the program
   std::string result; // the file whose numbers are held against those of the good input
-  bool anew = false;  // see run_plica()
 };
 
 const std::vector<Sample>& samples();

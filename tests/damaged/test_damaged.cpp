@@ -53,7 +53,7 @@ Outcome outcome_of(const Sample& sample, const std::string& bytes, const fs::pat
   for (const auto& [name, text] : sample.beside) write_whole(folder / name, text);
   write_whole(folder / sample.file, bytes);
   Outcome outcome;
-  outcome.ended = run_plica(sample.arguments, folder, sample.anew);
+  outcome.ended = run_plica(sample.arguments, folder);
   std::istringstream lines(outcome.ended.output);
   for (std::string line; std::getline(lines, line);)
     if (line.find("arning") != std::string::npos && line.find(sample.file) != std::string::npos)
