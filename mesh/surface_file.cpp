@@ -138,6 +138,22 @@ void require_whole_stl(const std::filesystem::path& file) {
     throw std::runtime_error(file.string() + ": ends before its endsolid: it was cut short");
 }
 
+// Those of lines and points, and of triangles without an area: nothing would hold them.
+void drop_unused_nodes(Surface& surface) {
+  std::vector<int> number(surface.nodes.size(), -1);
+  for (const auto& t : surface.triangles)
+    for (int node : t) number[std::size_t(node)] = 0;
+  std::vector<Eigen::Vector3d> kept;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] < 0) continue;
+    number[i] = int(kept.size());
+    kept.push_back(surface.nodes[i]);
+  }
+  for (auto& t : surface.triangles)
+    for (int& node : t) node = number[std::size_t(node)];
+  surface.nodes = std::move(kept);
+}
+
 } // namespace
 
 std::string lower_suffix(const std::filesystem::path& file) {
@@ -185,6 +201,7 @@ Surface read_surface(const std::filesystem::path& file, double unit, double weld
     }
   }
   if (surface.triangles.empty()) throw std::runtime_error(file.string() + ": holds no triangle");
+  drop_unused_nodes(surface);
   return surface;
 }
 

@@ -28,7 +28,7 @@ std::size_t size_of(const TextLine& line, std::string_view type) {
       {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
       {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
   const auto found = sizes.find(type);
-  if (found == sizes.end()) surface_error(line.number, quoted(type) + " is no type of PLY");
+  if (found == sizes.end()) surface_error(line.number, shown_word(type) + " is no type of PLY");
   return found->second;
 }
 
@@ -64,10 +64,10 @@ private:
         property(line);
       else if (!(first == "ply" && n == 1 && line.number == 1) && first != "comment" &&
                first != "obj_info" && !(first == "end_header" && n == 1))
-        surface_error(line.number, quoted(first) + " is no line of a header of PLY");
+        surface_error(line.number, shown_word(first) + " is no line of a header of PLY");
     }
     if (form_ != "ascii" && form_ != "binary_little_endian" && form_ != "binary_big_endian")
-      surface_error(0, quoted(form_) + " is no format of PLY");
+      surface_error(0, shown_word(form_) + " is no format of PLY");
     vertices_ = -1;
     for (const Element& e : elements_) {
       if (e.count < 0) surface_error(0, "counts " + std::to_string(e.count) + " of " + e.name);

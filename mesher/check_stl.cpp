@@ -37,7 +37,7 @@ private:
     return small_letters(line.words[0]) == word;
   }
   [[noreturn]] static void due(const TextLine& line, const std::string& word) {
-    surface_error(line.number, quoted(line.words[0]) + " where " + word + " is due");
+    surface_error(line.number, shown_word(line.words[0]) + " where " + word + " is due");
   }
   const TextLine& wanted(const char* first, std::size_t words) {
     const TextLine* line = next();

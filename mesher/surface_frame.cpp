@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 
 namespace plica {
 namespace {
@@ -53,28 +51,8 @@ void check_obj(const std::string& bytes) {
       for (std::size_t i = 1; i < line.words.size(); ++i)
         check_corner(line, line.words[i], vertices);
     } else if (std::find(other_words.begin(), other_words.end(), first) == other_words.end()) {
-      surface_error(line.number, quoted(first) + " begins no line of an OBJ of faces");
+      surface_error(line.number, shown_word(first) + " begins no line of an OBJ of faces");
     }
-  }
-}
-
-void check_glb(const std::string& bytes) {
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return std::size_t(value);
-  };
-  constexpr std::size_t header = 12, tag = 8, json = 0x4E4F534A;
-  if (bytes.size() < header + tag || !bytes.starts_with("glTF") || word(4) != 2)
-    surface_error(0, "is no binary glTF of version 2");
-  if (word(8) != bytes.size())
-    surface_error(0, "has " + std::to_string(bytes.size()) + " bytes, its header says " +
-                         std::to_string(word(8)));
-  for (std::size_t at = header; at < bytes.size();) {
-    if (at + tag > bytes.size() || at + tag + word(at) > bytes.size())
-      surface_error(0, "its chunks reach beyond its end");
-    if (at == header && word(at + 4) != json) surface_error(0, "its first chunk is no JSON");
-    at += tag + word(at);
   }
 }
 
@@ -83,6 +61,7 @@ void check_surface_bytes(const std::string& suffix, const std::string& bytes) {
   if (suffix == ".ply") check_ply(bytes);
   if (suffix == ".obj") check_obj(bytes);
   if (suffix == ".glb") check_glb(bytes);
+  if (suffix == ".gltf") check_gltf(bytes);
 }
 
 } // namespace plica

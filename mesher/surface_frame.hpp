@@ -19,5 +19,6 @@ void check_stl(const std::string& bytes);
 void check_ply(const std::string& bytes);
 void check_obj(const std::string& bytes);
 void check_glb(const std::string& bytes);
+void check_gltf(const std::string& text); // its JSON
 
 } // namespace plica

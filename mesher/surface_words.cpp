@@ -10,7 +10,7 @@ void surface_error(int line, const std::string& wrong) {
   throw std::runtime_error((line > 0 ? "line " + std::to_string(line) + ": " : "") + wrong);
 }
 
-std::string quoted(std::string_view word) {
+std::string shown_word(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string text = "'";
   for (const char c : word.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
@@ -47,7 +47,7 @@ double finite_number(const TextLine& line, std::size_t word) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool small = error == std::errc::result_out_of_range && text.find("e-") != text.npos;
   if ((error != std::errc() && !small) || end != text.data() + text.size() || !std::isfinite(value))
-    surface_error(line.number, quoted(text) + " is no finite number");
+    surface_error(line.number, shown_word(text) + " is no finite number");
   return value;
 }
 
@@ -55,7 +55,7 @@ long whole_number(const TextLine& line, std::string_view word) {
   long value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size())
-    surface_error(line.number, quoted(word) + " is no whole number");
+    surface_error(line.number, shown_word(word) + " is no whole number");
   return value;
 }
 

@@ -19,6 +19,6 @@ std::vector<TextLine> lines_of_words(std::string_view text);
 
 double finite_number(const TextLine& line, std::size_t word); // refused where it is none
 long whole_number(const TextLine& line, std::string_view word);
-std::string quoted(std::string_view word); // as a message may show it
+std::string shown_word(std::string_view word); // as a message may show it
 
 } // namespace plica

@@ -3,6 +3,7 @@
 #include "model/connector_curve.hpp"
 #include "model/damping.hpp"
 #include "model/doubts.hpp"
+#include "model/input_error.hpp"
 #include "model/joint_strokes.hpp"
 #include "model/run_levels.hpp"
 #include "model/run_stress.hpp"
@@ -59,6 +60,9 @@ private:
                       .elements = element_count(built_.model),
                       .dofs = route_->unknowns(),
                       .mass = route_->mass()};
+    if (!std::isfinite(results_.model.mass))
+      input_error("parts", "have a mass that is no finite number",
+                  "sizes, densities and masses of a structure");
     results_.mesh = built_.model.mesh;
   }
 

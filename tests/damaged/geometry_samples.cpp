@@ -35,7 +35,8 @@ Sample geometry(const std::string& name, const std::string& file, const std::str
         "{type: surface, material: steel, thickness: 1 mm, file: " +
             file + more + "}\nanalyses: {static: false, modes: {count: 1}, error_bars: false}\n"}},
       {"run", "case.yaml", "--out", "out", "--threads", "1"},
-      "out/results.json"};
+      "out/results.json",
+      8};
 }
 
 Surface tube() {

@@ -17,6 +17,7 @@ struct Sample {
   std::map<std::string, std::string> beside; // other files of its folder
   std::vector<std::string> arguments;        // of the program
   std::string result; // the file whose numbers are held against those of the good input
+  int few = 25;       // rounds of the suite that runs with every test
 };
 
 const std::vector<Sample>& samples();

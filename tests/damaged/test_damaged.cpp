@@ -17,9 +17,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>
+#include <unistd.h>
 
 namespace plica::test {
 namespace {
@@ -33,17 +35,23 @@ struct Outcome {
   std::set<std::string> warnings;
 };
 
+// NaN where it is null, as what is no number is written.
+double number_in(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? found->get<double>() : std::nan("");
+}
+
 void take_numbers(const Json& json, std::map<std::string, double>& numbers) {
-  if (json.contains("model")) numbers["mass"] = json["model"].value("mass", 0.);
+  if (json.contains("model")) numbers["mass"] = number_in(json["model"], "mass");
   if (json.contains("parameters"))
-    for (const Json& p : json["parameters"]) numbers[p.value("path", "")] = p.value("after", 0.);
+    for (const Json& p : json["parameters"]) numbers[p.value("path", "")] = number_in(p, "after");
   if (!json.contains("modes") || json.contains("model") || json["modes"].empty()) return;
   const Json& mode = json["modes"][0];
-  numbers["frequency"] = mode.value("frequency", 0.);
+  numbers["frequency"] = number_in(mode, "frequency");
   if (!mode.value("mass_normalised", false)) return;
   double largest = 0;
   for (const Json& c : mode["shape"])
-    largest = std::max(largest, std::hypot(c.value("real", 0.), c.value("imaginary", 0.)));
+    largest = std::max(largest, std::hypot(number_in(c, "real"), number_in(c, "imaginary")));
   numbers["shape"] = largest;
 }
 
@@ -68,7 +76,8 @@ bool agree(const Outcome& a, const Outcome& b) {
   constexpr double rounding = 1e-3; // identified from what a changed last digit leaves
   for (const auto& [name, value] : a.numbers)
     if (const auto other = b.numbers.find(name);
-        other != b.numbers.end() && std::abs(other->second - value) > rounding * std::abs(value))
+        other != b.numbers.end() &&
+        !(std::abs(other->second - value) <= rounding * std::abs(value)))
       return false;
   return true;
 }
@@ -81,7 +90,7 @@ class Trial {
 public:
   explicit Trial(const Sample& sample)
       : sample_(sample), folder_(fs::path(testing::TempDir()) /
-                                 ("plica_damaged_" + sample.name + std::to_string(rand()))),
+                                 ("plica_damaged_" + sample.name + std::to_string(getpid()))),
         good_(outcome_of(sample, sample.bytes, folder_)) {
     EXPECT_EQ(good_.ended.exit, 0) << sample.name << ": " << good_.ended.output;
     EXPECT_EQ(good_.numbers.empty(), sample.result.empty()) << sample.name;
@@ -121,6 +130,8 @@ private:
     if (ended.exit != 0 && ended.output.empty()) return ended.how + " without a word";
     if (ended.exit == 1) return ++counts_.refused, "";
     if (ended.exit == 2) return ++counts_.verdict, "";
+    for (const auto& [name, value] : now.numbers)
+      if (!std::isfinite(value)) return "exit 0, but " + name + " is no number";
     if (agree(good_, now)) return ++counts_.same, "";
     const bool named =
         std::any_of(now.warnings.begin(), now.warnings.end(),
@@ -166,7 +177,8 @@ class DamagedInput : public testing::TestWithParam<std::string> {};
 class DamagedInputSlow : public testing::TestWithParam<std::string> {};
 
 TEST_P(DamagedInput, is_refused_or_means_what_it_says) {
-  try_rounds(sample_named(GetParam()), 1, 25);
+  const Sample& sample = sample_named(GetParam());
+  try_rounds(sample, 1, sample.few);
 }
 
 TEST_P(DamagedInputSlow, is_refused_or_means_what_it_says) {
