@@ -1,4 +1,4 @@
-// The session of Gmsh, for the sources that call it: gmsh_session.cpp and cad_mesh.cpp.
+// The session of Gmsh, for the sources that call it: gmsh_session.cpp and those of mesher/.
 #pragma once
 
 #include <gmsh.h>

@@ -25,6 +25,7 @@ SurfaceFaces faces_of(const std::filesystem::path& file, const SurfaceMeshing& m
   check_surface_bytes(lower_suffix(file), {std::istreambuf_iterator<char>(in), {}});
   const Surface surface = read_surface(file, meshing.unit, meshing.weld);
   require_single_wall(surface);
+  require_no_gap(surface);
   return meshing.size > 0 ? remesh(surface, meshing.size) : as_they_are(surface);
 }
 

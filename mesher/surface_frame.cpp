@@ -15,8 +15,9 @@ constexpr std::array other_words{"vt",       "vn",       "vp",         "l",     
                                  "mtllib",   "usemap",   "maplib",     "bevel",    "lod",
                                  "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
-// One corner: 3, 3/1, 3//2, 3/1/2; negative ones count from the last vertex.
-void check_corner(const TextLine& line, std::string_view corner, long vertices) {
+// One corner: 3, 3/1, 3//2, 3/1/2; negative ones count from the last vertex. Gives back the vertex,
+// from 1; `before` is the last one so far.
+long check_corner(const TextLine& line, std::string_view corner, long vertices, long before) {
   const long n = whole_number(line, corner.substr(0, corner.find('/')));
   if (n == 0 || std::labs(n) > vertices)
     surface_error(line.number,
@@ -27,6 +28,14 @@ void check_corner(const TextLine& line, std::string_view corner, long vertices) 
     if (!part.empty()) whole_number(line, part);
     at = next;
   }
+  return std::clamp(n > 0 ? n : before + 1 + n, 1L, vertices);
+}
+
+// A file that ends early at the end of a line is a whole one otherwise.
+void require_used(const std::vector<int>& lines, const std::vector<char>& used) {
+  for (std::size_t v = 0; v < lines.size(); ++v)
+    if (used[v + 1] == 0)
+      surface_error(lines[v], "no face uses this vertex: what did may be missing");
 }
 
 } // namespace
@@ -36,24 +45,32 @@ void check_obj(const std::string& bytes) {
   const long vertices = std::count_if(lines.begin(), lines.end(), [](const TextLine& line) {
     return !line.words.empty() && line.words[0] == "v";
   });
-  bool goes_on = false;
+  std::vector<int> defined; // the lines of vertices
+  std::vector<char> used(std::size_t(vertices) + 1, 0);
+  bool goes_on = false, whole_lines = true;
   for (const TextLine& line : lines) {
     if (line.words.empty() || line.words[0].starts_with('#')) continue;
     const std::string_view first = line.words[0];
     const bool continued = line.words.back().ends_with('\\');
     if (goes_on || continued) {
       goes_on = continued; // a line in two: left to assimp
+      whole_lines = false;
     } else if (first == "v") {
       for (std::size_t i = 1; i < std::max<std::size_t>(4, line.words.size()); ++i)
         finite_number(line, i);
+      defined.push_back(line.number);
     } else if (first == "f") {
       if (line.words.size() < 4) surface_error(line.number, "a face of fewer than three vertices");
       for (std::size_t i = 1; i < line.words.size(); ++i)
-        check_corner(line, line.words[i], vertices);
+        used[std::size_t(check_corner(line, line.words[i], vertices, long(defined.size())))] = 1;
+    } else if (first == "l" || first == "p") {
+      for (std::size_t i = 1; i < line.words.size(); ++i)
+        used[std::size_t(check_corner(line, line.words[i], vertices, long(defined.size())))] = 1;
     } else if (std::find(other_words.begin(), other_words.end(), first) == other_words.end()) {
       surface_error(line.number, shown_word(first) + " begins no line of an OBJ of faces");
     }
   }
+  if (whole_lines) require_used(defined, used);
 }
 
 void check_surface_bytes(const std::string& suffix, const std::string& bytes) {

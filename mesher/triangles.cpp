@@ -10,6 +10,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 namespace plica {
 namespace {
@@ -87,6 +88,43 @@ void require_single_wall(const Surface& surface) {
       for (std::size_t j = 0; j < i; ++j)
         if (sides[i].inwards.dot(sides[j].inwards) > flat)
           fail("two triangles lie on each other at their common edge, one end", edge.first);
+}
+
+void require_no_gap(const Surface& surface) {
+  const auto at = [&](int node) { return surface.nodes[std::size_t(node)]; };
+  constexpr double farthest = 1000;
+  if (const Eigen::AlignedBox3d box = box_of(as_they_are(surface));
+      !(box.diagonal().norm() <= farthest))
+    throw std::runtime_error("its triangles reach from " + mm_text(box.min()) + " to " +
+                             mm_text(box.max()) + ": is its unit right?");
+  constexpr std::size_t few = 12; // such loops are their outlines
+  if (surface.triangles.size() <= few) return;
+  std::map<std::pair<int, int>, std::vector<int>> edges;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = surface.triangles[t][i], b = surface.triangles[t][(i + 1) % 3];
+      edges[{std::min(a, b), std::max(a, b)}].push_back(int(t));
+    }
+  std::map<int, std::map<int, int>> free; // node, next node, triangle
+  for (const auto& [edge, own] : edges)
+    if (own.size() == 1) free[edge.first][edge.second] = free[edge.second][edge.first] = own[0];
+  const auto fail = [&](int node, const char* what) {
+    throw std::runtime_error(std::string(what) + " at " + mm_text(at(node)) +
+                             ": the file is damaged, or its triangles do not meet within `weld`");
+  };
+  for (const auto& [a, after] : free)
+    for (const auto& [b, first] : after)
+      for (const auto& [c, second] : free.at(b)) {
+        if (c == a) continue;
+        for (const auto& [d, third] : free.at(c)) {
+          if (d == b) continue;
+          if (d == a && std::set{first, second, third}.size() == 3)
+            fail(a, "a triangle is missing in the surface");
+          if (d == a || !free.at(d).contains(a)) continue;
+          if (std::set{first, second, third, free.at(d).at(a)}.size() == 3)
+            fail(a, "a triangle has a corner away from its neighbours");
+        }
+      }
 }
 
 SurfaceFaces remesh(const Surface& surface, double size) {

@@ -10,6 +10,10 @@ namespace plica {
 // are folded flat on each other: the wall would be counted twice there.
 void require_single_wall(const Surface& surface);
 
+// Throws std::runtime_error where just one triangle is missing, or hangs into its hole by one edge
+// since a vertex is not where it was; and where a vertex is farther than 1 km from the others.
+void require_no_gap(const Surface& surface);
+
 SurfaceFaces as_they_are(const Surface& surface);
 
 // Triangles in m, welded; edges sharper than 40 degrees stay. The surface must be one that Gmsh can

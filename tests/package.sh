@@ -17,5 +17,6 @@ chroot "$root" sh -c "apt-get update -qq && apt-get install -y -qq --no-install-
 chroot "$root" plica --version
 chroot "$root" plica run /usr/share/plica/cases/bellow_a2 --no-variants --no-error-bars --out /tmp/a2
 grep -q '"passed": true' "$root/tmp/a2/results.json"
+chroot "$root" plica check /usr/share/plica/cases/pipe_with_bracket # starts the installed mesher
 test -s "$root/usr/share/man/man1/plica.1" || test -s "$root/usr/share/man/man1/plica.1.gz"
 rm -rf "$root"

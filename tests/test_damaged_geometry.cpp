@@ -2,6 +2,7 @@
 // gives; never a crash, never without end.
 #include "tests/cad_samples.hpp"
 
+#include "mesh/surface_file.hpp"
 #include "mesh/surface_mesher.hpp"
 #include "mesh/worker.hpp"
 #include "mesher/brep_text.hpp"
@@ -205,6 +206,51 @@ TEST_F(DamagedGeometry, step_with_numbers_that_do_not_agree_is_refused) {
     EXPECT_NE(said.find(says), std::string::npos) << to << ": " << said;
     EXPECT_TRUE(said.starts_with("changed.step: ")) << said;
   }
+}
+
+// A tube of triangles in four formats: each byte of its text or count in turn would be too many, so
+// what is known to be silent in assimp.
+TEST_F(DamagedGeometry, triangles_whose_file_is_not_whole_are_refused) {
+  write_stl_tube(30, 100, 24, 6, at("tube.stl"));
+  const Surface tube = read_surface(at("tube.stl"), 1e-3, 1e-6);
+  for (const char* name : {"tube.obj", "tube.ply", "tube.glb", "binary.stl"})
+    write_surface(tube, {}, at(name));
+  const SurfaceMeshing as_they_are{.unit = 1};
+  for (const char* name : {"tube.stl", "tube.obj", "tube.ply", "tube.glb", "binary.stl"}) {
+    EXPECT_EQ(refusal(name, as_they_are), "") << name;
+    const std::string whole = text_of(name);
+    const std::string cut = "cut" + fs::path(name).extension().string();
+    std::string part = whole.substr(0, 3 * whole.size() / 5);
+    if (cut == "cut.obj") part.resize(part.rfind('\n') + 1);
+    write(cut, part);
+    const std::string said = refusal(cut, as_they_are);
+    EXPECT_TRUE(said.starts_with(cut + ": ")) << name << said;
+    EXPECT_EQ(said.find("broke down"), std::string::npos) << name << said;
+  }
+  const auto changed = [&](const std::string& name, const std::string& from,
+                           const std::string& to) {
+    std::string text = text_of(name);
+    const std::size_t place = text.find(from, 3 * text.size() / 5);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    const std::string damaged = "damaged" + fs::path(name).extension().string();
+    write(damaged, text);
+    return refusal(damaged, as_they_are);
+  };
+  EXPECT_NE(changed("tube.stl", "vertex ", "vertex x").find("is no finite number"),
+            std::string::npos);
+  EXPECT_NE(changed("tube.stl", "endloop\n", "").find("where endloop is due"), std::string::npos);
+  EXPECT_NE(changed("tube.obj", "\nf ", "\ng ").find("a triangle is missing"), std::string::npos);
+  EXPECT_NE(changed("tube.obj", "\nf ", "\nf 9999 ").find("names vertex 9999 of"),
+            std::string::npos);
+  EXPECT_NE(changed("tube.obj", "\nf ", "\nx ").find("begins no line of an OBJ"),
+            std::string::npos);
+  // A facet of the STL with one corner elsewhere, and one so far away that nobody meant it.
+  EXPECT_NE(
+      changed("tube.stl", "vertex 30 50 0", "vertex 36 50 0").find("away from its neighbours"),
+      std::string::npos);
+  EXPECT_NE(changed("tube.stl", "vertex 30 50 0", "vertex 3e9 50 0").find("is its unit right"),
+            std::string::npos);
 }
 
 // Four triangles on one another: meshed anew they never end.

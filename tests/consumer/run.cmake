@@ -12,3 +12,5 @@ step(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${BUILD}/consumer-build -G 
   -DCMAKE_PREFIX_PATH=${stage} -DCMAKE_BUILD_TYPE=Release)
 step(${CMAKE_COMMAND} --build ${BUILD}/consumer-build)
 step(${BUILD}/consumer-build/consumer)
+# The installed program finds its mesher.
+step(${stage}/bin/plica check ${SOURCE}/cases/pipe_with_bracket)
