@@ -20,6 +20,10 @@ public:
   explicit StlText(const std::string& text) : lines_(lines_of_words(text)) {}
 
   void check() {
+    const bool ended = std::any_of(lines_.begin(), lines_.end(), [](const TextLine& line) {
+      return !line.words.empty() && begins(line, "endsolid");
+    });
+    if (!ended) surface_error(0, "ends before its endsolid: it was cut short");
     while (const TextLine* line = next()) {
       if (!begins(*line, "solid")) due(*line, "solid");
       while ((line = next()) && begins(*line, "facet")) facet(*line);
