@@ -189,6 +189,40 @@ TEST(Repeats, widen_what_the_test_leaves_unsaid) {
   EXPECT_EQ(test.warnings.size(), 1U);
 }
 
+// Two resonances, of which a stop takes the lower away at the highest level.
+TEST(Readings, a_peak_that_is_gone_at_the_next_level_is_said) {
+  const auto sweep = [](double lower) {
+    FrfSet set;
+    set.quantity = FrfQuantity::transmissibility;
+    set.hertz = VectorXd::LinSpaced(4000, 50, 900);
+    set.responses = {"mid.z"};
+    set.references = {"base.z"};
+    set.H.emplace_back(set.hertz.size(), 1);
+    for (Eigen::Index k = 0; k < set.hertz.size(); ++k) {
+      const double a = set.hertz[k] / 125, b = set.hertz[k] / 700;
+      set.H[0](k, 0) = 1. + lower * a * a / Complex(1 - a * a, 0.02 * a) +
+                       0.5 * b * b / Complex(1 - b * b, 0.02 * b);
+    }
+    return set;
+  };
+  const auto warnings = [&](double at_ten) {
+    DiagnosisData test;
+    for (double level : {1., 3., 10.}) {
+      MeasuredFrf entry;
+      entry.base = Axis::z;
+      entry.level = level;
+      test.data.frf.push_back(entry);
+      test.responses.push_back({sweep(level < 10 ? 1 : at_ten)});
+    }
+    return readings_of(test).warnings;
+  };
+  EXPECT_TRUE(warnings(1).empty());
+  ASSERT_EQ(warnings(0.02).size(), 1U);
+  EXPECT_NE(warnings(0.02).front().find("frf[2]: the highest peak at 3 m/s2, 125 Hz"),
+            std::string::npos)
+      << warnings(0.02).front();
+}
+
 // The mass alone was measured, 2 % above what the case has, and 1 % is its standard deviation.
 struct OneReading {
   static constexpr double sigma = 0.01;

@@ -3,7 +3,9 @@
 #include "diagnose/gap/response_peaks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace plica {
 namespace {
@@ -21,6 +23,7 @@ public:
   void collect() {
     for (std::size_t i = 0; i < test_.responses.size(); ++i)
       for (const FrfSet& set : test_.responses[i]) responses(i, set);
+    say_lost_peaks();
     cross_resonances();
     highest_along_other_axes();
   }
@@ -95,8 +98,40 @@ private:
     for (std::size_t k = 0; k < peaks.size(); ++k) add_main(i, set, run, int(k), peaks[k]);
     for (const std::string& sensor : sensors_of(set))
       add_others(i, set, H, run, sensor, peaks.front());
-    sources_.push_back({i, &set, reference, list_.all.runs.size()});
+    const auto high = [](const FittedPeak& a, const FittedPeak& b) {
+      return a.amplitude < b.amplitude;
+    };
+    sources_.push_back({i, &set, reference, list_.all.runs.size(),
+                        std::max_element(peaks.begin(), peaks.end(), high)->frequency});
     list_.all.runs.push_back(std::move(run));
+  }
+
+  // Peaks are held against the model's one by one, so that one that is gone is in no reading: the
+  // highest of a level that is not near any peak of the next.
+  void say_lost_peaks() {
+    constexpr double near = 0.35; // of the logarithm: what slips may come so far in a step
+    for (const Source& own : sources_) {
+      const TestRun& run = list_.all.runs[own.run];
+      const Source* next = nullptr;
+      for (const Source& other : sources_) {
+        const TestRun& at = list_.all.runs[other.run];
+        if (at.state != run.state || at.base != run.base || !(at.level > run.level)) continue;
+        if (!next || at.level < list_.all.runs[next->run].level) next = &other;
+      }
+      if (!next) continue;
+      const TestRun& at = list_.all.runs[next->run];
+      const bool swept = own.highest > at.band[0] && own.highest < at.band[1];
+      if (!swept || std::any_of(at.peaks.begin(), at.peaks.end(), [&](double hertz) {
+            return std::abs(std::log(hertz / own.highest)) < near;
+          }))
+        continue;
+      std::array<char, 200> text{};
+      std::snprintf(text.data(), text.size(),
+                    "%s: the highest peak at %g m/s2, %.4g Hz, is not among those at %g m/s2: "
+                    "something that no reading holds changes with the level",
+                    entry_name("frf", next->entry).c_str(), run.level, own.highest, at.level);
+      list_.all.warnings.emplace_back(text.data());
+    }
   }
 
   // What shows along another axis where that axis resonates, over the height of the resonance when
@@ -254,6 +289,7 @@ private:
     const FrfSet* set = nullptr;
     int reference = 0;
     std::size_t run = 0;
+    double highest = 0; // Hz, of its peaks
   };
 
   const DiagnosisData& test_;
