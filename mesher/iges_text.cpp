@@ -49,6 +49,10 @@ Sections sections_of(const std::string& text) {
       if (!trimmed(line).empty()) step_error(number, "something follows the terminate line");
       continue;
     }
+    // A zero ends what OpenCASCADE reads of a section, and the unit of length may stand behind it.
+    if (std::any_of(line.begin(), line.end(),
+                    [](char c) { return c >= 0 && c < ' ' && c != '\t'; }))
+      step_error(number, "holds a control character: the file is damaged");
     constexpr std::size_t width = 80, letter = 72;
     line.resize(std::max(line.size(), width), ' ');
     const std::size_t own = letters.find(line[letter]);

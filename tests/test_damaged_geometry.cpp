@@ -164,6 +164,8 @@ TEST_F(DamagedGeometry, brep_and_iges_whose_numbers_are_none_are_refused_with_th
   };
   EXPECT_NO_THROW(check_brep_text(brep));
   EXPECT_NO_THROW(check_iges_text(iges));
+  refused(check_iges_text, iges, "8Htube.igs,5HPli",
+          std::string("8Htube.igs,5") + std::string(4, '\0'), "control character");
   refused(check_brep_text, brep, "-1 30\n", "-1 3O\n", "'3O' where a number belongs");
   refused(check_brep_text, brep, "-1 30\n", "-1 nan\n", "'nan' where a number belongs");
   refused(check_brep_text, brep, "-1 30\n", "-1 1E30\n", "'1E30' where a number belongs");
