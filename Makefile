@@ -1,22 +1,27 @@
 # Thin front of CMake: everything is in CMakeLists.txt and CMakePresets.json.
 CASE ?= cases/bellow_a2/bellow_a2.yaml
-OUT ?= out/$(basename $(notdir $(CASE)))
+OUT ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: run test slow sealed table bench build deps clean
+# A text of the user's as one word of the shell, blanks and quotes included.
+quoted = '$(subst ','\'',$(1))'
 
-run: build
-	build/app/plica run $(CASE) --out $(OUT)
-	@cmake/open_report.sh $(OUT)/report.html
+.PHONY: run test slow sealed table bench program build deps test-deps slow-deps bench-deps clean
+
+# Without OUT the results go into out/, under the name of the case.
+run: program
+	@case=$(call quoted,$(CASE)); out=$(call quoted,$(OUT)); \
+	name=$$(basename -- "$$case"); out=$${out:-out/$${name%.*}}; \
+	build/app/plica run "$$case" --out "$$out" && cmake/open_report.sh "$$out/report.html"
 
 test: build
 	ctest --preset release -j $(JOBS)
 
-slow: build
+slow: slow-deps build
 	ctest --preset slow
 
 # The sealed suite of the diagnosis: specimens made, diagnosed, scored; then with guards left out.
-sealed: build
+sealed: slow-deps build
 	ctest --preset slow -R sealed_suite --verbose
 	ctest --preset slow -R sealed_ablations --verbose
 
@@ -24,17 +29,29 @@ sealed: build
 table: build
 	tests/verification_table.sh build/tests/plica_tests > docs/verification_table.md
 
-bench: deps
+bench: bench-deps
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS)
 	bench/run.sh
 
-build: deps
+# The program alone, and with its tests.
+program: deps
+	cmake --preset run
+	cmake --build --preset run -j $(JOBS)
+
+build: test-deps
 	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 
+# What is missing of the packages of cmake/packages.txt.
 deps:
-	@cmake/install_packages.sh
+	@cmake/install_packages.sh run
+test-deps:
+	@cmake/install_packages.sh run test
+slow-deps:
+	@cmake/install_packages.sh run test slow
+bench-deps:
+	@cmake/install_packages.sh run bench
 
 clean:
 	rm -rf build build-asan out

@@ -1,8 +1,9 @@
 #include "app/commands.hpp"
+#include "app/finish.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "diagnose/compare.hpp"
-#include "io/files.hpp"
 #include "io/input/benchmark_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/results/write_benchmark.hpp"
@@ -33,40 +34,74 @@ std::optional<double> value_of(BenchmarkRun& run, const std::string& quantity) {
   return std::nullopt;
 }
 
-// Every combination of case, model and changes is run once.
+// Every combination of case, model and changes is read once, before the first is run, and run once.
 class Runs {
 public:
-  Runs(std::filesystem::path beside, Progress& progress)
-      : beside_(std::move(beside)), progress_(progress) {}
+  Runs(const Benchmark& benchmark, const std::filesystem::path& beside) {
+    for (const BenchmarkTable& table : benchmark.tables)
+      for (const BenchmarkColumn& column : table.columns) {
+        const auto [place, is_new] = inputs_.try_emplace(key_of(table.case_file, column));
+        if (is_new) place->second = read((beside / table.case_file).string(), column);
+      }
+  }
 
-  BenchmarkRun& of(const std::string& case_file, const BenchmarkColumn& column) {
-    const auto [place, is_new] = done_.try_emplace(std::tuple(case_file, column.model, column.set));
-    if (is_new) place->second = run_once((beside_ / case_file).string(), column);
+  std::vector<std::filesystem::path> files() const {
+    std::vector<std::filesystem::path> files;
+    for (const auto& [key, input] : inputs_) {
+      for (std::filesystem::path& file : files_of(input.file)) files.push_back(std::move(file));
+      if (!input.measured) continue;
+      for (std::filesystem::path& file : files_of(*input.measured))
+        files.push_back(std::move(file));
+    }
+    return files;
+  }
+
+  BenchmarkRun& of(const std::string& case_file, const BenchmarkColumn& column,
+                   Progress& progress) {
+    const auto [place, is_new] = done_.try_emplace(key_of(case_file, column));
+    if (is_new) {
+      const Input& input = inputs_.at(place->first);
+      progress.title(input.file.data.name + ", " + column.name);
+      place->second = run_once(input, progress);
+    }
     return place->second;
   }
   int count() const { return static_cast<int>(done_.size()); }
 
 private:
-  BenchmarkRun run_once(const std::string& path, const BenchmarkColumn& column) {
-    const CaseFile file = read_case(path, column.model, column.set);
-    progress_.title(file.data.name + ", " + column.name);
-    std::optional<Measured> measured;
-    if (!file.data.measured.empty())
-      measured =
-          read_measured((std::filesystem::path(path).parent_path() / file.data.measured).string());
-    const Results results = located(file, [&] {
-      return run(for_comparison(file.data), [&](const std::string& s) { progress_.stage(s); });
+  using Key = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
+  struct Input {
+    CaseFile file;
+    std::optional<MeasuredFile> measured;
+  };
+
+  static Key key_of(const std::string& case_file, const BenchmarkColumn& column) {
+    return {case_file, column.model, column.set};
+  }
+
+  static Input read(const std::string& path, const BenchmarkColumn& column) {
+    Input input{.file = read_case(path, column.model, column.set), .measured = {}};
+    if (const std::string& name = input.file.data.measured; !name.empty())
+      input.measured =
+          read_measured_file((std::filesystem::path(path).parent_path() / name).string());
+    return input;
+  }
+
+  static BenchmarkRun run_once(const Input& input, Progress& progress) {
+    const CaseFile& file = input.file;
+    const Results results = with_doubts(file, [&] {
+      return located(file, [&] {
+        return run(for_comparison(file.data), [&](const std::string& s) { progress.stage(s); });
+      });
     });
     BenchmarkRun done{.data = file.data, .headline = headline(results), .comparison = {}};
     if (results.statics) done.headline["k_torsion"] = results.statics->k_torsion;
-    if (measured) done.comparison = compare(results, *measured);
+    if (input.measured) done.comparison = compare(results, input.measured->data);
     return done;
   }
 
-  std::filesystem::path beside_;
-  Progress& progress_;
-  std::map<std::tuple<std::string, std::string, std::map<std::string, std::string>>, BenchmarkRun>
-      done_;
+  std::map<Key, Input> inputs_;
+  std::map<Key, BenchmarkRun> done_;
 };
 
 } // namespace
@@ -74,14 +109,17 @@ private:
 int benchmark_command(const RunOptions& options) {
   set_threads(options.threads);
   BenchmarkResult result{.benchmark = read_benchmark(options.case_path), .values = {}};
-  make_folder(options.out);
+  Runs runs(result.benchmark, std::filesystem::path(options.case_path).parent_path());
+  std::vector<std::filesystem::path> inputs = runs.files();
+  inputs.emplace_back(options.case_path);
+  OutputFolder out(options.out,
+                   {.command = "run", .inputs = std::move(inputs), .names = benchmark_files()});
   Progress progress(options.quiet);
-  Runs runs(std::filesystem::path(options.case_path).parent_path(), progress);
   for (const BenchmarkTable& table : result.benchmark.tables) {
     BenchmarkValues values(table.rows.size(),
                            std::vector<std::optional<double>>(table.columns.size()));
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      BenchmarkRun& run = runs.of(table.case_file, table.columns[c]);
+      BenchmarkRun& run = runs.of(table.case_file, table.columns[c], progress);
       for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const BenchmarkRow& row = table.rows[r];
         if (!row.only.empty() && row.only != table.columns[c].name) continue;
@@ -91,10 +129,12 @@ int benchmark_command(const RunOptions& options) {
     result.values.push_back(std::move(values));
   }
   result.runs = runs.count();
-  write_benchmark(result, options.out);
+  write_benchmark(result, out);
+  hand_over(out);
   progress.finish();
   if (!options.quiet)
-    fmt::print("{}\nReport: {}\n", benchmark_text(result), (options.out / "report.html").string());
+    print(fmt::format("{}\nReport: {}\n", benchmark_text(result),
+                      (out.path() / "report.html").string()));
   return 0;
 }
 

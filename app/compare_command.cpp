@@ -1,5 +1,7 @@
 #include "app/commands.hpp"
 
+#include "app/finish.hpp"
+#include "app/terminal.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
 #include "io/results/write_correlation.hpp"
@@ -12,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A measured.yaml, or a folder of results with its simulated.yaml.
-TestData test_data(const std::string& path) {
+MeasuredFile measured_file(const std::string& path) {
   const fs::path file = fs::is_directory(path) ? fs::path(path) / "simulated.yaml" : fs::path(path);
   if (!fs::is_regular_file(file))
     throw InputError({{.file = file.string(),
@@ -20,20 +22,29 @@ TestData test_data(const std::string& path) {
                        .key = "",
                        .wrong = "is not there",
                        .allowed = "a measured.yaml, or a folder that `plica run` has written"}});
-  TestData side{.data = read_measured(file.string()), .frfs = {}};
-  side.frfs = load_frfs(side.data, file.parent_path());
-  return side;
+  return read_measured_file(file.string());
+}
+
+TestData test_data(const MeasuredFile& file) {
+  return {.data = file.data, .frfs = load_frfs(file.data, file.path.parent_path())};
 }
 
 } // namespace
 
 int compare_command(const CompareOptions& options) {
-  const TestData simulated = test_data(options.result), measured = test_data(options.measured);
+  const MeasuredFile result = measured_file(options.result), test = measured_file(options.measured);
+  std::vector<fs::path> inputs = files_of(result);
+  for (fs::path& file : files_of(test)) inputs.push_back(std::move(file));
+  OutputFolder out(
+      options.out,
+      {.command = "compare", .inputs = std::move(inputs), .names = correlation_files()});
+  const TestData simulated = test_data(result), measured = test_data(test);
   const Correlation c = correlate(simulated, measured);
-  write_correlation(c, simulated, measured, options.out);
+  write_correlation(c, simulated, measured, out);
+  hand_over(out);
   if (!options.quiet)
-    fmt::print("{}\nReport: {}\n", correlation_text(c, simulated, measured),
-               (options.out / "report.html").string());
+    print(fmt::format("{}\nReport: {}\n", correlation_text(c, simulated, measured),
+                      (out.path() / "correlation.html").string()));
   return 0;
 }
 

@@ -1,8 +1,9 @@
 #include "app/commands.hpp"
+#include "app/finish.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "diagnose/diagnose.hpp"
-#include "io/files.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
 #include "io/results/write_diagnosis.hpp"
@@ -70,7 +71,8 @@ std::string title_of(const Case& data) {
 }
 
 int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
-  make_folder(options.out);
+  OutputFolder out(options.out,
+                   {.command = "pretest", .inputs = files_of(file), .names = pretest_files()});
   Progress progress(options.quiet);
   progress.title(file.data.name);
   Pretest result;
@@ -85,10 +87,12 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
                        .wrong = error.what(),
                        .allowed = "sensors: [{name: mid, at: [...]}]"}});
   }
-  write_pretest(result, title_of(file.data), PLICA_VERSION, options.out);
+  write_pretest(result, title_of(file.data), PLICA_VERSION, out);
+  hand_over(out);
   progress.finish();
   if (!options.quiet)
-    fmt::print("{}\nReport: {}\n", pretest_text(result), (options.out / "report.html").string());
+    print(fmt::format("{}\nReport: {}\n", pretest_text(result),
+                      (out.path() / "pretest.html").string()));
   return 0;
 }
 
@@ -99,10 +103,15 @@ int diagnose_command(const DiagnoseOptions& options) {
   const CaseFile file = read_case(options.case_path, options.model);
   if (options.pretest) return plan_test(options, file);
   const fs::path measured = measured_file(options, file);
-  DiagnosisData test{.data = read_measured(measured.string()), .responses = {}};
+  const MeasuredFile test_file = read_measured_file(measured.string());
+  DiagnosisData test{.data = test_file.data, .responses = {}};
   resolve_states(test.data, file.data, measured.string());
   test.responses = responses_of(test.data, measured.parent_path());
-  make_folder(options.out);
+  std::vector<fs::path> inputs = files_of(file);
+  for (fs::path& path : files_of(test_file)) inputs.push_back(std::move(path));
+  OutputFolder out(
+      options.out,
+      {.command = "diagnose", .inputs = std::move(inputs), .names = diagnosis_files()});
   Progress progress(options.quiet);
   progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
   DiagnosisSettings settings{.without = {options.without.begin(), options.without.end()},
@@ -113,7 +122,8 @@ int diagnose_command(const DiagnoseOptions& options) {
   };
   Diagnosis diagnosis;
   try {
-    diagnosis = located(file, [&] { return diagnose(file.data, test, settings); });
+    diagnosis = with_doubts(
+        file, [&] { return located(file, [&] { return diagnose(file.data, test, settings); }); });
   } catch (const std::invalid_argument& error) {
     throw InputError({{.file = measured.string(),
                        .line = 0,
@@ -123,11 +133,12 @@ int diagnose_command(const DiagnoseOptions& options) {
   }
   for (const std::vector<FrfSet>& sets : test.responses)
     for (std::string& warning : warnings_of(sets)) diagnosis.warnings.push_back(std::move(warning));
-  write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, options.out);
+  write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, out);
+  hand_over(out);
   progress.finish();
   if (!options.quiet)
-    fmt::print("{}\nReport: {}\n", diagnosis_text(diagnosis),
-               (options.out / "report.html").string());
+    print(fmt::format("{}\nReport: {}\n", diagnosis_text(diagnosis),
+                      (out.path() / "diagnosis.html").string()));
   return 0;
 }
 

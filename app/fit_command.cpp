@@ -1,9 +1,10 @@
 #include "app/commands.hpp"
+#include "app/finish.hpp"
 #include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "diagnose/fit.hpp"
-#include "io/files.hpp"
 #include "io/input/case_checks.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
@@ -53,7 +54,8 @@ int fit_command(const FitOptions& options) {
   const std::filesystem::path measured = options.measured.empty()
                                              ? beside / file.data.measured
                                              : std::filesystem::path(options.measured);
-  TestData test{.data = read_measured(measured.string()), .frfs = {}};
+  const MeasuredFile test_file = read_measured_file(measured.string());
+  TestData test{.data = test_file.data, .frfs = {}};
   std::erase_if(test.data.frf, [&, i = 0](const MeasuredFrf&) mutable {
     const auto& held = test.data.hold_out;
     return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
@@ -64,7 +66,11 @@ int fit_command(const FitOptions& options) {
                        .seed = options.seed,
                        .starts = {}};
   if (!options.restart.empty()) settings.starts = read_designs(options.restart, *file.data.fit);
-  make_folder(options.out);
+  std::vector<std::filesystem::path> inputs = files_of(file);
+  for (std::filesystem::path& path : files_of(test_file)) inputs.push_back(std::move(path));
+  if (!options.restart.empty()) inputs.emplace_back(options.restart);
+  OutputFolder out(options.out,
+                   {.command = "fit", .inputs = std::move(inputs), .names = fit_files()});
   Progress progress(options.quiet);
   progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
   progress.stage("fit of " + std::to_string(file.data.fit->parameters.size()) + " parameters");
@@ -85,7 +91,9 @@ int fit_command(const FitOptions& options) {
     std::signal(signal, stop_searching); // the best so far is refined and written
   FitResult fit;
   try {
-    fit = located(file, [&] { return fit_case(file.data, *file.data.fit, test, settings); });
+    fit = with_doubts(file, [&] {
+      return located(file, [&] { return fit_case(file.data, *file.data.fit, test, settings); });
+    });
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what(), "a start from which the model gives every target");
   }
@@ -95,10 +103,11 @@ int fit_command(const FitOptions& options) {
     fit.warnings.insert(fit.warnings.begin(),
                         fit.stopped ? "the search was stopped: these are the best values so far"
                                     : "the search was stopped before its budget");
-  write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, options.out);
+  write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, out);
+  hand_over(out);
   progress.finish();
   if (!options.quiet)
-    fmt::print("{}\nReport: {}\n", fit_text(fit), (options.out / "report.html").string());
+    print(fmt::format("{}\nReport: {}\n", fit_text(fit), (out.path() / "fit.html").string()));
   if (stopped) return 128 + stopping_signal;
   return fit.converged ? 0 : 2;
 }

@@ -1,9 +1,11 @@
 #include "app/commands.hpp"
 
+#include "app/finish.hpp"
+#include "app/interrupt.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "diagnose/frf_of_signals.hpp"
 #include "diagnose/linearity.hpp"
-#include "io/files.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
 #include "io/results/write_identification.hpp"
@@ -34,6 +36,7 @@ struct Task {
 };
 
 struct Tasks {
+  std::vector<fs::path> inputs;
   std::vector<Task> list;
   std::vector<LevelVerdict> levels;
   std::vector<Homogeneity> homogeneity;
@@ -53,9 +56,10 @@ std::string title_of(const std::string& specimen, const FrfSet& set) {
 }
 
 Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
-  const Measured measured = read_measured(path);
+  const MeasuredFile file = read_measured_file(path);
+  const Measured& measured = file.data;
   const fs::path folder = fs::path(path).parent_path();
-  Tasks tasks;
+  Tasks tasks{.inputs = files_of(file), .list = {}, .levels = {}, .homogeneity = {}};
   std::vector<FrfSet> sets = load_frfs(measured, folder);
   for (const FrfSet& set : sets)
     tasks.list.push_back(of_file(title_of(measured.specimen, set), set));
@@ -89,52 +93,88 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
   return tasks;
 }
 
+Tasks tasks_of(const IdentifyOptions& options) {
+  const fs::path first = options.files.front();
+  if (first.extension() != ".yaml" && first.extension() != ".yml") {
+    Tasks tasks{.inputs = {options.files.begin(), options.files.end()},
+                .list = {},
+                .levels = {},
+                .homogeneity = {}};
+    const FrfSet set = load_frf_files(tasks.inputs, options.quantity);
+    tasks.list.push_back(of_file(first.stem().string(), set));
+    return tasks;
+  }
+  if (options.files.size() > 1)
+    throw InputError({{.file = first.string(),
+                       .line = 0,
+                       .key = "",
+                       .wrong = "stands beside other files",
+                       .allowed = "one measured.yaml, or files of frequency responses"}});
+  return tasks_of(first.string(), options);
+}
+
+// Where the files of a task go: a folder each where there are several.
+std::string below(const Tasks& tasks, std::size_t i) {
+  return tasks.list.size() == 1 ? "" : std::to_string(i + 1) + "/";
+}
+
+std::vector<std::string> names_of(const Tasks& tasks) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < tasks.list.size(); ++i)
+    for (const std::string& name : identification_files(tasks.list[i].frf.density.size() > 0))
+      names.push_back(below(tasks, i) + name);
+  if (!tasks.levels.empty()) names.emplace_back(levels_file);
+  return names;
+}
+
+// Whether a mode was found.
+bool identify_one(const Tasks& tasks, std::size_t i, const IdentifyOptions& options,
+                  OutputFolder& out, Progress& progress) {
+  const Task& task = tasks.list[i];
+  progress.title(task.title);
+  progress.stage("identification");
+  const Identification found =
+      told(options.files.front(), "", [&] { return identify(task.frf.set, options.settings); });
+  const LinearityOfSet linearity{.reciprocity = reciprocity(task.frf.set),
+                                 .coherence_drops =
+                                     task.frf.coherence.size() > 0
+                                         ? coherence_drops(task.frf.set, task.frf.coherence)
+                                         : std::vector<CoherenceDrop>{},
+                                 .distortion = distortions(task.frf.set, task.frf.distortion)};
+  write_identification(found, linearity, task.title, out, below(tasks, i));
+  if (task.frf.density.size() > 0) out.add(below(tasks, i) + "spectra.csv", spectra_csv(task.frf));
+  out.commit();
+  progress.finish();
+  if (!options.quiet)
+    print(fmt::format("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
+                      (out.path() / (below(tasks, i) + "identification.html")).string(),
+                      i + 1 < tasks.list.size() ? "\n" : ""));
+  return !found.modes.empty();
+}
+
 } // namespace
 
 int identify_command(const IdentifyOptions& options) {
-  Tasks tasks;
-  const fs::path first = options.files.front();
-  if (first.extension() == ".yaml" || first.extension() == ".yml") {
-    if (options.files.size() > 1)
-      throw InputError({{.file = first.string(),
-                         .line = 0,
-                         .key = "",
-                         .wrong = "stands beside other files",
-                         .allowed = "one measured.yaml, or files of frequency responses"}});
-    tasks = tasks_of(first.string(), options);
-  } else {
-    const FrfSet set =
-        load_frf_files({options.files.begin(), options.files.end()}, options.quantity);
-    tasks.list.push_back(of_file(first.stem().string(), set));
-  }
+  const Tasks tasks = tasks_of(options);
+  OutputFolder out(options.out,
+                   {.command = "identify", .inputs = tasks.inputs, .names = names_of(tasks)});
   Progress progress(options.quiet);
   bool found_any = tasks.list.empty();
   for (std::size_t i = 0; i < tasks.list.size(); ++i) {
-    const Task& task = tasks.list[i];
-    progress.title(task.title);
-    progress.stage("identification");
-    const Identification found =
-        told(first.string(), "", [&] { return identify(task.frf.set, options.settings); });
-    const fs::path folder =
-        tasks.list.size() == 1 ? options.out : options.out / std::to_string(i + 1);
-    const LinearityOfSet linearity{.reciprocity = reciprocity(task.frf.set),
-                                   .coherence_drops =
-                                       task.frf.coherence.size() > 0
-                                           ? coherence_drops(task.frf.set, task.frf.coherence)
-                                           : std::vector<CoherenceDrop>{},
-                                   .distortion = distortions(task.frf.set, task.frf.distortion)};
-    write_identification(found, linearity, task.title, folder);
-    if (task.frf.density.size() > 0) write_whole(folder / "spectra.csv", spectra_csv(task.frf));
-    progress.finish();
-    if (!options.quiet)
-      fmt::print("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
-                 (folder / "report.html").string(), i + 1 < tasks.list.size() ? "\n" : "");
-    found_any = found_any || !found.modes.empty();
+    try {
+      found_any = identify_one(tasks, i, options, out, progress) || found_any;
+    } catch (const Interrupted& stop) {
+      if (i == 0) throw;
+      say(fmt::format("plica: stopped before \"{}\"; {} of {} are written\n", stop.stage, i,
+                      tasks.list.size()));
+      return interrupted_exit();
+    }
   }
   if (!tasks.levels.empty()) {
-    write_levels(tasks.levels, tasks.homogeneity, options.out);
-    if (!options.quiet) fmt::print("{}", levels_text(tasks.levels, tasks.homogeneity));
+    write_levels(tasks.levels, tasks.homogeneity, out);
+    if (!options.quiet) print(levels_text(tasks.levels, tasks.homogeneity));
   }
+  hand_over(out);
   return found_any ? 0 : 2;
 }
 

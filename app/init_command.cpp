@@ -1,12 +1,13 @@
 #include "app/commands.hpp"
 
+#include "app/terminal.hpp"
+#include "io/files.hpp"
 #include "io/input/starter_case.hpp"
 #include "model/input_error.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <fmt/core.h>
-#include <fstream>
 
 namespace plica {
 
@@ -22,13 +23,10 @@ int init_command(const std::filesystem::path& given) {
         return std::isalnum(c) != 0 || c == '_';
       }))
     throw refused("is no name for a case", "letters, digits and underscores, as in my_pipe.yaml");
-  if (std::filesystem::exists(file))
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)))
     throw refused("is there already", "a new file; nothing is overwritten");
-  std::ofstream out(file);
-  out << starter_case(name);
-  out.close();
-  if (!out) throw refused("cannot be written", "a file in a folder that is there");
-  fmt::print("{} written. Next: plica run {} --out out\n", file.string(), file.string());
+  write_new(file, starter_case(name), file);
+  print(fmt::format("{} written. Next: plica run {} --out out\n", file.string(), file.string()));
   return 0;
 }
 

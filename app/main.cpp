@@ -1,7 +1,9 @@
-// The command line. Exit codes: 0 good, 1 user error, 2 a numerical verdict failed, 3 internal.
+// The command line. Exit codes: 0 good, 1 user error (also an output that cannot be written), 2 a
+// numerical verdict failed, 3 internal.
 #include "app/commands.hpp"
 #include "app/describe_app.hpp"
 #include "app/interrupt.hpp"
+#include "app/terminal.hpp"
 #include "io/input/did_you_mean.hpp"
 #include "io/results/geometry.hpp"
 #include "model/input_error.hpp"
@@ -10,7 +12,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
 #include <new>
 
 namespace {
@@ -262,7 +263,7 @@ int dispatch(int argc, char** argv) {
   CLI::App* manual_app = app.add_subcommand("manual", "print the manual page, as man reads it");
 
   if (const std::string unknown = unknown_command(app, argc, argv); !unknown.empty()) {
-    fmt::print(stderr, "{}\n", unknown);
+    plica::say(unknown + "\n");
     return 1;
   }
   try {
@@ -296,30 +297,35 @@ int dispatch(int argc, char** argv) {
   }
   if (*check_app) return plica::check_command(check);
   if (*init_app) return plica::init_command(starter);
-  if (*completion_app) fmt::print("{}", plica::completion(app, shell));
-  if (*manual_app) fmt::print("{}", plica::manual_page(app, PLICA_VERSION));
+  if (*completion_app) plica::print(plica::completion(app, shell));
+  if (*manual_app) plica::print(plica::manual_page(app, PLICA_VERSION));
   if (*completion_app || *manual_app) return 0;
   return plica::schema_command(schema, reference);
+}
+
+int run_command_line(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const plica::Interrupted& stop) {
+    plica::say("plica: stopped before \"" + stop.stage + "\"; no file was written\n");
+    return plica::interrupted_exit();
+  } catch (const plica::InputError& error) {
+    plica::say(std::string(error.what()) + "\n");
+    return 1;
+  } catch (const std::bad_alloc&) {
+    plica::say("plica: not enough memory for this model\n");
+    return 3;
+  } catch (const std::exception& error) {
+    plica::say(std::string("plica: ") + error.what() + "\n");
+    return 3;
+  }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   plica::avoid_faulty_blas_kernels(argv);
+  plica::open_standard_streams();
   plica::watch_interrupts();
-  try {
-    return dispatch(argc, argv);
-  } catch (const plica::Interrupted& stop) {
-    fmt::print(stderr, "plica: stopped before \"{}\"; no file was written\n", stop.stage);
-    return plica::interrupted_exit();
-  } catch (const plica::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "plica: not enough memory for this model\n");
-    return 3;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "plica: {}\n", error.what());
-    return 3;
-  }
+  return plica::finished(run_command_line(argc, argv));
 }

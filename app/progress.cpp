@@ -1,6 +1,7 @@
 #include "app/progress.hpp"
 
 #include "app/interrupt.hpp"
+#include "app/terminal.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -31,14 +32,13 @@ void Progress::stage(const std::string& name) {
                                       : "";
   const std::string line = fmt::format("[{:6.1f} s] {}{}: {}", seconds, left, title_, name);
   if (terminal_)
-    fmt::print(stderr, "\r\033[K{}", line);
+    say_raw("\r\033[K" + printable(line));
   else
-    fmt::print(stderr, "{}\n", line);
-  std::fflush(stderr);
+    say(line + "\n");
 }
 
 void Progress::finish() {
-  if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
+  if (!quiet_ && terminal_) say_raw("\r\033[K");
 }
 
 } // namespace plica

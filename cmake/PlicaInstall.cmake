@@ -6,20 +6,27 @@ include(CMakePackageConfigHelpers)
 get_property(plica_libraries GLOBAL PROPERTY PLICA_LIBRARIES)
 set(plica_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plica)
 
-add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/plica.1 ${PROJECT_BINARY_DIR}/plica.bash
+# Debian wants manual and changelog packed, without a time in them.
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/plica.1.gz ${PROJECT_BINARY_DIR}/plica.bash
   COMMAND plica manual > ${PROJECT_BINARY_DIR}/plica.1
+  COMMAND gzip -9nkf ${PROJECT_BINARY_DIR}/plica.1
   COMMAND plica completion bash > ${PROJECT_BINARY_DIR}/plica.bash
   DEPENDS plica)
-add_custom_target(plica_manual ALL DEPENDS ${PROJECT_BINARY_DIR}/plica.1)
+add_custom_target(plica_manual ALL DEPENDS ${PROJECT_BINARY_DIR}/plica.1.gz)
+configure_file(cmake/debian_changelog.in ${PROJECT_BINARY_DIR}/changelog @ONLY)
+execute_process(COMMAND gzip -9nkf ${PROJECT_BINARY_DIR}/changelog COMMAND_ERROR_IS_FATAL ANY)
 
 install(TARGETS plica RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS plica_mesher RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/plica COMPONENT program)
-install(FILES ${PROJECT_BINARY_DIR}/plica.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+install(FILES ${PROJECT_BINARY_DIR}/plica.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
   COMPONENT program)
 install(FILES ${PROJECT_BINARY_DIR}/plica.bash RENAME plica
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/plica COMPONENT program)
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md LICENSE ${PROJECT_BINARY_DIR}/changelog.gz
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES cmake/debian_copyright RENAME copyright
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 install(TARGETS ${plica_libraries} EXPORT plica-targets
@@ -51,6 +58,11 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME plica)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+  "Turns the drawing of a flexible exhaust pipe into a shell model, gives its static
+stiffness and its modes with a proof that none is missing, the response on a
+shaker table and a superelement for a larger model, and says where and why a
+test differs from it.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libopenblas0-pthread)
 set(CPACK_STRIP_FILES ON)

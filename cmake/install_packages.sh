@@ -1,9 +1,14 @@
 #!/bin/sh
 # Installs the Debian packages of packages.txt that are missing; says what to do where it may not.
+#   install_packages.sh SECTION ...      run, test, slow, bench
 set -eu
 here=$(dirname "$0")
 missing=""
-for package in $(grep -v '^#' "$here/packages.txt"); do
+wanted() {
+  awk -v sections=" $* " '/^# [a-z]+:/ {on = index(sections, " " substr($2, 1, length($2) - 1) " ")}
+                          /^[^#]/ && on {print}' "$here/packages.txt"
+}
+for package in $(wanted "$@"); do
   [ "$package" = npm ] && command -v npm >/dev/null 2>&1 && continue
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
     missing="$missing $package"

@@ -1,6 +1,7 @@
 #include "io/csv_table.hpp"
 
 #include "io/files.hpp"
+#include "io/input/utf8.hpp"
 #include "io/lab_units.hpp"
 #include "model/input_error.hpp"
 
@@ -143,7 +144,7 @@ bool is_numeric(const Row& row, bool decimal_comma) {
 CsvTable read_csv(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     bad(path, 0, "", "is no file", "the path of a CSV file");
-  return csv_of_text(read_whole(path), path);
+  return csv_of_text(in_utf8(read_whole(path)), path);
 }
 
 CsvTable csv_of_text(const std::string& text, const std::filesystem::path& path) {

@@ -121,8 +121,9 @@ MatrixXcd matrix_of(const matvar_t& v) {
 
 } // namespace
 
-MatlabReader::MatlabReader(const fs::path& path)
-    : path_(path), file_(Mat_Open(path.c_str(), MAT_ACC_RDONLY)) {
+MatlabReader::MatlabReader(const fs::path& path) : path_(path) {
+  if (const std::string why = why_unreadable(path); !why.empty()) fail(why);
+  file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file_) fail("damaged, or no MATLAB file");
   if (Mat_GetVersion(file_.get()) != MAT_FT_MAT5) return;
   if (const std::string wrong = fault_of_matlab5(read_whole(path)); !wrong.empty())

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct DeckModel {
   std::vector<DeckCoupling> couplings;
   std::vector<Constraint> equations;
   std::vector<Constraint> supports;
+  std::set<std::string> files;       // that it was read from
   std::vector<std::string> left_out; // cards that are not followed: "model.inp:12: *DAMPING"
 };
 

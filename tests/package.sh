@@ -3,10 +3,10 @@
 # A2 there.   package.sh BUILD WORK
 set -eu
 build=$1 work=$2
-command -v debootstrap >/dev/null || apt-get install -y -qq --no-install-recommends debootstrap
 rm -rf "$work"
 mkdir -p "$work"
 (cd "$build" && cpack -G DEB -B "$work" >/dev/null)
+lintian --fail-on error --suppress-tags bogus-mail-host-in-debian-changelog "$work"/plica_*.deb
 root=$work/root
 mirror=$(apt-get indextargets --format '$(REPO_URI)' | head -1)
 debootstrap --variant=minbase --include=ca-certificates bookworm "$root" "$mirror" >"$work/debootstrap.log"

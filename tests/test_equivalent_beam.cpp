@@ -4,6 +4,8 @@
 
 #include "io/results/write_beam.hpp"
 #include "tests/bellows_case.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/written.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -70,9 +72,9 @@ TEST(EquivalentBeam, comes_back_as_models_of_a_case_file) {
       EXPECT_NEAR(t.pipe[0] / t.shell[0], 1, 0.03) << t.hertz;
     }
   // The case with beam.yaml in place of its own models.
-  const auto folder = std::filesystem::temp_directory_path() / "plica_beam_models";
-  std::filesystem::create_directories(folder);
-  write_beam(beam, folder);
+  const TemporaryFolder temporary("beam_models");
+  const auto& folder = temporary.path;
+  written(folder, [&](OutputFolder& out) { write_beam(beam, out); });
   std::ifstream in(a2);
   std::string text((std::istreambuf_iterator<char>(in)), {});
   text = text.substr(0, text.find("\nmodels:"));

@@ -12,6 +12,8 @@
 #include "model/input_error.hpp"
 #include "model/run.hpp"
 #include "solve/parallel.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/written.hpp"
 #include "tests/tube_case.hpp"
 
 #include <atomic>
@@ -414,8 +416,9 @@ TEST(Fit, goes_on_from_its_file) {
   const Measured measured = measured_on(data, 0.001, random);
   const Case start = with_design(data, three_numbers(), VectorXd{{3e4, 0.5, 0.3}});
   const FitResult first = fit_case(start, three_numbers(), {measured, {}}, {});
-  const auto folder = std::filesystem::temp_directory_path() / "plica_fit_restart";
-  write_fit(first, "restart", folder);
+  const test::TemporaryFolder temporary("fit");
+  const auto& folder = temporary.path;
+  test::written(folder, [&](OutputFolder& out) { write_fit(first, "restart", out); });
   const auto designs = read_designs((folder / "fit.json").string(), three_numbers());
   ASSERT_GT(designs.size(), 10U);
   FitSettings settings;
@@ -432,7 +435,7 @@ TEST(Fit, goes_on_from_its_file) {
   const std::string yaml = fitted_yaml(fit_case(start, shared, {measured, {}}, {}));
   EXPECT_NE(yaml.find("parts.bellows.outer.axial"), std::string::npos);
   EXPECT_NE(yaml.find("parts.bellows.inner.axial"), std::string::npos);
-  for (const char* name : {"fit.csv", "designs.csv", "fitted.yaml", "report.html"})
+  for (const char* name : {"fit.csv", "designs.csv", "fitted.yaml", "fit.html"})
     EXPECT_TRUE(std::filesystem::is_regular_file(folder / name)) << name;
 }
 

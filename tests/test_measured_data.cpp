@@ -2,6 +2,7 @@
 // the way simulate, write, add noise, read, identify.
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/written.hpp"
 #include "tests/synthetic_frf.hpp"
 
 #include "diagnose/correlate.hpp"
@@ -357,7 +358,7 @@ TEST(MeasuredData, identified_modes_are_entries_of_measured_yaml) {
   const TemporaryFolder folder("entries");
   const Identification found =
       identify(synthetic(four_dof(), FrfQuantity::accelerance, 5, 70, 1301, 2), {});
-  write_identification(found, {}, "four", folder.path);
+  written(folder.path, [&](OutputFolder& out) { write_identification(found, {}, "four", out); });
   std::string sensors = "specimen: four\nsensors:\n";
   for (int k = 1; k < 5; ++k) sensors += fmt::format("  - {{name: p{}, at: [0, 0, 0]}}\n", k);
   write_whole(folder.path / "measured.yaml",

@@ -1,6 +1,7 @@
 // What a run writes can be read again by those it is for: JSON and CSV readers, VTK.
 #include "tests/sample_results.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/written.hpp"
 
 #include "io/report/report.hpp"
 #include "io/results/csv.hpp"
@@ -232,19 +233,22 @@ TEST(Numbers, keep_integer_digits_and_drop_what_is_not_finite) {
 TEST(WriteResults, writes_all_files_and_the_same_bytes_twice) {
   const TemporaryFolder folder("output");
   const fs::path out = folder.path / "new" / "out";
-  write_results(sample(), out);
+  const auto write = [&] {
+    written(out, [](OutputFolder& files) { write_results(sample(), files); });
+  };
+  write();
   std::map<std::string, std::string> first;
   for (const auto& file : fs::directory_iterator(out)) {
     first[file.path().filename().string()] = content_of(file.path());
   }
-  EXPECT_EQ(first.size(), 15u);
-  for (const char* name :
-       {"results.json", "simulated.yaml", "responses.uff", "modes.csv", "static.csv",
-        "comparison.csv", "variants.csv", "modes.vtu", "report.html", "response_y.csv",
-        "motion_y.csv", "random_y.csv", "stress.csv", "stress.vtu", "error_bars.csv"}) {
+  EXPECT_EQ(first.size(), 16u);
+  for (const char* name : {"results.json", "simulated.yaml", "responses.uff", "modes.csv",
+                           "static.csv", "comparison.csv", "variants.csv", "modes.vtu",
+                           "report.html", "response_y.csv", "motion_y.csv", "random_y.csv",
+                           "stress.csv", "stress.vtu", "error_bars.csv", manifest_name}) {
     EXPECT_FALSE(first[name].empty()) << name;
   }
-  write_results(sample(), out);
+  write();
   for (const auto& [name, content] : first) EXPECT_EQ(content_of(out / name), content) << name;
 }
 
@@ -254,7 +258,7 @@ TEST(WriteResults, says_which_folder_cannot_be_written) {
   std::ofstream(file) << "old";
   for (const fs::path& out : {file, file / "below"}) {
     try {
-      write_results(sample(), out);
+      written(out, [](OutputFolder& files) { write_results(sample(), files); });
       ADD_FAILURE() << out;
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find(out.string()), std::string::npos) << error.what();
@@ -267,7 +271,8 @@ TEST(WriteResults, leaves_old_files_alone_when_one_cannot_be_written) {
   const TemporaryFolder folder("output");
   std::ofstream(folder.path / "results.json") << "old";
   fs::create_directories(folder.path / "report.html");
-  EXPECT_THROW(write_results(sample(), folder.path), std::runtime_error);
+  EXPECT_THROW(written(folder.path, [](OutputFolder& out) { write_results(sample(), out); }),
+               InputError);
   EXPECT_EQ(content_of(folder.path / "results.json"), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()), 2);
 }

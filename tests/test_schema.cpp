@@ -99,7 +99,7 @@ bool conforms(const Json& x, const Json& schema) {
 
 Json json_of_file(const fs::path& path) {
   std::vector<InputProblem> problems;
-  return json_of(read_yaml(path, problems));
+  return json_of(read_yaml(path, problems).root);
 }
 
 TEST(Schema, is_draft_07_and_describes_every_key_at_the_top) {

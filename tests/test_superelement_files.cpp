@@ -1,6 +1,7 @@
 // A reduced case: its certificate, every file read back, and files that are damaged.
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/written.hpp"
 
 #include "io/files.hpp"
 #include "io/report/superelements.hpp"
@@ -270,7 +271,7 @@ TEST(ReducedCase, in_millimetres_is_the_same_part) {
 TEST(SuperelementFiles, come_back_as_they_were) {
   const TemporaryFolder folder("superelement");
   const ReducedCase r = reduced(sample_case());
-  write_superelement(r, Units::metres, folder.path);
+  written(folder.path, [&](OutputFolder& out) { write_superelement(r, Units::metres, out); });
   const Superelement& s = r.element;
   const Superelement own = read_hdf5(folder.path / "superelement.h5");
   EXPECT_EQ(own.name, s.name);
@@ -327,7 +328,7 @@ TEST(SuperelementFiles, come_back_as_they_were) {
 TEST(SuperelementFiles, damaged_are_refused_with_their_name_and_line) {
   const TemporaryFolder folder("superelement_damaged");
   const ReducedCase r = reduced(sample_case(), 500);
-  write_superelement(r, Units::metres, folder.path);
+  written(folder.path, [&](OutputFolder& out) { write_superelement(r, Units::metres, out); });
   const auto message = [](const auto& read) -> std::string {
     try {
       read();

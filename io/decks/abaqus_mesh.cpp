@@ -1,6 +1,7 @@
 #include "io/decks/abaqus_mesh.hpp"
 
 #include <optional>
+#include <unordered_set>
 
 namespace plica {
 namespace {
@@ -46,6 +47,11 @@ std::string section_of(const std::string& type) {
                                                         {"DCOUP3D", "DISTRIBUTING COUPLING"}};
   const auto need = needs.find(type);
   return need == needs.end() ? "SHELL SECTION" : need->second;
+}
+
+void keep_first(std::vector<int>& list) {
+  std::unordered_set<int> seen;
+  std::erase_if(list, [&](int x) { return !seen.insert(x).second; });
 }
 
 } // namespace
@@ -107,19 +113,23 @@ int AbaqusMesh::node(const Keyword& k, const DataLine& line, std::size_t field) 
   return found->second;
 }
 
+// Each once, in their order: sets of sets would double with every level.
 void AbaqusMesh::read_sets() {
   for (const Keyword& k : sets_) {
+    std::vector<int> more;
+    const auto add = [&](const std::vector<int>& list) {
+      more.insert(more.end(), list.begin(), list.end());
+    };
     if (k.name == "NSET" && k.has("ELSET")) {
-      for (int e : elements(k, {k.at, {}}, k.word("ELSET")))
-        for (int n : elements_.at(e).nodes) nsets_[k.word("NSET")].push_back(n);
-      continue;
+      for (int e : elements(k, {k.at, {}}, k.word("ELSET"))) add(elements_.at(e).nodes);
+    } else {
+      for_each_entry(k, [&](const DataLine& line, const std::string& entry) {
+        add(k.name == "NSET" ? nodes(k, line, entry) : elements(k, line, entry));
+      });
     }
-    for_each_entry(k, [&](const DataLine& line, const std::string& entry) {
-      if (k.name == "NSET")
-        for (int n : nodes(k, line, entry)) nsets_[k.word("NSET")].push_back(n);
-      else
-        for (int e : elements(k, line, entry)) elsets_[k.word("ELSET")].push_back(e);
-    });
+    std::vector<int>& set = k.name == "NSET" ? nsets_[k.word("NSET")] : elsets_[k.word("ELSET")];
+    set.insert(set.end(), more.begin(), more.end());
+    keep_first(set);
   }
   deck_.sets = nsets_;
 }

@@ -34,8 +34,8 @@ std::string plain(const std::string& raw) {
 
 // All lines of the deck and its includes.
 void collect(const std::filesystem::path& file, const DeckPosition& from, std::size_t depth,
-             std::vector<Line>& lines) {
-  std::istringstream stream(included_text(file, from, "INCLUDE", depth));
+             std::size_t& files, std::vector<Line>& lines) {
+  std::istringstream stream(included_text(file, from, "INCLUDE", depth, ++files));
   DeckPosition at{file.string(), 0};
   for (std::string raw; std::getline(stream, raw);) {
     ++at.line;
@@ -48,7 +48,7 @@ void collect(const std::filesystem::path& file, const DeckPosition& from, std::s
     std::string name = trimmed(trimmed(line).substr(7));
     std::erase(name, '\'');
     std::erase(name, '"');
-    collect(file.parent_path() / name, at, depth + 1, lines);
+    collect(file.parent_path() / name, at, depth + 1, files, lines);
   }
 }
 
@@ -252,7 +252,8 @@ std::vector<int> Card::list(std::size_t first) const {
 
 BulkData read_bulk_data(const std::filesystem::path& file) {
   std::vector<Line> lines;
-  collect(file, {file.string(), 0}, 0, lines);
+  std::size_t files = 0;
+  collect(file, {file.string(), 0}, 0, files, lines);
   BulkData data = CardReader(lines).data;
   if (data.cards.empty()) deck_error({file.string(), 0}, "", "has no card", "a Nastran deck");
   return data;

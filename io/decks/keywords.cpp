@@ -26,7 +26,7 @@ public:
   std::vector<Keyword> keywords;
 
   void read(const std::filesystem::path& file, const DeckPosition& from) {
-    std::istringstream stream(included_text(file, from, "*INCLUDE", ++depth_));
+    std::istringstream stream(included_text(file, from, "*INCLUDE", ++depth_, ++files_));
     DeckPosition at{file.string(), 0};
     bool open = false; // a keyword that goes on
     for (std::string line; std::getline(stream, line);) {
@@ -92,7 +92,7 @@ private:
     read(file.parent_path() / name, at);
   }
 
-  std::size_t depth_ = 0;
+  std::size_t depth_ = 0, files_ = 0;
 };
 
 const std::string& field_of(const Keyword& keyword, const DataLine& line, std::size_t field) {
@@ -105,9 +105,11 @@ const std::string& field_of(const Keyword& keyword, const DataLine& line, std::s
 } // namespace
 
 std::string included_text(const std::filesystem::path& file, const DeckPosition& from,
-                          const std::string& card, std::size_t depth) {
-  constexpr std::size_t most_nested = 20;
+                          const std::string& card, std::size_t depth, std::size_t files) {
+  constexpr std::size_t most_nested = 20, most_files = 1000;
   if (depth > most_nested) deck_error(from, card, "files include each other", "a file that ends");
+  if (files > most_files)
+    deck_error(from, card, "more than 1000 files are included", "fewer files, each once");
   try {
     return read_whole(file);
   } catch (const std::runtime_error&) {

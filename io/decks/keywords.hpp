@@ -36,9 +36,10 @@ struct Keyword {
 std::vector<Keyword> read_keywords(const std::filesystem::path& file);
 
 // Text of a file that a card of a deck includes, of either code. Throws InputError at `from` when
-// it cannot be read, or lies deeper than twenty files.
+// it cannot be read, lies deeper than twenty files, or is
+// more than the thousandth: files that include two others each would double with every level.
 std::string included_text(const std::filesystem::path& file, const DeckPosition& from,
-                          const std::string& card, std::size_t depth);
+                          const std::string& card, std::size_t depth, std::size_t files);
 
 std::string in_capitals(std::string text);
 std::string trimmed(const std::string& text); // without spaces, tabs and returns around it

@@ -74,6 +74,10 @@ void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases, L
 DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   const std::vector<Keyword> keywords = read_keywords(file);
   DeckModel deck;
+  for (const Keyword& k : keywords) {
+    deck.files.insert(k.at.file);
+    for (const DataLine& line : k.data) deck.files.insert(line.at.file);
+  }
   LeftOut left_out(unknown, deck);
   AbaqusMesh mesh(deck, left_out);
   AbaqusSections sections(deck, mesh, left_out);

@@ -35,6 +35,7 @@ std::shared_ptr<const DeckModel> read_deck(const std::filesystem::path& file,
   if (const auto found = known.find(key); found != known.end()) return found->second;
   auto deck = std::make_shared<DeckModel>(is_abaqus(file) ? read_abaqus(file, unknown)
                                                           : read_nastran(file, unknown));
+  deck->files.insert(file.string());
   if (deck->nodes.empty()) deck_error({file.string(), 0}, "", "has no node", "a model");
   return known[key] = std::move(deck);
 }

@@ -394,7 +394,9 @@ private:
 
 DeckModel read_nastran(const std::filesystem::path& file, UnknownCards unknown) {
   const BulkData bulk = read_bulk_data(file);
-  return NastranReader(bulk, unknown).deck;
+  DeckModel deck = NastranReader(bulk, unknown).deck;
+  for (const Card& card : bulk.cards) deck.files.insert(card.at.file);
+  return deck;
 }
 
 } // namespace plica

@@ -35,13 +35,13 @@ void check_table(const BenchmarkTable& t, const std::string& key,
 
 bool is_benchmark(const std::string& path) {
   std::vector<InputProblem> problems;
-  const YamlNode root = read_yaml(path, problems);
+  const YamlNode root = read_yaml(path, problems).root;
   return root.kind == YamlNode::Kind::map && root.find("benchmark");
 }
 
 Benchmark read_benchmark(const std::string& path) {
   ReadLog log{.file = path};
-  const YamlNode root = read_yaml(path, log.problems);
+  const YamlNode root = read_yaml(path, log.problems).root;
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
   Benchmark data;
   FieldReader::read(root, "", data, log);

@@ -137,10 +137,10 @@ int line_of_change(const Variant& variant, const std::string& place, const std::
   return line_of(set, lines);
 }
 
-// Problems a variant has beyond those of the nominal case.
-void check_variant(YamlNode tree, const Case& data, const Variant& variant,
-                   const std::string& place, const std::string& path, const ReadLog& nominal,
-                   ReadLog& log) {
+// The case with what a variant sets. Problems it has beyond those of the nominal case go into the
+// log.
+Case read_variant(YamlNode tree, const Case& data, const Variant& variant, const std::string& place,
+                  const std::string& path, const ReadLog& nominal, ReadLog& log) {
   const std::string set = place + ".set";
   for (const auto& [where, value] : variant.set) {
     const std::string key = below(set, where);
@@ -152,10 +152,11 @@ void check_variant(YamlNode tree, const Case& data, const Variant& variant,
     if (!problem.wrong.empty()) log.add(line, key, problem.wrong, problem.allowed);
   }
   ReadLog changed{.file = log.file};
-  read_tree(tree, path, data.model, false, changed);
+  Case result = read_tree(tree, path, data.model, false, changed);
   for (const InputProblem& p : new_problems(changed, nominal))
     log.add(line_of_change(variant, place, p.key, nominal.lines), p.key,
             "in variant '" + shown(variant.name) + "': " + p.wrong, p.allowed);
+  return result;
 }
 
 // The tree with the sections of one of its models in place of those of the case, and what it sets.
@@ -204,11 +205,13 @@ YamlNode chosen_model(const YamlNode& root, const std::string& name, ReadLog& lo
   return root;
 }
 
-void check_variants(const YamlNode& root, const Case& data, const std::string& path,
-                    const ReadLog& log, ReadLog& changed) {
+std::vector<Case> read_variants(const YamlNode& root, const Case& data, const std::string& path,
+                                const ReadLog& log, ReadLog& changed) {
+  std::vector<Case> variants;
   for (std::size_t i = 0; i < data.variants.size(); ++i)
-    check_variant(root, data, data.variants[i], "variants[" + std::to_string(i) + "]", path, log,
-                  changed);
+    variants.push_back(read_variant(root, data, data.variants[i],
+                                    "variants[" + std::to_string(i) + "]", path, log, changed));
+  return variants;
 }
 
 // Problems of the other models beyond those of the nominal case.
@@ -225,7 +228,7 @@ void check_models(const YamlNode& root, const std::string& path, const ReadLog& 
     const YamlNode tree = as_model(root, model, log);
     if (log.problems.size() > before) continue;
     const Case data = read_tree(tree, path, model.key, true, own);
-    check_variants(tree, data, path, own, deeper);
+    read_variants(tree, data, path, own, deeper);
     check_tolerances(tree, data, path, own, deeper);
     std::vector<InputProblem> problems = new_problems(own, nominal);
     problems.insert(problems.end(), deeper.problems.begin(), deeper.problems.end());
@@ -242,7 +245,8 @@ void check_models(const YamlNode& root, const std::string& path, const ReadLog& 
 CaseFile read_case(const std::string& path, const std::string& model,
                    const std::map<std::string, std::string>& overrides) {
   ReadLog log{.file = path};
-  YamlNode root = read_yaml(path, log.problems);
+  YamlFile yaml = read_yaml(path, log.problems);
+  YamlNode& root = yaml.root;
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
   const YamlNode whole = root;
   if (!model.empty()) root = chosen_model(whole, model, log);
@@ -252,9 +256,10 @@ CaseFile read_case(const std::string& path, const std::string& model,
   }
   CaseFile file;
   file.path = path;
+  file.text = std::move(yaml.text);
   file.data = read_tree(root, path, model, overrides.empty(), log);
   ReadLog changed{.file = path};
-  if (overrides.empty()) check_variants(root, file.data, path, log, changed);
+  if (overrides.empty()) file.variants = read_variants(root, file.data, path, log, changed);
   check_tolerances(root, file.data, path, log, changed);
   if (overrides.empty() && model.empty()) check_models(root, path, log, changed);
   log.problems.insert(log.problems.end(), changed.problems.begin(), changed.problems.end());
@@ -264,6 +269,17 @@ CaseFile read_case(const std::string& path, const std::string& model,
   }
   file.lines = std::move(log.lines);
   return file;
+}
+
+std::vector<std::filesystem::path> files_of(const CaseFile& file) {
+  std::vector<std::filesystem::path> files{file.path};
+  for (const Part& part : file.data.parts) {
+    if (const auto* surface = std::get_if<SurfacePart>(&part.body)) files.push_back(surface->file);
+    const auto* deck = std::get_if<DeckPart>(&part.body);
+    if (deck && deck->content)
+      files.insert(files.end(), deck->content->files.begin(), deck->content->files.end());
+  }
+  return files;
 }
 
 } // namespace plica

@@ -1,7 +1,7 @@
 // Reads a case file (YAML). Strict: throws InputError with all problems of the file at once.
 //
 //   CaseFile file = read_case("cases/bellow_a2/bellow_a2.yaml");
-//   CaseFile thin = read_case(file.path, "", file.data.variants[0].set);
+//   const Case& thin = file.variants[0]; // as file.data.variants[0].set says
 //   CaseFile pipe = read_case(file.path, "pipe");
 //
 // All variants and alternative models are checked together with the nominal case.
@@ -10,6 +10,7 @@
 #include "model/case.hpp"
 #include "model/input_error.hpp"
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -18,12 +19,17 @@ namespace plica {
 struct CaseFile {
   Case data;
   std::string path;                 // as given
+  std::string text;                 // as it stood when it was read
   std::map<std::string, int> lines; // key path -> line, e.g. "parts.bellows.wall.plies[1]"
+  std::vector<Case> variants;       // data with what each of its variants sets
 };
 
 // `model`: alternative model of the case, whose sections replace those of the case; empty = none.
 // `overrides`: path -> new value as YAML text, put into the file before it is read.
 CaseFile read_case(const std::string& path, const std::string& model = {},
                    const std::map<std::string, std::string>& overrides = {});
+
+// It, and the files of its parts: geometry, decks with what they include.
+std::vector<std::filesystem::path> files_of(const CaseFile& file);
 
 } // namespace plica

@@ -281,6 +281,10 @@ void FieldReader::replacements(std::map<std::string, std::string>& x, const char
                     "is " +
                         (node->kind == YamlNode::Kind::map ? std::string("empty") : kind_of(*node)),
                     "allowed: a map of paths of this file to new values");
+  constexpr std::size_t most = 1000;
+  if (node->entries.size() > most)
+    return log_.add(node->line, at(key), "has " + std::to_string(node->entries.size()) + " items",
+                    "allowed: at most " + std::to_string(most));
   for (const YamlEntry& entry : node->entries) {
     x[entry.key] = to_yaml(entry.value);
     log_.lines[at(key) + "." + entry.key] = entry.line;
@@ -291,13 +295,20 @@ void FieldReader::finish() {
   if (node_.kind != YamlNode::Kind::map && !stopped_)
     return log_.add(node_.line, path_, "is " + kind_of(node_),
                     "allowed: a map with keys and values");
+  constexpr std::size_t most_named = 50;
+  std::size_t unknown = 0;
   for (const YamlEntry& entry : node_.entries) {
     if (stopped_ || std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+    if (++unknown > most_named) continue;
     log_.add(entry.line, at(shown(entry.key)), "unknown key", suggestion(entry.key, known_));
     const std::string meant = nearest_word(entry.key, known_);
     if (std::erase_if(missing_, [&](const auto& m) { return m.first == meant; }) > 0)
       log_.misspelt.push_back(at(meant));
   }
+  if (unknown > most_named)
+    log_.add(node_.line, path_,
+             "has " + std::to_string(unknown - most_named) + " more unknown keys",
+             "those of docs/case_reference.md");
   const int line =
       log_.lines.count(path_) && log_.lines[path_] > 0 ? log_.lines[path_] : node_.line;
   for (const auto& [key, help] : missing_) log_.add(line, at(key), "is missing", "needed: " + help);

@@ -216,11 +216,14 @@ void check_hold_out(const Measured& m, ReadLog& log) {
 
 } // namespace
 
-Measured read_measured(const std::string& path) {
+MeasuredFile read_measured_file(const std::string& path) {
   ReadLog log{.file = path};
-  const YamlNode root = read_yaml(path, log.problems);
+  MeasuredFile file{.data = {}, .path = path, .text = {}};
+  YamlFile yaml = read_yaml(path, log.problems);
+  const YamlNode& root = yaml.root;
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
-  Measured data;
+  file.text = std::move(yaml.text);
+  Measured& data = file.data;
   FieldReader::read(root, "", data, log);
   check_sensors(data, log);
   check_states(data, log);
@@ -235,7 +238,19 @@ Measured read_measured(const std::string& path) {
     sort_by_line(log.problems);
     throw InputError(std::move(log.problems));
   }
-  return data;
+  return file;
+}
+
+Measured read_measured(const std::string& path) {
+  return read_measured_file(path).data;
+}
+
+std::vector<std::filesystem::path> files_of(const MeasuredFile& file) {
+  const std::filesystem::path beside = file.path.parent_path();
+  std::vector<std::filesystem::path> files{file.path};
+  for (const MeasuredFrf& f : file.data.frf) files.push_back(beside / f.file);
+  for (const MeasuredSignals& s : file.data.signals) files.push_back(beside / s.file);
+  return files;
 }
 
 void resolve_states(Measured& measured, const Case& data, const std::string& path) {

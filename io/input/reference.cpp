@@ -1,15 +1,14 @@
 #include "io/input/reference.hpp"
 
+#include "io/results/json_text.hpp"
+
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
 namespace plica {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string code(const std::string& text) {
   return "`" + text + "`";

@@ -20,7 +20,7 @@ Json with_help(Json schema, const std::string& help) {
 template <class T> std::string schema_text(const char* title) {
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
   schema.update(SchemaWriter::schema_of<T>());
-  return schema.dump(2) + "\n";
+  return json_text(schema);
 }
 
 } // namespace

@@ -4,19 +4,17 @@
 // combination becomes one object under "oneOf".
 #pragma once
 
+#include "io/results/json_text.hpp"
 #include "model/field_types.hpp"
 
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace plica {
-
-using Json = nlohmann::ordered_json;
 
 // The parts that do not depend on a type.
 Json quantity_schema(const Quantity& q, Dimension unit, const std::string& help);

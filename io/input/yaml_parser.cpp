@@ -1,13 +1,15 @@
 #include "io/input/yaml_tree.hpp"
 
+#include "io/files.hpp"
 #include "io/input/did_you_mean.hpp"
+#include "io/input/utf8.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <sstream>
+#include <unordered_map>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -72,6 +74,7 @@ private:
     std::string path;
     bool has_key = false; // map: the next event is the value of the last entry
     bool duplicate = false;
+    std::unordered_map<std::string, int> lines = {}; // of the keys of a map
   };
 
   [[noreturn]] void fail(const YAML::Mark& mark, std::string wrong, std::string allowed) {
@@ -127,13 +130,11 @@ private:
     }();
     if (node.kind != YamlNode::Kind::scalar)
       fail(mark, "here a key is " + kind_of(node), "allowed: a word");
-    const auto& entries = level.node->entries;
-    const auto first = std::find_if(entries.begin(), entries.end(),
-                                    [&](const YamlEntry& e) { return e.key == node.text; });
-    if (first != entries.end()) {
+    const auto [first, is_new] = level.lines.try_emplace(node.text, node.line);
+    if (!is_new) {
       const std::string path = level.path.empty() ? node.text : level.path + "." + node.text;
       problems_.push_back({file_, node.line, path,
-                           "key given twice, first in line " + std::to_string(first->line),
+                           "key given twice, first in line " + std::to_string(first->second),
                            "keep one of them"});
       level.duplicate = true;
     }
@@ -149,17 +150,9 @@ private:
 
 // Length of the UTF-8 character at i, 0 if it is none or a control character.
 std::size_t text_character(const std::string& s, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
-  const unsigned char c = byte(i);
-  if (c < 0x80) return (c >= 0x20 && c != 0x7F) || c == '\t' || c == '\n' || c == '\r' ? 1 : 0;
-  const std::size_t length = c >= 0xC2 && c <= 0xDF   ? 2
-                             : (c & 0xF0) == 0xE0     ? 3
-                             : c >= 0xF0 && c <= 0xF4 ? 4
-                                                      : 0;
-  if (length == 0 || i + length > s.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
-  return length;
+  const auto c = static_cast<unsigned char>(s[i]);
+  if (c >= 0x80) return utf8_length(s, i);
+  return (c >= 0x20 && c != 0x7F) || c == '\t' || c == '\n' || c == '\r' ? 1 : 0;
 }
 
 // Line of the first byte that is not text; 0 = all is text.
@@ -227,28 +220,27 @@ YamlNode parse_yaml(const std::string& text, const std::string& file,
   return {};
 }
 
-YamlNode read_yaml(const std::string& path, std::vector<InputProblem>& problems) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  const auto fail = [&](const char* wrong, const char* allowed) {
+YamlFile read_yaml(const std::string& path, std::vector<InputProblem>& problems) {
+  YamlFile file;
+  const auto fail = [&](const std::string& wrong, const char* allowed) {
     problems.push_back({path, 0, "", wrong, allowed});
-    return YamlNode{};
+    return file;
   };
-  if (!fs::exists(status)) return fail("file not found", "give the path of a YAML file");
-  if (fs::is_directory(status)) return fail("is a directory", "give the path of a YAML file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fail("cannot be opened", "check the permissions of the file");
-  std::string text(largest + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > largest)
+  if (const std::string why = why_unreadable(path); !why.empty())
+    return fail(why, "give the path of a YAML file that can be read");
+  std::error_code ignored;
+  if (std::filesystem::file_size(path, ignored) > largest)
     return fail("is larger than 4 MB", "this cannot be a hand-written case");
+  try {
+    file.text = read_whole(path);
+  } catch (const std::runtime_error& error) { // gone meanwhile
+    return fail(error.what(), "give the path of a YAML file that can be read");
+  }
   const std::size_t before = problems.size();
-  YamlNode root = parse_yaml(text, path, problems);
-  if (root.kind == YamlNode::Kind::null && problems.size() == before)
+  file.root = parse_yaml(file.text, path, problems);
+  if (file.root.kind == YamlNode::Kind::null && problems.size() == before)
     return fail("the file is empty", "a YAML map with keys and values");
-  return root;
+  return file;
 }
 
 } // namespace plica

@@ -32,9 +32,14 @@ struct YamlEntry {
   YamlNode value;
 };
 
+struct YamlFile {
+  std::string text; // as it stood when it was read
+  YamlNode root;
+};
+
 // Tree of a file. Appends to `problems` what is wrong with it (file not found, syntax, duplicate
 // keys); the tree is null when nothing could be read.
-YamlNode read_yaml(const std::string& path, std::vector<InputProblem>& problems);
+YamlFile read_yaml(const std::string& path, std::vector<InputProblem>& problems);
 
 // Tree of a text; `file` names it in problems.
 YamlNode parse_yaml(const std::string& text, const std::string& file,

@@ -1,9 +1,9 @@
 #include "io/report/plot.hpp"
 
 #include "io/report/markup.hpp"
+#include "io/results/json_text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -118,10 +118,6 @@ template <class Numbers> std::string list_of(const Numbers& numbers, int digits)
   return text + "]";
 }
 
-std::string json_text(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', true);
-}
-
 std::string data_of(const std::string& label, const std::string& ordinate,
                     const std::vector<PlotCurve>& curves, const std::vector<PlotMark>& marks,
                     double mark_top, const std::vector<double>& verticals) {
@@ -137,15 +133,15 @@ std::string data_of(const std::string& label, const std::string& ordinate,
       own = grids.insert(grids.end(), &c.hertz);
     }
     list += fmt::format("{}{{\"name\":{},\"grid\":{},\"dashes\":{},\"faint\":{},\"values\":{}}}",
-                        list.empty() ? "" : ",", json_text(c.name), own - grids.begin(), c.dashes,
-                        c.faint, list_of(c.magnitude, of_value));
+                        list.empty() ? "" : ",", json_in_page(c.name), own - grids.begin(),
+                        c.dashes, c.faint, list_of(c.magnitude, of_value));
   }
   for (const PlotMark& m : marks)
     mark_list += fmt::format("{}[{:.7g},{:.5g},{}]", mark_list.empty() ? "" : ",", m.hertz,
                              m.height * mark_top, m.filled ? 1 : 0);
   return fmt::format("{{\"label\":{},\"ordinate\":{},\"grids\":[{}],\"curves\":[{}],\"marks\":[{}],"
                      "\"verticals\":{}}}",
-                     json_text(label), json_text(ordinate), grid_list, list, mark_list,
+                     json_in_page(label), json_in_page(ordinate), grid_list, list, mark_list,
                      list_of(verticals, of_frequency));
 }
 

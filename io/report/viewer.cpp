@@ -4,10 +4,10 @@
 #include "io/report/markup.hpp"
 #include "io/report/surface.hpp"
 #include "io/results/geometry.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <vtkBase64Utilities.h>
 
 #include <algorithm>
@@ -81,8 +81,7 @@ std::string part_viewer(const Results& results, const std::string& drawing) {
       data["sensors"].push_back({{"name", s.name}, {"at", {x.x(), x.y(), x.z()}}});
     }
   data["glb"] = base64(glb_of(d.surface, shapes));
-  return "<figure class=\"viewer\">\n" + drawing + json_script(data.dump(-1, ' ', true)) +
-         "</figure>\n";
+  return "<figure class=\"viewer\">\n" + drawing + json_script(json_in_page(data)) + "</figure>\n";
 }
 
 } // namespace plica

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -23,11 +24,27 @@ std::string line(const std::vector<std::string>& cells) {
 
 } // namespace
 
+namespace {
+
+// What a spreadsheet would take for a formula, and execute: a text with such a beginning that is no
+// number.
+bool is_formula(const std::string& text) {
+  if (text.size() < 2 || std::string("=+-@\t\r").find(text[0]) == std::string::npos) return false;
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const char* begin = text.data() + (text[0] == '+' ? 1 : 0);
+  const auto [stop, status] = std::from_chars(begin, end, number);
+  return status != std::errc() || stop != end;
+}
+
+} // namespace
+
 std::string csv_number(const std::optional<double>& x) {
   return x && std::isfinite(*x) ? fmt::format("{}", *x) : "";
 }
 
-std::string csv_cell(const std::string& text) {
+std::string csv_cell(const std::string& given) {
+  const std::string text = is_formula(given) ? "'" + given : given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char letter : text) {

@@ -19,7 +19,8 @@ std::string static_csv(const Results& results);     // no rows without static st
 std::string comparison_csv(const Results& results); // measured beside computed
 std::string variants_csv(const Results& results);   // first row: the nominal case
 
-// One cell, in quotes when it holds a comma, a quote or a line break.
+// One cell, in quotes when it holds a comma, a quote or a line break. A text that begins as a
+// formula of a spreadsheet (= + - @) gets an apostrophe before it.
 std::string csv_cell(const std::string& text);
 
 // All digits of a number; empty for one that does not exist or is not finite.

@@ -20,15 +20,22 @@ std::size_t shown_modes(const Results& results) {
   return std::min(results.modes.size(), results.shapes.size());
 }
 
-void write_surfaces(const Results& results, const std::string& format,
-                    const std::filesystem::path& folder) {
+std::string mode_file(int mode, const std::string& format) {
+  return fmt::format("mode_{:02}.{}", mode, format);
+}
+
+void write_surfaces(const Results& results, const std::string& format, OutputFolder& out) {
   const Surface surface = surface_of(results);
   const std::vector<SurfaceShape> shapes = drawn_shapes(results);
-  write_surface(surface, shapes, folder / ("part." + format));
+  const auto add = [&](const std::string& name, const Surface& drawn,
+                       const std::vector<SurfaceShape>& targets) {
+    out.add_by(name,
+               [&](const std::filesystem::path& file) { write_surface(drawn, targets, file); });
+  };
+  add("part." + format, surface, shapes);
   if (format == "glb") return;
   for (std::size_t m = 0; m < shapes.size(); ++m)
-    write_surface(deformed(surface, shapes[m]), {},
-                  folder / fmt::format("mode_{:02}.{}", m + 1, format));
+    add(mode_file(int(m) + 1, format), deformed(surface, shapes[m]), {});
 }
 
 UniversalShape mode_shape(const Results& results, std::size_t mode) {
@@ -117,38 +124,32 @@ std::string geometry_uff(const Results& results) {
   return text;
 }
 
-// All into a folder aside, then in place of what an earlier run left: modes that this run has not
-// must not stay.
+std::vector<std::string> geometry_files(const std::vector<std::string>& formats, int modes) {
+  std::vector<std::string> names;
+  for (const std::string& format : formats) {
+    names.push_back(format == "msh"   ? "mesh.msh"
+                    : format == "uff" ? "geometry.uff"
+                                      : "part." + format);
+    if (format == "obj" || format == "ply" || format == "stl")
+      for (int m = 1; m <= modes; ++m) names.push_back(mode_file(m, format));
+  }
+  return names;
+}
+
 void write_geometry(const Results& results, const std::vector<std::string>& formats,
-                    const std::filesystem::path& folder) {
-  namespace fs = std::filesystem;
-  if (formats.empty()) return;
-  struct Aside {
-    fs::path path;
-    ~Aside() {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
-  } const aside{folder / ".geometry"};
-  fs::remove_all(aside.path);
-  fs::create_directories(aside.path);
+                    OutputFolder& out) {
   for (const std::string& format : formats) {
     if (format == "msh")
-      write_msh(results.mesh, results.lines, aside.path / "mesh.msh");
+      out.add_by("mesh.msh", [&](const std::filesystem::path& file) {
+        write_msh(results.mesh, results.lines, file);
+        if (!read_whole(file).ends_with("$EndElements\n")) // Gmsh says nothing of a full disk
+          throw std::runtime_error("the disk may be full");
+      });
     else if (format == "uff")
-      write_whole(aside.path / "geometry.uff", geometry_uff(results));
+      out.add("geometry.uff", geometry_uff(results));
     else
-      write_surfaces(results, format, aside.path);
+      write_surfaces(results, format, out);
   }
-  for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
-    const std::string name = old.path().filename().string();
-    const std::string suffix = old.path().extension().string();
-    if (name.starts_with("mode_") && !suffix.empty() &&
-        std::find(formats.begin(), formats.end(), suffix.substr(1)) != formats.end())
-      fs::remove(old.path());
-  }
-  for (const fs::directory_entry& made : fs::directory_iterator(aside.path))
-    fs::rename(made.path(), folder / made.path().filename());
 }
 
 } // namespace plica

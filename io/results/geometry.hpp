@@ -6,13 +6,11 @@
 //   obj, ply, stl  part.<format> and mode_01.<format> ...: the deformed surface of each mode
 //
 // Of what a surface shows, the largest displacement of a mode is 5 % of the size of the part.
-// Files of modes that an earlier run left in these formats are gone afterwards.
 #pragma once
 
+#include "io/output/output_folder.hpp"
 #include "mesh/surface_file.hpp"
 #include "model/results.hpp"
-
-#include <filesystem>
 
 namespace plica {
 
@@ -20,10 +18,12 @@ constexpr double drawn_motion = 0.05; // largest displacement of a mode / size o
 
 const std::vector<std::string>& geometry_formats();
 
-// `formats` from those above. Throws InputError or std::runtime_error where a file
-// cannot be written.
+// Names of the files of a part with so many modes. `formats` from those above.
+std::vector<std::string> geometry_files(const std::vector<std::string>& formats, int modes);
+
+// InputError where a file cannot be written.
 void write_geometry(const Results& results, const std::vector<std::string>& formats,
-                    const std::filesystem::path& folder);
+                    OutputFolder& out);
 
 // Every node, quad (as two triangles) and line of the results.
 Surface surface_of(const Results& results);

@@ -1,6 +1,6 @@
 #include "io/results/json.hpp"
 
-#include "io/results/json_number.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/levels_json.hpp"
 #include "io/results/text.hpp"
 
@@ -209,7 +209,7 @@ std::string results_json(const Results& r) {
   json["warnings"] = r.warnings;
   json["timing"] = named_numbers(r.timing);
   json["peak_memory"] = json_number(r.peak_memory);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 } // namespace plica

@@ -1,6 +1,6 @@
 #include "io/results/levels_json.hpp"
 
-#include "io/results/json_number.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/levels_csv.hpp"
 
 #include <cmath>

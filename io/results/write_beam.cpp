@@ -1,6 +1,5 @@
 #include "io/results/write_beam.hpp"
 
-#include "io/files.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
@@ -119,12 +118,14 @@ std::string beam_text(const EquivalentBeam& beam) {
   return text;
 }
 
-void write_beam(const EquivalentBeam& beam, const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("beam.yaml", beam_yaml(beam));
-  files.add("beam.csv", transfer_csv(beam));
-  files.add("beam.txt", beam_text(beam));
-  files.commit();
+std::vector<std::string> beam_files() {
+  return {"beam.yaml", "beam.csv", "beam.txt"};
+}
+
+void write_beam(const EquivalentBeam& beam, OutputFolder& out) {
+  out.add("beam.yaml", beam_yaml(beam));
+  out.add("beam.csv", transfer_csv(beam));
+  out.add("beam.txt", beam_text(beam));
 }
 
 } // namespace plica

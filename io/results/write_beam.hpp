@@ -2,13 +2,13 @@
 // the case file (beam.yaml), what they cost (beam.csv: transfer stiffness over frequency), a table.
 #pragma once
 
+#include "io/output/output_folder.hpp"
 #include "model/equivalent_beam.hpp"
-
-#include <filesystem>
 
 namespace plica {
 
-void write_beam(const EquivalentBeam& beam, const std::filesystem::path& folder);
+std::vector<std::string> beam_files();
+void write_beam(const EquivalentBeam& beam, OutputFolder& out);
 
 std::string beam_text(const EquivalentBeam& beam);
 std::string beam_yaml(const EquivalentBeam& beam);

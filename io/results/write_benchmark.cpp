@@ -1,19 +1,16 @@
 #include "io/results/write_benchmark.hpp"
 
-#include "io/files.hpp"
 #include "io/report/benchmark.hpp"
 #include "io/results/csv.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace plica {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int digits = 4;
 
@@ -107,7 +104,7 @@ std::string benchmark_json(const BenchmarkResult& result) {
                               {"rows", rows},
                               {"remarks", t.remarks}});
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 } // namespace
@@ -127,12 +124,14 @@ std::string benchmark_text(const BenchmarkResult& result) {
   return text;
 }
 
-void write_benchmark(const BenchmarkResult& result, const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("benchmark.csv", benchmark_csv(result));
-  files.add("report.html", benchmark_html(result));
-  files.add("benchmark.json", benchmark_json(result));
-  files.commit();
+std::vector<std::string> benchmark_files() {
+  return {"benchmark.csv", "report.html", "benchmark.json"};
+}
+
+void write_benchmark(const BenchmarkResult& result, OutputFolder& out) {
+  out.add("benchmark.csv", benchmark_csv(result));
+  out.add("report.html", benchmark_html(result));
+  out.add("benchmark.json", benchmark_json(result));
 }
 
 } // namespace plica

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "diagnose/benchmark.hpp"
-
-#include <filesystem>
+#include "io/output/output_folder.hpp"
 
 namespace plica {
 
-void write_benchmark(const BenchmarkResult& result, const std::filesystem::path& folder);
+std::vector<std::string> benchmark_files();
+void write_benchmark(const BenchmarkResult& result, OutputFolder& out);
 
 std::string benchmark_text(const BenchmarkResult& result);
 

@@ -1,10 +1,9 @@
 #include "io/results/write_correlation.hpp"
 
-#include "io/files.hpp"
 #include "io/measured_data.hpp"
 #include "io/report/correlation.hpp"
 #include "io/results/csv.hpp"
-#include "io/results/json_number.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 
 #include <fmt/format.h>
@@ -169,17 +168,19 @@ std::string correlation_json(const Correlation& c, const TestData& a, const Test
   json["warnings"] = Json::array();
   for (const TestData* side : {&a, &b})
     for (const std::string& warning : warnings_of(side->frfs)) json["warnings"].push_back(warning);
-  return json.dump(2) + "\n";
+  return json_text(json);
+}
+
+std::vector<std::string> correlation_files() {
+  return {"pairs.csv", "responses.csv", "correlation.html", "correlation.json"};
 }
 
 void write_correlation(const Correlation& c, const TestData& a, const TestData& b,
-                       const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("pairs.csv", pairs_csv(c, a, b));
-  files.add("responses.csv", responses_csv(c));
-  files.add("report.html", correlation_html(c, a, b));
-  files.add("correlation.json", correlation_json(c, a, b));
-  files.commit();
+                       OutputFolder& out) {
+  out.add("pairs.csv", pairs_csv(c, a, b));
+  out.add("responses.csv", responses_csv(c));
+  out.add("correlation.html", correlation_html(c, a, b));
+  out.add("correlation.json", correlation_json(c, a, b));
 }
 
 } // namespace plica

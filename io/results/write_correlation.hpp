@@ -1,14 +1,15 @@
-// What `plica compare` leaves behind: correlation.json, pairs.csv, responses.csv, report.html.
+// What `plica compare` leaves behind: correlation.json, pairs.csv, responses.csv,
+// correlation.html.
 #pragma once
 
 #include "diagnose/correlate.hpp"
-
-#include <filesystem>
+#include "io/output/output_folder.hpp"
 
 namespace plica {
 
+std::vector<std::string> correlation_files();
 void write_correlation(const Correlation& c, const TestData& simulated, const TestData& measured,
-                       const std::filesystem::path& folder);
+                       OutputFolder& out);
 
 std::string correlation_text(const Correlation& c, const TestData& simulated,
                              const TestData& measured);

@@ -1,9 +1,8 @@
 #include "io/results/write_diagnosis.hpp"
 
-#include "io/files.hpp"
 #include "io/report/diagnosis.hpp"
 #include "io/results/csv.hpp"
-#include "io/results/json_number.hpp"
+#include "io/results/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -277,18 +276,21 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["tried"] = d.hypotheses;
   json["evaluations"] = d.evaluations;
   json["seconds"] = json_number(d.seconds);
-  return json.dump(2) + "\n";
+  return json_text(json);
+}
+
+std::vector<std::string> diagnosis_files() {
+  return {"diagnosis_readings.csv", "diagnosis_hypotheses.csv", "diagnosis_where.csv",
+          "diagnosis.html", "diagnosis.json"};
 }
 
 void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
-                     const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("diagnosis_readings.csv", readings_csv(d));
-  files.add("diagnosis_hypotheses.csv", hypotheses_csv(d));
-  files.add("diagnosis_where.csv", where_csv(d));
-  files.add("report.html", diagnosis_html(d, title));
-  files.add("diagnosis.json", diagnosis_json(d, plica_version));
-  files.commit();
+                     OutputFolder& out) {
+  out.add("diagnosis_readings.csv", readings_csv(d));
+  out.add("diagnosis_hypotheses.csv", hypotheses_csv(d));
+  out.add("diagnosis_where.csv", where_csv(d));
+  out.add("diagnosis.html", diagnosis_html(d, title));
+  out.add("diagnosis.json", diagnosis_json(d, plica_version));
 }
 
 } // namespace plica

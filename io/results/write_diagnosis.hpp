@@ -1,16 +1,15 @@
 // What `plica diagnose` leaves behind: diagnosis.json, diagnosis_readings.csv,
-// diagnosis_hypotheses.csv, diagnosis_where.csv, report.html. SI units, Hz.
+// diagnosis_hypotheses.csv, diagnosis_where.csv, diagnosis.html. SI units, Hz.
 #pragma once
 
 #include "diagnose/diagnosis.hpp"
-
-#include <filesystem>
-#include <string>
+#include "io/output/output_folder.hpp"
 
 namespace plica {
 
+std::vector<std::string> diagnosis_files();
 void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
-                     const std::filesystem::path& folder);
+                     OutputFolder& out);
 
 // The same in words, for the terminal.
 std::string diagnosis_text(const Diagnosis& d);

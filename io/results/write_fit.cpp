@@ -3,7 +3,7 @@
 #include "io/files.hpp"
 #include "io/report/fit.hpp"
 #include "io/results/csv.hpp"
-#include "io/results/json_number.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 #include "model/input_error.hpp"
 
@@ -183,7 +183,7 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
     json["designs"].push_back(std::vector<double>(d.begin(), d.end()));
   }
   json["warnings"] = fit.warnings;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::vector<VectorXd> read_designs(const std::string& path, const FitRequest& request) {
@@ -219,15 +219,16 @@ std::vector<VectorXd> read_designs(const std::string& path, const FitRequest& re
   }
 }
 
-void write_fit(const FitResult& fit, const std::string& title,
-               const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("fit.csv", parameters_csv(fit));
-  files.add("designs.csv", designs_csv(fit));
-  files.add("fitted.yaml", fitted_yaml(fit));
-  files.add("report.html", fit_html(fit, title));
-  files.add("fit.json", fit_json(fit, title));
-  files.commit();
+std::vector<std::string> fit_files() {
+  return {"fit.csv", "designs.csv", "fitted.yaml", "fit.html", "fit.json"};
+}
+
+void write_fit(const FitResult& fit, const std::string& title, OutputFolder& out) {
+  out.add("fit.csv", parameters_csv(fit));
+  out.add("designs.csv", designs_csv(fit));
+  out.add("fitted.yaml", fitted_yaml(fit));
+  out.add("fit.html", fit_html(fit, title));
+  out.add("fit.json", fit_json(fit, title));
 }
 
 } // namespace plica

@@ -1,15 +1,14 @@
 // What `plica fit` leaves behind: fit.json, fit.csv (parameters), designs.csv, fitted.yaml (paths
-// and values to put into the case or a variant), report.html.
+// and values to put into the case or a variant), fit.html.
 #pragma once
 
 #include "diagnose/fit.hpp"
-
-#include <filesystem>
-#include <string>
+#include "io/output/output_folder.hpp"
 
 namespace plica {
 
-void write_fit(const FitResult& fit, const std::string& title, const std::filesystem::path& folder);
+std::vector<std::string> fit_files();
+void write_fit(const FitResult& fit, const std::string& title, OutputFolder& out);
 
 std::string fit_text(const FitResult& fit);
 std::string fitted_yaml(const FitResult& fit);

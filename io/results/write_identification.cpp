@@ -1,9 +1,8 @@
 #include "io/results/write_identification.hpp"
 
-#include "io/files.hpp"
 #include "io/report/identification.hpp"
 #include "io/results/csv.hpp"
-#include "io/results/json_number.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
@@ -99,7 +98,7 @@ std::string identification_json(const Identification& found, const LinearityOfSe
                               {"value", found.frac(Index(c), Index(i))}});
   json["linearity"] = json_of(linearity);
   json["warnings"] = found.warnings;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string identified_csv(const Identification& found) {
@@ -168,11 +167,18 @@ std::string identification_text(const Identification& found, const LinearityOfSe
   return text;
 }
 
+std::vector<std::string> identification_files(bool noise) {
+  std::vector<std::string> names{
+      "identified.csv",  "measured_modes.yaml", "shapes.uff",         "frf.uff",
+      "synthesised.uff", "identification.html", "identification.json"};
+  if (noise) names.emplace_back("spectra.csv");
+  return names;
+}
+
 void write_identification(const Identification& found, const LinearityOfSet& linearity,
-                          const std::string& title, const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("identified.csv", identified_csv(found));
-  files.add("measured_modes.yaml", measured_modes_yaml(found));
+                          const std::string& title, OutputFolder& out, const std::string& below) {
+  out.add(below + "identified.csv", identified_csv(found));
+  out.add(below + "measured_modes.yaml", measured_modes_yaml(found));
   const auto text_of = [](const FrfSet& set) {
     std::string text;
     for (const UniversalFunction& f : universal_functions(set)) text += universal_text(f);
@@ -182,12 +188,11 @@ void write_identification(const Identification& found, const LinearityOfSet& lin
   for (const UniversalShape& s : universal_shapes(found)) shapes += universal_text(s);
   FrfSet synthesised = found.set;
   synthesised.H = found.synthesised;
-  files.add("shapes.uff", shapes);
-  files.add("frf.uff", text_of(found.set));
-  files.add("synthesised.uff", text_of(synthesised));
-  files.add("report.html", identification_html(found, title));
-  files.add("identification.json", identification_json(found, linearity, title));
-  files.commit();
+  out.add(below + "shapes.uff", shapes);
+  out.add(below + "frf.uff", text_of(found.set));
+  out.add(below + "synthesised.uff", text_of(synthesised));
+  out.add(below + "identification.html", identification_html(found, title));
+  out.add(below + "identification.json", identification_json(found, linearity, title));
 }
 
 std::string levels_text(const std::vector<LevelVerdict>& levels,
@@ -202,8 +207,7 @@ std::string levels_text(const std::vector<LevelVerdict>& levels,
 }
 
 void write_levels(const std::vector<LevelVerdict>& levels,
-                  const std::vector<Homogeneity>& homogeneity,
-                  const std::filesystem::path& folder) {
+                  const std::vector<Homogeneity>& homogeneity, OutputFolder& out) {
   const auto slope = [](const LevelSlope& s) {
     return Json{
         {"exponent", s.slope}, {"sigma", s.sigma}, {"change", s.change}, {"matters", s.matters}};
@@ -223,9 +227,7 @@ void write_levels(const std::vector<LevelVerdict>& levels,
                                    {"levels", {h.level_a, h.level_b}},
                                    {"frac", h.frac},
                                    {"difference", h.difference}});
-  FileSet files(folder);
-  files.add("levels.json", json.dump(2) + "\n");
-  files.commit();
+  out.add(levels_file, json_text(json));
 }
 
 std::string spectra_csv(const SignalFrf& frf) {

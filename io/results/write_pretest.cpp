@@ -1,17 +1,14 @@
 #include "io/results/write_pretest.hpp"
 
-#include "io/files.hpp"
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/results/json_text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace plica {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The sections of a diagnosis that need no measurement.
 Diagnosis as_diagnosis(const Pretest& p) {
@@ -25,7 +22,7 @@ Diagnosis as_diagnosis(const Pretest& p) {
   return d;
 }
 
-std::string json_text(const Pretest& p, const std::string& plica_version) {
+std::string pretest_json(const Pretest& p, const std::string& plica_version) {
   Json json{{"case", p.case_name},
             {"plica_version", plica_version},
             {"plan", p.plan},
@@ -49,7 +46,7 @@ std::string json_text(const Pretest& p, const std::string& plica_version) {
   json["additions"] = Json::array();
   for (const ProposedMeasurement& m : p.additions)
     json["additions"].push_back({{"what", m.what}, {"cost", m.cost}, {"gain", m.separation}});
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string html(const Pretest& p, const std::string& title) {
@@ -88,12 +85,14 @@ std::string pretest_text(const Pretest& p) {
   return text;
 }
 
+std::vector<std::string> pretest_files() {
+  return {"pretest.html", "pretest.json"};
+}
+
 void write_pretest(const Pretest& p, const std::string& title, const std::string& plica_version,
-                   const std::filesystem::path& folder) {
-  FileSet files(folder);
-  files.add("report.html", html(p, title));
-  files.add("pretest.json", json_text(p, plica_version));
-  files.commit();
+                   OutputFolder& out) {
+  out.add("pretest.html", html(p, title));
+  out.add("pretest.json", pretest_json(p, plica_version));
 }
 
 } // namespace plica

@@ -1,15 +1,14 @@
-// What `plica diagnose --pretest` leaves behind: pretest.json and report.html.
+// What `plica diagnose --pretest` leaves behind: pretest.json and pretest.html.
 #pragma once
 
 #include "diagnose/pretest.hpp"
-
-#include <filesystem>
-#include <string>
+#include "io/output/output_folder.hpp"
 
 namespace plica {
 
+std::vector<std::string> pretest_files();
 void write_pretest(const Pretest& p, const std::string& title, const std::string& plica_version,
-                   const std::filesystem::path& folder);
+                   OutputFolder& out);
 
 std::string pretest_text(const Pretest& p);
 

@@ -1,7 +1,6 @@
 #include "io/results/write_results.hpp"
 
 #include "diagnose/simulated.hpp"
-#include "io/files.hpp"
 #include "io/report/report.hpp"
 #include "io/results/csv.hpp"
 #include "io/results/json.hpp"
@@ -12,24 +11,14 @@
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
 
+#include <array>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace plica {
 namespace {
 
-namespace fs = std::filesystem;
-
-// Files that some runs write and others do not.
-bool is_optional_output(const std::string& name) {
-  const auto named = [&](const char* prefix) {
-    return name.starts_with(prefix) && name.ends_with(".csv");
-  };
-  return named("response_") || named("motion_") || named("random_") || named("level") ||
-         name == "stress.csv" || name == "stress.vtu" || name == "error_bars.csv" ||
-         name == "responses.uff";
-}
+constexpr std::array bases{"x", "y", "z", "rx", "ry", "rz"};
 
 std::string responses_uff(const Results& results) {
   std::string text;
@@ -38,49 +27,63 @@ std::string responses_uff(const Results& results) {
   return text;
 }
 
-void remove_stale(const fs::path& folder, const FileSet& written) {
-  std::vector<fs::path> stale;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (is_optional_output(name) && !written.holds(name)) stale.push_back(entry.path());
-  }
-  std::error_code ignored;
-  for (const fs::path& path : stale) fs::remove(path, ignored);
+void add_response(std::vector<std::string>& names, const std::string& of, bool random) {
+  names.push_back("response_" + of + ".csv");
+  names.push_back("motion_" + of + ".csv");
+  if (random) names.push_back("random_" + of + ".csv");
 }
 
 } // namespace
 
-void write_results(const Results& results, const fs::path& out_dir) {
-  FileSet files(out_dir);
-  files.add("modes.csv", modes_csv(results));
-  files.add("static.csv", static_csv(results));
-  files.add("comparison.csv", comparison_csv(results));
-  files.add("variants.csv", variants_csv(results));
-  files.add("modes.vtu", modes_vtu(results));
+std::vector<std::string> result_files(const Case& data) {
+  std::vector<std::string> names{"modes.csv", "static.csv",     "comparison.csv", "variants.csv",
+                                 "modes.vtu", "simulated.yaml", "report.html",    "results.json"};
+  if (const auto& response = data.analyses.response) {
+    for (const int base : response->bases)
+      add_response(names, bases[std::size_t(base)], response->random.has_value());
+    for (const Force& force : response->forces) add_response(names, "force_" + force.name, false);
+    if (!response->bases.empty()) names.emplace_back("responses.uff");
+  }
+  if (const auto& levels = data.analyses.levels) {
+    for (const int base : levels->bases)
+      names.push_back(std::string("levels_") + bases[std::size_t(base)] + ".csv");
+    for (const LevelForce& force : levels->forces)
+      names.push_back("levels_force_" + force.name + ".csv");
+    names.insert(names.end(), {"level_peaks.csv", "level_joints.csv", "level_backbones.csv"});
+  }
+  if (data.analyses.stress) names.insert(names.end(), {"stress.csv", "stress.vtu"});
+  if (data.analyses.error_bars) names.emplace_back("error_bars.csv");
+  return names;
+}
+
+void write_results(const Results& results, OutputFolder& out) {
+  out.add("modes.csv", modes_csv(results));
+  out.add("static.csv", static_csv(results));
+  out.add("comparison.csv", comparison_csv(results));
+  out.add("variants.csv", variants_csv(results));
+  out.add("modes.vtu", modes_vtu(results));
   for (const ResponseResult& r : results.responses) {
-    files.add("response_" + response_name(r) + ".csv", response_csv(r));
-    files.add("motion_" + response_name(r) + ".csv", motion_csv(r));
-    if (r.random) files.add("random_" + response_name(r) + ".csv", random_csv(r));
+    out.add("response_" + response_name(r) + ".csv", response_csv(r));
+    out.add("motion_" + response_name(r) + ".csv", motion_csv(r));
+    if (r.random) out.add("random_" + response_name(r) + ".csv", random_csv(r));
   }
   for (const LevelFamily& family : results.families)
-    files.add(levels_name(family) + ".csv", levels_csv(family));
+    out.add(levels_name(family) + ".csv", levels_csv(family));
   if (!results.families.empty()) {
-    files.add("level_peaks.csv", level_peaks_csv(results));
-    files.add("level_joints.csv", level_joints_csv(results));
-    files.add("level_backbones.csv", level_backbones_csv(results));
+    out.add("level_peaks.csv", level_peaks_csv(results));
+    out.add("level_joints.csv", level_joints_csv(results));
+    out.add("level_backbones.csv", level_backbones_csv(results));
   }
   if (!results.stresses.empty()) {
-    files.add("stress.csv", stress_csv(results));
-    files.add("stress.vtu", stress_vtu(results));
+    out.add("stress.csv", stress_csv(results));
+    out.add("stress.vtu", stress_vtu(results));
   }
-  if (!results.error_bars.bars.empty()) files.add("error_bars.csv", error_bars_csv(results));
-  files.add("simulated.yaml", simulated_yaml(as_measured(results)));
+  if (!results.error_bars.bars.empty()) out.add("error_bars.csv", error_bars_csv(results));
+  out.add("simulated.yaml", simulated_yaml(as_measured(results)));
   if (const std::string text = responses_uff(results); !text.empty())
-    files.add("responses.uff", text);
-  files.add("report.html", report_html(results));
-  files.add("results.json", results_json(results));
-  files.commit();
-  remove_stale(out_dir, files);
+    out.add("responses.uff", text);
+  out.add("report.html", report_html(results));
+  out.add("results.json", results_json(results));
 }
 
 } // namespace plica

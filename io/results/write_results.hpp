@@ -3,17 +3,17 @@
 // report.html, and one or more files for each response and for stresses.
 #pragma once
 
+#include "io/output/output_folder.hpp"
+#include "model/case.hpp"
 #include "model/results.hpp"
-
-#include <filesystem>
 
 namespace plica {
 
-// Makes the folder when it is not there. All files are written under temporary names first and
-// renamed at the end, results.json last: a run that fails or is stopped leaves the old files as
-// they were, and a results.json always stands beside the files of the same run. Files of an older
-// run that this one does not write are removed. InputError with the path and the reason when
-// something cannot be written.
-void write_results(const Results& results, const std::filesystem::path& out_dir);
+// Names of what a run of the case will write, as far as the case tells.
+std::vector<std::string> result_files(const Case& data);
+
+// results.json comes last: once it is there, so are the other files of the same run. InputError
+// with the path and the reason when something cannot be written.
+void write_results(const Results& results, OutputFolder& out);
 
 } // namespace plica

@@ -1,7 +1,7 @@
 #include "io/superelements/write.hpp"
 
-#include "io/files.hpp"
 #include "io/report/superelements.hpp"
+#include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 #include "io/superelements/abaqus.hpp"
 #include "io/superelements/certificate_lines.hpp"
@@ -13,7 +13,6 @@
 #include "io/superelements/op4.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -21,7 +20,6 @@ namespace plica {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 Json json_of(const std::vector<FrequencyCheck>& checks) {
   Json list = Json::array();
@@ -116,38 +114,44 @@ std::string certificate_json(const ReducedCase& r) {
   json["failures"] = c.failures;
   json["timing"] = r.timing;
   json["peak_memory"] = r.peak_memory;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
-void write_superelement(const ReducedCase& r, Units units, const std::filesystem::path& folder) {
+std::vector<std::string> superelement_files(bool damped) {
+  std::vector<std::string> names{"superelement.h5",   "superelement.mat", "superelement.bdf",
+                                 "superelement.op4",  "superelement.inp", "superelement_user.inp",
+                                 "superelement.json", "certificate.html", "certificate.json"};
+  for (const char letter : std::string(damped ? "KMCD" : "KM")) {
+    const std::string name = abaqus_matrix_file(letter);
+    names.push_back(name);
+    names.push_back(fs::path(name).replace_extension(".mtx").string());
+  }
+  return names;
+}
+
+void write_superelement(const ReducedCase& r, Units units, OutputFolder& out) {
   const Superelement s = units == Units::millimetres ? in_millimetres(r.element) : r.element;
   if (!s.K.allFinite() || !s.M.allFinite())
     throw std::runtime_error(
         "the superelement has numbers that are not finite; nothing is written");
-  FileSet files(folder);
-  write_hdf5(s, files.place("superelement.h5"));
-  write_matlab(s, files.place("superelement.mat"));
-  files.add("superelement.bdf", nastran_deck(s));
-  files.add("superelement.op4", op4_file(s));
-  files.add("superelement.inp", abaqus_deck(s));
-  files.add("superelement_user.inp", abaqus_user_element(s));
+  out.add_by("superelement.h5", [&](const fs::path& file) { write_hdf5(s, file); });
+  out.add_by("superelement.mat", [&](const fs::path& file) {
+    write_matlab(s, file);
+    read_matlab(file); // matio says nothing of a full disk
+  });
+  out.add("superelement.bdf", nastran_deck(s));
+  out.add("superelement.op4", op4_file(s));
+  out.add("superelement.inp", abaqus_deck(s));
+  out.add("superelement_user.inp", abaqus_user_element(s));
   for (const NamedMatrix& m : matrices_of(s)) {
     const std::string name = abaqus_matrix_file(m.letter);
-    files.add(name, abaqus_matrix(s, *m.matrix));
-    files.add(fs::path(name).replace_extension(".mtx").string(),
-              matrix_market(*m.matrix, s.name + ", units: " + s.units));
+    out.add(name, abaqus_matrix(s, *m.matrix));
+    out.add(fs::path(name).replace_extension(".mtx").string(),
+            matrix_market(*m.matrix, s.name + ", units: " + s.units));
   }
-  files.add("superelement.json", sidecar(s, r).dump(2) + "\n");
-  files.add("report.html", certificate_report(r));
-  files.add("certificate.json", certificate_json(r));
-  files.commit();
-  for (const char letter : {'C', 'D'}) { // of an earlier run with damping
-    const std::string name = abaqus_matrix_file(letter);
-    if (files.holds(name)) continue;
-    std::error_code ignored;
-    fs::remove(folder / name, ignored);
-    fs::remove(fs::path(folder / name).replace_extension(".mtx"), ignored);
-  }
+  out.add("superelement.json", json_text(sidecar(s, r)));
+  out.add("certificate.html", certificate_report(r));
+  out.add("certificate.json", certificate_json(r));
 }
 
 } // namespace plica

@@ -1,0 +1,24 @@
+#include "app/finish.hpp"
+
+#include "app/terminal.hpp"
+#include "model/doubts.hpp"
+
+#include <fmt/core.h>
+
+namespace plica {
+
+void hand_over(OutputFolder& out) {
+  out.commit();
+  for (const std::string& name : out.remove_stale())
+    say(fmt::format("plica: {} stays: it was changed since plica wrote it\n",
+                    (out.path() / name).string()));
+}
+
+void say_doubts(const Case& data) {
+  try {
+    for (const std::string& doubt : doubts(data, build(data))) say("warning: " + doubt + "\n");
+  } catch (const std::exception&) { // nothing could be built: the failure says why
+  }
+}
+
+} // namespace plica
