@@ -53,7 +53,7 @@ bool write_all(int handle, const std::string& content) {
 }
 
 const char* kind_of(mode_t mode) {
-  if (S_ISDIR(mode)) return "is a folder";
+  if (S_ISDIR(mode)) return "is a directory";
   if (S_ISFIFO(mode)) return "is a pipe";
   if (S_ISSOCK(mode)) return "is a socket";
   return "is a device";

@@ -227,14 +227,14 @@ YamlFile read_yaml(const std::string& path, std::vector<InputProblem>& problems)
     return file;
   };
   if (const std::string why = why_unreadable(path); !why.empty())
-    return fail(why, "give the path of a YAML file that can be read");
+    return fail(why, "give the path of a YAML file");
   std::error_code ignored;
   if (std::filesystem::file_size(path, ignored) > largest)
     return fail("is larger than 4 MB", "this cannot be a hand-written case");
   try {
     file.text = read_whole(path);
   } catch (const std::runtime_error& error) { // gone meanwhile
-    return fail(error.what(), "give the path of a YAML file that can be read");
+    return fail(error.what(), "give the path of a YAML file");
   }
   const std::size_t before = problems.size();
   file.root = parse_yaml(file.text, path, problems);
