@@ -75,11 +75,13 @@ void add_error_bars_and_variants(Results& results, const CaseFile& file, const R
   if (bars) {
     double done = first;
     try {
-      results.error_bars = error_bars(file.data, headline(results), [&](const std::string& s) {
+      results.error_bars = error_bars(file.data, results, [&](const std::string& s) {
         progress.share(done / all);
         progress.stage(s);
         done += work_of(s);
       });
+      if (const std::string beyond = beyond_accuracy(file.data, results); !beyond.empty())
+        results.warnings.push_back(beyond);
     } catch (const std::exception& error) { // the run itself is good
       results.warnings.push_back(std::string("error bars left out: ") + error.what());
     }

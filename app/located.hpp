@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/input/case_file.hpp"
+#include "solve/model_error.hpp"
 
 namespace plica {
 
@@ -17,6 +18,16 @@ template <class F> auto located(const CaseFile& file, F&& work) {
       if (line != file.lines.end()) p.line = line->second;
     }
     throw InputError(problems);
+  } catch (const ModelError& error) {
+    InputProblem problem{
+        .file = file.path, .line = 0, .key = "", .wrong = error.what(), .allowed = ""};
+    for (const std::string& section : error.sections)
+      if (const auto line = file.lines.find(section);
+          problem.key.empty() && line != file.lines.end()) {
+        problem.key = section;
+        problem.line = line->second;
+      }
+    throw InputError({problem});
   }
 }
 

@@ -52,6 +52,9 @@ struct MeshQuality {
 
 MeshQuality mesh_quality(const Mesh& mesh);
 
+// Jacobian ratio up to which a quad is folded (a concave or crossed one), and the mesh with it.
+constexpr double folded_ratio = 0.01;
+
 // A quad as two triangles.
 std::array<std::array<int, 3>, 2> halves(const std::array<int, 4>& quad);
 

@@ -61,6 +61,17 @@ const std::vector<int>& set_of(const Model& model, const std::string& name,
   return found->second;
 }
 
+void require_unfolded(const Mesh& mesh, const std::string& key, const std::string& allowed) {
+  const double ratio = mesh_quality(mesh).min_jacobian;
+  if (ratio > folded_ratio) return;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", ratio);
+  input_error(key,
+              std::string("folds the mesh: a quad is turned over (Jacobian ratio ") + text.data() +
+                  ")",
+              allowed);
+}
+
 Vector3d centroid(const Mesh& mesh, const std::vector<int>& nodes) {
   Vector3d sum = Vector3d::Zero();
   for (int node : nodes) sum += mesh.nodes[node];
@@ -109,6 +120,8 @@ private:
         input_error("parts." + name + ".dents[" + std::to_string(i) + "]",
                     "has fewer than three nodes of the wall within its radius",
                     "a place on the wall, and a radius of a few elements");
+      require_unfolded(mesh, "parts." + name + ".dents[" + std::to_string(i) + "]",
+                       "a shallower or a wider dent: its flank turns the wall over");
     }
     append(built_.model.mesh, mesh, name, section);
     const Material& m = case_.materials.at(bellows.material);
@@ -133,9 +146,11 @@ private:
     const std::array corners{vector(plate.corners[0]), vector(plate.corners[1]),
                              vector(plate.corners[2]), vector(plate.corners[3])};
     const int section = static_cast<int>(built_.model.shells.size());
-    append(built_.model.mesh,
-           mesh_plate(corners, plate.elements[0], plate.elements[1], plate.thickness), name,
-           section);
+    const Mesh mesh = mesh_plate(corners, plate.elements[0], plate.elements[1], plate.thickness);
+    require_unfolded(mesh, "parts." + name + ".corners",
+                     "four corners in order round the plate, each with an inner angle below 180 "
+                     "deg; two plates where one is concave");
+    append(built_.model.mesh, mesh, name, section);
     const Material& m = case_.materials.at(plate.material);
     built_.model.shells.push_back(
         {{.E = m.E, .nu = m.nu, .rho = m.rho}, plate.membrane, component(name)});

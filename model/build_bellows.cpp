@@ -88,12 +88,21 @@ std::function<double(double)> thickness_law(const Bellows& bellows) {
   return [t](double) { return t; };
 }
 
+double accuracy_of(const MeshDensity& mesh) {
+  constexpr double left_out = 0.01;
+  return mesh.accuracy > 0 ? mesh.accuracy : left_out;
+}
+
 } // namespace
+
+double mesh_accuracy(const Bellows& bellows) {
+  const MeshDensity& mesh = bellows.mesh;
+  return mesh.around > 0 || mesh.arc > 0 || mesh.wall > 0 ? 0 : accuracy_of(mesh);
+}
 
 ElementCounts element_counts(const Bellows& bellows) {
   const MeshDensity& mesh = bellows.mesh;
-  constexpr double default_accuracy = 0.01;
-  const double each = (mesh.accuracy > 0 ? mesh.accuracy : default_accuracy) / 2;
+  const double each = accuracy_of(mesh) / 2;
   const double around_constant = bellows.membrane == Membrane::incompatible ? 7 : 60;
   constexpr double meridian_error = 0.007; // at 4 elements per quarter arc, 5 per wall
   const double refine = std::sqrt(meridian_error / each);

@@ -7,6 +7,9 @@
 
 namespace plica {
 
+// The accuracy that its density follows; 0 where counts are given.
+double mesh_accuracy(const Bellows& bellows);
+
 // The same mesh with every density given as counts, cuffs included.
 Bellows with_counts(Bellows bellows);
 

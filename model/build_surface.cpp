@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double folded = 0.01; // Jacobian ratio of a quad
 
 std::string length_text(double length) {
   std::array<char, 32> text{};
@@ -40,7 +39,7 @@ SurfaceFaces faces_once(const SurfacePart& part) {
 
 Mesh surface_mesh(const SurfacePart& part) {
   Mesh mesh = shell_mesh(faces_once(part), part.thickness, part.given);
-  if (const double ratio = mesh_quality(mesh).min_jacobian; !(ratio > folded))
+  if (const double ratio = mesh_quality(mesh).min_jacobian; !(ratio > folded_ratio))
     throw std::runtime_error("a quad of the mesh is folded, or a triangle (Jacobian ratio " +
                              std::to_string(ratio) +
                              "); another element_size, or none: the triangles of the file");

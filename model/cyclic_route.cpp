@@ -1,7 +1,9 @@
 #include "model/constraint_clash.hpp"
 #include "model/route.hpp"
 #include "reduction/cyclic_modes.hpp"
+#include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
+#include "solve/model_error.hpp"
 #include "solve/static_correction.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -46,9 +48,10 @@ public:
   std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
     stage_("statics");
     Matrix1212 K = Matrix1212::Zero();
+    const CyclicModel& part = without_mount();
     ends_.clear();
     for (const Harmonic& h : rigid_harmonics) {
-      End end{.system = model_.system(h), .unknowns = {}, .inner = std::nullopt};
+      End end{.system = part.system(h), .unknowns = {}, .inner = std::nullopt};
       for (int side : {0, 1})
         for (const AxisUnknown& a : end.system.axis) {
           if (a.node != caps[side]) continue;
@@ -57,13 +60,11 @@ public:
         }
       std::sort(end.unknowns.begin(), end.unknowns.end(),
                 [](const auto& a, const auto& b) { return a.number < b.number; });
-      remove_mount(end.system);
       const SparseMatrix inner = restrict_to(
           end.system.K, complement(static_cast<int>(end.system.K.rows()), end.boundary()));
       end.inner.emplace(inner);
       if (!end.inner->factorise(inner).ok)
-        throw std::runtime_error(
-            "static stiffness: the part is a mechanism when both caps are held");
+        throw ModelError("static stiffness: the part is a mechanism when both caps are held");
       const MatrixXd condensed = condense(end.system.K, end.boundary(), *end.inner);
       const MatrixXd D = end.directions();
       K += D * condensed * D.transpose();
@@ -89,8 +90,14 @@ public:
     solution.timing = found.timing;
     solution.proof = found.proof;
     solution.modes = static_cast<int>(found.modes.size());
-    for (const CyclicFamily& family : found.families)
+    solution.rounding.resize(solution.modes);
+    for (int i = 0; i < solution.modes; ++i)
+      solution.rounding[i] = found.modes[std::size_t(i)].rounding;
+    for (const CyclicFamily& family : found.families) {
       solution.free_body = solution.free_body || family.shift < 0;
+      solution.with_mass +=
+          (model_.is_pair(family.system.harmonic.n) ? 2 : 1) * dofs_with_mass(family.M);
+    }
     if (!loads.base.empty()) require_held(solution.free_body);
     watch_ = Stopwatch();
     Columns columns(Eigen::Index(loads.base.size()));
@@ -104,7 +111,9 @@ public:
       add_family(found, f, family, loads, columns, about_origin);
     }
     columns.write(solution);
-    refer_to_centre(about_origin, solution);
+    const CentralMass free = refer_to_centre(about_origin, solution.participation);
+    solution.mass = free.mass;
+    solution.free_mass = free.total;
     // The convention for pairs, for the participation and the input as for the shapes.
     const Eigen::Index n = solution.modes;
     MatrixXd rows(6 + Eigen::Index(loads.base.size()), n);
@@ -176,16 +185,13 @@ private:
     Eigen::Index loads_;
   };
 
-  // A spring mount is not the part.
-  void remove_mount(HarmonicSystem& s) const {
-    for (const BushingElement& b : built_.model.bushings) {
-      if (b.node2 >= 0) continue;
-      const Matrix6 K = ground_bushing_matrix(b.bushing);
-      for (const AxisUnknown& a : s.axis)
-        for (const AxisUnknown& c : s.axis)
-          if (a.node == b.node1 && c.node == b.node1 && a.number >= c.number && c.number >= 0)
-            s.K.coeffRef(a.number, c.number) -= a.direction.dot(K * c.direction);
-    }
+  // A spring mount is not the part. Left away before assembly: subtracted, a stiff one would leave
+  // its rounding in place of the part.
+  const CyclicModel& without_mount() {
+    Model part = built_.model;
+    if (std::erase_if(part.bushings, [](const BushingElement& b) { return b.node2 < 0; }) > 0)
+      part_ = std::get<CyclicModel>(cyclic_model(part));
+    return part_ ? *part_ : model_;
   }
 
   // -M r and forces over the free unknowns of a family.
@@ -251,22 +257,9 @@ private:
     return F(Eigen::all, columns);
   }
 
-  // Participation and mass about the centre of the free part, from those about the origin.
-  static void refer_to_centre(const MatrixXd& m, ModalSolution& solution) {
-    solution.mass = m.topLeftCorner(3, 3).trace() / 3;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    if (solution.mass > 0)
-      centre = Eigen::Vector3d(m(1, 5) - m(2, 4), m(2, 3) - m(0, 5), m(0, 4) - m(1, 3)) /
-               (2 * solution.mass);
-    Eigen::Matrix<double, 6, 6> shift = Eigen::Matrix<double, 6, 6>::Identity();
-    for (int j = 0; j < 3; ++j)
-      shift.block<3, 1>(0, 3 + j) = -Eigen::Vector3d(Eigen::Vector3d::Unit(j)).cross(centre);
-    solution.participation = (solution.participation * shift).eval();
-    solution.free_mass = (shift.transpose() * m * shift).diagonal();
-  }
-
   const BuiltCase& built_;
   CyclicModel model_;
+  std::optional<CyclicModel> part_; // without its spring mount, where it has one
   const StageListener& stage_;
   Timing& timing_;
   Stopwatch watch_;

@@ -7,6 +7,7 @@
 #include "model/profile_checks.hpp"
 #include "model/reduce.hpp"
 #include "model/run.hpp"
+#include "solve/model_error.hpp"
 #include "solve/statics.hpp"
 
 #include <Eigen/LU>
@@ -228,7 +229,7 @@ private:
     pipe_case.analyses.modes->band = chain_case.analyses.modes->band = {};
     const Results pipe = run(pipe_case, quiet), chain = run(chain_case, quiet);
     if (!shell.statics || !pipe.statics || !chain.statics)
-      throw std::runtime_error("a model has no static stiffness");
+      throw ModelError("a model has no static stiffness");
     beam.shell_static = *shell.statics;
     beam.pipe_static = *pipe.statics;
     beam.connector_static = *chain.statics;

@@ -1,11 +1,16 @@
 #include "model/error_bars.hpp"
 
+#include "model/build_bellows.hpp"
 #include "model/case_path.hpp"
+#include "model/match_modes.hpp"
 #include "model/refine.hpp"
 #include "model/run.hpp"
+#include "model/run_stress.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <random>
 
@@ -175,15 +180,99 @@ Case for_comparison(const Case& given) {
   return data;
 }
 
-ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& stage) {
+namespace {
+
+// The numbers of a finer run beside those of the nominal one.
+struct FinerRun {
+  Headline headline;
+  std::vector<double> modes, stresses; // Hz, Pa; not a number = not met
+};
+
+// Also what the stresses are of, where they are asked for.
+Case for_mesh_error(const Case& data) {
+  Case fine = for_headline(data);
+  fine.analyses.stress = data.analyses.stress;
+  if (!data.analyses.stress) return fine;
+  fine.analyses.damping = data.analyses.damping;
+  fine.analyses.response = data.analyses.response;
+  if (fine.analyses.response) fine.analyses.response->cross.clear(); // of sensors
+  return fine;
+}
+
+FinerRun numbers_of(const Results& fine, const Results& nominal) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  FinerRun run{.headline = headline(fine), .modes = {}, .stresses = {}};
+  const std::vector<SameMode> same = match_modes(nominal, fine);
+  for (const SameMode& m : same) run.modes.push_back(m.index < 0 ? unknown : m.frequency);
+  const auto stress_of = [&](const std::string& kind, const std::string& name) {
+    for (const StressResult& s : fine.stresses)
+      if (s.kind == kind && s.name == name) return std::max(s.largest, s.largest_beam);
+    return unknown;
+  };
+  for (const StressResult& s : nominal.stresses) {
+    std::string name = s.name; // of a mode by its number, which may be another one
+    for (std::size_t i = 0; i < same.size(); ++i)
+      if (s.kind == "mode" && s.name == mode_stress_name(int(i)))
+        name = same[i].index < 0 ? "" : mode_stress_name(same[i].index);
+    run.stresses.push_back(stress_of(s.kind, name));
+  }
+  return run;
+}
+
+double shown(const StressResult& s) {
+  return std::max(s.largest, s.largest_beam);
+}
+
+// Adds to one member of every mesh error what the finer run changes, over `share` of what is
+// missing in motions, `stress_share` in stresses.
+void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fine,
+                     double MeshError::*member, double share, double stress_share) {
+  for (ErrorBar& bar : all.bars)
+    bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) / share;
+  for (std::size_t i = 0; i < all.modes.size(); ++i)
+    all.modes[i].*member = (fine.modes[i] - nominal.modes[i].frequency) / share;
+  for (std::size_t i = 0; i < all.stresses.size(); ++i)
+    all.stresses[i].*member = (fine.stresses[i] - shown(nominal.stresses[i])) / stress_share;
+}
+
+Results run_silently(const Case& data) {
+  return run(data, [](const std::string&) {});
+}
+
+// More modes in every superelement: those up to twice the cut-off, and to four times the highest
+// mode listed, for a mode feels what lies far above it (its error falls with the fourth power of
+// the ratio). Where a superelement has none there, further up. None: not met.
+std::optional<Results> with_more_modes(const Case& data, const Results& nominal) {
+  Case more = for_mesh_error(data);
+  double highest = 0;
+  for (const ModeResult& mode : nominal.modes) highest = std::max(highest, mode.frequency);
+  double& cutoff = more.analyses.reduction->cutoff;
+  cutoff = std::max(2 * reduction_cutoff(data.analyses), 4 * highest);
+  for (int attempt = 0; attempt < 4; ++attempt, cutoff *= 2) {
+    Results fine = run_silently(more);
+    const auto grown = [&](std::size_t k) {
+      return fine.reduced->superelements[k].modes > nominal.reduced->superelements[k].modes;
+    };
+    bool all = fine.reduced->superelements.size() == nominal.reduced->superelements.size();
+    for (std::size_t k = 0; all && k < fine.reduced->superelements.size(); ++k) all = grown(k);
+    if (all) return fine;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stage) {
   // Twice along: anything else would refine arcs and walls by different ratios.
   constexpr double finer_along = 2, finer_around = 1.5;
   ErrorBars all;
-  for (const auto& [key, value] : nominal) {
+  for (const auto& [key, value] : headline(nominal)) {
     all.bars.emplace_back();
     all.bars.back().key = key;
     all.bars.back().value = value;
   }
+  all.modes.resize(nominal.modes.size());
+  all.stresses.resize(nominal.stresses.size());
   for (const bool along : {true, false}) {
     const Refinement factor{.along = along ? finer_along : 1, .around = along ? 1 : finer_around};
     const Refinement ratio = refinement_ratio(data, factor);
@@ -191,19 +280,49 @@ ErrorBars error_bars(const Case& data, const Headline& nominal, const Stage& sta
     if (q == 1) continue; // nothing in the case has that direction
     stage(along ? "finer along" : "finer around");
     (along ? all.along : all.around) = true;
-    const Headline fine = headline_of(refined(data, factor));
-    for (ErrorBar& bar : all.bars)
-      (along ? bar.along : bar.around) = (value_of(fine, bar.key) - bar.value) / (1 - 1 / (q * q));
+    const FinerRun fine = numbers_of(run_silently(refined(for_mesh_error(data), factor)), nominal);
+    add_differences(all, nominal, fine, along ? &MeshError::along : &MeshError::around,
+                    1 - 1 / (q * q), 1 - 1 / q);
   }
-  if (data.analyses.reduction) {
+  if (data.analyses.reduction && nominal.reduced) {
     stage("cut-off");
-    Case more = data;
-    more.analyses.reduction->cutoff = 2 * reduction_cutoff(data.analyses);
-    const Headline fine = headline_of(more);
-    for (ErrorBar& bar : all.bars) bar.cutoff = value_of(fine, bar.key) - bar.value;
+    FinerRun fine{.headline = {},
+                  .modes = std::vector<double>(all.modes.size(), NAN),
+                  .stresses = std::vector<double>(all.stresses.size(), NAN)};
+    if (const std::optional<Results> more = with_more_modes(data, nominal))
+      fine = numbers_of(*more, nominal);
+    add_differences(all, nominal, fine, &MeshError::cutoff, 1, 1);
   }
   if (!data.tolerances.empty()) add_tolerances(all, data, stage);
   return all;
+}
+
+std::string beyond_accuracy(const Case& data, const Results& results) {
+  double accuracy = 0;
+  for (const Part& part : data.parts)
+    if (const auto* bellows = std::get_if<Bellows>(&part.body))
+      accuracy = std::max(accuracy, mesh_accuracy(*bellows));
+  if (accuracy == 0) return "";
+  std::string list;
+  const auto add = [&](const std::string& name, double missing, double value) {
+    const double share = missing / value;
+    if (!(std::abs(share) > accuracy)) return;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), " (%+.1f %%)", 100 * share);
+    list += (list.empty() ? "" : ", ") + name + text.data();
+  };
+  const ErrorBars& errors = results.error_bars;
+  for (const ErrorBar& bar : errors.bars)
+    if (bar.key.starts_with("k_")) add("static stiffness", bar.mesh.total(), bar.value);
+  for (std::size_t i = 0; i < errors.modes.size(); ++i)
+    if (results.modes[i].shape != "rigid")
+      add("mode " + std::to_string(i + 1), errors.modes[i].total(), results.modes[i].frequency);
+  if (list.empty()) return "";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * accuracy);
+  return std::string("beyond the accuracy of ") + text.data() +
+         " that the mesh was chosen for, by its estimated error: " + list +
+         "; a smaller mesh.accuracy refines it";
 }
 
 } // namespace plica

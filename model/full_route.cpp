@@ -4,6 +4,7 @@
 #include "solve/base_motion.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
+#include "solve/model_error.hpp"
 #include "solve/static_correction.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -65,13 +66,12 @@ public:
     // The rig holds both caps; with another mount the stiffness is that of the part alone.
     const bool shared = boundary_ == held_ && base().sigma == 0;
     stage_("statics");
-    remove_mount();
+    leave_the_mount_away();
     if (!shared) {
       const SparseMatrix inner = restrict_to(part(), complement(system_.map.size(), boundary_));
       own_.emplace(inner);
       if (!own_->factorise(inner).ok)
-        throw std::runtime_error(
-            "static stiffness: the part is a mechanism when both caps are held");
+        throw ModelError("static stiffness: the part is a mechanism when both caps are held");
     }
     const MatrixXd condensed = condense(part(), boundary_, inner());
     watch_.lap(timing_, "statics");
@@ -92,6 +92,7 @@ public:
     stage_("modes");
     ModalSolution solution;
     solution.free_body = factor.sigma < 0;
+    solution.with_mass = dofs_with_mass(M_);
     const MatrixXd force = loads_on_free(loads);
     MatrixXd static_solutions(K_.rows(), 0);
     if (force.cols() > 0) {
@@ -112,6 +113,7 @@ public:
     solution.u << u, expand_free(basis.Phi.rightCols(pseudo));
     solution.input = basis.Phi.transpose() * force;
     solution.residual = set.residual;
+    solution.rounding = set.rounding;
     solution.proof = set.proof;
     const FreeMass free = free_mass(built_.model, system_.map, free_, M_);
     solution.participation = set.Phi.transpose() * symmetric_product(M_, free.R);
@@ -130,14 +132,13 @@ private:
     return *base_;
   }
 
-  // A spring mount is not the part. Without one, no second matrix is kept.
-  void remove_mount() {
-    for (const BushingElement& b : built_.model.bushings) {
-      if (b.node2 >= 0) continue;
-      if (!without_mount_) without_mount_ = system_.K;
-      add_dense(*without_mount_, node_dofs(system_.map, {b.node1}),
-                -ground_bushing_matrix(b.bushing));
-    }
+  // A spring mount is not the part. Assembled anew: subtracted, a stiff one would leave its
+  // rounding in place of the part. Without one, no second matrix is kept.
+  void leave_the_mount_away() {
+    if (without_mount_) return;
+    Model part = built_.model;
+    if (std::erase_if(part.bushings, [](const BushingElement& b) { return b.node2 < 0; }) > 0)
+      without_mount_ = assemble(part).K;
   }
   const SparseMatrix& part() const { return without_mount_ ? *without_mount_ : system_.K; }
 

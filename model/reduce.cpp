@@ -89,31 +89,59 @@ Reduction reduce(const BuiltCase& built, const SymmetricView& view,
   }
 }
 
-VectorXd spectrum(const SparseMatrix& K, const SparseMatrix& M, double high) {
+ModeSet modes_up_to(const SparseMatrix& K, const SparseMatrix& M, double high) {
   BaseFactor base = factor_below_spectrum(K, M);
-  return find_modes(K, M, {.band = {0, high}, .proof = false}, base).lambda;
+  return find_modes(K, M, {.band = {0, high}, .proof = false}, base);
+}
+
+// Motion of the boundary nodes, six rows each, in modes of a family with nothing held.
+MatrixXd boundary_motion(const HarmonicSystem& system, const std::vector<int>& nodes,
+                         const MatrixXd& Phi) {
+  MatrixXd motion = MatrixXd::Zero(6 * Index(nodes.size()), Phi.cols());
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (const AxisUnknown& a : system.axis)
+      if (a.node == nodes[k] && a.number >= 0)
+        motion.middleRows<6>(6 * Index(k)) += a.direction * Phi.row(a.number);
+  return motion;
 }
 
 // Of the harmonics that reach the caps, pairs twice; first free, then held at the caps.
-std::array<VectorXd, 2> symmetric_spectra(const CyclicModel& model, const std::vector<int>& caps,
-                                          double high) {
+void add_symmetric_spectra(PartReference& part, const CyclicModel& model,
+                           const std::vector<int>& caps, double high) {
   constexpr std::array families{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
-  std::array<VectorXd, 2 * families.size()> lambda;
-  in_parallel(int(lambda.size()), [&](int i) {
-    const CyclicFamily f =
-        cyclic_family(model, families[i / 2], i % 2 == 0 ? std::vector<int>{} : caps);
-    lambda[i] = spectrum(f.K, f.M, high);
+  struct Mode {
+    double lambda = 0;
+    VectorXd motion;
+  };
+  std::array<std::vector<Mode>, 2 * families.size()> found;
+  in_parallel(int(found.size()), [&](int i) {
+    const Harmonic& harmonic = families[std::size_t(i / 2)];
+    const bool free = i % 2 == 0;
+    const CyclicFamily f = cyclic_family(model, harmonic, free ? std::vector<int>{} : caps);
+    const ModeSet modes = modes_up_to(f.K, f.M, high);
+    const auto add = [&](const HarmonicSystem& system) {
+      const MatrixXd motion = free ? boundary_motion(system, caps, modes.Phi) : MatrixXd();
+      for (Index j = 0; j < modes.lambda.size(); ++j)
+        found[std::size_t(i)].push_back(
+            {modes.lambda[j], free ? VectorXd(motion.col(j)) : VectorXd()});
+    };
+    add(f.system);
+    if (harmonic.n == 1) add(model.quarter_turned(f.system));
   });
-  std::array<VectorXd, 2> spectra;
-  for (int held : {0, 1}) {
-    std::vector<double> values;
-    for (std::size_t f = 0; f < families.size(); ++f)
-      for (double x : lambda[2 * f + held])
-        values.insert(values.end(), families[f].n == 1 ? 2 : 1, x);
-    std::sort(values.begin(), values.end());
-    spectra[held] = VectorXd::Map(values.data(), Index(values.size()));
+  for (const bool free : {true, false}) {
+    std::vector<Mode> all;
+    for (std::size_t i = free ? 0 : 1; i < found.size(); i += 2)
+      all.insert(all.end(), found[i].begin(), found[i].end());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Mode& a, const Mode& b) { return a.lambda < b.lambda; });
+    VectorXd& lambda = free ? part.free_lambda : part.fixed_lambda;
+    lambda.resize(Index(all.size()));
+    if (free) part.free_motion.resize(6 * Index(caps.size()), Index(all.size()));
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      lambda[Index(j)] = all[j].lambda;
+      if (free) part.free_motion.col(Index(j)) = all[j].motion;
+    }
   }
-  return spectra;
 }
 
 PartReference symmetric_reference(const CyclicModel& model, const Boundary& boundary, double high) {
@@ -126,9 +154,7 @@ PartReference symmetric_reference(const CyclicModel& model, const Boundary& boun
     part.rigid_mass += r.transpose() * symmetric_product(s.M, r);
   }
   if (boundary.caps == static_cast<int>(boundary.nodes.size())) {
-    auto [free, fixed] = symmetric_spectra(model, boundary.nodes, high);
-    part.free_lambda = std::move(free);
-    part.fixed_lambda = std::move(fixed);
+    add_symmetric_spectra(part, model, boundary.nodes, high);
     return part;
   }
   // A node on the wall is reached by every harmonic; held, it would end the symmetry.
@@ -149,8 +175,15 @@ PartReference full_reference(const Model& model, const Boundary& boundary, doubl
     for (int dof = 6 * node; dof < 6 * node + 6; ++dof) held.push_back(system.map.independent[dof]);
   std::sort(held.begin(), held.end());
   const std::vector<int> inner = complement(system.map.size(), held);
-  part.free_lambda = spectrum(system.K, system.M, high);
-  part.fixed_lambda = spectrum(restrict_to(system.K, inner), restrict_to(system.M, inner), high);
+  const ModeSet free = modes_up_to(system.K, system.M, high);
+  part.free_lambda = free.lambda;
+  part.free_motion.resize(6 * Index(boundary.nodes.size()), free.Phi.cols());
+  for (std::size_t k = 0; k < boundary.nodes.size(); ++k)
+    for (int d = 0; d < 6; ++d)
+      part.free_motion.row(6 * Index(k) + d) =
+          free.Phi.row(system.map.independent[6 * boundary.nodes[k] + d]);
+  part.fixed_lambda =
+      modes_up_to(restrict_to(system.K, inner), restrict_to(system.M, inner), high).lambda;
   return part;
 }
 

@@ -2,6 +2,7 @@
 #include "model/reduced_case.hpp"
 #include "model/route.hpp"
 #include "solve/constraints.hpp"
+#include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -76,7 +77,7 @@ public:
   ReducedRoute(const BuiltCase& built, double cutoff, Symmetry symmetry, const StageListener& stage,
                Timing& timing)
       : built_(built), cutoff_(cutoff), stage_(stage), timing_(timing),
-        unknowns_(eliminate(built.model).size()) {
+        map_(eliminate(built.model)) {
     stage_("reduction");
     reduced_ = reduced_model(built, interface_nodes(built, symmetry != Symmetry::off), cutoff,
                              symmetry != Symmetry::off, true);
@@ -97,7 +98,7 @@ public:
     for (const Instance& i : reduced_.instances) r.superelements.push_back(described(i));
     return r;
   }
-  int unknowns() const override { return unknowns_; }
+  int unknowns() const override { return map_.size(); }
   double mass() const override { return frame_route_->mass(); }
 
   std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
@@ -109,8 +110,11 @@ public:
 
   ModalSolution modes(const ModesRequest& request, const Loads& loads,
                       const std::vector<int>& sensors) override {
-    const Loads reduced{.base = loads.base,
-                        .force = loads.base.empty() ? MatrixXd() : reduced_.gather(loads.force),
+    const bool supported = supported_inside();
+    const Loads reduced{.base = supported ? std::vector<int>(loads.base.size(), -1) : loads.base,
+                        .force = loads.base.empty()
+                                     ? MatrixXd()
+                                     : reduced_.gather(supported ? forces(loads) : loads.force),
                         .rigid = {}};
     ModalSolution s = frame_route_->modes(request, reduced, {});
     if (!reduced_.proved) {
@@ -120,12 +124,54 @@ public:
     stage_("recovery");
     watch_ = Stopwatch();
     s.u = reduced_.field(s.u);
+    weigh(s);
     orient(sensors, s);
     watch_.lap(s.timing, "recovery");
     return s;
   }
 
 private:
+  // Rigid motions of the whole about the origin, all DOFs x 6; `held`: of what the mount holds too.
+  MatrixXd rigid_fields(bool held) const {
+    MatrixXd R = rigid_body_motions(built_.model, map_, Eigen::Vector3d::Zero());
+    if (!held)
+      for (int node : built_.held_nodes)
+        for (int dof = 6 * node; dof < 6 * node + 6; ++dof)
+          if (map_.independent[dof] >= 0) R.row(map_.independent[dof]).setZero();
+    return expand(map_, R);
+  }
+
+  // A rigid motion of the boundary is one of a superelement only where no support holds it inside.
+  bool supported_inside() const {
+    return std::any_of(reduced_.instances.begin(), reduced_.instances.end(), [](const Instance& i) {
+      const auto& rows = i.part->model.constraints;
+      return std::any_of(rows.begin(), rows.end(),
+                         [](const Constraint& row) { return row.terms.empty(); });
+    });
+  }
+
+  // With the motion of the base by the masses of the whole.
+  MatrixXd forces(const Loads& loads) const {
+    MatrixXd force = loads.force;
+    const bool moves =
+        std::any_of(loads.base.begin(), loads.base.end(), [](int b) { return b >= 0; });
+    if (!moves) return force;
+    const MatrixXd Mr = mass_product(built_.model, rigid_fields(true));
+    for (std::size_t k = 0; k < loads.base.size(); ++k)
+      if (loads.base[k] >= 0) force.col(Index(k)) = -Mr.col(loads.base[k]);
+    return force;
+  }
+
+  // Effective masses are those of the whole: the coordinates of a superelement are not free and
+  // held ones, its modal ones move with both.
+  void weigh(ModalSolution& s) const {
+    const MatrixXd r = rigid_fields(false), Mr = mass_product(built_.model, r);
+    s.participation = s.u.leftCols(s.modes).transpose() * Mr;
+    const CentralMass free = refer_to_centre(r.transpose() * Mr, s.participation);
+    s.mass = free.mass;
+    s.free_mass = free.total;
+  }
+
   void require_symmetry() const {
     for (const Instance& i : reduced_.instances)
       if (i.reduced->sectors == 0)
@@ -186,7 +232,7 @@ private:
   const StageListener& stage_;
   Timing& timing_;
   Stopwatch watch_;
-  int unknowns_;
+  DofMap map_; // of the whole
   ReducedModel reduced_;
   BuiltCase frame_;
   std::unique_ptr<Route> frame_route_;

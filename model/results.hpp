@@ -53,6 +53,7 @@ struct Verification {
   int found = 0;              // modes found below sigma
   double max_residual = 0;
   double orthogonality = 0; // max |Phi' M Phi - I|
+  double rounding = 0;      // share by which rounding of K may move a lambda, at most
   bool passed = false;
   std::string reason; // why not passed
   std::string of;     // "the reduced model" where that was counted; empty = the model
@@ -137,22 +138,29 @@ struct StressResult {
   Eigen::VectorXd below, above; // per node, Pa
 };
 
+// What a number misses of its converged value, estimated, signed, in its unit; not a number when a
+// finer run did not meet it.
+struct MeshError {
+  double along = 0, around = 0; // for want of elements
+  double cutoff = 0;            // for want of modes of the superelements
+
+  double total() const { return along + around + cutoff; }
+};
+
 // A headline number with its errors. Interval: 5 % and 95 % points over the tolerances.
 struct ErrorBar {
   std::string key; // as in headline()
   double value = 0;
-  // Still missing to the converged value, estimated, signed; not a number when a finer run did not
-  // meet the shape.
-  double along = 0, around = 0;
-  double cutoff = 0; // the same for want of modes of the superelements
+  MeshError mesh;
   std::optional<std::array<double, 2>> interval;
   std::vector<double> shares; // of the variance, per tolerance
 };
 
 struct ErrorBars {
   std::vector<ErrorBar> bars;
-  bool along = false, around = false;  // the mesh could be refined that way
-  std::vector<std::string> tolerances; // paths
+  std::vector<MeshError> modes, stresses; // Hz and Pa, as the results list them; empty = not made
+  bool along = false, around = false;     // the mesh could be refined that way
+  std::vector<std::string> tolerances;    // paths
   double interaction = 0; // largest deviation of a run with all tolerances drawn at random from the
                           // sum of the single effects, relative
 };

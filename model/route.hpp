@@ -28,10 +28,11 @@ struct Loads {
 struct ModalSolution {
   Eigen::VectorXd lambda; // modes, then pseudo-modes
   int modes = 0;
-  Eigen::MatrixXd u;     // all DOFs x columns, mass-normalised
-  Eigen::MatrixXd input; // columns x loads: phi' F, base motion per unit acceleration
-  Eigen::VectorXd residual;
+  Eigen::MatrixXd u;                  // all DOFs x columns, mass-normalised
+  Eigen::MatrixXd input;              // columns x loads: phi' F, base motion per unit acceleration
+  Eigen::VectorXd residual, rounding; // of each mode; rounding as in solve/modes.hpp
   ModesProof proof;
+  int with_mass = 0;      // free degrees of freedom with mass: there are no more modes than these
   bool free_body = false; // nothing holds it: rigid modes are among the modes
   // Free part: phi' M r about its centre (modes x 6), its mass and r' M r (effective_mass.hpp).
   Eigen::MatrixXd participation;

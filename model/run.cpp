@@ -7,6 +7,7 @@
 #include "model/joint_strokes.hpp"
 #include "model/run_levels.hpp"
 #include "model/run_stress.hpp"
+#include "solve/drilling.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
@@ -219,7 +220,8 @@ private:
     const DampedModes damped{solution, damping.zeta, damping.eta};
     warn_of_what_does_nothing(damped, excited ? &*excited : nullptr);
     add_modes(damped);
-    verify(solution.proof);
+    warn_of_drilling(solution);
+    verify(solution.proof, solution.with_mass);
     lap("labels");
     if (excited) respond(*response, damped, *excited);
     if (!case_.analyses.stress) return;
@@ -243,6 +245,28 @@ private:
             excited->list[k].name + " moves nothing: what it acts on is held");
   }
 
+  // Modes whose frequency is that of the mesh.
+  void warn_of_drilling(const ModalSolution& s) {
+    constexpr double physics = 0.05; // of the strain energy: more is no rounding of the tie
+    std::map<int, std::string> modes_at;
+    const auto shares =
+        drilling_shares(built_.model, s.u.leftCols(s.modes), s.lambda.head(s.modes));
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      if (shares[i].share > physics && results_.modes[i].shape != "rigid")
+        modes_at[shares[i].node] +=
+            (modes_at[shares[i].node].empty() ? "" : ", ") + std::to_string(i + 1);
+    for (const auto& [node, modes] : modes_at) {
+      const Eigen::Vector3d& x = built_.model.mesh.nodes[std::size_t(node)];
+      std::array<char, 80> at{};
+      std::snprintf(at.data(), at.size(), "[%.4g, %.4g, %.4g] m", x[0], x[1], x[2]);
+      results_.warnings.push_back(
+          "mode " + modes + ": what sits on the one shell node at " + at.data() +
+          " turns about the normal of the wall, where a shell has no stiffness: the frequency is "
+          "that of the mesh and has no limit. Put it on a set of nodes (a cap or a mass on a set "
+          "with a radius), or take the lever in the plane of the wall away");
+    }
+  }
+
   void respond(const Response& asked, const DampedModes& modes, const Excitations& excited) {
     stage_("response");
     results_.responses = responses(asked, built_, modes, excited);
@@ -254,18 +278,26 @@ private:
     lap("response");
   }
 
-  void add_modes(const DampedModes& damped) {
-    const ModalSolution& s = damped.solution;
-    // Lowest eigenvalue well above zero; where all are rigid, sigma lies above them.
+  // A free body's modes that are not told from zero, by the lowest that is, or for rounding. Where
+  // all are rigid, sigma lies above them.
+  static std::vector<bool> rigid_modes(const ModalSolution& s) {
     const double scale = std::max(s.modes > 0 ? s.lambda[s.modes - 1] : 0, s.proof.sigma);
     double elastic = scale;
     for (Eigen::Index i = s.modes - 1; i >= 0; --i)
-      if (s.lambda[i] > 1e-6 * scale) elastic = s.lambda[i];
+      if (s.lambda[i] > 1e-6 * scale && s.lambda[i] > s.rounding[i]) elastic = s.lambda[i];
+    std::vector<bool> rigid;
+    for (Eigen::Index i = 0; i < s.modes; ++i)
+      rigid.push_back(s.free_body && s.lambda[i] < std::max(1e-6 * elastic, s.rounding[i]));
+    return rigid;
+  }
+
+  void add_modes(const DampedModes& damped) {
+    const ModalSolution& s = damped.solution;
+    const std::vector<bool> rigid = rigid_modes(s);
     const MatrixXd effective = s.participation.array().square();
     for (Eigen::Index i = 0; i < s.modes; ++i) {
       const Eigen::Matrix<double, 6, 1> m = effective.row(i).transpose();
-      const bool rigid = s.free_body && s.lambda[i] < 1e-6 * elastic;
-      const ModeLabel label = label_mode(built_.model, s.u.col(i), rigid,
+      const ModeLabel label = label_mode(built_.model, s.u.col(i), rigid[std::size_t(i)],
                                          m.cwiseQuotient(s.free_mass.cwiseMax(1e-300)));
       ModeResult mode{.frequency = frequency(s.lambda[i]),
                       .damping = damped.zeta[i] + damped.eta[i] / 2,
@@ -339,13 +371,14 @@ private:
                                   " of analyses.reduction");
   }
 
-  void verify(const ModesProof& proof) {
+  void verify(const ModesProof& proof, int with_mass) {
     results_.verification = {.made = proof.made,
                              .sigma_frequency = frequency(proof.sigma),
                              .inertia_count = proof.inertia_count,
                              .found = proof.found,
                              .max_residual = proof.max_residual,
                              .orthogonality = proof.orthogonality,
+                             .rounding = proof.rounding,
                              .passed = proof.passed,
                              .reason = proof.reason,
                              .of = results_.reduced ? "the reduced model" : ""};
@@ -354,8 +387,12 @@ private:
       warn_of_the_cutoff(asked);
     else if (static_cast<int>(results_.modes.size()) < asked.count)
       results_.warnings.push_back("there are " + std::to_string(results_.modes.size()) +
-                                  " modes, fewer than asked for: no more degrees of freedom have "
-                                  "mass");
+                                  " modes, fewer than asked for: " +
+                                  (static_cast<int>(results_.modes.size()) >= with_mass
+                                       ? "no more degrees of freedom have mass"
+                                       : "the others lie so far above them that rounding hides "
+                                         "them (a mass or a stiffness is beyond 1e13 times "
+                                         "another)"));
   }
 
   const Case& case_;

@@ -94,6 +94,10 @@ StressResult random_stress(const Excitation& e, const MatrixXd& C, const StressF
 
 } // namespace
 
+std::string mode_stress_name(int mode) {
+  return "mode " + std::to_string(mode + 1) + ", 1 mm at most";
+}
+
 std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model) {
   const StressField field = recover_stress(model, shapes.u);
   std::vector<StressResult> results;
@@ -109,8 +113,8 @@ std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* 
   std::vector<StressResult> results;
   for (Eigen::Index j = 0; j < modes.solution.modes; ++j)
     if (const double largest = largest_displacement(modes.solution.u, j); largest > 0)
-      results.push_back(column_stress("mode", "mode " + std::to_string(j + 1) + ", 1 mm at most",
-                                      field, j, 1e-3 / largest, model.mesh));
+      results.push_back(
+          column_stress("mode", mode_stress_name(int(j)), field, j, 1e-3 / largest, model.mesh));
   if (!excited || !response) return results;
   const VectorXd at =
       VectorXd::Map(asked.frequencies.data(), Eigen::Index(asked.frequencies.size()));

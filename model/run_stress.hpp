@@ -11,6 +11,9 @@ struct StaticShapes {
   std::vector<std::string> names;
 };
 
+// Name of the stress of mode i, from 0.
+std::string mode_stress_name(int mode);
+
 std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model);
 
 // Of the modes, each scaled to a largest displacement of 1 mm; then, when there are excitations,

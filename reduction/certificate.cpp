@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 
 #include <cmath>
+#include <numeric>
 
 namespace plica {
 namespace {
@@ -83,6 +84,49 @@ std::vector<FrequencyCheck> elastic(const VectorXd& full, const VectorXd& reduce
   return checks;
 }
 
+// How alike the boundary motions of a reduced mode and one of the part are, 0..1; of a degenerate
+// group of the part as one space.
+double likeness(const MatrixXd& motion, const VectorXd& lambda, Index mode, const VectorXd& own) {
+  constexpr double one = 1e-6; // relative distance within a group
+  double sum = 0;
+  for (Index j = 0; j < lambda.size(); ++j) {
+    if (std::abs(lambda[j] - lambda[mode]) > one * std::abs(lambda[mode])) continue;
+    const double size = motion.col(j).norm() * own.norm();
+    if (size > 0) sum += std::pow(motion.col(j).dot(own) / size, 2);
+  }
+  return sum;
+}
+
+// Pairs that stand in order are exchanged where the shapes say that two frequencies have crossed.
+std::vector<FrequencyCheck> by_shape(std::vector<FrequencyCheck> checks, const PartReference& part,
+                                     const Superelement& s, int rigid) {
+  if (part.free_motion.cols() == 0 || part.left_out > 0) return checks;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
+  // Rotations at the size of the part, so that they count as motions do.
+  double size = 0;
+  for (const Vector3d& x : s.nodes) size = std::max(size, (x - s.nodes.front()).norm());
+  VectorXd scale = VectorXd::Ones(s.boundary());
+  for (Index i = 0; i < scale.size(); ++i)
+    if (i % 6 >= 3) scale[i] = std::max(size, 1e-3);
+  const MatrixXd full = scale.asDiagonal() * part.free_motion,
+                 reduced = scale.asDiagonal() * modes.eigenvectors().topRows(s.boundary());
+  const auto alike = [&](std::size_t check, std::size_t mode) {
+    return likeness(full, part.free_lambda, rigid + Index(mode), reduced.col(rigid + Index(check)));
+  };
+  std::vector<std::size_t> of(checks.size()); // mode of the part, per reduced one
+  std::iota(of.begin(), of.end(), std::size_t{0});
+  constexpr double clearly = 0.5; // better in sum
+  for (std::size_t pass = 0; pass < checks.size(); ++pass)
+    for (std::size_t i = 1; i < checks.size(); ++i)
+      if (alike(i - 1, of[i]) + alike(i, of[i - 1]) >
+          alike(i - 1, of[i - 1]) + alike(i, of[i]) + clearly)
+        std::swap(of[i - 1], of[i]);
+  const std::vector<FrequencyCheck> in_order = checks;
+  for (std::size_t i = 0; i < checks.size(); ++i)
+    checks[of[i]] = {in_order[of[i]].full, in_order[i].reduced};
+  return checks;
+}
+
 VectorXd generalized(const MatrixXd& K, const MatrixXd& M) {
   return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M, Eigen::EigenvaluesOnly)
       .eigenvalues();
@@ -134,6 +178,8 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   VectorXd fixed = VectorXd(0);
   if (m > 0) fixed = generalized(s.K.bottomRightCorner(m, m), s.M.bottomRightCorner(m, m));
   c.fixed = elastic(part.fixed_lambda, fixed, 0, part.left_out);
+  const std::vector<FrequencyCheck> in_order = c.free; // Ritz values bound the part's in order
+  c.free = by_shape(c.free, part, s, rigid);
   for (const FrequencyCheck& f : c.free) {
     if (std::abs(f.error()) > frequency_limit) break;
     c.good_up_to = f.full;
@@ -153,7 +199,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   require(c.mass < 1e-8 && c.centre < 1e-8 && c.inertia < 1e-7, "mass, centre or inertia differ");
   require(!(c.statics >= std::max(1e-9, c.statics_known_to)),
           "the static stiffness is not that of the part");
-  for (const FrequencyCheck& f : c.free)
+  for (const FrequencyCheck& f : in_order)
     require(f.error() > -1e-6, "a frequency lies below that of the part: not a Ritz reduction");
   require(c.free.empty() || c.good_up_to > 0,
           "not even the first elastic frequency is met within 0.5 %");

@@ -15,7 +15,10 @@ struct PartReference {
   // Force that a rigid motion raises in it, of its size; 0 = the superelement was made of the same
   // matrices and shares their rounding.
   double statics_known_to = 0;
-  Eigen::VectorXd free_lambda;  // boundary free, increasing, rigid modes included
+  Eigen::VectorXd free_lambda; // boundary free, increasing, rigid modes included
+  // Of each free mode, its motion of the boundary coordinates; empty = not known. Where the
+  // frequencies of two shapes cross, it tells which is which.
+  Eigen::MatrixXd free_motion;
   Eigen::VectorXd fixed_lambda; // boundary held
   int left_out = 0;             // modes left out on purpose: so many frequencies may be missing
   bool grounded = false;        // a support inside the part: no rigid motion is free

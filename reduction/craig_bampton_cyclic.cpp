@@ -1,5 +1,6 @@
 #include "reduction/craig_bampton.hpp"
 #include "reduction/fixed_interface.hpp"
+#include "solve/model_error.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/Cholesky>
@@ -201,7 +202,7 @@ private:
     const MatrixXd balanced = scale.asDiagonal() * F * scale.asDiagonal();
     const Eigen::LLT<MatrixXd> flexibility(MatrixXd((balanced + balanced.transpose()) / 2));
     if (flexibility.info() != Eigen::Success)
-      throw std::runtime_error("the boundary nodes on the wall cannot be moved one by one");
+      throw ModelError("the boundary nodes on the wall cannot be moved one by one");
     T.middleRows(na, nw) =
         scale.asDiagonal() * flexibility.solve(MatrixXd(scale.asDiagonal() * wanted));
     if (modes_ == 0) return T;

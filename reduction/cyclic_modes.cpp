@@ -14,7 +14,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int guard_modes = 4; // found beyond those asked for, to place sigma in a gap
-constexpr double pair_tolerance = 1e-5;
 
 // Finds at least `count` modes of the family.
 void solve_family(CyclicFamily& family, int count) {
@@ -27,6 +26,7 @@ void solve_family(CyclicFamily& family, int count) {
   family.Phi = set.Phi;
   family.residual = set.residual;
   family.orthogonality = set.proof.orthogonality;
+  family.rounding = set.rounding;
 }
 
 bool has_none_below(const CyclicFamily& family, double sigma) {
@@ -49,7 +49,8 @@ std::vector<CyclicMode> merged(const CyclicModel& model,
                          .column = column,
                          .sine = copy == 1 || families[f].system.harmonic.sine,
                          .lambda = families[f].lambda[column],
-                         .residual = families[f].residual[column]});
+                         .residual = families[f].residual[column],
+                         .rounding = families[f].rounding[column]});
   std::stable_sort(modes.begin(), modes.end(),
                    [](const CyclicMode& a, const CyclicMode& b) { return a.lambda < b.lambda; });
   return modes;
@@ -111,7 +112,7 @@ private:
     if (request_.count == 0) {
       const double high = std::pow(2 * std::numbers::pi * request_.band[1], 2);
       for (const CyclicMode& m : modes) // one mode beyond, for the gap
-        if (m.lambda > high * (1 + pair_tolerance)) return m.lambda;
+        if (m.lambda > high * (1 + lambda_pair_tolerance)) return m.lambda;
       return std::numeric_limits<double>::infinity();
     }
     const std::size_t last = static_cast<std::size_t>(request_.count) + guard_modes;
@@ -125,44 +126,25 @@ private:
   std::map<int, double> empty_below_;
 };
 
-// How many of the modes are asked for, without cutting a pair.
-std::size_t asked(const ModesRequest& request, const std::vector<CyclicMode>& modes) {
-  if (request.count == 0) {
-    const double high = std::pow(2 * std::numbers::pi * request.band[1], 2);
-    return std::count_if(modes.begin(), modes.end(),
-                         [&](const CyclicMode& m) { return m.lambda <= high; });
-  }
-  std::size_t keep = std::min<std::size_t>(request.count, modes.size());
-  const double size = modes.empty() ? 0 : 1e-2 * std::abs(modes.back().lambda);
-  while (keep > 0 && keep < modes.size() &&
-         modes[keep].lambda - modes[keep - 1].lambda <
-             pair_tolerance * std::max(modes[keep].lambda, size))
-    ++keep;
-  return keep;
+VectorXd eigenvalues(const std::vector<CyclicMode>& modes) {
+  VectorXd lambda(Eigen::Index(modes.size()));
+  for (std::size_t i = 0; i < modes.size(); ++i) lambda[Eigen::Index(i)] = modes[i].lambda;
+  return lambda;
 }
 
-// Middle of the widest gap at or above `keep`, among modes that are all known.
-std::pair<std::size_t, double> widest_gap(const std::vector<CyclicMode>& modes, std::size_t keep,
-                                          std::size_t known) {
-  std::size_t best = keep;
-  double widest = -1, sigma = modes.empty() ? 0 : modes[keep - 1].lambda * (1 + pair_tolerance);
-  for (std::size_t m = std::max<std::size_t>(keep, 1); m < known; ++m) {
-    const double gap = (modes[m].lambda - modes[m - 1].lambda) / std::abs(modes[m].lambda);
-    if (gap <= widest) continue;
-    widest = gap;
-    best = m;
-    sigma = (modes[m].lambda + modes[m - 1].lambda) / 2;
-  }
-  return {best, sigma};
+// Of the family that is free and has the lowest elastic mode.
+double smallest_rigid_size(const std::vector<CyclicFamily>& families) {
+  double least = 0;
+  for (const CyclicFamily& f : families)
+    if (f.shift < 0 && (least == 0 || rigid_size(f.shift) < least)) least = rigid_size(f.shift);
+  return least;
 }
 
-void prove(const CyclicModel& model, const std::vector<CyclicMode>& modes, std::size_t keep,
-           std::size_t known, CyclicModes& result) {
+void prove(const CyclicModel& model, const SpectrumGap& gap, CyclicModes& result) {
   ModesProof& proof = result.proof;
   proof.made = true;
-  const auto [found, sigma] = widest_gap(modes, keep, known);
-  proof.sigma = sigma;
-  proof.found = static_cast<int>(found);
+  proof.sigma = gap.sigma;
+  proof.found = gap.below;
   std::vector<InertiaCount> counts(result.families.size());
   in_parallel(int(counts.size()), [&](int f) {
     const CyclicFamily& family = result.families[f];
@@ -181,12 +163,24 @@ void prove(const CyclicModel& model, const std::vector<CyclicMode>& modes, std::
     }
     proof.inertia_count += *counts[f].below * multiplicity(model, result.families[f]);
   }
-  proof.passed = proof.inertia_count == proof.found;
-  if (!proof.passed)
-    proof.reason = "below " + std::to_string(frequency(proof.sigma)) + " Hz there are " +
-                   std::to_string(proof.inertia_count) +
-                   " modes by inertia over all harmonics, but " + std::to_string(proof.found) +
-                   " were found";
+  compare_counts(proof, "modes by inertia over all harmonics");
+}
+
+// What the modes of all families are worth, the listed ones and those found beside them.
+void check_accuracy(CyclicModes& result) {
+  ModesProof& proof = result.proof;
+  for (const CyclicMode& m : result.modes)
+    proof.max_residual = std::max(proof.max_residual, m.residual);
+  for (const CyclicFamily& f : result.families) {
+    proof.orthogonality = std::max(proof.orthogonality, f.orthogonality);
+    std::vector<int> listed;
+    for (const CyclicMode& m : result.modes)
+      if (&result.families[m.family] == &f) listed.push_back(m.column);
+    proof.rounding =
+        std::max(proof.rounding,
+                 relative_rounding(f.lambda(listed), f.rounding(listed), rigid_size(f.shift)));
+  }
+  judge_accuracy(proof);
 }
 
 } // namespace
@@ -222,22 +216,20 @@ CyclicModes find_cyclic_modes(const CyclicModel& model, const std::vector<int>& 
   Search(model, request, result).run();
   watch.lap(result.timing, "lanczos");
   const std::vector<CyclicMode> modes = merged(model, result.families);
-  const std::size_t keep = asked(request, modes);
-  result.modes.assign(modes.begin(), modes.begin() + std::ptrdiff_t(keep));
-  // Known completely: up to the guard, or to the first mode beyond the band.
-  const std::size_t known = std::min(
-      modes.size(), request.count > 0 ? std::size_t(request.count + guard_modes + 1) : keep + 1);
-  if (request.proof && keep > 0) {
-    prove(model, modes, keep, known, result);
+  const VectorXd lambda = eigenvalues(modes);
+  const double small = smallest_rigid_size(result.families);
+  const int keep = modes_asked(request, lambda, small), all = static_cast<int>(lambda.size());
+  if (request.proof && all > 0) {
+    // Below a gap there is at least one group. All modes are known up to the guard, or to the first
+    // group beyond the band.
+    const int least = keep > 0 ? keep : modes_asked({.count = 1}, lambda, small);
+    const int known = request.count > 0 ? request.count + guard_modes + 1 : least + 1;
+    prove(model, widest_gap(lambda, least, std::min(known, all), small), result);
     watch.lap(result.timing, "proof");
   }
-  for (const CyclicMode& m : result.modes)
-    result.proof.max_residual = std::max(result.proof.max_residual, m.residual);
-  for (const CyclicFamily& f : result.families)
-    result.proof.orthogonality = std::max(result.proof.orthogonality, f.orthogonality);
-  if (request.count == 0)
-    std::erase_if(result.modes,
-                  [&](const CyclicMode& m) { return frequency(m.lambda) < request.band[0]; });
+  result.modes.assign(modes.begin() + modes_below_band(request, lambda, small),
+                      modes.begin() + keep);
+  check_accuracy(result);
   return result;
 }
 

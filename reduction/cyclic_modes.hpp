@@ -17,7 +17,7 @@ struct CyclicFamily {
   std::vector<int> free; // of the independent unknowns
   SparseMatrix K, M;     // over the free ones
   double shift = 0;      // below the spectrum; 0 when K is definite
-  Eigen::VectorXd lambda, residual;
+  Eigen::VectorXd lambda, residual, rounding;
   Eigen::MatrixXd Phi; // over the free ones; Phi' M Phi = 1 for the whole part
   double orthogonality = 0;
 };
@@ -25,7 +25,7 @@ struct CyclicFamily {
 struct CyclicMode {
   int family = 0, column = 0;
   bool sine = false;
-  double lambda = 0, residual = 0;
+  double lambda = 0, residual = 0, rounding = 0;
 };
 
 struct CyclicModes {

@@ -1,5 +1,6 @@
 #include "reduction/fixed_interface.hpp"
 
+#include "solve/model_error.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 
@@ -55,8 +56,7 @@ FixedInterface fixed_interface(const SparseMatrix& K, const SparseMatrix& M,
   const std::vector<int> inner = complement(n, boundary);
   const SparseMatrix K_ii = restrict_to(K, inner), M_ii = restrict_to(M, inner);
   BaseFactor base = factor_below_spectrum(K_ii, M_ii);
-  if (base.sigma != 0)
-    throw std::runtime_error("the part is a mechanism when its boundary is held");
+  if (base.sigma != 0) throw ModelError("the part is a mechanism when its boundary is held");
   FixedInterface f;
   f.Psi = nb > 0 ? follow_boundary(K, boundary, base.factor, MatrixXd::Identity(nb, nb))
                  : MatrixXd(n, 0);

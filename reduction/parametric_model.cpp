@@ -3,6 +3,7 @@
 #include "solve/dense_modes.hpp"
 #include "solve/dense_product.hpp"
 #include "solve/mode_labels.hpp"
+#include "solve/model_error.hpp"
 #include "solve/parallel.hpp"
 #include "solve/statics.hpp"
 
@@ -68,7 +69,7 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   for (int node : boundary_)
     for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
       if (map.independent[dof] < 0)
-        throw std::runtime_error("a mount or cap whose motion other constraints determine");
+        throw ModelError("a mount or cap whose motion other constraints determine");
       held_.push_back(map.independent[dof]);
     }
   std::vector<int> sorted = held_;
@@ -78,8 +79,7 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   for (std::size_t i = 0; i < inside_.size(); ++i) row_inside_[std::size_t(inside_[i])] = int(i);
   const SparseMatrix K = restrict_to(system_.K, inside_), M = restrict_to(system_.M, inside_);
   BaseFactor base = factor_below_spectrum(K, M);
-  if (base.sigma < 0)
-    throw std::runtime_error("nothing holds the part: hold it by a mount or supports");
+  if (base.sigma < 0) throw ModelError("nothing holds the part: hold it by a mount or supports");
   const ModeSet set = find_modes(
       K, M, {.count = std::min(count_, most_modes(K, M)), .band = {}, .proof = false}, base);
   lambda_ = set.lambda;
@@ -423,7 +423,7 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K(free, free), M(free, free));
   if (pairs.info() != Eigen::Success || !(pairs.eigenvalues()[0] > 0))
-    throw std::runtime_error("the changed structure is not stable");
+    throw ModelError("the changed structure is not stable");
   const Index count = std::min<Index>(modes, pairs.eigenvalues().size());
   const VectorXd lambda = pairs.eigenvalues().head(count);
   MatrixXd q = MatrixXd::Zero(K.rows(), count);

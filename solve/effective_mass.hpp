@@ -24,6 +24,18 @@ FreeMass free_mass(const Model& model, const DofMap& map, const std::vector<int>
 // Mass of all elements, whatever is held, kg.
 double total_mass(const Model& model);
 
+// M u for fields over all DOFs (six rows a node), element by element: no matrix is assembled.
+Eigen::MatrixXd mass_product(const Model& model, const Eigen::MatrixXd& u);
+
+// Mass and r_j' M r_j about the centre of mass, from r' M r about the origin; the participations
+// phi' M r (one row per mode) are referred to the centre too.
+struct CentralMass {
+  double mass = 0;
+  Eigen::Matrix<double, 6, 1> total;
+};
+CentralMass refer_to_centre(const Eigen::Matrix<double, 6, 6>& about_origin,
+                            Eigen::MatrixXd& participation);
+
 // One row of six per mode.
 Eigen::MatrixXd effective_masses(const FreeMass& free, const SparseMatrix& M,
                                  const Eigen::MatrixXd& Phi);

@@ -1,11 +1,16 @@
 #include "solve/modes.hpp"
 
 #include "solve/dense_modes.hpp"
+#include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <numbers>
+#include <omp.h>
 #include <random>
 #include <stdexcept>
 
@@ -16,33 +21,32 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int guard_modes = 4;          // computed beyond those asked for, to find a gap
-constexpr double pair_tolerance = 1e-5; // relative distance of lambda within a pair
-constexpr double residual_limit = 1e-5;
-constexpr double orthogonality_limit = 1e-8;
+constexpr int guard_modes = 4; // computed beyond those asked for, to find a gap
 
-int dofs_with_mass(const SparseMatrix& M) {
-  return static_cast<int>((VectorXd(M.diagonal()).array() > 0).count());
-}
-
-// Order of magnitude of the largest eigenvalue.
+// Order of magnitude of the largest eigenvalue: the median of K_ii / M_ii, which a few stiff
+// springs do not move.
 double spectrum_scale(const SparseMatrix& K, const SparseMatrix& M) {
-  const double mass = VectorXd(M.diagonal()).sum();
-  return mass > 0 ? VectorXd(K.diagonal()).sum() / mass : 1;
+  const VectorXd k = K.diagonal(), m = M.diagonal();
+  std::vector<double> ratios;
+  for (Index i = 0; i < k.size(); ++i)
+    if (m[i] > 0) ratios.push_back(k[i] / m[i]);
+  if (ratios.empty()) return 1;
+  const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle > 0 ? *middle : 1;
 }
 
-// Rayleigh quotient after one inverse iteration: about the smallest |lambda - sigma|.
-double smallest_eigenvalue(const SparseMatrix& K, const SparseMatrix& M,
-                           const SparseFactor& factor) {
+// That the smallest eigenvalue is told from the rounding of K, by one inverse iteration.
+bool is_definite(const SparseMatrix& K, const SparseMatrix& M, const SparseFactor& factor) {
   std::mt19937 random(7);
   VectorXd v(K.rows());
   for (double& x : v) x = double(random()) / double(std::mt19937::max()) - 0.5;
   VectorXd x = factor.solve(symmetric_product(M, v));
   const double norm = x.norm();
-  if (!std::isfinite(norm) || norm == 0) return 0;
+  if (!std::isfinite(norm) || norm == 0) return false;
   x /= norm;
-  const double mass = x.dot(symmetric_product(M, x).col(0));
-  return mass > 0 ? x.dot(symmetric_product(K, x).col(0)) / mass : 0;
+  constexpr double clear = 100; // times the bound of first order
+  return x.dot(symmetric_product(K, x).col(0)) > clear * rounding_errors(K, x)[0];
 }
 
 VectorXd residuals(const SparseMatrix& K, const SparseMatrix& M, const VectorXd& lambda,
@@ -55,68 +59,33 @@ VectorXd residuals(const SparseMatrix& K, const SparseMatrix& M, const VectorXd&
   return r;
 }
 
-// Size below which a value is not told from zero, relative to the largest found: keeps the rigid
-// modes of a free body together.
-double smallest_size(const VectorXd& lambda) {
-  return lambda.size() > 0 ? 1e-2 * std::abs(lambda[lambda.size() - 1]) : 0;
-}
-
-// Smallest number of modes >= wanted that does not cut a pair, nor the rigid modes.
-int whole_pairs(const VectorXd& lambda, int wanted) {
-  const double size = smallest_size(lambda);
-  int keep = std::min<int>(wanted, static_cast<int>(lambda.size()));
-  while (keep > 0 && keep < lambda.size() &&
-         lambda[keep] - lambda[keep - 1] < pair_tolerance * std::max(lambda[keep], size))
-    ++keep;
-  return keep;
-}
-
-// Number of modes of `lambda` above which the widest gap lies, at least keep.
-int widest_gap(const VectorXd& lambda, int keep) {
-  int best = keep;
-  double widest = -1;
-  for (int m = std::max(keep, 1); m < lambda.size(); ++m) {
-    const double gap =
-        (lambda[m] - lambda[m - 1]) / std::max(std::abs(lambda[m]), smallest_size(lambda));
-    if (gap > widest) {
-      widest = gap;
-      best = m;
-    }
-  }
-  return best;
-}
-
-int modes_asked(const ModesRequest& request, const VectorXd& lambda) {
-  if (request.count > 0) return whole_pairs(lambda, request.count);
-  const double high = std::pow(2 * std::numbers::pi * request.band[1], 2);
-  return static_cast<int>((lambda.array() <= high).count());
-}
-
-// Enough modes: the count asked for and a gap above, or one mode beyond the band.
-bool reaches_far_enough(const ModesRequest& request, const VectorXd& lambda, int most) {
-  return modes_asked(request, lambda) < lambda.size() || lambda.size() >= most;
-}
-
-void drop_below_band(ModeSet& modes, double low_hertz) {
-  const double low = std::pow(2 * std::numbers::pi * low_hertz, 2);
-  const auto below = (modes.lambda.array() < low).count();
+void drop_lowest(ModeSet& modes, int below) {
   const Index kept = modes.lambda.size() - below;
   modes.lambda = modes.lambda.tail(kept).eval();
   modes.Phi = modes.Phi.rightCols(kept).eval();
   modes.residual = modes.residual.tail(kept).eval();
+  modes.rounding = modes.rounding.tail(kept).eval();
 }
 
 // A free body: put the shift near the lowest elastic mode, where Lanczos is accurate and fast.
 void rescale_shift(BaseFactor& base, const SparseMatrix& K, const SparseMatrix& M,
                    const EigenPairs& pairs) {
-  const double rigid = 10 * std::abs(base.sigma);
-  for (double lambda : pairs.values)
-    if (lambda > rigid) {
-      base.sigma = -0.1 * lambda;
+  const VectorXd rounding = rounding_errors(K, pairs.vectors);
+  for (Index i = 0; i < pairs.values.size(); ++i)
+    if (pairs.values[i] > std::max(100 * rounding[i], 1e-2 * std::abs(base.sigma))) {
+      base.sigma = -0.1 * pairs.values[i];
       break;
     }
   if (!base.factor.factorise(shifted(K, M, base.sigma)).ok)
-    throw std::runtime_error("K - sigma M lost definiteness while the shift was scaled");
+    throw ModelError("the stiffness is lost in its rounding: a spring, a joint or a part is so "
+                     "much stiffer than what it is tied to that nothing of the rest is left; make "
+                     "it rigid or softer");
+}
+
+std::string scientific(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", x);
+  return text.data();
 }
 
 } // namespace
@@ -127,36 +96,39 @@ double frequency(double lambda) {
 
 BaseFactor factor_below_spectrum(const SparseMatrix& K, const SparseMatrix& M) {
   BaseFactor base{SparseFactor(K), 0};
-  const double scale = spectrum_scale(K, M);
   FactorStatus status = base.factor.factorise(K);
-  constexpr double rounding = 1e-12; // of the largest eigenvalue: smaller is not told from zero
-  if (status.ok && smallest_eigenvalue(K, M, base.factor) > rounding * scale) return base;
+  if (K.rows() == 0 || (status.ok && is_definite(K, M, base.factor))) return base;
+  const double scale = spectrum_scale(K, M);
   for (double fraction : {1e-10, 1e-8, 1e-6}) {
     base.sigma = -fraction * scale;
     status = base.factor.factorise(shifted(K, M, base.sigma));
     if (status.ok) return base;
   }
-  throw std::runtime_error("the model has a degree of freedom without stiffness and mass (a part "
-                           "that nothing holds and that has no density?), or an indefinite "
-                           "stiffness: factorisation stops at unknown " +
-                           std::to_string(status.failed_column + 1) + " of " +
-                           std::to_string(K.rows()));
+  throw ModelError("the model has a degree of freedom without stiffness and mass (a part "
+                   "that nothing holds and that has no density?), or an indefinite "
+                   "stiffness: factorisation stops at unknown " +
+                   std::to_string(status.failed_column + 1) + " of " + std::to_string(K.rows()));
+}
+
+int dofs_with_mass(const SparseMatrix& M) {
+  return static_cast<int>((VectorXd(M.diagonal()).array() > 0).count());
 }
 
 int reachable_modes(const SparseMatrix& M) {
   return std::min(dofs_with_mass(M), static_cast<int>(M.rows()) - 1);
 }
 
+double rigid_size(double sigma) {
+  return 0.1 * std::abs(sigma);
+}
+
 ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const VectorXd& lambda,
-                          const MatrixXd& Phi, int keep, SparseFactor& factor) {
+                          const MatrixXd& Phi, int keep, SparseFactor& factor, double small) {
   ModesProof proof;
   proof.made = true;
-  proof.found = widest_gap(lambda, keep);
-  const double below = lambda[proof.found - 1];
-  // Without a mode above, a little above the last one: the pair tolerance apart.
-  const double above = proof.found < lambda.size() ? lambda[proof.found]
-                                                   : below + 100 * pair_tolerance * std::abs(below);
-  proof.sigma = below + 0.5 * (above - below);
+  const SpectrumGap gap = widest_gap(lambda, keep, static_cast<int>(lambda.size()), small);
+  proof.found = gap.below;
+  proof.sigma = gap.sigma;
   const InertiaCount count = count_below(K, M, proof.sigma, Phi, factor);
   proof.removed_dofs = count.removed;
   if (!count.below) {
@@ -164,19 +136,79 @@ ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const Ve
     return proof;
   }
   proof.inertia_count = *count.below;
+  compare_counts(proof, "modes by inertia");
+  return proof;
+}
+
+void compare_counts(ModesProof& proof, const std::string& what) {
   proof.passed = proof.inertia_count == proof.found;
   if (!proof.passed)
     proof.reason = "below " + std::to_string(frequency(proof.sigma)) + " Hz there are " +
-                   std::to_string(proof.inertia_count) + " modes by inertia, but " +
+                   std::to_string(proof.inertia_count) + " " + what + ", but " +
                    std::to_string(proof.found) + " were found";
-  return proof;
+}
+
+void judge_accuracy(ModesProof& proof) {
+  if (!proof.passed) return;
+  const auto refuse = [&](const std::string& what, double value, double limit) {
+    proof.passed = false;
+    proof.reason += (proof.reason.empty() ? "" : "; ") + what + " " + scientific(value) +
+                    ", and at most " + scientific(limit) + " is accepted";
+  };
+  if (!(proof.max_residual <= residual_limit))
+    refuse("a mode has a residual of", proof.max_residual, residual_limit);
+  if (!(proof.orthogonality <= orthogonality_limit))
+    refuse("the modes are orthogonal only to", proof.orthogonality, orthogonality_limit);
+  if (!(proof.rounding <= rounding_limit))
+    refuse("rounding of the stiffness may move a squared frequency by a share of", proof.rounding,
+           rounding_limit);
+  if (!proof.passed)
+    proof.reason += ". Every mode is counted, but not every number is accurate: likely a spring, a "
+                    "joint or a part is so much stiffer, or a mass so much smaller, than what it "
+                    "is tied to that rounding shows. Make the stiff one rigid (a cap, a clamp, a "
+                    "mount: rigid) or softer, leave the small mass away";
+}
+
+// Without a copy of K, which is large; the sums over blocks of columns have one order.
+VectorXd rounding_errors(const SparseMatrix& K, const MatrixXd& Phi) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Rows size = Phi.cwiseAbs();
+  constexpr int width = 4096;
+  const int blocks = static_cast<int>((K.cols() + width - 1) / width);
+  Rows sums = Rows::Zero(blocks, Phi.cols());
+#pragma omp parallel for schedule(dynamic) if (!omp_in_parallel())
+  for (int b = 0; b < blocks; ++b)
+    for (Index j = Index(b) * width; j < std::min<Index>(K.cols(), Index(b + 1) * width); ++j) {
+      Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(Phi.cols());
+      for (SparseMatrix::InnerIterator it(K, j); it; ++it)
+        force += std::abs(it.value()) * (it.row() == j ? 1. : 2.) * size.row(it.row());
+      sums.row(b) += force.cwiseProduct(size.row(j));
+    }
+  return std::numeric_limits<double>::epsilon() * sums.colwise().sum().transpose();
+}
+
+double relative_rounding(const VectorXd& lambda, const VectorXd& errors, double small) {
+  double elastic = small;
+  for (double value : lambda)
+    if (value > small) {
+      elastic = value;
+      break;
+    }
+  double largest = 0;
+  for (Index i = 0; i < lambda.size(); ++i)
+    largest = std::max(largest, errors[i] / std::max(lambda[i], elastic));
+  return largest;
 }
 
 ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
                    BaseFactor& base) {
   const int most = reachable_modes(M);
+  if (M.rows() == 0)
+    throw ModelError("nothing is free to move: supports and mounts hold it all",
+                     {"supports", "mount", "parts"});
   if (dofs_with_mass(M) == 0)
-    throw std::runtime_error("what is free to move has no mass, so there are no modes");
+    throw ModelError("what is free to move has no mass, so there are no modes (is a density zero?)",
+                     {"materials", "parts"});
   ModeSet modes;
   Stopwatch watch;
   LanczosSettings settings;
@@ -189,7 +221,7 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
   double factored_at = base.sigma;
   for (int attempt = 0; attempt < attempts;) {
     if (factored_at != base.sigma && !base.factor.factorise(shifted(K, M, base.sigma)).ok)
-      throw std::runtime_error("K - sigma M could not be factored again");
+      throw ModelError("the stiffness is lost in its rounding: its factor could not be made again");
     factored_at = base.sigma;
     const EigenPairs pairs = better_dense(K, M) ? dense_modes(K, M, base.sigma)
                                                 : lanczos(M, base.factor, base.sigma, settings);
@@ -202,24 +234,28 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
       watch.lap(modes.timing, "factorise");
       continue;
     }
-    if (pairs.converged && !better_dense(K, M) &&
-        !reaches_far_enough(request, pairs.values, most)) {
+    const double small = rigid_size(base.sigma);
+    // Enough modes: the count asked for and a gap above, or one mode beyond the band.
+    const int keep = modes_asked(request, pairs.values, small);
+    if (pairs.converged && !better_dense(K, M) && keep == pairs.values.size() &&
+        pairs.values.size() < most) {
       settings.count = std::min(2 * settings.count, most);
       continue;
     }
-    const int keep = modes_asked(request, pairs.values);
     modes.lambda = pairs.values.head(keep);
     modes.Phi = pairs.vectors.leftCols(keep);
     modes.residual = residuals(K, M, modes.lambda, modes.Phi, base.sigma);
+    modes.rounding = rounding_errors(K, modes.Phi);
     modes.proof = {};
     if (request.proof && pairs.converged) {
       modes.proof =
-          prove_complete(K, M, pairs.values, pairs.vectors, std::max(keep, 1), base.factor);
+          prove_complete(K, M, pairs.values, pairs.vectors, std::max(keep, 1), base.factor, small);
       factored_at = std::numeric_limits<double>::quiet_NaN(); // the factor is overwritten
       watch.lap(modes.timing, "proof");
     }
     if (keep > 0) {
       modes.proof.max_residual = modes.residual.maxCoeff();
+      modes.proof.rounding = relative_rounding(modes.lambda, modes.rounding, small);
       const MatrixXd gram = modes.Phi.transpose() * symmetric_product(M, modes.Phi);
       modes.proof.orthogonality = (gram - MatrixXd::Identity(keep, keep)).cwiseAbs().maxCoeff();
     }
@@ -231,15 +267,9 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     settings.count = std::min(settings.count + 8, most);
     settings.subspace = 3 * settings.count + 40;
   }
-  if (request.proof && modes.proof.passed &&
-      (modes.proof.max_residual > residual_limit ||
-       modes.proof.orthogonality > orthogonality_limit)) {
-    modes.proof.passed = false;
-    modes.proof.reason = "a mode has a residual of " + std::to_string(modes.proof.max_residual) +
-                         " or the modes are not orthogonal to " +
-                         std::to_string(modes.proof.orthogonality);
-  }
-  if (request.count == 0 && request.band[0] > 0) drop_below_band(modes, request.band[0]);
+  judge_accuracy(modes.proof);
+  if (const int below = modes_below_band(request, modes.lambda, rigid_size(base.sigma)); below > 0)
+    drop_lowest(modes, below);
   return modes;
 }
 

@@ -119,6 +119,7 @@ void SparseFactor::Impl::solve(int system, const double* b, double* result) cons
 
 SparseFactor::SparseFactor(const SparseMatrix& pattern, Factorisation kind)
     : impl_(std::make_unique<Impl>(kind, static_cast<int>(pattern.rows()))) {
+  if (impl_->rows == 0) return;
   // METIS draws from rand(), which threads share: one analysis at a time, or the order, and with it
   // the last digits of all that follows, differs from run to run.
   static std::mutex one_at_a_time;
@@ -134,6 +135,7 @@ SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 
 FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
+  if (impl_->rows == 0) return {.ok = true, .failed_column = -1, .reason = ""};
   const OneOpenMpThread scope;
   cholmod_sparse A = view(lower);
   cholmod_common& c = impl_->common;
@@ -151,6 +153,7 @@ FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
 }
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
+  if (impl_->rows == 0) return b;
   const OneOpenMpThread scope;
   cholmod_dense B = view(b.data(), b.rows(), b.cols());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
@@ -162,6 +165,7 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
 }
 
 Eigen::MatrixXd SparseFactor::quadratic_form(const SparseMatrix& b) const {
+  if (impl_->rows == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
   const OneOpenMpThread scope;
   const auto n = static_cast<std::size_t>(b.rows()), k = static_cast<std::size_t>(b.cols());
   std::vector<int> place(n); // of a row in the order of the factor

@@ -1,4 +1,5 @@
 #include "solve/statics.hpp"
+#include "solve/model_error.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -70,8 +71,8 @@ MatrixXd condense(const SparseMatrix& K, const std::vector<int>& boundary,
 EndStiffness end_stiffness(const Matrix66& K) {
   const Eigen::LLT<MatrixXd> cholesky{MatrixXd(K)};
   if (cholesky.info() != Eigen::Success)
-    throw std::runtime_error("the end stiffness between the two caps is singular: the part does "
-                             "not hold them together in all six directions");
+    throw ModelError("the end stiffness between the two caps is singular: the part does "
+                     "not hold them together in all six directions");
   const MatrixXd free = cholesky.solve(MatrixXd::Identity(6, 6));
   const MatrixXd parallel = MatrixXd(K.topLeftCorner<3, 3>()).inverse();
   return {.axial = 1 / parallel(1, 1),

@@ -63,7 +63,7 @@ TEST(Report, closes_every_tag_whatever_is_missing) {
   r.meridian = {{0, 0.065}, {0.1, 0.065}};
   r.comparison.clear();
   r.mesh.rings.clear();
-  r.verification = {true, 410.2, 8, 7, 3.4e-10, 2.2e-14, false, "one mode is missing", ""};
+  r.verification = {true, 410.2, 8, 7, 3.4e-10, 2.2e-14, 1.3e-9, false, "one mode is missing", ""};
   const std::string html = report_html(r);
   EXPECT_EQ(unbalanced_tag(html), "");
   EXPECT_NE(html.find("one mode is missing"), std::string::npos);

@@ -61,6 +61,12 @@ private:
     const auto& r = case_.analyses.response;
     return case_.analyses.modes && r && !base_directions().empty();
   }
+  // That there is an SPC1 card: a set that no card has is fatal.
+  bool is_held() const {
+    const auto& rows = model_.constraints;
+    return !built_.held_nodes.empty() ||
+           std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.terms.empty(); });
+  }
   std::vector<int> base_directions() const { // translations
     std::vector<int> directions;
     for (int d : case_.analyses.response->bases)
@@ -71,7 +77,8 @@ private:
   void control() {
     text_ += fmt::format("$ {}; units: m kg s N rad\nSOL {}\nCEND\nTITLE = {}\n", case_.name,
                          responds() ? 111 : 103, case_.name);
-    text_ += "SPC = 1\nMETHOD = 1\n";
+    if (is_held()) text_ += "SPC = 1\n";
+    text_ += "METHOD = 1\n";
     if (!responds()) {
       text_ += "DISPLACEMENT(PLOT) = ALL\n";
       return;

@@ -29,10 +29,10 @@ std::string error_bars_html(const Results& results) {
       if (bar.key != quantity.key) continue;
       const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
       HtmlRow row{{html_escape(quantity.name), unit, html_number(bar.value * factor, 4),
-                   errors.along ? html_signed(100 * bar.along / bar.value, 2) : "–",
-                   errors.around ? html_signed(100 * bar.around / bar.value, 2) : "–"},
+                   errors.along ? html_signed(100 * bar.mesh.along / bar.value, 2) : "–",
+                   errors.around ? html_signed(100 * bar.mesh.around / bar.value, 2) : "–"},
                   ""};
-      if (reduced) row.cells.push_back(html_signed(100 * bar.cutoff / bar.value, 2));
+      if (reduced) row.cells.push_back(html_signed(100 * bar.mesh.cutoff / bar.value, 2));
       if (tolerances && bar.interval) {
         row.cells.push_back(html_number((*bar.interval)[0] * factor, 3) + " to " +
                             html_number((*bar.interval)[1] * factor, 3));
@@ -42,7 +42,9 @@ std::string error_bars_html(const Results& results) {
     }
   std::string note = "Mesh: what the converged value would differ by, estimated from two further "
                      "meshes, one finer along the meridian and one around. ";
-  if (reduced) note += "Cut-off: what twice the cut-off changes. ";
+  if (reduced)
+    note += "Cut-off: what more modes of every superelement change, up to twice the "
+            "cut-off and to four times the highest mode. ";
   if (tolerances)
     note += fmt::format("Interval: from the tolerances stated in the case, effects added; with all "
                         "of them drawn at random one run differed from the sum by {} %.",

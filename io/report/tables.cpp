@@ -74,10 +74,12 @@ std::string modes_html(const Results& results) {
   if (results.modes.empty()) return "";
   std::array<int, 6> decimals{};
   for (std::size_t i = 0; i < 6; ++i) decimals[i] = decimals_for(results.free_mass[i], 4);
-  const std::vector<HtmlColumn> columns{
+  std::vector<HtmlColumn> columns{
       {"mode", ""},           {"shape", "", false},   {"frequency", "Hz"}, {"damping", "%"},
       {"mass x", "kg"},       {"mass y", "kg"},       {"mass z", "kg"},    {"inertia x", "kg m²"},
       {"inertia y", "kg m²"}, {"inertia z", "kg m²"}, {"residual", ""}};
+  const std::vector<MeshError>& errors = results.error_bars.modes;
+  if (!errors.empty()) columns.push_back({"mesh error", "%"});
   std::vector<HtmlRow> rows;
   for (const ModeResult& mode : results.modes) {
     HtmlRow row{{std::to_string(rows.size() + 1), in_one_line(html_escape(mode_label(mode))),
@@ -87,12 +89,14 @@ std::string modes_html(const Results& results) {
       row.cells.push_back(mass_cell(mode.effective_mass[i], decimals[i]));
     }
     row.cells.push_back(html_number(mode.residual, 2));
+    if (!errors.empty()) row.cells.push_back(mesh_error_percent(mode, errors[rows.size()]));
     rows.push_back(std::move(row));
   }
   rows.push_back(mass_row("sum of the modes", results.effective_mass_sum, decimals));
   rows.push_back(mass_row("free mass", results.free_mass, decimals));
   return html_table("Effective mass and inertia per direction (along the pipe: y); inertia about "
-                    "the centre of mass of the free part.",
+                    "the centre of mass of the free part. Mesh error: what the frequency is "
+                    "estimated to change by on a converged mesh.",
                     columns, rows);
 }
 

@@ -59,7 +59,7 @@ std::string modes_csv(const Results& results) {
       line({"mode", "frequency [Hz]", "damping [fraction of critical]", "label", "shape",
             "direction", "order", "harmonic", "effective mass x [kg]", "effective mass y [kg]",
             "effective mass z [kg]", "effective inertia x [kg m2]", "effective inertia y [kg m2]",
-            "effective inertia z [kg m2]", "residual"});
+            "effective inertia z [kg m2]", "residual", "mesh error [Hz]"});
   int count = 0;
   for (const ModeResult& mode : results.modes) {
     std::vector<std::string> cells{std::to_string(++count),
@@ -72,6 +72,8 @@ std::string modes_csv(const Results& results) {
                                    mode.harmonic >= 0 ? std::to_string(mode.harmonic) : ""};
     for (const double mass : mode.effective_mass) cells.push_back(csv_number(mass));
     cells.push_back(csv_number(mode.residual));
+    const std::vector<MeshError>& errors = results.error_bars.modes;
+    cells.push_back(errors.empty() ? "" : csv_number(errors[std::size_t(count - 1)].total()));
     text += line(cells);
   }
   return text;
@@ -150,14 +152,18 @@ std::string random_csv(const ResponseResult& r) {
 }
 
 std::string stress_csv(const Results& results) {
-  std::string text = line({"kind", "stress of", "von Mises [Pa]", "face", "x [m]", "y [m]", "z [m]",
-                           "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]"});
+  std::string text =
+      line({"kind", "stress of", "von Mises [Pa]", "face", "x [m]", "y [m]", "z [m]",
+            "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]", "mesh error [Pa]"});
+  std::size_t count = 0;
   for (const StressResult& s : results.stresses) {
     std::vector<std::string> cells{s.kind, s.name, csv_number(s.largest), s.face};
     for (const double x : s.at) cells.push_back(s.face.empty() ? "" : csv_number(x));
     const bool beam = s.largest_beam > 0;
     cells.push_back(beam ? csv_number(s.largest_beam) : "");
     for (const double x : s.beam_at) cells.push_back(beam ? csv_number(x) : "");
+    const std::vector<MeshError>& errors = results.error_bars.stresses;
+    cells.push_back(errors.empty() ? "" : csv_number(errors[count++].total()));
     text += line(cells);
   }
   return text;
@@ -176,9 +182,9 @@ std::string error_bars_csv(const Results& results) {
     std::vector<std::string> cells{bar.key,
                                    units[bar.key],
                                    csv_number(bar.value),
-                                   csv_number(bar.along),
-                                   csv_number(bar.around),
-                                   results.reduced ? csv_number(bar.cutoff) : ""};
+                                   csv_number(bar.mesh.along),
+                                   csv_number(bar.mesh.around),
+                                   results.reduced ? csv_number(bar.mesh.cutoff) : ""};
     for (std::size_t i : {0, 1})
       cells.push_back(bar.interval ? csv_number((*bar.interval)[i]) : "");
     for (std::size_t i = 0; i < errors.tolerances.size(); ++i)

@@ -58,6 +58,7 @@ Json json_of(const Verification& v) {
           {"found", v.found},
           {"max_residual", json_number(v.max_residual)},
           {"orthogonality", json_number(v.orthogonality)},
+          {"rounding", json_number(v.rounding)},
           {"passed", v.passed},
           {"reason", v.reason}};
 }
@@ -158,9 +159,9 @@ Json json_of(const ErrorBars& errors) {
       shares[errors.tolerances[i]] = json_number(bar.shares[i]);
     list.push_back({{"quantity", bar.key},
                     {"value", json_number(bar.value)},
-                    {"mesh_along", json_number(bar.along)},
-                    {"mesh_around", json_number(bar.around)},
-                    {"cutoff", json_number(bar.cutoff)},
+                    {"mesh_along", json_number(bar.mesh.along)},
+                    {"mesh_around", json_number(bar.mesh.around)},
+                    {"cutoff", json_number(bar.mesh.cutoff)},
                     {"interval_90", bar.interval ? numbers(*bar.interval) : Json(nullptr)},
                     {"shares", shares}});
   }
@@ -171,6 +172,14 @@ template <class Item> Json list_of(const std::vector<Item>& items) {
   Json list = Json::array();
   for (const Item& item : items) list.push_back(json_of(item));
   return list;
+}
+
+// In the unit of the number; null where it is not known.
+void add_mesh_errors(Json& list, const std::vector<MeshError>& errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    list[i]["mesh_error"] = {{"along", json_number(errors[i].along)},
+                             {"around", json_number(errors[i].around)},
+                             {"cutoff", json_number(errors[i].cutoff)}};
 }
 
 } // namespace
@@ -191,11 +200,13 @@ std::string results_json(const Results& r) {
   for (const StrokeCurve& c : r.strokes) // [m, N]
     json["static_curves"].push_back({{"direction", c.direction}, {"points", c.points}});
   json["modes"] = list_of(r.modes);
+  add_mesh_errors(json["modes"], r.error_bars.modes);
   json["verification"] = json_of(r.verification);
   json["responses"] = list_of(r.responses);
   if (r.slipping) json["slipping"] = slipping_json(*r.slipping);
   if (!r.families.empty()) json["levels"] = levels_json(r);
   json["stresses"] = list_of(r.stresses);
+  add_mesh_errors(json["stresses"], r.error_bars.stresses);
   json["error_bars"] = json_of(r.error_bars);
   json["headline"] = named_numbers(headline(r));
   json["comparison"] = list_of(r.comparison);

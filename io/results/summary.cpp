@@ -87,9 +87,9 @@ std::string error_table(const Results& results) {
       const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
       const auto fixed = [&, f = factor](double x) { return significant(x * f, 4); };
       rows.push_back({quantity.name, unit, fixed(bar.value),
-                      errors.along ? with_sign(100 * bar.along / bar.value, 2) : "-",
-                      errors.around ? with_sign(100 * bar.around / bar.value, 2) : "-"});
-      if (reduced) rows.back().push_back(with_sign(100 * bar.cutoff / bar.value, 2));
+                      errors.along ? with_sign(100 * bar.mesh.along / bar.value, 2) : "-",
+                      errors.around ? with_sign(100 * bar.mesh.around / bar.value, 2) : "-"});
+      if (reduced) rows.back().push_back(with_sign(100 * bar.mesh.cutoff / bar.value, 2));
       rows.back().push_back(
           bar.interval ? fixed((*bar.interval)[0]) + " to " + fixed((*bar.interval)[1]) : "-");
       rows.back().push_back(shares_text(errors, bar));
@@ -139,8 +139,12 @@ std::string levels_table(const Results& results) {
 }
 
 std::string modes_table(const Results& results) {
-  if (results.modes.empty()) return "";
+  const std::string proof = "\n" + proof_sentence(results.verification) + "\n";
+  if (results.modes.empty())
+    return results.verification.made ? "\nModes\n  none in the band asked for\n" + proof : "";
   std::vector<Row> rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};
+  const std::vector<MeshError>& errors = results.error_bars.modes;
+  if (!errors.empty()) rows[0].push_back("mesh %");
   int count = 0;
   for (const ModeResult& mode : results.modes) {
     Row row{std::to_string(++count), fmt::format("{:.2f}", mode.frequency), mode_label(mode)};
@@ -149,10 +153,10 @@ std::string modes_table(const Results& results) {
       row.push_back(std::isfinite(share) ? fmt::format("{:.1f}", 100 * share) : "-");
     }
     row.push_back(significant(mode.residual, 2));
+    if (!errors.empty()) row.push_back(mesh_error_percent(mode, errors[rows.size() - 1]));
     rows.push_back(std::move(row));
   }
-  return "\nModes\n" + aligned(rows, ">><>>>>") + "\n" + proof_sentence(results.verification) +
-         "\n";
+  return "\nModes\n" + aligned(rows, errors.empty() ? ">><>>>>" : ">><>>>>>") + proof;
 }
 
 } // namespace

@@ -90,15 +90,21 @@ void require_one_row_per_node(const Results& results) {
 std::string proof_sentence(const Verification& v, std::string (*number)(double, int)) {
   if (!v.made) return "Not proved: the proof that no mode is missing was not asked for.";
   const std::string counts = fmt::format(
-      "inertia counts {} {} below {} Hz and {} {} found (largest residual {}, orthogonality {})",
+      "inertia counts {} {} below {} Hz and {} {} found (largest residual {}, orthogonality {}, "
+      "rounding {})",
       v.inertia_count, v.inertia_count == 1 ? "mode" : "modes", number(v.sigma_frequency, 4),
-      v.found, v.found == 1 ? "was" : "were", number(v.max_residual, 2),
-      number(v.orthogonality, 2));
+      v.found, v.found == 1 ? "was" : "were", number(v.max_residual, 2), number(v.orthogonality, 2),
+      number(v.rounding, 2));
   if (v.passed)
     return "Proved, no mode " + (v.of.empty() ? "" : "of " + v.of + " ") + "is missing: " + counts +
            ".";
   const std::string reason = v.reason.empty() ? "." : ": " + v.reason;
   return "Not proved, the check failed: " + counts + reason;
+}
+
+std::string mesh_error_percent(const ModeResult& mode, const MeshError& error) {
+  const double share = error.total() / mode.frequency;
+  return mode.shape == "rigid" || !std::isfinite(share) ? "-" : with_sign(100 * share, 2);
 }
 
 ShownUnit shown_unit(double value, const std::string& unit) {
