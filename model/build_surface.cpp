@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-
 std::string length_text(double length) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g mm", 1e3 * length);

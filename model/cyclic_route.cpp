@@ -188,9 +188,13 @@ private:
   // A spring mount is not the part. Left away before assembly: subtracted, a stiff one would leave
   // its rounding in place of the part.
   const CyclicModel& without_mount() {
-    Model part = built_.model;
-    if (std::erase_if(part.bushings, [](const BushingElement& b) { return b.node2 < 0; }) > 0)
-      part_ = std::get<CyclicModel>(cyclic_model(part));
+    const auto to_ground = [](const BushingElement& b) { return b.node2 < 0; };
+    const auto& springs = built_.model.bushings;
+    if (!part_ && std::any_of(springs.begin(), springs.end(), to_ground)) {
+      unmounted_ = std::make_unique<Model>(built_.model);
+      std::erase_if(unmounted_->bushings, to_ground);
+      part_ = std::get<CyclicModel>(cyclic_model(*unmounted_));
+    }
     return part_ ? *part_ : model_;
   }
 
@@ -259,7 +263,8 @@ private:
 
   const BuiltCase& built_;
   CyclicModel model_;
-  std::optional<CyclicModel> part_; // without its spring mount, where it has one
+  std::unique_ptr<Model> unmounted_; // without its spring mount, where it has one
+  std::optional<CyclicModel> part_;  // of that; refers to it
   const StageListener& stage_;
   Timing& timing_;
   Stopwatch watch_;
