@@ -1,7 +1,5 @@
 #include "mesh/meridian.hpp"
 
-#include "mesh/gmsh_session.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -11,23 +11,11 @@
 // phi = 90 degrees gives parallel walls (U), more gives an omega.
 #pragma once
 
-#include <Eigen/Core>
+#include "mesh/curve_mesh.hpp"
+
 #include <vector>
 
 namespace plica {
-
-enum class CurveKind { line, arc, spline };
-
-struct MeridianCurve {
-  CurveKind kind = CurveKind::line;
-  Eigen::Vector2d start, end;          // (y, r)
-  Eigen::Vector2d centre{0, 0};        // arc
-  std::vector<Eigen::Vector2d> points; // spline: all points, start and end included
-  int elements = 1;
-  int convolution = 0; // from 1; 0 = cuff
-  bool ends_at_crown = false;
-  bool starts_at_root = false; // first curve of a convolution
-};
 
 struct MeridianDensity {
   int arc = 4;  // elements per quarter of an arc

@@ -1,6 +1,6 @@
 #include "model/ejma.hpp"
 
-#include "mesh/gmsh_session.hpp"
+#include "mesh/curve_mesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Files of geometry for tests, written by Gmsh's own OpenCASCADE kernel and by hand.
 #pragma once
 
-#include "mesh/gmsh.hpp"
+#include "mesh/gmsh_session.hpp"
 #include "mesh/meridian.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 #include "io/files.hpp"
 #include "io/results/text.hpp"
 #include "io/universal/writer.hpp"
-#include "mesh/gmsh_session.hpp"
+#include "mesh/msh_file.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
