@@ -8,7 +8,6 @@
 #include "model/build_surface.hpp"
 #include "model/connector_curve.hpp"
 #include "model/input_error.hpp"
-#include "model/ply_slip.hpp"
 #include "solve/couplings.hpp"
 
 #include <algorithm>
@@ -80,7 +79,8 @@ Vector3d centroid(const Mesh& mesh, const std::vector<int>& nodes) {
 
 class Builder {
 public:
-  Builder(const Case& data, JointState state) : case_(data), state_(state) {}
+  Builder(const Case& data, JointState state, const PlyLaws& plies)
+      : case_(data), state_(state), plies_(plies) {}
 
   BuiltCase build() {
     for (const Part& part : case_.parts) // shells and beams first: caps and liners refer to them
@@ -418,7 +418,7 @@ private:
     }
     nodes.push_back(liner_end(name, name + ".right", right));
     const auto& all = built_.model.components;
-    add_segments(name, nodes, segments, ply_laws(case_, name),
+    add_segments(name, nodes, segments, plies_.at(name),
                  int(std::find(all.begin(), all.end(), name) - all.begin()));
   }
 
@@ -519,6 +519,7 @@ private:
 
   const Case& case_;
   JointState state_;
+  const PlyLaws& plies_;
   BuiltCase built_;
   std::map<std::string, int> cap_of_end_;
   std::vector<std::string> rigid_sections_; // parts whose sections are
@@ -526,8 +527,12 @@ private:
 
 } // namespace
 
-BuiltCase build(const Case& data, JointState state) {
-  return Builder(data, state).build();
+BuiltCase build(const Case& data) {
+  return Builder(data, JointState::stuck, {}).build();
+}
+
+BuiltCase build_slipping(const Case& data, const PlyLaws& plies) {
+  return Builder(data, JointState::slipping, plies).build();
 }
 
 } // namespace plica

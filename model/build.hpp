@@ -26,9 +26,14 @@ struct BuiltCase {
 
 // Throws InputError (key paths, no file or line) for what only the mesh can tell: a sensor off the
 // part, a set that is not there, constraints that contradict each other.
-// Stuck, the model bears the stiffness that its joints have in small motion; slipping, what is left
-// beside their friction.
-BuiltCase build(const Case& data, JointState state = JointState::stuck);
+// Stuck, the model bears the stiffness that its joints have in small motion.
+BuiltCase build(const Case& data);
+
+// Slipping, it bears what is left beside their friction. `plies`: of every bellows with `wall.slip`
+// by its name, the laws of its plies from end to end; slipping_case() finds them, too. Throws
+// std::out_of_range where one is missing.
+using PlyLaws = std::map<std::string, std::vector<DirectionalLaw>>;
+BuiltCase build_slipping(const Case& data, const PlyLaws& plies);
 
 // Elements for a density: counts as given, or from the accuracy. The rule is measured (docs/
 // elements.md): with the incompatible membrane the error of the axial stiffness is about 7 / N^2

@@ -57,4 +57,12 @@ std::vector<DirectionalLaw> ply_laws(const Case& data, const std::string& name) 
   return directional_laws(friction);
 }
 
+BuiltCase slipping_case(const Case& data) {
+  PlyLaws plies;
+  for (const Part& part : data.parts)
+    if (const auto* bellows = std::get_if<Bellows>(&part.body); bellows && bellows->wall.slip)
+      plies[part.name] = ply_laws(data, part.name);
+  return build_slipping(data, plies);
+}
+
 } // namespace plica

@@ -1,7 +1,7 @@
 // Plies that stick until they slip, as friction of the bellows as a whole.
 #pragma once
 
-#include "model/case.hpp"
+#include "model/build.hpp"
 
 namespace plica {
 
@@ -9,5 +9,8 @@ namespace plica {
 // is what the stuck wall has beyond the slipping one, by the shells of that bellows alone. Throws
 // InputError when sticking makes it no stiffer.
 std::vector<DirectionalLaw> ply_laws(const Case& data, const std::string& bellows);
+
+// The case with its joints slipping, plies included. Throws as build() and ply_laws() do.
+BuiltCase slipping_case(const Case& data);
 
 } // namespace plica

@@ -5,6 +5,7 @@
 #include "model/doubts.hpp"
 #include "model/input_error.hpp"
 #include "model/joint_strokes.hpp"
+#include "model/ply_slip.hpp"
 #include "model/run_levels.hpp"
 #include "model/run_stress.hpp"
 #include "solve/drilling.hpp"
@@ -70,7 +71,7 @@ private:
   // Small motion sticks, a test rig and high levels slip: the second state has its own model.
   void let_slip() {
     stage_("mesh");
-    slipping_ = build(case_, JointState::slipping);
+    slipping_ = slipping_case(case_);
     slipping_route_ = choose_route(*slipping_, case_.analyses, stage_, results_.timing);
     results_.slipping.emplace();
     for (const BuiltJoint& j : slipping_->joints)

@@ -1,5 +1,6 @@
 #include "model/run_levels.hpp"
 
+#include "model/ply_slip.hpp"
 #include "solve/backbone.hpp"
 #include "solve/frequency_grid.hpp"
 #include "solve/joint_time_integration.hpp"
@@ -381,7 +382,7 @@ std::vector<LevelFamily> level_families(const JointedModel& model, const Levels&
 }
 
 FrictionFamilies::FrictionFamilies(const Case& data) {
-  const BuiltCase slipping = build(data, JointState::slipping);
+  const BuiltCase slipping = slipping_case(data);
   Timing timing;
   const StageListener quiet = [](const std::string&) {};
   const auto route = choose_route(slipping, data.analyses, quiet, timing);
@@ -404,7 +405,7 @@ std::vector<LevelFamily> FrictionFamilies::operator()(const Case& design) const 
   JointedModel model = model_;
   const auto laws = laws_in(design, joints_);
   const Eigen::VectorXd before = stuck_stiffness(model.structure).diagonal();
-  model.structure.laws = laws ? *laws : laws_of(build(design, JointState::slipping).joints);
+  model.structure.laws = laws ? *laws : laws_of(slipping_case(design).joints);
   // The damping ratio holds with these joints stuck.
   const Eigen::VectorXd now = stuck_stiffness(model.structure).diagonal();
   model.structure.zeta.array() *= (now.array() / before.array()).sqrt();

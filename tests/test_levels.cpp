@@ -5,6 +5,7 @@
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "model/jointed_model.hpp"
+#include "model/ply_slip.hpp"
 #include "model/run.hpp"
 #include "solve/backbone.hpp"
 
@@ -296,7 +297,7 @@ TEST(InterlockFriction, reduces_to_the_modes_of_the_stuck_shells) {
   liner.friction->bending.emplace().sliders = {{360, 1.5}};
   data.parts.push_back({"interlock", liner});
   const Results stuck = run_quietly(data); // springs in place of the joints
-  const BuiltCase slipping = build(data, JointState::slipping);
+  const BuiltCase slipping = slipping_case(data);
   Timing timing;
   const StageListener quiet = [](const std::string&) {};
   const auto route = choose_route(slipping, data.analyses, quiet, timing);

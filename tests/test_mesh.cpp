@@ -2,7 +2,7 @@
 // named sets, area, quality, and the file that Gmsh reads back.
 #include "tests/bellows_case.hpp"
 
-#include "mesh/curve_mesh.hpp"
+#include "mesh/msh_file.hpp"
 #include "mesh/plate.hpp"
 #include "mesh/revolve.hpp"
 
