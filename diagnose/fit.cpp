@@ -260,18 +260,6 @@ MatrixXd rank_correlation(const FitResult& fit) {
   return correlation;
 }
 
-Case with_design(Case data, const FitRequest& request, const VectorXd& values) {
-  for (std::size_t i = 0; i < request.parameters.size(); ++i)
-    for (const std::string& path : request.parameters[i].paths)
-      *number_at(data, path) = values[Index(i)];
-  for (const FitTie& tie : request.ties) {
-    double sum = tie.constant;
-    for (const auto& [path, factor] : tie.of) sum += factor * *number_at(data, path);
-    *number_at(data, tie.path) = sum;
-  }
-  return data;
-}
-
 FitResult fit_case(const Case& data, const FitRequest& request, const TestData& test,
                    const FitSettings& settings) {
   return Fit(data, request, test, settings).result(settings);

@@ -90,7 +90,4 @@ FitResult fit_case(const Case& data, const FitRequest& request, const TestData& 
 // the samples; not a number for what does not vary.
 Eigen::MatrixXd rank_correlation(const FitResult& fit);
 
-// The case with these values of the parameters of the request, and its ties.
-Case with_design(Case data, const FitRequest& request, const Eigen::VectorXd& values);
-
 } // namespace plica

@@ -1,7 +1,6 @@
 #include "diagnose/fit_problem.hpp"
 
 #include "diagnose/compare.hpp"
-#include "diagnose/fit.hpp"
 #include "diagnose/simulated.hpp"
 #include "model/case_path.hpp"
 #include "model/error_bars.hpp"
@@ -97,6 +96,18 @@ std::string bad_tie(Case& design, const FitRequest& request) {
 }
 
 } // namespace
+
+Case with_design(Case data, const FitRequest& request, const VectorXd& values) {
+  for (std::size_t i = 0; i < request.parameters.size(); ++i)
+    for (const std::string& path : request.parameters[i].paths)
+      *number_at(data, path) = values[Index(i)];
+  for (const FitTie& tie : request.ties) {
+    double sum = tie.constant;
+    for (const auto& [path, factor] : tie.of) sum += factor * *number_at(data, path);
+    *number_at(data, tie.path) = sum;
+  }
+  return data;
+}
 
 FitProblem::FitProblem(const Case& data, const FitRequest& request, const TestData& test,
                        std::function<bool(const Case&)> refused)

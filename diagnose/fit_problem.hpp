@@ -15,6 +15,9 @@
 
 namespace plica {
 
+// The case with these values of the parameters of the request, and its ties.
+Case with_design(Case data, const FitRequest& request, const Eigen::VectorXd& values);
+
 struct FitSample {
   Eigen::VectorXd design;  // values of the parameters
   Eigen::VectorXd targets; // computed values, in the order of the targets

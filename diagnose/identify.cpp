@@ -1,7 +1,10 @@
 #include "diagnose/identify.hpp"
 
+#include "diagnose/circle_fit.hpp"
 #include "diagnose/identify_warnings.hpp"
+#include "diagnose/modal_fit.hpp"
 #include "diagnose/mode_correlation.hpp"
+#include "diagnose/peak_picking.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>

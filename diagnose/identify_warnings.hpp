@@ -1,7 +1,7 @@
 // What a user of identified modes must know of them.
 #pragma once
 
-#include "diagnose/identify.hpp"
+#include "diagnose/identification.hpp"
 
 namespace plica {
 

@@ -1,25 +1,11 @@
 #include "diagnose/peak_picking.hpp"
 
-#include "solve/frequency_grid.hpp"
+#include "diagnose/peaks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace plica {
-namespace {
-
-// Lowest value between a peak and where the curve is higher than the peak, or its end.
-double valley(const Eigen::VectorXd& magnitude, Eigen::Index peak, int step) {
-  double low = magnitude[peak];
-  for (Eigen::Index i = peak + step; i >= 0 && i < magnitude.size(); i += step) {
-    if (magnitude[i] > magnitude[peak]) break;
-    low = std::min(low, magnitude[i]);
-  }
-  return low;
-}
-
-} // namespace
-
 std::vector<PickedPeak> pick_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd& magnitude,
                                    double prominence, double floor) {
   std::vector<PickedPeak> picked;
@@ -28,7 +14,7 @@ std::vector<PickedPeak> pick_peaks(const Eigen::VectorXd& hertz, const Eigen::Ve
     (hertz.array() - p.frequency).abs().minCoeff(&at);
     while (at > 0 && magnitude[at - 1] > magnitude[at]) --at;
     while (at + 1 < hertz.size() && magnitude[at + 1] > magnitude[at]) ++at;
-    if (magnitude[at] < prominence * std::max(valley(magnitude, at, -1), valley(magnitude, at, 1)))
+    if (magnitude[at] < prominence * higher_valley(magnitude, at))
       continue;
     PickedPeak q{.frequency = p.frequency, .amplitude = p.height, .damping = p.damping};
     q.lines = static_cast<int>((hertz.array() >= p.f1 && hertz.array() <= p.f2).count());

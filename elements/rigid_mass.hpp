@@ -18,6 +18,9 @@ struct RigidMass {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero(); // about the centre of mass, kg m2
 };
 
+// No negative mass, and an inertia that a body can have.
+bool is_body(const RigidMass& body);
+
 Matrix6 rigid_mass_matrix(const RigidMass& body);
 
 } // namespace plica

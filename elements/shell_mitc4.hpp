@@ -26,6 +26,7 @@
 // Mass: consistent, with rotary inertia; the drilling rotation of a corner has none.
 #pragma once
 
+#include "elements/membrane_strain.hpp"
 #include "elements/shell_lamina.hpp"
 #include "elements/shell_section.hpp"
 
@@ -33,8 +34,6 @@
 #include <vector>
 
 namespace plica {
-
-enum class MembraneStrain { displacement, mitc4_plus, incompatible };
 
 using Matrix24 = Eigen::Matrix<double, 24, 24>;
 

@@ -1,6 +1,7 @@
 #include "model/build_deck.hpp"
 
 #include "model/build_surface.hpp"
+#include "model/deck.hpp"
 
 #include <numeric>
 

@@ -1,5 +1,7 @@
 #include "model/case.hpp"
 
+#include "model/deck_model.hpp"
+
 #include "model/deck.hpp"
 
 #include <algorithm>

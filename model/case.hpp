@@ -5,9 +5,8 @@
 // lengths. The YAML keys, their units, bounds and meaning are described once, in case_fields.hpp.
 #pragma once
 
-#include "elements/shell_mitc4.hpp"
+#include "elements/membrane_strain.hpp"
 #include "mesh/shell_surface.hpp"
-#include "model/deck.hpp"
 #include "model/fit_request.hpp"
 #include "model/friction.hpp"
 #include "solve/joint_method.hpp"
@@ -145,6 +144,11 @@ struct SurfacePart {
   std::vector<SurfacePlace> places = {};
   Membrane membrane = Membrane::displacement;
 };
+
+struct DeckModel; // model/deck_model.hpp
+
+// Cards that are not known: an error each, or a list of what is left out.
+enum class UnknownCards { error, list };
 
 // A model from a deck of Abaqus or Nastran.
 struct DeckPart {

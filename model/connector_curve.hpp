@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model/case.hpp"
-#include "model/results.hpp"
 
 namespace plica {
 
@@ -15,6 +14,12 @@ double stiffness_at_rest(const ForceCurve& curve);
 
 double displacement_at(const ForceCurve& curve, double force);
 double force_at(const ForceCurve& curve, double displacement);
+
+// Force over displacement between the caps where the stiffness is tabulated: straight lines.
+struct StrokeCurve {
+  std::string direction;                     // axial | transverse
+  std::vector<std::array<double, 2>> points; // m, N, increasing
+};
 
 // Of a chain with such springs, one end held, the other moved along, or across and kept parallel.
 // Every element bears the same force, so their displacements add; across, the bending of the

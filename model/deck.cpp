@@ -314,12 +314,6 @@ private:
 
 } // namespace
 
-bool is_body(const RigidMass& body) {
-  const Vector3d J = Eigen::SelfAdjointEigenSolver<Matrix3d>(body.inertia).eigenvalues();
-  const double slack = 1e-6 * J.cwiseAbs().maxCoeff();
-  return body.mass >= 0 && J[0] >= -slack && J[2] <= J[0] + J[1] + slack;
-}
-
 bool keeps_axes(const Matrix3d& turn) {
   return (turn.cwiseAbs().array() < rounding || (turn.cwiseAbs().array() - 1).abs() < rounding)
       .all();

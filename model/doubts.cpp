@@ -1,5 +1,7 @@
 #include "model/doubts.hpp"
 
+#include "model/deck_model.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "model/connector_curve.hpp"
 #include "model/level_results.hpp"
 
 #include <Eigen/Core>
@@ -25,12 +26,6 @@ struct StaticStiffness {
   double k_axial = 0, k_transverse_x = 0, k_transverse_z = 0; // N/m
   double k_bending_x = 0, k_bending_z = 0, k_torsion = 0;     // Nm/rad, about x, z and y
   Eigen::Matrix<double, 12, 12> end_stiffness; // both reference nodes, ux uy uz rx ry rz each
-};
-
-// Force over displacement between the caps where the stiffness is tabulated: straight lines.
-struct StrokeCurve {
-  std::string direction;                     // axial | transverse
-  std::vector<std::array<double, 2>> points; // m, N, increasing
 };
 
 struct ModeResult {

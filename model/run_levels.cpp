@@ -2,7 +2,7 @@
 
 #include "model/ply_slip.hpp"
 #include "solve/backbone.hpp"
-#include "solve/frequency_grid.hpp"
+#include "diagnose/peaks.hpp"
 #include "solve/joint_time_integration.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -52,15 +52,7 @@ HarmonicSettings settings_of(const Levels& levels, JointMethod method) {
 // Height by which a maximum stands above the higher of the two valleys beside it, over its own
 // height.
 double prominence(const VectorXd& magnitude, Index top) {
-  const auto valley = [&](Index step) {
-    double lowest = magnitude[top];
-    for (Index i = top; i >= 0 && i < magnitude.size(); i += step) {
-      if (magnitude[i] > magnitude[top]) return lowest;
-      lowest = std::min(lowest, magnitude[i]);
-    }
-    return lowest;
-  };
-  return 1 - std::max(valley(-1), valley(1)) / magnitude[top];
+  return 1 - higher_valley(magnitude, top) / magnitude[top];
 }
 
 struct LevelSweep {

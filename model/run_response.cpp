@@ -1,6 +1,7 @@
 #include "model/run_response.hpp"
 
 #include "model/input_error.hpp"
+#include "diagnose/peaks.hpp"
 #include "solve/frequency_grid.hpp"
 
 #include <Eigen/Geometry>

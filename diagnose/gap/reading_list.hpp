@@ -1,7 +1,7 @@
 // The list that readings are collected in.
 #pragma once
 
-#include "diagnose/gap/readings.hpp"
+#include "diagnose/gap/reading.hpp"
 
 namespace plica {
 

@@ -1,7 +1,7 @@
 // What a test says of its own scatter by measuring one thing more than once.
 #pragma once
 
-#include "diagnose/gap/readings.hpp"
+#include "diagnose/gap/reading.hpp"
 
 namespace plica {
 

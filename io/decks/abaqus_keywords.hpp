@@ -2,7 +2,8 @@
 #pragma once
 
 #include "io/decks/keywords.hpp"
-#include "model/deck.hpp"
+#include "model/case.hpp"
+#include "model/deck_model.hpp"
 
 #include <functional>
 #include <set>

@@ -3,27 +3,12 @@
 #include "io/decks/deck_error.hpp"
 #include "io/decks/read_abaqus.hpp"
 #include "io/decks/read_nastran.hpp"
-#include "mesh/surface_file.hpp"
 
 #include <algorithm>
 #include <mutex>
 #include <tuple>
 
 namespace plica {
-namespace {
-
-bool is_abaqus(const std::filesystem::path& file) {
-  return lower_suffix(file) == ".inp";
-}
-
-} // namespace
-
-bool is_deck_file(const std::filesystem::path& file) {
-  const std::string suffix = lower_suffix(file);
-  return is_abaqus(file) || suffix == ".bdf" || suffix == ".dat" || suffix == ".nas" ||
-         suffix == ".fem";
-}
-
 std::shared_ptr<const DeckModel> read_deck(const std::filesystem::path& file,
                                            UnknownCards unknown) {
   using Key = std::tuple<std::string, std::filesystem::file_time_type, UnknownCards>;
@@ -33,7 +18,7 @@ std::shared_ptr<const DeckModel> read_deck(const std::filesystem::path& file,
   const Key key{file.string(), std::filesystem::last_write_time(file, none), unknown};
   const std::lock_guard lock(mutex);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  auto deck = std::make_shared<DeckModel>(is_abaqus(file) ? read_abaqus(file, unknown)
+  auto deck = std::make_shared<DeckModel>(deck_format(file) == DeckFormat::abaqus ? read_abaqus(file, unknown)
                                                           : read_nastran(file, unknown));
   deck->files.insert(file.string());
   if (deck->nodes.empty()) deck_error({file.string(), 0}, "", "has no node", "a model");

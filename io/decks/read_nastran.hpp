@@ -2,7 +2,8 @@
 #pragma once
 
 #include "io/decks/deck_error.hpp"
-#include "model/deck.hpp"
+#include "model/case.hpp"
+#include "model/deck_model.hpp"
 
 #include <filesystem>
 

@@ -45,7 +45,7 @@ void read_content(DeckPart& deck, const std::string& directory, const std::strin
                   ReadLog& log) {
   deck.file = (std::filesystem::path(directory) / deck.file).string();
   std::error_code ignored;
-  if (!is_deck_file(deck.file) || !std::filesystem::is_regular_file(deck.file, ignored))
+  if (deck_format(deck.file) == DeckFormat::none || !std::filesystem::is_regular_file(deck.file, ignored))
     return; // the checks say so
   try {
     deck.content = read_deck(deck.file, deck.unknown_cards);

@@ -1,5 +1,6 @@
 #include "io/input/node_sets.hpp"
 
+#include "model/deck_model.hpp"
 #include "model/profile_checks.hpp"
 
 #include <algorithm>

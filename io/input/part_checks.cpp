@@ -1,9 +1,9 @@
 #include "io/input/part_checks.hpp"
 
-#include "io/decks/read_deck.hpp"
 #include "io/input/units.hpp"
 #include "mesh/surface_file.hpp"
 #include "mesh/surface_mesher.hpp"
+#include "model/deck_model.hpp"
 #include "model/pipe_model.hpp"
 #include "model/profile_checks.hpp"
 
@@ -117,7 +117,7 @@ void check(const std::string& key, const SurfacePart& s, const Case& data, Check
 }
 
 void check(const std::string& key, const DeckPart& d, const Case&, CheckLog& log) {
-  if (log.fine(key + ".file") && !is_deck_file(d.file))
+  if (log.fine(key + ".file") && deck_format(d.file) == DeckFormat::none)
     log.add(key + ".file", "is no deck that can be read",
             ".inp of Abaqus, or .bdf, .dat, .nas, .fem of Nastran");
   else if (log.fine(key + ".file") && !d.content)

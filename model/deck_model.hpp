@@ -1,0 +1,56 @@
+// A model that somebody else has written, as Abaqus and Nastran decks hold it: nodes, shells,
+// beams, masses, springs, couplings, equations, what is held. In the units of the deck, which has
+// none; seconds are assumed. Readers: io/decks.
+#pragma once
+
+#include "solve/model.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+struct DeckShell {
+  std::vector<int> nodes;        // three or four
+  int section = 0;               // index into DeckModel::sections
+  std::vector<double> thickness; // one per corner
+  double offset = 0;             // nodes to the middle of the wall, along the normal
+  std::string origin = {};       // for messages: "element 12 in line 34"
+  std::vector<std::optional<Eigen::Vector3d>> normal; // given ones, one per corner or none at all
+};
+
+struct DeckCoupling {
+  bool distributing = false; // or kinematic
+  int reference = 0;
+  std::vector<int> nodes;
+  std::vector<double> weights; // distributing; empty = equal
+  std::vector<int> dofs;       // 0..5; distributing: the first three, or else all
+  std::string origin;          // for messages: "*COUPLING SPIDER"
+};
+
+struct DeckModel {
+  std::vector<Eigen::Vector3d> nodes;
+  std::vector<int> labels; // numbers of the nodes in the deck
+  std::map<std::string, std::vector<int>> sets;
+  std::vector<ShellSection> sections;
+  std::vector<DeckShell> shells;
+  std::vector<BeamElement> beams;
+  std::vector<MassElement> masses;
+  std::vector<BushingElement> bushings; // their law acts in the middle
+  std::vector<MatrixElement> springs;   // between single DOFs, wherever their nodes are
+  std::vector<DeckCoupling> couplings;
+  std::vector<Constraint> equations;
+  std::vector<Constraint> supports;
+  std::set<std::string> files;       // that it was read from
+  std::vector<std::string> left_out; // cards that are not followed: "model.inp:12: *DAMPING"
+};
+
+// By its suffix, in any case: .inp is Abaqus, .bdf .dat .nas .fem Nastran.
+enum class DeckFormat { none, abaqus, nastran };
+DeckFormat deck_format(const std::filesystem::path& file);
+
+} // namespace plica
