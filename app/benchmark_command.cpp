@@ -6,6 +6,7 @@
 #include "diagnose/compare.hpp"
 #include "io/input/benchmark_file.hpp"
 #include "io/input/measured_file.hpp"
+#include "io/results/benchmark_words.hpp"
 #include "io/results/write_benchmark.hpp"
 #include "model/case_path.hpp"
 #include "model/error_bars.hpp"

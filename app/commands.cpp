@@ -14,6 +14,7 @@
 #include "io/input/reference.hpp"
 #include "io/input/schema.hpp"
 #include "io/measured_data.hpp"
+#include "io/results/certificate_words.hpp"
 #include "io/results/geometry.hpp"
 #include "io/results/summary.hpp"
 #include "io/results/write_beam.hpp"

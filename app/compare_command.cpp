@@ -4,6 +4,7 @@
 #include "app/terminal.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
+#include "io/results/correlation_words.hpp"
 #include "io/results/write_correlation.hpp"
 
 #include <fmt/core.h>

@@ -6,6 +6,7 @@
 #include "diagnose/diagnose.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
+#include "io/results/diagnosis_words.hpp"
 #include "io/results/write_diagnosis.hpp"
 #include "io/results/write_pretest.hpp"
 #include "solve/sparse_factor.hpp"

@@ -8,6 +8,7 @@
 #include "io/input/case_checks.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/measured_data.hpp"
+#include "io/results/fit_words.hpp"
 #include "io/results/write_fit.hpp"
 #include "solve/sparse_factor.hpp"
 

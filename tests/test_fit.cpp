@@ -6,6 +6,7 @@
 #include "io/input/case_checks.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
+#include "io/results/fit_words.hpp"
 #include "io/results/write_fit.hpp"
 #include "model/case_path.hpp"
 #include "model/error_bars.hpp"

@@ -5,6 +5,7 @@
 
 #include "io/files.hpp"
 #include "io/report/superelements.hpp"
+#include "io/results/certificate_words.hpp"
 #include "io/superelements/abaqus.hpp"
 #include "io/superelements/hdf5.hpp"
 #include "io/superelements/labels.hpp"

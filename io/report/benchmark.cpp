@@ -2,7 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
-#include "io/results/write_benchmark.hpp"
+#include "io/results/benchmark_words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,10 @@
 #include "io/report/correlation.hpp"
 
-#include "io/measured_data.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
 #include "io/report/plot.hpp"
 #include "io/results/text.hpp"
-#include "io/results/write_correlation.hpp"
+#include "io/results/correlation_words.hpp"
 
 #include <fmt/format.h>
 

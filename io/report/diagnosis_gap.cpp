@@ -2,7 +2,7 @@
 #include "io/report/markup.hpp"
 #include "io/report/plot.hpp"
 #include "io/results/text.hpp"
-#include "io/results/write_diagnosis.hpp"
+#include "io/results/diagnosis_words.hpp"
 
 #include "diagnose/gap/readings.hpp"
 

@@ -4,7 +4,7 @@
 #include "io/report/markup.hpp"
 #include "io/report/scene.hpp"
 #include "io/report/surface.hpp"
-#include "io/results/geometry.hpp"
+#include "io/report/drawn_shapes.hpp"
 #include "io/results/text.hpp"
 
 #include <Eigen/Geometry>

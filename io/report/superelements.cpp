@@ -4,8 +4,7 @@
 #include "io/report/page.hpp"
 #include "io/report/plot.hpp"
 #include "io/results/text.hpp"
-#include "io/superelements/certificate_lines.hpp"
-#include "io/superelements/write.hpp"
+#include "io/results/certificate_words.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "io/report/colour.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/surface.hpp"
-#include "io/results/geometry.hpp"
+#include "io/report/drawn_shapes.hpp"
 #include "io/results/json_text.hpp"
 #include "io/results/text.hpp"
 

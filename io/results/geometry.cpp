@@ -1,11 +1,11 @@
 #include "io/results/geometry.hpp"
 
 #include "io/files.hpp"
+#include "io/report/drawn_shapes.hpp"
 #include "io/results/text.hpp"
 #include "io/universal/writer.hpp"
 #include "mesh/msh_file.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +15,6 @@ namespace {
 
 constexpr int thin_shell_triangle = 91, thin_shell_quad = 94,
               linear_beam = 21; // fe descriptor ids of data set 2412
-
-std::size_t shown_modes(const Results& results) {
-  return std::min(results.modes.size(), results.shapes.size());
-}
 
 std::string mode_file(int mode, const std::string& format) {
   return fmt::format("mode_{:02}.{}", mode, format);
@@ -61,31 +57,6 @@ UniversalShape mode_shape(const Results& results, std::size_t mode) {
 const std::vector<std::string>& geometry_formats() {
   static const std::vector<std::string> formats{"msh", "uff", "glb", "obj", "ply", "stl"};
   return formats;
-}
-
-Surface surface_of(const Results& results) {
-  Surface s;
-  s.nodes = results.mesh.nodes;
-  for (const ShellQuad& q : results.mesh.quads)
-    for (const auto& half : halves(q.nodes)) s.triangles.push_back(half);
-  for (const ShellTriangle& t : results.mesh.triangles) s.triangles.push_back(t.nodes);
-  s.lines = results.lines;
-  return s;
-}
-
-std::vector<SurfaceShape> drawn_shapes(const Results& results) {
-  require_one_row_per_node(results);
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& x : results.mesh.nodes) box.extend(x);
-  std::vector<SurfaceShape> shapes;
-  for (std::size_t m = 0; m < shown_modes(results); ++m) {
-    Eigen::MatrixXd u = results.shapes[m].leftCols(3);
-    u = u.array().isFinite().select(u, 0).eval();
-    const double largest = u.rowwise().norm().maxCoeff();
-    if (largest > 0) u *= drawn_motion * box.diagonal().norm() / largest;
-    shapes.push_back({fmt::format("mode {}", m + 1), std::move(u)});
-  }
-  return shapes;
 }
 
 std::string geometry_uff(const Results& results) {

@@ -9,12 +9,9 @@
 #pragma once
 
 #include "io/output/output_folder.hpp"
-#include "mesh/surface_file.hpp"
 #include "model/results.hpp"
 
 namespace plica {
-
-constexpr double drawn_motion = 0.05; // largest displacement of a mode / size of the part
 
 const std::vector<std::string>& geometry_formats();
 
@@ -24,11 +21,6 @@ std::vector<std::string> geometry_files(const std::vector<std::string>& formats,
 // InputError where a file cannot be written.
 void write_geometry(const Results& results, const std::vector<std::string>& formats,
                     OutputFolder& out);
-
-// Every node, quad (as two triangles) and line of the results.
-Surface surface_of(const Results& results);
-// Of the modes, scaled for pictures; no row that is not finite.
-std::vector<SurfaceShape> drawn_shapes(const Results& results);
 
 std::string geometry_uff(const Results& results);
 

@@ -9,9 +9,4 @@ namespace plica {
 std::vector<std::string> benchmark_files();
 void write_benchmark(const BenchmarkResult& result, OutputFolder& out);
 
-std::string benchmark_text(const BenchmarkResult& result);
-
-// "131 to 163", "138", "-"
-std::string test_text(const std::vector<double>& test);
-
 } // namespace plica

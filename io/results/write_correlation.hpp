@@ -11,12 +11,7 @@ std::vector<std::string> correlation_files();
 void write_correlation(const Correlation& c, const TestData& simulated, const TestData& measured,
                        OutputFolder& out);
 
-std::string correlation_text(const Correlation& c, const TestData& simulated,
-                             const TestData& measured);
 std::string correlation_json(const Correlation& c, const TestData& simulated,
                              const TestData& measured);
-
-// "axial 1 in y", or "mode 3" of a list.
-std::string mode_name(const MeasuredMode& mode, int index);
 
 } // namespace plica

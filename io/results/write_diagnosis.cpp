@@ -2,6 +2,7 @@
 
 #include "io/report/diagnosis.hpp"
 #include "io/results/csv.hpp"
+#include "io/results/diagnosis_words.hpp"
 #include "io/results/json_text.hpp"
 
 #include <fmt/format.h>
@@ -202,45 +203,7 @@ std::string where_csv(const Diagnosis& d) {
   return text;
 }
 
-std::vector<LocatedGap> farthest_first(const Diagnosis& d, bool components) {
-  std::vector<LocatedGap> list;
-  for (const LocatedGap& b : d.where)
-    if (b.component.empty() != components) list.push_back(b);
-  std::stable_sort(list.begin(), list.end(), [](const LocatedGap& a, const LocatedGap& b) {
-    return std::abs(a.z) > std::abs(b.z);
-  });
-  return list;
-}
-
 } // namespace
-
-std::string verdict_name(Verdict verdict) {
-  constexpr std::array names{"none", "identified", "ambiguous", "pair", "unknown"};
-  return names.at(static_cast<std::size_t>(verdict));
-}
-
-std::string effect_label(const NamedEffect& e) {
-  return e.name + (e.place.empty() ? "" : " at " + e.place) +
-         (e.way.empty() ? "" : " (" + e.way + ")");
-}
-
-std::string hypothesis_label(const TriedHypothesis& h) {
-  std::string label;
-  for (const NamedEffect& e : h.effects) label += (label.empty() ? "" : " and ") + effect_label(e);
-  return label.empty() ? "none" : label;
-}
-
-const TriedHypothesis* best_hypothesis(const Diagnosis& d) {
-  return d.best ? &d.tried.at(*d.best) : nullptr;
-}
-
-std::vector<LocatedGap> located_blocks(const Diagnosis& d) {
-  return farthest_first(d, false);
-}
-
-std::vector<LocatedGap> located_components(const Diagnosis& d) {
-  return farthest_first(d, true);
-}
 
 std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version) {
   const auto item = [](const auto& x) { return json_of(x); };

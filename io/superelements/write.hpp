@@ -14,9 +14,6 @@ std::vector<std::string> superelement_files(bool damped);
 // InputError with path and reason.
 void write_superelement(const ReducedCase& reduced, Units units, OutputFolder& out);
 
-// Up to where it is good, and what the case asks for beyond.
-std::string reach_of(const ReducedCase& reduced);
-std::string certificate_text(const ReducedCase& reduced);
 std::string certificate_json(const ReducedCase& reduced);
 
 } // namespace plica

@@ -1,7 +1,8 @@
-// A diagnosis in words, for the terminal.
+#include "io/results/diagnosis_words.hpp"
+
 #include "diagnose/gap/blocks.hpp"
 #include "io/results/text.hpp"
-#include "io/results/write_diagnosis.hpp"
+#include "io/results/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -11,25 +12,17 @@
 namespace plica {
 namespace {
 
-constexpr std::size_t shown_blocks = 12, shown_components = 6;
-
-// Rows of cells in columns as wide as their widest; from column `numbers` on right-aligned.
-std::string columns_text(const std::vector<std::vector<std::string>>& rows, std::size_t numbers) {
-  std::vector<std::size_t> width;
-  for (const auto& row : rows) {
-    width.resize(std::max(width.size(), row.size()));
-    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += (i == 0 ? "  " : "   ") + (i < numbers ? fmt::format("{:<{}}", row[i], width[i])
-                                                     : fmt::format("{:>{}}", row[i], width[i]));
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
+std::vector<LocatedGap> farthest_first(const Diagnosis& d, bool components) {
+  std::vector<LocatedGap> list;
+  for (const LocatedGap& b : d.where)
+    if (b.component.empty() != components) list.push_back(b);
+  std::stable_sort(list.begin(), list.end(), [](const LocatedGap& a, const LocatedGap& b) {
+    return std::abs(a.z) > std::abs(b.z);
+  });
+  return list;
 }
+
+constexpr std::size_t shown_blocks = 12, shown_components = 6;
 
 std::string or_dash(const std::optional<double>& x, int digits) {
   return x ? significant(*x, digits) : "-";
@@ -50,16 +43,16 @@ std::string where_text(const Diagnosis& d) {
   for (const LocatedGap& b : blocks)
     if (b.significant && rows.size() < shown_blocks)
       rows.push_back({name_of(b), with_sign(b.z, 1)});
-  text += columns_text(rows, 1);
+  text += text_table(rows, 1);
   if (beyond > rows.size()) text += fmt::format("  and {} more\n", beyond - rows.size());
   rows.clear();
   for (const LocatedGap& b : components)
     if (rows.size() < shown_components) rows.push_back({name_of(b), with_sign(b.z, 1)});
-  if (!rows.empty()) text += "  by component\n" + columns_text(rows, 1);
+  if (!rows.empty()) text += "  by component\n" + text_table(rows, 1);
   rows.clear();
   for (const LevelTrend& t : d.trends)
     rows.push_back({t.quantity, with_sign(t.slope, 3), "+/- " + significant(t.sigma, 2)});
-  if (!rows.empty()) text += "  over the level, d ln / d ln level\n" + columns_text(rows, 1);
+  if (!rows.empty()) text += "  over the level, d ln / d ln level\n" + text_table(rows, 1);
   return text;
 }
 
@@ -76,7 +69,7 @@ std::string effects_text(const Diagnosis& d) {
     }
     if (e.parameters.empty()) rows.push_back({label, "", "", "", "", "", "", odds});
   }
-  return "\nEffects (SI)\n" + columns_text(rows, 3);
+  return "\nEffects (SI)\n" + text_table(rows, 3);
 }
 
 std::string gap_text(const Diagnosis& d) {
@@ -91,7 +84,7 @@ std::string gap_text(const Diagnosis& d) {
   const TriedHypothesis* best = best_hypothesis(d);
   return fmt::format("\nHow far{}: RMS, 1 = what measurement and scatter leave\n",
                      best ? " with " + hypothesis_label(*best) : "") +
-         columns_text(rows, 1);
+         text_table(rows, 1);
 }
 
 std::string compensators_text(const Diagnosis& d) {
@@ -101,7 +94,7 @@ std::string compensators_text(const Diagnosis& d) {
   for (const Compensator& c : d.compensators)
     rows.push_back({c.name, significant(c.factor, 3), significant(c.prior_sigmas, 2),
                     significant(c.gap_after, 3), or_dash(c.held_out_after, 3)});
-  std::string text = "\nTempting but wrong\n" + columns_text(rows, 1);
+  std::string text = "\nTempting but wrong\n" + text_table(rows, 1);
   for (const Compensator& c : d.compensators)
     if (!c.contradicted_by.empty())
       text += "  " + c.name + " is contradicted by " + c.contradicted_by + "\n";
@@ -114,12 +107,40 @@ std::string next_text(const Diagnosis& d) {
   for (const ProposedMeasurement& m : d.next)
     rows.push_back({m.what, m.separates, significant(m.cost, 2), significant(m.separation, 3)});
   std::string text = "\nNext measurement: a separation of 25 is beyond doubt\n";
-  if (!d.next.empty()) text += columns_text(rows, 2);
+  if (!d.next.empty()) text += text_table(rows, 2);
   for (const std::string& a : d.advice) text += "  " + a + "\n";
   return text;
 }
 
 } // namespace
+
+std::string verdict_name(Verdict verdict) {
+  constexpr std::array names{"none", "identified", "ambiguous", "pair", "unknown"};
+  return names.at(static_cast<std::size_t>(verdict));
+}
+
+std::string effect_label(const NamedEffect& e) {
+  return e.name + (e.place.empty() ? "" : " at " + e.place) +
+         (e.way.empty() ? "" : " (" + e.way + ")");
+}
+
+std::string hypothesis_label(const TriedHypothesis& h) {
+  std::string label;
+  for (const NamedEffect& e : h.effects) label += (label.empty() ? "" : " and ") + effect_label(e);
+  return label.empty() ? "none" : label;
+}
+
+const TriedHypothesis* best_hypothesis(const Diagnosis& d) {
+  return d.best ? &d.tried.at(*d.best) : nullptr;
+}
+
+std::vector<LocatedGap> located_blocks(const Diagnosis& d) {
+  return farthest_first(d, false);
+}
+
+std::vector<LocatedGap> located_components(const Diagnosis& d) {
+  return farthest_first(d, true);
+}
 
 std::string diagnosis_text(const Diagnosis& d) {
   std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + where_text(d) +

@@ -1,0 +1,41 @@
+#include "io/report/drawn_shapes.hpp"
+
+#include "io/results/text.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plica {
+
+std::size_t shown_modes(const Results& results) {
+  return std::min(results.modes.size(), results.shapes.size());
+}
+
+Surface surface_of(const Results& results) {
+  Surface s;
+  s.nodes = results.mesh.nodes;
+  for (const ShellQuad& q : results.mesh.quads)
+    for (const auto& half : halves(q.nodes)) s.triangles.push_back(half);
+  for (const ShellTriangle& t : results.mesh.triangles) s.triangles.push_back(t.nodes);
+  s.lines = results.lines;
+  return s;
+}
+
+std::vector<SurfaceShape> drawn_shapes(const Results& results) {
+  require_one_row_per_node(results);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : results.mesh.nodes) box.extend(x);
+  std::vector<SurfaceShape> shapes;
+  for (std::size_t m = 0; m < shown_modes(results); ++m) {
+    Eigen::MatrixXd u = results.shapes[m].leftCols(3);
+    u = u.array().isFinite().select(u, 0).eval();
+    const double largest = u.rowwise().norm().maxCoeff();
+    if (largest > 0) u *= drawn_motion * box.diagonal().norm() / largest;
+    shapes.push_back({fmt::format("mode {}", m + 1), std::move(u)});
+  }
+  return shapes;
+}
+
+} // namespace plica
