@@ -2,11 +2,11 @@
 // errors are thrown as InputError (exit code 1).
 #pragma once
 
-#include "diagnose/frf_estimate.hpp"
-#include "diagnose/identify.hpp"
+#include "lab/signals/frf_estimate.hpp"
+#include "lab/identification/identify.hpp"
 #include "diagnose/pretest.hpp"
-#include "diagnose/sine_tracking.hpp"
-#include "io/superelements/write.hpp"
+#include "lab/signals/sine_tracking.hpp"
+#include "io/write/write_superelement.hpp"
 
 #include <filesystem>
 #include <string>

@@ -3,9 +3,9 @@
 #include "app/finish.hpp"
 #include "app/terminal.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/measured_data.hpp"
-#include "io/results/correlation_words.hpp"
-#include "io/results/write_correlation.hpp"
+#include "io/lab_files/measured_data.hpp"
+#include "io/tables/correlation_words.hpp"
+#include "io/write/write_correlation.hpp"
 
 #include <fmt/core.h>
 

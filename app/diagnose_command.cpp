@@ -5,10 +5,10 @@
 #include "app/terminal.hpp"
 #include "diagnose/diagnose.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/measured_data.hpp"
-#include "io/results/diagnosis_words.hpp"
-#include "io/results/write_diagnosis.hpp"
-#include "io/results/write_pretest.hpp"
+#include "io/lab_files/measured_data.hpp"
+#include "io/tables/diagnosis_words.hpp"
+#include "io/write/write_diagnosis.hpp"
+#include "io/write/write_pretest.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "app/finish.hpp"
 
 #include "app/terminal.hpp"
-#include "model/doubts.hpp"
+#include "model/shape/doubts.hpp"
 
 #include <fmt/core.h>
 

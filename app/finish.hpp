@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/input/case_file.hpp"
-#include "io/output/output_folder.hpp"
+#include "io/files/output_folder.hpp"
 
 namespace plica {
 

@@ -4,12 +4,12 @@
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "diagnose/fit.hpp"
-#include "io/input/case_checks.hpp"
+#include "compare/fit/fit.hpp"
+#include "model/description/case_checks.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/measured_data.hpp"
-#include "io/results/fit_words.hpp"
-#include "io/results/write_fit.hpp"
+#include "io/lab_files/measured_data.hpp"
+#include "io/tables/fit_words.hpp"
+#include "io/write/write_fit.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <algorithm>

@@ -4,11 +4,11 @@
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "diagnose/frf_of_signals.hpp"
-#include "diagnose/linearity.hpp"
+#include "lab/signals/frf_of_signals.hpp"
+#include "lab/identification/linearity.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/measured_data.hpp"
-#include "io/results/write_identification.hpp"
+#include "io/lab_files/measured_data.hpp"
+#include "io/write/write_identification.hpp"
 
 #include <fmt/core.h>
 

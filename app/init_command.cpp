@@ -1,9 +1,9 @@
 #include "app/commands.hpp"
 
 #include "app/terminal.hpp"
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "io/input/starter_case.hpp"
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cctype>

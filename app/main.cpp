@@ -4,9 +4,9 @@
 #include "app/describe_app.hpp"
 #include "app/interrupt.hpp"
 #include "app/terminal.hpp"
-#include "io/input/did_you_mean.hpp"
-#include "io/results/geometry.hpp"
-#include "model/input_error.hpp"
+#include "words/did_you_mean.hpp"
+#include "io/write/geometry.hpp"
+#include "words/input_error.hpp"
 #include "solve/blas_kernels.hpp"
 
 #include <CLI/CLI.hpp>

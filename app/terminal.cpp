@@ -1,6 +1,6 @@
 #include "app/terminal.hpp"
 
-#include "io/input/utf8.hpp"
+#include "words/utf8.hpp"
 
 #include <cerrno>
 #include <csignal>

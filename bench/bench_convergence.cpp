@@ -1,7 +1,7 @@
 // Convergence of the three membrane choices on four bellows: axial stiffness, first axial and first
 // transverse frequency, refining the circumference and the meridian apart from each other, and the
 // values extrapolated in both directions at order 2.
-#include "model/run.hpp"
+#include "run/analyses/run.hpp"
 #include "solve/blas_kernels.hpp"
 #include "solve/sparse_factor.hpp"
 

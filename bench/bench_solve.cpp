@@ -2,7 +2,7 @@
 // timed, one and two threads, and the exponent of time over unknowns between the smallest and the
 // largest mesh.
 //   bench_solve [largest number of unknowns, default 1e6]
-#include "model/run.hpp"
+#include "run/analyses/run.hpp"
 #include "solve/blas_kernels.hpp"
 #include "solve/sparse_factor.hpp"
 

@@ -1,7 +1,7 @@
 // Writes the shells of a case as a CalculiX deck with clamped ends and ten frequencies:
 //   calculix_deck CASE DECK.inp
 #include "io/input/case_file.hpp"
-#include "model/build.hpp"
+#include "model/shape/build.hpp"
 
 #include <cstdio>
 #include <exception>

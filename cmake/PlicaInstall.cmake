@@ -31,7 +31,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 install(TARGETS ${plica_libraries} EXPORT plica-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/plica COMPONENT development)
-foreach(folder mesh elements solve reduction model diagnose io)
+foreach(folder words mesh elements solve reduction lab model run compare diagnose io)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plica
     COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 endforeach()

@@ -33,7 +33,7 @@ function(plica_library name)
   target_link_libraries(plica_${name} PUBLIC ${arg_LINKS} PRIVATE
     $<BUILD_INTERFACE:plica_options> ${arg_PRIVATE_LINKS})
   target_compile_features(plica_${name} PUBLIC cxx_std_20)
-  if(name MATCHES "mesh|elements")
+  if(name MATCHES "^(words|mesh|elements|lab|files|matlab|universal|lab_files)$")
     target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
   else()
     target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled_from_solve})

@@ -1,9 +1,9 @@
 // Diagnosis of the gap between a case and its test (docs/diagnosis.md).
 #pragma once
 
-#include "diagnose/diagnosis.hpp"
-#include "diagnose/gap/readings.hpp"
-#include "model/case.hpp"
+#include "diagnose/results/diagnosis.hpp"
+#include "diagnose/readings/readings.hpp"
+#include "model/description/case.hpp"
 
 #include <functional>
 #include <set>

@@ -1,7 +1,7 @@
 #include "diagnose/pretest.hpp"
 
-#include "diagnose/gap/identifiability.hpp"
-#include "diagnose/gap/menu.hpp"
+#include "diagnose/judge/identifiability.hpp"
+#include "diagnose/predict/menu.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>

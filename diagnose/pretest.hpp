@@ -2,8 +2,8 @@
 // effect would still be found, and what to add for its cost.
 #pragma once
 
-#include "diagnose/diagnosis.hpp"
-#include "model/case.hpp"
+#include "diagnose/results/diagnosis.hpp"
+#include "model/description/case.hpp"
 
 #include <functional>
 

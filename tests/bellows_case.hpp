@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/input/case_file.hpp"
-#include "model/build_bellows.hpp"
-#include "model/run.hpp"
+#include "model/shape/build_bellows.hpp"
+#include "run/analyses/run.hpp"
 #include "tests/support/verification_line.hpp"
 
 #include <gtest/gtest.h>

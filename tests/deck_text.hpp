@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/plate.hpp"
-#include "model/deck.hpp"
+#include "model/shape/deck.hpp"
 #include "tests/support/fields.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // CSV tables damaged at random: nothing but InputError may come out, and what is read is finite.
-#include "io/csv_table.hpp"
-#include "model/input_error.hpp"
+#include "io/lab_files/csv_table.hpp"
+#include "words/input_error.hpp"
 #include "tests/mutator.hpp"
 
 #include <array>

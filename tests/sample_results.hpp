@@ -1,7 +1,7 @@
 // Results of a corrugated tube, made by formula, with something in every part.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <algorithm>
 #include <cmath>

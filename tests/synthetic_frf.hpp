@@ -1,7 +1,7 @@
 // Frequency responses of known modes, with noise on request.
 #pragma once
 
-#include "diagnose/frf_set.hpp"
+#include "lab/measured/frf_set.hpp"
 
 #include <cmath>
 #include <complex>

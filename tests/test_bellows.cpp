@@ -8,7 +8,7 @@
 #include "tests/bellows_case.hpp"
 #include "tests/harmonic_model.hpp"
 
-#include "model/ejma.hpp"
+#include "model/description/ejma.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 #include "io/input/case_file.hpp"
 #include "mesh/surface_file.hpp"
 #include "mesh/surface_mesher.hpp"
-#include "model/build_bellows.hpp"
-#include "model/build_surface.hpp"
-#include "model/input_error.hpp"
-#include "model/run.hpp"
+#include "model/shape/build_bellows.hpp"
+#include "model/shape/build_surface.hpp"
+#include "words/input_error.hpp"
+#include "run/analyses/run.hpp"
 #include "tests/bellows_case.hpp"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // Measured beside computed: which numbers are paired, and what the model cannot show.
 #include "tests/sample_results.hpp"
 
-#include "diagnose/compare.hpp"
+#include "compare/compare.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Simulation and test side by side, and what levels, harmonics and reciprocity say of linearity.
-#include "diagnose/correlate.hpp"
-#include "diagnose/linearity.hpp"
+#include "compare/correlate.hpp"
+#include "lab/identification/linearity.hpp"
 #include "tests/synthetic_frf.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Decks that cannot be: each is refused with its line, its card and what is wrong.
 #include "io/decks/read_deck.hpp"
-#include "io/files.hpp"
-#include "model/input_error.hpp"
+#include "io/files/files.hpp"
+#include "words/input_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Decks as parts of a case: units, turn, sets, supports, and our own decks read back.
 #include "io/decks/abaqus.hpp"
 #include "io/decks/nastran.hpp"
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -2,8 +2,8 @@
 // together by hand. The plate is that of tests/deck_text.hpp.
 #include "io/decks/nastran_cards.hpp"
 #include "io/decks/read_nastran.hpp"
-#include "io/files.hpp"
-#include "model/input_error.hpp"
+#include "io/files/files.hpp"
+#include "words/input_error.hpp"
 #include "tests/deck_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/triangulated.hpp"

@@ -6,7 +6,7 @@
 #include "io/decks/abaqus.hpp"
 #include "io/decks/nastran.hpp"
 #include "io/decks/nastran_cards.hpp"
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <cmath>

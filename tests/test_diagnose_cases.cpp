@@ -2,7 +2,7 @@
 #include "diagnose/diagnose.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/measured_data.hpp"
+#include "io/lab_files/measured_data.hpp"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // The parts of a diagnosis against closed forms, and whole diagnoses of made-up tests.
 #include "diagnose/diagnose.hpp"
-#include "diagnose/gap/blocks.hpp"
-#include "diagnose/gap/evidence.hpp"
-#include "diagnose/gap/interval.hpp"
-#include "diagnose/gap/peak_choice.hpp"
-#include "diagnose/gap/response_peaks.hpp"
-#include "model/case.hpp"
-#include "model/case_path.hpp"
+#include "diagnose/weigh/blocks.hpp"
+#include "diagnose/weigh/evidence.hpp"
+#include "diagnose/weigh/interval.hpp"
+#include "diagnose/predict/peak_choice.hpp"
+#include "diagnose/readings/response_peaks.hpp"
+#include "model/description/case.hpp"
+#include "model/description/case_path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // mounts of springs.
 #include "diagnose/diagnose.hpp"
 #include "diagnose/effects/on_table.hpp"
-#include "diagnose/gap/damping_weights.hpp"
-#include "diagnose/gap/scatter.hpp"
-#include "diagnose/gap/uncertainty.hpp"
+#include "diagnose/weigh/damping_weights.hpp"
+#include "diagnose/weigh/scatter.hpp"
+#include "diagnose/weigh/uncertainty.hpp"
 #include "tests/tube_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Cases that are allowed and most likely not meant: each is doubted in words, good ones are not.
-#include "io/files.hpp"
-#include "model/doubts.hpp"
+#include "io/files/files.hpp"
+#include "model/shape/doubts.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -3,10 +3,10 @@
 // Sources: example A, "EJMA Bellows Calculator" (EJMA worksheet, inch and psi); example B,
 // worksheet after EJMA 10th edition by Badger Industries (inch and psi); reference bellows A, B, C
 // of cases/verification. Stated accuracy of the worksheets: 0.5 %.
-#include "model/ejma.hpp"
+#include "model/description/ejma.hpp"
 
-#include "model/build_bellows.hpp"
-#include "model/profile_checks.hpp"
+#include "model/shape/build_bellows.hpp"
+#include "model/description/profile.hpp"
 #include "tests/bellows_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Equivalent pipe and connectors computed from shells, nothing fitted, against independent values
 // of the shells: bellows A, B, C by an axisymmetric-harmonic shell with 8 elements per quarter arc.
-#include "model/equivalent_beam.hpp"
+#include "run/study/equivalent_beam.hpp"
 
-#include "io/results/write_beam.hpp"
+#include "io/write/write_beam.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/written.hpp"

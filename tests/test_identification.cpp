@@ -1,11 +1,11 @@
 // Identification of modes: peak picking, circle fit, pLSCF, least squares on the responses; and the
 // numbers that compare shapes.
-#include "diagnose/circle_fit.hpp"
-#include "diagnose/identify.hpp"
-#include "diagnose/modal_fit.hpp"
-#include "diagnose/mode_correlation.hpp"
-#include "diagnose/peak_picking.hpp"
-#include "diagnose/stabilisation.hpp"
+#include "lab/identification/circle_fit.hpp"
+#include "lab/identification/identify.hpp"
+#include "lab/identification/modal_fit.hpp"
+#include "lab/identification/mode_correlation.hpp"
+#include "lab/identification/peak_picking.hpp"
+#include "lab/identification/stabilisation.hpp"
 #include "tests/synthetic_frf.hpp"
 
 #include <Eigen/SVD>

@@ -1,9 +1,9 @@
 // Units that the lab's files state: brought to SI, or refused with the line; never taken as SI
 // without a word.
-#include "io/files.hpp"
-#include "io/lab_units.hpp"
-#include "io/matlab_file.hpp"
-#include "io/measured_data.hpp"
+#include "io/files/files.hpp"
+#include "io/lab_files/lab_units.hpp"
+#include "io/matlab/matlab_file.hpp"
+#include "io/lab_files/measured_data.hpp"
 #include "io/universal/writer.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,12 +1,12 @@
 // Friction in cases: joints of connectors, interlocks, walls and mounts, at rest, slowly loaded,
 // and at several levels of excitation.
-#include "diagnose/compare.hpp"
-#include "diagnose/fit.hpp"
+#include "compare/compare.hpp"
+#include "compare/fit/fit.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
-#include "model/jointed_model.hpp"
-#include "model/ply_slip.hpp"
-#include "model/run.hpp"
+#include "run/analyses/jointed_model.hpp"
+#include "run/routes/ply_slip.hpp"
+#include "run/analyses/run.hpp"
 #include "solve/backbone.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 #include "tests/support/fields.hpp"
 
 #include "elements/beam_section.hpp"
-#include "diagnose/peaks.hpp"
+#include "lab/signals/peaks.hpp"
 #include "solve/frequency_grid.hpp"
 #include "solve/frequency_response.hpp"
 #include "solve/random_response.hpp"

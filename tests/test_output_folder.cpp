@@ -1,6 +1,6 @@
 // No file of the user's is lost to a folder of results.
-#include "io/files.hpp"
-#include "io/output/output_folder.hpp"
+#include "io/files/files.hpp"
+#include "io/files/output_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <csignal>

@@ -1,10 +1,10 @@
 // Equivalent pipes and chains of connectors against closed forms: uniform rod, shaft, beam with
 // rotary inertia, springs in series.
-#include "diagnose/compare.hpp"
-#include "model/build.hpp"
-#include "model/connector_curve.hpp"
-#include "model/pipe_model.hpp"
-#include "model/run.hpp"
+#include "compare/compare.hpp"
+#include "model/shape/build.hpp"
+#include "model/description/connector_curve.hpp"
+#include "model/description/pipe_model.hpp"
+#include "run/analyses/run.hpp"
 
 #include <Eigen/LU>
 #include <cmath>

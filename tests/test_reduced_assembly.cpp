@@ -2,7 +2,7 @@
 // the unreduced assembly within what the cut-off allows, bodies on a wall keep the rest symmetric.
 #include "tests/bellows_case.hpp"
 
-#include "model/route.hpp"
+#include "run/routes/route.hpp"
 #include "reduction/substructures.hpp"
 
 namespace plica::test {

@@ -1,5 +1,5 @@
 // Minimum dynamic residual expansion: the component whose stiffness is off stands out.
-#include "diagnose/gap/residual_energy.hpp"
+#include "diagnose/account/residual_energy.hpp"
 #include "io/input/case_file.hpp"
 
 #include <algorithm>

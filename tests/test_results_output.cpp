@@ -4,12 +4,12 @@
 #include "tests/support/written.hpp"
 
 #include "io/report/report.hpp"
-#include "io/results/csv.hpp"
-#include "io/results/json.hpp"
-#include "io/results/summary.hpp"
-#include "io/results/text.hpp"
-#include "io/results/vtu.hpp"
-#include "io/results/write_results.hpp"
+#include "io/tables/csv.hpp"
+#include "io/tables/json.hpp"
+#include "io/tables/summary.hpp"
+#include "io/tables/text.hpp"
+#include "io/write/vtu.hpp"
+#include "io/write/write_results.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Response, damping and stress of a whole run, against closed forms.
 #include "tests/tube_case.hpp"
 
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <numbers>
 

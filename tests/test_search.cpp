@@ -1,6 +1,6 @@
 // Local and global search on functions whose minimum is known (De Jong, Rastrigin, Ackley,
 // Schwefel, Griewank), and on a fit with two valleys.
-#include "diagnose/search.hpp"
+#include "compare/search/search.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Estimators of spectra and frequency responses against their definitions and their statistics
 // (Bendat and Piersol, Random Data; Welch 1967).
-#include "diagnose/fourier.hpp"
-#include "diagnose/frf_estimate.hpp"
-#include "diagnose/sine_tracking.hpp"
-#include "diagnose/spectrum.hpp"
-#include "diagnose/time_correlation.hpp"
+#include "lab/signals/fourier.hpp"
+#include "lab/signals/frf_estimate.hpp"
+#include "lab/signals/sine_tracking.hpp"
+#include "lab/signals/spectrum.hpp"
+#include "lab/signals/time_correlation.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

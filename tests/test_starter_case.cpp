@@ -1,7 +1,7 @@
 // The case file of `plica init` is read without a complaint and gives what its numbers must.
 #include "io/input/case_file.hpp"
 #include "io/input/starter_case.hpp"
-#include "model/run.hpp"
+#include "run/analyses/run.hpp"
 
 #include <cmath>
 #include <filesystem>

@@ -1,11 +1,11 @@
 // Where a proof or an error bar once said more than was so: each claim is held against the whole
 // model, a finer mesh, a closed form, or must fail.
 #include "io/decks/nastran.hpp"
-#include "io/files.hpp"
-#include "model/error_bars.hpp"
-#include "model/input_error.hpp"
-#include "model/reduce.hpp"
-#include "model/refine.hpp"
+#include "io/files/files.hpp"
+#include "run/study/error_bars.hpp"
+#include "words/input_error.hpp"
+#include "run/study/reduce.hpp"
+#include "run/study/refine.hpp"
 #include "solve/model_error.hpp"
 #include "solve/modes.hpp"
 #include "tests/bellows_case.hpp"

@@ -3,7 +3,7 @@
 
 #include "io/universal/reader.hpp"
 #include "io/universal/writer.hpp"
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 

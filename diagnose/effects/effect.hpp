@@ -6,8 +6,8 @@
 // one. Nothing here knows of a specimen.
 #pragma once
 
-#include "diagnose/measured.hpp"
-#include "model/build.hpp"
+#include "lab/measured/measured.hpp"
+#include "model/shape/build.hpp"
 #include "reduction/parametric_model.hpp"
 
 #include <Eigen/Core>

@@ -5,7 +5,7 @@
 // not feel them, whatever they are.
 #pragma once
 
-#include "model/build.hpp"
+#include "model/shape/build.hpp"
 
 namespace plica {
 

@@ -10,7 +10,7 @@
 // factor. Units: SI.
 #pragma once
 
-#include "model/build.hpp"
+#include "model/shape/build.hpp"
 
 #include <string>
 

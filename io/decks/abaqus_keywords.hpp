@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/decks/keywords.hpp"
-#include "model/case.hpp"
-#include "model/deck_model.hpp"
+#include "model/description/case.hpp"
+#include "model/description/deck_model.hpp"
 
 #include <functional>
 #include <set>

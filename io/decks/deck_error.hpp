@@ -1,7 +1,7 @@
 // What is wrong in a deck, with the file and line of the card.
 #pragma once
 
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "io/decks/keywords.hpp"
 
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "io/universal/lines.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // with an enforced acceleration per direction). Units: SI.
 #pragma once
 
-#include "model/build.hpp"
+#include "model/shape/build.hpp"
 
 #include <string>
 

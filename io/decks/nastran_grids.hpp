@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/decks/bulk_data.hpp"
-#include "model/deck_model.hpp"
+#include "model/description/deck_model.hpp"
 
 namespace plica {
 

@@ -2,7 +2,7 @@
 
 #include "io/decks/abaqus_joints.hpp"
 #include "io/decks/abaqus_sections.hpp"
-#include "io/input/did_you_mean.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <algorithm>
 

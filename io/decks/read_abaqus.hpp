@@ -3,8 +3,8 @@
 #pragma once
 
 #include "io/decks/deck_error.hpp"
-#include "model/case.hpp"
-#include "model/deck_model.hpp"
+#include "model/description/case.hpp"
+#include "model/description/deck_model.hpp"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 // Decks of other codes, by deck_format().
 #pragma once
 
-#include "model/case.hpp"
-#include "model/deck_model.hpp"
+#include "model/description/case.hpp"
+#include "model/description/deck_model.hpp"
 
 #include <filesystem>
 #include <memory>

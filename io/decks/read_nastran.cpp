@@ -3,7 +3,7 @@
 #include "io/decks/deck_sections.hpp"
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_joints.hpp"
-#include "io/input/did_you_mean.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

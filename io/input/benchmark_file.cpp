@@ -1,8 +1,8 @@
 #include "io/input/benchmark_file.hpp"
 
-#include "diagnose/benchmark_fields.hpp"
-#include "io/input/check_log.hpp"
-#include "io/input/did_you_mean.hpp"
+#include "compare/benchmark_fields.hpp"
+#include "model/description/check_log.hpp"
+#include "words/did_you_mean.hpp"
 #include "io/input/field_reader.hpp"
 
 #include <algorithm>

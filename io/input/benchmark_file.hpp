@@ -1,7 +1,7 @@
 // Reads a benchmark file (YAML), strictly. Throws InputError with all problems of the file.
 #pragma once
 
-#include "diagnose/benchmark.hpp"
+#include "compare/benchmark.hpp"
 
 namespace plica {
 

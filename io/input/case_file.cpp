@@ -1,13 +1,13 @@
 #include "io/input/case_file.hpp"
 
 #include "io/decks/read_deck.hpp"
-#include "io/input/case_checks.hpp"
-#include "io/input/check_log.hpp"
-#include "io/input/did_you_mean.hpp"
+#include "model/description/case_checks.hpp"
+#include "model/description/check_log.hpp"
+#include "words/did_you_mean.hpp"
 #include "io/input/field_reader.hpp"
 #include "io/input/fit_input.hpp"
 #include "io/input/yaml_path.hpp"
-#include "model/case_fields.hpp"
+#include "model/description/case_fields.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,8 @@
 // All variants and alternative models are checked together with the nominal case.
 #pragma once
 
-#include "model/case.hpp"
-#include "model/input_error.hpp"
+#include "model/description/case.hpp"
+#include "words/input_error.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,7 +1,7 @@
 #include "io/input/field_reader.hpp"
 
-#include "io/input/did_you_mean.hpp"
-#include "io/input/tolerance.hpp"
+#include "words/did_you_mean.hpp"
+#include "words/tolerance.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,11 @@
-// Reads a YAML tree into a described struct (model/field_types.hpp), strictly: every key known,
+// Reads a YAML tree into a described struct (words/field_types.hpp), strictly: every key known,
 // every required key present, every value of the right kind and within its bounds. What is wrong
 // goes into the log, and reading continues, so that one run shows all mistakes.
 #pragma once
 
 #include "io/input/yaml_tree.hpp"
-#include "model/case.hpp"
-#include "model/field_types.hpp"
+#include "model/description/case.hpp"
+#include "words/field_types.hpp"
 
 #include <array>
 #include <map>

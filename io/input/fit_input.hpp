@@ -1,7 +1,7 @@
 // The `fit` section of a case: texts with units turned into numbers, and its rules.
 #pragma once
 
-#include "io/input/check_log.hpp"
+#include "model/description/check_log.hpp"
 
 namespace plica {
 

@@ -1,11 +1,11 @@
 #include "io/input/measured_file.hpp"
 
-#include "diagnose/measured_fields.hpp"
-#include "io/input/check_log.hpp"
-#include "io/input/did_you_mean.hpp"
+#include "lab/measured/measured_fields.hpp"
+#include "model/description/check_log.hpp"
+#include "words/did_you_mean.hpp"
 #include "io/input/field_reader.hpp"
-#include "io/input/units.hpp"
-#include "model/case_path.hpp"
+#include "words/units.hpp"
+#include "model/description/case_path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Reads measured.yaml. Strict: throws InputError with all problems of the file at once.
 #pragma once
 
-#include "diagnose/measured.hpp"
-#include "model/case.hpp"
-#include "model/input_error.hpp"
+#include "lab/measured/measured.hpp"
+#include "model/description/case.hpp"
+#include "words/input_error.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "io/input/reference.hpp"
 
-#include "io/results/json_text.hpp"
+#include "io/files/json_text.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,11 +1,11 @@
-// Writes the JSON Schema of a described struct (model/field_types.hpp).
+// Writes the JSON Schema of a described struct (words/field_types.hpp).
 //
 // Words that decide which keys follow (`tag`, `one_of`) are walked through one by one: each
 // combination becomes one object under "oneOf".
 #pragma once
 
-#include "io/results/json_text.hpp"
-#include "model/field_types.hpp"
+#include "io/files/json_text.hpp"
+#include "words/field_types.hpp"
 
 #include <array>
 #include <map>

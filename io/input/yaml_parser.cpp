@@ -1,8 +1,8 @@
 #include "io/input/yaml_tree.hpp"
 
-#include "io/files.hpp"
-#include "io/input/did_you_mean.hpp"
-#include "io/input/utf8.hpp"
+#include "io/files/files.hpp"
+#include "words/did_you_mean.hpp"
+#include "words/utf8.hpp"
 
 #include <algorithm>
 #include <deque>

@@ -1,6 +1,6 @@
 #include "io/input/yaml_path.hpp"
 
-#include "io/input/did_you_mean.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <charconv>
 #include <vector>

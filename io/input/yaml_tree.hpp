@@ -4,7 +4,7 @@
 // keys, no anchors, aliases or tags. Problems are collected, not thrown.
 #pragma once
 
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
-#include "io/results/benchmark_words.hpp"
+#include "io/tables/benchmark_words.hpp"
 
 #include <fmt/format.h>
 

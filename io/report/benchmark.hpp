@@ -1,7 +1,7 @@
 // Report of a benchmark: every table with the published values, ours and the test.
 #pragma once
 
-#include "diagnose/benchmark.hpp"
+#include "compare/benchmark.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // The report of a comparison of simulation and test.
 #pragma once
 
-#include "diagnose/correlate.hpp"
+#include "compare/correlate.hpp"
 
 #include <string>
 

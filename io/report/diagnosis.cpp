@@ -3,7 +3,7 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
-#include "io/results/diagnosis_words.hpp"
+#include "io/tables/diagnosis_words.hpp"
 
 #include <fmt/format.h>
 

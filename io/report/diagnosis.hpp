@@ -2,7 +2,7 @@
 // what this test can tell apart, what to measure next.
 #pragma once
 
-#include "diagnose/diagnosis.hpp"
+#include "diagnose/results/diagnosis.hpp"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/plot.hpp"
-#include "io/results/text.hpp"
-#include "io/results/diagnosis_words.hpp"
+#include "io/tables/text.hpp"
+#include "io/tables/diagnosis_words.hpp"
 
-#include "diagnose/gap/readings.hpp"
+#include "diagnose/readings/readings.hpp"
 
 #include <fmt/format.h>
 

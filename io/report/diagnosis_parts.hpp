@@ -1,8 +1,8 @@
 // Pieces of the report of a diagnosis; each is empty when there is nothing to show.
 #pragma once
 
-#include "diagnose/diagnosis.hpp"
-#include "io/results/text.hpp"
+#include "diagnose/results/diagnosis.hpp"
+#include "io/tables/text.hpp"
 
 #include <array>
 #include <optional>

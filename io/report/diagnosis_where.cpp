@@ -1,7 +1,7 @@
-#include "diagnose/gap/blocks.hpp"
+#include "diagnose/weigh/blocks.hpp"
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
-#include "io/results/diagnosis_words.hpp"
+#include "io/tables/diagnosis_words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
-#include "io/results/diagnosis_words.hpp"
+#include "io/tables/diagnosis_words.hpp"
 
 #include <fmt/format.h>
 

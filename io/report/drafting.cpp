@@ -1,6 +1,6 @@
 #include "io/report/drafting.hpp"
 
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

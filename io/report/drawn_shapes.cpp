@@ -1,6 +1,6 @@
 #include "io/report/drawn_shapes.hpp"
 
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/surface_file.hpp"
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 namespace plica {
 

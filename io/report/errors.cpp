@@ -1,6 +1,6 @@
 #include "io/report/markup.hpp"
 #include "io/report/tables.hpp"
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

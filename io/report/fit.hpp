@@ -2,7 +2,7 @@
 // designs that were tried.
 #pragma once
 
-#include "diagnose/fit.hpp"
+#include "compare/fit/fit.hpp"
 
 #include <string>
 

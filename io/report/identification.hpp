@@ -1,7 +1,7 @@
 // The report of an identification.
 #pragma once
 
-#include "diagnose/identify.hpp"
+#include "lab/identification/identify.hpp"
 
 #include <string>
 

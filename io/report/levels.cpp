@@ -2,7 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/plot.hpp"
-#include "io/results/levels_csv.hpp"
+#include "io/tables/levels_csv.hpp"
 
 #include <fmt/format.h>
 

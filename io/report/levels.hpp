@@ -1,7 +1,7 @@
 // Section of the report on responses at several levels.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <string>
 

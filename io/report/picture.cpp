@@ -5,7 +5,7 @@
 #include "io/report/scene.hpp"
 #include "io/report/surface.hpp"
 #include "io/report/drawn_shapes.hpp"
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 // flat across another axis is seen along that axis instead; the triad says which is which.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <string>
 

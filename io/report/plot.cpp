@@ -1,7 +1,7 @@
 #include "io/report/plot.hpp"
 
 #include "io/report/markup.hpp"
-#include "io/results/json_text.hpp"
+#include "io/files/json_text.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // convolutions enlarged when there are any.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <string>
 

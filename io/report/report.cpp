@@ -9,7 +9,7 @@
 #include "io/report/superelements.hpp"
 #include "io/report/tables.hpp"
 #include "io/report/viewer.hpp"
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // own <section id="...">: comparison, statics, part, modes, variants, assumptions, model, timing.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/plot.hpp"
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Response to base motion in the report: a plot per direction and its peaks.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 namespace plica {
 

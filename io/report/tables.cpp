@@ -1,7 +1,7 @@
 #include "io/report/tables.hpp"
 
 #include "io/report/markup.hpp"
-#include "io/results/text.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // the results have nothing for it.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <string>
 

@@ -4,8 +4,8 @@
 #include "io/report/markup.hpp"
 #include "io/report/surface.hpp"
 #include "io/report/drawn_shapes.hpp"
-#include "io/results/json_text.hpp"
-#include "io/results/text.hpp"
+#include "io/files/json_text.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>

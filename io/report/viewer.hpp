@@ -2,7 +2,7 @@
 // mode, in the page for its script.
 #pragma once
 
-#include "model/results.hpp"
+#include "run/results/results.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "io/superelements/abaqus.hpp"
 
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <fmt/format.h>

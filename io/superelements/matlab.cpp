@@ -1,6 +1,6 @@
 #include "io/superelements/matlab.hpp"
 
-#include "io/matlab_file.hpp"
+#include "io/matlab/matlab_file.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <matio.h>

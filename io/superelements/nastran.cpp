@@ -1,7 +1,7 @@
 #include "io/superelements/nastran.hpp"
 
 #include "io/decks/nastran_cards.hpp"
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <fmt/format.h>

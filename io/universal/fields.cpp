@@ -1,6 +1,6 @@
 #include "io/universal/fields.hpp"
 
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "io/universal/lines.hpp"
 
 #include "io/universal/numbers.hpp"
-#include "model/input_error.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "io/universal/records.hpp"
 
-#include "io/input/did_you_mean.hpp"
+#include "words/did_you_mean.hpp"
 #include "io/universal/numbers.hpp"
 
 #include <algorithm>

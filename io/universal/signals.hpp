@@ -4,7 +4,7 @@
 // name; axis x y z is direction 1 2 3. Frequencies that are not evenly spaced keep their abscissa.
 #pragma once
 
-#include "diagnose/identify.hpp"
+#include "lab/identification/identify.hpp"
 #include "io/universal/file.hpp"
 
 namespace plica {

@@ -1,6 +1,6 @@
 #include "tests/damaged/damage.hpp"
 
-#include "io/lab_units.hpp"
+#include "io/lab_files/lab_units.hpp"
 #include "tests/mutator.hpp"
 
 #include <algorithm>

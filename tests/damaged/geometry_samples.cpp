@@ -1,6 +1,6 @@
 #include "tests/damaged/geometry_samples.hpp"
 
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 #include "mesh/surface_file.hpp"
 #include "tests/cad_samples.hpp"
 

@@ -1,8 +1,8 @@
 #include "tests/damaged/samples.hpp"
 
-#include "diagnose/frf_set.hpp"
-#include "io/files.hpp"
-#include "io/matlab_file.hpp"
+#include "lab/measured/frf_set.hpp"
+#include "io/files/files.hpp"
+#include "io/matlab/matlab_file.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
 #include "tests/damaged/geometry_samples.hpp"

@@ -12,7 +12,7 @@
 #include "tests/damaged/program.hpp"
 #include "tests/damaged/samples.hpp"
 
-#include "io/files.hpp"
+#include "io/files/files.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // scatter.
 #include "places.hpp"
 
-#include "model/build.hpp"
+#include "model/shape/build.hpp"
 
 #include <numbers>
 

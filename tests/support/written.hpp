@@ -1,7 +1,7 @@
 // What a writer leaves in a folder, as a command has it.
 #pragma once
 
-#include "io/output/output_folder.hpp"
+#include "io/files/output_folder.hpp"
 
 namespace plica::test {
 

@@ -1,0 +1,298 @@
+#include "compare/compare.hpp"
+
+#include "model/description/connector_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace plica {
+namespace {
+
+struct StaticEntry {
+  const char* name;
+  const char* unit;
+  double value;
+};
+
+StaticEntry static_entry(const StaticStiffness& k, StaticDirection direction) {
+  switch (direction) {
+  case StaticDirection::axial:
+    break;
+  case StaticDirection::transverse_x:
+    return {"transverse stiffness x", "N/m", k.k_transverse_x};
+  case StaticDirection::transverse_z:
+    return {"transverse stiffness z", "N/m", k.k_transverse_z};
+  case StaticDirection::bending_x:
+    return {"bending stiffness x", "Nm/rad", k.k_bending_x};
+  case StaticDirection::bending_z:
+    return {"bending stiffness z", "Nm/rad", k.k_bending_z};
+  case StaticDirection::torsion:
+    return {"torsional stiffness", "Nm/rad", k.k_torsion};
+  }
+  return {"axial stiffness", "N/m", k.k_axial};
+}
+
+// Force over displacement at a stroke where the model has a curve for that direction; none
+// otherwise.
+std::optional<double> secant(const Results& results, const MeasuredStatic& k) {
+  if (!k.stroke) return std::nullopt;
+  const bool across =
+      k.direction == StaticDirection::transverse_x || k.direction == StaticDirection::transverse_z;
+  if (!across && k.direction != StaticDirection::axial) return std::nullopt;
+  for (const StrokeCurve& c : results.strokes)
+    if (c.direction == (across ? "transverse" : "axial"))
+      return force_at(c.points, *k.stroke) / *k.stroke;
+  return std::nullopt;
+}
+
+std::string millimetres_of(double length) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g mm", 1e3 * length);
+  return text.data();
+}
+
+const char* shape_name(MeasuredShape shape) {
+  constexpr std::array names{"axial", "transverse", "torsion", "shell", "other"};
+  return names[static_cast<std::size_t>(shape)];
+}
+
+char letter(Axis axis) {
+  return "xyz"[static_cast<std::size_t>(axis)];
+}
+
+// Response to motion of the base along an axis; null when there is none.
+const ResponseResult* response_to(const Results& results, Axis base) {
+  for (const ResponseResult& r : results.responses)
+    if (!r.is_force && r.excitation == std::string(1, letter(base))) return &r;
+  return nullptr;
+}
+
+bool in_direction(const ResponseResult& r, int channel, Axis direction) {
+  return r.channels[channel].second == std::string(1, letter(direction));
+}
+
+// The `count` largest peaks of the channels in a direction, of one sensor if it is named, by
+// frequency; one per frequency.
+std::vector<ResponsePeak> largest_peaks(const ResponseResult& r, Axis direction,
+                                        const std::string& sensor, std::size_t count) {
+  std::vector<ResponsePeak> peaks;
+  for (const ResponsePeak& p : r.peaks)
+    if (in_direction(r, p.channel, direction) &&
+        (sensor.empty() || r.channels[p.channel].first == sensor))
+      peaks.push_back(p);
+  std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak& a, const ResponsePeak& b) {
+    return a.amplitude > b.amplitude;
+  });
+  std::vector<ResponsePeak> kept;
+  for (const ResponsePeak& p : peaks)
+    if (kept.size() < count && std::none_of(kept.begin(), kept.end(), [&](const ResponsePeak& k) {
+          return std::abs(k.frequency - p.frequency) < 0.01 * p.frequency; // seen by two sensors
+        }))
+      kept.push_back(p);
+  std::sort(kept.begin(), kept.end(),
+            [](const ResponsePeak& a, const ResponsePeak& b) { return a.frequency < b.frequency; });
+  return kept;
+}
+
+std::string entry(const char* list, std::size_t i) {
+  return std::string(list) + "[" + std::to_string(i) + "]";
+}
+
+void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, const std::string& from,
+              const ResponsePeak& peak) {
+  std::string of = " of the peak";
+  if (!m.sensor.empty()) of += " at " + m.sensor + " in " + letter(m.direction.value_or(*m.base));
+  of += std::string(", base ") + letter(*m.base);
+  rows.push_back({.quantity = "frequency" + of,
+                  .unit = "Hz",
+                  .measured = m.frequency,
+                  .sigma = m.sigma.value_or(0),
+                  .computed = peak.frequency,
+                  .entry = from});
+  if (m.damping && std::isfinite(peak.damping))
+    rows.push_back({.quantity = "half-power damping" + of,
+                    .unit = "%",
+                    .measured = 100 * *m.damping,
+                    .sigma = 100 * m.sigma_damping.value_or(0),
+                    .computed = 100 * peak.damping,
+                    .entry = from});
+}
+
+// First peaks of the measured levels at which the model was excited too.
+void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& results,
+                     const MeasuredPeaks& measured, const std::string& from) {
+  for (const LevelFamily& family : results.families) {
+    if (family.is_force || family.excitation != std::string(1, letter(measured.base))) continue;
+    for (std::size_t k = 0; k < measured.level.size(); ++k)
+      for (const LevelCurve& curve : family.curves) {
+        if (std::abs(curve.level - measured.level[k]) > 1e-6 * curve.level) continue;
+        const auto peak =
+            std::find_if(curve.peaks_up.begin(), curve.peaks_up.end(), [&](const LevelPeak& p) {
+              const auto& [sensor, axis] = family.channels[std::size_t(p.channel)];
+              return sensor == measured.sensor &&
+                     axis == std::string(1, letter(measured.direction));
+            });
+        if (peak == curve.peaks_up.end()) continue;
+        std::array<char, 100> of{};
+        std::snprintf(of.data(), of.size(), " of the first peak at %s in %c, base %c, %g m/s2",
+                      measured.sensor.c_str(), letter(measured.direction), letter(measured.base),
+                      curve.level);
+        rows.push_back({.quantity = std::string("frequency") + of.data(),
+                        .unit = "Hz",
+                        .measured = measured.frequency[k],
+                        .sigma = measured.sigma.value_or(0),
+                        .computed = peak->frequency,
+                        .entry = from + ".frequency[" + std::to_string(k) + "]"});
+        if (k < measured.amplitude.size())
+          rows.push_back({.quantity = std::string("amplitude") + of.data(),
+                          .unit = "",
+                          .measured = measured.amplitude[k],
+                          .computed = peak->amplitude,
+                          .entry = from + ".amplitude[" + std::to_string(k) + "]"});
+        if (k < measured.damping.size())
+          rows.push_back({.quantity = std::string("damping by energy") + of.data(),
+                          .unit = "%",
+                          .measured = 100 * measured.damping[k],
+                          .computed = 100 * peak->energy_damping,
+                          .entry = from + ".damping[" + std::to_string(k) + "]"});
+      }
+  }
+}
+
+// Peaks of one sensor and direction in order: the i-th measured with the i-th of as many largest
+// computed ones. Without a sensor the order of the mode says which peak it is.
+struct PeakPlace {
+  std::size_t rank = 0, count = 0; // from 1
+};
+
+PeakPlace place_of(const MeasuredMode& mode, const std::vector<MeasuredMode>& all) {
+  if (mode.sensor.empty()) return {std::size_t(mode.order), std::size_t(mode.order)};
+  PeakPlace place;
+  for (const MeasuredMode& other : all) {
+    if (other.sensor != mode.sensor || other.base != mode.base ||
+        other.direction.value_or(*other.base) != mode.direction.value_or(*mode.base))
+      continue;
+    ++place.count;
+    if (other.frequency <= mode.frequency) ++place.rank;
+  }
+  return place;
+}
+
+} // namespace
+
+std::vector<std::string> unanswered(const Results& results, const Measured& measured) {
+  std::vector<std::string> remarks;
+  if (!measured.peaks.empty() && results.families.empty())
+    remarks.emplace_back("the peaks over the level of the test stand beside nothing: the case asks "
+                         "for no `levels`. A frequency of a single sweep goes to `modes`; `plica "
+                         "diagnose` reads both.");
+  for (const MeasuredMode& m : measured.modes) {
+    if (!m.base || !m.direction || *m.base == *m.direction) continue;
+    const ResponseResult* response = response_to(results, *m.base);
+    if (!response || m.frequency < response->hertz[0] ||
+        m.frequency > response->hertz[response->hertz.size() - 1])
+      continue;
+    double cross = 0, largest = 0;
+    for (std::size_t c = 0; c < response->channels.size(); ++c) {
+      const double high = response->acceleration.col(Eigen::Index(c)).cwiseAbs().maxCoeff();
+      largest = std::max(largest, high);
+      if (in_direction(*response, static_cast<int>(c), *m.direction)) cross = std::max(cross, high);
+    }
+    if (cross > 1e-3 * largest) continue;
+    std::array<char, 400> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        "the test saw %.0f Hz in %c while the base moved in %c; the model answers in %c "
+        "with %.1g of its largest channel. It has no path from one to the other: only what "
+        "breaks its symmetry (a dent, a sensor's mass, a flexible fixture, a base that "
+        "also moves in %c) can make one.",
+        m.frequency, letter(*m.direction), letter(*m.base), letter(*m.direction),
+        largest > 0 ? cross / largest : 0, letter(*m.direction));
+    remarks.emplace_back(text.data());
+  }
+  return remarks;
+}
+
+std::vector<MeasuredComparison> compare(const Results& results, const Measured& measured) {
+  std::vector<MeasuredComparison> rows;
+  if (measured.mass)
+    rows.push_back({.quantity = "mass",
+                    .unit = "kg",
+                    .measured = measured.mass->value,
+                    .sigma = measured.mass->sigma.value_or(0),
+                    .computed = results.model.mass,
+                    .entry = "mass"});
+  for (std::size_t i = 0; i < measured.statics.size(); ++i) {
+    const MeasuredStatic& k = measured.statics[i];
+    if (!results.statics) break;
+    const StaticEntry found = static_entry(*results.statics, k.direction);
+    const std::optional<double> over_stroke = secant(results, k);
+    std::string name = found.name;
+    if (over_stroke) name += " over " + millimetres_of(*k.stroke);
+    rows.push_back({.quantity = name,
+                    .unit = found.unit,
+                    .measured = k.value,
+                    .sigma = k.sigma.value_or(0),
+                    .computed = over_stroke.value_or(found.value),
+                    .entry = entry("static", i)});
+  }
+  for (std::size_t i = 0; i < measured.modes.size(); ++i) {
+    const MeasuredMode& m = measured.modes[i];
+    std::map<std::string, int> order; // of the shape in each direction: a pair counts once
+    for (const ModeResult& mode : results.modes) {
+      const bool same = mode.shape == shape_name(m.shape) &&
+                        (!m.direction || mode.direction == std::string(1, letter(*m.direction)));
+      if (!same || ++order[mode.direction] < m.order) continue;
+      rows.push_back(
+          {.quantity = std::string(shape_name(m.shape)) + " mode " + std::to_string(m.order),
+           .unit = "Hz",
+           .measured = m.frequency,
+           .sigma = m.sigma.value_or(0),
+           .computed = mode.frequency,
+           .entry = entry("modes", i)});
+      break;
+    }
+  }
+  for (std::size_t i = 0; i < measured.modes.size(); ++i) {
+    const MeasuredMode& m = measured.modes[i];
+    const ResponseResult* response = m.base ? response_to(results, *m.base) : nullptr;
+    if (!response) continue;
+    const PeakPlace place = place_of(m, measured.modes);
+    const auto peaks =
+        largest_peaks(*response, m.direction.value_or(*m.base), m.sensor, place.count);
+    if (peaks.size() == place.count) add_peak(rows, m, entry("modes", i), peaks[place.rank - 1]);
+  }
+  for (std::size_t i = 0; i < measured.peaks.size(); ++i)
+    add_level_peaks(rows, results, measured.peaks[i], entry("peaks", i));
+  return rows;
+}
+
+void add_test_curves(Results& results, const std::vector<FrfSet>& measured) {
+  for (ResponseResult& r : results.responses) {
+    if (r.is_force) continue;
+    const auto distance = [&](const FrfSet& set) {
+      return set.level && r.level > 0 ? std::abs(std::log(*set.level / r.level)) : 0;
+    };
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const FrfSet& set : measured) {
+      const auto found =
+          std::find(set.references.begin(), set.references.end(), "base." + r.excitation);
+      if (set.quantity != FrfQuantity::transmissibility || found == set.references.end()) continue;
+      if (distance(set) > nearest + 1e-9) continue;
+      if (distance(set) < nearest - 1e-9) r.test.clear();
+      nearest = distance(set);
+      const Eigen::MatrixXcd& H = set.H[std::size_t(found - set.references.begin())];
+      for (std::size_t k = 0; k < set.responses.size(); ++k)
+        for (std::size_t c = 0; c < r.channels.size(); ++c)
+          if (set.responses[k] == r.channels[c].first + "." + r.channels[c].second)
+            r.test.push_back({.channel = int(c),
+                              .hertz = set.hertz,
+                              .magnitude = H.col(Eigen::Index(k)).cwiseAbs(),
+                              .level = set.level});
+    }
+  }
+}
+
+} // namespace plica

@@ -1,0 +1,103 @@
+#include "compare/simulated.hpp"
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+constexpr std::array letters{"x", "y", "z"};
+
+std::optional<Axis> axis_of(const std::string& letter) {
+  for (std::size_t a = 0; a < letters.size(); ++a)
+    if (letter == letters[a]) return static_cast<Axis>(a);
+  return std::nullopt;
+}
+
+MeasuredShape shape_of(const std::string& shape) {
+  if (shape == "axial") return MeasuredShape::axial;
+  if (shape == "transverse") return MeasuredShape::transverse;
+  if (shape == "torsion") return MeasuredShape::torsion;
+  return shape == "shell" ? MeasuredShape::shell : MeasuredShape::other;
+}
+
+MeasuredVector at_sensors(const Results& results, std::size_t mode) {
+  MeasuredVector v;
+  for (const SensorResult& s : results.sensors)
+    for (int k = 0; k < 3; ++k) {
+      const int axis = s.axes[k];
+      v.channels.push_back(s.name + "." + letters[k]);
+      v.real.push_back((axis < 0 ? -1 : 1) * results.shapes[mode](s.node, std::abs(axis) - 1));
+    }
+  return v;
+}
+
+} // namespace
+
+Measured as_measured(const Results& results) {
+  Measured m;
+  m.specimen = results.case_name;
+  m.source = results.case_name + " computed by Plica " + results.plica_version;
+  for (const SensorResult& s : results.sensors) {
+    constexpr double rounding = 1e-12; // m
+    const Eigen::Vector3d x =
+        (results.mesh.nodes[s.node].array().abs() < rounding).select(0, results.mesh.nodes[s.node]);
+    m.sensors.push_back({.name = s.name,
+                         .at = {x[0], x[1], x[2]},
+                         .axes = {s.axes[0], s.axes[1], s.axes[2]},
+                         .mass = 0,
+                         .node = static_cast<int>(m.sensors.size()) + 1});
+  }
+  if (results.model.mass > 0) {
+    m.mass.emplace();
+    m.mass->value = results.model.mass;
+  }
+  if (results.statics) {
+    const StaticStiffness& k = *results.statics;
+    const std::array values{k.k_axial,     k.k_transverse_x, k.k_transverse_z,
+                            k.k_bending_x, k.k_bending_z,    k.k_torsion};
+    for (std::size_t d = 0; d < values.size(); ++d) {
+      if (!(values[d] > 0)) continue;
+      m.statics.emplace_back();
+      m.statics.back().direction = static_cast<StaticDirection>(d);
+      m.statics.back().value = values[d];
+    }
+  }
+  std::map<std::pair<std::string, std::string>, int> so_far; // of a shape and direction
+  for (std::size_t i = 0; i < results.modes.size(); ++i) {
+    const ModeResult& mode = results.modes[i];
+    if (mode.shape == "rigid" || !(mode.frequency > 0)) continue;
+    MeasuredMode& out = m.modes.emplace_back();
+    out.frequency = mode.frequency;
+    if (mode.damping > 0) out.damping = mode.damping;
+    out.shape = shape_of(mode.shape);
+    out.order = ++so_far[{mode.shape, mode.direction}];
+    out.direction = axis_of(mode.direction);
+    if (!m.sensors.empty()) out.vector = at_sensors(results, i);
+  }
+  for (const ResponseResult& r : results.responses) {
+    const std::optional<Axis> base = axis_of(r.excitation);
+    if (r.is_force || !base || r.channels.empty()) continue;
+    MeasuredFrf& frf = m.frf.emplace_back();
+    frf.file = "response_" + r.excitation + ".csv";
+    frf.base = base;
+    frf.level = r.level;
+  }
+  return m;
+}
+
+std::vector<FrfSet> responses_to_base(const Results& results) {
+  std::vector<FrfSet> sets;
+  for (const ResponseResult& r : results.responses) {
+    if (r.is_force || r.channels.empty()) continue;
+    FrfSet& set = sets.emplace_back();
+    set.quantity = FrfQuantity::transmissibility;
+    set.hertz = r.hertz;
+    for (const auto& [sensor, axis] : r.channels) set.responses.push_back(sensor + "." + axis);
+    set.references = {"base." + r.excitation};
+    set.H = {r.acceleration};
+    set.level = r.level;
+  }
+  return sets;
+}
+
+} // namespace plica

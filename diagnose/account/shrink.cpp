@@ -1,0 +1,239 @@
+#include "diagnose/account/shrink.hpp"
+
+#include "diagnose/effects/places.hpp"
+#include "diagnose/weigh/blocks.hpp"
+#include "diagnose/weigh/scatter.hpp"
+#include "compare/search/search.hpp"
+#include "solve/parallel.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int bootstraps = 400;
+
+std::array<double, 2> interval_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[std::size_t(share * double(values.size() - 1) + 0.5)];
+  };
+  return {at(0.05), at(0.95)};
+}
+
+double rms(const VectorXd& e) {
+  return e.size() > 0 ? std::sqrt(e.squaredNorm() / double(e.size())) : 0;
+}
+
+GapShrink with_interval(const VectorXd& before, const std::vector<VectorXd>& after) {
+  GapShrink g{.before = rms(before),
+              .after = rms(after.front()),
+              .interval = {},
+              .readings = int(before.size())};
+  std::mt19937_64 random(1);
+  std::vector<double> shrinks;
+  for (int i = 0; i < bootstraps; ++i) {
+    const VectorXd& own = after[std::size_t(i) % after.size()];
+    double b = 0, a = 0;
+    for (Index k = 0; k < before.size(); ++k) {
+      const auto row = Index(random() % std::uint64_t(before.size()));
+      b += before[row] * before[row];
+      a += own[row] * own[row];
+    }
+    if (b > 0) shrinks.push_back(1 - std::sqrt(a / b));
+  }
+  g.interval = interval_of(std::move(shrinks));
+  return g;
+}
+
+} // namespace
+
+GapShrink gap_shrink(const FitContext& context, const Whitening& white,
+                     const HypothesisFit& nominal, const HypothesisFit& best) {
+  const VectorXd before = white(nominal.deviation);
+  std::vector<VectorXd> after{white(best.deviation)};
+  if (best.draws.cols() > 0) {
+    const Deviation deviation(context, best.together);
+    constexpr Index used = 40;
+    const Index step = std::max<Index>(1, best.draws.cols() / used);
+    for (Index k = 0; k < best.draws.cols(); k += step)
+      if (const auto d = deviation.at(best.draws.col(k))) after.push_back(white(*d));
+  }
+  return with_interval(before, after);
+}
+
+GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
+                  const HypothesisFit& best) {
+  const std::vector<Index>& rows = context.fitted.rows();
+  const MatrixXd total = context.uncertainty.total();
+  const auto n = Index(rows.size());
+  VectorXd before(n), after(n);
+  const Deviation deviation(context, best.together);
+  in_parallel(int(n), [&](int i) {
+    std::vector<Index> others;
+    for (Index j = 0; j < n; ++j)
+      if (j != i) others.push_back(rows[std::size_t(j)]);
+    const Eigen::LLT<MatrixXd> root(MatrixXd(total(others, others)));
+    const VectorXd cross = total(others, rows[std::size_t(i)]);
+    const VectorXd gain = root.solve(cross);
+    const double own =
+        std::sqrt(total(rows[std::size_t(i)], rows[std::size_t(i)]) - cross.dot(gain));
+    const auto predicted = [&](const VectorXd& d) {
+      return (d[rows[std::size_t(i)]] - gain.dot(VectorXd(d(others)))) / own;
+    };
+    before[i] = predicted(nominal.deviation);
+    const Index p = best.z.size();
+    const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
+      const auto d = deviation.at(z);
+      VectorXd r(n - 1 + p);
+      r.tail(p) = z;
+      r.head(n - 1) = d ? VectorXd(root.matrixL().solve(VectorXd((*d)(others))))
+                        : VectorXd::Constant(n - 1, 1e6);
+      return r;
+    };
+    const LocalSearch found = search_freely(residuals, best.z, 15);
+    const auto d = deviation.at(found.best);
+    after[i] = d ? predicted(*d) : before[i];
+  });
+  return with_interval(before, {after});
+}
+
+std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFit& fit) {
+  std::vector<ParameterDrift> found;
+  if (fit.together.size() != 1 || fit.together[0]->softening) return found;
+  const std::vector<Index>& rows = context.fitted.rows();
+  MatrixXd total = context.uncertainty.total();
+  if (fit.further.size() > 0) total += fit.further; // as the fit weighed them
+  const Eigen::LLT<MatrixXd> root(MatrixXd(total(rows, rows)));
+  const std::size_t size = fit.together[0]->size;
+  const EffectParameter& parameter = fit.together[0]->parameters[size];
+  const Prior& prior = parameter.prior;
+  const double at = fit.z[Index(size)];
+  const MatrixXd raw = root.matrixL() * fit.J; // d(deviation)/dz
+  const auto add = [&](const std::string& by, auto key) {
+    std::map<std::string, std::vector<Index>> parts;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (const std::string k = key(context.test.readings[std::size_t(rows[i])]); !k.empty())
+        parts[k].push_back(Index(i));
+    if (parts.size() < 2) return;
+    ParameterDrift drift{.parameter = parameter.name, .by = by, .parts = {}};
+    double w = 0, wx = 0, wxx = 0;
+    int counted = 0;
+    for (const auto& [name, own] : parts) {
+      std::vector<Index> global;
+      for (Index i : own) global.push_back(rows[std::size_t(i)]);
+      const Eigen::LLT<MatrixXd> part(MatrixXd(total(global, global)));
+      const VectorXd j = part.matrixL().solve(VectorXd(raw(own, Index(size))));
+      const VectorXd e = part.matrixL().solve(VectorXd(fit.deviation(global)));
+      const double information = j.squaredNorm();
+      if (information < 0.25) continue; // this part says nothing of it
+      const double x = -j.dot(e) / information;
+      const double value = value_of(prior, std::clamp(at + x, -6., 6.));
+      const double slope = (value_of(prior, at + 0.01) - value_of(prior, at)) / 0.01;
+      drift.parts.push_back({name, {value, std::abs(slope) / std::sqrt(information)}});
+      w += information;
+      wx += information * x;
+      wxx += information * x * x;
+      ++counted;
+    }
+    if (counted < 2) return;
+    const double chi2 = wxx - wx * wx / w, k = counted - 1, v = 2 / (9 * k);
+    drift.p = 1 - normal_share((std::cbrt(chi2 / k) - (1 - v)) / std::sqrt(v));
+    found.push_back(std::move(drift));
+  };
+  const auto run_of = [&](const Reading& r) -> const TestRun* {
+    return r.run < 0 ? nullptr : &context.test.runs[std::size_t(r.run)];
+  };
+  add("level", [&](const Reading& r) {
+    const TestRun* run = run_of(r);
+    if (!run || !(run->level > 0)) return std::string();
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g m/s2", run->level);
+    return std::string(text.data());
+  });
+  add("direction", [&](const Reading& r) {
+    const TestRun* run = run_of(r);
+    return run && run->base >= 0 ? "base " + std::string(1, "xyz"[run->base]) : std::string();
+  });
+  add("band", [&](const Reading& r) {
+    return r.run >= 0 ? "peak " + std::to_string(r.peak + 1) : "static and mass";
+  });
+  return found;
+}
+
+std::vector<Compensator> compensators(const FitContext& context, const Whitening& held_out,
+                                      const HypothesisFit& nominal, const Structure& structure) {
+  struct Candidate {
+    std::string name;
+    double sigma; // of what scatters, relative
+    Hypothesis hypothesis;
+  };
+  const Prior free{PriorKind::log_normal, 1, 1.5};
+  std::vector<Candidate> candidates;
+  const auto add = [&](const std::string& name, double sigma, std::function<void(Model&)> doubled) {
+    Hypothesis h{.effect = name,
+                 .place = "all",
+                 .way = "",
+                 .parameters = {{"factor", "", free}},
+                 .changes = {{std::move(doubled), Follow::series}},
+                 .coefficients = [](const VectorXd& v) { return VectorXd(v.array() - 1); }};
+    candidates.push_back({name, sigma, std::move(h)});
+  };
+  add("Young's modulus", scatters::modulus, [](Model& m) {
+    for (ShellProperties& s : m.shells) s.section.E *= 2;
+    for (BeamElement& b : m.beams)
+      for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z, &b.section.GJ,
+                        &b.section.GA_y, &b.section.GA_z})
+        *n *= 2;
+  });
+  add("density", scatters::density, [](Model& m) {
+    for (ShellProperties& s : m.shells) s.section.rho *= 2;
+    for (BeamElement& b : m.beams)
+      for (double* n :
+           {&b.section.mass, &b.section.inertia_x, &b.section.inertia_y, &b.section.inertia_z})
+        *n *= 2;
+  });
+  candidates.push_back(
+      {"all damping", scatters::all_damping, damping().hypotheses(structure).front()});
+  candidates.back().hypothesis.parameters.front().prior = free;
+  const BlockScores scores(context.test, context.uncertainty);
+  std::vector<std::optional<Compensator>> tried(candidates.size());
+  in_parallel(int(candidates.size()), [&](int i) {
+    const Candidate& c = candidates[std::size_t(i)];
+    HypothesisFit fit = fit_of(context, {&c.hypothesis});
+    if (!fit.solved) return;
+    complete(context, fit);
+    const double factor = fit.values[0];
+    Compensator row{.name = c.name,
+                    .factor = factor,
+                    .prior_sigmas = std::abs(std::log(factor)) / c.sigma,
+                    .gap_after = rms(fit.error),
+                    .held_out_after = {},
+                    .contradicted_by = ""};
+    if (!held_out.rows().empty()) row.held_out_after = rms(held_out(fit.deviation));
+    const auto [z, block] = scores.worst(fit.deviation);
+    if (z > 3) row.contradicted_by = block;
+    for (const ParameterDrift& d : drifts(context, fit))
+      if (d.p < 0.01)
+        row.contradicted_by += (row.contradicted_by.empty() ? "" : "; ") +
+                               std::string("another value for every ") + d.by;
+    constexpr double worth_a_word = 0.85;
+    if (row.gap_after < worth_a_word * rms(nominal.error) && row.prior_sigmas > 3)
+      tried[std::size_t(i)] = std::move(row);
+  });
+  std::vector<Compensator> found;
+  for (auto& row : tried)
+    if (row) found.push_back(std::move(*row));
+  return found;
+}
+
+} // namespace plica

@@ -1,0 +1,64 @@
+// The verdict, by rules that are fixed before a test is seen. Thresholds come from healthy
+// specimens.
+//
+//   adequate    chi2 of all readings, and of their means over the levels, at most that of 99 % of
+//               healthy specimens, no block beyond its 99.95 %; without what the hypothesis is
+//               allowed to be off (evidence.hpp), which carries laws of slip, a gap of 1.5
+//   none        the nominal case is adequate and no effect has ln BF above the threshold
+//   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 over
+//               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
+//   ambiguous   several adequate effects within 3 of the best
+//   pair        no single one adequate; a pair is, with 5 more than the best single one, each half
+//               worth 3, held-out readings there, met, and better by three tenths; with it all
+//               such pairs within 3 of it
+//   unknown     everything else
+#pragma once
+
+#include "diagnose/results/diagnosis.hpp"
+#include "diagnose/weigh/blocks.hpp"
+#include "diagnose/weigh/evidence.hpp"
+
+namespace plica {
+
+// Of healthy specimens; computed once per test.
+struct Standards {
+  double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
+  double worst_block = 3.3;                              // standard score
+  double evidence = 3;                                   // ln BF over the nominal case
+  std::vector<double> healthy_chi2;                      // sorted
+  bool gate = true; // false: adequacy is not asked for (an ablation)
+};
+Standards standards_of(const FitContext& context, const Whitening& held_out,
+                       const BlockScores& scores);
+
+// A fit with what it is worth.
+struct JudgedFit {
+  HypothesisFit fit;
+  double log_bayes_factor = 0;
+  bool adequate = false, absurd = false, held_out_met = false, fails_held_out = false;
+  double p = 1, chi2_of_means = 0;
+  std::pair<double, std::string> worst;
+  double gap_after = 0;
+  std::optional<double> held_out_after, held_out_shrink;
+  bool credible() const { return adequate && !absurd && !fails_held_out; }
+};
+JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitContext& context,
+                 const Whitening& held_out, const BlockScores& scores, const Standards& standards);
+
+// An effect over all its places.
+struct Family {
+  std::string effect;
+  double log_evidence = 0;         // places weigh alike
+  const JudgedFit* best = nullptr; // place
+};
+std::vector<Family> families(const std::vector<JudgedFit>& fits); // by evidence
+
+struct Judgement {
+  Verdict verdict = Verdict::none;
+  std::vector<const JudgedFit*> named; // one; the ambiguous set; or the pairs, the best first
+  std::vector<std::pair<std::string, double>> probabilities;
+};
+Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
+                const std::vector<JudgedFit>& pairs, const Standards& standards);
+
+} // namespace plica

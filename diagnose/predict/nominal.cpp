@@ -1,0 +1,184 @@
+#include "diagnose/predict/nominal.hpp"
+
+#include "diagnose/effects/on_table.hpp"
+#include "diagnose/effects/places.hpp"
+#include "model/shape/build_bellows.hpp"
+#include "model/description/case_path.hpp"
+#include "run/analyses/damping.hpp"
+#include "solve/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int modes = 16;
+constexpr std::size_t small_mesh = 2500; // nodes; below, a coarse mesh saves nothing
+
+// Counts in place of an accuracy, so that every specimen has the same mesh. Enough for how readings
+// change: two elements a quarter arc, two a wall, sixteen around, of which four are a quarter of
+// the circumference in every direction.
+Case with_counted_mesh(Case data, bool light) {
+  for (Part& part : data.parts)
+    if (auto* bellows = std::get_if<Bellows>(&part.body)) {
+      *bellows = with_counts(*bellows);
+      if (!light) continue;
+      MeshDensity& mesh = bellows->mesh;
+      mesh.arc = std::min(mesh.arc, 2);
+      mesh.wall = std::min(mesh.wall, 2);
+      mesh.around = std::min(mesh.around, 16);
+      // Straight pipes by quads that are nearly square.
+      const double side = 2 * std::numbers::pi * bellows->root_radius / mesh.around;
+      for (MeridianSection& s : bellows->profile)
+        s.elements = std::min(s.elements, std::max(3, int(std::ceil(s.length / side))));
+    }
+  // The nearest node of the lighter mesh stands for the place.
+  constexpr double off = 15e-3;
+  if (light)
+    for (Sensor& s : data.sensors) s.reach = std::max(s.reach, off);
+  return data;
+}
+
+// Mounted nodes, and both caps where the rig pulls at them.
+std::vector<int> boundary_of(const BuiltCase& built, const Case& data) {
+  std::vector<int> nodes = built.held_nodes;
+  if (data.caps.size() == 2)
+    for (const auto& [name, node] : built.cap_nodes) nodes.push_back(node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::set<int> dependent;
+  for (const Constraint& c : built.model.constraints) dependent.insert(c.node);
+  std::erase_if(nodes, [&](int node) { return dependent.contains(node); });
+  return nodes;
+}
+
+// Its own axes as the test says, else as the case does.
+Eigen::Matrix3d axes_of(const BuiltSensor& sensor, const Measured& measured) {
+  std::array<int, 3> axes = sensor.axes;
+  for (const MeasuredSensor& m : measured.sensors)
+    if (m.name == sensor.name && m.axes.size() == 3) std::copy_n(m.axes.begin(), 3, axes.begin());
+  Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    rows(i, std::abs(axes[std::size_t(i)]) - 1) = axes[std::size_t(i)] > 0 ? 1 : -1;
+  return rows;
+}
+
+// Held ends, and some places along the parts.
+std::vector<BuiltSensor> further_places(const Structure& s) {
+  constexpr std::size_t most = 6;
+  std::vector<BuiltSensor> places;
+  for (const Mount& m : s.data.mount)
+    if (const int node = cap_node(s, m.cap); node >= 0)
+      places.push_back({.name = "mount." + m.cap, .node = node});
+  for (const Spot& spot : spots(s))
+    if (!spot.place.starts_with("sensor.") && places.size() < most)
+      places.push_back({.name = spot.place, .node = spot.touched});
+  return places;
+}
+
+NominalState state_of(Case data, const std::string& name, const Measured& measured) {
+  NominalState state;
+  state.name = name;
+  state.data = std::move(data);
+  state.built = build_on_table(state.data);
+  std::vector<int> sensors, further;
+  for (const BuiltSensor& s : state.built.sensors) sensors.push_back(s.node);
+  state.observed = state.built.sensors;
+  for (BuiltSensor& place :
+       further_places({.data = state.data, .built = state.built, .measured = measured})) {
+    further.push_back(place.node);
+    state.observed.push_back(std::move(place));
+  }
+  for (const BuiltSensor& s : state.observed) state.axes.push_back(axes_of(s, measured));
+  state.model = std::make_unique<ParametricModel>(
+      state.built.model, boundary_of(state.built, state.data), sensors, modes, further);
+  const VectorXd& lambda = state.model->lambda();
+  const MatrixXd u = state.model->nominal_shapes();
+  const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,
+                                             u, static_cast<int>(lambda.size()));
+  state.zeta = damping.zeta + damping.eta / 2;
+  const ReducedFamily plain = state.model->with({});
+  const MatrixXd gamma = plain.nominal.transpose() * plain.load;
+  for (Index j = 0; j < lambda.size(); ++j) {
+    Eigen::Matrix<double, 6, 1> share = Eigen::Matrix<double, 6, 1>::Zero();
+    share.head<3>() = gamma.row(j).transpose().array().square() / plain.mass;
+    state.labels.push_back(label_mode(state.built.model, u.col(j), false, share));
+  }
+  return state;
+}
+
+} // namespace
+
+int NominalState::number_of(const std::string& sensor) const {
+  for (std::size_t i = 0; i < observed.size(); ++i)
+    if (observed[i].name == sensor) return int(i);
+  return -1;
+}
+
+std::vector<std::string> NominalState::further_places() const {
+  std::vector<std::string> names;
+  for (std::size_t i = built.sensors.size(); i < observed.size(); ++i)
+    names.push_back(observed[i].name);
+  return names;
+}
+
+const NominalState& Nominal::state(const std::string& name) const {
+  for (const NominalState& s : states)
+    if (s.name == name) return s;
+  throw std::out_of_range("no state is called " + name);
+}
+
+Structure Nominal::structure(const Measured& measured) const {
+  return {.data = states.front().data,
+          .built = states.front().built,
+          .measured = measured,
+          .stiffness = stiffness,
+          .mass = mass,
+          .length = length,
+          .frequency = frequency};
+}
+
+Nominal nominal_of(const Case& data, const Measured& measured) {
+  Case plain = data;
+  plain.analyses.error_bars = false;
+  const bool coarse = build(plain).model.mesh.nodes.size() > small_mesh;
+  plain = with_counted_mesh(plain, coarse);
+  std::vector<std::pair<std::string, Case>> wanted{{"", plain}};
+  for (const MeasuredState& s : measured.states) {
+    Case changed = plain;
+    for (const auto& [path, value] : s.numbers) *number_at(changed, path) = value;
+    wanted.emplace_back(s.name, std::move(changed));
+  }
+  Nominal nominal;
+  nominal.coarse = coarse;
+  nominal.states.resize(wanted.size());
+  in_parallel(int(wanted.size()), [&](int i) {
+    auto& [name, own] = wanted[std::size_t(i)];
+    nominal.states[std::size_t(i)] = state_of(std::move(own), name, measured);
+  });
+  const NominalState& first = nominal.states.front();
+  const ReducedFamily family = first.model->with({});
+  nominal.mass = family.mass;
+  constexpr Eigen::Index lowest = 4;
+  const VectorXd& lambda = first.model->lambda();
+  nominal.frequency =
+      plica::frequency(std::exp(lambda.head(std::min(lowest, lambda.size())).array().log().mean()));
+  nominal.stiffness = family.mass * lambda[0];
+  Eigen::Vector3d low = first.built.model.mesh.nodes.front(), high = low;
+  for (const Eigen::Vector3d& x : first.built.model.mesh.nodes) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  nominal.length = (high - low).maxCoeff();
+  return nominal;
+}
+
+} // namespace plica

@@ -1,0 +1,285 @@
+#include "diagnose/predict/predictor.hpp"
+
+#include "diagnose/effects/on_table.hpp"
+#include "solve/parallel.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace plica {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+// What a hypothesis does to the model of a state.
+std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis& h) {
+  std::vector<ModelChange> all = h.changes;
+  for (const auto& change : h.case_changes)
+    all.push_back({[&data = state.data, change](Model& model) {
+                     Case changed = data;
+                     change(changed);
+                     model = build_on_table(changed).model;
+                   },
+                   h.large ? Follow::modes : Follow::nominal});
+  return all;
+}
+
+bool is_costly(const Hypothesis& h) {
+  return std::any_of(h.changes.begin(), h.changes.end(),
+                     [](const ModelChange& c) { return c.follow == Follow::modes; });
+}
+
+} // namespace
+
+Identities identities_of(const std::vector<const Hypothesis*>& together) {
+  Identities all;
+  for (const Hypothesis* h : together) all.push_back(h->identity.number());
+  return all;
+}
+
+std::optional<StateFamilies::Changes> StateFamilies::kept(const NominalState& state,
+                                                          const Hypothesis& h) {
+  const std::lock_guard lock(mutex_);
+  const auto known = kept_.find({&state, h.identity.number()});
+  return known == kept_.end() ? std::nullopt : std::optional(known->second);
+}
+
+StateFamilies::Changes StateFamilies::prepared(const NominalState& state, const Hypothesis& h) {
+  if (auto known = kept(state, h)) return std::move(*known);
+  Changes made = state.model->prepare(changes_in(state, h));
+  if (!is_costly(h)) return made;
+  const std::lock_guard lock(mutex_);
+  return kept_.try_emplace({&state, h.identity.number()}, std::move(made)).first->second;
+}
+
+StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& together) {
+  std::vector<Changes> parts(together.size());
+  in_parallel(int(parts.size()), [&](int h) {
+    parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
+  });
+  Changes all;
+  for (Changes& part : parts)
+    for (PreparedChange& change : part) all.push_back(std::move(change));
+  return all;
+}
+
+void StateFamilies::make(std::size_t s, const Together& together, const Changes& changes,
+                         StateFamily& own) {
+  const NominalState& state = nominal_.states[s];
+  std::vector<int> held = state.built.held_nodes;
+  for (const Hypothesis* h : together)
+    for (int node : h->released) std::erase(held, node);
+  own.nominal = &state;
+  own.family = state.model->with(changes);
+  const std::vector<int>& boundary = state.model->boundary();
+  for (int i = 0; i < int(own.family.K.rows()); ++i)
+    if (i >= own.family.boundary ||
+        std::find(held.begin(), held.end(), boundary[std::size_t(i / 6)]) == held.end())
+      own.coordinates.push_back(i);
+  own.free = FreeFamily(own.family, own.coordinates, state.zeta);
+}
+
+StateFamilies::Lazy& StateFamilies::lazy(std::size_t state, const Together& together) {
+  const std::lock_guard lock(mutex_);
+  return known_[{state, identities_of(together)}];
+}
+
+const StateFamily& StateFamilies::of(std::size_t state, const Together& together) {
+  Lazy& own = lazy(state, together);
+  std::call_once(own.once, [&] { make(state, together, changes(state, together), own.family); });
+  return own.family;
+}
+
+void StateFamilies::reduce(std::size_t s, const Together& each) {
+  const NominalState& state = nominal_.states[s];
+  std::vector<ModelChange> all;
+  std::vector<std::size_t> count;
+  for (const Hypothesis* h : each) {
+    const std::vector<ModelChange> own =
+        is_costly(*h) ? std::vector<ModelChange>() : changes_in(state, *h);
+    all.insert(all.end(), own.begin(), own.end());
+    count.push_back(own.size());
+  }
+  Changes made = state.model->prepare(all);
+  auto next = std::make_move_iterator(made.begin());
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const Hypothesis* h = each[i];
+    const Changes own =
+        is_costly(*h) ? prepared(state, *h) : Changes(next, next + std::ptrdiff_t(count[i]));
+    next += std::ptrdiff_t(count[i]);
+    Lazy& family = lazy(s, {h});
+    std::call_once(family.once, [&] { make(s, {h}, own, family.family); });
+  }
+}
+
+void StateFamilies::keep(std::size_t s, const Together& each) {
+  const NominalState& state = nominal_.states[s];
+  in_parallel(int(each.size()), [&](int i) {
+    const Hypothesis& h = *each[std::size_t(i)];
+    if (kept(state, h)) return;
+    Changes made = prepared(state, h);
+    const std::lock_guard lock(mutex_);
+    kept_.try_emplace({&state, h.identity.number()}, std::move(made));
+  });
+}
+
+std::vector<std::size_t> StateFamilies::fitted_states(const TestReadings& test) const {
+  std::vector<std::size_t> found;
+  for (std::size_t s = 0; s < nominal_.states.size(); ++s)
+    if (std::any_of(test.readings.begin(), test.readings.end(), [&](const Reading& r) {
+          return !r.held_out && r.state == nominal_.states[s].name;
+        }))
+      found.push_back(s);
+  return found;
+}
+
+Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
+                     const std::vector<const Hypothesis*>& together,
+                     std::shared_ptr<StateFamilies> families)
+    : nominal_(nominal), test_(test), together_(together),
+      families_(families ? std::move(families) : std::make_shared<StateFamilies>(nominal)) {
+  for (std::size_t h = 0; h < together.size(); ++h) {
+    const Hypothesis& own = *together[h];
+    if (own.softening) {
+      softening_ = int(h);
+      group_ = {.change = changes_, .stiffness = own.group_stiffness, .present = own.group_present};
+    }
+    changes_ += int(own.changes.size() + own.case_changes.size());
+    parameters_ += int(own.parameters.size());
+  }
+  for (const Reading& r : test.readings)
+    for (std::size_t s = 0; s < nominal.states.size(); ++s)
+      if (nominal.states[s].name == r.state) state_of_reading_.push_back(s);
+  for (const NominalState& state : nominal.states) {
+    int last = int(state.built.sensors.size()) - 1;
+    for (const Reading& r : test.readings) last = std::max(last, state.number_of(r.sensor));
+    for (const TestRun& run : test.runs) last = std::max(last, state.number_of(run.sensor));
+    seen_.push_back(last + 1);
+  }
+}
+
+StateAnswers Predictor::answers_of(std::size_t state, const Acting& acting) const {
+  return StateAnswers(family(state), test_, acting, seen_[state]);
+}
+
+double Predictor::basis_error(const VectorXd& values) const {
+  constexpr int modes = 6;
+  const NominalState& state = nominal_.states.front();
+  return state.model
+      ->frequency_errors(families_->changes(0, together_), acting(values).all,
+                         family(0).coordinates, modes)
+      .maxCoeff();
+}
+
+VectorXd Predictor::values_of(const VectorXd& z) const {
+  VectorXd values(z.size());
+  Index i = 0;
+  for (const Hypothesis* h : together_)
+    for (const EffectParameter& p : h->parameters) {
+      values[i] = plica::value_of(p.prior, z[i]);
+      ++i;
+    }
+  return values;
+}
+
+Acting Predictor::acting(const VectorXd& values) const {
+  std::vector<double> all, rig;
+  Acting acting;
+  Index first = 0;
+  for (std::size_t i = 0; i < together_.size(); ++i) {
+    const Hypothesis& h = *together_[i];
+    const VectorXd own = values.segment(first, Index(h.parameters.size()));
+    first += own.size();
+    if (h.coefficients)
+      for (double x : h.coefficients(own)) {
+        all.push_back(x);
+        rig.push_back(h.at_rig ? x : 0);
+      }
+    if (h.setup) h.setup(acting.setup, own);
+    if (int(i) == softening_) {
+      acting.group = group_;
+      acting.softening = h.softening(own);
+    }
+  }
+  acting.all = Eigen::Map<VectorXd>(all.data(), Index(all.size()));
+  acting.rig = Eigen::Map<VectorXd>(rig.data(), Index(rig.size()));
+  return acting;
+}
+
+std::optional<VectorXd> Predictor::operator()(const VectorXd& values, Which which) const {
+  return answers(acting(values), which);
+}
+
+VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which which) const {
+  if (softening_ < 0) return VectorXd();
+  Acting own = acting(values);
+  own.group.reset();
+  const auto stuck = answers(own, which);
+  if (!stuck) return VectorXd();
+  VectorXd change = (y - *stuck).cwiseAbs();
+  change = change.array().isFinite().select(change, 0);
+  // What shows along other axes hangs on how directions slip together, which no single law says.
+  constexpr double as_along = 3;
+  std::map<int, double> along;
+  const auto& readings = test_.readings;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (readings[i].kind == ReadingKind::amplitude)
+      along[readings[i].run] = std::max(along[readings[i].run], change[Index(i)]);
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (readings[i].kind == ReadingKind::cross)
+      change[Index(i)] = std::max(change[Index(i)], as_along * along[readings[i].run]);
+  return together_[std::size_t(softening_)]->law_error * change;
+}
+
+std::optional<VectorXd> Predictor::answers(const Acting& own, Which which) const {
+  std::vector<std::optional<StateAnswers>> answers(seen_.size());
+  VectorXd y =
+      VectorXd::Constant(Index(test_.readings.size()), std::numeric_limits<double>::quiet_NaN());
+  for (Index i = 0; i < y.size(); ++i) {
+    const Reading& reading = test_.readings[std::size_t(i)];
+    if (which == Which::fitted && reading.held_out) continue;
+    const std::size_t s = state_of_reading_[std::size_t(i)];
+    if (!answers[s]) answers[s].emplace(answers_of(s, own));
+    if (!answers[s]->answer(reading, y[i])) return std::nullopt;
+  }
+  return y;
+}
+
+std::optional<FamilyModes> Predictor::modes(const VectorXd& values) const {
+  return family(0).free.modes(acting(values).all);
+}
+
+std::vector<int> Predictor::nominal_modes() const {
+  const Acting own = acting(VectorXd());
+  std::vector<int> modes;
+  std::vector<std::optional<StateAnswers>> answers(seen_.size());
+  for (std::size_t i = 0; i < test_.readings.size(); ++i) {
+    const std::size_t s = state_of_reading_[i];
+    if (!answers[s]) answers[s].emplace(answers_of(s, own));
+    modes.push_back(answers[s]->nominal_mode(test_.readings[i]));
+  }
+  return modes;
+}
+
+std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, const TestRun& run,
+                                                    const VectorXd& hertz) const {
+  std::size_t s = 0;
+  while (s + 1 < seen_.size() && nominal_.states[s].name != run.state) ++s;
+  const Acting own = acting(values);
+  return answers_of(s, own).response(run, hertz);
+}
+
+const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& together) {
+  const Identities identities = identities_of(together);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find(identities); known != known_.end()) return *known->second;
+  }
+  auto made = std::make_unique<Predictor>(nominal_, test_, together, families_);
+  const std::lock_guard lock(mutex_);
+  return *known_.try_emplace(identities, std::move(made)).first->second;
+}
+
+} // namespace plica

@@ -1,0 +1,494 @@
+#include "diagnose/predict/state_answers.hpp"
+
+#include "diagnose/predict/peak_choice.hpp"
+#include "diagnose/predict/rig_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXcd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Complex = std::complex<double>;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr int half_steps = 4; // of what is near a peak: from -2 to 2 damping ratios off
+
+// Whether measured peaks choose among a model's in the same way, nearly.
+bool same_order(const TestRun& a, const TestRun& b) {
+  if (a.peaks.size() != b.peaks.size()) return false;
+  for (std::size_t i = 0; i < a.peaks.size(); ++i)
+    if (a.peaks[i] > 0 && std::abs(std::log(a.peaks[i] / b.peaks[i])) > 0.02) return false;
+  return true;
+}
+
+double default_level(const Case& data) {
+  return data.analyses.response ? data.analyses.response->level : 1;
+}
+
+// The modes of peaks over the stiffness of a group, straight between the points of its table; a
+// point is looked at when it is first needed.
+class PeaksOverStiffness {
+public:
+  // Motion per level at unit damping, zeta, energy share of the group per unit of its stiffness.
+  using Row = std::array<double, 3>;
+  using Rows = std::vector<std::optional<Row>>; // of each peak; none: it is not there
+  PeaksOverStiffness(int low, int high, std::function<Rows(int)> look)
+      : low_(low), look_(std::move(look)), first_(std::log(SlipTable::stiffness_of(low))),
+        step_(std::log(SlipTable::stiffness_of(low + 1)) - first_),
+        rows_(std::size_t(high - low + 1)) {}
+
+  std::optional<Row> at(double stiffness, std::size_t peak) {
+    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first_) / step_, 0.,
+                                double(rows_.size()) - 1.000001);
+    const auto place = std::size_t(x);
+    const std::optional<Row> below = at_point(place)[peak], above = at_point(place + 1)[peak];
+    if (!below || !above) return std::nullopt;
+    Row row{};
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = (*below)[k] + (x - double(place)) * ((*above)[k] - (*below)[k]);
+    return row;
+  }
+
+private:
+  const Rows& at_point(std::size_t place) {
+    if (!rows_[place]) rows_[place] = look_(low_ + int(place));
+    return *rows_[place];
+  }
+
+  int low_;
+  std::function<Rows(int)> look_;
+  double first_, step_;
+  std::vector<std::optional<Rows>> rows_;
+};
+
+} // namespace
+
+bool StateAnswers::answer(const Reading& reading, double& value) {
+  value = none;
+  switch (reading.kind) {
+  case ReadingKind::mass:
+    value = std::log(mass());
+    return true;
+  case ReadingKind::stiffness:
+    value = static_stiffness(reading);
+    return true;
+  default:
+    return dynamic(reading, value);
+  }
+}
+
+int StateAnswers::nominal_mode(const Reading& reading) {
+  if (reading.run < 0) return -1;
+  const FamilyModes* m = linear_modes();
+  const TestRun& run = test_.runs[std::size_t(reading.run)];
+  if (!m) return -1;
+  const Index own =
+      run.base < 0 ? labelled_mode(*m, reading) : peak_modes(*m, run)[std::size_t(reading.peak)];
+  if (own < 0) return -1;
+  Index nominal = 0;
+  m->likeness.col(own).cwiseAbs().maxCoeff(&nominal);
+  return int(nominal);
+}
+
+std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const VectorXd& hertz) {
+  const FamilyModes* m = linear_modes();
+  const int sensor = own_.nominal->number_of(run.sensor);
+  if (!m || sensor < 0 || run.base < 0) return std::nullopt;
+  std::vector<double> omega;
+  for (double f : hertz) omega.push_back(2 * std::numbers::pi * f);
+  const MatrixXcd moved = motion(*m, m->zeta, run.base, omega);
+  return Eigen::VectorXcd(reading_of(moved, sensor, run.axis).transpose());
+}
+
+const FamilyModes* StateAnswers::linear_modes() {
+  if (!linear_) {
+    linear_ = acting_.given ? std::optional(*acting_.given) : own_.free.modes(acting_.all);
+    if (*linear_) (*linear_)->zeta *= acting_.setup.damping;
+  }
+  return *linear_ ? &**linear_ : nullptr;
+}
+
+VectorXd StateAnswers::damping_of(const FamilyModes& linear) const {
+  if (acting_.mode_damping.size() == 0) return linear.zeta;
+  return linear.zeta.cwiseProduct(acting_.mode_damping);
+}
+
+double StateAnswers::mass() const {
+  double sum = own_.family.mass;
+  for (std::size_t k = 0; k < own_.family.d_mass.size(); ++k)
+    sum += acting_.rig[Index(k)] * own_.family.d_mass[k];
+  return sum;
+}
+
+std::optional<double> StateAnswers::stiffness_at(StaticDirection direction, double kept) {
+  const auto known = rig_.find(kept);
+  const auto& ends =
+      known == rig_.end() ? rig_.emplace(kept, ends_at(kept)).first->second : known->second;
+  return ends ? std::optional(along(*ends, direction)) : std::nullopt;
+}
+
+std::optional<EndStiffness> StateAnswers::ends_at(double kept) const {
+  VectorXd c = acting_.rig;
+  if (acting_.group) {
+    double& group = c[acting_.group->change];
+    group = (group + acting_.group->present) * kept - acting_.group->present;
+  }
+  return rig_stiffness(*own_.nominal, summed(own_.family.K, own_.family.dK, c));
+}
+
+// A group that slips answers by what it keeps at the stroke; without one, by what is left when all
+// slides. Its stretch follows from the energy it has of the whole: dk/d(kept) = u' K_group u.
+double StateAnswers::static_stiffness(const Reading& reading) {
+  const auto stuck = stiffness_at(reading.direction, 1);
+  if (!stuck) return none;
+  if (!acting_.group) return std::log(*stuck);
+  constexpr double less = 0.9;
+  const auto softer = stiffness_at(reading.direction, less);
+  if (!softer) return none;
+  const double stretch = reading.stroke * std::sqrt(std::max(0., (*stuck - *softer) / (1 - less)) /
+                                                    acting_.group->stiffness);
+  const double share = acting_.softening.share;
+  const double kept = reading.stroke > 0
+                          ? 1 - share * (1 - Sliders(acting_.softening).kept(stretch).real())
+                          : 1 - share;
+  const auto value = stiffness_at(reading.direction, kept);
+  return value ? std::log(*value) : none;
+}
+
+// Accelerations of the places seen per unit of the commanded base, part axes: 3 rows each, a column
+// per frequency.
+MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, int base,
+                               const std::vector<double>& omega) const {
+  const Vector3d d = acting_.setup.base.col(base);
+  const VectorXd gamma = m.gamma * d;
+  MatrixXd real(m.lambda.size(), Index(omega.size())), imaginary = real;
+  for (Index k = 0; k < real.cols(); ++k) {
+    const double w = omega[std::size_t(k)], w2 = w * w;
+    for (Index i = 0; i < real.rows(); ++i) {
+      const double a = m.lambda[i] - w2, b = 2 * zeta[i] * m.omega(i) * w;
+      const double factor = w2 * gamma[i] / (a * a + b * b);
+      real(i, k) = factor * a;
+      imaginary(i, k) = -factor * b;
+    }
+  }
+  const auto& sensors = own_.nominal->observed;
+  MatrixXd rows(3 * seen_, m.lambda.size());
+  for (Index s = 0; s < seen_; ++s) {
+    rows.middleRows<3>(3 * s) = m.marked.middleRows<3>(6 * s);
+    const auto moved = acting_.setup.moved.find(sensors[std::size_t(s)].name);
+    if (moved == acting_.setup.moved.end()) continue;
+    for (Index i = 0; i < rows.cols(); ++i)
+      rows.col(i).segment<3>(3 * s) +=
+          Vector3d(m.marked.block<3, 1>(6 * s + 3, i)).cross(moved->second);
+  }
+  MatrixXcd u(rows.rows(), real.cols());
+  u.real() = rows * real;
+  u.imag() = rows * imaginary;
+  for (Index s = 0; s < seen_; ++s) u.middleRows<3>(3 * s).colwise() += d.cast<Complex>();
+  return u;
+}
+
+// One sensor's own axis of such motions.
+RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int axis) const {
+  const BuiltSensor& own = own_.nominal->observed[std::size_t(sensor)];
+  Eigen::Matrix3d reading = own_.nominal->axes[std::size_t(sensor)];
+  if (const auto turned = acting_.setup.reading.find(own.name);
+      turned != acting_.setup.reading.end())
+    reading = turned->second * reading;
+  return reading.row(axis).cast<Complex>() * motion.middleRows<3>(3 * Index(sensor));
+}
+
+// Modes of a run's measured peaks, by how high each stands in the channel of the run.
+std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun& run) const {
+  const int sensor = own_.nominal->number_of(run.sensor);
+  const Vector3d towards = run.axis == run.base ? base_of(run) : Vector3d::Unit(run.axis);
+  VectorXd hertz(m.lambda.size()), height(m.lambda.size());
+  for (Index i = 0; i < height.size(); ++i) {
+    const double in = m.gamma.row(i).dot(towards);
+    const double out = sensor < 0 || run.axis != run.base
+                           ? in
+                           : own_.nominal->axes[std::size_t(sensor)].row(run.axis).dot(
+                                 m.marked.block<3, 1>(6 * Index(sensor), i));
+    hertz[i] = m.hertz(i);
+    height[i] = std::abs(in * out) / m.zeta[i];
+  }
+  const std::vector<Index> candidates =
+      strong_peaks(hertz, m.zeta, height, run.band, run.planned() ? 1 : run.peaks.size());
+  std::vector<double> model;
+  for (Index i : candidates) model.push_back(hertz[i]);
+  std::vector<Index> result;
+  for (Index pair : paired(run.peaks, model, run.first))
+    result.push_back(pair < 0 ? -1 : candidates[std::size_t(pair)]);
+  return result;
+}
+
+// The stiffness at which sliders and resonance agree about the amplitude of each peak. None: no
+// stable structure.
+std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const TestRun& run,
+                                                                          SlipTable& table) const {
+  const SlipGroup& group = *acting_.group;
+  Softening own = acting_.softening;
+  constexpr int along_the_pipe = 1;
+  if (run.base != along_the_pipe) own.distance *= own.across;
+  const double stuck = acting_.all[group.change] + group.present;
+  constexpr double most = 0.98; // of the share: something is always left
+  const int low = SlipTable::point_at(stuck * (1 - most * own.share)) - 1,
+            high = SlipTable::point_at(stuck) + 1;
+  if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
+  PeaksOverStiffness peaks(low, high, [&](int point) {
+    PeaksOverStiffness::Rows rows(run.peaks.size());
+    const FamilyModes* m = table.modes_at(point);
+    if (!m) return rows;
+    const std::vector<Index> modes = peak_modes(*m, run);
+    for (std::size_t p = 0; p < rows.size(); ++p) {
+      const Index i = modes[p];
+      if (i < 0) continue;
+      const double stretch = std::sqrt(std::max(0., m->group(i, i)) / group.stiffness);
+      rows[p] = {std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
+                 acting_.setup.damping * m->zeta[i],
+                 group.stiffness * stretch * stretch / m->lambda[i]};
+    }
+    return rows;
+  });
+  const Sliders sliders(own);
+  const double level = run.level > 0 ? run.level : default_level(own_.nominal->data);
+  std::vector<Slipping> found;
+  for (std::size_t p = 0; p < run.peaks.size(); ++p) {
+    const auto state_at = [&](double amplitude) { // and what the table's motion makes of it
+      const Complex gain = sliders.kept(amplitude);
+      const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
+      const auto row = peaks.at(stiffness, p);
+      if (!row) return std::optional<std::pair<Slipping, double>>();
+      const auto [motion, zeta, energy] = *row;
+      const double damping = energy * stuck * own.share * own.loss * gain.imag() / 2;
+      return std::optional(
+          std::pair{Slipping{stiffness, damping}, level * motion / (zeta + damping)});
+    };
+    double below = std::log(1e-12), above = std::log(1.);
+    constexpr int halvings = 40;
+    auto state = state_at(std::exp(below));
+    for (int i = 0; i < halvings && state; ++i) {
+      const double middle = (below + above) / 2, amplitude = std::exp(middle);
+      state = state_at(amplitude);
+      if (state) (state->second > amplitude ? below : above) = middle;
+    }
+    if (state) state = state_at(std::exp(below));
+    found.push_back(state ? state->first : Slipping{.stiffness = stuck}); // no such peak: as stuck
+  }
+  return found;
+}
+
+// The peaks of a run. False: no stable structure. Runs that differ in nothing the model feels share
+// them.
+bool StateAnswers::find_peaks(int number) {
+  if (const auto known = peaks_.find(number); known != peaks_.end()) return true;
+  const TestRun& run = test_.runs[std::size_t(number)];
+  std::vector<Peak> found;
+  if (acting_.group) {
+    if (!find_slipping_peaks(run, found)) return false;
+  } else {
+    for (const auto& [other, peaks] : peaks_) { // the level is not felt
+      const TestRun& like = test_.runs[std::size_t(other)];
+      if (like.base == run.base && like.sensor == run.sensor && like.axis == run.axis &&
+          like.first == run.first && same_order(like, run)) {
+        found = peaks;
+        peaks_[number] = std::move(found);
+        return true;
+      }
+    }
+    const FamilyModes* m = linear_modes();
+    if (!m) return false;
+    for (Index i : peak_modes(*m, run)) found.push_back({m, damping_of(*m), i, {}, {}});
+  }
+  for (Peak& peak : found) respond(peak, run);
+  peaks_[number] = std::move(found);
+  return true;
+}
+
+bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
+  const auto table = own_.tables.of(own_.free, acting_.all, *acting_.group);
+  const auto at_peaks = slipping(run, *table);
+  if (!at_peaks) return false;
+  for (std::size_t p = 0; p < run.peaks.size(); ++p) {
+    const Slipping& s = (*at_peaks)[p];
+    auto m = table->modes(s.stiffness);
+    if (!m) return false;
+    m->zeta *= acting_.setup.damping;
+    kept_.push_back(std::make_unique<FamilyModes>(std::move(*m)));
+    const FamilyModes& own = *kept_.back();
+    Peak peak{&own, own.zeta, peak_modes(own, run)[p], {}, {}};
+    if (peak.mode >= 0) peak.zeta[peak.mode] += s.damping;
+    found.push_back(std::move(peak));
+  }
+  return true;
+}
+
+bool StateAnswers::dynamic(const Reading& reading, double& value) {
+  const TestRun& run = test_.runs[std::size_t(reading.run)];
+  if (run.base < 0) return labelled(reading, value);
+  if (!find_peaks(reading.run)) return false;
+  Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
+  if (peak.mode < 0) return true;
+  if (reading.kind == ReadingKind::damping) {
+    value = std::log(peak.damping());
+    return true;
+  }
+  const int sensor = own_.nominal->number_of(reading.sensor);
+  if (reading.kind == ReadingKind::frequency) {
+    value = std::log(sensor < 0 || run.axis != run.base ? peak.modes->hertz(peak.mode)
+                                                        : summit(peak, sensor, reading.axis).first);
+    return true;
+  }
+  if (sensor < 0) return true;
+  if (reading.kind == ReadingKind::amplitude) {
+    value = std::log(summit(peak, sensor, reading.axis).second);
+    return true;
+  }
+  if (reading.at_run >= 0) return cross_resonance(reading, run, sensor, value);
+  if (reading.highest) {
+    value =
+        std::log(highest(peak, run, sensor, reading.axis) / highest(peak, run, sensor, run.base) +
+                 cross_floor);
+    return true;
+  }
+  if (peak.around.size() == 0) respond_around(peak, run);
+  const double main = summit(peak, sensor, run.base).second;
+  const double cross = std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
+                                reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
+  value = std::log(cross / main + cross_floor);
+  return true;
+}
+
+bool StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, int sensor,
+                                   double& value) {
+  if (!find_peaks(reading.at_run)) return false;
+  const Peak& peak = peaks_.at(reading.at_run).front();
+  if (peak.mode < 0) return true;
+  std::vector<double> near;
+  for (int i = -half_steps; i <= half_steps; ++i) {
+    near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));
+    near.push_back(peak.omega() * (1 + resonance_window * i / half_steps));
+  }
+  const MatrixXcd own = motion(*peak.modes, peak.zeta, run.base, near);
+  const double cross = reading_of(own, sensor, reading.axis).cwiseAbs().maxCoeff();
+  value = std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
+  return true;
+}
+
+// Of the resonances within the band, as they are at a peak.
+double StateAnswers::highest(const Peak& peak, const TestRun& run, int sensor, int axis) const {
+  std::vector<double> omega;
+  for (Index j = 0; j < peak.modes->lambda.size(); ++j)
+    if (const double f = peak.modes->hertz(j); f >= run.band[0] && f <= run.band[1])
+      for (double x : {-1., -0.5, 0., 0.5, 1.})
+        omega.push_back(peak.modes->omega(j) * (1 + x * peak.zeta[j]));
+  if (omega.empty()) return none;
+  return reading_of(motion(*peak.modes, peak.zeta, run.base, omega), sensor, axis)
+      .cwiseAbs()
+      .maxCoeff();
+}
+
+void StateAnswers::respond(Peak& peak, const TestRun& run) const {
+  if (peak.mode < 0 || seen_ == 0) return;
+  std::vector<double> near;
+  for (int i = -half_steps; i <= half_steps; ++i)
+    near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));
+  peak.near = motion(*peak.modes, peak.zeta, run.base, near);
+}
+
+void StateAnswers::respond_around(Peak& peak, const TestRun& run) const {
+  std::vector<double> around;
+  constexpr int steps = 8;
+  for (int i = -steps; i <= steps; ++i)
+    around.push_back(peak.omega() * (1 + cross_window * i / steps));
+  for (Index j = 0; j < peak.modes->lambda.size(); ++j)
+    if (const double w = peak.modes->omega(j); std::abs(w / peak.omega() - 1) <= cross_window)
+      for (double x : {-1., 0., 1.}) around.push_back(w * (1 + x * peak.zeta[j]));
+  peak.around = motion(*peak.modes, peak.zeta, run.base, around);
+}
+
+// Frequency in Hz and height of the peak of a channel near its mode: a parabola through
+// 1 / height^2, exact for one mode.
+std::pair<double, double> StateAnswers::summit(const Peak& peak, int sensor, int axis) const {
+  const Eigen::RowVectorXd h = reading_of(peak.near, sensor, axis).cwiseAbs();
+  Index best = 0;
+  double height = h.maxCoeff(&best), x = 0.5 * double(best - half_steps);
+  if (best > 0 && best < h.size() - 1) {
+    const auto inverse = [&](Index i) { return 1 / (h[i] * h[i]); };
+    const double a = inverse(best - 1), b = inverse(best), c = inverse(best + 1);
+    if (const double curve = a - 2 * b + c; curve > 0) {
+      x += 0.5 * (a - c) / (2 * curve);
+      const double least = b - (a - c) * (a - c) / (8 * curve);
+      if (least > 0) height = 1 / std::sqrt(least);
+    }
+  }
+  return {peak.omega() * (1 + peak.damping() * x) / (2 * std::numbers::pi), height};
+}
+
+// Whether a nominal mode is of the kind and direction that a mode was measured as.
+bool StateAnswers::of_kind(Index nominal, const Reading& reading) const {
+  constexpr std::array shapes{"axial", "transverse", "torsion", "shell", "mode"};
+  const ModeLabel& label = own_.nominal->labels[std::size_t(nominal)];
+  return reading.shape == MeasuredShape::other ||
+         (label.shape == shapes[static_cast<std::size_t>(reading.shape)] &&
+          (reading.axis < 0 || label.direction == std::string(1, "xyz"[reading.axis])));
+}
+
+// Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
+// any other, and enough to be seen.
+std::vector<Index> StateAnswers::modes_of_kind(const FamilyModes& m, const Reading& kind) const {
+  constexpr double seen = 0.01;
+  std::vector<Index> found;
+  for (Index i = 0; i < m.lambda.size(); ++i) {
+    double own = 0;
+    std::map<std::pair<std::string, std::string>, double> others;
+    for (Index j = 0; j < m.likeness.rows(); ++j) {
+      const double share = m.likeness(j, i) * m.likeness(j, i);
+      const ModeLabel& label = own_.nominal->labels[std::size_t(j)];
+      (of_kind(j, kind) ? own : others[{label.shape, label.direction}]) += share;
+    }
+    if (own > seen && std::all_of(others.begin(), others.end(),
+                                  [&](const auto& other) { return other.second < own; }))
+      found.push_back(i);
+  }
+  return found;
+}
+
+// Modes known by their kind: in their order, as they lie nearest.
+bool StateAnswers::labelled(const Reading& reading, double& value) {
+  const FamilyModes* m = linear_modes();
+  if (!m) return false;
+  const Index mode = labelled_mode(*m, reading);
+  if (mode >= 0)
+    value = std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
+  return true;
+}
+
+Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) const {
+  std::map<int, double> measured; // by order
+  for (const Reading& r : test_.readings)
+    if (r.kind == ReadingKind::frequency && r.run == reading.run && r.shape == reading.shape &&
+        r.axis == reading.axis)
+      measured[r.order] = r.value;
+  std::vector<Index> modes = modes_of_kind(m, reading);
+  const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
+  modes.erase(modes.begin(), modes.begin() + Index(before));
+  std::vector<double> wanted, hertz;
+  for (const auto& [order, value] : measured) wanted.push_back(value);
+  for (Index i : modes) hertz.push_back(m.hertz(i));
+  const auto place = std::distance(measured.begin(), measured.find(reading.order));
+  const Index pair = paired(wanted, hertz, false)[std::size_t(place)];
+  return pair < 0 ? -1 : modes[std::size_t(pair)];
+}
+
+} // namespace plica

@@ -1,0 +1,106 @@
+// What the readings of one state of the specimen would be, parameters given.
+//
+// Without slip: modes of the reduced model, peaks where their sum is largest. A group of springs
+// that slips: at each level and peak the amplitude is sought at which the stiffness that the
+// sliders keep (describing function, one for the whole group, over the stretch of its energy) gives
+// a resonance of that amplitude, with the damping that they take.
+#pragma once
+
+#include "diagnose/predict/nominal.hpp"
+#include "diagnose/predict/rig_stiffness.hpp"
+#include "diagnose/predict/slip_group.hpp"
+
+#include <map>
+
+namespace plica {
+
+// The reduced model of a state, all changes of the hypotheses in it.
+struct StateFamily {
+  const NominalState* nominal = nullptr;
+  ReducedFamily family;         // as in the static rig, where nothing is held
+  FreeFamily free;              // as on the table
+  std::vector<int> coordinates; // that the mount leaves
+  mutable SlipTables tables;
+};
+
+// What acts: coefficients of the changes on the table and in the rig, the test, the slip.
+struct Acting {
+  Eigen::VectorXd all, rig;
+  TestSetup setup;
+  std::optional<SlipGroup> group;
+  Softening softening;
+  // Modes in place of those that follow, and factors of the damping of each, which do not choose
+  // what peak is of what mode.
+  const FamilyModes* given = nullptr;
+  Eigen::VectorXd mode_damping = {}; // empty: 1
+};
+
+class StateAnswers {
+public:
+  // `seen`: how many of the observed places of the state the test looks at, those before the last.
+  StateAnswers(const StateFamily& state, const TestReadings& test, const Acting& acting,
+               Eigen::Index seen)
+      : own_(state), test_(test), acting_(acting), seen_(seen) {}
+
+  // Logarithm of what the reading would be; not a number where the model does not give it. False:
+  // no stable structure.
+  bool answer(const Reading& reading, double& value);
+
+  // Number of the nominal mode that a reading is of; -1 = none.
+  int nominal_mode(const Reading& reading);
+
+  // A channel of a run over frequencies of one's own, per unit of the base, nothing slipping.
+  std::optional<Eigen::VectorXcd> response(const TestRun& run, const Eigen::VectorXd& hertz);
+
+private:
+  // A peak of a run: the modes at its amplitude, and which of them it is.
+  struct Peak {
+    const FamilyModes* modes = nullptr;
+    Eigen::VectorXd zeta;
+    Eigen::Index mode = 0;
+    Eigen::MatrixXcd near;   // motions within its width
+    Eigen::MatrixXcd around; // where cross responses are sought, when first asked for
+    double omega() const { return modes->omega(mode); }
+    double damping() const { return zeta[mode]; }
+  };
+  // What the group keeps at a peak, and what damping it takes.
+  struct Slipping {
+    double stiffness = 1, damping = 0; // stiffness: in terms of the group's own
+  };
+
+  const FamilyModes* linear_modes();
+  Eigen::VectorXd damping_of(const FamilyModes& linear) const;
+  Eigen::Vector3d base_of(const TestRun& run) const { return acting_.setup.base.col(run.base); }
+  double mass() const;
+  std::optional<EndStiffness> ends_at(double kept) const;
+  std::optional<double> stiffness_at(StaticDirection direction, double kept);
+  double static_stiffness(const Reading& reading);
+  Eigen::MatrixXcd motion(const FamilyModes& m, const Eigen::VectorXd& zeta, int base,
+                          const std::vector<double>& omega) const;
+  Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
+  std::vector<Eigen::Index> peak_modes(const FamilyModes& m, const TestRun& run) const;
+  std::optional<std::vector<Slipping>> slipping(const TestRun& run, SlipTable& table) const;
+  bool find_peaks(int run);
+  bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
+  void respond(Peak& peak, const TestRun& run) const;
+  void respond_around(Peak& peak, const TestRun& run) const;
+  std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;
+  double highest(const Peak& peak, const TestRun& run, int sensor, int axis) const;
+  bool dynamic(const Reading& reading, double& value);
+  bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);
+  bool labelled(const Reading& reading, double& value);
+  bool of_kind(Eigen::Index nominal, const Reading& reading) const;
+  std::vector<Eigen::Index> modes_of_kind(const FamilyModes& m, const Reading& kind) const;
+  Eigen::Index labelled_mode(const FamilyModes& m, const Reading& reading) const;
+
+  const StateFamily& own_;
+  const TestReadings& test_;
+  const Acting& acting_;
+  const Eigen::Index seen_;
+  std::optional<std::optional<FamilyModes>> linear_;
+  std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
+  std::map<int, std::vector<Peak>> peaks_;
+  std::vector<std::unique_ptr<FamilyModes>> kept_;
+};
+
+} // namespace plica

@@ -1,0 +1,72 @@
+// What was measured, as numbers that a model answers with the same: logarithms of mass, static
+// stiffness, frequencies, damping ratios and heights of peaks, and of what shows along other axes.
+//
+// Responses enter by their strong peaks, not line by line: neighbouring lines say the same, and a
+// static stiffness must not be outvoted by eight hundred of them.
+#pragma once
+
+#include "lab/measured/frf_set.hpp"
+#include "lab/measured/measured.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+enum class ReadingKind { mass, stiffness, frequency, damping, amplitude, cross };
+
+// One run of the table, or a list of modes without excitation.
+struct TestRun {
+  std::string state;         // empty = the specimen as it stands
+  int base = -1;             // 0..2 = x y z; -1: modes alone
+  double level = 0;          // m/s2; 0 = not stated
+  std::string sensor;        // in whose channel along `axis` the peaks are seen; empty = not known
+  int axis = 0;              // 0..2
+  std::vector<double> peaks; // measured, Hz, increasing; zero: of a run that is planned
+  bool first = false;        // they are the first peaks of the channel, whatever comes after
+  std::array<double, 2> band{}; // of a response, Hz
+  bool planned() const { return !peaks.empty() && peaks.front() == 0; }
+};
+
+struct Reading {
+  ReadingKind kind = ReadingKind::frequency;
+  std::string name, unit, entry; // entry: path in measured.yaml, "frf[3]"
+  std::string state;
+  int run = -1;         // mass, stiffness: none
+  int peak = 0;         // of the run
+  int at_run = -1;      // cross: at the first peak of that run, whose base is the axis, and over it
+  bool highest = false; // cross: wherever in the band it is highest
+  std::string sensor;   // amplitude, cross
+  int axis = 0;         // of the response
+  StaticDirection direction = StaticDirection::axial; // stiffness
+  double stroke = 0;                                  // stiffness: m or rad; 0 = not stated
+  MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation
+  int order = 0;                                      // of that mode
+  double value = 0, log_value = 0;                    // measured, in `unit`
+  double sigma = 0;                                   // of the logarithm, of the measurement
+  bool assumed = false;                               // sigma: the test states none
+  bool held_out = false;
+};
+
+struct TestReadings {
+  std::vector<TestRun> runs;
+  std::vector<Reading> readings;
+  std::vector<std::string> warnings;
+};
+
+// Measured data with the responses of each frf entry.
+struct DiagnosisData {
+  Measured data;
+  std::vector<std::vector<FrfSet>> responses; // per entry of data.frf
+};
+
+// What a cross response adds to before the logarithm: below a fiftieth of the main motion it is
+// noise.
+constexpr double cross_floor = 0.02;
+// How far from a peak a cross response is looked for, relative.
+constexpr double cross_window = 0.12;
+// The same where the other axis resonates.
+constexpr double resonance_window = 0.02;
+
+} // namespace plica

@@ -1,0 +1,32 @@
+#include "diagnose/readings/reading_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace plica {
+
+void ReadingList::add(Reading reading) {
+  if (!(reading.value > 0)) return;
+  if (reading.kind != ReadingKind::cross) reading.log_value = std::log(reading.value);
+  const std::string& where = reading.entry;
+  reading.held_out =
+      std::any_of(measured_.hold_out.begin(), measured_.hold_out.end(), [&](const std::string& h) {
+        return where == h || where.starts_with(h + ".") || where.starts_with(h + "[");
+      });
+  if (!reading.state.empty()) reading.name += ", " + reading.state;
+  all.readings.push_back(std::move(reading));
+}
+
+std::string entry_name(const char* list, std::size_t i) {
+  return std::string(list) + "[" + std::to_string(i) + "]";
+}
+
+std::string at_level(double level) {
+  if (level == 0) return "";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), ", %g m/s2", level);
+  return text.data();
+}
+
+} // namespace plica

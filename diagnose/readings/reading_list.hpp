@@ -1,0 +1,27 @@
+// The list that readings are collected in.
+#pragma once
+
+#include "diagnose/readings/reading.hpp"
+
+namespace plica {
+
+class ReadingList {
+public:
+  explicit ReadingList(const Measured& measured) : measured_(measured) {}
+
+  // With its logarithm, unless it is a cross response, whether it is held out, and its state in its
+  // name. What is not above zero is left out.
+  void add(Reading reading);
+
+  TestReadings all;
+
+private:
+  const Measured& measured_;
+};
+
+std::string entry_name(const char* list, std::size_t i); // "frf[3]"
+std::string at_level(double level);                      // ", 5 m/s2"; empty for zero
+
+constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
+
+} // namespace plica

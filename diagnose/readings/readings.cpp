@@ -1,0 +1,238 @@
+#include "diagnose/readings/readings.hpp"
+
+#include "diagnose/readings/repeats.hpp"
+#include "diagnose/readings/response_readings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace plica {
+namespace {
+
+constexpr double mass_sigma = 0.002, stiffness_sigma = 0.015, frequency_sigma = 0.0025,
+                 damping_sigma = 0.06, amplitude_sigma = 0.05;
+
+const char* static_name(StaticDirection direction) {
+  constexpr std::array names{"axial stiffness",        "transverse stiffness x",
+                             "transverse stiffness z", "bending stiffness x",
+                             "bending stiffness z",    "torsional stiffness"};
+  return names[static_cast<std::size_t>(direction)];
+}
+
+const char* shape_name(MeasuredShape shape) {
+  constexpr std::array names{"axial", "transverse", "torsion", "shell", "other"};
+  return names[static_cast<std::size_t>(shape)];
+}
+
+double relative(const std::optional<double>& sigma, double value, double otherwise) {
+  return sigma ? *sigma / value : otherwise;
+}
+
+class Collector {
+public:
+  explicit Collector(const DiagnosisData& test)
+      : test_(test), measured_(test.data), list_(test.data) {}
+
+  TestReadings collect() {
+    numbers();
+    for (std::size_t i = 0; i < measured_.modes.size(); ++i)
+      if (!measured_.modes[i].base) mode_alone(i);
+    modes_of_runs();
+    for (std::size_t i = 0; i < measured_.peaks.size(); ++i) peaks(i);
+    add_response_readings(test_, list_);
+    widen_by_repeats(list_.all);
+    hold_out_by_level();
+    return std::move(list_.all);
+  }
+
+private:
+  void numbers() {
+    if (const auto& mass = measured_.mass)
+      list_.add({.kind = ReadingKind::mass,
+                 .name = "mass",
+                 .unit = "kg",
+                 .entry = "mass",
+                 .state = "",
+                 .sensor = "",
+                 .value = mass->value,
+                 .sigma = relative(mass->sigma, mass->value, mass_sigma)});
+    for (std::size_t i = 0; i < measured_.statics.size(); ++i) {
+      const MeasuredStatic& k = measured_.statics[i];
+      list_.add({.kind = ReadingKind::stiffness,
+                 .name = static_name(k.direction),
+                 .unit = k.direction >= StaticDirection::bending_x ? "Nm/rad" : "N/m",
+                 .entry = entry_name("static", i),
+                 .state = k.state,
+                 .sensor = "",
+                 .direction = k.direction,
+                 .stroke = k.stroke.value_or(0),
+                 .value = k.value,
+                 .sigma = relative(k.sigma, k.value, stiffness_sigma)});
+    }
+  }
+
+  // A mode without excitation is known by its kind.
+  void mode_alone(std::size_t i) {
+    const MeasuredMode& m = measured_.modes[i];
+    int run = 0;
+    while (run < int(list_.all.runs.size()) && (list_.all.runs[std::size_t(run)].base >= 0 ||
+                                                list_.all.runs[std::size_t(run)].state != m.state))
+      ++run;
+    if (run == int(list_.all.runs.size()))
+      list_.all.runs.push_back({.state = m.state, .sensor = "", .peaks = {}});
+    TestRun& own = list_.all.runs[std::size_t(run)];
+    Reading reading{.kind = ReadingKind::frequency,
+                    .name = std::string(shape_name(m.shape)) + " mode " + std::to_string(m.order),
+                    .unit = "Hz",
+                    .entry = entry_name("modes", i),
+                    .state = m.state,
+                    .run = run,
+                    .peak = int(own.peaks.size()),
+                    .sensor = "",
+                    .axis = m.direction ? static_cast<int>(*m.direction) : -1,
+                    .shape = m.shape,
+                    .order = m.order,
+                    .value = m.frequency,
+                    .sigma = relative(m.sigma, m.frequency, frequency_sigma),
+                    .assumed = !m.sigma};
+    own.peaks.push_back(m.frequency);
+    if (m.direction) reading.name += std::string(" in ") + axis_names[std::size_t(reading.axis)];
+    list_.add(reading);
+    add_damping(reading, m.damping, m.sigma_damping);
+  }
+
+  void add_damping(Reading reading, const std::optional<double>& damping,
+                   const std::optional<double>& sigma) {
+    if (!damping || !(*damping > 0)) return;
+    reading.kind = ReadingKind::damping;
+    reading.name = "damping of " + reading.name.substr(0, reading.name.find(", " + reading.state));
+    reading.unit = "";
+    reading.value = *damping;
+    reading.sigma = relative(sigma, *damping, damping_sigma);
+    reading.assumed = !sigma;
+    list_.add(std::move(reading));
+  }
+
+  // Modes seen along one axis while the table moved belong to one run.
+  void modes_of_runs() {
+    std::vector<bool> done(measured_.modes.size());
+    for (std::size_t i = 0; i < measured_.modes.size(); ++i) {
+      const MeasuredMode& m = measured_.modes[i];
+      if (!m.base || done[i]) continue;
+      TestRun run{.state = m.state,
+                  .base = static_cast<int>(*m.base),
+                  .level = m.level.value_or(0),
+                  .sensor = m.sensor,
+                  .axis = static_cast<int>(m.direction.value_or(*m.base)),
+                  .peaks = {},
+                  .first = true};
+      std::vector<std::size_t> own;
+      for (std::size_t j = i; j < measured_.modes.size(); ++j) {
+        const MeasuredMode& other = measured_.modes[j];
+        const bool same = other.base == m.base && other.state == m.state &&
+                          other.sensor == m.sensor && other.level == m.level &&
+                          other.direction.value_or(*m.base) == m.direction.value_or(*m.base) &&
+                          (j == i || other.order != m.order || !m.sensor.empty());
+        if (!same) continue;
+        done[j] = true;
+        own.push_back(j);
+      }
+      std::sort(own.begin(), own.end(), [&](std::size_t a, std::size_t b) {
+        return measured_.modes[a].frequency < measured_.modes[b].frequency;
+      });
+      for (std::size_t j : own) run.peaks.push_back(measured_.modes[j].frequency);
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        const MeasuredMode& mode = measured_.modes[own[k]];
+        Reading reading{.kind = ReadingKind::frequency,
+                        .name = std::string("frequency in ") + axis_names[std::size_t(run.axis)] +
+                                ", base " + axis_names[std::size_t(run.base)] + at_level(run.level),
+                        .unit = "Hz",
+                        .entry = entry_name("modes", own[k]),
+                        .state = run.state,
+                        .run = int(list_.all.runs.size()),
+                        .peak = int(k),
+                        .sensor = run.sensor,
+                        .axis = run.axis,
+                        .value = mode.frequency,
+                        .sigma = relative(mode.sigma, mode.frequency, frequency_sigma),
+                        .assumed = !mode.sigma};
+        list_.add(reading);
+        add_damping(reading, mode.damping, mode.sigma_damping);
+      }
+      list_.all.runs.push_back(std::move(run));
+    }
+  }
+
+  void peaks(std::size_t i) {
+    const MeasuredPeaks& p = measured_.peaks[i];
+    for (std::size_t k = 0; k < p.level.size(); ++k) {
+      const std::string index = "[" + std::to_string(k) + "]";
+      TestRun run{.state = p.state,
+                  .base = static_cast<int>(p.base),
+                  .level = p.level[k],
+                  .sensor = p.sensor,
+                  .axis = static_cast<int>(p.direction),
+                  .peaks = {p.frequency[k]},
+                  .first = true};
+      const std::string of = std::string(" of the first peak in ") +
+                             axis_names[std::size_t(run.axis)] + ", base " +
+                             axis_names[std::size_t(run.base)] + at_level(run.level);
+      Reading reading{.kind = ReadingKind::frequency,
+                      .name = "frequency" + of,
+                      .unit = "Hz",
+                      .entry = entry_name("peaks", i) + ".frequency" + index,
+                      .state = p.state,
+                      .run = int(list_.all.runs.size()),
+                      .sensor = p.sensor,
+                      .axis = run.axis,
+                      .value = p.frequency[k],
+                      .sigma = relative(p.sigma, p.frequency[k], frequency_sigma),
+                      .assumed = !p.sigma};
+      list_.add(reading);
+      if (k < p.amplitude.size()) {
+        reading.kind = ReadingKind::amplitude;
+        reading.name = "amplitude" + of;
+        reading.entry = entry_name("peaks", i) + ".amplitude" + index;
+        reading.unit = "";
+        reading.value = p.amplitude[k];
+        reading.sigma = amplitude_sigma;
+        list_.add(reading);
+      }
+      if (k < p.damping.size()) {
+        reading.name = "frequency" + of;
+        reading.entry = entry_name("peaks", i) + ".damping" + index;
+        add_damping(reading, p.damping[k], std::nullopt);
+      }
+      list_.all.runs.push_back(std::move(run));
+    }
+  }
+
+  // Without a word on it, the highest of three levels or more in a direction is held out.
+  void hold_out_by_level() {
+    if (!measured_.hold_out.empty()) return;
+    for (int base = 0; base < 3; ++base) {
+      std::set<double> levels;
+      for (const TestRun& run : list_.all.runs)
+        if (run.base == base && run.level > 0) levels.insert(run.level);
+      if (levels.size() < 3) continue;
+      for (Reading& r : list_.all.readings)
+        if (r.run >= 0 && list_.all.runs[std::size_t(r.run)].base == base &&
+            list_.all.runs[std::size_t(r.run)].level == *levels.rbegin())
+          r.held_out = true;
+    }
+  }
+
+  const DiagnosisData& test_;
+  const Measured& measured_;
+  ReadingList list_;
+};
+
+} // namespace
+
+TestReadings readings_of(const DiagnosisData& test) {
+  return Collector(test).collect();
+}
+
+} // namespace plica

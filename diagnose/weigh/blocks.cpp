@@ -1,0 +1,204 @@
+#include "diagnose/weigh/blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::array letters{"x", "y", "z"};
+
+const char* kind_name(ReadingKind kind) {
+  constexpr std::array names{"mass", "stiffness", "frequency", "damping", "amplitude", "cross"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+LocatedGap label_of(const TestReadings& test, const Reading& r) {
+  LocatedGap label;
+  label.kind = kind_name(r.kind);
+  label.state = r.state;
+  if (r.kind == ReadingKind::stiffness) {
+    constexpr std::array directions{"y", "x", "z", "rx", "rz", "ry"};
+    label.direction = directions[static_cast<std::size_t>(r.direction)];
+  }
+  if (r.run < 0) return label;
+  const TestRun& run = test.runs[std::size_t(r.run)];
+  if (run.base < 0) {
+    label.band = r.name.substr(r.name.find("damping of ") == 0 ? 11 : 0);
+    label.band = label.band.substr(0, label.band.find(','));
+    if (r.axis >= 0) label.direction = letters[std::size_t(r.axis)];
+    return label;
+  }
+  label.direction = letters[std::size_t(run.base)];
+  if (r.axis != run.base) label.direction += std::string(" to ") + letters[std::size_t(r.axis)];
+  label.band = "peak " + std::to_string(r.peak + 1);
+  if (run.level > 0) label.level = run.level;
+  return label;
+}
+
+std::string key_of(const LocatedGap& l) {
+  return l.state + "|" + l.direction + "|" + l.band + "|" + l.kind + "|" +
+         (l.level ? std::to_string(*l.level) : "");
+}
+
+// Standard score of a chi-square with k degrees of freedom.
+double wilson_hilferty(double chi2, double k) {
+  const double v = 2 / (9 * k);
+  return (std::cbrt(chi2 / k) - (1 - v)) / std::sqrt(v);
+}
+
+} // namespace
+
+double normal_share(double z) {
+  return std::erfc(-z / std::sqrt(2.)) / 2;
+}
+
+double normal_quantile(double p) {
+  double low = -40, high = 40;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (low + high) / 2;
+    (normal_share(middle) < p ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+std::string name_of(const LocatedGap& b) {
+  std::string name = b.kind;
+  if (!b.component.empty())
+    return b.kind.empty() ? b.component : b.component + ": " + b.kind + ", " + b.band;
+  if (!b.direction.empty()) name += " in " + b.direction;
+  if (!b.band.empty()) name += ", " + b.band;
+  if (b.level) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ", %g m/s2", *b.level);
+    name += text.data();
+  }
+  return b.state.empty() ? name : name + ", " + b.state;
+}
+
+std::vector<Block> blocks_of(const TestReadings& test) {
+  std::vector<Block> blocks;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    const LocatedGap label = label_of(test, test.readings[i]);
+    const auto [at, made] = known.try_emplace(key_of(label), blocks.size());
+    if (made) blocks.push_back({label, {}});
+    blocks[at->second].rows.push_back(Index(i));
+  }
+  return blocks;
+}
+
+BlockScores::BlockScores(const TestReadings& test, const Uncertainty& u)
+    : blocks_(blocks_of(test)), total_(u.total()) {
+  const MatrixXd& total = total_;
+  for (const Block& b : blocks_) {
+    root_.emplace_back(total(b.rows, b.rows));
+    const MatrixXd white = root_.back().matrixL().solve(MatrixXd(u.healthy(b.rows, Eigen::all)));
+    healthy_mean_.push_back(white.colwise().squaredNorm().mean());
+    fitted_.push_back(!test.readings[std::size_t(b.rows.front())].held_out);
+  }
+  std::map<int, std::vector<Index>> series;
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    if (!test.readings[i].held_out) series[u.series[i]].push_back(Index(i));
+  means_ = MatrixXd::Zero(Index(series.size()), total.cols());
+  Index row = 0;
+  for (const auto& [number, columns] : series) {
+    for (Index i : columns) means_(row, i) = 1 / double(columns.size());
+    ++row;
+  }
+}
+
+double BlockScores::of_means(const VectorXd& deviation, const MatrixXd& further) const {
+  const MatrixXd total = further.size() > 0 ? MatrixXd(total_ + further) : total_;
+  const Eigen::LLT<MatrixXd> root(MatrixXd(means_ * total * means_.transpose()));
+  return root.matrixL().solve(VectorXd(means_ * deviation)).squaredNorm();
+}
+
+double BlockScores::score(std::size_t i, const VectorXd& deviation, const MatrixXd& further) const {
+  const std::vector<Index>& rows = blocks_[i].rows;
+  const double k = double(rows.size());
+  Eigen::LLT<MatrixXd> root = root_[i];
+  if (further.size() > 0) {
+    root.compute(root.reconstructedMatrix() + MatrixXd(further(rows, rows)));
+  }
+  const double chi2 = root.matrixL().solve(VectorXd(deviation(rows))).squaredNorm();
+  return wilson_hilferty(chi2 * k / std::max(healthy_mean_[i], 0.2 * k), k);
+}
+
+std::pair<double, std::string> BlockScores::worst(const VectorXd& deviation,
+                                                  const MatrixXd& further) const {
+  std::pair<double, std::string> found{-40, ""};
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (const double z = fitted_[i] ? score(i, deviation, further) : -40; z > found.first)
+      found = {z, name_of(blocks_[i].label)};
+  return found;
+}
+
+// Holm: the k-th smallest p against 5 % / (n - k).
+void mark_significant(std::vector<LocatedGap>& gaps, const std::vector<double>& p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p[a] < p[b]; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (p[order[k]] > 0.05 / double(order.size() - k)) break;
+    gaps[order[k]].significant = true;
+  }
+}
+
+std::vector<LocatedGap> located(const BlockScores& scores, const VectorXd& deviation) {
+  std::vector<LocatedGap> found;
+  std::vector<double> p;
+  for (std::size_t i = 0; i < scores.blocks().size(); ++i) {
+    const Block& block = scores.blocks()[i];
+    LocatedGap gap = block.label;
+    const double z = std::max(0., scores.score(i, deviation));
+    p.push_back(1 - normal_share(z));
+    gap.z = deviation(block.rows).mean() < 0 ? -z : z;
+    found.push_back(std::move(gap));
+  }
+  mark_significant(found, p);
+  return found;
+}
+
+std::vector<LevelTrend> level_trends(const TestReadings& test) {
+  struct Points {
+    std::vector<double> x, y, sigma;
+  };
+  std::map<std::string, Points> series;
+  for (const Reading& r : test.readings) {
+    if (r.run < 0 || (r.kind != ReadingKind::frequency && r.kind != ReadingKind::damping)) continue;
+    const TestRun& run = test.runs[std::size_t(r.run)];
+    if (run.base < 0 || !(run.level > 0)) continue;
+    const std::string name =
+        std::string(kind_name(r.kind)) + " of peak " + std::to_string(r.peak + 1) + ", base " +
+        letters[std::size_t(run.base)] + (r.state.empty() ? "" : ", " + r.state);
+    Points& p = series[name];
+    p.x.push_back(std::log(run.level));
+    p.y.push_back(r.log_value);
+    p.sigma.push_back(r.sigma);
+  }
+  std::vector<LevelTrend> trends;
+  for (const auto& [name, p] : series) {
+    double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
+    for (std::size_t i = 0; i < p.x.size(); ++i) {
+      const double weight = 1 / (p.sigma[i] * p.sigma[i]);
+      w += weight;
+      wx += weight * p.x[i];
+      wy += weight * p.y[i];
+      wxx += weight * p.x[i] * p.x[i];
+      wxy += weight * p.x[i] * p.y[i];
+    }
+    const double spread = w * wxx - wx * wx;
+    if (p.x.size() < 2 || spread < 1e-9 * w * wxx) continue;
+    trends.push_back({name, (w * wxy - wx * wy) / spread, std::sqrt(w / spread)});
+  }
+  return trends;
+}
+
+} // namespace plica

@@ -1,0 +1,232 @@
+#include "diagnose/weigh/uncertainty.hpp"
+
+#include "diagnose/weigh/damping_weights.hpp"
+#include "diagnose/weigh/normal_draws.hpp"
+#include "diagnose/weigh/scatter.hpp"
+#include "run/study/error_bars.hpp"
+#include "run/analyses/run.hpp"
+#include "solve/parallel.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+bool is_nuisance(const std::string& what) {
+  return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
+}
+
+bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
+  if (a.run < 0 || b.run < 0 || a.peak != b.peak) return false;
+  const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
+  if (r.base < 0 || s.base < 0) return r.base == s.base && a.entry == b.entry;
+  return r.base == s.base && r.axis == s.axis;
+}
+
+// What one sensor shows along an axis when the table moves along another, at any level.
+bool same_way(const TestReadings& test, const Reading& a, const Reading& b) {
+  return a.sensor == b.sensor && a.axis == b.axis && a.state == b.state &&
+         (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest &&
+         test.runs[std::size_t(a.run)].base == test.runs[std::size_t(b.run)].base;
+}
+
+// Numbers of the series of readings that differ in nothing but the level.
+std::vector<int> series_of(const TestReadings& test) {
+  std::map<std::tuple<ReadingKind, std::string, std::string, int, int, int, bool, bool, int>, int>
+      known;
+  std::vector<int> series;
+  for (const Reading& r : test.readings) {
+    if (r.run < 0 || test.runs[std::size_t(r.run)].base < 0) {
+      series.push_back(-1 - int(series.size())); // alone
+      continue;
+    }
+    const TestRun& run = test.runs[std::size_t(r.run)];
+    series.push_back(known
+                         .try_emplace({r.kind, r.state, r.sensor, r.axis, run.base, run.axis,
+                                       r.at_run >= 0, r.highest, r.peak},
+                                      int(known.size()))
+                         .first->second);
+  }
+  return series;
+}
+
+// Shifts of frequency that the readings of one mode share where `together` says so.
+template <class Together>
+MatrixXd shared_frequency(const TestReadings& test, double sigma, Together together) {
+  const auto n = Index(test.readings.size());
+  const auto is_frequency = [](const Reading& r) { return r.kind == ReadingKind::frequency; };
+  MatrixXd S = MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const Reading &a = test.readings[std::size_t(i)], &b = test.readings[std::size_t(j)];
+      if (is_frequency(a) && is_frequency(b) && same_mode(test, a, b) && together(a, b))
+        S(i, j) = sigma * sigma;
+    }
+  return S;
+}
+
+// Whether the table moved alike; a mode without excitation stands for itself.
+bool same_base(const TestReadings& test, const Reading& a, const Reading& b) {
+  if (a.run < 0 || b.run < 0) return false;
+  const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
+  return r.base == s.base && (r.base >= 0 || a.entry == b.entry);
+}
+
+// What the damping of every mode puts on the readings, by `weights` (damping_weights.hpp), where
+// `together` says that it is one and the same shift.
+template <class Together>
+MatrixXd shared_damping(const TestReadings& test, const MatrixXd& weights, double sigma,
+                        Together together) {
+  MatrixXd S = sigma * sigma * weights * weights.transpose();
+  for (Index i = 0; i < S.rows(); ++i)
+    for (Index j = 0; j < S.cols(); ++j)
+      if (!together(test.readings[std::size_t(i)], test.readings[std::size_t(j)])) S(i, j) = 0;
+  return S;
+}
+
+// What the mesh of the case gives more than the coarse one: of frequencies by the name of their
+// mode, of static stiffnesses, of the mass. It is solved as `plica run` does, by symmetry where
+// there is one.
+VectorXd mesh_correction(const Case& data, const Nominal& nominal, const TestReadings& test,
+                         const VectorXd& coarse) {
+  Case plain = for_headline(data);
+  if (!plain.analyses.modes) plain.analyses.modes = Modes{.count = 10, .proof = false};
+  const Results own = run(plain, [](const std::string&) {});
+  const std::vector<int> modes = Predictor(nominal, test, {}).nominal_modes();
+  VectorXd correction = VectorXd::Zero(coarse.size());
+  for (Index i = 0; i < coarse.size(); ++i) {
+    const Reading& r = test.readings[std::size_t(i)];
+    if (r.kind == ReadingKind::mass)
+      correction[i] = std::log(own.model.mass) - std::log(nominal.mass);
+    if (r.kind == ReadingKind::stiffness && own.statics) {
+      const StaticStiffness& k = *own.statics;
+      const std::array all{k.k_axial,     k.k_transverse_x, k.k_transverse_z,
+                           k.k_bending_x, k.k_bending_z,    k.k_torsion};
+      correction[i] = std::log(all[static_cast<std::size_t>(r.direction)]) - coarse[i];
+    }
+    if (r.kind != ReadingKind::frequency || modes[std::size_t(i)] < 0) continue;
+    const NominalState& state = nominal.states.front();
+    const auto j = std::size_t(modes[std::size_t(i)]);
+    const auto place = [](const auto& list, std::size_t until, const auto& like) {
+      int same = 0; // how many of its kind up to it
+      for (std::size_t m = 0; m <= until; ++m)
+        same += list[m].shape == like.shape && list[m].direction == like.direction;
+      return same;
+    };
+    const int rank = place(state.labels, j, state.labels[j]);
+    for (std::size_t m = 0; m < own.modes.size(); ++m)
+      if (own.modes[m].shape == state.labels[j].shape &&
+          own.modes[m].direction == state.labels[j].direction &&
+          place(own.modes, m, state.labels[j]) == rank) {
+        const double coarse_hertz = plica::frequency(state.model->lambda()[Index(j)]);
+        const double ratio = std::log(own.modes[m].frequency / coarse_hertz);
+        if (std::abs(ratio) < 0.2) correction[i] = ratio;
+        break;
+      }
+  }
+  return correction;
+}
+
+MatrixXd covariance(const MatrixXd& draws) {
+  return draws * draws.transpose() / double(draws.cols() - 1);
+}
+
+} // namespace
+
+VectorXd Uncertainty::expected(const VectorXd& coarse) const {
+  VectorXd y = coarse + correction + bias;
+  const auto squared = [](double log_value) {
+    return std::pow(std::max(0., std::exp(log_value) - cross_floor), 2);
+  };
+  for (Index i : cross) {
+    const double added = squared(nominal[i] + bias[i]) - squared(nominal[i]);
+    y[i] = std::log(std::sqrt(std::max(0., squared(coarse[i]) + added)) + cross_floor);
+  }
+  return y;
+}
+
+Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
+                           const Measured& measured, const std::set<std::string>& without) {
+  const auto n = Index(test.readings.size());
+  Uncertainty u;
+  const VectorXd coarse = *Predictor(nominal, test, {})(VectorXd());
+  u.correction = VectorXd::Zero(n);
+  if (nominal.coarse && !has_friction(data))
+    u.correction = mesh_correction(data, nominal, test, coarse);
+  u.nominal = coarse + u.correction;
+  u.bias = VectorXd::Zero(n);
+  for (Index i = 0; i < n; ++i)
+    if (test.readings[std::size_t(i)].kind == ReadingKind::cross) u.cross.push_back(i);
+  u.series = series_of(test);
+  u.measurement = MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i)
+    u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
+  using namespace test_sigma;
+  const MatrixXd weights = damping_weights(nominal, test);
+  const auto always = [](const Reading&, const Reading&) { return true; };
+  const auto assembled = [](const Reading& a, const Reading& b) { return a.state == b.state; };
+  const auto at_once = [](const Reading& a, const Reading& b) { return a.run == b.run; };
+  const auto by_base = [&](auto together) {
+    return [&test, together](const Reading& a, const Reading& b) {
+      return same_base(test, a, b) && together(a, b);
+    };
+  };
+  u.reassembly = shared_frequency(test, reassembled_frequency, assembled) +
+                 shared_damping(test, weights, reassembled_damping, by_base(assembled)) +
+                 shared_frequency(test, run_frequency, at_once) +
+                 shared_damping(test, weights, run_damping, by_base(at_once));
+  if (without.contains("reassembly")) u.reassembly.setZero();
+  u.numeric = shared_frequency(test, numeric_frequency, always) +
+              shared_damping(test, weights, numeric_damping, by_base(always));
+  for (Index i : u.cross)
+    for (Index j : u.cross)
+      if (same_way(test, test.readings[std::size_t(i)], test.readings[std::size_t(j)]))
+        u.numeric(i, j) += std::pow(numeric_cross, 2);
+  for (Index i = 0; i < n; ++i) {
+    u.numeric(i, i) += std::pow(share_of_correction * u.correction[i], 2);
+    if (test.readings[std::size_t(i)].kind == ReadingKind::stiffness)
+      u.numeric(i, i) += std::pow(numeric_stiffness, 2);
+  }
+  const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always);
+
+  std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
+  std::erase_if(varied, [&](const Hypothesis& h) {
+    return without.contains(is_nuisance(h.effect) ? "nuisance" : "form");
+  });
+  std::vector<const Hypothesis*> together;
+  for (const Hypothesis& h : varied) together.push_back(&h);
+  const Predictor predict(nominal, test, together);
+  predict(predict.values_of(VectorXd::Zero(predict.parameters()))); // reduced once, on all cores
+
+  MatrixXd form(n, specimens), noise(n, specimens);
+  MatrixXd random = u.measurement + u.reassembly + u.numeric;
+  if (!without.contains("form")) random += own_damping;
+  const Eigen::LLT<MatrixXd> root(random);
+  in_parallel(specimens, [&](int k) {
+    NormalDraws draw(unsigned(k) + 1);
+    VectorXd z(predict.parameters());
+    for (double& x : z) x = draw();
+    const auto y = predict(predict.values_of(z));
+    form.col(k) =
+        y ? VectorXd((*y - coarse).array().isFinite().select(*y - coarse, 0)) : VectorXd::Zero(n);
+    VectorXd white(n);
+    for (double& x : white) x = draw();
+    noise.col(k) = root.matrixL() * white;
+  });
+  u.bias = form.rowwise().mean();
+  form.colwise() -= u.bias;
+  u.form = covariance(form);
+  if (!without.contains("form")) u.form += own_damping;
+  u.healthy = form + noise;
+  return u;
+}
+
+} // namespace plica

@@ -1,0 +1,49 @@
+// How far the readings of an admissible specimen may lie from the nominal case.
+//
+//   Sigma = Sigma_measurement + Sigma_reassembly + Sigma_numeric + Sigma_form
+//
+// Form: Monte Carlo over admissible specimens (scatter.hpp, tolerances of the case), with its mean
+// as a bias. What scatters needs no parameter of its own in a fit: a Gaussian nuisance that is
+// linear in the readings and integrated out is its covariance.
+#pragma once
+
+#include "diagnose/predict/predictor.hpp"
+
+#include <set>
+#include <string>
+
+namespace plica {
+
+struct Uncertainty {
+  Eigen::VectorXd nominal;         // log readings of the case on its own mesh
+  Eigen::VectorXd correction;      // what the own mesh differs by from the coarse one
+  Eigen::VectorXd bias;            // mean of the admissible specimens, less the nominal one
+  std::vector<Eigen::Index> cross; // readings along other axes
+  std::vector<int> series; // of each reading: those that differ in level only share a number
+  Eigen::MatrixXd measurement, reassembly, numeric, form;
+  Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
+  Eigen::MatrixXd total() const { return measurement + reassembly + numeric + form; }
+
+  // Mean log readings of admissible specimens that answer so on the coarse mesh. What scatter adds
+  // along other axes adds in squares: it vanishes beside a large cross response.
+  Eigen::VectorXd expected(const Eigen::VectorXd& coarse) const;
+};
+
+// `without`: groups left out, for ablations: "form", "nuisance", "reassembly".
+Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
+                           const Measured& measured, const std::set<std::string>& without);
+
+constexpr int specimens = 500;
+
+// Standard deviations, relative.
+namespace test_sigma {
+constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
+constexpr double run_frequency = 0.0003, run_damping = 0.01; // from run to run
+// Of the model, and of what the fit of one mode makes of a peak: damping.
+constexpr double numeric_frequency = 0.002, numeric_damping = 0.015, numeric_stiffness = 0.004;
+// Of what shows along other axes: modes that are nearly alike turn among each other by trifles.
+constexpr double numeric_cross = 0.2;
+constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
+} // namespace test_sigma
+
+} // namespace plica

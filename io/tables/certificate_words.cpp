@@ -1,0 +1,72 @@
+#include "io/tables/certificate_words.hpp"
+
+#include "io/tables/text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plica {
+
+std::vector<CertificateLine> certificate_lines(const Certificate& c) {
+  std::vector<CertificateLine> lines{
+      {"asymmetry", "asymmetry of K and M", c.asymmetry},
+      {"smallest_mass", "smallest eigenvalue of M / largest", c.smallest_mass},
+      {"negative_stiffness", "most negative eigenvalue of K / largest", c.negative_stiffness},
+      {"grounding", "force of a rigid motion / stiffness", c.grounding},
+      {"rigid_modes", "lowest six modes off the rigid motions", c.rigid_modes},
+      {"coordinates", "coordinates found from K off the drawn ones, m", c.coordinates},
+      {"mass", "mass off that of the part", c.mass},
+      {"centre", "centre of mass off that of the part, m", c.centre},
+      {"inertia", "inertia off that of the part", c.inertia}};
+  if (std::isfinite(c.statics))
+    lines.push_back({"statics", "static stiffness off that of the part", c.statics});
+  if (c.statics_known_to > 0)
+    lines.push_back({"statics_known_to", "the part's own is known to", c.statics_known_to});
+  return lines;
+}
+
+std::string reach_of(const ReducedCase& r) {
+  const Certificate& c = r.certificate;
+  std::string text =
+      c.free.empty()
+          ? "Good for stiffness and mass; no frequency of the part lies below the cut-off, "
+            "so nothing is known of modes."
+          : fmt::format("Good up to {} Hz with an error of {} %.", significant(c.good_up_to, 4),
+                        significant(100 * c.error, 2));
+  if (r.asked > c.good_up_to)
+    text += fmt::format(" The case asks for {} Hz: raise the cut-off of {} Hz.",
+                        significant(r.asked, 4), significant(r.cutoff, 4));
+  return text;
+}
+
+std::string certificate_text(const ReducedCase& r) {
+  const Certificate& c = r.certificate;
+  const Superelement& s = r.element;
+  std::string text =
+      fmt::format("Superelement {}: {} boundary nodes, {} modes up to {} Hz, {}\n", s.name,
+                  s.nodes.size(), s.modal(), significant(r.cutoff, 4), r.route);
+  text += r.proved ? "Proved, no fixed-interface mode below the cut-off is missing.\n"
+                   : "Not proved: " + r.reason + "\n";
+  if (r.left_out.count > 0)
+    text +=
+        fmt::format("Left out: {} modes from {} Hz on that carry at most {} % of the interface "
+                    "mass each, {} % together.\n",
+                    r.left_out.count, significant(r.left_out.lowest, 4),
+                    significant(100 * r.left_out.largest, 2), significant(100 * r.left_out.sum, 2));
+  for (const CertificateLine& line : certificate_lines(c))
+    text += fmt::format("  {:<48} {:>9}\n", line.text, significant(line.value, 2));
+  text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
+  text += "  free-interface frequencies, Hz: part, superelement, error %\n";
+  for (const FrequencyCheck& f : c.free)
+    text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}{}\n", f.full, f.reduced,
+                        with_sign(100 * f.error(), 4),
+                        f.full > c.good_up_to ? "  beyond its band" : "");
+  if (c.free.empty()) text += "    none below the cut-off: nothing compared\n";
+  text += reach_of(r) + "\n";
+  text += c.passed ? "The certificate is passed.\n" : "The certificate FAILED:\n";
+  for (const std::string& failure : c.failures) text += "  " + failure + "\n";
+  return text;
+}
+
+} // namespace plica

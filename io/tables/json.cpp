@@ -1,0 +1,226 @@
+#include "io/tables/json.hpp"
+
+#include "io/files/json_text.hpp"
+#include "io/tables/levels_json.hpp"
+#include "io/tables/text.hpp"
+
+#include <cmath>
+
+namespace plica {
+namespace {
+
+template <class Numbers> Json numbers(const Numbers& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(json_number(value));
+  return list;
+}
+
+Json named_numbers(const std::map<std::string, double>& values) {
+  Json object = Json::object();
+  for (const auto& [name, value] : values) object[name] = json_number(value);
+  return object;
+}
+
+Json json_of(const StaticStiffness& k) {
+  Json matrix = Json::array();
+  for (int row = 0; row < 12; ++row) {
+    Json entries = Json::array();
+    for (int column = 0; column < 12; ++column) {
+      entries.push_back(json_number(k.end_stiffness(row, column)));
+    }
+    matrix.push_back(std::move(entries));
+  }
+  return {{"k_axial", json_number(k.k_axial)},
+          {"k_transverse",
+           {{"x", json_number(k.k_transverse_x)}, {"z", json_number(k.k_transverse_z)}}},
+          {"k_bending", {{"x", json_number(k.k_bending_x)}, {"z", json_number(k.k_bending_z)}}},
+          {"k_torsion", json_number(k.k_torsion)},
+          {"end_stiffness", std::move(matrix)}};
+}
+
+Json json_of(const ModeResult& mode) {
+  return {{"frequency", json_number(mode.frequency)},
+          {"damping", json_number(mode.damping)},
+          {"effective_mass", numbers(mode.effective_mass)},
+          {"shape", mode.shape},
+          {"direction", mode.direction},
+          {"order", mode.order > 0 ? Json(mode.order) : Json(nullptr)},
+          {"place", mode.place},
+          {"harmonic", mode.harmonic >= 0 ? Json(mode.harmonic) : Json(nullptr)},
+          {"label", mode_label(mode)},
+          {"residual", json_number(mode.residual)}};
+}
+
+Json json_of(const Verification& v) {
+  return {{"made", v.made},
+          {"sigma_frequency", v.made ? json_number(v.sigma_frequency) : Json(nullptr)},
+          {"inertia_count", v.made ? Json(v.inertia_count) : Json(nullptr)},
+          {"found", v.found},
+          {"max_residual", json_number(v.max_residual)},
+          {"orthogonality", json_number(v.orthogonality)},
+          {"rounding", json_number(v.rounding)},
+          {"passed", v.passed},
+          {"reason", v.reason}};
+}
+
+Json json_of(const MeasuredComparison& row) {
+  return {{"quantity", row.quantity},
+          {"unit", row.unit},
+          {"measured", json_number(row.measured)},
+          {"sigma", row.sigma > 0 ? json_number(row.sigma) : Json(nullptr)},
+          {"computed", json_number(row.computed)},
+          {"deviation", json_number(relative_deviation(row))},
+          {"deviation_sigmas", json_number(sigma_deviation(row))}};
+}
+
+Json json_of(const VariantResult& variant) {
+  Json set = Json::object();
+  for (const auto& [path, value] : variant.set) set[path] = value;
+  Json comparison = Json::array();
+  for (const MeasuredComparison& row : variant.comparison) comparison.push_back(json_of(row));
+  return {{"name", variant.name},
+          {"set", std::move(set)},
+          {"headline", named_numbers(variant.headline)},
+          {"comparison", comparison}};
+}
+
+Json json_of(const SensorResult& sensor) {
+  return {{"name", sensor.name}, {"node", sensor.node}, {"distance", json_number(sensor.distance)}};
+}
+
+Json json_of(const MeshQuality& quality) {
+  return {{"max_warp", json_number(quality.max_warp)},
+          {"max_aspect", json_number(quality.max_aspect)},
+          {"mean_aspect", json_number(quality.mean_aspect)},
+          {"min_jacobian", json_number(quality.min_jacobian)}};
+}
+
+Json json_of(const RandomResult& random, const ResponseResult& r) {
+  Json bands = Json::array();
+  for (const BandRms& b : random.bands) {
+    Json rms = Json::array();
+    for (std::size_t c = 0; c < r.channels.size(); ++c)
+      rms.push_back({{"sensor", r.channels[c].first},
+                     {"direction", r.channels[c].second},
+                     {"value", json_number(b.rms[Eigen::Index(c)])}});
+    bands.push_back({{"band", numbers(b.band)}, {"input", json_number(b.input)}, {"rms", rms}});
+  }
+  return {{"file", "random_" + response_name(r) + ".csv"}, {"bands", bands}};
+}
+
+Json json_of(const ResponseResult& r) {
+  Json peaks = Json::array();
+  for (const ResponsePeak& p : r.peaks)
+    peaks.push_back({{"sensor", r.channels[p.channel].first},
+                     {"direction", r.channels[p.channel].second},
+                     {"frequency", json_number(p.frequency)},
+                     {"amplitude", json_number(p.amplitude)},
+                     {"damping", json_number(p.damping)}});
+  return {{"base", r.is_force ? Json(nullptr) : Json(r.excitation)},
+          {"force", r.is_force ? Json(r.excitation) : Json(nullptr)},
+          {"level", json_number(r.level)},
+          {"file", "response_" + response_name(r) + ".csv"},
+          {"motion_file", "motion_" + response_name(r) + ".csv"},
+          {"peaks", peaks},
+          {"random", r.random ? json_of(*r.random, r) : Json(nullptr)}};
+}
+
+Json json_of(const StressResult& s) {
+  return {{"kind", s.kind},
+          {"name", s.name},
+          {"von_mises", json_number(s.largest)},
+          {"at", s.face.empty() ? Json(nullptr) : numbers(s.at)},
+          {"face", s.face},
+          {"beam_axial", json_number(s.largest_beam)},
+          {"beam_at", s.largest_beam > 0 ? numbers(s.beam_at) : Json(nullptr)}};
+}
+
+Json json_of(const Reduced& reduced) {
+  Json list = Json::array();
+  for (const SuperelementResult& s : reduced.superelements)
+    list.push_back({{"parts", s.parts},
+                    {"between", s.between},
+                    {"boundary", s.boundary},
+                    {"modes", s.modes},
+                    {"unknowns", s.unknowns},
+                    {"copy_of", s.copy_of > 0 ? Json(s.copy_of) : Json(nullptr)},
+                    {"route", s.route},
+                    {"proved", s.proved}});
+  return {{"cutoff", json_number(reduced.cutoff)},
+          {"unknowns", reduced.unknowns},
+          {"superelements", list}};
+}
+
+Json json_of(const ErrorBars& errors) {
+  Json list = Json::array();
+  for (const ErrorBar& bar : errors.bars) {
+    Json shares = Json::object();
+    for (std::size_t i = 0; i < bar.shares.size(); ++i)
+      shares[errors.tolerances[i]] = json_number(bar.shares[i]);
+    list.push_back({{"quantity", bar.key},
+                    {"value", json_number(bar.value)},
+                    {"mesh_along", json_number(bar.mesh.along)},
+                    {"mesh_around", json_number(bar.mesh.around)},
+                    {"cutoff", json_number(bar.mesh.cutoff)},
+                    {"interval_90", bar.interval ? numbers(*bar.interval) : Json(nullptr)},
+                    {"shares", shares}});
+  }
+  return {{"quantities", list}, {"interaction", json_number(errors.interaction)}};
+}
+
+template <class Item> Json list_of(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(json_of(item));
+  return list;
+}
+
+// In the unit of the number; null where it is not known.
+void add_mesh_errors(Json& list, const std::vector<MeshError>& errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    list[i]["mesh_error"] = {{"along", json_number(errors[i].along)},
+                             {"around", json_number(errors[i].around)},
+                             {"cutoff", json_number(errors[i].cutoff)}};
+}
+
+} // namespace
+
+std::string results_json(const Results& r) {
+  Json json;
+  json["case"] = r.case_name;
+  json["title"] = r.title;
+  json["modelled_as"] = r.modelled_as.empty() ? "parts" : r.modelled_as;
+  json["plica_version"] = r.plica_version;
+  json["model"] = {{"nodes", r.model.nodes},
+                   {"elements", r.model.elements},
+                   {"dofs", r.model.dofs},
+                   {"mass", json_number(r.model.mass)}};
+  json["route"] = r.route;
+  if (r.reduced) json["reduction"] = json_of(*r.reduced);
+  json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
+  for (const StrokeCurve& c : r.strokes) // [m, N]
+    json["static_curves"].push_back({{"direction", c.direction}, {"points", c.points}});
+  json["modes"] = list_of(r.modes);
+  add_mesh_errors(json["modes"], r.error_bars.modes);
+  json["verification"] = json_of(r.verification);
+  json["responses"] = list_of(r.responses);
+  if (r.slipping) json["slipping"] = slipping_json(*r.slipping);
+  if (!r.families.empty()) json["levels"] = levels_json(r);
+  json["stresses"] = list_of(r.stresses);
+  add_mesh_errors(json["stresses"], r.error_bars.stresses);
+  json["error_bars"] = json_of(r.error_bars);
+  json["headline"] = named_numbers(headline(r));
+  json["comparison"] = list_of(r.comparison);
+  json["unanswered"] = r.unanswered;
+  json["variants"] = list_of(r.variants);
+  json["free_mass"] = numbers(r.free_mass);
+  json["effective_mass_sum"] = numbers(r.effective_mass_sum);
+  json["sensors"] = list_of(r.sensors);
+  json["mesh_quality"] = json_of(r.quality);
+  json["assumptions"] = r.assumptions;
+  json["warnings"] = r.warnings;
+  json["timing"] = named_numbers(r.timing);
+  json["peak_memory"] = json_number(r.peak_memory);
+  return json_text(json);
+}
+
+} // namespace plica

@@ -1,0 +1,183 @@
+#include "io/tables/summary.hpp"
+
+#include "io/tables/levels_csv.hpp"
+#include "io/tables/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace plica {
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Columns as wide as their widest cell; `align` has one of '<' '>' per column. A first row is a
+// header.
+std::string aligned(const std::vector<Row>& rows, const std::string& align) {
+  std::vector<std::size_t> width(align.size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(width[i] - row[i].size(), ' ');
+      line += "  " + (align[i] == '<' ? row[i] + padding : padding + row[i]);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::string comparison_table(const Results& results) {
+  std::vector<Row> rows{{"", "unit", "measured", "+/-", "computed", "deviation %", "in sigma"}};
+  for (const MeasuredComparison& row : results.comparison) {
+    const ShownUnit shown = shown_unit(row.measured, row.unit);
+    const int decimals = decimals_of(row, shown.factor);
+    const auto fixed = [&](double x) { return fmt::format("{:.{}f}", x * shown.factor, decimals); };
+    rows.push_back({row.quantity, shown.unit, fixed(row.measured),
+                    row.sigma > 0 ? fixed(row.sigma) : "-", fixed(row.computed),
+                    with_sign(100 * relative_deviation(row), 1),
+                    with_sign(sigma_deviation(row), 1)});
+  }
+  return "\nComputed beside measured\n" + aligned(rows, "<<>>>>>");
+}
+
+// What the variants make of the compared quantities.
+std::string spread_table(const Results& results) {
+  if (results.variants.empty() || results.comparison.empty()) return "";
+  std::vector<Row> rows{{"", "unit", "measured", "computed", "lowest", "highest"}};
+  for (const MeasuredComparison& row : results.comparison) {
+    const ShownUnit shown = shown_unit(row.measured, row.unit);
+    const int decimals = decimals_of(row, shown.factor);
+    const auto fixed = [&](double x) { return fmt::format("{:.{}f}", x * shown.factor, decimals); };
+    const auto [low, high] = spread_over_variants(results, row);
+    rows.push_back({row.quantity, shown.unit, fixed(row.measured), fixed(row.computed), fixed(low),
+                    fixed(high)});
+  }
+  return "\nOver the variants\n" + aligned(rows, "<<>>>>");
+}
+
+std::string headline_table(const Results& results) {
+  const std::map<std::string, double> numbers = headline(results);
+  std::vector<Row> rows;
+  for (const HeadlineQuantity& quantity : headline_quantities(results)) {
+    const auto value = numbers.find(quantity.key);
+    if (value == numbers.end()) continue;
+    const auto [factor, unit] = shown_unit(value->second, quantity.unit);
+    rows.push_back({quantity.name, significant(value->second * factor, 4), unit});
+  }
+  return "\nComputed\n" + aligned(rows, "<><");
+}
+
+std::string error_table(const Results& results) {
+  const ErrorBars& errors = results.error_bars;
+  if (errors.bars.empty()) return "";
+  std::vector<Row> rows{{"", "unit", "computed", "mesh along %", "around %"}};
+  const bool reduced = results.reduced.has_value();
+  if (reduced) rows[0].push_back("cut-off %");
+  rows[0].insert(rows[0].end(), {"90 % interval", ""});
+  for (const HeadlineQuantity& quantity : headline_quantities(results))
+    for (const ErrorBar& bar : errors.bars) {
+      if (bar.key != quantity.key) continue;
+      const auto [factor, unit] = shown_unit(bar.value, quantity.unit);
+      const auto fixed = [&, f = factor](double x) { return significant(x * f, 4); };
+      rows.push_back({quantity.name, unit, fixed(bar.value),
+                      errors.along ? with_sign(100 * bar.mesh.along / bar.value, 2) : "-",
+                      errors.around ? with_sign(100 * bar.mesh.around / bar.value, 2) : "-"});
+      if (reduced) rows.back().push_back(with_sign(100 * bar.mesh.cutoff / bar.value, 2));
+      rows.back().push_back(
+          bar.interval ? fixed((*bar.interval)[0]) + " to " + fixed((*bar.interval)[1]) : "-");
+      rows.back().push_back(shares_text(errors, bar));
+    }
+  return "\nError bars: still missing for want of mesh; from the tolerances of the case\n" +
+         aligned(rows, reduced ? "<<>>>>><" : "<<>>>><") +
+         (errors.interaction > 0
+              ? fmt::format("  all tolerances at once: {} % off the sum of their effects\n",
+                            significant(100 * errors.interaction, 2))
+              : "");
+}
+
+std::string peaks_table(const Results& results) {
+  std::vector<Row> rows{{"", "sensor", "Hz", "amplitude", "damping %"}};
+  for (const ResponseResult& r : results.responses)
+    for (const ResponsePeak& p : r.peaks)
+      rows.push_back({response_title(r),
+                      r.channels[p.channel].first + " " + r.channels[p.channel].second,
+                      fmt::format("{:.1f}", p.frequency), significant(p.amplitude, 3),
+                      significant(100 * p.damping, 3)});
+  return rows.size() == 1 ? "" : "\nPeaks of the response\n" + aligned(rows, "<<>>>");
+}
+
+std::string levels_table(const Results& results) {
+  std::string text;
+  for (const LevelFamily& family : results.families) {
+    const auto& [sensor, axis] = family.channels[std::size_t(family.strongest)];
+    std::vector<Row> rows{
+        {family.unit, "up Hz", "down Hz", "amplitude", "half power %", "by energy %"}};
+    const auto first = [&](const std::vector<LevelPeak>& peaks) {
+      return std::find_if(peaks.begin(), peaks.end(),
+                          [&](const LevelPeak& p) { return p.channel == family.strongest; });
+    };
+    for (const LevelCurve& c : family.curves) {
+      const auto up = first(c.peaks_up), down = first(c.peaks_down);
+      if (up == c.peaks_up.end()) continue;
+      rows.push_back({significant(c.level, 4), fmt::format("{:.1f}", up->frequency),
+                      down == c.peaks_down.end() ? "-" : fmt::format("{:.1f}", down->frequency),
+                      significant(up->amplitude, 3), significant(100 * up->damping, 3),
+                      significant(100 * up->energy_damping, 3)});
+    }
+    text += fmt::format("\n{}: first peak of {} {} over the level\n", levels_title(family), sensor,
+                        axis) +
+            aligned(rows, ">>>>>>");
+  }
+  return text;
+}
+
+std::string modes_table(const Results& results) {
+  const std::string proof = "\n" + proof_sentence(results.verification) + "\n";
+  if (results.modes.empty())
+    return results.verification.made ? "\nModes\n  none in the band asked for\n" + proof : "";
+  std::vector<Row> rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};
+  const std::vector<MeshError>& errors = results.error_bars.modes;
+  if (!errors.empty()) rows[0].push_back("mesh %");
+  int count = 0;
+  for (const ModeResult& mode : results.modes) {
+    Row row{std::to_string(++count), fmt::format("{:.2f}", mode.frequency), mode_label(mode)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double share = mode.effective_mass[i] / results.free_mass[i];
+      row.push_back(std::isfinite(share) ? fmt::format("{:.1f}", 100 * share) : "-");
+    }
+    row.push_back(significant(mode.residual, 2));
+    if (!errors.empty()) row.push_back(mesh_error_percent(mode, errors[rows.size() - 1]));
+    rows.push_back(std::move(row));
+  }
+  return "\nModes\n" + aligned(rows, errors.empty() ? ">><>>>>" : ">><>>>>>") + proof;
+}
+
+} // namespace
+
+std::string summary_text(const Results& results, const std::filesystem::path& report) {
+  std::string text = results.case_name;
+  if (!results.title.empty()) text += ": " + results.title;
+  if (!results.modelled_as.empty()) text += " (as " + results.modelled_as + ")";
+  text += fmt::format("\n{} elements, {} nodes, {} unknowns, {} kg\n",
+                      grouped(results.model.elements, " "), grouped(results.model.nodes, " "),
+                      grouped(results.model.dofs, " "), significant(results.model.mass, 4));
+  if (!results.route.empty()) text += "Solved by " + results.route + "\n";
+  text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
+  text += spread_table(results) + error_table(results) + modes_table(results) +
+          peaks_table(results) + levels_table(results);
+  for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
+  if (!results.unanswered.empty()) text += "\n";
+  for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;
+  if (!results.warnings.empty()) text += "\n";
+  if (!report.empty()) text += "\nReport: " + report.string() + "\n";
+  return text;
+}
+
+} // namespace plica

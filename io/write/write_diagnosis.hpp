@@ -1,0 +1,16 @@
+// What `plica diagnose` leaves behind: diagnosis.json, diagnosis_readings.csv,
+// diagnosis_hypotheses.csv, diagnosis_where.csv, diagnosis.html. SI units, Hz.
+#pragma once
+
+#include "diagnose/results/diagnosis.hpp"
+#include "io/files/output_folder.hpp"
+
+namespace plica {
+
+std::vector<std::string> diagnosis_files();
+void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
+                     OutputFolder& out);
+
+std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version);
+
+} // namespace plica

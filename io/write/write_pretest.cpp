@@ -1,0 +1,98 @@
+#include "io/write/write_pretest.hpp"
+
+#include "io/report/diagnosis_parts.hpp"
+#include "io/report/markup.hpp"
+#include "io/report/page.hpp"
+#include "io/files/json_text.hpp"
+
+#include <fmt/format.h>
+
+namespace plica {
+namespace {
+
+// The sections of a diagnosis that need no measurement.
+Diagnosis as_diagnosis(const Pretest& p) {
+  Diagnosis d;
+  d.case_name = p.case_name;
+  d.effect_names = p.effects;
+  d.likeness = p.likeness;
+  d.mimics = p.mimics;
+  d.detectable = p.detectable;
+  d.next = p.additions;
+  return d;
+}
+
+std::string pretest_json(const Pretest& p, const std::string& plica_version) {
+  Json json{{"case", p.case_name},
+            {"plica_version", plica_version},
+            {"plan", p.plan},
+            {"effects", p.effects}};
+  json["likeness"] = Json::array();
+  for (Eigen::Index i = 0; i < p.likeness.rows(); ++i)
+    json["likeness"].push_back(
+        std::vector<double>(p.likeness.row(i).begin(), p.likeness.row(i).end()));
+  json["mimics"] = Json::array();
+  for (const Mimic& m : p.mimics)
+    json["mimics"].push_back({{"a", m.a}, {"b", m.b}, {"cosine", m.cosine}});
+  json["detectable"] = Json::array();
+  for (const SmallestDetectable& s : p.detectable)
+    json["detectable"].push_back({{"name", s.name},
+                                  {"place", s.place},
+                                  {"way", s.way},
+                                  {"parameter", s.parameter},
+                                  {"unit", s.unit},
+                                  {"smallest", s.value ? Json(*s.value) : Json(nullptr)},
+                                  {"noncentrality", s.noncentrality}});
+  json["additions"] = Json::array();
+  for (const ProposedMeasurement& m : p.additions)
+    json["additions"].push_back({{"what", m.what}, {"cost", m.cost}, {"gain", m.separation}});
+  return json_text(json);
+}
+
+std::string html(const Pretest& p, const std::string& title) {
+  const Diagnosis d = as_diagnosis(p);
+  std::string sections = html_section("plan", "The planned test", html_list(p.plan));
+  sections += html_section("likeness", "What this test could tell apart",
+                           likeness_html(d) + detectable_html(d));
+  sections += html_section("next", "What to add, in this order", next_html(d));
+  return report_page(title + ": planned test", html_escape(p.case_name), {}, sections);
+}
+
+} // namespace
+
+std::string pretest_text(const Pretest& p) {
+  std::string text = "Planned: ";
+  for (const std::string& line : p.plan) text += (&line == &p.plan.front() ? "" : "; ") + line;
+  text += "\n\nLook alike (largest cosine of their signatures; 1 = the same):\n";
+  for (const Mimic& m : p.mimics) text += fmt::format("  {:4.2f}  {} and {}\n", m.cosine, m.a, m.b);
+  if (p.mimics.empty()) text += "  none by 0.8 or more\n";
+  text += "\nSmallest that would be found (95 % power), at the place where it shows most:\n";
+  for (const std::string& effect : p.effects) {
+    const SmallestDetectable* most = nullptr;
+    for (const SmallestDetectable& s : p.detectable)
+      if (s.name == effect && (!most || s.noncentrality > most->noncentrality)) most = &s;
+    if (!most) continue;
+    text += fmt::format("  {:24} {:34} {}\n", effect,
+                        most->place + (most->way.empty() ? "" : " (" + most->way + ")"),
+                        most->value
+                            ? fmt::format("{} {:.3g} {}", most->parameter, *most->value, most->unit)
+                            : "not found within its prior");
+  }
+  text += "\nWhat to add, in this order:\n";
+  for (const ProposedMeasurement& m : p.additions)
+    text += fmt::format("  {:60} cost {:.1f}  gain {:.2f}\n", m.what, m.cost, m.separation);
+  if (p.additions.empty()) text += "  nothing on the menu tells more apart\n";
+  return text;
+}
+
+std::vector<std::string> pretest_files() {
+  return {"pretest.html", "pretest.json"};
+}
+
+void write_pretest(const Pretest& p, const std::string& title, const std::string& plica_version,
+                   OutputFolder& out) {
+  out.add("pretest.html", html(p, title));
+  out.add("pretest.json", pretest_json(p, plica_version));
+}
+
+} // namespace plica

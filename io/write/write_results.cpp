@@ -1,0 +1,89 @@
+#include "io/write/write_results.hpp"
+
+#include "compare/simulated.hpp"
+#include "io/report/report.hpp"
+#include "io/tables/csv.hpp"
+#include "io/tables/json.hpp"
+#include "io/tables/levels_csv.hpp"
+#include "io/write/simulated_yaml.hpp"
+#include "io/tables/text.hpp"
+#include "io/write/vtu.hpp"
+#include "io/universal/signals.hpp"
+#include "io/universal/writer.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace plica {
+namespace {
+
+constexpr std::array bases{"x", "y", "z", "rx", "ry", "rz"};
+
+std::string responses_uff(const Results& results) {
+  std::string text;
+  for (const FrfSet& set : responses_to_base(results))
+    for (const UniversalFunction& f : universal_functions(set)) text += universal_text(f);
+  return text;
+}
+
+void add_response(std::vector<std::string>& names, const std::string& of, bool random) {
+  names.push_back("response_" + of + ".csv");
+  names.push_back("motion_" + of + ".csv");
+  if (random) names.push_back("random_" + of + ".csv");
+}
+
+} // namespace
+
+std::vector<std::string> result_files(const Case& data) {
+  std::vector<std::string> names{"modes.csv", "static.csv",     "comparison.csv", "variants.csv",
+                                 "modes.vtu", "simulated.yaml", "report.html",    "results.json"};
+  if (const auto& response = data.analyses.response) {
+    for (const int base : response->bases)
+      add_response(names, bases[std::size_t(base)], response->random.has_value());
+    for (const Force& force : response->forces) add_response(names, "force_" + force.name, false);
+    if (!response->bases.empty()) names.emplace_back("responses.uff");
+  }
+  if (const auto& levels = data.analyses.levels) {
+    for (const int base : levels->bases)
+      names.push_back(std::string("levels_") + bases[std::size_t(base)] + ".csv");
+    for (const LevelForce& force : levels->forces)
+      names.push_back("levels_force_" + force.name + ".csv");
+    names.insert(names.end(), {"level_peaks.csv", "level_joints.csv", "level_backbones.csv"});
+  }
+  if (data.analyses.stress) names.insert(names.end(), {"stress.csv", "stress.vtu"});
+  if (data.analyses.error_bars) names.emplace_back("error_bars.csv");
+  return names;
+}
+
+void write_results(const Results& results, OutputFolder& out) {
+  out.add("modes.csv", modes_csv(results));
+  out.add("static.csv", static_csv(results));
+  out.add("comparison.csv", comparison_csv(results));
+  out.add("variants.csv", variants_csv(results));
+  out.add("modes.vtu", modes_vtu(results));
+  for (const ResponseResult& r : results.responses) {
+    out.add("response_" + response_name(r) + ".csv", response_csv(r));
+    out.add("motion_" + response_name(r) + ".csv", motion_csv(r));
+    if (r.random) out.add("random_" + response_name(r) + ".csv", random_csv(r));
+  }
+  for (const LevelFamily& family : results.families)
+    out.add(levels_name(family) + ".csv", levels_csv(family));
+  if (!results.families.empty()) {
+    out.add("level_peaks.csv", level_peaks_csv(results));
+    out.add("level_joints.csv", level_joints_csv(results));
+    out.add("level_backbones.csv", level_backbones_csv(results));
+  }
+  if (!results.stresses.empty()) {
+    out.add("stress.csv", stress_csv(results));
+    out.add("stress.vtu", stress_vtu(results));
+  }
+  if (!results.error_bars.bars.empty()) out.add("error_bars.csv", error_bars_csv(results));
+  out.add("simulated.yaml", simulated_yaml(as_measured(results)));
+  if (const std::string text = responses_uff(results); !text.empty())
+    out.add("responses.uff", text);
+  out.add("report.html", report_html(results));
+  out.add("results.json", results_json(results));
+}
+
+} // namespace plica

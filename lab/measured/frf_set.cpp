@@ -1,0 +1,52 @@
+#include "lab/measured/frf_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace plica {
+
+FrfSet within(const FrfSet& set, double low, double high) {
+  std::vector<int> lines;
+  for (int f = 0; f < set.hertz.size(); ++f)
+    if (set.hertz[f] >= low && set.hertz[f] <= high) lines.push_back(f);
+  if (lines.empty())
+    throw std::invalid_argument("no measured line lies between " + std::to_string(low) + " and " +
+                                std::to_string(high) + " Hz");
+  FrfSet part = set;
+  part.hertz = set.hertz(lines).eval();
+  for (Eigen::MatrixXcd& H : part.H) H = H(lines, Eigen::all).eval();
+  for (Eigen::MatrixXd& s : part.sigma) s = s(lines, Eigen::all).eval();
+  return part;
+}
+
+namespace {
+
+double noise_of(const Eigen::VectorXd& hertz, const Eigen::VectorXcd& values) {
+  std::vector<double> rest;
+  for (Eigen::Index i = 1; i + 1 < hertz.size(); ++i) {
+    const double a = (hertz[i + 1] - hertz[i]) / (hertz[i + 1] - hertz[i - 1]), b = 1 - a;
+    const double square = std::norm(values[i] - a * values[i - 1] - b * values[i + 1]);
+    rest.push_back(square / (1 + a * a + b * b));
+  }
+  if (rest.empty()) return 0;
+  const auto middle = rest.begin() + long(rest.size() / 2);
+  std::nth_element(rest.begin(), middle, rest.end());
+  return std::sqrt(*middle / std::log(2.)); // median of an exponential distribution
+}
+
+} // namespace
+
+Eigen::MatrixXd noise_levels(const FrfSet& set) {
+  const auto responses = Eigen::Index(set.responses.size());
+  Eigen::MatrixXd noise(responses, Eigen::Index(set.H.size())), rms = noise;
+  for (Eigen::Index i = 0; i < noise.cols(); ++i)
+    for (Eigen::Index o = 0; o < responses; ++o) {
+      const Eigen::VectorXcd h = set.H[i].col(o);
+      rms(o, i) = h.norm() / std::sqrt(double(h.size()));
+      noise(o, i) = set.sigma.empty() ? noise_of(set.hertz, h) : set.sigma[i].col(o).mean();
+    }
+  return noise.cwiseMax(1e-3 * rms).cwiseMax(std::max(1e-300, 1e-9 * rms.maxCoeff()));
+}
+
+} // namespace plica

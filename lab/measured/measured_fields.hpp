@@ -1,0 +1,186 @@
+// Every key of measured.yaml: unit, bounds, meaning; see words/field_types.hpp for the visitor.
+#pragma once
+
+#include "lab/measured/measured.hpp"
+#include "words/field_types.hpp"
+
+namespace plica {
+
+inline const std::vector<Named<Axis>> axis_names{{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
+
+inline const std::vector<Named<FrfQuantity>> quantity_names{
+    {FrfQuantity::receptance, "receptance"},
+    {FrfQuantity::mobility, "mobility"},
+    {FrfQuantity::accelerance, "accelerance"},
+    {FrfQuantity::transmissibility, "transmissibility"}};
+
+inline constexpr Quantity measured_level{
+    .unit = Dimension::acceleration, .min = 0, .exclusive_min = true};
+inline constexpr Quantity measured_damping{
+    .unit = Dimension::ratio, .min = 0, .max = 1, .exclusive_max = true};
+inline constexpr Quantity measured_frequency{
+    .unit = Dimension::frequency, .required = true, .min = 0, .exclusive_min = true};
+inline constexpr Quantity sigma_frequency{
+    .unit = Dimension::frequency, .min = 0, .exclusive_min = true};
+
+template <class V> void fields(V& v, MeasuredSensor& s) {
+  v.text(s.name, "name", {.required = true, .name = true}, "name");
+  v.quantities(s.at, "at", {.unit = Dimension::length, .required = true},
+               "[x, y, z] in the part frame");
+  v.choices(s.axes, "axes", {{1, "x"}, {2, "y"}, {3, "z"}, {-1, "-x"}, {-2, "-y"}, {-3, "-z"}},
+            {.required = false, .min_items = 3},
+            "directions of the part frame its three axes point in");
+  v.quantity(s.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
+  v.whole(s.node, "node", {.min = 1}, "its number in universal files");
+}
+
+template <class V> void fields(V& v, MeasuredState& s) {
+  v.text(s.name, "name", {.required = true, .name = true}, "name");
+  v.replacements(s.set, "set", required_key, "path in the case: its number in this state");
+}
+
+inline constexpr const char* state_meaning = "state of the specimen, one of `states`";
+
+template <class V> void fields(V& v, MeasuredMass& m) {
+  v.quantity(m.value, "value",
+             {.unit = Dimension::mass, .required = true, .min = 0, .exclusive_min = true},
+             "weighed mass of the specimen");
+  v.quantity(m.sigma, "sigma", {.unit = Dimension::mass, .min = 0, .exclusive_min = true},
+             "standard deviation");
+  v.quantities(m.repeats, "repeats",
+               {.unit = Dimension::mass, .min = 0, .exclusive_min = true, .min_items = 2},
+               "single results, where no sigma is given");
+}
+
+template <class V> void fields(V& v, MeasuredStatic& s) {
+  v.tag(s.direction, "direction",
+        {{StaticDirection::axial, "axial"},
+         {StaticDirection::transverse_x, "transverse_x"},
+         {StaticDirection::transverse_z, "transverse_z"},
+         {StaticDirection::bending_x, "bending_x"},
+         {StaticDirection::bending_z, "bending_z"},
+         {StaticDirection::torsion, "torsion"}},
+        required_key, "which stiffness between the end caps");
+  const bool turns = s.direction >= StaticDirection::bending_x;
+  const Dimension unit = turns ? Dimension::rotational_stiffness : Dimension::stiffness;
+  v.quantity(s.value, "value", {.unit = unit, .required = true, .min = 0, .exclusive_min = true},
+             "stiffness");
+  v.quantity(s.sigma, "sigma", {.unit = unit, .min = 0, .exclusive_min = true},
+             "standard deviation");
+  v.quantity(
+      s.stroke, "stroke",
+      {.unit = turns ? Dimension::angle : Dimension::length, .min = 0, .exclusive_min = true},
+      "largest displacement or rotation of the test");
+  v.quantities(s.repeats, "repeats",
+               {.unit = unit, .min = 0, .exclusive_min = true, .min_items = 2},
+               "single results, where no sigma is given");
+  v.text(s.state, "state", {}, state_meaning);
+  v.text(s.note, "note", {}, "remark");
+}
+
+template <class V> void fields(V& v, MeasuredVector& s) {
+  v.one_or_more(s.channels, "channels", "sensor and axis, such as mid.y");
+  v.quantities(s.real, "real", {.required = true}, "real parts");
+  v.quantities(s.imaginary, "imaginary", {}, "imaginary parts");
+}
+
+template <class V> void fields(V& v, MeasuredMode& m) {
+  v.quantity(m.frequency, "frequency", measured_frequency, "frequency");
+  v.quantity(m.sigma, "sigma", sigma_frequency, "standard deviation of the frequency");
+  v.quantity(m.damping, "damping", measured_damping, "fraction of critical damping");
+  v.quantity(m.sigma_damping, "sigma_damping", measured_damping,
+             "standard deviation of the damping");
+  v.choice(m.shape, "shape",
+           {{MeasuredShape::axial, "axial"},
+            {MeasuredShape::transverse, "transverse"},
+            {MeasuredShape::torsion, "torsion"},
+            {MeasuredShape::shell, "shell"},
+            {MeasuredShape::other, "other"}},
+           required_key, "kind of motion");
+  v.whole(m.order, "order", {.min = 1, .max = 1000},
+          "which mode of that shape in its direction, from the lowest");
+  v.choice(m.direction, "direction", axis_names, optional_key, "axis along which the mode moves");
+  v.choice(m.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.quantity(m.level, "level", measured_level, "base acceleration");
+  v.text(m.sensor, "sensor", {},
+         "name of the sensor that showed it: its peaks are paired in order");
+  v.quantities(m.repeats, "repeats",
+               {.unit = Dimension::frequency, .min = 0, .exclusive_min = true, .min_items = 2},
+               "single results of the frequency, where no sigma is given");
+  v.object(m.vector, "vector", optional_key, "shape at the sensors");
+  v.text(m.state, "state", {}, state_meaning);
+  v.text(m.note, "note", {}, "remark");
+}
+
+template <class V> void fields(V& v, MeasuredPeaks& p) {
+  Quantity level = measured_level;
+  level.required = true;
+  v.choice(p.base, "base", axis_names, required_key, "axis along which the table moved");
+  v.text(p.sensor, "sensor", {.required = true}, "name of a sensor of this file");
+  v.choice(p.direction, "direction", axis_names, required_key, "axis of the response");
+  v.quantities(p.level, "level", level, "base accelerations");
+  v.quantities(p.frequency, "frequency", measured_frequency, "peak frequency at each level");
+  v.quantity(p.sigma, "sigma", sigma_frequency, "standard deviation of the frequencies");
+  v.quantities(p.amplitude, "amplitude", {.min = 0}, "peak transmissibility at each level");
+  v.quantities(p.damping, "damping", measured_damping,
+               "fraction of critical damping at each level");
+  v.text(p.state, "state", {}, state_meaning);
+  v.text(p.note, "note", {}, "remark");
+}
+
+template <class V> void fields(V& v, MatlabVariables& m) {
+  v.text(m.abscissa, "abscissa", {}, "frequencies or times");
+  v.text(m.values, "values", {}, "one channel a column");
+}
+
+template <class V> void fields(V& v, FrfSigma& s) {
+  v.quantity(s.relative, "relative", {.unit = Dimension::ratio, .min = 0}, "part of the magnitude");
+  v.quantity(s.floor, "floor", {.min = 0}, "transmissibility that is never undercut");
+}
+
+template <class V> void fields(V& v, MeasuredFrf& f) {
+  v.text(f.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
+  v.choice(f.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.text(f.force, "force", {}, "channel that was driven, instead of base");
+  v.choice(f.quantity, "quantity", quantity_names, optional_key,
+           "what the responses are; by the base transmissibility, by a force accelerance");
+  v.quantity(f.level, "level", measured_level, "base acceleration");
+  v.object(f.sigma, "sigma", optional_key, "standard deviation");
+  v.texts(f.channels, "channels",
+          "sensor and axis of every column, such as mid.y; - leaves it out");
+  v.object(f.variables, "variables", optional_key, "names in a MATLAB file");
+  v.text(f.state, "state", {}, state_meaning);
+}
+
+template <class V> void fields(V& v, MeasuredSignals& s) {
+  v.text(s.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
+  v.choice(s.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.text(s.reference, "reference", {.required = true}, "channel of the input, such as base.y");
+  v.text(s.force, "force", {}, "channel that the input drives, where it is a force");
+  v.texts(s.channels, "channels",
+          "sensor and axis of every column, such as mid.y; - leaves it out");
+  v.quantity(s.rate, "rate", sigma_frequency, "sampling rate, where the file has no time");
+  v.quantity(s.level, "level", measured_level, "base acceleration");
+  v.choice(s.excitation, "excitation", {{SignalKind::random, "random"}, {SignalKind::sine, "sine"}},
+           optional_key, "random noise, or a stepped or swept sine");
+  v.choice(s.quantity, "quantity", quantity_names, optional_key,
+           "what the responses are; by the base transmissibility, by a force accelerance");
+  v.object(s.variables, "variables", optional_key, "names in a MATLAB file");
+}
+
+template <class V> void fields(V& v, Measured& m) {
+  v.text(m.specimen, "specimen", {.required = true, .name = true}, "case the data belong to");
+  v.text(m.source, "source", {}, "where the numbers are from");
+  v.list(m.sensors, "sensors", optional_key, "accelerometers");
+  v.list(m.states, "states", optional_key, "known changes under which entries were measured");
+  v.object(m.mass, "mass", optional_key, "weighed mass");
+  v.list(m.statics, "static", optional_key, "static stiffnesses from a rig");
+  v.list(m.modes, "modes", optional_key, "identified modes");
+  v.list(m.peaks, "peaks", optional_key, "peaks against the level of excitation");
+  v.list(m.frf, "frf", optional_key, "measured frequency responses");
+  v.list(m.signals, "signals", optional_key, "time signals");
+  v.texts(m.hold_out, "hold_out", "paths of entries that no fit may use, e.g. modes[1]");
+  v.texts(m.caveats, "caveats", "what a user of these numbers must know");
+}
+
+} // namespace plica

@@ -1,0 +1,144 @@
+#include "model/shape/build_bellows.hpp"
+
+#include "mesh/revolve.hpp"
+#include "model/description/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plica {
+namespace {
+
+using std::numbers::pi;
+
+Convolution convolution(const MeridianSection& s) {
+  return {.height = s.height,
+          .pitch = s.pitch,
+          .root_arc = root_arc_radius(s),
+          .crown_arc = crown_arc_radius(s)};
+}
+
+// Longest arc (for a quarter turn) and wall of the profile, as multiples of sqrt(R t), at least 1.
+struct Slenderness {
+  double arc = 1, wall = 1;
+};
+
+Slenderness slenderness(const Bellows& bellows) {
+  const double bending_length = std::sqrt(bellows.root_radius * total_thickness(bellows.wall));
+  Slenderness longest;
+  for (const MeridianSection& s : bellows.profile) {
+    if (s.shape == SectionShape::disc)
+      longest.wall = std::max(longest.wall, std::hypot(s.height, s.pitch / 2) / bending_length);
+    if (s.shape != SectionShape::u && s.shape != SectionShape::omega) continue;
+    const Convolution c = convolution(s);
+    const double arc = pi / 2 * std::max(c.root_arc, c.crown_arc);
+    longest.arc = std::max(longest.arc, arc / bending_length);
+    longest.wall = std::max(longest.wall, half_convolution(c).wall / bending_length);
+  }
+  return longest;
+}
+
+int cuff_elements(const Bellows& bellows, const MeridianSection& cuff, double radius,
+                  const ElementCounts& n) {
+  if (cuff.elements > 0) return cuff.elements;
+  if (bellows.mesh.wall > 0) return n.wall;
+  const double bending_length = std::sqrt(radius * total_thickness(bellows.wall));
+  const double longest = std::min(2 * pi * radius / n.around, 2.5 * bending_length / n.wall);
+  return std::max(1, static_cast<int>(std::ceil(cuff.length / longest - 1e-9)));
+}
+
+// Adds a section whose cuffs have their elements.
+void add_section(Meridian& meridian, const MeridianSection& s, const ElementCounts& n) {
+  if (s.shape == SectionShape::cuff) {
+    meridian.add_cuff(s.length, s.end_radius > 0 ? s.end_radius : meridian.radius(), s.elements);
+    return;
+  }
+  const MeridianDensity density{n.arc, n.wall};
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& p : s.points) points.emplace_back(p[0], p[1]);
+  for (int k = 0; k < s.count; ++k) {
+    if (s.shape == SectionShape::disc)
+      meridian.add_disc(s.height, s.pitch, density);
+    else if (s.shape == SectionShape::points)
+      meridian.add_points(points, s.interpolation == Interpolation::smooth, density);
+    else
+      meridian.add_convolution(convolution(s), density);
+  }
+}
+
+std::function<double(double)> thickness_law(const Bellows& bellows) {
+  const double t = total_thickness(bellows.wall), root = bellows.root_radius;
+  double height = 0;
+  for (const MeridianSection& s : bellows.profile) {
+    height = std::max(height, s.height);
+    for (const auto& p : s.points) height = std::max(height, p[1] - root);
+  }
+  switch (bellows.wall.thinning) {
+  case Thinning::none:
+    break;
+  case Thinning::uniform:
+    return [thinned = t * std::sqrt(root / (root + height / 2))](double) { return thinned; };
+  case Thinning::local:
+    return [t, root, p = bellows.wall.thinning_exponent](double r) {
+      return t * std::pow(root / r, p);
+    };
+  }
+  return [t](double) { return t; };
+}
+
+double accuracy_of(const MeshDensity& mesh) {
+  constexpr double left_out = 0.01;
+  return mesh.accuracy > 0 ? mesh.accuracy : left_out;
+}
+
+} // namespace
+
+double mesh_accuracy(const Bellows& bellows) {
+  const MeshDensity& mesh = bellows.mesh;
+  return mesh.around > 0 || mesh.arc > 0 || mesh.wall > 0 ? 0 : accuracy_of(mesh);
+}
+
+ElementCounts element_counts(const Bellows& bellows) {
+  const MeshDensity& mesh = bellows.mesh;
+  const double each = accuracy_of(mesh) / 2;
+  const double around_constant = bellows.membrane == Membrane::incompatible ? 7 : 60;
+  constexpr double meridian_error = 0.007; // at 4 elements per quarter arc, 5 per wall
+  const double refine = std::sqrt(meridian_error / each);
+  const Slenderness s = slenderness(bellows);
+  const auto up = [](double x) { return static_cast<int>(std::ceil(x - 1e-9)); };
+  ElementCounts n{.around = std::max(16, 4 * up(std::sqrt(around_constant / each) / 4)),
+                  .arc = std::max(2, up(4 * refine * s.arc)),
+                  .wall = std::max(2, up(5 * refine * s.wall))};
+  if (mesh.around > 0) n.around = mesh.around;
+  if (mesh.arc > 0) n.arc = mesh.arc;
+  if (mesh.wall > 0) n.wall = mesh.wall;
+  return n;
+}
+
+Bellows with_counts(Bellows bellows) {
+  const ElementCounts n = element_counts(bellows);
+  Meridian meridian(bellows.start, bellows.root_radius); // tells the radius at each cuff
+  const Bellows given = bellows;
+  for (MeridianSection& s : bellows.profile) {
+    if (s.shape == SectionShape::cuff) s.elements = cuff_elements(given, s, meridian.radius(), n);
+    add_section(meridian, s, n);
+  }
+  bellows.mesh = {.around = n.around, .arc = n.arc, .wall = n.wall};
+  return bellows;
+}
+
+Meridian bellows_meridian(const Bellows& given) {
+  const Bellows bellows = with_counts(given);
+  const MeshDensity& mesh = bellows.mesh;
+  Meridian meridian(bellows.start, bellows.root_radius);
+  for (const MeridianSection& s : bellows.profile)
+    add_section(meridian, s, {.around = mesh.around, .arc = mesh.arc, .wall = mesh.wall});
+  return meridian;
+}
+
+Mesh bellows_mesh(const Bellows& bellows, const Meridian& meridian) {
+  return revolve(meridian, element_counts(bellows).around, thickness_law(bellows));
+}
+
+} // namespace plica

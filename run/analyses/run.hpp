@@ -1,0 +1,24 @@
+// Runs the analyses of a case.
+#pragma once
+
+#include "model/shape/build.hpp"
+#include "run/results/results.hpp"
+
+#include <functional>
+
+namespace plica {
+
+// `stage` is told the name of each step as it begins. Throws InputError as build() does, with a
+// sentence; std::runtime_error for numerical trouble that leaves no result. A proof that failed is
+// in Results::verification.
+Results run(const Case& data, const std::function<void(const std::string&)>& stage);
+
+// What a run would cost, without assembling: fitted to measured factorisations (docs/speed.md).
+struct Estimate {
+  int nodes = 0, elements = 0, dofs = 0;
+  double memory = 0;  // bytes
+  double seconds = 0; // on two cores
+};
+Estimate estimate(const BuiltCase& built, const Analyses& analyses);
+
+} // namespace plica

@@ -1,0 +1,134 @@
+#include "run/analyses/stress.hpp"
+
+#include "solve/stress.hpp"
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::string text(double value) { // four significant digits
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.4g", value);
+  return buffer.data();
+}
+
+int nodes_of(const Mesh& mesh) {
+  return static_cast<int>(mesh.nodes.size());
+}
+
+StressResult result(const std::string& kind, const std::string& name, StressPeaks peaks,
+                    const Mesh& mesh) {
+  StressResult r{.kind = kind,
+                 .name = name,
+                 .largest = peaks.largest,
+                 .at = {},
+                 .face = peaks.node < 0              ? ""
+                         : peaks.face == Face::above ? "above"
+                                                     : "below",
+                 .largest_beam = peaks.largest_beam,
+                 .beam_at = {},
+                 .below = std::move(peaks.below),
+                 .above = std::move(peaks.above)};
+  if (peaks.node >= 0) Eigen::Vector3d::Map(r.at.data()) = mesh.nodes[peaks.node];
+  if (peaks.beam_node >= 0) Eigen::Vector3d::Map(r.beam_at.data()) = mesh.nodes[peaks.beam_node];
+  return r;
+}
+
+// Of one column, times `scale`.
+StressResult column_stress(const std::string& kind, const std::string& name,
+                           const StressField& field, Eigen::Index column, double scale,
+                           const Mesh& mesh) {
+  return result(kind, name,
+                stress_peaks(
+                    field, nodes_of(mesh),
+                    [&](const auto& s) { return scale * von_mises(s.col(column)); },
+                    [&](const auto& s) { return scale * std::abs(s[column]); }),
+                mesh);
+}
+
+// "base y, 10 m/s2" or "force tap, 1 N"
+std::string name_of(const Excitation& e) {
+  return (e.is_force ? "force " : "base ") + e.name + ", " + text(e.amplitude) + " " + e.unit;
+}
+
+double largest_displacement(const MatrixXd& u, Eigen::Index column) {
+  double largest = 0;
+  for (Eigen::Index node = 0; node < u.rows() / 6; ++node)
+    largest = std::max(largest, u.col(column).segment<3>(6 * node).norm());
+  return largest;
+}
+
+StressResult harmonic(const Excitation& e, double hertz, const Eigen::VectorXcd& q,
+                      const StressField& field, const Mesh& mesh) {
+  return result("harmonic", name_of(e) + ", " + text(hertz) + " Hz",
+                stress_peaks(
+                    field, nodes_of(mesh), [&](const auto& s) { return von_mises_of_cycle(s * q); },
+                    [&](const auto& s) { return std::abs((s * q).value()); }),
+                mesh);
+}
+
+// Integral of S Re(q_j conj q_k) over the frequencies.
+MatrixXd covariance(const SpectralDensity& input, const VectorXd& hertz, const MatrixXcd& q) {
+  VectorXd weight = VectorXd::Zero(hertz.size());
+  for (Eigen::Index i = 1; i < hertz.size(); ++i) {
+    const double half = (hertz[i] - hertz[i - 1]) / 2;
+    weight[i - 1] += half * density_at(input, hertz[i - 1]);
+    weight[i] += half * density_at(input, hertz[i]);
+  }
+  return q.real().transpose() * weight.asDiagonal() * q.real() +
+         q.imag().transpose() * weight.asDiagonal() * q.imag();
+}
+
+StressResult random_stress(const Excitation& e, const MatrixXd& C, const StressField& field,
+                           const Mesh& mesh) {
+  const std::string name = std::string(e.is_force ? "force " : "base ") + e.name + ", RMS";
+  return result("rms", name,
+                stress_peaks(
+                    field, nodes_of(mesh), [&](const auto& s) { return von_mises_rms(s, C); },
+                    [&](const auto& s) { return std::sqrt((s * C * s.transpose()).value()); }),
+                mesh);
+}
+
+} // namespace
+
+std::string mode_stress_name(int mode) {
+  return "mode " + std::to_string(mode + 1) + ", 1 mm at most";
+}
+
+std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model) {
+  const StressField field = recover_stress(model, shapes.u);
+  std::vector<StressResult> results;
+  for (Eigen::Index k = 0; k < shapes.u.cols(); ++k)
+    results.push_back(column_stress("static", shapes.names[k], field, k, 1, model.mesh));
+  return results;
+}
+
+std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* response,
+                                           const Model& model, const DampedModes& modes,
+                                           const Excitations* excited) {
+  const StressField field = recover_stress(model, modes.solution.u);
+  std::vector<StressResult> results;
+  for (Eigen::Index j = 0; j < modes.solution.modes; ++j)
+    if (const double largest = largest_displacement(modes.solution.u, j); largest > 0)
+      results.push_back(
+          column_stress("mode", mode_stress_name(int(j)), field, j, 1e-3 / largest, model.mesh));
+  if (!excited || !response) return results;
+  const VectorXd at =
+      VectorXd::Map(asked.frequencies.data(), Eigen::Index(asked.frequencies.size()));
+  const VectorXd grid = response_grid(*response, modes);
+  for (std::size_t k = 0; k < excited->list.size(); ++k) {
+    const Excitation& e = excited->list[k];
+    const MatrixXcd q = e.amplitude * modal_coordinates(modes, int(k), at);
+    for (Eigen::Index i = 0; i < at.size(); ++i)
+      results.push_back(harmonic(e, at[i], q.row(i).transpose(), field, model.mesh));
+    if (e.random.table.empty()) continue;
+    const MatrixXcd unit = modal_coordinates(modes, int(k), grid);
+    results.push_back(random_stress(e, covariance(e.random, grid, unit), field, model.mesh));
+  }
+  return results;
+}
+
+} // namespace plica

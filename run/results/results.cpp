@@ -1,0 +1,25 @@
+#include "run/results/results.hpp"
+
+namespace plica {
+
+std::map<std::string, double> headline(const Results& results) {
+  std::map<std::string, double> numbers;
+  numbers["mass"] = results.model.mass;
+  if (results.statics) numbers["k_axial"] = results.statics->k_axial;
+  for (const ModeResult& mode : results.modes) {
+    if (mode.shape != "axial" && mode.shape != "transverse" && mode.shape != "torsion") continue;
+    const auto [place, is_new] = numbers.try_emplace("f_" + mode.shape, mode.frequency);
+    if (!is_new && mode.frequency < place->second) place->second = mode.frequency;
+  }
+  return numbers;
+}
+
+Eigen::MatrixXd vector_sum(const ResponseResult& response) {
+  const Eigen::Index sensors = response.acceleration.cols() / 3;
+  Eigen::MatrixXd sum(response.acceleration.rows(), sensors);
+  for (Eigen::Index s = 0; s < sensors; ++s)
+    sum.col(s) = response.acceleration.middleCols(3 * s, 3).rowwise().norm();
+  return sum;
+}
+
+} // namespace plica

@@ -1,0 +1,20 @@
+// A built case with a superelement in place of every part between caps.
+#pragma once
+
+#include "model/shape/build.hpp"
+#include "reduction/substructures.hpp"
+
+namespace plica {
+
+// Caps, and, with symmetry, what carries a body, a spring or a beam on a wall and what surrounds a
+// dent: where parts meet or symmetry would end.
+std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry);
+
+// Throws InputError for a part that no cap joins.
+ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
+                           double cutoff, bool symmetry, bool all_harmonics = false);
+
+// "5 superelements of 3 reductions; rotational symmetry, 40 sectors"
+std::string route_name(const ReducedModel& reduced);
+
+} // namespace plica

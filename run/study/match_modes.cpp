@@ -1,0 +1,76 @@
+#include "run/study/match_modes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr std::size_t most_samples = 400;
+constexpr double same_frequency = 1e-3; // of the frequency, on meshes that are not symmetric
+constexpr double alike = 0.6;           // least assurance
+
+// Nodes of shells or beams, evenly over their numbers.
+std::vector<int> samples(const Mesh& mesh) {
+  const std::size_t step = std::max<std::size_t>(1, mesh.nodes.size() / most_samples);
+  std::vector<int> nodes;
+  for (std::size_t node = step / 2; node < mesh.nodes.size(); node += step)
+    nodes.push_back(static_cast<int>(node));
+  return nodes;
+}
+
+// Unit columns, one per mode: motions of the nodes, their rotations at a length.
+MatrixXd sampled(const std::vector<MatrixXd>& shapes, const std::vector<int>& nodes,
+                 double length) {
+  MatrixXd u(6 * Index(nodes.size()), Index(shapes.size()));
+  for (std::size_t j = 0; j < shapes.size(); ++j)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      u.col(Index(j)).segment<6>(6 * Index(i)) = shapes[j].row(nodes[i]).transpose();
+  for (Index row = 0; row < u.rows(); ++row)
+    if (row % 6 >= 3) u.row(row) *= length;
+  for (Index j = 0; j < u.cols(); ++j)
+    if (const double size = u.col(j).norm(); size > 0) u.col(j) /= size;
+  return u;
+}
+
+} // namespace
+
+std::vector<SameMode> match_modes(const Results& results, const Results& other) {
+  std::vector<SameMode> same(results.modes.size());
+  if (results.shapes.empty() || other.shapes.empty()) return same;
+  const std::vector<int> here = samples(results.mesh);
+  std::vector<int> there;
+  Eigen::AlignedBox3d box;
+  for (int node : here) {
+    const Eigen::Vector3d& x = results.mesh.nodes[std::size_t(node)];
+    box.extend(x);
+    there.push_back(nearest_node(other.mesh, x).first);
+  }
+  const double length = box.sizes().maxCoeff() / 20;
+  const MatrixXd mac =
+      (sampled(results.shapes, here, length).transpose() * sampled(other.shapes, there, length))
+          .array()
+          .square();
+  const auto hertz = [&](Index j) { return other.modes[std::size_t(j)].frequency; };
+  for (Index i = 0; i < mac.rows(); ++i) {
+    double best = alike;
+    for (Index first = 0, end = 0; first < mac.cols(); first = end) {
+      end = first + 1;
+      while (end < mac.cols() && hertz(end) - hertz(end - 1) < same_frequency * hertz(end)) ++end;
+      const auto group = mac.row(i).segment(first, end - first);
+      if (group.sum() <= best) continue;
+      best = group.sum();
+      Index most = 0;
+      group.maxCoeff(&most);
+      double mean = 0;
+      for (Index j = 0; j < group.size(); ++j) mean += group[j] * hertz(first + j) / best;
+      same[std::size_t(i)] = {.index = int(first + most), .frequency = mean};
+    }
+  }
+  return same;
+}
+
+} // namespace plica
