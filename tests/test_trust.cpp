@@ -297,6 +297,14 @@ TEST(FewerModes, than_asked_for_are_explained_truly) {
   const Results even = run_silently(case_of(chain("2")));
   EXPECT_EQ(even.modes.size(), 6u);
   EXPECT_TRUE(warns_of(even, "no more degrees of freedom have mass"));
+  // Less far apart each is found, the last as the small mass on the EA of its beam.
+  for (const auto& [small, m] : {std::pair{"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-11", 1e-11}}) {
+    const Results apart = run_silently(case_of(chain(small)));
+    ASSERT_EQ(apart.modes.size(), 6u) << small;
+    EXPECT_TRUE(apart.verification.passed) << small << ": " << apart.verification.reason;
+    EXPECT_NEAR(apart.modes[5].frequency, std::sqrt(1e6 / m) / (2 * std::numbers::pi),
+                1e-5 * apart.modes[5].frequency);
+  }
   const Results uneven = run_silently(case_of(chain("1e-15")));
   EXPECT_FALSE(uneven.modes.size() < 6 && warns_of(uneven, "no more degrees of freedom have mass"));
 }
