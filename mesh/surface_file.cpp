@@ -7,6 +7,8 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -138,6 +140,35 @@ void require_whole_stl(const std::filesystem::path& file) {
     throw std::runtime_error(file.string() + ": ends before its endsolid: it was cut short");
 }
 
+// Lines that ran together make a polygon across the part. How far its corners lie off a plane is
+// measured by its size, the root of its area.
+void require_flat(const aiMesh& mesh, const aiFace& polygon) {
+  std::vector<Eigen::Vector3d> corners;
+  for (unsigned c = 0; c < polygon.mNumIndices; ++c) {
+    const aiVector3D& v = mesh.mVertices[polygon.mIndices[c]];
+    corners.emplace_back(v.x, v.y, v.z);
+  }
+  Eigen::Vector3d area = Eigen::Vector3d::Zero(); // twice (Newell)
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    area += (corners[c] - corners[0]).cross(corners[(c + 1) % corners.size()] - corners[0]);
+  if (!(area.norm() > 0)) return;
+  double low = 0, high = 0;
+  for (const Eigen::Vector3d& x : corners) {
+    const double height = (x - corners[0]).dot(area.normalized());
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  constexpr double bent = 0.2; // the halves of a square fold by about 30 degrees
+  if (high - low <= bent * std::sqrt(area.norm() / 2)) return;
+  std::array<char, 96> at{};
+  std::snprintf(at.data(), at.size(), "[%.4g, %.4g, %.4g]", corners[0].x(), corners[0].y(),
+                corners[0].z());
+  throw std::runtime_error("the polygon of " + std::to_string(corners.size()) +
+                           " corners, one at " + at.data() +
+                           " in the unit of the file, is not flat: damaged, or to be "
+                           "written as triangles");
+}
+
 // Those of lines and points, and of triangles without an area: nothing would hold them.
 void drop_unused_nodes(Surface& surface) {
   std::vector<int> number(surface.nodes.size(), -1);
@@ -173,8 +204,13 @@ Surface read_surface(const std::filesystem::path& file, double unit, double weld
   const std::string suffix = lower_suffix(file);
   if (suffix == ".stl") require_whole_stl(file);
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  for (unsigned m = 0; scene && m < scene->mNumMeshes; ++m)
+    for (unsigned f = 0; f < scene->mMeshes[m]->mNumFaces; ++f)
+      if (const aiFace& face = scene->mMeshes[m]->mFaces[f]; face.mNumIndices > 3)
+        require_flat(*scene->mMeshes[m], face);
+  if (scene)
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (!scene) throw std::runtime_error(file.string() + ": " + importer.GetErrorString());
   const bool y_up = suffix == ".glb" || suffix == ".gltf";
   Surface surface;

@@ -255,6 +255,23 @@ TEST_F(DamagedGeometry, triangles_whose_file_is_not_whole_are_refused) {
             std::string::npos);
 }
 
+// Two lines of triangles that ran together: one corner of their polygon is far off the plane of the
+// others. A quad whose halves fold by 20 degrees is one.
+TEST_F(DamagedGeometry, a_polygon_across_the_part_is_refused) {
+  const auto quad = [&](double fold) {
+    const double up = std::tan(fold * std::numbers::pi / 180) / std::sqrt(2);
+    write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 " + std::to_string(up) + "\nv 0 1 0\nf 1 2 3 4\n");
+    return refusal("quad.obj", {});
+  };
+  EXPECT_EQ(quad(0), "");
+  EXPECT_EQ(quad(20), "");
+  for (const double fold : {45., 80.}) {
+    const std::string said = quad(fold);
+    EXPECT_NE(said.find("the polygon of 4 corners, one at [0, 0, 0]"), std::string::npos) << said;
+    EXPECT_NE(said.find("is not flat"), std::string::npos) << said;
+  }
+}
+
 // Four triangles on one another: meshed anew they never end.
 TEST_F(DamagedGeometry, triangles_on_each_other_are_refused) {
   write("twice.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3\nf 1 3 4\n");
