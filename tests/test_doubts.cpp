@@ -4,6 +4,8 @@
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include <chrono>
+
 namespace plica::test {
 namespace {
 
@@ -61,6 +63,14 @@ TEST(Doubts, name_materials_that_no_part_uses) {
   expect_doubt(
       with(plate_case, "materials: {", "materials: {copper: {E: 120 GPa, nu: 0.3, rho: 8900}, "),
       "materials.copper: no part uses it");
+}
+
+TEST(Doubts, of_very_many_materials_take_no_longer_than_their_number) {
+  Case data;
+  for (int i = 0; i < 200000; ++i) data.materials["m" + std::to_string(i)] = {};
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(doubts(data, {}).size(), data.materials.size());
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
 TEST(Doubts, name_a_deck_of_other_units_and_a_turn_of_many_turns) {

@@ -111,7 +111,7 @@ public:
 
 private:
   void add(const std::string& text) {
-    if (std::find(doubts_.begin(), doubts_.end(), text) == doubts_.end()) doubts_.push_back(text);
+    if (said_.insert(text).second) doubts_.push_back(text);
   }
 
   template <class F> void for_each_shell(F&& f) const {
@@ -273,6 +273,7 @@ private:
   const std::vector<int>& held_nodes_;
   std::vector<Box> boxes_; // of the shells of each component
   std::vector<std::string> doubts_;
+  std::set<std::string> said_; // the same
 };
 
 } // namespace
