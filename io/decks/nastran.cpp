@@ -1,6 +1,7 @@
 #include "io/decks/nastran.hpp"
 
 #include "io/decks/nastran_cards.hpp"
+#include "solve/supports.hpp"
 
 #include <fmt/format.h>
 
@@ -62,11 +63,7 @@ private:
     return case_.analyses.modes && r && !base_directions().empty();
   }
   // That there is an SPC1 card: a set that no card has is fatal.
-  bool is_held() const {
-    const auto& rows = model_.constraints;
-    return !built_.held_nodes.empty() ||
-           std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.terms.empty(); });
-  }
+  bool is_held() const { return !built_.held_nodes.empty() || has_supports(model_); }
   std::vector<int> base_directions() const { // translations
     std::vector<int> directions;
     for (int d : case_.analyses.response->bases)

@@ -264,7 +264,7 @@ private:
           "mode " + modes + ": what sits on the one shell node at " + at.data() +
           " turns about the normal of the wall, where a shell has no stiffness: the frequency is "
           "that of the mesh and has no limit. Put it on a set of nodes (a cap or a mass on a set "
-          "with a radius), or take the lever in the plane of the wall away");
+          "of several nodes, such as an edge), or take the lever in the plane of the wall away");
     }
   }
 

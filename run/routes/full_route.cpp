@@ -7,6 +7,7 @@
 #include "solve/model_error.hpp"
 #include "solve/static_correction.hpp"
 #include "solve/stopwatch.hpp"
+#include "solve/supports.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -51,11 +52,9 @@ public:
   std::string name() const override { return "full mesh: " + reason_; }
   int unknowns() const override { return system_.map.size(); }
   double mass() const override {
-    const auto& rows = built_.model.constraints;
-    const bool supported = std::any_of(rows.begin(), rows.end(),
-                                       [](const Constraint& row) { return row.terms.empty(); });
     // What supports hold is no unknown. Superelements hold scalar coordinates, not nodes.
-    if (supported && built_.model.scalar_nodes.empty()) return total_mass(built_.model);
+    if (has_supports(built_.model) && built_.model.scalar_nodes.empty())
+      return total_mass(built_.model);
     const std::vector<int> all = complement(system_.map.size(), {});
     return free_mass(built_.model, system_.map, all, system_.M).mass;
   }

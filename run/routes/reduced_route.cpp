@@ -5,6 +5,7 @@
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
+#include "solve/supports.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -143,11 +144,8 @@ private:
 
   // A rigid motion of the boundary is one of a superelement only where no support holds it inside.
   bool supported_inside() const {
-    return std::any_of(reduced_.instances.begin(), reduced_.instances.end(), [](const Instance& i) {
-      const auto& rows = i.part->model.constraints;
-      return std::any_of(rows.begin(), rows.end(),
-                         [](const Constraint& row) { return row.terms.empty(); });
-    });
+    return std::any_of(reduced_.instances.begin(), reduced_.instances.end(),
+                       [](const Instance& i) { return has_supports(i.part->model); });
   }
 
   // With the motion of the base by the masses of the whole.
