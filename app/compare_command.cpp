@@ -1,5 +1,4 @@
-#include "app/commands.hpp"
-
+#include "app/command_line.hpp"
 #include "app/finish.hpp"
 #include "app/terminal.hpp"
 #include "io/input/measured_file.hpp"
@@ -11,6 +10,11 @@
 
 namespace plica {
 namespace {
+
+struct CompareOptions {
+  std::string result, measured; // each a measured.yaml or a folder of results
+  Output out;
+};
 
 namespace fs = std::filesystem;
 
@@ -30,23 +34,34 @@ TestData test_data(const MeasuredFile& file) {
   return {.data = file.data, .frfs = load_frfs(file.data, file.path.parent_path())};
 }
 
-} // namespace
-
-int compare_command(const CompareOptions& options) {
+int compare_files(const CompareOptions& options) {
   const MeasuredFile result = measured_file(options.result), test = measured_file(options.measured);
   std::vector<fs::path> inputs = files_of(result);
   for (fs::path& file : files_of(test)) inputs.push_back(std::move(file));
   OutputFolder out(
-      options.out,
+      options.out.folder,
       {.command = "compare", .inputs = std::move(inputs), .names = correlation_files()});
   const TestData simulated = test_data(result), measured = test_data(test);
   const Correlation c = correlate(simulated, measured);
   write_correlation(c, simulated, measured, out);
   hand_over(out);
-  if (!options.quiet)
+  if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", correlation_text(c, simulated, measured),
                       (out.path() / "correlation.html").string()));
   return 0;
+}
+
+} // namespace
+
+void add_compare_command(CommandLine& line) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App& command =
+      line.add("compare", "simulation and test side by side: modes, shapes, responses",
+               [options] { return compare_files(*options); });
+  command.add_option("RESULT", options->result, "folder of a run, or a measured.yaml")->required();
+  command.add_option("MEASURED", options->measured, "a measured.yaml, or a folder of a run")
+      ->required();
+  add_output(command, options->out);
 }
 
 } // namespace plica

@@ -1,4 +1,4 @@
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "app/finish.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
@@ -17,6 +17,17 @@
 namespace plica {
 namespace {
 
+struct DiagnoseOptions {
+  ChosenCase chosen;
+  std::string measured;             // folder with a measured.yaml, or that file
+  std::vector<std::string> without; // guards left out, for ablations
+  Output out;
+  int threads = 0;
+  bool plan_next = true;
+  bool pretest = false; // what a planned test could tell, before it is made
+  TestPlan plan;
+};
+
 // Of the work of a diagnosis, what lies before a stage: as pipe A2 has it.
 double share_before(const std::string& stage) {
   constexpr std::array<std::pair<const char*, double>, 7> shares{{{"admissible specimens", 0.08},
@@ -33,20 +44,16 @@ double share_before(const std::string& stage) {
 
 namespace fs = std::filesystem;
 
-// measured.yaml of a folder, a file, or what the case names.
-fs::path measured_file(const DiagnoseOptions& options, const CaseFile& file) {
-  if (options.measured.empty()) {
-    if (file.data.measured.empty())
-      throw InputError(
-          {{.file = file.path,
-            .line = 0,
-            .key = "measured",
-            .wrong = "the case has no test to be held against",
-            .allowed = "--measured DIR with a measured.yaml, or measured: in the case"}});
-    return fs::path(file.path).parent_path() / file.data.measured;
-  }
-  const fs::path given = options.measured;
-  return fs::is_directory(given) ? given / "measured.yaml" : given;
+MeasuredFile measured_file(const DiagnoseOptions& options, const CaseFile& file) {
+  std::optional<MeasuredFile> test = test_of(file, options.measured);
+  if (!test)
+    throw InputError(
+        {{.file = file.path,
+          .line = 0,
+          .key = "measured",
+          .wrong = "the case has no test to be held against",
+          .allowed = "--measured DIR with a measured.yaml, or measured: in the case"}});
+  return std::move(*test);
 }
 
 // The responses of each entry on its own; problems keep the number of the entry.
@@ -72,9 +79,9 @@ std::string title_of(const Case& data) {
 }
 
 int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
-  OutputFolder out(options.out,
+  OutputFolder out(options.out.folder,
                    {.command = "pretest", .inputs = files_of(file), .names = pretest_files()});
-  Progress progress(options.quiet);
+  Progress progress(options.out.quiet);
   progress.title(file.data.name);
   Pretest result;
   try {
@@ -91,30 +98,28 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
   write_pretest(result, title_of(file.data), PLICA_VERSION, out);
   hand_over(out);
   progress.finish();
-  if (!options.quiet)
+  if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", pretest_text(result),
                       (out.path() / "pretest.html").string()));
   return 0;
 }
 
-} // namespace
-
-int diagnose_command(const DiagnoseOptions& options) {
+int diagnose_case(const DiagnoseOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.case_path, options.model);
+  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
   if (options.pretest) return plan_test(options, file);
-  const fs::path measured = measured_file(options, file);
-  const MeasuredFile test_file = read_measured_file(measured.string());
+  const MeasuredFile test_file = measured_file(options, file);
   DiagnosisData test{.data = test_file.data, .responses = {}};
-  resolve_states(test.data, file.data, measured.string());
-  test.responses = responses_of(test.data, measured.parent_path());
+  resolve_states(test.data, file.data, test_file.path.string());
+  test.responses = responses_of(test.data, test_file.path.parent_path());
   std::vector<fs::path> inputs = files_of(file);
   for (fs::path& path : files_of(test_file)) inputs.push_back(std::move(path));
   OutputFolder out(
-      options.out,
+      options.out.folder,
       {.command = "diagnose", .inputs = std::move(inputs), .names = diagnosis_files()});
-  Progress progress(options.quiet);
-  progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
+  Progress progress(options.out.quiet);
+  progress.title(file.data.name +
+                 (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
   DiagnosisSettings settings{.without = {options.without.begin(), options.without.end()},
                              .plan_next = options.plan_next};
   settings.stage = [&](const std::string& stage) {
@@ -126,7 +131,7 @@ int diagnose_command(const DiagnoseOptions& options) {
     diagnosis = with_doubts(
         file, [&] { return located(file, [&] { return diagnose(file.data, test, settings); }); });
   } catch (const std::invalid_argument& error) {
-    throw InputError({{.file = measured.string(),
+    throw InputError({{.file = test_file.path.string(),
                        .line = 0,
                        .key = "",
                        .wrong = error.what(),
@@ -137,10 +142,41 @@ int diagnose_command(const DiagnoseOptions& options) {
   write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, out);
   hand_over(out);
   progress.finish();
-  if (!options.quiet)
+  if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", diagnosis_text(diagnosis),
                       (out.path() / "diagnosis.html").string()));
   return 0;
+}
+
+} // namespace
+
+void add_diagnose_command(CommandLine& line) {
+  const auto options = std::make_shared<DiagnoseOptions>();
+  CLI::App& command = line.add(
+      "diagnose", "where the gap to a test lies, which effect causes it, how far it shrinks",
+      [options] { return diagnose_case(*options); });
+  add_case(command, options->chosen);
+  command
+      .add_option("--measured", options->measured,
+                  "a measured.yaml, or its folder; left out: as the case says")
+      ->type_name("DIR");
+  command.add_option("--without", options->without, "leave a guard out, to see what it does")
+      ->check(CLI::IsMember({"form", "nuisance", "reassembly", "adequacy", "levels", "heldout"}));
+  command.add_flag("--pretest", options->pretest,
+                   "before a test: what looks alike, how small an effect would be found");
+  command
+      .add_option_function<std::vector<char>>(
+          "--bases",
+          [options](const std::vector<char>& axes) {
+            for (char axis : axes) options->plan.bases.push_back(axis - 'x');
+          },
+          "of a planned test: axes of the table")
+      ->check(CLI::IsMember({'x', 'y', 'z'}));
+  command.add_option("--levels", options->plan.levels, "of a planned test: m/s2")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("!--no-plan", options->plan_next, "do not look for the next measurement");
+  add_output(command, options->out);
+  add_threads(command, options->threads);
 }
 
 } // namespace plica

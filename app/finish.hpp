@@ -1,8 +1,8 @@
 // How a command hands over what it found.
 #pragma once
 
-#include "io/input/case_file.hpp"
 #include "io/files/output_folder.hpp"
+#include "io/input/case_file.hpp"
 
 namespace plica {
 

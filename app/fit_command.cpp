@@ -1,15 +1,15 @@
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "app/finish.hpp"
 #include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "compare/fit/fit.hpp"
-#include "model/description/case_checks.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/fit_words.hpp"
 #include "io/write/write_fit.hpp"
+#include "model/description/case_checks.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <algorithm>
@@ -19,6 +19,17 @@
 
 namespace plica {
 namespace {
+
+struct FitOptions {
+  ChosenCase chosen;
+  std::string measured; // in place of the file the case names
+  std::string restart;  // fit.json of an earlier fit; empty = none
+  Output out;
+  int threads = 0;
+  std::optional<FitSearch> search;
+  std::optional<int> evaluations;
+  unsigned seed = 1;
+};
 
 std::atomic<bool> stopped{false};
 std::atomic<int> stopping_signal{SIGINT};
@@ -40,40 +51,37 @@ void stop_searching(int signal) {
                      .allowed = allowed}});
 }
 
-} // namespace
-
-int fit_command(const FitOptions& options) {
+int fit(const FitOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.case_path, options.model);
+  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
   if (!file.data.fit)
-    refuse(file, "is missing" + (options.model.empty() ? "" : " in model '" + options.model + "'"),
+    refuse(file,
+           "is missing" +
+               (options.chosen.model.empty() ? "" : " in model '" + options.chosen.model + "'"),
            "fit: {parameters: [{path: ..., bounds: [..., ...]}]}");
-  if (options.measured.empty() && file.data.measured.empty())
+  const std::optional<MeasuredFile> test_file = test_of(file, options.measured);
+  if (!test_file)
     refuse(file, "has nothing to fit to",
            "measured: measured.yaml in the case, or --measured FILE");
-  const std::filesystem::path beside = std::filesystem::path(file.path).parent_path();
-  const std::filesystem::path measured = options.measured.empty()
-                                             ? beside / file.data.measured
-                                             : std::filesystem::path(options.measured);
-  const MeasuredFile test_file = read_measured_file(measured.string());
-  TestData test{.data = test_file.data, .frfs = {}};
+  TestData test{.data = test_file->data, .frfs = {}};
   std::erase_if(test.data.frf, [&, i = 0](const MeasuredFrf&) mutable {
     const auto& held = test.data.hold_out;
     return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
   });
-  test.frfs = load_frfs(test.data, measured.parent_path());
+  test.frfs = load_frfs(test.data, test_file->path.parent_path());
   FitSettings settings{.search = options.search.value_or(file.data.fit->search),
                        .evaluations = options.evaluations.value_or(file.data.fit->evaluations),
                        .seed = options.seed,
                        .starts = {}};
   if (!options.restart.empty()) settings.starts = read_designs(options.restart, *file.data.fit);
   std::vector<std::filesystem::path> inputs = files_of(file);
-  for (std::filesystem::path& path : files_of(test_file)) inputs.push_back(std::move(path));
+  for (std::filesystem::path& path : files_of(*test_file)) inputs.push_back(std::move(path));
   if (!options.restart.empty()) inputs.emplace_back(options.restart);
-  OutputFolder out(options.out,
+  OutputFolder out(options.out.folder,
                    {.command = "fit", .inputs = std::move(inputs), .names = fit_files()});
-  Progress progress(options.quiet);
-  progress.title(file.data.name + (options.model.empty() ? "" : ", " + options.model));
+  Progress progress(options.out.quiet);
+  progress.title(file.data.name +
+                 (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
   progress.stage("fit of " + std::to_string(file.data.fit->parameters.size()) + " parameters");
   settings.progress = [&](int evaluations, double cost) {
     progress.share(double(evaluations) / double(std::max(settings.evaluations, 1)));
@@ -85,9 +93,8 @@ int fit_command(const FitOptions& options) {
     progress.stage(fmt::format("step {}, {} evaluations, cost {:.4g}", step, evaluations, cost));
   };
   settings.stop = [] { return stopped.load(); };
-  settings.refused = [&](const Case& design) {
-    return !check_case(design, {}, beside.string()).empty();
-  };
+  const std::string beside = std::filesystem::path(file.path).parent_path().string();
+  settings.refused = [&](const Case& design) { return !check_case(design, {}, beside).empty(); };
   for (const int signal : {SIGINT, SIGTERM})
     std::signal(signal, stop_searching); // the best so far is refined and written
   FitResult fit;
@@ -107,10 +114,34 @@ int fit_command(const FitOptions& options) {
   write_fit(fit, file.data.title.empty() ? file.data.name : file.data.title, out);
   hand_over(out);
   progress.finish();
-  if (!options.quiet)
+  if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", fit_text(fit), (out.path() / "fit.html").string()));
   if (stopped) return 128 + stopping_signal;
   return fit.converged ? 0 : 2;
+}
+
+} // namespace
+
+void add_fit_command(CommandLine& line) {
+  const auto options = std::make_shared<FitOptions>();
+  CLI::App& command = line.add("fit", "adjust numbers of a case to measured data (its section fit)",
+                               [options] { return fit(*options); });
+  add_case(command, options->chosen);
+  command
+      .add_option("--measured", options->measured,
+                  "a measured.yaml, or its folder; left out: as the case says")
+      ->type_name("FILE");
+  add_choice(command, "--search", options->search,
+             {{"local", FitSearch::local}, {"global", FitSearch::global}},
+             "from the values of the case, or over the whole box; left out: as the case says");
+  command.add_option("--evaluations", options->evaluations, "budget of a global search")
+      ->check(CLI::Range(10, 10000000));
+  command.add_option("--seed", options->seed, "of a global search")->capture_default_str();
+  command
+      .add_option("--restart", options->restart, "begin with the designs of an earlier fit.json")
+      ->type_name("FILE");
+  add_output(command, options->out);
+  add_threads(command, options->threads);
 }
 
 } // namespace plica

@@ -1,19 +1,28 @@
-#include "app/commands.hpp"
-
+#include "app/command_line.hpp"
 #include "app/finish.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "lab/signals/frf_of_signals.hpp"
-#include "lab/identification/linearity.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/write/write_identification.hpp"
+#include "lab/identification/linearity.hpp"
+#include "lab/signals/frf_of_signals.hpp"
 
 #include <fmt/core.h>
 
 namespace plica {
 namespace {
+
+struct IdentifyOptions {
+  std::vector<std::string> files; // one measured.yaml, or files of frequency responses
+  Output out;
+  IdentifySettings settings;
+  std::optional<FrfQuantity> quantity; // of bare files; none = as they say, or accelerance
+  WelchSettings welch{.block = 0};     // by the length of the record
+  FrfEstimator estimator = FrfEstimator::H1;
+  SineTracking tracking;
+};
 
 namespace fs = std::filesystem;
 
@@ -145,20 +154,18 @@ bool identify_one(const Tasks& tasks, std::size_t i, const IdentifyOptions& opti
   if (task.frf.density.size() > 0) out.add(below(tasks, i) + "spectra.csv", spectra_csv(task.frf));
   out.commit();
   progress.finish();
-  if (!options.quiet)
+  if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
                       (out.path() / (below(tasks, i) + "identification.html")).string(),
                       i + 1 < tasks.list.size() ? "\n" : ""));
   return !found.modes.empty();
 }
 
-} // namespace
-
-int identify_command(const IdentifyOptions& options) {
+int identify_files(const IdentifyOptions& options) {
   const Tasks tasks = tasks_of(options);
-  OutputFolder out(options.out,
+  OutputFolder out(options.out.folder,
                    {.command = "identify", .inputs = tasks.inputs, .names = names_of(tasks)});
-  Progress progress(options.quiet);
+  Progress progress(options.out.quiet);
   bool found_any = tasks.list.empty();
   for (std::size_t i = 0; i < tasks.list.size(); ++i) {
     try {
@@ -172,10 +179,66 @@ int identify_command(const IdentifyOptions& options) {
   }
   if (!tasks.levels.empty()) {
     write_levels(tasks.levels, tasks.homogeneity, out);
-    if (!options.quiet) print(levels_text(tasks.levels, tasks.homogeneity));
+    if (!options.out.quiet) print(levels_text(tasks.levels, tasks.homogeneity));
   }
   hand_over(out);
   return found_any ? 0 : 2;
+}
+
+} // namespace
+
+void add_identify_command(CommandLine& line) {
+  const auto options = std::make_shared<IdentifyOptions>();
+  CLI::App& command = line.add(
+      "identify", "frequencies, damping and shapes from measured responses or time signals",
+      [options] { return identify_files(*options); });
+  command
+      .add_option("FILES", options->files,
+                  "a measured.yaml, or files of frequency responses (UFF, CSV), one per reference")
+      ->required();
+  add_output(command, options->out);
+  command
+      .add_option_function<std::array<double, 2>>(
+          "--band",
+          [options](const std::array<double, 2>& band) {
+            options->settings.low = band[0];
+            options->settings.high = band[1];
+          },
+          "lowest and highest frequency, Hz; left out: all lines")
+      ->delimiter(',')
+      ->type_name("HZ HZ");
+  command
+      .add_option("--order", options->settings.highest_order,
+                  "highest order of the stabilisation diagram; left out: by the references")
+      ->check(CLI::Range(2, 200));
+  add_choice(command, "--quantity", options->quantity,
+             {{"receptance", FrfQuantity::receptance},
+              {"mobility", FrfQuantity::mobility},
+              {"accelerance", FrfQuantity::accelerance},
+              {"transmissibility", FrfQuantity::transmissibility}},
+             "of bare files; left out: as they say, or accelerance");
+  command
+      .add_option("--block", options->welch.block,
+                  "samples of a block (noise); left out: by the length")
+      ->check(CLI::Range(8, 1 << 24));
+  command.add_option("--overlap", options->welch.overlap, "of blocks, 0 to 0.95")
+      ->check(CLI::Range(0., 0.95))
+      ->capture_default_str();
+  add_choice(command, "--window", options->welch.window,
+             {{"rectangular", Window::rectangular},
+              {"hann", Window::hann},
+              {"hamming", Window::hamming},
+              {"flat_top", Window::flat_top}},
+             "of blocks; left out: hann");
+  add_choice(command, "--estimator", options->estimator,
+             {{"H1", FrfEstimator::H1}, {"H2", FrfEstimator::H2}, {"Hv", FrfEstimator::Hv}},
+             "of the frequency responses of noise; left out: H1");
+  command.add_option("--lines", options->tracking.lines, "frequencies of a sweep")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  command.add_option("--cycles", options->tracking.cycles, "periods in a window of a sweep")
+      ->check(CLI::Range(1., 10000.))
+      ->capture_default_str();
 }
 
 } // namespace plica

@@ -1,5 +1,4 @@
-#include "app/commands.hpp"
-
+#include "app/command_line.hpp"
 #include "app/terminal.hpp"
 #include "io/files/files.hpp"
 #include "io/input/starter_case.hpp"
@@ -10,8 +9,10 @@
 #include <fmt/core.h>
 
 namespace plica {
+namespace {
 
-int init_command(const std::filesystem::path& given) {
+// A file that is there, and a name that no case can have, are errors.
+int write_starter(const std::filesystem::path& given) {
   std::filesystem::path file = given;
   if (file.extension().empty()) file += ".yaml";
   const auto refused = [&](const char* wrong, const char* allowed) {
@@ -28,6 +29,15 @@ int init_command(const std::filesystem::path& given) {
   write_new(file, starter_case(name), file);
   print(fmt::format("{} written. Next: plica run {} --out out\n", file.string(), file.string()));
   return 0;
+}
+
+} // namespace
+
+void add_init_command(CommandLine& line) {
+  const auto file = std::make_shared<std::filesystem::path>("pipe.yaml");
+  CLI::App& command = line.add("init", "write a commented case file of a bellows to begin with",
+                               [file] { return write_starter(*file); });
+  command.add_option("FILE", *file, "the file, not there yet")->capture_default_str();
 }
 
 } // namespace plica

@@ -2,7 +2,7 @@
 // once, and what was finished is kept. A second one kills.
 #pragma once
 
-#include "mesh/worker.hpp"
+#include "mesh/generation/worker.hpp"
 
 namespace plica {
 

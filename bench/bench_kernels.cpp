@@ -1,6 +1,6 @@
 // Element matrices and assembly, per element.
 #include "io/input/case_file.hpp"
-#include "mesh/revolve.hpp"
+#include "mesh/generation/revolve.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/routes/reduced_case.hpp"
 #include "run/routes/route.hpp"

@@ -29,14 +29,34 @@ install(FILES cmake/debian_copyright RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
-install(TARGETS ${plica_libraries} EXPORT plica-targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/plica COMPONENT development)
+# Every room is a component with its own targets, so that a user of one need not have what others
+# use. Of every component: what it links, and the packages it needs.
+set(plica_components "")
+foreach(name ${plica_libraries})
+  install(TARGETS plica_${name} EXPORT plica-${name}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/plica COMPONENT development)
+  install(EXPORT plica-${name} NAMESPACE plica:: DESTINATION ${plica_package_dir}
+    COMPONENT development)
+  get_target_property(links plica_${name} PLICA_LINKS)
+  get_target_property(packages plica_${name} PLICA_PACKAGES)
+  list(FILTER links INCLUDE REGEX "^plica::")
+  string(REPLACE "plica::" "" links "${links}")
+  if(NOT packages)
+    set(packages "")
+  endif()
+  string(APPEND plica_components
+    "set(plica_links_of_${name} \"${links}\")\nset(plica_packages_of_${name} \"${packages}\")\n")
+endforeach()
+
+# Headers lie in include/plica and include each other from there: a user writes
+# #include "plica/solve/modes.hpp".
 foreach(folder words mesh elements solve reduction lab model run compare diagnose io)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plica
-    COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+    COMPONENT development FILES_MATCHING PATTERN "*.hpp" PATTERN web EXCLUDE)
 endforeach()
-install(EXPORT plica-targets NAMESPACE plica:: DESTINATION ${plica_package_dir}
+install(CODE "set(headers \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/plica\")"
   COMPONENT development)
+install(SCRIPT cmake/prefix_includes.cmake COMPONENT development)
 configure_package_config_file(cmake/plica-config.cmake.in
   ${PROJECT_BINARY_DIR}/plica-config.cmake INSTALL_DESTINATION ${plica_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plica-config-version.cmake
@@ -44,7 +64,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/plica-config-version.cmak
 install(FILES ${PROJECT_BINARY_DIR}/plica-config.cmake
   ${PROJECT_BINARY_DIR}/plica-config-version.cmake
   cmake/FindCHOLMOD.cmake cmake/FindFftw3.cmake cmake/FindGmshSdk.cmake cmake/FindLibcsv.cmake
-  cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake cmake/FindUMFPACK.cmake
+  cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake
   DESTINATION ${plica_package_dir} COMPONENT development)
 
 set(CPACK_GENERATOR DEB)

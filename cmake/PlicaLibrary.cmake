@@ -1,5 +1,7 @@
-# plica_library(<folder> SOURCES ... LINKS ... PRIVATE_LINKS ...)
-# One library per folder, target plica::<folder>. The link list is the rule of what it may include.
+# plica_library(<name> SOURCES ... LINKS ... PRIVATE_LINKS ... PACKAGES ...)
+# One library per room, target plica::<name>, the component <name> of the installed package. The link
+# list is the rule of what it may include; PACKAGES are what a user of the component must find, as
+# find_dependency() takes them.
 # -Wno-restrict and the two after it: GCC 12 warns of std::string concatenation without cause (GCC
 # bug 105651), more so from precompiled headers.
 add_library(plica_options INTERFACE)
@@ -9,34 +11,49 @@ target_compile_options(plica_options INTERFACE
 if(CMAKE_UNITY_BUILD)
   target_compile_options(plica_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
 endif()
+if(PLICA_WERROR)
+  target_compile_options(plica_options INTERFACE -Werror)
+endif()
 target_compile_features(plica_options INTERFACE cxx_std_20)
 if(PLICA_SANITIZE)
   target_compile_options(plica_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(plica_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What nearly every source includes, read once per library; from solve/ on, which holds them, with
-# the decompositions that are compiled once.
+# What nearly every source includes, read once for the rooms below solve/ and once for those above,
+# with the decompositions that solve/ compiles.
 set(plica_precompiled <Eigen/Dense> <Eigen/Sparse> <algorithm> <cmath> <functional> <map> <optional>
   <string> <vector>)
 set(plica_precompiled_from_solve ${plica_precompiled}
   ${PROJECT_SOURCE_DIR}/solve/decompositions.hpp)
 
+# The rooms, what each links and where it lies, for the rule of includes: build/rooms.txt.
+set_property(GLOBAL PROPERTY PLICA_ROOMS "")
+
 function(plica_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS;PACKAGES" ${ARGN})
   add_library(plica_${name} STATIC ${arg_SOURCES})
   add_library(plica::${name} ALIAS plica_${name})
   set_target_properties(plica_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(plica_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/plica>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(plica_${name} PUBLIC ${arg_LINKS} PRIVATE
     $<BUILD_INTERFACE:plica_options> ${arg_PRIVATE_LINKS})
   target_compile_features(plica_${name} PUBLIC cxx_std_20)
-  if(name MATCHES "^(words|mesh|elements|lab|files|matlab|universal|lab_files)$")
+  if(name STREQUAL "solve")
+    target_precompile_headers(plica_solve PRIVATE ${plica_precompiled_from_solve})
+  elseif(name MATCHES "^(elements|generation)$") # one without OpenMP, one with it
     target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
+  elseif(name MATCHES "^(words|mesh|lab|files|matlab|universal|lab_files)$")
+    target_precompile_headers(plica_${name} REUSE_FROM plica_elements)
   else()
-    target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled_from_solve})
+    target_precompile_headers(plica_${name} REUSE_FROM plica_solve)
   endif()
-  set_property(GLOBAL APPEND PROPERTY PLICA_LIBRARIES plica_${name})
+  set_property(GLOBAL APPEND PROPERTY PLICA_LIBRARIES ${name})
+  set_property(TARGET plica_${name} PROPERTY PLICA_LINKS ${arg_LINKS})
+  set_property(TARGET plica_${name} PROPERTY PLICA_PACKAGES ${arg_PACKAGES})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  string(JOIN " " links ${arg_LINKS})
+  set_property(GLOBAL APPEND_STRING PROPERTY PLICA_ROOMS "${folder} plica::${name} ${links}\n")
 endfunction()

@@ -1,8 +1,8 @@
 // plica_mesher SECONDS BYTES FILE UNIT SIZE TURN WELD: reads a file of geometry of others, meshes
 // it, and writes the faces, or why there are none, on descriptor 3. Plica starts it; see
-// mesh/surface_mesher.hpp.
-#include "mesh/surface_mesher.hpp"
-#include "mesh/worker.hpp"
+// mesh/generation/surface_mesher.hpp.
+#include "mesh/generation/surface_mesher.hpp"
+#include "mesh/generation/worker.hpp"
 #include "mesher/mesh_faces.hpp"
 #include "mesher/read_cad.hpp"
 #include "mesher/surface_frame.hpp"

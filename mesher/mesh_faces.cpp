@@ -1,6 +1,6 @@
 #include "mesher/mesh_faces.hpp"
 
-#include "mesh/gmsh_session.hpp"
+#include "mesh/generation/gmsh_session.hpp"
 #include "mesher/meshed.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // the middle of the part. All other faces are filled by quads of about the size.
 #pragma once
 
-#include "mesh/surface_mesher.hpp"
+#include "mesh/generation/surface_mesher.hpp"
 #include "mesher/read_cad.hpp"
 
 namespace plica {

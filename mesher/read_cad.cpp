@@ -1,6 +1,6 @@
 #include "mesher/read_cad.hpp"
 
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 #include "mesher/brep_text.hpp"
 #include "mesher/iges_text.hpp"
 #include "mesher/step_text.hpp"

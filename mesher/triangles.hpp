@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/shell_surface.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 
 namespace plica {
 

@@ -1,13 +1,9 @@
 #include "solve/frequency_response.hpp"
 
-#include <Eigen/UmfPackSupport>
-#include <stdexcept>
-
 namespace plica {
 
 using Eigen::MatrixXcd;
 using Eigen::VectorXd;
-using Complex = std::complex<double>;
 
 MatrixXcd frequency_response(const ModalModel& model, int load, const VectorXd& omega) {
   const Eigen::Index modes = model.lambda.size();
@@ -31,31 +27,6 @@ MatrixXcd frequency_response(const ModalModel& model, int load, const VectorXd& 
     const Eigen::MatrixXd re = model.output * real, im = model.output * imaginary;
     response.middleRows(first, count).real() = re.transpose();
     response.middleRows(first, count).imag() = im.transpose();
-  }
-  return response;
-}
-
-MatrixXcd direct_response(const SparseMatrix& K, const SparseMatrix& M, double eta,
-                          const VectorXd& force, const VectorXd& omega) {
-  using ComplexMatrix = Eigen::SparseMatrix<Complex>;
-  const auto whole = [](const SparseMatrix& lower) -> SparseMatrix {
-    return lower.selfadjointView<Eigen::Lower>();
-  };
-  const ComplexMatrix stiff = whole(K).cast<Complex>() * Complex(1, eta);
-  const ComplexMatrix mass = whole(M).cast<Complex>();
-  const Eigen::VectorXcd load = force.cast<Complex>();
-  Eigen::UmfPackLU<ComplexMatrix> solver;
-  MatrixXcd response(force.size(), omega.size());
-  for (Eigen::Index k = 0; k < omega.size(); ++k) {
-    const ComplexMatrix dynamic = stiff - Complex(omega[k] * omega[k]) * mass;
-    if (k == 0) solver.analyzePattern(dynamic);
-    solver.factorize(dynamic);
-    if (solver.info() != Eigen::Success)
-      throw std::runtime_error("direct response: the dynamic stiffness is singular at " +
-                               std::to_string(omega[k]) +
-                               " rad/s; without damping it is at every "
-                               "eigenfrequency");
-    response.col(k) = solver.solve(load);
   }
   return response;
 }

@@ -27,10 +27,4 @@ struct ModalModel {
 Eigen::MatrixXcd frequency_response(const ModalModel& model, int load,
                                     const Eigen::VectorXd& omega);
 
-// The same from one factorisation per frequency of K (1 + i eta) - omega^2 M, by UMFPACK (CHOLMOD
-// takes no complex symmetric matrix): free DOFs x frequencies. Proves the modal sum.
-// Throws std::runtime_error when a factorisation fails.
-Eigen::MatrixXcd direct_response(const SparseMatrix& K, const SparseMatrix& M, double eta,
-                                 const Eigen::VectorXd& force, const Eigen::VectorXd& omega);
-
 } // namespace plica

@@ -1,8 +1,8 @@
 // Files of geometry for tests, written by Gmsh's own OpenCASCADE kernel and by hand.
 #pragma once
 
-#include "mesh/gmsh_session.hpp"
-#include "mesh/meridian.hpp"
+#include "mesh/generation/gmsh_session.hpp"
+#include "mesh/generation/meridian.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/plate.hpp"
-#include "mesh/revolve.hpp"
+#include "mesh/generation/revolve.hpp"
 #include "solve/couplings.hpp"
 
 #include <functional>

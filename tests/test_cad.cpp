@@ -2,8 +2,8 @@
 #include "tests/cad_samples.hpp"
 
 #include "io/input/case_file.hpp"
-#include "mesh/surface_file.hpp"
-#include "mesh/surface_mesher.hpp"
+#include "mesh/generation/surface_file.hpp"
+#include "mesh/generation/surface_mesher.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "model/shape/build_surface.hpp"
 #include "words/input_error.hpp"

@@ -3,7 +3,7 @@
 // A sector of a quarter wave, antisymmetric at its start and symmetric at its end, carries the
 // harmonics n, 3n, 5n ...; the modes of n are told by projection on sin(n angle).
 // Cylinder: R = 0.1, L = 0.2, t = 0.002 (mid-surface), E = 210e9, nu = 0.3, rho = 7850.
-#include "mesh/revolve.hpp"
+#include "mesh/generation/revolve.hpp"
 #include "tests/support/fields.hpp"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 // gives; never a crash, never without end.
 #include "tests/cad_samples.hpp"
 
-#include "mesh/surface_file.hpp"
-#include "mesh/surface_mesher.hpp"
-#include "mesh/worker.hpp"
+#include "mesh/generation/surface_file.hpp"
+#include "mesh/generation/surface_mesher.hpp"
+#include "mesh/generation/worker.hpp"
 #include "mesher/brep_text.hpp"
 #include "mesher/iges_text.hpp"
 #include "mesher/step_text.hpp"

@@ -2,9 +2,9 @@
 // named sets, area, quality, and the file that Gmsh reads back.
 #include "tests/bellows_case.hpp"
 
-#include "mesh/msh_file.hpp"
+#include "mesh/generation/msh_file.hpp"
 #include "mesh/plate.hpp"
-#include "mesh/revolve.hpp"
+#include "mesh/generation/revolve.hpp"
 
 #include <Eigen/Geometry>
 #include <filesystem>

@@ -1,9 +1,10 @@
 // Steady and random response to base motion and to forces: static limit, reciprocity, a direct
 // solution, and Miles.
+#include "tests/support/direct_response.hpp"
 #include "tests/support/fields.hpp"
 
-#include "solve/base_motion.hpp"
 #include "lab/signals/peaks.hpp"
+#include "solve/base_motion.hpp"
 #include "solve/frequency_grid.hpp"
 #include "solve/frequency_response.hpp"
 #include "solve/random_response.hpp"

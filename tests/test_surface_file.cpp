@@ -1,4 +1,4 @@
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 #include "mesher/surface_frame.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "io/input/benchmark_file.hpp"
 
 #include "compare/benchmark_fields.hpp"
+#include "io/input/field_reader.hpp"
 #include "model/description/check_log.hpp"
 #include "words/did_you_mean.hpp"
-#include "io/input/field_reader.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -11,24 +11,19 @@
 namespace plica {
 namespace {
 
-int line(const ReadLog& log, const std::string& key) {
-  const auto found = log.lines.find(key);
-  return found == log.lines.end() ? 1 : found->second;
-}
-
 void check_table(const BenchmarkTable& t, const std::string& key,
                  const std::filesystem::path& beside, ReadLog& log) {
   std::error_code ignored;
   if (!t.case_file.empty() && !std::filesystem::is_regular_file(beside / t.case_file, ignored))
-    log.add(line(log, key + ".case"), key + ".case",
-            "there is no file '" + shown(t.case_file) + "'", "give a path relative to this file");
+    log.add(key + ".case", "there is no file '" + shown(t.case_file) + "'",
+            "give a path relative to this file");
   std::vector<std::string> columns;
   for (const BenchmarkColumn& c : t.columns) columns.push_back(c.name);
   for (std::size_t i = 0; i < t.rows.size(); ++i)
     if (const std::string& only = t.rows[i].only;
         !only.empty() && std::find(columns.begin(), columns.end(), only) == columns.end())
-      log.add(line(log, item(key + ".rows", i) + ".only"), item(key + ".rows", i) + ".only",
-              "there is no column '" + shown(only) + "'", suggestion(only, columns));
+      log.add(item(key + ".rows", i) + ".only", "there is no column '" + shown(only) + "'",
+              suggestion(only, columns));
 }
 
 } // namespace

@@ -1,13 +1,13 @@
 #include "io/input/case_file.hpp"
 
 #include "io/decks/read_deck.hpp"
-#include "model/description/case_checks.hpp"
-#include "model/description/check_log.hpp"
-#include "words/did_you_mean.hpp"
 #include "io/input/field_reader.hpp"
 #include "io/input/fit_input.hpp"
 #include "io/input/yaml_path.hpp"
+#include "model/description/case_checks.hpp"
 #include "model/description/case_fields.hpp"
+#include "model/description/check_log.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,8 @@ void read_content(DeckPart& deck, const std::string& directory, const std::strin
                   ReadLog& log) {
   deck.file = (std::filesystem::path(directory) / deck.file).string();
   std::error_code ignored;
-  if (deck_format(deck.file) == DeckFormat::none || !std::filesystem::is_regular_file(deck.file, ignored))
+  if (deck_format(deck.file) == DeckFormat::none ||
+      !std::filesystem::is_regular_file(deck.file, ignored))
     return; // the checks say so
   try {
     deck.content = read_deck(deck.file, deck.unknown_cards);

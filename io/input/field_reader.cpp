@@ -24,6 +24,12 @@ constexpr const char* name_rule = "a name is a letter, then letters, digits, _ o
 
 } // namespace
 
+void ReadLog::add(std::string key, std::string wrong, std::string allowed) {
+  const auto found = lines.find(key);
+  add(found == lines.end() ? 1 : found->second, std::move(key), std::move(wrong),
+      std::move(allowed));
+}
+
 void ReadLog::add(int line, std::string key, std::string wrong, std::string allowed) {
   problems.push_back({file, line, std::move(key), std::move(wrong), std::move(allowed)});
 }

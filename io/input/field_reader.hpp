@@ -27,6 +27,7 @@ struct ReadLog {
   std::vector<Tolerance> tolerances = {}; // numbers written with one
 
   void add(int line, std::string key, std::string wrong, std::string allowed);
+  void add(std::string key, std::string wrong, std::string allowed); // at the line of the key
 };
 
 // Sorts by line, keeps the order within a line.

@@ -1,8 +1,8 @@
 #include "io/input/fit_input.hpp"
 
+#include "model/description/case_path.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/units.hpp"
-#include "model/description/case_path.hpp"
 
 #include <algorithm>
 #include <array>

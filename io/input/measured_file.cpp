@@ -1,11 +1,11 @@
 #include "io/input/measured_file.hpp"
 
+#include "io/input/field_reader.hpp"
 #include "lab/measured/measured_fields.hpp"
+#include "model/description/case_path.hpp"
 #include "model/description/check_log.hpp"
 #include "words/did_you_mean.hpp"
-#include "io/input/field_reader.hpp"
 #include "words/units.hpp"
-#include "model/description/case_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +17,16 @@ namespace plica {
 
 namespace {
 
-int line(const ReadLog& log, const std::string& key) {
-  const auto found = log.lines.find(key);
-  return found == log.lines.end() ? 1 : found->second;
-}
-
 void check_sensors(const Measured& m, ReadLog& log) {
   for (std::size_t i = 0; i < m.sensors.size(); ++i) {
     const MeasuredSensor& s = m.sensors[i];
     const std::string key = item("sensors", i);
     for (std::size_t j = 0; j < i; ++j)
       if (!s.name.empty() && m.sensors[j].name == s.name)
-        log.add(line(log, key + ".name"), key + ".name",
-                "the name '" + shown(s.name) + "' is used by another sensor", "names must differ");
+        log.add(key + ".name", "the name '" + shown(s.name) + "' is used by another sensor",
+                "names must differ");
     if (s.axes.size() == 3 && !are_three_axes(s.axes))
-      log.add(line(log, key + ".axes"), key + ".axes", "two axes of the sensor coincide",
-              three_axes);
+      log.add(key + ".axes", "two axes of the sensor coincide", three_axes);
   }
 }
 
@@ -41,7 +35,7 @@ void check_sensor_named(const Measured& m, const std::string& key, const std::st
   std::vector<std::string> sensors;
   for (const MeasuredSensor& s : m.sensors) sensors.push_back(s.name);
   if (!name.empty() && std::find(sensors.begin(), sensors.end(), name) == sensors.end())
-    log.add(line(log, key + ".sensor"), key + ".sensor", "there is no sensor '" + shown(name) + "'",
+    log.add(key + ".sensor", "there is no sensor '" + shown(name) + "'",
             sensors.empty() ? "this file has none" : suggestion(name, sensors));
 }
 
@@ -52,7 +46,7 @@ void check_peaks(const Measured& m, ReadLog& log) {
     check_sensor_named(m, key, p.sensor, log);
     const auto same_length = [&](const std::vector<double>& list, const char* name) {
       if (!list.empty() && !p.level.empty() && list.size() != p.level.size())
-        log.add(line(log, key + "." + name), key + "." + name,
+        log.add(key + "." + name,
                 "has " + std::to_string(list.size()) + " items for " +
                     std::to_string(p.level.size()) + " levels",
                 "one item for each level");
@@ -68,8 +62,7 @@ void check_file(const std::string& name, const std::string& key, const std::stri
   const auto file = std::filesystem::path(path).parent_path() / name;
   std::error_code ignored;
   if (!name.empty() && !std::filesystem::is_regular_file(file, ignored))
-    log.add(line(log, key), key, "there is no file '" + shown(name) + "'",
-            "give a path relative to this file");
+    log.add(key, "there is no file '" + shown(name) + "'", "give a path relative to this file");
 }
 
 // "mid.y" of a sensor of this file, or "-". Inputs have names of their own.
@@ -83,12 +76,12 @@ void check_channels(const Measured& m, const std::vector<std::string>& channels,
     const std::string place = item(key, i);
     if (channels[i] == "-") continue;
     if (!seen.insert(channels[i]).second)
-      log.add(line(log, place), place, "channel '" + shown(channels[i]) + "' is there twice",
+      log.add(place, "channel '" + shown(channels[i]) + "' is there twice",
               "each channel once, - for one to leave out");
     const bool is_input =
         !input.empty() && (channels[i] == input || channels[i].starts_with("base."));
     if (!is_input && std::find(known.begin(), known.end(), channels[i]) == known.end())
-      log.add(line(log, place), place, "there is no sensor and axis '" + shown(channels[i]) + "'",
+      log.add(place, "there is no sensor and axis '" + shown(channels[i]) + "'",
               known.empty() ? "this file has no sensors" : suggestion(channels[i], known));
   }
 }
@@ -103,13 +96,12 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
       check_channels(m, {f.force}, key + ".force", "", log);
     const bool asked = log.lines.count(key + ".base") > 0;
     if (asked == !f.force.empty())
-      log.add(line(log, key), key,
-              asked ? "has a base and a driven channel" : "says neither base nor force",
+      log.add(key, asked ? "has a base and a driven channel" : "says neither base nor force",
               "give the axis along which the table moved (base), or the channel that was driven "
               "(force)");
     if (f.base && f.quantity && *f.quantity != FrfQuantity::transmissibility)
-      log.add(line(log, key + ".quantity"), key + ".quantity",
-              "does not go with motion of the base", "transmissibility, or force in place of base");
+      log.add(key + ".quantity", "does not go with motion of the base",
+              "transmissibility, or force in place of base");
   }
   for (std::size_t i = 0; i < m.signals.size(); ++i) {
     const MeasuredSignals& s = m.signals[i];
@@ -118,12 +110,11 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
     check_channels(m, s.channels, key + ".channels", s.reference, log);
     if (!s.force.empty()) check_channels(m, {s.force}, key + ".force", "", log);
     if (s.base && !s.force.empty())
-      log.add(line(log, key), key, "has a base and a driven channel",
+      log.add(key, "has a base and a driven channel",
               "base, or force for the channel that was driven");
     if (!s.channels.empty() && !s.reference.empty() &&
         std::find(s.channels.begin(), s.channels.end(), s.reference) == s.channels.end())
-      log.add(line(log, key + ".reference"), key + ".reference",
-              "'" + shown(s.reference) + "' is none of the channels",
+      log.add(key + ".reference", "'" + shown(s.reference) + "' is none of the channels",
               suggestion(s.reference, s.channels));
   }
 }
@@ -133,7 +124,7 @@ void check_vector(const Measured& m, const MeasuredVector& v, const std::string&
   if (!m.sensors.empty()) check_channels(m, v.channels, key + ".channels", "", log);
   const auto same_length = [&](const std::vector<double>& list, const char* name, bool required) {
     if ((required || !list.empty()) && list.size() != v.channels.size())
-      log.add(line(log, key + "." + name), key + "." + name,
+      log.add(key + "." + name,
               "has " + std::to_string(list.size()) + " items for " +
                   std::to_string(v.channels.size()) + " channels",
               "one item for each channel");
@@ -148,7 +139,7 @@ void check_modes(const Measured& m, ReadLog& log) {
     check_sensor_named(m, key, m.modes[i].sensor, log);
     if (m.modes[i].vector) check_vector(m, *m.modes[i].vector, key + ".vector", log);
     if (!m.modes[i].sensor.empty() && !m.modes[i].base)
-      log.add(line(log, key), key, "has a sensor but no base, so no response it belongs to",
+      log.add(key, "has a sensor but no base, so no response it belongs to",
               "give the axis along which the table moved");
   }
 }
@@ -162,10 +153,9 @@ void take_repeats(const std::vector<double>& repeats, double value, std::optiona
   for (double x : repeats) square += (x - mean) * (x - mean);
   const double scatter = std::sqrt(square / double(repeats.size() - 1));
   if (sigma)
-    log.add(line(log, key + ".repeats"), key + ".repeats", "stand beside a sigma",
-            "give the single results or their sigma");
+    log.add(key + ".repeats", "stand beside a sigma", "give the single results or their sigma");
   else if (std::abs(value - mean) > scatter + 1e-9 * std::abs(mean))
-    log.add(line(log, key + ".repeats"), key + ".repeats", "do not scatter about the value",
+    log.add(key + ".repeats", "do not scatter about the value",
             "single results whose mean is the value");
   else if (scatter > 0)
     sigma = scatter;
@@ -185,14 +175,14 @@ void check_states(const Measured& m, ReadLog& log) {
   for (std::size_t i = 0; i < m.states.size(); ++i) {
     const std::string key = item("states", i) + ".name";
     if (std::find(names.begin(), names.end(), m.states[i].name) != names.end())
-      log.add(line(log, key), key, "the name is used by another state", "names must differ");
+      log.add(key, "the name is used by another state", "names must differ");
     names.push_back(m.states[i].name);
   }
   const auto check = [&](const auto& entries, const char* list) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const std::string &state = entries[i].state, key = item(list, i) + ".state";
       if (!state.empty() && std::find(names.begin(), names.end(), state) == names.end())
-        log.add(line(log, key), key, "there is no state '" + shown(state) + "'",
+        log.add(key, "there is no state '" + shown(state) + "'",
                 names.empty() ? "this file has no states" : suggestion(state, names));
     }
   };
@@ -209,8 +199,7 @@ void check_hold_out(const Measured& m, ReadLog& log) {
       if (key.starts_with(list) && key.find('.') == std::string::npos) entries.push_back(key);
   for (std::size_t i = 0; i < m.hold_out.size(); ++i)
     if (!log.lines.count(m.hold_out[i]) || !m.hold_out[i].ends_with(']'))
-      log.add(line(log, item("hold_out", i)), item("hold_out", i),
-              "there is no entry '" + shown(m.hold_out[i]) + "'",
+      log.add(item("hold_out", i), "there is no entry '" + shown(m.hold_out[i]) + "'",
               entries.empty() ? "this file has none" : suggestion(m.hold_out[i], entries));
 }
 
@@ -232,8 +221,7 @@ MeasuredFile read_measured_file(const std::string& path) {
   check_responses(data, path, log);
   take_all_repeats(data, log);
   check_hold_out(data, log);
-  for (const Tolerance& t : log.tolerances)
-    log.add(line(log, t.path), t.path, "takes no tolerance", "give its sigma");
+  for (const Tolerance& t : log.tolerances) log.add(t.path, "takes no tolerance", "give its sigma");
   if (!log.problems.empty()) {
     sort_by_line(log.problems);
     throw InputError(std::move(log.problems));
@@ -243,6 +231,16 @@ MeasuredFile read_measured_file(const std::string& path) {
 
 Measured read_measured(const std::string& path) {
   return read_measured_file(path).data;
+}
+
+std::optional<MeasuredFile> test_of(const CaseFile& file, const std::string& given) {
+  const std::filesystem::path path = given;
+  if (std::filesystem::is_directory(path))
+    return read_measured_file((path / "measured.yaml").string());
+  if (!given.empty()) return read_measured_file(given);
+  if (file.data.measured.empty()) return std::nullopt;
+  const std::filesystem::path beside = std::filesystem::path(file.path).parent_path();
+  return read_measured_file((beside / file.data.measured).string());
 }
 
 std::vector<std::filesystem::path> files_of(const MeasuredFile& file) {

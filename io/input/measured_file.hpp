@@ -1,11 +1,12 @@
 // Reads measured.yaml. Strict: throws InputError with all problems of the file at once.
 #pragma once
 
+#include "io/input/case_file.hpp"
 #include "lab/measured/measured.hpp"
-#include "model/description/case.hpp"
 #include "words/input_error.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct MeasuredFile {
 
 MeasuredFile read_measured_file(const std::string& path);
 Measured read_measured(const std::string& path);
+
+// The test of a case: `given`, a file or a folder with a measured.yaml, or else what the case names;
+// none where neither is.
+std::optional<MeasuredFile> test_of(const CaseFile& file, const std::string& given = {});
 
 // It and the files it names.
 std::vector<std::filesystem::path> files_of(const MeasuredFile& file);

@@ -1,10 +1,10 @@
 #include "io/input/schema.hpp"
 
 #include "compare/benchmark_fields.hpp"
-#include "lab/measured/measured_fields.hpp"
 #include "io/input/schema_writer.hpp"
-#include "words/units.hpp"
+#include "lab/measured/measured_fields.hpp"
 #include "model/description/case_fields.hpp"
+#include "words/units.hpp"
 
 #include <cmath>
 

@@ -138,14 +138,6 @@ std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder) 
   return sets;
 }
 
-std::vector<std::string> warnings_of(const std::vector<FrfSet>& sets) {
-  std::vector<std::string> all;
-  for (const FrfSet& set : sets)
-    for (const std::string& warning : set.warnings)
-      if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
-  return all;
-}
-
 SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                        const fs::path& folder, const std::string& key) {
   const ChannelRequest request{.path = folder / entry.file,

@@ -28,9 +28,6 @@ struct SignalSet {
 // that differ in what was driven become references of one set, in their order.
 std::vector<FrfSet> load_frfs(const Measured& measured, const std::filesystem::path& folder);
 
-// What is doubtful in their files, each thing once.
-std::vector<std::string> warnings_of(const std::vector<FrfSet>& sets);
-
 SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                        const std::filesystem::path& folder, const std::string& key);
 

@@ -1,7 +1,7 @@
 // The part and its modes as pictures show them.
 #pragma once
 
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 #include "run/results/results.hpp"
 
 namespace plica {

@@ -77,7 +77,7 @@ std::string correlation_text(const Correlation& c, const TestData& a, const Test
   }
   if (c.comac.size() > 0) {
     text += "\nCOMAC";
-    for (Index q = 0; q < c.comac.size(); ++q)
+    for (Eigen::Index q = 0; q < c.comac.size(); ++q)
       text += fmt::format("  {} {:.3f}", c.channels[q], c.comac[q]);
     text += "\n";
   }

@@ -4,7 +4,7 @@
 #include "io/report/drawn_shapes.hpp"
 #include "io/tables/text.hpp"
 #include "io/universal/writer.hpp"
-#include "mesh/msh_file.hpp"
+#include "mesh/generation/msh_file.hpp"
 
 #include <fmt/format.h>
 

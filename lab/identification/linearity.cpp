@@ -3,10 +3,11 @@
 #include "lab/identification/mode_correlation.hpp"
 #include "lab/identification/peak_picking.hpp"
 
+#include <fmt/printf.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace plica {
@@ -15,12 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-std::string text(const char* format, auto... values) {
-  std::array<char, 200> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 // `relative`: standard deviation of one value, 0 = its scatter about the line.
 LevelSlope slope_of(const std::vector<double>& level, const std::vector<double>& values,
@@ -55,26 +50,26 @@ bool all_positive(const std::vector<double>& list) {
 
 std::string words(const LevelVerdict& v) {
   const auto [low, high] = std::minmax_element(v.level.begin(), v.level.end());
-  const std::string range = text("from %g to %g", *low, *high);
+  const std::string range = fmt::sprintf("from %g to %g", *low, *high);
   if (v.linear) {
     const auto [f0, f1] = std::minmax_element(v.frequency.begin(), v.frequency.end());
-    return text("linear within %.2g %% ", 100 * (*f1 / *f0 - 1)) + range;
+    return fmt::sprintf("linear within %.2g %% ", 100 * (*f1 / *f0 - 1)) + range;
   }
   std::string s = "amplitude dependent: ";
   const LevelSlope& f = v.frequency_slope;
   if (f.matters)
-    s += text("the frequency %s by %.0f %% ", f.change < 0 ? "falls" : "rises",
-              100 * std::abs(f.change)) +
-         range + text(" (like level^%.2f)", f.slope);
+    s += fmt::sprintf("the frequency %s by %.0f %% ", f.change < 0 ? "falls" : "rises",
+                      100 * std::abs(f.change)) +
+         range + fmt::sprintf(" (like level^%.2f)", f.slope);
   if (v.damping_slope && v.damping_slope->matters)
-    s += text("%sdamping %s by %.0f %%", f.matters ? ", " : "",
-              v.damping_slope->change < 0 ? "falls" : "rises",
-              100 * std::abs(v.damping_slope->change));
+    s += fmt::sprintf("%sdamping %s by %.0f %%", f.matters ? ", " : "",
+                      v.damping_slope->change < 0 ? "falls" : "rises",
+                      100 * std::abs(v.damping_slope->change));
   if (v.amplitude_slope && v.amplitude_slope->matters)
-    s += text("%sthe peak per unit of excitation %s by %.0f %%",
-              f.matters || (v.damping_slope && v.damping_slope->matters) ? ", " : "",
-              v.amplitude_slope->change < 0 ? "falls" : "rises",
-              100 * std::abs(v.amplitude_slope->change));
+    s += fmt::sprintf("%sthe peak per unit of excitation %s by %.0f %%",
+                      f.matters || (v.damping_slope && v.damping_slope->matters) ? ", " : "",
+                      v.amplitude_slope->change < 0 ? "falls" : "rises",
+                      100 * std::abs(v.amplitude_slope->change));
   if (f.matters)
     s += f.change < 0 ? "; softening, as friction or slipping plies give"
                       : "; hardening, as a gap or large displacement gives";

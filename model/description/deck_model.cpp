@@ -1,6 +1,6 @@
 #include "model/description/deck_model.hpp"
 
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 
 namespace plica {
 

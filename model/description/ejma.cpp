@@ -1,6 +1,6 @@
 #include "model/description/ejma.hpp"
 
-#include "mesh/curve_mesh.hpp"
+#include "mesh/generation/curve_mesh.hpp"
 
 #include <algorithm>
 #include <array>

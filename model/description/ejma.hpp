@@ -20,7 +20,7 @@
 // and by 10-20 % towards C1 = 1. n plies act as n times one ply, free to slip.
 #pragma once
 
-#include "mesh/meridian.hpp"
+#include "mesh/generation/meridian.hpp"
 
 namespace plica {
 

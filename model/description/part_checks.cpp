@@ -1,8 +1,8 @@
 #include "model/description/part_checks.hpp"
 
 #include "words/units.hpp"
-#include "mesh/surface_file.hpp"
-#include "mesh/surface_mesher.hpp"
+#include "mesh/generation/surface_file.hpp"
+#include "mesh/generation/surface_mesher.hpp"
 #include "model/description/deck_model.hpp"
 #include "model/description/pipe_model.hpp"
 #include "model/description/profile.hpp"

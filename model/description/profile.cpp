@@ -1,6 +1,6 @@
 #include "model/description/profile.hpp"
 
-#include "mesh/meridian.hpp"
+#include "mesh/generation/meridian.hpp"
 
 #include <algorithm>
 #include <charconv>

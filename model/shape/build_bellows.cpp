@@ -1,6 +1,6 @@
 #include "model/shape/build_bellows.hpp"
 
-#include "mesh/revolve.hpp"
+#include "mesh/generation/revolve.hpp"
 #include "model/description/profile.hpp"
 
 #include <algorithm>

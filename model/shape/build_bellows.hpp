@@ -1,7 +1,7 @@
 // The shell of revolution of a bellows: meridian, density, wall.
 #pragma once
 
-#include "mesh/meridian.hpp"
+#include "mesh/generation/meridian.hpp"
 #include "model/description/case.hpp"
 #include "solve/model.hpp"
 

@@ -1,6 +1,6 @@
 #include "model/shape/build_surface.hpp"
 
-#include "mesh/surface_mesher.hpp"
+#include "mesh/generation/surface_mesher.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,5 @@
-# Installs the build tree BUILD into a scratch folder and builds and runs a consumer against it.
+# Installs the build tree BUILD into a scratch folder and builds and runs consumers against it: of each
+# component, with the packages that it does not need made unfindable.
 set(stage ${BUILD}/consumer-stage)
 file(REMOVE_RECURSE ${stage} ${BUILD}/consumer-build)
 function(step)
@@ -7,10 +8,20 @@ function(step)
     message(FATAL_ERROR "${ARGV}\n${text}")
   endif()
 endfunction()
+function(consume component)
+  list(TRANSFORM ARGN REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
+  set(work ${BUILD}/consumer-build/${component})
+  step(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work} -G Ninja -DCOMPONENTS=${component}
+    -DCMAKE_PREFIX_PATH=${stage} -DCMAKE_BUILD_TYPE=Release ${ARGN})
+  step(${CMAKE_COMMAND} --build ${work})
+  step(${work}/consumer_${component})
+endfunction()
+set(files VTK HDF5 Matio Libcsv yaml-cpp)
+set(searches Ceres Pagmo)
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${stage})
-step(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${BUILD}/consumer-build -G Ninja
-  -DCMAKE_PREFIX_PATH=${stage} -DCMAKE_BUILD_TYPE=Release)
-step(${CMAKE_COMMAND} --build ${BUILD}/consumer-build)
-step(${BUILD}/consumer-build/consumer)
+consume(solve ${files} ${searches} GmshSdk assimp Fftw3 nlohmann_json fmt)
+consume(lab ${files} ${searches} GmshSdk assimp CHOLMOD Spectra nlohmann_json)
+consume(run ${files} ${searches} nlohmann_json)
+consume(write)
 # The installed program finds its mesher.
 step(${stage}/bin/plica check ${SOURCE}/cases/pipe_with_bracket)

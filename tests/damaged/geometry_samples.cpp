@@ -1,7 +1,7 @@
 #include "tests/damaged/geometry_samples.hpp"
 
 #include "io/files/files.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 #include "tests/cad_samples.hpp"
 
 #include <cstring>

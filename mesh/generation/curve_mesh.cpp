@@ -1,6 +1,6 @@
-#include "mesh/curve_mesh.hpp"
+#include "mesh/generation/curve_mesh.hpp"
 
-#include "mesh/gmsh_session.hpp"
+#include "mesh/generation/gmsh_session.hpp"
 
 #include <algorithm>
 #include <numeric>

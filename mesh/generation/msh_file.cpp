@@ -1,6 +1,6 @@
-#include "mesh/msh_file.hpp"
+#include "mesh/generation/msh_file.hpp"
 
-#include "mesh/gmsh_session.hpp"
+#include "mesh/generation/gmsh_session.hpp"
 
 #include <numeric>
 

@@ -7,7 +7,7 @@
 // where the last one ends), cuff.left, cuff.right, all.
 #pragma once
 
-#include "mesh/meridian.hpp"
+#include "mesh/generation/meridian.hpp"
 #include "mesh/mesh.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Shell elements on the faces of a CAD file, or on the triangles of a surface file. Files are read
 // and meshed by the program plica_mesher (mesher/), in a process of its own with a limit of time
-// and of memory (mesh/worker.hpp): their readers crash on, or never end with, some that are
+// and of memory (mesh/generation/worker.hpp): their readers crash on, or never end with, some that are
 // damaged.
 #pragma once
 

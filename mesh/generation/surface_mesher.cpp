@@ -1,7 +1,7 @@
-#include "mesh/surface_mesher.hpp"
+#include "mesh/generation/surface_mesher.hpp"
 
-#include "mesh/surface_file.hpp"
-#include "mesh/worker.hpp"
+#include "mesh/generation/surface_file.hpp"
+#include "mesh/generation/worker.hpp"
 
 #include <cstdlib>
 #include <cstring>

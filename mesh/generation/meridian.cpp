@@ -1,4 +1,4 @@
-#include "mesh/meridian.hpp"
+#include "mesh/generation/meridian.hpp"
 
 #include <algorithm>
 #include <cmath>

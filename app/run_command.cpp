@@ -1,9 +1,8 @@
-#include "app/commands.hpp"
-
 #include "app/finish.hpp"
 #include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
+#include "app/run_options.hpp"
 #include "app/terminal.hpp"
 #include "compare/compare.hpp"
 #include "io/decks/abaqus.hpp"
@@ -11,26 +10,14 @@
 #include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/input/reference.hpp"
-#include "io/input/schema.hpp"
 #include "io/lab_files/measured_data.hpp"
-#include "io/tables/certificate_words.hpp"
-#include "io/write/geometry.hpp"
 #include "io/tables/summary.hpp"
-#include "io/write/write_beam.hpp"
+#include "io/write/geometry.hpp"
 #include "io/write/write_results.hpp"
-#include "io/superelements/labels.hpp"
-#include "io/write/write_superelement.hpp"
-#include "model/shape/doubts.hpp"
-#include "run/study/equivalent_beam.hpp"
-#include "run/study/error_bars.hpp"
-#include "run/study/reduce.hpp"
-#include "run/routes/route.hpp"
 #include "run/analyses/run.hpp"
+#include "run/study/error_bars.hpp"
 #include "solve/sparse_factor.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <fmt/core.h>
 
 namespace plica {
@@ -101,19 +88,13 @@ void add_error_bars_and_variants(Results& results, const CaseFile& file, const R
 int write_deck(const CaseFile& file, const RunOptions& options) {
   const bool nastran = options.deck == "nastran";
   const std::string name = nastran ? "model.bdf" : "model.inp";
-  OutputFolder out(options.out, {.command = "deck", .inputs = files_of(file), .names = {name}});
+  OutputFolder out(options.out.folder,
+                   {.command = "deck", .inputs = files_of(file), .names = {name}});
   const BuiltCase built = build(file.data);
   out.add(name, nastran ? nastran_model(file.data, built) : abaqus_model(file.data, built));
   out.commit();
-  if (!options.quiet) print((out.path() / name).string() + "\n");
+  if (!options.out.quiet) print((out.path() / name).string() + "\n");
   return 0;
-}
-
-// The test that the case names.
-std::optional<MeasuredFile> test_of(const CaseFile& file) {
-  if (file.data.measured.empty()) return std::nullopt;
-  return read_measured_file(
-      (std::filesystem::path(file.path).parent_path() / file.data.measured).string());
 }
 
 OutputWork work_of(const CaseFile& file, const std::optional<MeasuredFile>& measured,
@@ -138,25 +119,16 @@ void add_test(Results& results, const MeasuredFile& measured, const std::vector<
     results.assumptions.push_back("Measurement: " + caveat);
 }
 
-} // namespace
-
-std::string case_file_of(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) return path;
-  const std::filesystem::path folder = std::filesystem::canonical(path, ignored);
-  return (std::filesystem::path(path) / folder.filename()).string() + ".yaml";
-}
-
-int run_command(const RunOptions& options) {
-  if (is_benchmark(options.case_path)) return benchmark_command(options);
+int run_case(const RunOptions& options) {
+  if (is_benchmark(options.chosen.path)) return run_benchmark(options);
   set_threads(options.threads);
-  const CaseFile file = read_case(options.case_path, options.model);
+  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
   if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
   const std::optional<MeasuredFile> measured = test_of(file);
   std::vector<FrfSet> frfs;
   if (measured) frfs = load_frfs(measured->data, measured->path.parent_path());
-  OutputFolder out(options.out, work_of(file, measured, options));
-  Progress progress(options.quiet);
+  OutputFolder out(options.out.folder, work_of(file, measured, options));
+  Progress progress(options.out.quiet);
   progress.title(file.data.name);
   Results results = with_doubts(file, [&] {
     return located(
@@ -176,12 +148,12 @@ int run_command(const RunOptions& options) {
                                "\": what would follow is left out");
   }
   progress.title(file.data.name);
-  progress.stage("writing " + options.out.string());
+  progress.stage("writing " + options.out.folder.string());
   write_geometry(results, options.geometry, out);
   write_results(results, out);
   hand_over(out);
   progress.finish();
-  if (!options.quiet) print(summary_text(results, options.out / "report.html"));
+  if (!options.out.quiet) print(summary_text(results, options.out.folder / "report.html"));
   if (interrupted) {
     say(fmt::format("plica: {}\n", results.warnings.back()));
     return interrupted_exit();
@@ -193,93 +165,27 @@ int run_command(const RunOptions& options) {
   return 0;
 }
 
-int reduce_command(const ReduceOptions& options) {
-  set_threads(options.threads);
-  const CaseFile file = read_case(options.case_path, options.model);
-  std::vector<std::string> names = superelement_files(false);
-  if (options.beam)
-    for (std::string& name : beam_files()) names.push_back(std::move(name));
-  OutputFolder out(options.out,
-                   {.command = "reduce", .inputs = files_of(file), .names = std::move(names)});
-  Progress progress(options.quiet);
-  progress.title(file.data.name);
-  const ReducedCase reduced = with_doubts(file, [&] {
-    return located(file, [&] {
-      return reduce_case(file.data, options.request,
-                         [&](const std::string& s) { progress.stage(s); });
-    });
-  });
-  std::optional<EquivalentBeam> beam;
-  if (options.beam)
-    beam = located(file, [&] {
-      return equivalent_beam(file.data, [&](const std::string& s) { progress.stage(s); });
-    });
-  write_superelement(reduced, options.units, out);
-  if (beam) write_beam(*beam, out);
-  hand_over(out);
-  progress.finish();
-  if (!options.quiet)
-    print(fmt::format("{}\n{}Report: {}\n", certificate_text(reduced),
-                      beam ? beam_text(*beam) + "\n" : "",
-                      (out.path() / "certificate.html").string()));
-  return reduced.certificate.passed && reduced.proved ? 0 : 2;
-}
+} // namespace
 
-int check_command(const CheckOptions& options) {
-  set_threads(options.threads);
-  if (is_benchmark(options.case_path)) {
-    read_benchmark(options.case_path);
-    print(fmt::format("{}: the benchmark is valid\n", options.case_path));
-    return 0;
-  }
-  const CaseFile file = read_case(options.case_path, options.model);
-  if (!file.data.measured.empty())
-    read_measured((std::filesystem::path(file.path).parent_path() / file.data.measured).string());
-  const BuiltCase built = located(file, [&] { return build(file.data); });
-  const auto symmetry = located(file, [&] {
-    return symmetric_view(built.model, file.data.analyses.reduction ? Symmetry::automatic
-                                                                    : file.data.analyses.symmetry);
-  });
-  const Estimate cost = located(file, [&] { return estimate(built, file.data.analyses); });
-  const MeshQuality quality = mesh_quality(built.model.mesh);
-  print(fmt::format("{}: the case is valid\n", options.case_path));
-  print(fmt::format("  {} nodes, {} elements, {} degrees of freedom\n", cost.nodes, cost.elements,
-                    cost.dofs));
-  if (!built.model.shells.empty())
-    print(fmt::format(
-        "  mesh: warp at most {:.2g}, aspect ratio at most {:.2g}, Jacobian ratio at least "
-        "{:.2g}\n",
-        quality.max_warp, quality.max_aspect, quality.min_jacobian));
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& x : built.model.mesh.nodes) box.extend(x);
-  print(fmt::format("  {:.4g} x {:.4g} x {:.4g} m (x, y, z)\n", box.sizes().x(), box.sizes().y(),
-                    box.sizes().z()));
-  for (const std::string& doubt : doubts(file.data, built)) print("  warning: " + doubt + "\n");
-  for (const BuiltSensor& sensor : built.sensors)
-    print(fmt::format("  sensor {}: {:.2f} mm from the nearest node\n", sensor.name,
-                      1e3 * sensor.distance));
-  const std::size_t variants = file.data.variants.size(), limits = 2 * file.data.tolerances.size();
-  if (const auto* view = std::get_if<CyclicModel>(&symmetry))
-    print(fmt::format(
-        "  repeats around its axis: solved in {} sectors, in far less than the estimate\n",
-        view->around()));
-  else if (!file.data.analyses.reduction)
-    print(fmt::format("  full mesh: {}\n", std::get<std::string>(symmetry)));
-  print(fmt::format("  estimate: {:.1f} GB, {:.0f} s a run", cost.memory / 1e9, cost.seconds));
-  if (variants > 0) print(fmt::format("; {} variants about as long each", variants));
-  if (file.data.analyses.error_bars)
-    print(fmt::format("; error bars: 2 runs on finer meshes, {} on coarse ones",
-                      limits > 0 ? limits + 2 : 0));
-  print("\n");
-  return 0;
-}
-
-int schema_command(const std::string& what, bool reference) {
-  const std::string schema = what == "measured"    ? measured_schema()
-                             : what == "benchmark" ? benchmark_schema()
-                                                   : case_schema();
-  print((reference ? reference_of(schema) : schema) + "\n");
-  return 0;
+void add_run_command(CommandLine& line) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = line.add("run", "statics, modes and report of a case",
+                               [options] { return run_case(*options); });
+  add_case(command, options->chosen);
+  add_output(command, options->out);
+  add_threads(command, options->threads);
+  command
+      .add_option("--geometry", options->geometry,
+                  "write the part and its modes besides, as msh, uff, glb, obj, ply, stl")
+      ->delimiter(',')
+      ->check(CLI::IsMember(geometry_formats()));
+  command
+      .add_option("--write-deck", options->deck,
+                  "only write the whole model as a deck for another solver: model.inp or model.bdf")
+      ->check(CLI::IsMember({"abaqus", "nastran"}));
+  command.add_flag("!--no-variants", options->variants, "leave the variants of the case out");
+  command.add_flag("!--no-error-bars", options->error_bars,
+                   "leave out the runs on finer meshes and over the tolerances");
 }
 
 } // namespace plica

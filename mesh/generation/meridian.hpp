@@ -11,7 +11,7 @@
 // phi = 90 degrees gives parallel walls (U), more gives an omega.
 #pragma once
 
-#include "mesh/curve_mesh.hpp"
+#include "mesh/generation/curve_mesh.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "mesh/revolve.hpp"
+#include "mesh/generation/revolve.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "mesh/worker.hpp"
+#include "mesh/generation/worker.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "app/commands.hpp"
 #include "app/finish.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
+#include "app/run_options.hpp"
 #include "app/terminal.hpp"
 #include "compare/compare.hpp"
 #include "io/input/benchmark_file.hpp"
@@ -9,8 +9,8 @@
 #include "io/tables/benchmark_words.hpp"
 #include "io/write/write_benchmark.hpp"
 #include "model/description/case_path.hpp"
-#include "run/study/error_bars.hpp"
 #include "run/analyses/run.hpp"
+#include "run/study/error_bars.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <fmt/core.h>
@@ -82,9 +82,7 @@ private:
 
   static Input read(const std::string& path, const BenchmarkColumn& column) {
     Input input{.file = read_case(path, column.model, column.set), .measured = {}};
-    if (const std::string& name = input.file.data.measured; !name.empty())
-      input.measured =
-          read_measured_file((std::filesystem::path(path).parent_path() / name).string());
+    input.measured = test_of(input.file);
     return input;
   }
 
@@ -107,15 +105,15 @@ private:
 
 } // namespace
 
-int benchmark_command(const RunOptions& options) {
+int run_benchmark(const RunOptions& options) {
   set_threads(options.threads);
-  BenchmarkResult result{.benchmark = read_benchmark(options.case_path), .values = {}};
-  Runs runs(result.benchmark, std::filesystem::path(options.case_path).parent_path());
+  BenchmarkResult result{.benchmark = read_benchmark(options.chosen.path), .values = {}};
+  Runs runs(result.benchmark, std::filesystem::path(options.chosen.path).parent_path());
   std::vector<std::filesystem::path> inputs = runs.files();
-  inputs.emplace_back(options.case_path);
-  OutputFolder out(options.out,
+  inputs.emplace_back(options.chosen.path);
+  OutputFolder out(options.out.folder,
                    {.command = "run", .inputs = std::move(inputs), .names = benchmark_files()});
-  Progress progress(options.quiet);
+  Progress progress(options.out.quiet);
   for (const BenchmarkTable& table : result.benchmark.tables) {
     BenchmarkValues values(table.rows.size(),
                            std::vector<std::optional<double>>(table.columns.size()));
@@ -133,7 +131,7 @@ int benchmark_command(const RunOptions& options) {
   write_benchmark(result, out);
   hand_over(out);
   progress.finish();
-  if (!options.quiet)
+  if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", benchmark_text(result),
                       (out.path() / "report.html").string()));
   return 0;

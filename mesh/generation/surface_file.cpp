@@ -1,4 +1,4 @@
-#include "mesh/surface_file.hpp"
+#include "mesh/generation/surface_file.hpp"
 
 #include <Eigen/Geometry>
 #include <assimp/Exporter.hpp>

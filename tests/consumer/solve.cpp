@@ -1,7 +1,7 @@
 // First frequency of a clamped strip, to show that the installed solver links and runs.
-#include "mesh/plate.hpp"
-#include "solve/couplings.hpp"
-#include "solve/modes.hpp"
+#include "plica/mesh/plate.hpp"
+#include "plica/solve/couplings.hpp"
+#include "plica/solve/modes.hpp"
 
 #include <cstdio>
 

@@ -1,0 +1,110 @@
+#include "app/command_line.hpp"
+
+#include "app/describe_app.hpp"
+#include "app/terminal.hpp"
+#include "words/did_you_mean.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+std::string case_file_of(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return path;
+  const std::filesystem::path folder = std::filesystem::canonical(path, ignored);
+  return (std::filesystem::path(path) / folder.filename()).string() + ".yaml";
+}
+
+// What is wrong with the first word when it is no command; empty when it is one, or an option.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return "";
+  return "plica: there is no command '" + shown(argv[1]) + "'; " + suggestion(argv[1], names);
+}
+
+} // namespace
+
+CommandLine::CommandLine() {
+  app_.set_version_flag("--version", "plica " PLICA_VERSION "\nwith " PLICA_LIBRARIES);
+  app_.require_subcommand(1);
+  for (const auto& add_command :
+       {add_run_command, add_reduce_command, add_identify_command, add_fit_command,
+        add_diagnose_command, add_compare_command, add_check_command, add_init_command,
+        add_schema_command, add_completion_command, add_manual_command})
+    add_command(*this);
+}
+
+CLI::App& CommandLine::add(const std::string& name, const std::string& help,
+                           std::function<int()> work) {
+  CLI::App& command = *app_.add_subcommand(name, help);
+  command.callback([this, work = std::move(work)] { chosen_ = work; });
+  return command;
+}
+
+int CommandLine::run(int argc, char** argv) {
+  if (const std::string unknown = unknown_command(app_, argc, argv); !unknown.empty()) {
+    say(unknown + "\n");
+    return 1;
+  }
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app_.exit(error) == 0 ? 0 : 1;
+  }
+  return chosen_();
+}
+
+void add_case(CLI::App& command, ChosenCase& chosen) {
+  command
+      .add_option_function<std::string>(
+          "CASE", [&chosen](const std::string& path) { chosen.path = case_file_of(path); },
+          "case file")
+      ->required();
+  command.add_option("--model", chosen.model, "one of the models of the case; left out: its parts")
+      ->type_name("NAME");
+}
+
+void add_output(CLI::App& command, Output& output) {
+  command.add_option("--out", output.folder, "folder for the results")->capture_default_str();
+  command.add_flag("--quiet", output.quiet, "print errors only");
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "threads, 0 = all cores")->check(CLI::Range(0, 256));
+}
+
+CLI::Validator number_in(double top, const std::string& allowed) {
+  return CLI::Validator(
+      [top, allowed](std::string& text) -> std::string {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        const bool good = number && (top > 0 ? value >= 0 && value <= top : value > 0);
+        return good ? "" : "'" + text + "' is no number " + allowed;
+      },
+      "");
+}
+
+void add_completion_command(CommandLine& line) {
+  const auto shell = std::make_shared<std::string>("bash");
+  CLI::App& command = line.add(
+      "completion", "print the completions of the command line for a shell", [&line, shell] {
+        print(completion(line.whole(), *shell));
+        return 0;
+      });
+  command.add_option("SHELL", *shell, "bash or zsh")
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->capture_default_str();
+}
+
+void add_manual_command(CommandLine& line) {
+  line.add("manual", "print the manual page, as man reads it", [&line] {
+    print(manual_page(line.whole(), PLICA_VERSION));
+    return 0;
+  });
+}
+
+} // namespace plica

@@ -1,0 +1,10 @@
+# Installed headers below `headers` include each other with the prefix plica/.
+file(GLOB_RECURSE installed "${headers}/*.hpp")
+foreach(header ${installed})
+  file(READ ${header} text)
+  string(REGEX REPLACE "#include \"([^\"]+)\"" "#include \"plica/\\1\"" prefixed "${text}")
+  string(REPLACE "plica/plica/" "plica/" prefixed "${prefixed}")
+  if(NOT prefixed STREQUAL text)
+    file(WRITE ${header} "${prefixed}")
+  endif()
+endforeach()
