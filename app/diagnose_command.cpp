@@ -174,7 +174,9 @@ void add_diagnose_command(CommandLine& line) {
       ->check(CLI::IsMember({'x', 'y', 'z'}));
   command.add_option("--levels", options->plan.levels, "of a planned test: m/s2")
       ->check(CLI::PositiveNumber);
-  command.add_flag("!--no-plan", options->plan_next, "do not look for the next measurement");
+  command.add_flag_callback(
+      "--no-plan", [options] { options->plan_next = false; },
+      "do not look for the next measurement");
   add_output(command, options->out);
   add_threads(command, options->threads);
 }

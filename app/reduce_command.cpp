@@ -20,7 +20,7 @@ struct ReduceOptions {
   ChosenCase chosen;
   Output out;
   int threads = 0;
-  ReduceRequest request;
+  SuperelementRequest request;
   Units units = Units::metres;
   bool beam = false; // equivalent pipe and connectors besides
 };

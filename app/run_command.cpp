@@ -183,9 +183,12 @@ void add_run_command(CommandLine& line) {
       .add_option("--write-deck", options->deck,
                   "only write the whole model as a deck for another solver: model.inp or model.bdf")
       ->check(CLI::IsMember({"abaqus", "nastran"}));
-  command.add_flag("!--no-variants", options->variants, "leave the variants of the case out");
-  command.add_flag("!--no-error-bars", options->error_bars,
-                   "leave out the runs on finer meshes and over the tolerances");
+  command.add_flag_callback(
+      "--no-variants", [options] { options->variants = false; },
+      "leave the variants of the case out");
+  command.add_flag_callback(
+      "--no-error-bars", [options] { options->error_bars = false; },
+      "leave out the runs on finer meshes and over the tolerances");
 }
 
 } // namespace plica

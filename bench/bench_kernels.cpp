@@ -1,10 +1,10 @@
 // Element matrices and assembly, per element.
 #include "io/input/case_file.hpp"
 #include "mesh/generation/revolve.hpp"
-#include "run/study/error_bars.hpp"
-#include "run/routes/reduced_case.hpp"
-#include "run/routes/route.hpp"
 #include "run/analyses/run.hpp"
+#include "run/routes/built_reduced.hpp"
+#include "run/routes/route.hpp"
+#include "run/study/error_bars.hpp"
 #include "solve/assembly.hpp"
 #include "solve/couplings.hpp"
 #include "solve/frequency_response.hpp"

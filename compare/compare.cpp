@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/printf.h>
 #include <limits>
 
 namespace plica {
@@ -48,9 +49,8 @@ std::optional<double> secant(const Results& results, const MeasuredStatic& k) {
 }
 
 std::string millimetres_of(double length) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g mm", 1e3 * length);
-  return text.data();
+  const std::string text = fmt::sprintf("%g mm", 1e3 * length);
+  return text;
 }
 
 const char* shape_name(MeasuredShape shape) {
@@ -135,24 +135,23 @@ void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& resul
                      axis == std::string(1, letter(measured.direction));
             });
         if (peak == curve.peaks_up.end()) continue;
-        std::array<char, 100> of{};
-        std::snprintf(of.data(), of.size(), " of the first peak at %s in %c, base %c, %g m/s2",
-                      measured.sensor.c_str(), letter(measured.direction), letter(measured.base),
-                      curve.level);
-        rows.push_back({.quantity = std::string("frequency") + of.data(),
+        const std::string of = fmt::sprintf(" of the first peak at %s in %c, base %c, %g m/s2",
+                                            measured.sensor.c_str(), letter(measured.direction),
+                                            letter(measured.base), curve.level);
+        rows.push_back({.quantity = std::string("frequency") + of,
                         .unit = "Hz",
                         .measured = measured.frequency[k],
                         .sigma = measured.sigma.value_or(0),
                         .computed = peak->frequency,
                         .entry = from + ".frequency[" + std::to_string(k) + "]"});
         if (k < measured.amplitude.size())
-          rows.push_back({.quantity = std::string("amplitude") + of.data(),
+          rows.push_back({.quantity = std::string("amplitude") + of,
                           .unit = "",
                           .measured = measured.amplitude[k],
                           .computed = peak->amplitude,
                           .entry = from + ".amplitude[" + std::to_string(k) + "]"});
         if (k < measured.damping.size())
-          rows.push_back({.quantity = std::string("damping by energy") + of.data(),
+          rows.push_back({.quantity = std::string("damping by energy") + of,
                           .unit = "%",
                           .measured = 100 * measured.damping[k],
                           .computed = 100 * peak->energy_damping,
@@ -201,16 +200,14 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
       if (in_direction(*response, static_cast<int>(c), *m.direction)) cross = std::max(cross, high);
     }
     if (cross > 1e-3 * largest) continue;
-    std::array<char, 400> text{};
-    std::snprintf(
-        text.data(), text.size(),
+    const std::string text = fmt::sprintf(
         "the test saw %.0f Hz in %c while the base moved in %c; the model answers in %c "
         "with %.1g of its largest channel. It has no path from one to the other: only what "
         "breaks its symmetry (a dent, a sensor's mass, a flexible fixture, a base that "
         "also moves in %c) can make one.",
         m.frequency, letter(*m.direction), letter(*m.base), letter(*m.direction),
         largest > 0 ? cross / largest : 0, letter(*m.direction));
-    remarks.emplace_back(text.data());
+    remarks.emplace_back(text);
   }
   return remarks;
 }

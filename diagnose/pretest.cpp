@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/printf.h>
 #include <stdexcept>
 
 namespace plica {
@@ -60,9 +61,8 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
   for (int base : plan.bases)
     for (double level : plan.levels) {
       append_readings(all, sweep_readings(data, base, level, sensors.front(), sensors));
-      std::array<char, 64> text{};
-      std::snprintf(text.data(), text.size(), "a sweep along %c at %g m/s2", "xyz"[base], level);
-      words.emplace_back(text.data());
+      const std::string text = fmt::sprintf("a sweep along %c at %g m/s2", "xyz"[base], level);
+      words.emplace_back(text);
     }
   for (Reading& r : all.readings) r.sigma = usual_sigma(r.kind) / 2;
   return all;

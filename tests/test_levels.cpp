@@ -5,8 +5,8 @@
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "run/analyses/jointed_model.hpp"
-#include "run/routes/ply_slip.hpp"
 #include "run/analyses/run.hpp"
+#include "run/routes/ply_slip.hpp"
 #include "solve/backbone.hpp"
 
 #include <array>
@@ -332,7 +332,7 @@ TEST(InterlockFriction, is_the_same_on_a_superelement) {
   levels.backbones = levels.referee = 0;
   data.sensors = {{.name = "middle", .at = {0, 0.0396, 0.065}}};
   const Results shells = run_quietly(data);
-  data.analyses.reduction = ReductionRequest{.cutoff = 6000};
+  data.analyses.reduction = SuperelementsInRun{.cutoff = 6000};
   const Results reduced = run_quietly(data);
   ASSERT_TRUE(reduced.reduced);
   const LevelFamily &a = shells.families[0], &b = reduced.families[0];

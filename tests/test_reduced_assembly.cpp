@@ -2,8 +2,8 @@
 // the unreduced assembly within what the cut-off allows, bodies on a wall keep the rest symmetric.
 #include "tests/bellows_case.hpp"
 
-#include "run/routes/route.hpp"
 #include "reduction/substructures.hpp"
+#include "run/routes/route.hpp"
 
 namespace plica::test {
 namespace {
@@ -18,7 +18,7 @@ Case assembly_case(const MeshDensity& mesh) {
 }
 
 Results reduced(Case data, double cutoff) {
-  data.analyses.reduction = ReductionRequest{.cutoff = cutoff};
+  data.analyses.reduction = SuperelementsInRun{.cutoff = cutoff};
   return run_silently(data);
 }
 

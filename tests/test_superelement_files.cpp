@@ -5,7 +5,6 @@
 
 #include "io/files/files.hpp"
 #include "io/report/superelements.hpp"
-#include "io/tables/certificate_words.hpp"
 #include "io/superelements/abaqus.hpp"
 #include "io/superelements/hdf5.hpp"
 #include "io/superelements/labels.hpp"
@@ -13,14 +12,15 @@
 #include "io/superelements/matrix_market.hpp"
 #include "io/superelements/nastran.hpp"
 #include "io/superelements/op4.hpp"
+#include "io/tables/certificate_words.hpp"
 #include "io/write/write_superelement.hpp"
-#include "words/input_error.hpp"
-#include "run/study/reduce.hpp"
 #include "run/analyses/response.hpp"
+#include "run/study/reduce.hpp"
 #include "solve/base_motion.hpp"
 #include "solve/sparse_factor.hpp"
 #include "solve/statics.hpp"
 #include "solve/stress.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
@@ -236,7 +236,7 @@ TEST(ReducedCase, may_be_nested) {
       read_case(std::string(PLICA_SOURCE_DIR) + "/cases/dual_assembly/dual_assembly.yaml").data;
   for (Part& part : data.parts)
     if (auto* b = std::get_if<Bellows>(&part.body)) b->mesh = {.around = 16, .arc = 2, .wall = 3};
-  data.analyses.reduction = ReductionRequest{};
+  data.analyses.reduction = SuperelementsInRun{};
   const ReducedCase r = reduce_case(data, {.cutoff = 1000, .boundary = {"edge_left", "edge_right"}},
                                     [](const auto&) {});
   EXPECT_EQ(r.element.boundary(), 12);

@@ -3,13 +3,13 @@
 #include "io/decks/nastran.hpp"
 #include "io/files/files.hpp"
 #include "run/study/error_bars.hpp"
-#include "words/input_error.hpp"
 #include "run/study/reduce.hpp"
 #include "run/study/refine.hpp"
 #include "solve/model_error.hpp"
 #include "solve/modes.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <numbers>
@@ -107,7 +107,7 @@ TEST(StaticStiffness, does_not_see_how_stiff_the_mount_is) {
 TEST(EffectiveMass, of_a_reduced_model_is_that_of_the_whole) {
   Case data = case_of(two_bellows("rigid", "", "modes: {count: 10}, error_bars: false"));
   const Results whole = run_silently(data);
-  data.analyses.reduction = ReductionRequest{.cutoff = 8000};
+  data.analyses.reduction = SuperelementsInRun{.cutoff = 8000};
   const Results reduced = run_silently(data);
   for (std::size_t j = 0; j < 6; ++j)
     EXPECT_NEAR(reduced.free_mass[j] / whole.free_mass[j], 1, 1e-9) << j;
@@ -132,7 +132,7 @@ analyses: {static: false, modes: {count: 8}, damping: {modal: 1 %}, response: {b
 )";
   Case data = case_of(text);
   const Results whole = run_silently(data);
-  data.analyses.reduction = ReductionRequest{.cutoff = 20000};
+  data.analyses.reduction = SuperelementsInRun{.cutoff = 20000};
   const Results reduced = run_silently(data);
   for (std::size_t k = 0; k < 2; ++k) {
     const auto &a = whole.responses[k].acceleration, &b = reduced.responses[k].acceleration;
@@ -198,7 +198,7 @@ TEST(FoldedMesh, of_a_concave_plate_or_a_steep_dent_is_refused) {
 TEST(CutoffBar, holds_where_no_mode_lies_between_the_cutoff_and_its_double) {
   Case data = case_of(two_bellows("rigid", "", "modes: {count: 1}"));
   const double whole = run_silently(data).modes[0].frequency;
-  data.analyses.reduction = ReductionRequest{.cutoff = 350};
+  data.analyses.reduction = SuperelementsInRun{.cutoff = 350};
   const Results reduced = run_silently(data);
   const double error = whole - reduced.modes[0].frequency;
   ASSERT_LT(error, -1e-2 * whole);
@@ -324,7 +324,7 @@ TEST(ModesAsked, are_not_more_for_a_stiff_mount) {
 // The part's own modes 7 and 8 stand in the other order than the reduced ones, by their shapes.
 TEST(Certificate, pairs_frequencies_by_shape_where_they_cross) {
   Case data = case_of(two_bellows("free", "", "error_bars: false"));
-  ReduceRequest request;
+  SuperelementRequest request;
   request.cutoff = 2000;
   const ReducedCase whole = reduce_case(data, request, [](const std::string&) {});
   const Superelement& s = whole.element;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/printf.h>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -178,9 +179,8 @@ private:
 
   void warn(FitResult& fit) const {
     const auto number = [](double v) {
-      std::array<char, 32> text{};
-      std::snprintf(text.data(), text.size(), "%.4g", v);
-      return std::string(text.data());
+      const std::string text = fmt::sprintf("%.4g", v);
+      return std::string(text);
     };
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
       const FittedParameter& p = fit.parameters[i];

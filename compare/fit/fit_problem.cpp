@@ -3,11 +3,12 @@
 #include "compare/compare.hpp"
 #include "compare/simulated.hpp"
 #include "model/description/case_path.hpp"
-#include "run/study/error_bars.hpp"
 #include "run/analyses/run.hpp"
+#include "run/study/error_bars.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/printf.h>
 #include <limits>
 #include <stdexcept>
 
@@ -269,9 +270,8 @@ void FitProblem::add_curve(const FrfSet& set, std::size_t r, std::size_t c,
     return;
   curve.name = curve.response + " by " + curve.reference;
   if (set.level) {
-    std::array<char, 32> level{};
-    std::snprintf(level.data(), level.size(), " at %g", *set.level);
-    curve.name += level.data();
+    const std::string level = fmt::sprintf(" at %g", *set.level);
+    curve.name += level;
   }
   known += ", " + curve.name;
   const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),

@@ -1,14 +1,15 @@
 #include "diagnose/account/shrink.hpp"
 
+#include "compare/search/search.hpp"
 #include "diagnose/effects/places.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/scatter.hpp"
-#include "compare/search/search.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <fmt/printf.h>
 #include <map>
 #include <random>
 
@@ -156,9 +157,8 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   add("level", [&](const Reading& r) {
     const TestRun* run = run_of(r);
     if (!run || !(run->level > 0)) return std::string();
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%g m/s2", run->level);
-    return std::string(text.data());
+    const std::string text = fmt::sprintf("%g m/s2", run->level);
+    return std::string(text);
   });
   add("direction", [&](const Reading& r) {
     const TestRun* run = run_of(r);

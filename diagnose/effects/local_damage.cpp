@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <fmt/printf.h>
 #include <numbers>
 
 namespace plica {
@@ -72,9 +72,8 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     for (int k : stations_of(wall.convolutions))
       for (int i = 0; i < directions; ++i) {
         const double angle = std::numbers::pi * i / directions;
-        std::array<char, 32> way{};
-        std::snprintf(way.data(), way.size(), "%g degrees", 180. * i / directions);
-        found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way.data(),
+        const std::string way = fmt::sprintf("%g degrees", 180. * i / directions);
+        found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way,
                                {[quads = damaged(s.built.model, wall, k, angle)](Model& model) {
                                   halve_modulus(model, quads);
                                 },

@@ -2,16 +2,15 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <fmt/core.h>
+#include <fmt/printf.h>
 
 namespace plica {
 
 std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
   const auto odds = [](double log_bayes) {
-    std::array<char, 32> text{};
     if (log_bayes > 13.8) return std::string("odds above a million to one");
-    std::snprintf(text.data(), text.size(), "odds %.3g:1", std::exp(log_bayes));
-    return std::string(text.data());
+    return fmt::format("odds {:.3g}:1", std::exp(log_bayes));
   };
   switch (judgement.verdict) {
   case Verdict::none:
@@ -33,12 +32,11 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
   case Verdict::ambiguous: {
     std::string text = "Ambiguous: ";
     for (const JudgedFit* j : judgement.named) {
-      std::array<char, 32> share{};
       double p = 0;
       for (const auto& [name, own] : judgement.probabilities)
         if (name == j->fit.together[0]->effect) p = own;
-      std::snprintf(share.data(), share.size(), " %.0f %%", 100 * p);
-      text += (j == judgement.named.front() ? "" : " or ") + name_of(j->fit) + share.data();
+      text += (j == judgement.named.front() ? "" : " or ") + name_of(j->fit) +
+              fmt::format(" {:.0f} %", 100 * p);
     }
     return text;
   }

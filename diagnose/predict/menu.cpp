@@ -1,6 +1,7 @@
 #include "diagnose/predict/menu.hpp"
 
 #include <algorithm>
+#include <fmt/printf.h>
 #include <set>
 
 namespace plica {
@@ -60,9 +61,8 @@ public:
 
 private:
   static std::string at(double level) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), " (%g m/s2)", level);
-    return text.data();
+    const std::string text = fmt::sprintf(" (%g m/s2)", level);
+    return text;
   }
 
   static TestReadings numbers(ReadingKind kind, StaticDirection direction) {

@@ -2,8 +2,8 @@
 
 #include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
-#include "model/shape/build_bellows.hpp"
 #include "model/description/case_path.hpp"
+#include "model/shape/build_bellows.hpp"
 #include "run/analyses/damping.hpp"
 #include "solve/parallel.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/printf.h>
 
 namespace plica {
 
@@ -24,9 +24,8 @@ std::string entry_name(const char* list, std::size_t i) {
 
 std::string at_level(double level) {
   if (level == 0) return "";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), ", %g m/s2", level);
-  return text.data();
+  const std::string text = fmt::sprintf(", %g m/s2", level);
+  return text;
 }
 
 } // namespace plica

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <fmt/printf.h>
 #include <map>
 #include <tuple>
 
@@ -34,13 +34,11 @@ void widen_by_repeats(TestReadings& test) {
         r.sigma = sigma;
       }
     if (assumed == 0) continue;
-    std::array<char, 200> text{};
-    std::snprintf(
-        text.data(), text.size(),
+    const std::string text = fmt::sprintf(
         "repeated measurements of a %s scatter by %.2g %% (standard deviation) where %.2g "
         "%% was assumed: taken for all that state none",
         name, 100 * sigma, 100 * assumed);
-    test.warnings.emplace_back(text.data());
+    test.warnings.emplace_back(text);
   }
 }
 

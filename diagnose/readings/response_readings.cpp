@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <fmt/printf.h>
 
 namespace plica {
 namespace {
@@ -125,12 +125,11 @@ private:
             return std::abs(std::log(hertz / own.highest)) < near;
           }))
         continue;
-      std::array<char, 200> text{};
-      std::snprintf(text.data(), text.size(),
-                    "%s: the highest peak at %g m/s2, %.4g Hz, is not among those at %g m/s2: "
-                    "something that no reading holds changes with the level",
-                    entry_name("frf", next->entry).c_str(), run.level, own.highest, at.level);
-      list_.all.warnings.emplace_back(text.data());
+      const std::string text =
+          fmt::sprintf("%s: the highest peak at %g m/s2, %.4g Hz, is not among those at %g m/s2: "
+                       "something that no reading holds changes with the level",
+                       entry_name("frf", next->entry).c_str(), run.level, own.highest, at.level);
+      list_.all.warnings.emplace_back(text);
     }
   }
 

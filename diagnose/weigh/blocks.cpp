@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/printf.h>
 #include <map>
 #include <numeric>
 
@@ -75,9 +76,8 @@ std::string name_of(const LocatedGap& b) {
   if (!b.direction.empty()) name += " in " + b.direction;
   if (!b.band.empty()) name += ", " + b.band;
   if (b.level) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), ", %g m/s2", *b.level);
-    name += text.data();
+    const std::string text = fmt::sprintf(", %g m/s2", *b.level);
+    name += text;
   }
   return b.state.empty() ? name : name + ", " + b.state;
 }

@@ -1,8 +1,8 @@
 #include "diagnose/weigh/evidence.hpp"
 
+#include "compare/search/search.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
 #include "diagnose/weigh/spread_point.hpp"
-#include "compare/search/search.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/LU>

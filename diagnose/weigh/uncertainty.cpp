@@ -3,8 +3,8 @@
 #include "diagnose/weigh/damping_weights.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
 #include "diagnose/weigh/scatter.hpp"
-#include "run/study/error_bars.hpp"
 #include "run/analyses/run.hpp"
+#include "run/study/error_bars.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/Cholesky>

@@ -42,11 +42,11 @@ std::array<double, 2> spread_over_variants(const Results& results, const Measure
 // Throws std::invalid_argument when a mode shape has not one row of translations per mesh node.
 void require_one_row_per_node(const Results& results);
 
-// The proof of completeness as one plain sentence, numbers as `number` writes them.
 // What the mesh (and the cut-off) still misses of a mode, in percent with its sign; "-" where it is
 // not known.
 std::string mesh_error_percent(const ModeResult& mode, const MeshError& error);
 
+// The proof of completeness as one plain sentence, numbers as `number` writes them.
 std::string proof_sentence(const Verification& verification,
                            std::string (*number)(double value, int digits) = significant);
 

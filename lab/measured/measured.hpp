@@ -28,8 +28,6 @@ struct MeasuredSensor {
   int node = 0; // its number in universal files; 0 = found by its name
 };
 
-// `repeats` are single results; where no sigma is given it is their standard deviation.
-
 // A known change of the specimen under which some entries were measured: "loaded".
 struct MeasuredState {
   std::string name;
@@ -37,6 +35,7 @@ struct MeasuredState {
   std::map<std::string, double> numbers;  // the same in SI, once a case gives the units
 };
 
+// `repeats` are single results; where no sigma is given it is their standard deviation.
 struct MeasuredMass {
   double value = 0;
   std::optional<double> sigma;

@@ -1,8 +1,8 @@
 // Every key of the `fit` section; see field_types.hpp for the visitor.
 #pragma once
 
-#include "words/field_types.hpp"
 #include "model/description/fit_request.hpp"
+#include "words/field_types.hpp"
 
 namespace plica {
 

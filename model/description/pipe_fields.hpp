@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/description/case.hpp"
-#include "words/field_types.hpp"
 #include "model/description/friction_fields.hpp"
+#include "words/field_types.hpp"
 
 namespace plica {
 

@@ -1,7 +1,8 @@
 // Does the profile of a convolution exist, and does it stay clear of itself?
 //
-// With the arcs Rr, Rc, their angle phi and the pitch q of mesh/generation/meridian.hpp: phi = 90 deg gives
-// parallel walls, less inclined ones (U); above, the walls lean over (omega) and the necks
+// With the arcs Rr, Rc, their angle phi and the pitch q of mesh/generation/meridian.hpp: phi = 90
+// deg gives parallel walls, less inclined ones (U); above, the walls lean over (omega) and the
+// necks
 //   q - 2 Rr   inside one convolution, at the root side,
 //   q - 2 Rc   between neighbouring convolutions, at the crown side
 // must stay wider than the wall. Lengths in m, angles in rad.

@@ -3,6 +3,7 @@
 #include "mesh/generation/surface_mesher.hpp"
 
 #include <Eigen/Geometry>
+#include <fmt/printf.h>
 
 #include <mutex>
 #include <tuple>
@@ -13,9 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 std::string length_text(double length) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g mm", 1e3 * length);
-  return text.data();
+  const std::string text = fmt::sprintf("%.6g mm", 1e3 * length);
+  return text;
 }
 
 // Variants, error bars and diagnoses build a case many times.

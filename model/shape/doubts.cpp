@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdio>
+#include <fmt/printf.h>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -28,9 +28,8 @@ constexpr double highest_convolution = 1; // of the root radius
 constexpr double one_place = 1e-3;        // m: ends that lie there are one, however small they are
 
 std::string number(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", x);
-  return text.data();
+  const std::string text = fmt::sprintf("%.4g", x);
+  return text;
 }
 
 std::string listed(const std::set<std::string>& names) {

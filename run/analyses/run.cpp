@@ -1,21 +1,22 @@
 #include "run/analyses/run.hpp"
 
 #include "model/description/connector_curve.hpp"
-#include "run/analyses/damping.hpp"
 #include "model/shape/doubts.hpp"
-#include "words/input_error.hpp"
+#include "run/analyses/damping.hpp"
 #include "run/analyses/joint_strokes.hpp"
-#include "run/routes/ply_slip.hpp"
 #include "run/analyses/levels.hpp"
 #include "run/analyses/stress.hpp"
+#include "run/routes/ply_slip.hpp"
 #include "solve/drilling.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <fmt/printf.h>
 #include <tuple>
 
 namespace plica {
@@ -182,9 +183,8 @@ private:
 
   void warn_of_levels(const LevelFamily& family) {
     const auto warn = [&](double level, const std::string& what) {
-      std::array<char, 40> text{};
-      std::snprintf(text.data(), text.size(), "%g ", level);
-      results_.warnings.push_back("levels, excitation " + family.excitation + ", " + text.data() +
+      const std::string text = fmt::sprintf("%g ", level);
+      results_.warnings.push_back("levels, excitation " + family.excitation + ", " + text +
                                   family.unit + ": " + what);
     };
     for (const LevelCurve& curve : family.curves) {
@@ -258,10 +258,9 @@ private:
             (modes_at[shares[i].node].empty() ? "" : ", ") + std::to_string(i + 1);
     for (const auto& [node, modes] : modes_at) {
       const Eigen::Vector3d& x = built_.model.mesh.nodes[std::size_t(node)];
-      std::array<char, 80> at{};
-      std::snprintf(at.data(), at.size(), "[%.4g, %.4g, %.4g] m", x[0], x[1], x[2]);
+      const std::string at = fmt::sprintf("[%.4g, %.4g, %.4g] m", x[0], x[1], x[2]);
       results_.warnings.push_back(
-          "mode " + modes + ": what sits on the one shell node at " + at.data() +
+          "mode " + modes + ": what sits on the one shell node at " + at +
           " turns about the normal of the wall, where a shell has no stiffness: the frequency is "
           "that of the mesh and has no limit. Put it on a set of nodes (a cap or a mass on a set "
           "of several nodes, such as an edge), or take the lever in the plane of the wall away");

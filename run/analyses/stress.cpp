@@ -2,6 +2,7 @@
 
 #include "solve/stress.hpp"
 
+#include <fmt/printf.h>
 namespace plica {
 namespace {
 
@@ -10,9 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::string text(double value) { // four significant digits
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.4g", value);
-  return buffer.data();
+  return fmt::sprintf("%.4g", value);
 }
 
 int nodes_of(const Mesh& mesh) {

@@ -93,8 +93,6 @@ struct RandomResult {
   std::vector<CrossDensity> cross;
 };
 
-// Acceleration of the sensors in their own axes: absolute and per base acceleration
-// (transmissibility), or per N (Nm) of a force with the base at rest.
 // A measured response of one channel, beside the computed one.
 struct TestCurve {
   int channel = 0; // of the response
@@ -102,6 +100,8 @@ struct TestCurve {
   std::optional<double> level; // of the excitation
 };
 
+// Acceleration of the sensors in their own axes: absolute and per base acceleration
+// (transmissibility), or per N (Nm) of a force with the base at rest.
 struct ResponseResult {
   std::string excitation; // base: x y z rx ry rz; or the name of the force
   bool is_force = false;

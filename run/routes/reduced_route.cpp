@@ -1,11 +1,11 @@
-#include "words/input_error.hpp"
-#include "run/routes/reduced_case.hpp"
+#include "run/routes/built_reduced.hpp"
 #include "run/routes/route.hpp"
 #include "solve/constraints.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/supports.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <stdexcept>

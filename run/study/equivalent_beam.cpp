@@ -1,14 +1,14 @@
 #include "run/study/equivalent_beam.hpp"
 
 #include "model/description/ejma.hpp"
-#include "run/study/error_bars.hpp"
-#include "words/input_error.hpp"
 #include "model/description/pipe_model.hpp"
 #include "model/description/profile.hpp"
-#include "run/study/reduce.hpp"
 #include "run/analyses/run.hpp"
+#include "run/study/error_bars.hpp"
+#include "run/study/reduce.hpp"
 #include "solve/model_error.hpp"
 #include "solve/statics.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -243,7 +243,7 @@ private:
                                 frequency_of(chain, shape, order)});
     stage_("transfer stiffness");
     const double top = highest(case_, shell);
-    const ReduceRequest request{.cutoff = 2 * top, .boundary = {}};
+    const SuperelementRequest request{.cutoff = 2 * top, .boundary = {}};
     const std::array<ReducedCase, 3> reduced{reduce_case(case_, request, quiet),
                                              reduce_case(beam.pipe, request, quiet),
                                              reduce_case(beam.connector, request, quiet)};

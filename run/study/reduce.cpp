@@ -1,16 +1,16 @@
 #include "run/study/reduce.hpp"
 
-#include "run/analyses/damping.hpp"
-#include "words/input_error.hpp"
-#include "run/routes/reduced_case.hpp"
-#include "run/routes/route.hpp"
-#include "run/analyses/response.hpp"
 #include "reduction/craig_bampton.hpp"
 #include "reduction/cyclic_modes.hpp"
+#include "run/analyses/damping.hpp"
+#include "run/analyses/response.hpp"
+#include "run/routes/built_reduced.hpp"
+#include "run/routes/route.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
 #include "solve/stress.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -331,7 +331,7 @@ void add_statics(PartReference& part, const BuiltCase& built, const SymmetricVie
 
 } // namespace
 
-ReducedCase reduce_case(const Case& given, const ReduceRequest& request,
+ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
                         const std::function<void(const std::string&)>& stage) {
   Case data = given;
   data.mount.clear(); // whoever takes the superelement holds it

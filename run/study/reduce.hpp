@@ -10,7 +10,7 @@
 
 namespace plica {
 
-struct ReduceRequest {
+struct SuperelementRequest {
   double cutoff = 0;                 // Hz; 0 = reduction_cutoff() of the case
   std::vector<std::string> boundary; // names of caps and sensors; none = all caps
   double least_interface_mass = 0;   // modes with a smaller share are left out
@@ -40,7 +40,7 @@ struct ReducedCase {
 // the response load vectors. With analyses.reduction the parts between caps are reduced first and
 // the superelement is one of superelements. Throws InputError for a case without caps or a name
 // that is not there, and as build().
-ReducedCase reduce_case(const Case& data, const ReduceRequest& request,
+ReducedCase reduce_case(const Case& data, const SuperelementRequest& request,
                         const std::function<void(const std::string&)>& stage);
 
 } // namespace plica

@@ -1,0 +1,327 @@
+#include "diagnose/account/account.hpp"
+
+#include "diagnose/account/assumptions.hpp"
+#include "diagnose/account/next_measurement.hpp"
+#include "diagnose/account/residual_energy.hpp"
+#include "diagnose/account/shrink.hpp"
+#include "diagnose/judge/headline.hpp"
+#include "diagnose/weigh/interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+class Account {
+public:
+  Account(const GapProblem& problem, const Findings& found, const DiagnosisSettings& settings)
+      : problem_(problem), found_(found), settings_(settings) {}
+
+  Diagnosis diagnosis() {
+    const FitContext& context = found_.context;
+    const BlockScores& scores = found_.scores;
+    const JudgedFit& nominal = found_.nominal;
+    const std::vector<Family>& ranked = found_.ranked;
+    const std::vector<JudgedFit>&fits = found_.fits, &pairs = found_.pairs;
+    const Judgement& judgement = found_.judgement;
+    const std::vector<Signature>& all = found_.signatures;
+    result_.case_name = problem_.data.name;
+    result_.verdict = judgement.verdict;
+    result_.probabilities = judgement.probabilities;
+    const auto probability = [&](const std::string& effect) {
+      for (const auto& [name, p] : judgement.probabilities)
+        if (name == effect) return p;
+      return 0.;
+    };
+    for (const JudgedFit* j : judgement.named)
+      for (std::size_t h = 0; h < j->fit.together.size(); ++h) {
+        const Hypothesis& own = *j->fit.together[h];
+        if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& e) {
+              return e.name == own.effect && e.place == own.place;
+            }))
+          result_.effects.push_back(named(j->fit, h, probability(own.effect), fits));
+      }
+    result_.where = located(scores, nominal.fit.deviation);
+    for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
+      result_.where.push_back(std::move(gap));
+    add_components(ranked);
+    result_.trends = level_trends(problem_.readings);
+    const JudgedFit* first = best_of(nominal, ranked, pairs, judgement);
+    add_tried(nominal, ranked, pairs, first);
+    for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
+    for (NamedEffect& e : result_.effects) add_other_places(e, fits);
+    const JudgedFit* other = second_of(ranked, first);
+    std::vector<HypothesisFit> shown{first->fit};
+    if (other) shown.push_back(other->fit);
+    for (HypothesisFit& fit : shown) complete(context, fit);
+    const HypothesisFit& best = shown.front();
+    const HypothesisFit* second = other ? &shown.back() : nullptr;
+    how_far(context, nominal, best, second);
+    result_.basis_error = problem_.predictors->of(best.together).basis_error(best.values);
+    if (best.together.size() == 1) result_.drifts = drifts(context, best);
+    const Structure structure = problem_.nominal.structure(problem_.test.data);
+    result_.compensators = compensators(context, *problem_.held_out, nominal.fit, structure);
+    const Likeness alike = likeness(all);
+    result_.effect_names = alike.effects;
+    result_.likeness = alike.cosine;
+    result_.mimics = mimics(alike);
+    result_.detectable = detectable(all);
+    overlay(best, second);
+    for (const HypothesisFit& fit : shown)
+      if (fit.draws.cols() > 0) {
+        MatrixXd values(fit.draws.rows(), fit.draws.cols());
+        const Predictor& predict = problem_.predictors->of(fit.together);
+        for (Index k = 0; k < values.cols(); ++k)
+          values.col(k) = predict.values_of(fit.draws.col(k));
+        result_.posteriors.emplace_back(name_of(fit), std::move(values));
+      }
+    plan_next(nominal, ranked, judgement);
+    result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
+    result_.warnings = problem_.readings.warnings;
+    result_.hypotheses = int(problem_.hypotheses.size());
+    result_.headline = headline(nominal, judgement);
+    return std::move(result_);
+  }
+
+private:
+  // `fits`: of single hypotheses, where other ways of the same effect are looked for.
+  NamedEffect named(const HypothesisFit& fit, std::size_t half, double probability,
+                    const std::vector<JudgedFit>& fits) const {
+    const Hypothesis& h = *fit.together[half];
+    NamedEffect e{.name = h.effect,
+                  .place = h.place,
+                  .way = h.way,
+                  .probability = probability,
+                  .parameters = {}};
+    std::vector<const HypothesisFit*> ways{&fit};
+    if (fit.together.size() == 1)
+      for (const JudgedFit& j : fits)
+        if (const Hypothesis& other = *j.fit.together[0];
+            other.effect == h.effect && other.place == h.place && other.way != h.way)
+          ways.push_back(&j.fit);
+    Index first = 0;
+    for (std::size_t i = 0; i < half; ++i) first += Index(fit.together[i]->parameters.size());
+    for (std::size_t i = 0; i < h.parameters.size(); ++i) {
+      const Index row = first + Index(i);
+      e.parameters.push_back({.name = h.parameters[i].name,
+                              .unit = h.parameters[i].unit,
+                              .value = fit.values[row],
+                              .interval = interval_of(ways, row, h.parameters[i].prior),
+                              .z = fit.z[row]});
+    }
+    return e;
+  }
+
+  TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {
+    TriedHypothesis t{.effects = {},
+                      .log_evidence = j.fit.log_evidence,
+                      .sampled_log_evidence = j.fit.sampled_log_evidence,
+                      .log_bayes_factor = j.log_bayes_factor,
+                      .half_width = log_evidence_at_width(j.fit, 0.5) - plain.log_evidence,
+                      .double_width = log_evidence_at_width(j.fit, 2) - plain.log_evidence,
+                      .chi2 = j.fit.chi2,
+                      .chi2_of_means = j.chi2_of_means,
+                      .adequate = j.adequate,
+                      .share_of_healthy_worse = j.p,
+                      .worst_block = j.worst.second,
+                      .worst_block_z = j.worst.first,
+                      .gap_after = j.gap_after,
+                      .held_out_after = j.held_out_after,
+                      .absurd = j.absurd,
+                      .fails_held_out = j.fails_held_out,
+                      .rejected = ""};
+    for (std::size_t h = 0; h < j.fit.together.size(); ++h)
+      t.effects.push_back(named(j.fit, h, 0, {}));
+    if (!j.adequate)
+      t.rejected = "does not explain " + j.worst.second;
+    else if (j.absurd)
+      t.rejected = "only with a value far out of its prior";
+    else if (j.fails_held_out)
+      t.rejected = "does not predict the held-out readings";
+    return t;
+  }
+
+  // By evidence, with which of them is the best.
+  void add_tried(const JudgedFit& nominal, const std::vector<Family>& ranked,
+                 const std::vector<JudgedFit>& pairs, const JudgedFit* best) {
+    std::vector<const JudgedFit*> all{&nominal};
+    for (const Family& f : ranked) all.push_back(f.best);
+    for (const JudgedFit& p : pairs) all.push_back(&p);
+    std::stable_sort(all.begin(), all.end(), [](const JudgedFit* a, const JudgedFit* b) {
+      return a->log_bayes_factor > b->log_bayes_factor;
+    });
+    for (const JudgedFit* j : all) {
+      if (j == best && j != &nominal) result_.best = result_.tried.size();
+      result_.tried.push_back(tried(*j, nominal.fit));
+    }
+  }
+
+  // Places of the effect, alone, that the readings do not tell from the named one.
+  static void add_other_places(NamedEffect& e, const std::vector<JudgedFit>& fits) {
+    double own = -1e300;
+    for (const JudgedFit& j : fits)
+      if (j.fit.together[0]->effect == e.name && j.fit.together[0]->place == e.place)
+        own = std::max(own, j.fit.log_evidence);
+    constexpr double as_well = 3;
+    for (const JudgedFit& j : fits) {
+      const Hypothesis& h = *j.fit.together[0];
+      if (h.effect == e.name && h.place != e.place && own - j.fit.log_evidence < as_well &&
+          std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
+        e.other_places.push_back(h.place);
+    }
+  }
+
+  // What an effect at a place explains stands for the place.
+  void add_components(const std::vector<Family>& ranked) {
+    std::map<std::string, double> most;
+    for (const Family& f : ranked) {
+      const std::string& place = f.best->fit.together[0]->place;
+      const std::string component = place.substr(0, place.find('.'));
+      most[component == "sensor" ? place : component] =
+          std::max(most[component == "sensor" ? place : component], f.best->log_bayes_factor);
+    }
+    for (const auto& [component, log_bayes] : most)
+      if (log_bayes > 0) {
+        LocatedGap gap;
+        gap.component = component;
+        gap.z = std::sqrt(2 * log_bayes);
+        gap.significant = log_bayes > 3;
+        result_.where.push_back(gap);
+      }
+  }
+
+  static const JudgedFit* best_of(const JudgedFit& nominal, const std::vector<Family>& ranked,
+                                  const std::vector<JudgedFit>& pairs, const Judgement& judgement) {
+    if (judgement.verdict == Verdict::none) return &nominal;
+    if (!judgement.named.empty()) return judgement.named.front();
+    if (ranked.empty()) return &nominal;
+    // Where none is known, what comes nearest.
+    const JudgedFit* best = ranked.front().best;
+    for (const Family& f : ranked)
+      if (f.best->gap_after < best->gap_after) best = f.best;
+    constexpr double worth_a_second = 0.8;
+    for (const JudgedFit& p : pairs)
+      if (p.gap_after < worth_a_second * best->gap_after) best = &p;
+    return best;
+  }
+  static const JudgedFit* second_of(const std::vector<Family>& ranked, const JudgedFit* best) {
+    for (const Family& f : ranked)
+      if (f.best != best) return f.best;
+    return nullptr;
+  }
+
+  void how_far(const FitContext& context, const JudgedFit& nominal, const HypothesisFit& best,
+               const HypothesisFit* second) {
+    result_.gap = gap_shrink(context, *problem_.fitted, nominal.fit, best);
+    if (!problem_.held_out->rows().empty()) {
+      result_.held_out = gap_shrink(context, *problem_.held_out, nominal.fit, best);
+      for (const std::string& h : problem_.test.data.hold_out)
+        result_.held_out_how += (result_.held_out_how.empty() ? "" : ", ") + h;
+      if (result_.held_out_how.empty())
+        result_.held_out_how = "the highest level of each direction";
+    } else if (problem_.fitted->rows().size() > 2 && problem_.fitted->rows().size() < 16 &&
+               !best.together.empty()) {
+      result_.held_out = in_turn(context, nominal.fit, best);
+      result_.held_out_how = "each reading in turn, the others fitted";
+    }
+    const MatrixXd total = problem_.uncertainty.total();
+    for (std::size_t i = 0; i < problem_.readings.readings.size(); ++i) {
+      const Reading& r = problem_.readings.readings[i];
+      const auto value = [&](const HypothesisFit& fit) {
+        const double log_value = problem_.log_measured[Index(i)] - fit.deviation[Index(i)];
+        return r.kind == ReadingKind::cross ? std::max(0., std::exp(log_value) - cross_floor)
+                                            : std::exp(log_value);
+      };
+      ComparedReading row{.name = r.name,
+                          .unit = r.unit,
+                          .measured = r.value,
+                          .nominal = value(nominal.fit),
+                          .best = value(best),
+                          .second = {},
+                          .sigma = std::sqrt(total(Index(i), Index(i))),
+                          .held_out = r.held_out};
+      if (second) row.second = value(*second);
+      result_.readings.push_back(std::move(row));
+    }
+  }
+
+  void overlay(const HypothesisFit& best, const HypothesisFit* second) {
+    for (std::size_t i = 0; i < problem_.test.responses.size(); ++i)
+      for (const FrfSet& set : problem_.test.responses[i]) {
+        if (set.references.empty() || result_.overlays.size() >= 4) continue;
+        const Reading* reading = nullptr;
+        for (const Reading& r : problem_.readings.readings)
+          if (r.entry == "frf[" + std::to_string(i) + "]" && r.kind == ReadingKind::amplitude) {
+            reading = &r;
+            break;
+          }
+        if (!reading) continue;
+        const TestRun& run = problem_.readings.runs[std::size_t(reading->run)];
+        const std::string channel = run.sensor + "." + "xyz"[run.axis];
+        const auto column = std::find(set.responses.begin(), set.responses.end(), channel);
+        if (column == set.responses.end()) continue;
+        OverlaidResponse o;
+        o.name = reading->name.substr(reading->name.find(" at ") + 1);
+        o.hertz = set.hertz;
+        o.measured = set.H[0].col(column - set.responses.begin()).cwiseAbs();
+        const auto magnitude = [&](const HypothesisFit& fit) {
+          const auto H = problem_.predictors->of(fit.together).response(fit.values, run, set.hertz);
+          return H ? VectorXd(H->cwiseAbs()) : VectorXd();
+        };
+        o.nominal = problem_.predictors->of({})
+                        .response(VectorXd(), run, set.hertz)
+                        .value_or(Eigen::VectorXcd())
+                        .cwiseAbs();
+        o.best = magnitude(best);
+        if (second) o.second = magnitude(*second);
+        result_.overlays.push_back(std::move(o));
+      }
+  }
+
+  void plan_next(const JudgedFit& nominal, const std::vector<Family>& ranked,
+                 const Judgement& judgement) {
+    if (!settings_.plan_next || judgement.verdict == Verdict::pair) return;
+    std::vector<RivalHypothesis> rivals;
+    constexpr std::size_t most = 4;
+    const auto add = [&](const JudgedFit& j) {
+      double p = 0.02; // a rival is never quite ruled out
+      const std::string name = j.fit.together.empty() ? "none" : j.fit.together[0]->effect;
+      for (const auto& [effect, own] : judgement.probabilities)
+        if (effect == name) p = std::max(p, own);
+      rivals.push_back({j.fit.together, j.fit.values, p});
+    };
+    if (nominal.adequate) add(nominal);
+    for (const JudgedFit* j : judgement.named) add(*j);
+    for (const Family& f : ranked)
+      if (rivals.size() < most && std::find(judgement.named.begin(), judgement.named.end(),
+                                            f.best) == judgement.named.end())
+        add(*f.best);
+    if (rivals.size() > most) rivals.resize(most);
+    settings_.stage("next measurement");
+    result_.next = next_measurements(problem_.data, problem_.nominal, problem_.test.data,
+                                     problem_.readings, rivals, problem_.predictors->families());
+    for (const JudgedFit* j : judgement.named)
+      for (const Hypothesis* h : j->fit.together)
+        for (const std::string& advice : effect_named(h->effect).look_alikes)
+          result_.advice.push_back(h->effect + " or " + advice);
+  }
+
+  const GapProblem& problem_;
+  const Findings& found_;
+  const DiagnosisSettings& settings_;
+  Diagnosis result_;
+};
+
+} // namespace
+
+Diagnosis account_of(const GapProblem& problem, const Findings& found,
+                     const DiagnosisSettings& settings) {
+  return Account(problem, found, settings).diagnosis();
+}
+
+} // namespace plica

@@ -1,0 +1,45 @@
+#include "diagnose/account/assumptions.hpp"
+
+#include "diagnose/weigh/scatter.hpp"
+
+#include <fmt/printf.h>
+
+namespace plica {
+
+std::vector<std::string> assumptions_of(const GapProblem& problem, const Standards& standards,
+                                        const std::set<std::string>& without) {
+  std::vector<std::string> list;
+  const auto add = [&](const char* format, const auto&... values) {
+    list.push_back(fmt::sprintf(format, values...));
+  };
+  add("%zu readings, %zu of them held out; %zu hypotheses of %zu effects",
+      problem.readings.readings.size(), problem.held_out->rows().size(), problem.hypotheses.size(),
+      effects().size());
+  const auto percent = [](double share) { return 100 * share; };
+  add("admissible specimens (%d): modulus %g %%, density %g %%, wall %g %% where the case has no "
+      "tolerance, field of stiffness %g %%, masses %g %%, joints %g %%; %zu tolerances of the "
+      "case",
+      specimens, percent(scatters::modulus), percent(scatters::density),
+      percent(scatters::thickness), percent(scatters::field), percent(scatters::masses),
+      percent(scatters::joints), problem.data.tolerances.size());
+  add("damping %g %% of all modes alike and %g %% of each; sensors %g %%, %g degree and %g mm, "
+      "table %g %% along other axes",
+      percent(scatters::all_damping), percent(scatters::mode_damping), percent(scatters::gain),
+      scatters::turn, 1e3 * scatters::off_place, percent(scatters::other_axes));
+  add("reassembly %g %% of frequencies and %g %% of damping, runs %g %% and %g %%",
+      percent(test_sigma::reassembled_frequency), percent(test_sigma::reassembled_damping),
+      percent(test_sigma::run_frequency), percent(test_sigma::run_damping));
+  add("model %g %% of frequencies, %g %% of damping, %g %% of stiffnesses, %g %% of cross "
+      "responses and %g %% of what the meshes differ by",
+      percent(test_sigma::numeric_frequency), percent(test_sigma::numeric_damping),
+      percent(test_sigma::numeric_stiffness), percent(test_sigma::numeric_cross),
+      percent(test_sigma::share_of_correction));
+  add("adequate: chi-square at most %.1f over %zu readings and %.1f over their means over the "
+      "levels, no block beyond z = %.1f; ln BF over the nominal case at least %.1f",
+      standards.chi2, problem.fitted->rows().size(), standards.chi2_of_means, standards.worst_block,
+      standards.evidence);
+  for (const std::string& w : without) list.push_back("left out: " + w);
+  return list;
+}
+
+} // namespace plica

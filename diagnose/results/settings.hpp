@@ -1,0 +1,19 @@
+// What a diagnosis is asked for.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+namespace plica {
+
+struct DiagnosisSettings {
+  // Guards left out, for ablations: form, nuisance, reassembly, adequacy, levels (all but the
+  // lowest), heldout.
+  std::set<std::string> without = {};
+  bool plan_next = true; // propose the next measurement
+  int particles = 160;   // of the Markov chains
+  std::function<void(const std::string&)> stage = [](const std::string&) {};
+};
+
+} // namespace plica

@@ -1,0 +1,130 @@
+// Keys of what is asked of a case (case_fields.hpp).
+#pragma once
+
+#include "model/description/analyses.hpp"
+#include "model/description/friction_fields.hpp"
+#include "words/field_types.hpp"
+
+namespace plica {
+
+template <class V> void fields(V& v, Modes& m) {
+  v.whole(m.count, "count", {.min = 1, .max = 2000}, "number of modes, from the lowest");
+  v.quantities(m.band, "band", {.unit = Dimension::frequency, .min = 0},
+               "[from, to]: all modes in this band, in place of count");
+  v.flag(m.proof, "proof", "prove that no mode is missing");
+}
+
+inline constexpr Quantity damping_ratio{
+    .unit = Dimension::ratio, .required = true, .min = 0, .max = 1, .exclusive_max = true};
+
+template <class V> void fields(V& v, DampingRange& r) {
+  v.quantities(r.band, "band", {.unit = Dimension::frequency, .required = true, .min = 0},
+               "[from, to] of the eigenfrequencies it holds for");
+  v.quantity(r.ratio, "ratio", damping_ratio, "fraction of critical damping");
+}
+
+template <class V> void fields(V& v, ModeDamping& m) {
+  v.whole(m.mode, "mode", {.required = true, .min = 1, .max = 2000}, "number of the mode, from 1");
+  v.quantity(m.ratio, "ratio", damping_ratio, "fraction of critical damping");
+}
+
+template <class V> void fields(V& v, LossFactor& l) {
+  v.text(l.of, "of", {.required = true}, "a part, or mount.<cap> of a spring mount");
+  v.quantity(l.value, "value", {.unit = Dimension::ratio, .required = true, .min = 0, .max = 2},
+             "structural loss factor, twice the fraction of critical damping");
+}
+
+template <class V> void fields(V& v, Damping& d) {
+  Quantity every = damping_ratio;
+  every.required = false;
+  v.quantity(d.modal, "modal", every, "fraction of critical damping of every mode");
+  v.list(d.ranges, "ranges", optional_key, "other values in bands of frequency");
+  v.list(d.modes, "modes", optional_key, "other values for single modes");
+  v.list(d.loss_factors, "loss_factors", optional_key,
+         "of components, on top, weighted by their strain energy in each mode");
+}
+
+template <class V> void noise_fields(V& v, Noise& n, Dimension density) {
+  v.quantity(n.level, "level", {.unit = density, .min = 0, .exclusive_min = true},
+             "constant one-sided density over the band, or");
+  v.points(n.table, "table",
+           {.unit = Dimension::frequency,
+            .min = 0,
+            .exclusive_min = true,
+            .tail = density,
+            .tail_from = 1,
+            .min_items = 2},
+           "[frequency, density], straight lines in a log-log plot");
+}
+template <class V> void fields(V& v, BaseNoise& n) {
+  noise_fields(v, n, Dimension::acceleration_density);
+}
+template <class V> void fields(V& v, ForceNoise& n) {
+  noise_fields(v, n, Dimension::force_density);
+}
+
+template <class V> void fields(V& v, Force& f) {
+  v.text(f.name, "name", {.required = true, .name = true}, "name, also of its files");
+  v.text(f.at, "at", {.required = true}, "node set, e.g. bellows.crown[14]; spread evenly over it");
+  v.choice(f.direction, "direction", directions, required_key, "direction");
+  v.quantity(f.amplitude, "amplitude", {.min = 0, .exclusive_min = true},
+             "in N or Nm, for stress and motion in absolute numbers");
+  v.object(f.random, "random", optional_key, "spectral density of the force");
+}
+
+template <class V> void fields(V& v, CrossPair& c) {
+  v.text(c.a, "a", {.required = true}, "channel sensor.direction, e.g. mid.y");
+  v.text(c.b, "b", {.required = true}, "another channel");
+}
+
+template <class V> void fields(V& v, Response& r) {
+  v.choices(r.bases, "base", directions, {.required = false, .min_items = 1},
+            "directions in which the base moves, one by one");
+  v.quantity(
+      r.level, "level", {.unit = Dimension::acceleration, .min = 0, .exclusive_min = true},
+      "amplitude of the base acceleration; the model is linear, it scales stress and motion");
+  v.object(r.random, "random", optional_key, "spectral density of the base acceleration");
+  v.list(r.forces, "forces", optional_key, "forces, one by one, the base at rest");
+  v.quantities(r.band, "band", {.unit = Dimension::frequency, .min = 0},
+               "[from, to] of the frequencies");
+  v.whole(r.points, "points", {.min = 2, .max = 1000000},
+          "even steps over the band; every eigenfrequency and a cluster round it are added");
+  v.points(r.rms_bands, "rms_bands", {.unit = Dimension::frequency, .min = 0},
+           "[from, to] of the bands of which a random response gives the RMS");
+  v.list(r.cross, "cross", optional_key, "pairs of channels whose cross density is given");
+}
+
+template <class V> void fields(V& v, Stress& s) {
+  v.quantities(s.frequencies, "frequencies",
+               {.unit = Dimension::frequency, .min = 0, .exclusive_min = true},
+               "harmonic stress at these, under every base direction and force");
+}
+
+template <class V> void fields(V& v, SuperelementsInRun& r) {
+  v.quantity(r.cutoff, "cutoff", {.unit = Dimension::frequency, .min = 0, .exclusive_min = true},
+             "of the modes of a part with its caps held; twice the highest frequency asked for");
+}
+
+template <class V> void fields(V& v, Analyses& a) {
+  v.choice(a.symmetry, "symmetry",
+           {{Symmetry::automatic, "automatic"},
+            {Symmetry::required, "required"},
+            {Symmetry::off, "off"}},
+           optional_key, "solve harmonic by harmonic where the part repeats around its axis");
+  v.object(a.reduction, "reduction", optional_key,
+           "solve with a superelement in place of every part between caps");
+  v.flag(a.statics, "static",
+         "static stiffness between the two caps; default: where there are two");
+  v.object(a.modes, "modes", optional_key, "natural modes");
+  v.object(a.damping, "damping", optional_key, "damping of the modes");
+  v.object(a.response, "response", optional_key,
+           "response of the sensors to motion of the base and to forces");
+  v.object(a.levels, "levels", optional_key,
+           "response at several levels with the friction of the joints");
+  v.object(a.stress, "stress", optional_key,
+           "stresses: static, of the modes, harmonic, RMS of a random response");
+  v.flag(a.error_bars, "error_bars",
+         "error of the mesh and interval from the tolerances beside the headline numbers");
+}
+
+} // namespace plica

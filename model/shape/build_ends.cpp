@@ -1,0 +1,136 @@
+#include "model/shape/building.hpp"
+
+#include "solve/couplings.hpp"
+#include "words/input_error.hpp"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <limits>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+std::string in_millimetres(double length) {
+  return fmt::format("{:.2f} mm", 1e3 * length);
+}
+
+bool has_mass(double mass, const Sextuple& J) {
+  return mass > 0 || std::any_of(J.begin(), J.end(), [](double v) { return v != 0; });
+}
+
+// Reference node in the middle of the circles, tied rigidly to them. One that follows others
+// cannot follow it too: it leads them.
+int add_spider(Building& b, const std::string& cap, const std::vector<int>& circles) {
+  const auto leads = [&](int node) { return b.follows_others(node); };
+  if (const auto leader = std::find_if(circles.begin(), circles.end(), leads);
+      leader != circles.end() && std::none_of(leader + 1, circles.end(), leads)) {
+    std::vector<int> others = circles;
+    std::erase(others, *leader);
+    if (!others.empty())
+      add_kinematic_coupling(b.built.model, *leader, others, all_dofs, "spider of cap " + cap);
+    return *leader;
+  }
+  const int node = add_node(b.built.model, centroid(b.built.model.mesh, circles));
+  add_kinematic_coupling(b.built.model, node, circles, all_dofs, "spider of cap " + cap);
+  return node;
+}
+
+void add_joint(Building& b, const Cap& cap, int node, const std::vector<int>& others) {
+  BushingElement joint{.node1 = node, .node2 = add_spider(b, cap.name, others), .bushing = {}};
+  joint.component = b.component("caps." + cap.name);
+  for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = (*cap.stiffness)[i];
+  b.built.model.bushings.push_back(joint);
+  if (cap.friction)
+    add_joints(b.built.joints, {"caps." + cap.name, 0, joint.node1, joint.node2, joint.component},
+               directional_laws(*cap.friction));
+  for (std::size_t i = 1; i < cap.of.size(); ++i) b.cap_of_end[cap.of[i]] = joint.node2;
+}
+
+// Sections of pipes and connectors are rigid: the node in the middle of the nearest one, and its
+// distance along the pipe.
+std::pair<int, double> nearest_section(const Building& b, const Vector3d& x) {
+  std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
+  for (const std::string& name : b.rigid_sections)
+    for (int node : b.built.model.mesh.sets.at(name + ".all"))
+      if (const double along = std::abs(b.built.model.mesh.nodes[node].y() - x.y());
+          along < nearest.second)
+        nearest = {node, along};
+  return nearest;
+}
+
+} // namespace
+
+void add_caps(Building& b) {
+  for (const Cap& cap : b.data.caps) {
+    std::vector<int> first, others;
+    for (const std::string& end : cap.of) {
+      const std::vector<int>& circle = b.set(end, "caps." + cap.name + ".of");
+      std::vector<int>& side = first.empty() || !cap.stiffness ? first : others;
+      side.insert(side.end(), circle.begin(), circle.end());
+    }
+    const int node = add_spider(b, cap.name, first);
+    b.built.cap_nodes[cap.name] = node;
+    for (const std::string& end : cap.of) b.cap_of_end[end] = node;
+    if (has_mass(cap.mass, cap.inertia))
+      b.built.model.masses.push_back({node, rigid_mass(cap.mass, cap.inertia, cap.offset)});
+    if (!others.empty()) add_joint(b, cap, node, others);
+  }
+}
+
+void add_mass(Building& b, const std::string& name, const PointMass& mass) {
+  const std::vector<int> nodes = b.set(mass.at, "parts." + name + ".at");
+  int node = nodes.front();
+  if (nodes.size() > 1) {
+    node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
+    add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
+  }
+  b.built.model.masses.push_back({node, rigid_mass(mass.mass, mass.inertia, mass.offset)});
+}
+
+void add_mount(Building& b) {
+  for (const Mount& mount : b.data.mount) {
+    const int node = b.built.cap_nodes.at(mount.cap);
+    if (mount.kind == MountKind::rigid && b.follows_others(node))
+      input_error("mount." + mount.cap, "cannot be rigid: the node of that cap follows others",
+                  "springs, or supports that hold those");
+    if (mount.kind == MountKind::rigid) b.built.held_nodes.push_back(node);
+    if (mount.kind != MountKind::springs) continue;
+    BushingElement spring;
+    spring.node1 = node;
+    spring.component = b.component("mount." + mount.cap);
+    for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = mount.stiffness[i];
+    b.built.model.bushings.push_back(spring);
+    if (mount.friction)
+      add_joints(b.built.joints, {"mount." + mount.cap, 0, -1, node, spring.component},
+                 directional_laws(*mount.friction));
+  }
+}
+
+void place_sensors(Building& b) {
+  for (std::size_t i = 0; i < b.data.sensors.size(); ++i) {
+    const Sensor& sensor = b.data.sensors[i];
+    auto [node, distance] = nearest_node(b.built.model.mesh, vector(sensor.at));
+    const auto [axis_node, along] = nearest_section(b, vector(sensor.at));
+    if (distance > sensor.reach && along < distance) {
+      node = add_node(b.built.model, vector(sensor.at));
+      add_kinematic_coupling(b.built.model, axis_node, {node}, all_dofs,
+                             "arm of sensor " + sensor.name);
+      distance = along;
+    }
+    if (distance > sensor.reach) {
+      const Vector3d& x = b.built.model.mesh.nodes[node];
+      input_error("sensors[" + std::to_string(i) + "].at",
+                  "sensor \"" + sensor.name + "\" is " + in_millimetres(distance) +
+                      " away from the nearest node",
+                  "at most 5 mm; that node is at [" + in_millimetres(x.x()) + ", " +
+                      in_millimetres(x.y()) + ", " + in_millimetres(x.z()) + "]");
+    }
+    b.built.sensors.push_back(
+        {sensor.name, node, distance, {sensor.axes[0], sensor.axes[1], sensor.axes[2]}});
+    if (sensor.mass > 0) b.built.model.masses.push_back({node, rigid_mass(sensor.mass, {}, {})});
+  }
+}
+
+} // namespace plica

@@ -1,0 +1,28 @@
+// A model that can be solved, and what of the case lies where in it.
+#pragma once
+
+#include "model/shape/build_joints.hpp"
+
+namespace plica {
+
+struct BuiltSensor {
+  std::string name;
+  int node = 0;
+  double distance = 0;              // from the place in the case to the node, m
+  std::array<int, 3> axes{1, 2, 3}; // as in Sensor
+};
+
+struct BuiltCase {
+  Model model;
+  std::vector<BuiltJoint> joints;       // with friction or nonlinear springs
+  std::map<std::string, int> cap_nodes; // reference node of each cap
+  std::vector<int> held_nodes;          // reference nodes of rigidly mounted caps
+  std::vector<BuiltSensor> sensors;
+  std::vector<std::array<double, 2>>
+      meridian; // [y, r] of the shells of revolution that follow one another
+};
+
+// Of every bellows with `wall.slip` by its name: the laws of its plies from end to end.
+using PlyLaws = std::map<std::string, std::vector<DirectionalLaw>>;
+
+} // namespace plica
