@@ -4,8 +4,8 @@
 // Refused are: a text STL with anything but solids of facets of three vertices; a binary one whose
 // length is not that of its count; a PLY whose lines or bytes are not those of its header, or whose
 // faces name vertices that it does not have; an OBJ with words that it cannot have, or faces of
-// missing vertices, or vertices of no face; a GLB whose length and chunks do not fit into each
-// other; numbers that are none.
+// missing vertices, or vertices of no face, or counts in its comments that it does not keep; a GLB
+// whose length and chunks do not fit into each other; numbers that are none.
 #pragma once
 
 #include <string>

@@ -79,6 +79,13 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+std::string with_blank_comments(const std::string& text) {
+  std::string rest;
+  for (const std::string& line : lines_of(text))
+    rest += line.starts_with('#') ? std::string(line.size() - 1, '#') + '\n' : line;
+  return rest;
+}
+
 bool refuses(void (*check)(const std::string&), const std::string& text) {
   try {
     check(text);
@@ -217,6 +224,7 @@ TEST_F(DamagedGeometry, triangles_whose_file_is_not_whole_are_refused) {
   const Surface tube = read_surface(at("tube.stl"), 1e-3, 1e-6);
   for (const char* name : {"tube.obj", "tube.ply", "tube.glb", "binary.stl"})
     write_surface(tube, {}, at(name));
+  write("tube.obj", with_blank_comments(text_of("tube.obj")));
   const SurfaceMeshing as_they_are{.unit = 1};
   for (const char* name : {"tube.stl", "tube.obj", "tube.ply", "tube.glb", "binary.stl"}) {
     EXPECT_EQ(refusal(name, as_they_are), "") << name;
@@ -242,7 +250,8 @@ TEST_F(DamagedGeometry, triangles_whose_file_is_not_whole_are_refused) {
   EXPECT_NE(changed("tube.stl", "vertex ", "vertex x").find("is no finite number"),
             std::string::npos);
   EXPECT_NE(changed("tube.stl", "endloop\n", "").find("where endloop is due"), std::string::npos);
-  EXPECT_NE(changed("tube.obj", "\nf ", "\ng ").find("a triangle is missing"), std::string::npos);
+  EXPECT_NE(changed("tube.obj", "\nf ", "\n# ").find("a triangle is missing"), std::string::npos);
+  EXPECT_NE(changed("tube.obj", "\nf ", "\ng ").find("two lines ran together"), std::string::npos);
   EXPECT_NE(changed("tube.obj", "\nf ", "\nf 9999 ").find("names vertex 9999 of"),
             std::string::npos);
   EXPECT_NE(changed("tube.obj", "\nf ", "\nx ").find("begins no line of an OBJ"),
@@ -253,6 +262,29 @@ TEST_F(DamagedGeometry, triangles_whose_file_is_not_whole_are_refused) {
       std::string::npos);
   EXPECT_NE(changed("tube.stl", "vertex 30 50 0", "vertex 3e9 50 0").find("is its unit right"),
             std::string::npos);
+}
+
+// The comments of some writers count, and an OBJ has no other count: of a triangle gone from a rim
+// nothing else tells, and of two lines that ran together the corners in a name.
+TEST_F(DamagedGeometry, an_obj_with_other_counts_than_its_comments_say_is_refused) {
+  write_stl_tube(30, 100, 24, 6, at("tube.stl"));
+  write_surface(read_surface(at("tube.stl"), 1e-3, 1e-6), {}, at("tube.obj"));
+  const std::string whole = text_of("tube.obj");
+  // From the first `from` up to the next `to`.
+  const auto said_without = [&](const std::string& text, const std::string& from,
+                                const std::string& to) {
+    const std::size_t begin = text.find(from), end = text.find(to, begin + 1);
+    EXPECT_NE(end, std::string::npos) << from << to;
+    write("less.obj", text.substr(0, begin) + text.substr(end));
+    return refusal("less.obj", {.unit = 1});
+  };
+  const std::string face = said_without(whole, "f ", "f ");
+  EXPECT_NE(face.find("counts 288 faces, and there are 287"), std::string::npos) << face;
+  EXPECT_TRUE(face.starts_with("less.obj: line ")) << face;
+  const std::string bare = with_blank_comments(whole);
+  EXPECT_EQ(said_without(bare, "f ", "f "), "");
+  const std::string together = said_without(bare, "surface", "//");
+  EXPECT_NE(together.find("is a corner of a face in a line of g"), std::string::npos) << together;
 }
 
 // Two lines of triangles that ran together: one corner of their polygon is far off the plane of the
