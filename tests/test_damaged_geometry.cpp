@@ -1,20 +1,14 @@
 // Damaged files of geometry: an error with the file and what is wrong, or what the whole file
 // gives; never a crash, never without end.
 #include "tests/cad_samples.hpp"
+#include "tests/geometry_folder.hpp"
 
 #include "mesh/generation/surface_file.hpp"
-#include "mesh/generation/surface_mesher.hpp"
-#include "mesh/generation/worker.hpp"
 #include "mesher/brep_text.hpp"
 #include "mesher/iges_text.hpp"
 #include "mesher/step_text.hpp"
 
 #include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <csignal>
-#include <cstdlib>
-#include <thread>
 
 namespace plica::test {
 namespace {
@@ -31,42 +25,12 @@ double area(const SurfaceFaces& surface) {
   return sum;
 }
 
-class DamagedGeometry : public testing::Test {
+class DamagedGeometry : public GeometryFolder {
 protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override {
-    fs::remove_all(folder_);
-    for (const char* name : {"PLICA_MESHER", "PLICA_MESH_SECONDS", "PLICA_MESH_MEMORY"})
-      unsetenv(name);
-    allow_workers();
-  }
-
-  fs::path at(const std::string& name) const { return folder_ / name; }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(at(name), std::ios::binary) << text;
-  }
-  std::string text_of(const std::string& name) const {
-    std::ifstream in(at(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  // What is said of the file; empty where it is meshed.
-  std::string refusal(const std::string& name, const SurfaceMeshing& meshing) const {
-    try {
-      mesh_surface_file(at(name), meshing);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
-  }
   // Each line left out in turn: refused, or the area and extent of the whole file. Gives back how
   // many were refused.
   int without_each_line(const std::string& name, const SurfaceMeshing& meshing,
                         void (*check)(const std::string&)) const;
-
-private:
-  fs::path folder_ = fs::temp_directory_path() /
-                     ("plica_damage_" +
-                      std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -334,64 +298,6 @@ TEST_F(DamagedGeometry, a_mesh_of_another_area_than_its_triangles_is_refused_nam
   const std::string said = refusal("ring.obj", {.size = 0.5});
   EXPECT_NE(said.find(" mm2 of triangles of 22318"), std::string::npos) << said;
   EXPECT_NE(said.find("Gmsh made a mesh of "), std::string::npos) << said;
-}
-
-// A program in the place of the mesher.
-class Worker : public DamagedGeometry {
-protected:
-  std::string said_of(const std::string& script) {
-    write("mesher", "#!/bin/sh\n" + script + "\n");
-    fs::permissions(at("mesher"), fs::perms::owner_all);
-    setenv("PLICA_MESHER", at("mesher").c_str(), 1);
-    return refusal("a.step", {});
-  }
-};
-
-TEST_F(Worker, that_crashes_is_an_error_with_the_file) {
-  EXPECT_NE(said_of("kill -SEGV $$").find("a.step: the mesher broke down on it (Segm"),
-            std::string::npos);
-  EXPECT_NE(said_of("kill -ABRT $$").find("(Aborted)"), std::string::npos);
-  EXPECT_NE(said_of("exit 3").find("ended with 3"), std::string::npos);
-  EXPECT_NE(said_of("printf nonsense >&3").find("no answer"), std::string::npos);
-  EXPECT_NE(said_of("printf 'PLICAFACES 1\\n12345' >&3").find("cut short"), std::string::npos);
-}
-
-TEST_F(Worker, that_does_not_end_is_stopped_when_its_time_is_out) {
-  setenv("PLICA_MESH_SECONDS", "0.2", 1);
-  const std::string said = said_of("exec sleep 1000");
-  EXPECT_NE(said.find("a.step: not meshed within 0.2 s"), std::string::npos) << said;
-  EXPECT_NE(said.find("PLICA_MESH_SECONDS"), std::string::npos);
-}
-
-TEST_F(Worker, limits_that_are_no_numbers_are_refused) {
-  for (const char* wrong : {"", "0", "-1", "x", "3 s", "nan"}) {
-    setenv("PLICA_MESH_SECONDS", wrong, 1);
-    EXPECT_NE(said_of("exit 0").find("PLICA_MESH_SECONDS"), std::string::npos) << wrong;
-  }
-}
-
-TEST_F(Worker, is_stopped_at_once_by_a_signal_handler) {
-  setenv("PLICA_MESH_SECONDS", "60", 1);
-  std::signal(SIGUSR1, [](int) { stop_workers(); });
-  EXPECT_THROW(said_of("kill -USR1 $PPID; exec sleep 1000"), Interrupted);
-  EXPECT_THROW(said_of("exit 0"), Interrupted); // and none is begun
-  allow_workers();
-  EXPECT_NE(said_of("exit 3").find("ended with 3"), std::string::npos);
-  std::signal(SIGUSR1, SIG_DFL);
-}
-
-TEST_F(DamagedGeometry, more_memory_than_allowed_is_an_error_that_says_so) {
-  write_bracket_on_pipe({}, at("pipe.step"));
-  setenv("PLICA_MESH_MEMORY", "0.1", 1);
-  const std::string said = refusal("pipe.step", {.size = 20e-3});
-  EXPECT_NE(said.find("pipe.step: needs more than 0.1 GB"), std::string::npos) << said;
-  EXPECT_NE(said.find("PLICA_MESH_MEMORY"), std::string::npos) << said;
-}
-
-TEST_F(DamagedGeometry, a_missing_mesher_is_named) {
-  setenv("PLICA_MESHER", "/nowhere/plica_mesher", 1);
-  write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  EXPECT_NE(refusal("a.obj", {}).find("cannot start /nowhere/plica_mesher"), std::string::npos);
 }
 
 } // namespace
