@@ -1,5 +1,5 @@
-// Membrane strain of a four-node shell (elements/shell_mitc4.hpp): of the displacements, assumed as in
-// MITC4+, or with incompatible modes.
+// Membrane strain of a four-node shell (elements/shell_mitc4.hpp): of the displacements, assumed as
+// in MITC4+, or with incompatible modes.
 #pragma once
 
 namespace plica {

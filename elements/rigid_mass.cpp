@@ -5,7 +5,8 @@
 namespace plica {
 
 bool is_body(const RigidMass& body) {
-  const Eigen::Vector3d J = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia).eigenvalues();
+  const Eigen::Vector3d J =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia).eigenvalues();
   const double slack = 1e-6 * J.cwiseAbs().maxCoeff();
   return body.mass >= 0 && J[0] >= -slack && J[2] <= J[0] + J[1] + slack;
 }

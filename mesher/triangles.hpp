@@ -1,8 +1,8 @@
 // Triangles of a surface file: what they must not be, and their meshing anew by Gmsh.
 #pragma once
 
-#include "mesh/shell_surface.hpp"
 #include "mesh/generation/surface_file.hpp"
+#include "mesh/shell_surface.hpp"
 
 namespace plica {
 

@@ -1,5 +1,6 @@
 #include "reduction/fixed_interface.hpp"
 
+#include "solve/dense_product.hpp"
 #include "solve/model_error.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
@@ -40,10 +41,6 @@ void keep_rigid(MatrixXd& Psi, const std::vector<int>& boundary, const MatrixXd&
   const MatrixXd missing = R - Psi * R_b;
   if (missing.norm() > 1e-5 * R.norm()) return;
   Psi += missing * R_b.completeOrthogonalDecomposition().pseudoInverse();
-}
-
-MatrixXd symmetrised(const MatrixXd& A) {
-  return (A + A.transpose()) / 2;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "solve/couplings.hpp"
 #include "solve/decompositions.hpp"
+#include "solve/dense_product.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -27,10 +28,6 @@ MatrixXd rigid_motions(const std::vector<Vector3d>& nodes, const Vector3d& about
       if (m >= 3) R.block<3, 1>(at, m) = Vector3d(Vector3d::Unit(m - 3)).cross(nodes[node] - about);
     }
   return R;
-}
-
-MatrixXd symmetrised(const MatrixXd& A) {
-  return (A + A.transpose()) / 2;
 }
 
 // R s R' on both faces, s = xx yy zz xy yz zx.

@@ -12,4 +12,9 @@ Eigen::MatrixXd transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& A,
 // C -= A B.
 void subtract_product(Eigen::MatrixXd& C, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
+// Of what is symmetric but for rounding.
+inline Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) {
+  return (A + A.transpose()) / 2;
+}
+
 } // namespace plica

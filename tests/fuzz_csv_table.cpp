@@ -1,7 +1,7 @@
 // CSV tables damaged at random: nothing but InputError may come out, and what is read is finite.
 #include "io/lab_files/csv_table.hpp"
-#include "words/input_error.hpp"
 #include "tests/mutator.hpp"
+#include "words/input_error.hpp"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // springs, with masses on kinematic and distributing couplings, with near-degenerate modes.
 #pragma once
 
-#include "mesh/plate.hpp"
 #include "mesh/generation/revolve.hpp"
+#include "mesh/plate.hpp"
 #include "solve/couplings.hpp"
 
 #include <functional>

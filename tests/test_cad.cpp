@@ -6,9 +6,9 @@
 #include "mesh/generation/surface_mesher.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "model/shape/build_surface.hpp"
-#include "words/input_error.hpp"
 #include "run/analyses/run.hpp"
 #include "tests/bellows_case.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

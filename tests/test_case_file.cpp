@@ -2,15 +2,15 @@
 //
 // tests/broken_cases holds one file per mistake and, beside it, the exact text of the error; names
 // that begin with "measured_" are files of measured data, except measured_missing.yaml.
-#include "lab/measured/measured_fields.hpp"
 #include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
-#include "words/did_you_mean.hpp"
 #include "io/input/measured_file.hpp"
-#include "model/description/node_sets.hpp"
-#include "words/units.hpp"
 #include "io/input/yaml_path.hpp"
 #include "io/input/yaml_tree.hpp"
+#include "lab/measured/measured_fields.hpp"
+#include "model/description/node_sets.hpp"
+#include "words/did_you_mean.hpp"
+#include "words/units.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -6,10 +6,10 @@
 //   1 +------------------+ 2     nodes and quads are written from the mesh, the rest is here
 #include "io/decks/read_abaqus.hpp"
 #include "io/files/files.hpp"
-#include "words/input_error.hpp"
 #include "tests/deck_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/triangulated.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
 // Decks that cannot be: each is refused with its line, its card and what is wrong.
 #include "io/decks/read_deck.hpp"
-#include "model/shape/deck.hpp"
 #include "io/files/files.hpp"
-#include "words/input_error.hpp"
+#include "model/shape/deck.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "words/input_error.hpp"
 
 #include <fmt/format.h>
 

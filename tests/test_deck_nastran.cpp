@@ -3,10 +3,10 @@
 #include "io/decks/nastran_cards.hpp"
 #include "io/decks/read_nastran.hpp"
 #include "io/files/files.hpp"
-#include "words/input_error.hpp"
 #include "tests/deck_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/triangulated.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,10 +1,10 @@
 // The parts of a diagnosis against closed forms, and whole diagnoses of made-up tests.
 #include "diagnose/diagnose.hpp"
+#include "diagnose/predict/peak_choice.hpp"
+#include "diagnose/readings/response_peaks.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
 #include "diagnose/weigh/interval.hpp"
-#include "diagnose/predict/peak_choice.hpp"
-#include "diagnose/readings/response_peaks.hpp"
 #include "model/description/case.hpp"
 #include "model/description/case_path.hpp"
 

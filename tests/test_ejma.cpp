@@ -5,8 +5,8 @@
 // of cases/verification. Stated accuracy of the worksheets: 0.5 %.
 #include "model/description/ejma.hpp"
 
-#include "model/shape/build_bellows.hpp"
 #include "model/description/profile.hpp"
+#include "model/shape/build_bellows.hpp"
 #include "tests/bellows_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Tolerances from their text to the interval they leave, and the error of the mesh.
 #include "tests/bellows_case.hpp"
 
-#include "words/tolerance.hpp"
 #include "model/description/case_path.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/refine.hpp"
+#include "words/tolerance.hpp"
 
 namespace plica::test {
 namespace {

@@ -3,19 +3,19 @@
 #include "compare/fit/fit.hpp"
 #include "compare/fit/fit_bodies.hpp"
 #include "compare/simulated.hpp"
-#include "model/description/case_checks.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/tables/fit_words.hpp"
 #include "io/write/write_fit.hpp"
+#include "model/description/case_checks.hpp"
 #include "model/description/case_path.hpp"
-#include "run/study/error_bars.hpp"
-#include "words/input_error.hpp"
 #include "run/analyses/run.hpp"
+#include "run/study/error_bars.hpp"
 #include "solve/parallel.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/written.hpp"
 #include "tests/tube_case.hpp"
+#include "words/input_error.hpp"
 
 #include <atomic>
 #include <cmath>

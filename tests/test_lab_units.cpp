@@ -2,8 +2,8 @@
 // without a word.
 #include "io/files/files.hpp"
 #include "io/lab_files/lab_units.hpp"
-#include "io/matlab/matlab_file.hpp"
 #include "io/lab_files/measured_data.hpp"
+#include "io/matlab/matlab_file.hpp"
 #include "io/universal/writer.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -6,18 +6,18 @@
 #include "tests/synthetic_frf.hpp"
 
 #include "compare/correlate.hpp"
-#include "lab/signals/frf_of_signals.hpp"
-#include "lab/identification/identify.hpp"
 #include "compare/simulated.hpp"
-#include "io/lab_files/csv_table.hpp"
 #include "io/files/files.hpp"
 #include "io/input/measured_file.hpp"
-#include "io/matlab/matlab_file.hpp"
+#include "io/lab_files/csv_table.hpp"
 #include "io/lab_files/measured_data.hpp"
-#include "io/write/simulated_yaml.hpp"
-#include "io/write/write_identification.hpp"
+#include "io/matlab/matlab_file.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
+#include "io/write/simulated_yaml.hpp"
+#include "io/write/write_identification.hpp"
+#include "lab/identification/identify.hpp"
+#include "lab/signals/frf_of_signals.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "tests/bellows_case.hpp"
 
 #include "mesh/generation/msh_file.hpp"
-#include "mesh/plate.hpp"
 #include "mesh/generation/revolve.hpp"
+#include "mesh/plate.hpp"
 
 #include <Eigen/Geometry>
 #include <filesystem>

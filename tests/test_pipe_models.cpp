@@ -1,9 +1,9 @@
 // Equivalent pipes and chains of connectors against closed forms: uniform rod, shaft, beam with
 // rotary inertia, springs in series.
 #include "compare/compare.hpp"
-#include "model/shape/build.hpp"
 #include "model/description/connector_curve.hpp"
 #include "model/description/pipe_model.hpp"
+#include "model/shape/build.hpp"
 #include "run/analyses/run.hpp"
 
 #include <Eigen/LU>

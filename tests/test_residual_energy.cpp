@@ -76,7 +76,10 @@ TEST(ResidualEnergy, is_where_the_stiffness_is_off) {
     const auto most =
         std::max_element(gaps.begin(), gaps.end(),
                          [](const LocatedGap& a, const LocatedGap& b) { return a.z < b.z; });
-    EXPECT_EQ(most->component, soft) << most->band << " z " << most->z;
+    std::string all;
+    for (const LocatedGap& g : gaps)
+      all += g.component + ", " + g.band + ": " + std::to_string(g.z) + "\n";
+    EXPECT_EQ(most->component, soft) << all;
     EXPECT_TRUE(most->significant) << most->z;
   }
 }

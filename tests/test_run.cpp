@@ -1,8 +1,8 @@
 // A whole run, from the parts of a case to its results, against closed forms.
 #include "tests/tube_case.hpp"
 
-#include "words/input_error.hpp"
 #include "run/routes/route.hpp"
+#include "words/input_error.hpp"
 
 #include <numbers>
 #include <set>

@@ -4,10 +4,10 @@
 
 #include "compare/correlate.hpp"
 #include "compare/fit/fit_bodies.hpp"
+#include "compare/fit/friction_families.hpp"
 #include "compare/search/search.hpp"
 #include "model/description/case.hpp"
 #include "run/results/results.hpp"
-#include "run/analyses/levels.hpp"
 
 #include <atomic>
 #include <functional>

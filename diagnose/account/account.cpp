@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 class Account {
 public:
-  Account(const GapProblem& problem, const Findings& found, const DiagnosisSettings& settings)
+  Account(GapProblem& problem, const Findings& found, const DiagnosisSettings& settings)
       : problem_(problem), found_(found), settings_(settings) {}
 
   Diagnosis diagnosis() {
@@ -311,7 +311,7 @@ private:
           result_.advice.push_back(h->effect + " or " + advice);
   }
 
-  const GapProblem& problem_;
+  GapProblem& problem_; // its predictors are made as they are asked for
   const Findings& found_;
   const DiagnosisSettings& settings_;
   Diagnosis result_;
@@ -319,7 +319,7 @@ private:
 
 } // namespace
 
-Diagnosis account_of(const GapProblem& problem, const Findings& found,
+Diagnosis account_of(GapProblem& problem, const Findings& found,
                      const DiagnosisSettings& settings) {
   return Account(problem, found, settings).diagnosis();
 }

@@ -22,7 +22,6 @@ struct Findings {
 };
 
 // Tells the stage of what takes time.
-Diagnosis account_of(const GapProblem& problem, const Findings& found,
-                     const DiagnosisSettings& settings);
+Diagnosis account_of(GapProblem& problem, const Findings& found, const DiagnosisSettings& settings);
 
 } // namespace plica

@@ -1,9 +1,8 @@
 #include "diagnose/weigh/evidence.hpp"
 
 #include "compare/search/search.hpp"
-#include "diagnose/weigh/normal_draws.hpp"
 #include "diagnose/weigh/spread_point.hpp"
-#include "solve/parallel.hpp"
+#include "diagnose/weigh/tempered_chains.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -20,68 +19,6 @@ using Eigen::VectorXd;
 
 constexpr double hopeless = 1e6;
 
-constexpr double most_further = 0.5; // of a logarithm
-
-// How far off a change of the structure may put a reading, in terms of what it changes.
-double share_of_change(ReadingKind kind) {
-  switch (kind) {
-  case ReadingKind::cross:
-    return 0.3;
-  case ReadingKind::amplitude:
-    return 0.1;
-  case ReadingKind::frequency:
-  case ReadingKind::stiffness:
-    return 0.02;
-  default:
-    return 0;
-  }
-}
-
-// Covariance of errors with these standard deviations that are one and the same within a series.
-MatrixXd at_all_levels(const VectorXd& sigma, const std::vector<int>& series) {
-  MatrixXd S = MatrixXd::Zero(sigma.size(), sigma.size());
-  for (Index i = 0; i < sigma.size(); ++i)
-    for (Index j = 0; j < sigma.size(); ++j)
-      if (series[std::size_t(i)] == series[std::size_t(j)]) S(i, j) = sigma[i] * sigma[j];
-  return S;
-}
-
-// ln of the standard normal density.
-double log_normal(const VectorXd& z) {
-  return -z.squaredNorm() / 2 - double(z.size()) / 2 * std::log(6.283185307179586);
-}
-
-// Where the chains begin: nine tenths near the optima, twice as wide as the Gaussian there, the
-// rest from the prior, so that nothing the prior allows is out of reach.
-class Reference {
-public:
-  explicit Reference(const HypothesisFit& fit) : centres_(fit.others), root_(4 * fit.covariance) {
-    centres_.push_back(fit.z);
-    const MatrixXd L = root_.matrixL();
-    log_det_ = L.diagonal().array().log().sum();
-  }
-  VectorXd draw(const VectorXd& white, double u) const {
-    if (u >= near) return white;
-    const auto which = std::size_t(u / near * double(centres_.size()));
-    return centres_[which] + root_.matrixL() * white;
-  }
-  double log_density(const VectorXd& z) const {
-    double all = std::log(1 - near) + log_normal(z);
-    for (const VectorXd& centre : centres_) {
-      const double own = std::log(near / double(centres_.size())) +
-                         log_normal(root_.matrixL().solve(z - centre)) - log_det_;
-      all = std::max(all, own) + std::log1p(std::exp(-std::abs(all - own)));
-    }
-    return all;
-  }
-
-private:
-  static constexpr double near = 0.9;
-  std::vector<VectorXd> centres_;
-  Eigen::LLT<MatrixXd> root_;
-  double log_det_ = 0;
-};
-
 void finish(HypothesisFit& fit) {
   fit.chi2 = fit.error.squaredNorm();
   fit.farthest = fit.z.size() > 0 ? fit.z.cwiseAbs().maxCoeff() : 0;
@@ -89,71 +26,6 @@ void finish(HypothesisFit& fit) {
 }
 
 } // namespace
-
-Deviation::Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together)
-    : context_(context), predict_(context.predictors.of(together)) {}
-
-std::optional<VectorXd> Deviation::at(const VectorXd& z, Predictor::Which which) const {
-  const auto y = predict_(predict_.values_of(z), which);
-  return y ? std::optional(left_by(*y)) : std::nullopt;
-}
-
-std::optional<Deviation::Widened> Deviation::widened(const VectorXd& z,
-                                                     Predictor::Which which) const {
-  const VectorXd values = predict_.values_of(z);
-  const auto y = predict_(values, which);
-  if (!y) return std::nullopt;
-  return Widened{.deviation = left_by(*y), .further = further(values, *y, which)};
-}
-
-MatrixXd Deviation::further(const VectorXd& values, const VectorXd& y,
-                            Predictor::Which which) const {
-  if (!predict_.changes_structure()) return MatrixXd();
-  const Uncertainty& u = context_.uncertainty;
-  VectorXd change = u.expected(y) - u.expected(u.nominal - u.correction);
-  for (Index i = 0; i < change.size(); ++i)
-    change[i] =
-        std::isfinite(change[i])
-            ? std::clamp(share_of_change(context_.test.readings[std::size_t(i)].kind) * change[i],
-                         -most_further, most_further)
-            : 0;
-  MatrixXd S = at_all_levels(change, u.series);
-  if (const VectorXd law = predict_.law_error(values, y, which); law.size() > 0) {
-    S += at_all_levels(law, u.series);
-    S.diagonal() += law.cwiseAbs2();
-  }
-  return S;
-}
-
-VectorXd Deviation::left_by(const VectorXd& y) const {
-  const VectorXd d = context_.measured - context_.uncertainty.expected(y);
-  constexpr double missing = 10; // where the model gives no number
-  return d.array().isFinite().select(d, missing);
-}
-
-Whitening::Whitening(const TestReadings& test, const Uncertainty& u, bool held_out) {
-  for (std::size_t i = 0; i < test.readings.size(); ++i)
-    if (test.readings[i].held_out == held_out) rows_.push_back(Index(i));
-  covariance_ = u.total()(rows_, rows_);
-  root_.compute(covariance_);
-}
-
-Whitening Whitening::widened(const MatrixXd& further) const {
-  Whitening wider = *this;
-  if (further.size() == 0 || rows_.empty()) return wider;
-  wider.covariance_ += further(rows_, rows_);
-  wider.root_.compute(wider.covariance_);
-  return wider;
-}
-
-double Whitening::log_det() const {
-  return rows_.empty() ? 0 : MatrixXd(root_.matrixL()).diagonal().array().log().sum();
-}
-
-VectorXd Whitening::operator()(const VectorXd& deviation) const {
-  if (rows_.empty()) return VectorXd();
-  return root_.matrixL().solve(VectorXd(deviation(rows_)));
-}
 
 double log_evidence_at_width(const HypothesisFit& fit, double width) {
   double value = -fit.error.squaredNorm() / 2 - fit.penalty;
@@ -331,101 +203,17 @@ void complete(const FitContext& context, HypothesisFit& fit) {
 void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed) {
   if (fit.together.empty() || !fit.solved) return;
   const Deviation deviation(context, fit.together);
-  const Index p = fit.z.size();
-  NormalDraws normal(seed);
-  const Reference reference(fit);
   const Whitening whitened = context.fitted.widened(fit.further);
-  const auto log_target = [&](const VectorXd& z) { // likelihood times prior
+  const auto log_likelihood = [&](const VectorXd& z) -> std::optional<double> {
     const auto d = deviation.at(z, Predictor::Which::fitted);
-    return d ? -whitened(*d).squaredNorm() / 2 + log_normal(z) : -hopeless;
+    return d ? std::optional(-whitened(*d).squaredNorm() / 2) : std::nullopt;
   };
-  // All that is random is drawn in one order, whatever the threads.
-  MatrixXd z(p, particles);
-  VectorXd target(particles), start(particles);
-  for (Index k = 0; k < particles; ++k) {
-    VectorXd white(p);
-    for (double& x : white) x = normal();
-    z.col(k) = reference.draw(white, normal.uniform());
-  }
-  in_parallel(particles, [&](int k) {
-    target[k] = log_target(z.col(k));
-    start[k] = reference.log_density(z.col(k));
-  });
-  double power = 0, log_evidence = 0;
-  constexpr int most_stages = 40;
-  for (int stage = 0; stage < most_stages && power < 1; ++stage) {
-    // The next power makes the weights vary by as much as they are on average.
-    const VectorXd ratio = target - start;
-    const double highest = ratio.maxCoeff();
-    const auto weights = [&](double next) {
-      return VectorXd(((next - power) * (ratio.array() - highest)).exp());
-    };
-    double low = power, high = 1;
-    const auto varies = [&](double next) {
-      const VectorXd w = weights(next);
-      return std::sqrt((w.array() - w.mean()).square().mean()) / w.mean();
-    };
-    if (varies(1) > 1) {
-      for (int i = 0; i < 40; ++i) {
-        const double middle = (low + high) / 2;
-        (varies(middle) > 1 ? high : low) = middle;
-      }
-    } else {
-      low = 1;
-    }
-    const VectorXd w = weights(low);
-    log_evidence += std::log(w.mean()) + (low - power) * highest;
-    power = low;
-    const VectorXd share = w / w.sum();
-    const VectorXd mean = z * share;
-    const MatrixXd centred = z.colwise() - mean;
-    constexpr double scale = 0.5; // of the covariance, squared
-    MatrixXd C = scale * centred * share.asDiagonal() * centred.transpose();
-    C.diagonal().array() += 1e-10;
-    const MatrixXd root = C.llt().matrixL();
-    MatrixXd next(p, particles);
-    VectorXd next_target(particles), next_start(particles);
-    // Systematic resampling, then a few steps of Metropolis from each.
-    constexpr int moves = 2;
-    std::vector<Index> origin;
-    MatrixXd steps(p, moves * particles);
-    VectorXd chance(moves * particles);
-    double cumulated = share[0];
-    Index from = 0;
-    const double offset = normal.uniform();
-    for (Index k = 0; k < particles; ++k) {
-      const double position = (double(k) + offset) / particles;
-      while (cumulated < position && from + 1 < particles) cumulated += share[++from];
-      origin.push_back(from);
-      for (Index m = moves * k; m < moves * (k + 1); ++m) {
-        for (double& x : steps.col(m)) x = normal();
-        chance[m] = normal.uniform();
-      }
-    }
-    in_parallel(particles, [&](int k) {
-      const Index of = origin[std::size_t(k)];
-      VectorXd here = z.col(of);
-      double own = target[of], own_start = start[of];
-      for (Index m = moves * k; m < moves * (k + 1); ++m) {
-        const VectorXd there = here + root * steps.col(m);
-        const double value = log_target(there), there_start = reference.log_density(there);
-        const double gain = power * (value - own) + (1 - power) * (there_start - own_start);
-        if (std::log(chance[m]) < gain) {
-          here = there;
-          own = value;
-          own_start = there_start;
-        }
-      }
-      next.col(k) = here;
-      next_target[k] = own;
-      next_start[k] = own_start;
-    });
-    z = std::move(next);
-    target = std::move(next_target);
-    start = std::move(next_start);
-  }
-  fit.draws = z;
-  if (power >= 1) fit.sampled_log_evidence = log_evidence - fit.penalty;
+  std::vector<VectorXd> optima = fit.others;
+  optima.push_back(fit.z);
+  ChainDraws drawn =
+      tempered_chains({std::move(optima), fit.covariance}, log_likelihood, particles, seed);
+  fit.draws = std::move(drawn.z);
+  if (drawn.log_evidence) fit.sampled_log_evidence = *drawn.log_evidence - fit.penalty;
 }
 
 std::string name_of(const HypothesisFit& fit) {

@@ -17,30 +17,9 @@
 // tenth of them spread over the prior, which takes a few stages in place of twenty.
 #pragma once
 
-#include "diagnose/weigh/uncertainty.hpp"
-
-#include <Eigen/Cholesky>
+#include "diagnose/weigh/deviation.hpp"
 
 namespace plica {
-
-// Readings that are fitted, whitened.
-class Whitening {
-public:
-  Whitening(const TestReadings& test, const Uncertainty& u, bool held_out);
-
-  // With a further covariance, over all readings; empty = as it is.
-  Whitening widened(const Eigen::MatrixXd& further) const;
-
-  // Of deviations from nominal and bias, over all readings.
-  Eigen::VectorXd operator()(const Eigen::VectorXd& deviation) const;
-  const std::vector<Eigen::Index>& rows() const { return rows_; }
-  double log_det() const; // of the covariance, halved
-
-private:
-  std::vector<Eigen::Index> rows_;
-  Eigen::MatrixXd covariance_;
-  Eigen::LLT<Eigen::MatrixXd> root_;
-};
 
 struct HypothesisFit {
   std::vector<const Hypothesis*> together; // one, or two of a pair; empty = nominal
@@ -59,42 +38,6 @@ struct HypothesisFit {
   double penalty = 0;                         // of ln Z, for these
   double farthest = 0;                        // largest |z|
   int evaluations = 0;
-};
-
-// What all fits of one test share.
-struct FitContext {
-  PredictorStore& predictors;
-  const TestReadings& test;
-  const Uncertainty& uncertainty;
-  const Eigen::VectorXd& measured; // log readings
-  const Whitening& fitted;
-};
-
-// What a hypothesis leaves of the readings: test less prediction, corrected for mesh and bias.
-class Deviation {
-public:
-  Deviation(const FitContext& context, const std::vector<const Hypothesis*>& together);
-
-  // At coordinates of the parameters. None: no stable structure. Readings that the model does not
-  // give, or that were not asked for, are far off.
-  std::optional<Eigen::VectorXd> at(const Eigen::VectorXd& z,
-                                    Predictor::Which which = Predictor::Which::all) const;
-  // The same with the further covariance there; empty = none.
-  struct Widened {
-    Eigen::VectorXd deviation;
-    Eigen::MatrixXd further;
-  };
-  std::optional<Widened> widened(const Eigen::VectorXd& z, Predictor::Which which) const;
-  // Further covariance where parameters have these values and the readings are predicted as `y`.
-  Eigen::MatrixXd further(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
-                          Predictor::Which which) const;
-  const Predictor& predictor() const { return predict_; }
-
-private:
-  Eigen::VectorXd left_by(const Eigen::VectorXd& y) const;
-
-  const FitContext& context_;
-  const Predictor& predict_;
 };
 
 HypothesisFit nominal_fit(const FitContext& context);

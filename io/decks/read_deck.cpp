@@ -18,8 +18,9 @@ std::shared_ptr<const DeckModel> read_deck(const std::filesystem::path& file,
   const Key key{file.string(), std::filesystem::last_write_time(file, none), unknown};
   const std::lock_guard lock(mutex);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  auto deck = std::make_shared<DeckModel>(deck_format(file) == DeckFormat::abaqus ? read_abaqus(file, unknown)
-                                                          : read_nastran(file, unknown));
+  auto deck = std::make_shared<DeckModel>(deck_format(file) == DeckFormat::abaqus
+                                              ? read_abaqus(file, unknown)
+                                              : read_nastran(file, unknown));
   deck->files.insert(file.string());
   if (deck->nodes.empty()) deck_error({file.string(), 0}, "", "has no node", "a model");
   return known[key] = std::move(deck);

@@ -21,8 +21,8 @@ struct MeasuredFile {
 MeasuredFile read_measured_file(const std::string& path);
 Measured read_measured(const std::string& path);
 
-// The test of a case: `given`, a file or a folder with a measured.yaml, or else what the case names;
-// none where neither is.
+// The test of a case: `given`, a file or a folder with a measured.yaml, or else what the case
+// names; none where neither is.
 std::optional<MeasuredFile> test_of(const CaseFile& file, const std::string& given = {});
 
 // It and the files it names.

@@ -1,7 +1,7 @@
 #include "io/lab_files/channels.hpp"
 
-#include "words/did_you_mean.hpp"
 #include "io/lab_files/universal_units.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <algorithm>
 #include <array>

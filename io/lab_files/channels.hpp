@@ -2,8 +2,8 @@
 // each with what is known of its quantity.
 #pragma once
 
-#include "lab/measured/measured.hpp"
 #include "io/lab_files/lab_units.hpp"
+#include "lab/measured/measured.hpp"
 #include "words/input_error.hpp"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "io/lab_files/csv_table.hpp"
 
 #include "io/files/files.hpp"
-#include "words/utf8.hpp"
 #include "io/lab_files/lab_units.hpp"
 #include "words/input_error.hpp"
+#include "words/utf8.hpp"
 
 #include <csv.h>
 

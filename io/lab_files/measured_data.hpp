@@ -1,12 +1,13 @@
 // The files that measured.yaml names, read into the forms that test-signal processing takes.
 //
-// Files end in .csv or .txt (io/lab_files/csv_table.hpp: the abscissa first, then a complex column, or a real
-// and an imaginary one, per channel), .mat, or anything else (universal files, sets 58). Channels
-// are "sensor.axis". Without a list of channels CSV columns are taken by their names ("mid y real"
-// is mid.y), functions of a universal file by their response: the sensor with that node number,
-// else the entity's name; direction 1 2 3 is x y z, negative reverses the sign.
+// Files end in .csv or .txt (io/lab_files/csv_table.hpp: the abscissa first, then a complex column,
+// or a real and an imaginary one, per channel), .mat, or anything else (universal files, sets 58).
+// Channels are "sensor.axis". Without a list of channels CSV columns are taken by their names ("mid
+// y real" is mid.y), functions of a universal file by their response: the sensor with that node
+// number, else the entity's name; direction 1 2 3 is x y z, negative reverses the sign.
 //
-// Units that a file states are brought to SI or refused (io/lab_files/lab_units.hpp, io/lab_files/universal_units.hpp).
+// Units that a file states are brought to SI or refused (io/lab_files/lab_units.hpp,
+// io/lab_files/universal_units.hpp).
 #pragma once
 
 #include "lab/measured/measured.hpp"

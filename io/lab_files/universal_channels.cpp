@@ -1,6 +1,6 @@
 #include "io/lab_files/channels.hpp"
-#include "io/universal/reader.hpp"
 #include "io/lab_files/universal_units.hpp"
+#include "io/universal/reader.hpp"
 
 #include <array>
 

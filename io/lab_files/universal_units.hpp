@@ -6,9 +6,9 @@
 // axis is taken, with a warning. A ratio of like quantities needs no units.
 #pragma once
 
-#include "lab/measured/frf_set.hpp"
 #include "io/lab_files/lab_units.hpp"
 #include "io/universal/file.hpp"
+#include "lab/measured/frf_set.hpp"
 #include "words/input_error.hpp"
 
 #include <filesystem>

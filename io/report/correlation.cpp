@@ -3,8 +3,8 @@
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
 #include "io/report/plot.hpp"
-#include "io/tables/text.hpp"
 #include "io/tables/correlation_words.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

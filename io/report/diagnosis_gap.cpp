@@ -1,8 +1,8 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/plot.hpp"
-#include "io/tables/text.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/tables/text.hpp"
 
 #include "diagnose/readings/readings.hpp"
 

@@ -1,7 +1,7 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
-#include "io/tables/text.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

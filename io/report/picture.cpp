@@ -1,10 +1,10 @@
 #include "io/report/picture.hpp"
 
 #include "io/report/colour.hpp"
+#include "io/report/drawn_shapes.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/scene.hpp"
 #include "io/report/surface.hpp"
-#include "io/report/drawn_shapes.hpp"
 #include "io/tables/text.hpp"
 
 #include <Eigen/Geometry>

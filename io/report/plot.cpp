@@ -1,7 +1,7 @@
 #include "io/report/plot.hpp"
 
-#include "io/report/markup.hpp"
 #include "io/files/json_text.hpp"
+#include "io/report/markup.hpp"
 
 #include <fmt/format.h>
 

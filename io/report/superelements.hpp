@@ -1,8 +1,8 @@
 // Section of the report on superelements, and the report of a reduction with its certificate.
 #pragma once
 
-#include "run/study/reduce.hpp"
 #include "run/results/results.hpp"
+#include "run/study/reduce.hpp"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 #include "io/report/viewer.hpp"
 
+#include "io/files/json_text.hpp"
 #include "io/report/colour.hpp"
+#include "io/report/drawn_shapes.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/surface.hpp"
-#include "io/report/drawn_shapes.hpp"
-#include "io/files/json_text.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "io/tables/text_table.hpp"
 
-
 #include <fmt/format.h>
 
 #include <algorithm>

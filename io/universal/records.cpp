@@ -1,7 +1,7 @@
 #include "io/universal/records.hpp"
 
-#include "words/did_you_mean.hpp"
 #include "io/universal/numbers.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <algorithm>
 

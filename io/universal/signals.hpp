@@ -4,8 +4,8 @@
 // name; axis x y z is direction 1 2 3. Frequencies that are not evenly spaced keep their abscissa.
 #pragma once
 
-#include "lab/identification/identify.hpp"
 #include "io/universal/file.hpp"
+#include "lab/identification/identify.hpp"
 
 namespace plica {
 

@@ -1,8 +1,8 @@
 #include "io/write/write_benchmark.hpp"
 
+#include "io/files/json_text.hpp"
 #include "io/report/benchmark.hpp"
 #include "io/tables/csv.hpp"
-#include "io/files/json_text.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "io/write/write_correlation.hpp"
 
+#include "io/files/json_text.hpp"
 #include "io/report/correlation.hpp"
 #include "io/tables/correlation_words.hpp"
 #include "io/tables/csv.hpp"
-#include "io/files/json_text.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "io/write/write_diagnosis.hpp"
 
+#include "io/files/json_text.hpp"
 #include "io/report/diagnosis.hpp"
 #include "io/tables/csv.hpp"
 #include "io/tables/diagnosis_words.hpp"
-#include "io/files/json_text.hpp"
 
 #include <fmt/format.h>
 

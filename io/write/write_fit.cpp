@@ -1,9 +1,9 @@
 #include "io/write/write_fit.hpp"
 
 #include "io/files/files.hpp"
+#include "io/files/json_text.hpp"
 #include "io/report/fit.hpp"
 #include "io/tables/csv.hpp"
-#include "io/files/json_text.hpp"
 #include "io/tables/text.hpp"
 #include "words/input_error.hpp"
 

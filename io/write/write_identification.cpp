@@ -1,8 +1,8 @@
 #include "io/write/write_identification.hpp"
 
+#include "io/files/json_text.hpp"
 #include "io/report/identification.hpp"
 #include "io/tables/csv.hpp"
-#include "io/files/json_text.hpp"
 #include "io/tables/text.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"

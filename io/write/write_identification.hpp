@@ -4,10 +4,10 @@
 // spectra.csv.
 #pragma once
 
-#include "lab/signals/frf_of_signals.hpp"
+#include "io/files/output_folder.hpp"
 #include "lab/identification/identify.hpp"
 #include "lab/identification/linearity.hpp"
-#include "io/files/output_folder.hpp"
+#include "lab/signals/frf_of_signals.hpp"
 
 namespace plica {
 

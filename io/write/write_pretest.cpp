@@ -1,9 +1,9 @@
 #include "io/write/write_pretest.hpp"
 
+#include "io/files/json_text.hpp"
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
-#include "io/files/json_text.hpp"
 
 #include <fmt/format.h>
 

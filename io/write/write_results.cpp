@@ -5,11 +5,11 @@
 #include "io/tables/csv.hpp"
 #include "io/tables/json.hpp"
 #include "io/tables/levels_csv.hpp"
-#include "io/write/simulated_yaml.hpp"
 #include "io/tables/text.hpp"
-#include "io/write/vtu.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
+#include "io/write/simulated_yaml.hpp"
+#include "io/write/vtu.hpp"
 
 #include <array>
 #include <string>

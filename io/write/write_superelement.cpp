@@ -1,16 +1,16 @@
 #include "io/write/write_superelement.hpp"
 
-#include "io/report/superelements.hpp"
 #include "io/files/json_text.hpp"
-#include "io/tables/text.hpp"
+#include "io/report/superelements.hpp"
 #include "io/superelements/abaqus.hpp"
-#include "io/tables/certificate_words.hpp"
 #include "io/superelements/hdf5.hpp"
 #include "io/superelements/labels.hpp"
 #include "io/superelements/matlab.hpp"
 #include "io/superelements/matrix_market.hpp"
 #include "io/superelements/nastran.hpp"
 #include "io/superelements/op4.hpp"
+#include "io/tables/certificate_words.hpp"
+#include "io/tables/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // What is known of the modes of measured frequency responses.
 #pragma once
 
-#include "lab/measured/frf_set.hpp"
 #include "lab/identification/stabilisation.hpp"
+#include "lab/measured/frf_set.hpp"
 
 namespace plica {
 

@@ -1,8 +1,8 @@
 // Frequency responses of time signals to one of them.
 #pragma once
 
-#include "lab/signals/frf_estimate.hpp"
 #include "lab/measured/frf_set.hpp"
+#include "lab/signals/frf_estimate.hpp"
 #include "lab/signals/sine_tracking.hpp"
 
 namespace plica {

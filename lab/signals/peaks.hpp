@@ -18,8 +18,8 @@ struct Peak {
 std::vector<Peak> find_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd& magnitude,
                              double floor = 0.01);
 
-// The higher of the lowest values on both sides of the maximum at `top`, each sought until the curve
-// is higher than it or ends.
+// The higher of the lowest values on both sides of the maximum at `top`, each sought until the
+// curve is higher than it or ends.
 double higher_valley(const Eigen::VectorXd& magnitude, Eigen::Index top);
 
 } // namespace plica

@@ -1,5 +1,5 @@
-// Curves in the (y, r) plane and their meshing. Gmsh keeps one global session, so calls in two threads
-// wait for each other.
+// Curves in the (y, r) plane and their meshing. Gmsh keeps one global session, so calls in two
+// threads wait for each other.
 #pragma once
 
 #include <Eigen/Core>

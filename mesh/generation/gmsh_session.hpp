@@ -1,4 +1,5 @@
-// The session of Gmsh, for the sources that call it: curve_mesh.cpp, msh_file.cpp and those of mesher/.
+// The session of Gmsh, for the sources that call it: curve_mesh.cpp, msh_file.cpp and those of
+// mesher/.
 #pragma once
 
 #include <gmsh.h>

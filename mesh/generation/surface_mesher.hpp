@@ -1,7 +1,7 @@
 // Shell elements on the faces of a CAD file, or on the triangles of a surface file. Files are read
 // and meshed by the program plica_mesher (mesher/), in a process of its own with a limit of time
-// and of memory (mesh/generation/worker.hpp): their readers crash on, or never end with, some that are
-// damaged.
+// and of memory (mesh/generation/worker.hpp): their readers crash on, or never end with, some that
+// are damaged.
 #pragma once
 
 #include "mesh/shell_surface.hpp"

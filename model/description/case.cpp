@@ -2,7 +2,6 @@
 
 #include "model/description/deck_model.hpp"
 
-
 #include <algorithm>
 
 namespace plica {

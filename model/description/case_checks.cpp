@@ -1,13 +1,13 @@
 #include "model/description/case_checks.hpp"
 
 #include "model/description/check_log.hpp"
-#include "words/did_you_mean.hpp"
 #include "model/description/friction_checks.hpp"
 #include "model/description/node_sets.hpp"
 #include "model/description/part_checks.hpp"
-#include "model/description/response_checks.hpp"
-#include "words/units.hpp"
 #include "model/description/profile.hpp"
+#include "model/description/response_checks.hpp"
+#include "words/did_you_mean.hpp"
+#include "words/units.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "model/description/check_log.hpp"
 
-#include "words/did_you_mean.hpp"
 #include "model/description/node_sets.hpp"
+#include "words/did_you_mean.hpp"
 
 #include <algorithm>
 

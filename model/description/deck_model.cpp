@@ -7,8 +7,7 @@ namespace plica {
 DeckFormat deck_format(const std::filesystem::path& file) {
   const std::string suffix = lower_suffix(file);
   if (suffix == ".inp") return DeckFormat::abaqus;
-  const bool nastran =
-      suffix == ".bdf" || suffix == ".dat" || suffix == ".nas" || suffix == ".fem";
+  const bool nastran = suffix == ".bdf" || suffix == ".dat" || suffix == ".nas" || suffix == ".fem";
   return nastran ? DeckFormat::nastran : DeckFormat::none;
 }
 

@@ -1,11 +1,11 @@
 #include "model/description/part_checks.hpp"
 
-#include "words/units.hpp"
 #include "mesh/generation/surface_file.hpp"
 #include "mesh/generation/surface_mesher.hpp"
 #include "model/description/deck_model.hpp"
 #include "model/description/pipe_model.hpp"
 #include "model/description/profile.hpp"
+#include "words/units.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "model/shape/build.hpp"
 
 #include "model/shape/building.hpp"
+#include "solve/couplings.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>

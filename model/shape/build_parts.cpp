@@ -141,9 +141,9 @@ void add(Building& b, const std::string& name, const BeamPart& beam) {
   b.built.model.mesh.sets[name + ".point[1]"] = {first};
   int previous = first;
   for (std::size_t p = 1; p < beam.points.size(); ++p) {
-    const Vector3d a = vector(beam.points[p - 1]), b = vector(beam.points[p]);
+    const Vector3d from = vector(beam.points[p - 1]), to = vector(beam.points[p]);
     for (int e = 1; e <= beam.elements; ++e) {
-      const int next = add_node(b.built.model, a + (b - a) * e / beam.elements);
+      const int next = add_node(b.built.model, from + (to - from) * e / beam.elements);
       b.built.model.beams.push_back({.node1 = previous,
                                      .node2 = next,
                                      .section = section,

@@ -1,8 +1,8 @@
 #include "run/analyses/damping.hpp"
 
-#include "words/input_error.hpp"
 #include "solve/modes.hpp"
 #include "solve/strain_energy.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 // boundary. Damping ratios of the case hold while the joints stick.
 #pragma once
 
-#include "run/routes/route.hpp"
 #include "run/analyses/response.hpp"
+#include "run/routes/route.hpp"
 #include "solve/harmonic_balance.hpp"
 
 namespace plica {

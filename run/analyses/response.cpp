@@ -1,8 +1,8 @@
 #include "run/analyses/response.hpp"
 
-#include "words/input_error.hpp"
 #include "lab/signals/peaks.hpp"
 #include "solve/frequency_grid.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "model/shape/constraint_clash.hpp"
-#include "run/routes/route.hpp"
 #include "reduction/cyclic_modes.hpp"
+#include "run/routes/route.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/model_error.hpp"

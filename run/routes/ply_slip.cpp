@@ -1,7 +1,7 @@
 #include "run/routes/ply_slip.hpp"
 
-#include "words/input_error.hpp"
 #include "run/routes/route.hpp"
+#include "words/input_error.hpp"
 
 #include <cmath>
 

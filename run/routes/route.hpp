@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/shape/build.hpp"
-#include "run/results/results.hpp"
 #include "reduction/cyclic_model.hpp"
+#include "run/results/results.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 

@@ -1,11 +1,11 @@
 #include "run/study/error_bars.hpp"
 
-#include "model/shape/build_bellows.hpp"
 #include "model/description/case_path.hpp"
-#include "run/study/match_modes.hpp"
-#include "run/study/refine.hpp"
+#include "model/shape/build_bellows.hpp"
 #include "run/analyses/run.hpp"
 #include "run/analyses/stress.hpp"
+#include "run/study/match_modes.hpp"
+#include "run/study/refine.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // A case without a file: the rod of a pendulum, to show that description, shape and runs link.
-#include "plica/model/description/case.hpp"
 #include "plica/run/analyses/run.hpp"
+#include "plica/model/description/case.hpp"
 
 #include <cstdio>
 

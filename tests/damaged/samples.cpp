@@ -1,10 +1,10 @@
 #include "tests/damaged/samples.hpp"
 
-#include "lab/measured/frf_set.hpp"
 #include "io/files/files.hpp"
 #include "io/matlab/matlab_file.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
+#include "lab/measured/frf_set.hpp"
 #include "tests/damaged/geometry_samples.hpp"
 
 #include <fmt/format.h>

@@ -1,0 +1,131 @@
+// Peaks of a state whose joints slip: the stiffness at which sliders and resonance agree about the
+// amplitude.
+#include "diagnose/predict/state_answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Complex = std::complex<double>;
+
+double default_level(const Case& data) {
+  return data.analyses.response ? data.analyses.response->level : 1;
+}
+
+// The modes of peaks over the stiffness of a group, straight between the points of its table; a
+// point is looked at when it is first needed.
+class PeaksOverStiffness {
+public:
+  // Motion per level at unit damping, zeta, energy share of the group per unit of its stiffness.
+  using Row = std::array<double, 3>;
+  using Rows = std::vector<std::optional<Row>>; // of each peak; none: it is not there
+  PeaksOverStiffness(int low, int high, std::function<Rows(int)> look)
+      : low_(low), look_(std::move(look)), first_(std::log(SlipTable::stiffness_of(low))),
+        step_(std::log(SlipTable::stiffness_of(low + 1)) - first_),
+        rows_(std::size_t(high - low + 1)) {}
+
+  std::optional<Row> at(double stiffness, std::size_t peak) {
+    const double x = std::clamp((std::log(std::max(stiffness, 1e-300)) - first_) / step_, 0.,
+                                double(rows_.size()) - 1.000001);
+    const auto place = std::size_t(x);
+    const std::optional<Row> below = at_point(place)[peak], above = at_point(place + 1)[peak];
+    if (!below || !above) return std::nullopt;
+    Row row{};
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = (*below)[k] + (x - double(place)) * ((*above)[k] - (*below)[k]);
+    return row;
+  }
+
+private:
+  const Rows& at_point(std::size_t place) {
+    if (!rows_[place]) rows_[place] = look_(low_ + int(place));
+    return *rows_[place];
+  }
+
+  int low_;
+  std::function<Rows(int)> look_;
+  double first_, step_;
+  std::vector<std::optional<Rows>> rows_;
+};
+
+} // namespace
+
+// The stiffness at which sliders and resonance agree about the amplitude of each peak. None: no
+// stable structure.
+std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const TestRun& run,
+                                                                          SlipTable& table) const {
+  const SlipGroup& group = *acting_.group;
+  Softening own = acting_.softening;
+  constexpr int along_the_pipe = 1;
+  if (run.base != along_the_pipe) own.distance *= own.across;
+  const double stuck = acting_.all[group.change] + group.present;
+  constexpr double most = 0.98; // of the share: something is always left
+  const int low = SlipTable::point_at(stuck * (1 - most * own.share)) - 1,
+            high = SlipTable::point_at(stuck) + 1;
+  if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
+  PeaksOverStiffness peaks(low, high, [&](int point) {
+    PeaksOverStiffness::Rows rows(run.peaks.size());
+    const FamilyModes* m = table.modes_at(point);
+    if (!m) return rows;
+    const std::vector<Index> modes = peak_modes(*m, run);
+    for (std::size_t p = 0; p < rows.size(); ++p) {
+      const Index i = modes[p];
+      if (i < 0) continue;
+      const double stretch = std::sqrt(std::max(0., m->group(i, i)) / group.stiffness);
+      rows[p] = {std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
+                 acting_.setup.damping * m->zeta[i],
+                 group.stiffness * stretch * stretch / m->lambda[i]};
+    }
+    return rows;
+  });
+  const Sliders sliders(own);
+  const double level = run.level > 0 ? run.level : default_level(own_.nominal->data);
+  std::vector<Slipping> found;
+  for (std::size_t p = 0; p < run.peaks.size(); ++p) {
+    const auto state_at = [&](double amplitude) { // and what the table's motion makes of it
+      const Complex gain = sliders.kept(amplitude);
+      const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
+      const auto row = peaks.at(stiffness, p);
+      if (!row) return std::optional<std::pair<Slipping, double>>();
+      const auto [motion, zeta, energy] = *row;
+      const double damping = energy * stuck * own.share * own.loss * gain.imag() / 2;
+      return std::optional(
+          std::pair{Slipping{stiffness, damping}, level * motion / (zeta + damping)});
+    };
+    double below = std::log(1e-12), above = std::log(1.);
+    constexpr int halvings = 40;
+    auto state = state_at(std::exp(below));
+    for (int i = 0; i < halvings && state; ++i) {
+      const double middle = (below + above) / 2, amplitude = std::exp(middle);
+      state = state_at(amplitude);
+      if (state) (state->second > amplitude ? below : above) = middle;
+    }
+    if (state) state = state_at(std::exp(below));
+    found.push_back(state ? state->first : Slipping{.stiffness = stuck}); // no such peak: as stuck
+  }
+  return found;
+}
+
+bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
+  const auto table = own_.tables.of(own_.free, acting_.all, *acting_.group);
+  const auto at_peaks = slipping(run, *table);
+  if (!at_peaks) return false;
+  for (std::size_t p = 0; p < run.peaks.size(); ++p) {
+    const Slipping& s = (*at_peaks)[p];
+    auto m = table->modes(s.stiffness);
+    if (!m) return false;
+    m->zeta *= acting_.setup.damping;
+    kept_.push_back(std::make_unique<FamilyModes>(std::move(*m)));
+    const FamilyModes& own = *kept_.back();
+    Peak peak{&own, own.zeta, peak_modes(own, run)[p], {}, {}};
+    if (peak.mode >= 0) peak.zeta[peak.mode] += s.damping;
+    found.push_back(std::move(peak));
+  }
+  return true;
+}
+
+} // namespace plica

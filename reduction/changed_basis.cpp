@@ -1,0 +1,193 @@
+// The reduced model of changed structures, by their common basis.
+#include "reduction/parametric_model.hpp"
+
+#include "solve/dense_modes.hpp"
+#include "solve/dense_product.hpp"
+#include "solve/model_error.hpp"
+#include "solve/parallel.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Rows of a matrix over all independent DOFs that belong to those of a change.
+MatrixXd rows_at(const MatrixXd& all, const std::vector<int>& dofs) {
+  return Index(dofs.size()) == all.rows() ? all : MatrixXd(all(dofs, Eigen::all));
+}
+
+// V' K_0 X for the columns X that changes add.
+MatrixXd work(const MatrixXd& V, const std::vector<PreparedChange>& changes, Index columns) {
+  MatrixXd all(V.cols(), columns);
+  Index at = 0;
+  for (const PreparedChange& change : changes) {
+    const Index own = change.forces.cols();
+    if (change.forces.rows() == V.rows())
+      all.middleCols(at, own) = transposed_product(V, change.forces);
+    else
+      all.middleCols(at, own) =
+          transposed_product(MatrixXd(V(change.dofs, Eigen::all)), change.forces);
+    at += own;
+  }
+  return all;
+}
+
+} // namespace
+
+ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChange>& changes) const {
+  Index further = 0;
+  for (const PreparedChange& change : changes) further += change.further.cols();
+  MatrixXd X(system_.map.size(), further);
+  Index at = 0;
+  for (const PreparedChange& change : changes) {
+    X.middleCols(at, change.further.cols()) = change.further;
+    at += change.further.cols();
+  }
+  // What the changes add to the basis, free of what it has.
+  MatrixXd XKX(further, further);
+  if (further > 0) {
+    const VectorXd before = work(X, changes, further).diagonal();
+    const MatrixXd part = WKW_.ldlt().solve(work(W_, changes, further));
+    subtract_product(X, W_, part);
+    XKX = work(X, changes, further) - transposed_product(X, KW_) * part;
+    constexpr double rounding = 1e-10; // of the energy: the basis had it all
+    std::vector<Index> news;
+    for (Index j = 0; j < further; ++j)
+      if (XKX(j, j) > rounding * before[j]) news.push_back(j);
+    if (Index(news.size()) < further) {
+      X = MatrixXd(X(Eigen::all, news));
+      XKX = MatrixXd(XKX(news, news));
+    }
+  }
+  const Index c = W_.cols(), n = c + X.cols();
+  MatrixXd E = MatrixXd::Zero(n, n);
+  E.topLeftCorner(c, c) = WKW_;
+  E.bottomRightCorner(X.cols(), X.cols()) = (XKX + XKX.transpose()) / 2;
+  // Columns of unit energy, those that add none dropped.
+  const VectorXd size = E.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(
+      MatrixXd(size.asDiagonal() * E * size.asDiagonal()));
+  constexpr double negligible = 1e-9;
+  std::vector<Index> kept;
+  for (Index j = 0; j < n; ++j)
+    if (gram.eigenvalues()[j] > negligible * gram.eigenvalues().maxCoeff()) kept.push_back(j);
+  const VectorXd scale = gram.eigenvalues()(kept).cwiseSqrt().cwiseInverse();
+  MatrixXd T = size.asDiagonal() * gram.eigenvectors()(Eigen::all, kept) * scale.asDiagonal();
+  return {std::move(X), std::move(E), std::move(T)};
+}
+
+ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
+  return reduced(changes, basis_of(changes));
+}
+
+ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& changes,
+                                       const Basis& basis) const {
+  const MatrixXd &X = basis.X, &T = basis.T, &E = basis.E;
+  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
+  const MatrixXd MX = symmetric_product(system_.M, X);
+  MatrixXd G(n, n), P(b, n);
+  G.topLeftCorner(c, c) = WMW_;
+  G.topRightCorner(c, X.cols()) = transposed_product(MW_, X);
+  G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
+  G.bottomRightCorner(X.cols(), X.cols()) = transposed_product(X, MX);
+  P << PsiMW_, transposed_product(MPsi_, X);
+  const Index k = T.cols();
+  ReducedFamily family;
+  family.boundary = int(b);
+  family.lambda = lambda_;
+  family.K = MatrixXd::Zero(b + k, b + k);
+  family.K.topLeftCorner(b, b) = PsiKPsi_;
+  family.K.bottomRightCorner(k, k) = T.transpose() * E * T;
+  family.M.resize(b + k, b + k);
+  family.M.topLeftCorner(b, b) = PsiMPsi_;
+  family.M.topRightCorner(b, k) = P * T;
+  family.M.bottomLeftCorner(k, b) = family.M.topRightCorner(b, k).transpose();
+  family.M.bottomRightCorner(k, k) = T.transpose() * G * T;
+  // Rows over [Psi | W | X] to those over q.
+  const auto over_q = [&](const MatrixXd& rows) {
+    MatrixXd own(rows.rows(), b + k);
+    own << rows.leftCols(b), rows.rightCols(n) * T;
+    return own;
+  };
+  const auto over_q_both = [&](const MatrixXd& square) -> MatrixXd {
+    return over_q(over_q(square).transpose()).transpose();
+  };
+  const auto seen_by = [&](const SparseMatrix& A, const MatrixXd& V) -> MatrixXd { // V' A V
+    if (A.nonZeros() == 0) return MatrixXd::Zero(b + k, b + k);
+    return over_q_both(transposed_product(V, symmetric_product(A, V)));
+  };
+  const auto side_by_side = [&](const auto& of_Psi, const auto& of_W, const auto& of_X) {
+    MatrixXd rows(of_Psi.rows(), b + n);
+    rows << of_Psi, of_W, of_X;
+    return rows;
+  };
+  family.load = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
+  family.mass = rigid_.col(1).dot(Mr_.col(1));
+  family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
+  MatrixXd all; // of what reaches everywhere
+  const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
+  if (std::any_of(changes.begin(), changes.end(), is_whole)) all = side_by_side(Psi_, W_, X);
+  family.dK.resize(changes.size());
+  family.dM.resize(changes.size());
+  family.d_load.resize(changes.size());
+  family.d_mass.resize(changes.size());
+  in_parallel(int(changes.size()), [&](int i) {
+    const PreparedChange& d = changes[std::size_t(i)];
+    const bool whole = is_whole(d);
+    const MatrixXd own = whole ? MatrixXd()
+                               : side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
+                                              X(d.dofs, Eigen::all));
+    const MatrixXd& V = whole ? all : own;
+    const MatrixXd r = rows_at(rigid_, d.dofs), Mr = symmetric_product(d.M, r);
+    family.dK[std::size_t(i)] = seen_by(d.K, V);
+    family.dM[std::size_t(i)] = seen_by(d.M, V);
+    family.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
+    family.d_mass[std::size_t(i)] = r.col(1).dot(Mr.col(1));
+  });
+  family.nominal = MatrixXd::Zero(b + k, lambda_.size());
+  family.nominal.bottomRows(k) = MatrixXd(family.M.bottomRightCorner(k, k))
+                                     .ldlt()
+                                     .solve(MatrixXd(T.transpose() * G.leftCols(lambda_.size())));
+  return family;
+}
+
+VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& changes,
+                                           const VectorXd& coefficients,
+                                           const std::vector<int>& free, int modes) const {
+  const Basis basis = basis_of(changes);
+  const ReducedFamily f = reduced(changes, basis);
+  MatrixXd K = f.K, M = f.M;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    K += coefficients[Index(i)] * f.dK[i];
+    M += coefficients[Index(i)] * f.dM[i];
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K(free, free), M(free, free));
+  if (pairs.info() != Eigen::Success || !(pairs.eigenvalues()[0] > 0))
+    throw ModelError("the changed structure is not stable");
+  const Index count = std::min<Index>(modes, pairs.eigenvalues().size());
+  const VectorXd lambda = pairs.eigenvalues().head(count);
+  MatrixXd q = MatrixXd::Zero(K.rows(), count);
+  q(free, Eigen::all) = pairs.eigenvectors().leftCols(count);
+  const MatrixXd inner = basis.T * q.bottomRows(basis.T.cols());
+  const MatrixXd u = Psi_ * q.topRows(Psi_.cols()) + W_ * inner.topRows(W_.cols()) +
+                     basis.X * inner.bottomRows(basis.X.cols());
+  MatrixXd r =
+      symmetric_product(system_.K, u) - symmetric_product(system_.M, u) * lambda.asDiagonal();
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const PreparedChange& d = changes[i];
+    const MatrixXd own = u(d.dofs, Eigen::all);
+    const MatrixXd force =
+        symmetric_product(d.K, own) - symmetric_product(d.M, own * lambda.asDiagonal());
+    r(d.dofs, Eigen::all) += coefficients[Index(i)] * force;
+  }
+  for (int dof : held_) r.row(dof).setZero();
+  const VectorXd energy = r.cwiseProduct(solve_inside(r)).colwise().sum();
+  return (energy.array() / (2 * lambda.array())).matrix();
+}
+
+} // namespace plica
