@@ -52,9 +52,7 @@ Measured as_measured(const Results& results) {
     m.mass->value = results.model.mass;
   }
   if (results.statics) {
-    const StaticStiffness& k = *results.statics;
-    const std::array values{k.k_axial,     k.k_transverse_x, k.k_transverse_z,
-                            k.k_bending_x, k.k_bending_z,    k.k_torsion};
+    const std::array values = results.statics->all();
     for (std::size_t d = 0; d < values.size(); ++d) {
       if (!(values[d] > 0)) continue;
       m.statics.emplace_back();

@@ -98,10 +98,10 @@ double likeness(const MatrixXd& motion, const VectorXd& lambda, Index mode, cons
 }
 
 // Pairs that stand in order are exchanged where the shapes say that two frequencies have crossed.
+// `motion`: of the superelement's own free modes, one column each.
 std::vector<FrequencyCheck> by_shape(std::vector<FrequencyCheck> checks, const PartReference& part,
-                                     const Superelement& s, int rigid) {
+                                     const Superelement& s, const MatrixXd& motion, int rigid) {
   if (part.free_motion.cols() == 0 || part.left_out > 0) return checks;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
   // Rotations at the size of the part, so that they count as motions do.
   double size = 0;
   for (const Vector3d& x : s.nodes) size = std::max(size, (x - s.nodes.front()).norm());
@@ -109,7 +109,7 @@ std::vector<FrequencyCheck> by_shape(std::vector<FrequencyCheck> checks, const P
   for (Index i = 0; i < scale.size(); ++i)
     if (i % 6 >= 3) scale[i] = std::max(size, 1e-3);
   const MatrixXd full = scale.asDiagonal() * part.free_motion,
-                 reduced = scale.asDiagonal() * modes.eigenvectors().topRows(s.boundary());
+                 reduced = scale.asDiagonal() * motion.topRows(s.boundary());
   const auto alike = [&](std::size_t check, std::size_t mode) {
     return likeness(full, part.free_lambda, rigid + Index(mode), reduced.col(rigid + Index(check)));
   };
@@ -127,11 +127,6 @@ std::vector<FrequencyCheck> by_shape(std::vector<FrequencyCheck> checks, const P
   return checks;
 }
 
-VectorXd generalized(const MatrixXd& K, const MatrixXd& M) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-}
-
 } // namespace
 
 Certificate certificate(const Superelement& s, const PartReference& part) {
@@ -144,12 +139,12 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
   c.negative_stiffness = std::min(0., k[0]);
   const int rigid = part.grounded ? 0 : 6;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
   if (rigid == 6) {
     const MatrixXd R = rigid_motions(s, s.nodes.front());
     c.grounding =
         (s.K * R).cwiseAbs().maxCoeff() /
         std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff());
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
     c.rigid_modes = angle_between(modes.eigenvectors().leftCols(6), R);
     // Back from the balanced matrix.
     const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -173,13 +168,16 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     const MatrixXd scale = size * size.transpose();
     c.statics = (K_bb - part.static_stiffness).cwiseQuotient(scale).cwiseAbs().maxCoeff();
   }
-  c.free = elastic(part.free_lambda, generalized(s.K, s.M), rigid, part.left_out);
+  c.free = elastic(part.free_lambda, modes.eigenvalues(), rigid, part.left_out);
   const Index m = s.modal();
   VectorXd fixed = VectorXd(0);
-  if (m > 0) fixed = generalized(s.K.bottomRightCorner(m, m), s.M.bottomRightCorner(m, m));
+  if (m > 0)
+    fixed = Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(
+                s.K.bottomRightCorner(m, m), s.M.bottomRightCorner(m, m), Eigen::EigenvaluesOnly)
+                .eigenvalues();
   c.fixed = elastic(part.fixed_lambda, fixed, 0, part.left_out);
   const std::vector<FrequencyCheck> in_order = c.free; // Ritz values bound the part's in order
-  c.free = by_shape(c.free, part, s, rigid);
+  c.free = by_shape(c.free, part, s, modes.eigenvectors(), rigid);
   for (const FrequencyCheck& f : c.free) {
     if (std::abs(f.error()) > frequency_limit) break;
     c.good_up_to = f.full;

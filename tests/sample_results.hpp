@@ -164,6 +164,7 @@ inline Results sample(int convolutions = 3, int per = 8, int around = 24) {
                             .mesh = {.along = 200, .around = -90},
                             .interval = {{50e3, 80e3}},
                             .shares = {0.25, 0.75}}},
+                  .statics = {{.along = 200, .around = -90}, {}, {}, {}, {}, {.along = 500}},
                   .modes = {},
                   .stresses = {},
                   .along = true,

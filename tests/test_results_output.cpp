@@ -81,6 +81,19 @@ TEST(ResultsJson, has_responses_stresses_and_error_bars) {
   EXPECT_EQ(bar["shares"]["parts.b.E"], 0.75);
 }
 
+TEST(ResultsJson, has_the_mesh_error_of_each_static_stiffness) {
+  Results r = sample();
+  r.mesh_choice = "refined";
+  const Json json = Json::parse(results_json(r)), error = json["static"]["mesh_error"];
+  EXPECT_EQ(error["k_axial"]["around"], -90);
+  EXPECT_EQ(error["k_torsion"]["along"], 500);
+  for (const char* pair : {"k_transverse", "k_bending"})
+    for (const char* axis : {"x", "z"}) EXPECT_EQ(error[pair][axis]["along"], 0) << pair;
+  EXPECT_EQ(json["model"]["mesh_choice"], "refined");
+  r.error_bars = {};
+  EXPECT_FALSE(Json::parse(results_json(r))["static"].contains("mesh_error"));
+}
+
 TEST(ResultsJson, gives_back_the_same_doubles) {
   Results r = sample();
   r.modes[0].frequency = std::nextafter(116.2, 117);
@@ -124,6 +137,8 @@ TEST(ResultsCsv, heads_have_units_and_cells_all_digits) {
             std::string::npos);
   EXPECT_NE(static_csv(r).find("axial [N/m]"), std::string::npos);
   EXPECT_NE(static_csv(r).find("65872.123456789"), std::string::npos);
+  EXPECT_NE(static_csv(r).find("mesh error torsion [Nm/rad]"), std::string::npos);
+  EXPECT_TRUE(static_csv(r).ends_with(",500\n")) << static_csv(r);
   EXPECT_NE(comparison_csv(r).find("\n\"mass, weighed\",kg,1.7096,0.0005,1.7093,"),
             std::string::npos);
   const std::string variants = variants_csv(r);

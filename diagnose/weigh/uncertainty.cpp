@@ -106,12 +106,9 @@ VectorXd mesh_correction(const Case& data, const Nominal& nominal, const TestRea
     const Reading& r = test.readings[std::size_t(i)];
     if (r.kind == ReadingKind::mass)
       correction[i] = std::log(own.model.mass) - std::log(nominal.mass);
-    if (r.kind == ReadingKind::stiffness && own.statics) {
-      const StaticStiffness& k = *own.statics;
-      const std::array all{k.k_axial,     k.k_transverse_x, k.k_transverse_z,
-                           k.k_bending_x, k.k_bending_z,    k.k_torsion};
-      correction[i] = std::log(all[static_cast<std::size_t>(r.direction)]) - coarse[i];
-    }
+    if (r.kind == ReadingKind::stiffness && own.statics)
+      correction[i] =
+          std::log(own.statics->all()[static_cast<std::size_t>(r.direction)]) - coarse[i];
     if (r.kind != ReadingKind::frequency || modes[std::size_t(i)] < 0) continue;
     const NominalState& state = nominal.states.front();
     const auto j = std::size_t(modes[std::size_t(i)]);

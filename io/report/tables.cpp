@@ -26,24 +26,24 @@ std::string size_of(int value) {
 
 std::string statics_html(const Results& results) {
   if (!results.statics) return "";
-  const StaticStiffness& k = *results.statics;
   std::vector<HtmlColumn> columns{{"", "", false}};
-  HtmlRow row{{"stiffness"}, ""};
-  const auto add = [&](const std::string& name, double value, const std::string& unit) {
-    const auto [factor, shown_in] = shown_unit(value, unit);
-    columns.push_back({name, shown_in});
-    row.cells.push_back(html_number(value * factor, 5));
-  };
-  add("axial", k.k_axial, "N/m");
-  add("transverse x", k.k_transverse_x, "N/m");
-  add("transverse z", k.k_transverse_z, "N/m");
-  add("bending x", k.k_bending_x, "Nm/rad");
-  add("bending z", k.k_bending_z, "Nm/rad");
-  add("torsion", k.k_torsion, "Nm/rad");
-  return html_table(
-      "Between the two end caps, one held. Transverse: the end kept parallel. Bending: "
-      "moment over rotation of a free end, about x and z.",
-      columns, {row});
+  HtmlRow values{{"stiffness"}, ""}, missing{{"mesh error, %"}, ""};
+  const std::vector<MeshError>& errors = results.error_bars.statics;
+  for (std::size_t i = 0; i < stiffness_names.size(); ++i) {
+    const double value = results.statics->all()[i];
+    const auto [factor, shown_in] = shown_unit(value, stiffness_unit(i));
+    columns.push_back({stiffness_names[i], shown_in});
+    values.cells.push_back(html_number(value * factor, 5));
+    if (!errors.empty()) missing.cells.push_back(mesh_error_percent(value, errors[i]));
+  }
+  std::vector<HtmlRow> rows{values};
+  std::string note = "Between the two end caps, one held. Transverse: the end kept parallel. "
+                     "Bending: moment over rotation of a free end, about x and z.";
+  if (!errors.empty()) {
+    rows.push_back(missing);
+    note += " Mesh error: what the stiffness is estimated to change by on a converged mesh.";
+  }
+  return html_table(note, columns, rows);
 }
 
 namespace {
@@ -172,6 +172,7 @@ std::string model_html(const Results& results) {
       "", {{"", "", false}, {"", ""}},
       {{{"nodes", size_of(model.nodes)}, ""},
        {{"elements", size_of(model.elements)}, ""},
+       {{"mesh", results.mesh_choice.empty() ? "as the case says" : results.mesh_choice}, ""},
        {{"unknowns before the mount holds any", size_of(model.dofs)}, ""},
        {{"mass", shown(model.mass, "kg", 5)}, ""},
        {{"largest warp of a quad (corner off its plane / edge)", html_number(quality.max_warp, 2)},

@@ -195,13 +195,19 @@ std::string error_bars_csv(const Results& results) {
 }
 
 std::string static_csv(const Results& results) {
-  std::string text = line({"axial [N/m]", "transverse x [N/m]", "transverse z [N/m]",
-                           "bending x [Nm/rad]", "bending z [Nm/rad]", "torsion [Nm/rad]"});
-  if (!results.statics) return text;
-  const StaticStiffness& k = *results.statics;
-  return text +
-         line({csv_number(k.k_axial), csv_number(k.k_transverse_x), csv_number(k.k_transverse_z),
-               csv_number(k.k_bending_x), csv_number(k.k_bending_z), csv_number(k.k_torsion)});
+  const std::vector<MeshError>& errors = results.error_bars.statics;
+  std::vector<std::string> head, values, missing;
+  for (std::size_t i = 0; i < stiffness_names.size(); ++i) {
+    const std::string unit = " [" + stiffness_unit(i) + "]";
+    head.push_back(stiffness_names[i] + unit);
+    missing.push_back(std::string("mesh error ") + stiffness_names[i] + unit);
+    if (results.statics) values.push_back(csv_number(results.statics->all()[i]));
+  }
+  head.insert(head.end(), missing.begin(), missing.end());
+  if (!results.statics) return line(head);
+  for (std::size_t i = 0; i < stiffness_names.size(); ++i)
+    values.push_back(errors.empty() ? "" : csv_number(errors[i].total()));
+  return line(head) + line(values);
 }
 
 std::string comparison_csv(const Results& results) {

@@ -175,11 +175,22 @@ template <class Item> Json list_of(const std::vector<Item>& items) {
 }
 
 // In the unit of the number; null where it is not known.
+Json json_of(const MeshError& error) {
+  return {{"along", json_number(error.along)},
+          {"around", json_number(error.around)},
+          {"cutoff", json_number(error.cutoff)}};
+}
+
 void add_mesh_errors(Json& list, const std::vector<MeshError>& errors) {
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    list[i]["mesh_error"] = {{"along", json_number(errors[i].along)},
-                             {"around", json_number(errors[i].around)},
-                             {"cutoff", json_number(errors[i].cutoff)}};
+  for (std::size_t i = 0; i < errors.size(); ++i) list[i]["mesh_error"] = json_of(errors[i]);
+}
+
+// In the order of StaticStiffness::all().
+Json stiffness_errors(const std::vector<MeshError>& e) {
+  return {{"k_axial", json_of(e[0])},
+          {"k_transverse", {{"x", json_of(e[1])}, {"z", json_of(e[2])}}},
+          {"k_bending", {{"x", json_of(e[3])}, {"z", json_of(e[4])}}},
+          {"k_torsion", json_of(e[5])}};
 }
 
 } // namespace
@@ -193,10 +204,13 @@ std::string results_json(const Results& r) {
   json["model"] = {{"nodes", r.model.nodes},
                    {"elements", r.model.elements},
                    {"dofs", r.model.dofs},
-                   {"mass", json_number(r.model.mass)}};
+                   {"mass", json_number(r.model.mass)},
+                   {"mesh_choice", r.mesh_choice.empty() ? Json(nullptr) : Json(r.mesh_choice)}};
   json["route"] = r.route;
   if (r.reduced) json["reduction"] = json_of(*r.reduced);
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
+  if (r.statics && !r.error_bars.statics.empty())
+    json["static"]["mesh_error"] = stiffness_errors(r.error_bars.statics);
   for (const StrokeCurve& c : r.strokes) // [m, N]
     json["static_curves"].push_back({{"direction", c.direction}, {"points", c.points}});
   json["modes"] = list_of(r.modes);

@@ -102,6 +102,20 @@ std::string error_table(const Results& results) {
               : "");
 }
 
+std::string statics_table(const Results& results) {
+  if (!results.statics) return "";
+  const std::vector<MeshError>& errors = results.error_bars.statics;
+  std::vector<Row> rows{{"", "", "unit"}};
+  if (!errors.empty()) rows[0].push_back("mesh %");
+  for (std::size_t i = 0; i < stiffness_names.size(); ++i) {
+    const double value = results.statics->all()[i];
+    const auto [factor, unit] = shown_unit(value, stiffness_unit(i));
+    rows.push_back({stiffness_names[i], significant(value * factor, 4), unit});
+    if (!errors.empty()) rows.back().push_back(mesh_error_percent(value, errors[i]));
+  }
+  return "\nStatic stiffness\n" + aligned(rows, errors.empty() ? "<><" : "<><>");
+}
+
 std::string peaks_table(const Results& results) {
   std::vector<Row> rows{{"", "sensor", "Hz", "amplitude", "damping %"}};
   for (const ResponseResult& r : results.responses)
@@ -168,10 +182,11 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   text += fmt::format("\n{} elements, {} nodes, {} unknowns, {} kg\n",
                       grouped(results.model.elements, " "), grouped(results.model.nodes, " "),
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));
+  if (!results.mesh_choice.empty()) text += "Mesh " + results.mesh_choice + "\n";
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
-  text += spread_table(results) + error_table(results) + modes_table(results) +
-          peaks_table(results) + levels_table(results);
+  text += spread_table(results) + error_table(results) + statics_table(results) +
+          modes_table(results) + peaks_table(results) + levels_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

@@ -102,9 +102,17 @@ std::string proof_sentence(const Verification& v, std::string (*number)(double, 
   return "Not proved, the check failed: " + counts + reason;
 }
 
+std::string mesh_error_percent(double value, const MeshError& error) {
+  const double share = error.total() / value;
+  return std::isfinite(share) ? with_sign(100 * share, 2) : "-";
+}
+
 std::string mesh_error_percent(const ModeResult& mode, const MeshError& error) {
-  const double share = error.total() / mode.frequency;
-  return mode.shape == "rigid" || !std::isfinite(share) ? "-" : with_sign(100 * share, 2);
+  return mode.shape == "rigid" ? "-" : mesh_error_percent(mode.frequency, error);
+}
+
+std::string stiffness_unit(std::size_t which) {
+  return which < 3 ? "N/m" : "Nm/rad";
 }
 
 ShownUnit shown_unit(double value, const std::string& unit) {

@@ -42,9 +42,14 @@ std::array<double, 2> spread_over_variants(const Results& results, const Measure
 // Throws std::invalid_argument when a mode shape has not one row of translations per mesh node.
 void require_one_row_per_node(const Results& results);
 
-// What the mesh (and the cut-off) still misses of a mode, in percent with its sign; "-" where it is
-// not known.
+// What the mesh (and the cut-off) still misses of a number, in percent with its sign; "-" where it
+// is not known.
+std::string mesh_error_percent(double value, const MeshError& error);
+// Of a mode; "-" also for a rigid one.
 std::string mesh_error_percent(const ModeResult& mode, const MeshError& error);
+
+// Unit of a static stiffness by its place in stiffness_names.
+std::string stiffness_unit(std::size_t which);
 
 // The proof of completeness as one plain sentence, numbers as `number` writes them.
 std::string proof_sentence(const Verification& verification,

@@ -62,6 +62,8 @@ void check(const std::string& key, const Bellows& b, const Case& data, CheckLog&
   else if (counts > 0 && counts < 3)
     log.add(key + ".mesh", "has only some of the counts",
             "give around, arc and wall together, or accuracy");
+  if (counts > 0 && m.waves > 0)
+    log.add(key + ".mesh.waves", "stands beside counts", "give it with an accuracy");
 }
 
 void check(const std::string& key, const Interlock& i, const Case& data, CheckLog& log) {

@@ -57,7 +57,8 @@ struct MeshDensity {
   int around = 0;      // elements around the circumference; 0 = from accuracy
   int arc = 0;         // elements per quarter of a circular arc
   int wall = 0;        // elements per straight wall or cuff
-  double accuracy = 0; // relative error aimed at in stiffness; 0 = counts given
+  double accuracy = 0; // relative error aimed at (model/shape/mesh_choice.hpp); 0 = counts given
+  int waves = 0;       // around, of the modes that keep the accuracy, too; 0 = as a run finds them
 };
 
 using Membrane = MembraneStrain;

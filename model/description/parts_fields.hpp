@@ -84,7 +84,12 @@ template <class V> void fields(V& v, MeshDensity& m) {
   v.whole(m.wall, "wall", {.min = 1, .max = 2000}, "elements per straight wall or cuff");
   v.quantity(
       m.accuracy, "accuracy", {.unit = Dimension::ratio, .min = 1e-4, .max = 0.2},
-      "relative error aimed at in stiffness, in place of the counts; left out with them: 1 %");
+      "relative error aimed at in stiffness and modes, in place of the counts; left out with them: "
+      "1 %");
+  v.whole(
+      m.waves, "waves", {.min = 1, .max = 100},
+      "with an accuracy: modes up to so many waves around keep it; left out: those that a first "
+      "run lists");
 }
 
 template <class V> void fields(V& v, Membrane& m) {

@@ -2,6 +2,7 @@
 
 #include "mesh/generation/revolve.hpp"
 #include "model/description/profile.hpp"
+#include "model/shape/mesh_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,26 +18,6 @@ Convolution convolution(const MeridianSection& s) {
           .pitch = s.pitch,
           .root_arc = root_arc_radius(s),
           .crown_arc = crown_arc_radius(s)};
-}
-
-// Longest arc (for a quarter turn) and wall of the profile, as multiples of sqrt(R t), at least 1.
-struct Slenderness {
-  double arc = 1, wall = 1;
-};
-
-Slenderness slenderness(const Bellows& bellows) {
-  const double bending_length = std::sqrt(bellows.root_radius * total_thickness(bellows.wall));
-  Slenderness longest;
-  for (const MeridianSection& s : bellows.profile) {
-    if (s.shape == SectionShape::disc)
-      longest.wall = std::max(longest.wall, std::hypot(s.height, s.pitch / 2) / bending_length);
-    if (s.shape != SectionShape::u && s.shape != SectionShape::omega) continue;
-    const Convolution c = convolution(s);
-    const double arc = pi / 2 * std::max(c.root_arc, c.crown_arc);
-    longest.arc = std::max(longest.arc, arc / bending_length);
-    longest.wall = std::max(longest.wall, half_convolution(c).wall / bending_length);
-  }
-  return longest;
 }
 
 int cuff_elements(const Bellows& bellows, const MeridianSection& cuff, double radius,
@@ -87,34 +68,7 @@ std::function<double(double)> thickness_law(const Bellows& bellows) {
   return [t](double) { return t; };
 }
 
-double accuracy_of(const MeshDensity& mesh) {
-  constexpr double left_out = 0.01;
-  return mesh.accuracy > 0 ? mesh.accuracy : left_out;
-}
-
 } // namespace
-
-double mesh_accuracy(const Bellows& bellows) {
-  const MeshDensity& mesh = bellows.mesh;
-  return mesh.around > 0 || mesh.arc > 0 || mesh.wall > 0 ? 0 : accuracy_of(mesh);
-}
-
-ElementCounts element_counts(const Bellows& bellows) {
-  const MeshDensity& mesh = bellows.mesh;
-  const double each = accuracy_of(mesh) / 2;
-  const double around_constant = bellows.membrane == Membrane::incompatible ? 7 : 60;
-  constexpr double meridian_error = 0.007; // at 4 elements per quarter arc, 5 per wall
-  const double refine = std::sqrt(meridian_error / each);
-  const Slenderness s = slenderness(bellows);
-  const auto up = [](double x) { return static_cast<int>(std::ceil(x - 1e-9)); };
-  ElementCounts n{.around = std::max(16, 4 * up(std::sqrt(around_constant / each) / 4)),
-                  .arc = std::max(2, up(4 * refine * s.arc)),
-                  .wall = std::max(2, up(5 * refine * s.wall))};
-  if (mesh.around > 0) n.around = mesh.around;
-  if (mesh.arc > 0) n.arc = mesh.arc;
-  if (mesh.wall > 0) n.wall = mesh.wall;
-  return n;
-}
 
 Bellows with_counts(Bellows bellows) {
   const ElementCounts n = element_counts(bellows);

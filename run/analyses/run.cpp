@@ -5,19 +5,18 @@
 #include "run/analyses/damping.hpp"
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
+#include "run/analyses/mode_names.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/routes/ply_slip.hpp"
 #include "solve/drilling.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
-#include "solve/strain_energy.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fmt/printf.h>
-#include <tuple>
 
 namespace plica {
 namespace {
@@ -314,46 +313,10 @@ private:
           Eigen::Map<const MatrixXd>(s.u.col(i).data(), 6, s.u.rows() / 6).transpose();
       results_.shapes.push_back(std::move(shape));
     }
-    tell_apart(s.u);
+    tell_apart(results_.modes, built_.model, s.u);
     std::copy(s.free_mass.begin(), s.free_mass.end(), results_.free_mass.begin());
     const Eigen::RowVectorXd sum = effective.colwise().sum();
     std::copy(sum.begin(), sum.end(), results_.effective_mass_sum.begin());
-  }
-
-  // Modes of one name by the part that is strained most, or by which of them they are.
-  void tell_apart(const MatrixXd& u) {
-    std::map<std::tuple<std::string, std::string, int, int>, std::vector<Eigen::Index>> named;
-    for (std::size_t i = 0; i < results_.modes.size(); ++i)
-      if (const ModeResult& m = results_.modes[i]; m.shape != "rigid")
-        named[{m.shape, m.direction, m.order, m.harmonic}].push_back(Eigen::Index(i));
-    for (const auto& [name, modes] : named)
-      if (modes.size() > 1 && !name_by_part(modes, u) && std::get<0>(name) != "mode")
-        name_by_number(modes);
-  }
-
-  // False when all are strained most in the same.
-  bool name_by_part(const std::vector<Eigen::Index>& modes, const MatrixXd& u) {
-    if (built_.model.components.size() < 2) return false;
-    const MatrixXd energy = strain_energy(built_.model, u(Eigen::all, modes));
-    std::vector<Eigen::Index> most(modes.size());
-    for (std::size_t i = 0; i < modes.size(); ++i) energy.col(Eigen::Index(i)).maxCoeff(&most[i]);
-    if (std::all_of(most.begin(), most.end(), [&](Eigen::Index m) { return m == most[0]; }))
-      return false;
-    for (std::size_t i = 0; i < modes.size(); ++i)
-      results_.modes[std::size_t(modes[i])].place = built_.model.components[std::size_t(most[i])];
-    return true;
-  }
-
-  // The two of a pair are one.
-  void name_by_number(const std::vector<Eigen::Index>& modes) {
-    constexpr double pair_tolerance = 1e-6;
-    int number = 1;
-    for (std::size_t i = 1; i < modes.size(); ++i) {
-      const double before = results_.modes[std::size_t(modes[i - 1])].frequency;
-      ModeResult& mode = results_.modes[std::size_t(modes[i])];
-      if (mode.frequency > before * (1 + pair_tolerance)) ++number;
-      if (number > 1) mode.place = "no. " + std::to_string(number);
-    }
   }
 
   void warn_of_the_cutoff(const Modes& asked) {

@@ -26,7 +26,14 @@ struct StaticStiffness {
   double k_axial = 0, k_transverse_x = 0, k_transverse_z = 0; // N/m
   double k_bending_x = 0, k_bending_z = 0, k_torsion = 0;     // Nm/rad, about x, z and y
   Eigen::Matrix<double, 12, 12> end_stiffness; // both reference nodes, ux uy uz rx ry rz each
+
+  // In the order of stiffness_names.
+  std::array<double, 6> all() const {
+    return {k_axial, k_transverse_x, k_transverse_z, k_bending_x, k_bending_z, k_torsion};
+  }
 };
+inline constexpr std::array stiffness_names{"axial",     "transverse x", "transverse z",
+                                            "bending x", "bending z",    "torsion"};
 
 struct ModeResult {
   double frequency = 0;
@@ -153,6 +160,7 @@ struct ErrorBar {
 
 struct ErrorBars {
   std::vector<ErrorBar> bars;
+  std::vector<MeshError> statics; // in the order of StaticStiffness::all(); empty = not made
   std::vector<MeshError> modes, stresses; // Hz and Pa, as the results list them; empty = not made
   bool along = false, around = false;     // the mesh could be refined that way
   std::vector<std::string> tolerances;    // paths
@@ -197,6 +205,7 @@ struct Results {
   std::string versions;          // of the libraries
   ModelSize model;
   std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
+  std::string mesh_choice; // why the mesh is finer than that of a first run; empty = it is not
   std::optional<Reduced> reduced;
   std::optional<StaticStiffness> statics; // joints with friction slip, nonlinear springs at rest
   std::vector<StrokeCurve> strokes;

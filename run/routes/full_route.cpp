@@ -17,15 +17,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-std::vector<int> node_dofs(const DofMap& map, const std::vector<int>& nodes) {
-  std::vector<int> dofs;
-  for (int node : nodes)
-    for (int dof = 6 * node; dof < 6 * node + 6; ++dof)
-      if (map.independent[dof] >= 0) dofs.push_back(map.independent[dof]);
-  std::sort(dofs.begin(), dofs.end());
-  return dofs;
-}
-
 System assemble_case(const BuiltCase& built) {
   try {
     return assemble(built.model);
@@ -187,6 +178,15 @@ private:
 };
 
 } // namespace
+
+std::vector<int> node_dofs(const DofMap& map, const std::vector<int>& nodes) {
+  std::vector<int> dofs;
+  for (int node : nodes)
+    for (int dof = 6 * node; dof < 6 * node + 6; ++dof)
+      if (map.independent[dof] >= 0) dofs.push_back(map.independent[dof]);
+  std::sort(dofs.begin(), dofs.end());
+  return dofs;
+}
 
 std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& reason,
                                   const StageListener& stage, Timing& timing) {

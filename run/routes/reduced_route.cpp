@@ -112,10 +112,12 @@ public:
   ModalSolution modes(const ModesRequest& request, const Loads& loads,
                       const std::vector<int>& sensors) override {
     const bool supported = supported_inside();
+    const RigidMotion rigid = rigid_motion();
     const Loads reduced{.base = supported ? std::vector<int>(loads.base.size(), -1) : loads.base,
-                        .force = loads.base.empty()
-                                     ? MatrixXd()
-                                     : reduced_.gather(supported ? forces(loads) : loads.force),
+                        .force =
+                            loads.base.empty()
+                                ? MatrixXd()
+                                : reduced_.gather(supported ? forces(loads, rigid) : loads.force),
                         .rigid = {}};
     ModalSolution s = frame_route_->modes(request, reduced, {});
     if (!reduced_.proved) {
@@ -125,21 +127,26 @@ public:
     stage_("recovery");
     watch_ = Stopwatch();
     s.u = reduced_.field(s.u);
-    weigh(s);
+    weigh(s, rigid);
     orient(sensors, s);
     watch_.lap(s.timing, "recovery");
     return s;
   }
 
 private:
-  // Rigid motions of the whole about the origin, all DOFs x 6; `held`: of what the mount holds too.
-  MatrixXd rigid_fields(bool held) const {
-    MatrixXd R = rigid_body_motions(built_.model, map_, Eigen::Vector3d::Zero());
-    if (!held)
-      for (int node : built_.held_nodes)
-        for (int dof = 6 * node; dof < 6 * node + 6; ++dof)
-          if (map_.independent[dof] >= 0) R.row(map_.independent[dof]).setZero();
-    return expand(map_, R);
+  // Of the whole about the origin, all DOFs x 6.
+  struct RigidMotion {
+    MatrixXd free;            // of what the mount does not hold
+    MatrixXd M_free, M_whole; // masses times it, and times that of what is held, too
+  };
+  RigidMotion rigid_motion() const {
+    MatrixXd free = rigid_body_motions(built_.model, map_, Eigen::Vector3d::Zero());
+    MatrixXd held = MatrixXd::Zero(free.rows(), 6);
+    for (int dof : node_dofs(map_, built_.held_nodes)) held.row(dof).swap(free.row(dof));
+    MatrixXd both(dof_count(built_.model), 12);
+    both << expand(map_, free), expand(map_, held);
+    const MatrixXd M = mass_product(built_.model, both);
+    return {both.leftCols(6), M.leftCols(6), M.leftCols(6) + M.rightCols(6)};
   }
 
   // A rigid motion of the boundary is one of a superelement only where no support holds it inside.
@@ -149,23 +156,19 @@ private:
   }
 
   // With the motion of the base by the masses of the whole.
-  MatrixXd forces(const Loads& loads) const {
+  static MatrixXd forces(const Loads& loads, const RigidMotion& rigid) {
     MatrixXd force = loads.force;
-    const bool moves =
-        std::any_of(loads.base.begin(), loads.base.end(), [](int b) { return b >= 0; });
-    if (!moves) return force;
-    const MatrixXd Mr = mass_product(built_.model, rigid_fields(true));
     for (std::size_t k = 0; k < loads.base.size(); ++k)
-      if (loads.base[k] >= 0) force.col(Index(k)) = -Mr.col(loads.base[k]);
+      if (loads.base[k] >= 0) force.col(Index(k)) = -rigid.M_whole.col(loads.base[k]);
     return force;
   }
 
   // Effective masses are those of the whole: the coordinates of a superelement are not free and
   // held ones, its modal ones move with both.
-  void weigh(ModalSolution& s) const {
-    const MatrixXd r = rigid_fields(false), Mr = mass_product(built_.model, r);
-    s.participation = s.u.leftCols(s.modes).transpose() * Mr;
-    const CentralMass free = refer_to_centre(r.transpose() * Mr, s.participation);
+  static void weigh(ModalSolution& s, const RigidMotion& rigid) {
+    s.participation = s.u.leftCols(s.modes).transpose() * rigid.M_free;
+    const CentralMass free =
+        refer_to_centre(rigid.free.transpose() * rigid.M_free, s.participation);
     s.mass = free.mass;
     s.free_mass = free.total;
   }

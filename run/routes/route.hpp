@@ -75,6 +75,9 @@ using Timing = std::map<std::string, double>;
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing);
 
+// Independent DOFs of the nodes, increasing.
+std::vector<int> node_dofs(const DofMap& map, const std::vector<int>& nodes);
+
 // Throws InputError: loads need a part that is held.
 void require_held(bool free_body);
 

@@ -1,7 +1,7 @@
 #include "run/study/error_bars.hpp"
 
 #include "model/description/case_path.hpp"
-#include "model/shape/build_bellows.hpp"
+#include "model/shape/mesh_choice.hpp"
 #include "run/analyses/run.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/study/match_modes.hpp"
@@ -22,9 +22,14 @@ using Stage = std::function<void(const std::string&)>;
 
 constexpr double low_point = 0.05, high_point = 0.95;
 constexpr int draws = 20000;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Results run_silently(const Case& data) {
+  return run(data, [](const std::string&) {});
+}
 
 Headline headline_of(const Case& data) {
-  return headline(run(for_headline(data), [](const std::string&) {}));
+  return headline(run_silently(for_headline(data)));
 }
 
 bool on_log_scale(const Tolerance& t) {
@@ -62,7 +67,7 @@ Effect effect(const Tolerance& t, double nominal, double at_low, double at_high)
 // Not a number when the run did not meet that shape.
 double value_of(const Headline& numbers, const std::string& key) {
   const auto found = numbers.find(key);
-  return found == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  return found == numbers.end() ? unknown : found->second;
 }
 
 // The effects of all tolerances on one number, in the order of the tolerances.
@@ -182,9 +187,14 @@ Case for_comparison(const Case& given) {
 
 namespace {
 
+double shown(const StressResult& s) {
+  return std::max(s.largest, s.largest_beam);
+}
+
 // The numbers of a finer run beside those of the nominal one.
 struct FinerRun {
   Headline headline;
+  std::array<double, 6> statics{};     // as StaticStiffness::all()
   std::vector<double> modes, stresses; // Hz, Pa; not a number = not met
 };
 
@@ -200,13 +210,13 @@ Case for_mesh_error(const Case& data) {
 }
 
 FinerRun numbers_of(const Results& fine, const Results& nominal) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  FinerRun run{.headline = headline(fine), .modes = {}, .stresses = {}};
+  FinerRun run{.headline = headline(fine), .statics = {}, .modes = {}, .stresses = {}};
+  if (fine.statics) run.statics = fine.statics->all();
   const std::vector<SameMode> same = match_modes(nominal, fine);
   for (const SameMode& m : same) run.modes.push_back(m.index < 0 ? unknown : m.frequency);
   const auto stress_of = [&](const std::string& kind, const std::string& name) {
     for (const StressResult& s : fine.stresses)
-      if (s.kind == kind && s.name == name) return std::max(s.largest, s.largest_beam);
+      if (s.kind == kind && s.name == name) return shown(s);
     return unknown;
   };
   for (const StressResult& s : nominal.stresses) {
@@ -219,24 +229,18 @@ FinerRun numbers_of(const Results& fine, const Results& nominal) {
   return run;
 }
 
-double shown(const StressResult& s) {
-  return std::max(s.largest, s.largest_beam);
-}
-
 // Adds to one member of every mesh error what the finer run changes, over `share` of what is
 // missing in motions, `stress_share` in stresses.
 void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fine,
                      double MeshError::*member, double share, double stress_share) {
   for (ErrorBar& bar : all.bars)
     bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) / share;
+  for (std::size_t i = 0; i < all.statics.size(); ++i)
+    all.statics[i].*member = (fine.statics[i] - nominal.statics->all()[i]) / share;
   for (std::size_t i = 0; i < all.modes.size(); ++i)
     all.modes[i].*member = (fine.modes[i] - nominal.modes[i].frequency) / share;
   for (std::size_t i = 0; i < all.stresses.size(); ++i)
     all.stresses[i].*member = (fine.stresses[i] - shown(nominal.stresses[i])) / stress_share;
-}
-
-Results run_silently(const Case& data) {
-  return run(data, [](const std::string&) {});
 }
 
 // More modes in every superelement: those up to twice the cut-off, and to four times the highest
@@ -271,6 +275,7 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stag
     all.bars.back().key = key;
     all.bars.back().value = value;
   }
+  if (nominal.statics) all.statics.resize(nominal.statics->all().size());
   all.modes.resize(nominal.modes.size());
   all.stresses.resize(nominal.stresses.size());
   for (const bool along : {true, false}) {
@@ -287,8 +292,10 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stag
   if (data.analyses.reduction && nominal.reduced) {
     stage("cut-off");
     FinerRun fine{.headline = {},
-                  .modes = std::vector<double>(all.modes.size(), NAN),
-                  .stresses = std::vector<double>(all.stresses.size(), NAN)};
+                  .statics = {},
+                  .modes = std::vector<double>(all.modes.size(), unknown),
+                  .stresses = std::vector<double>(all.stresses.size(), unknown)};
+    fine.statics.fill(unknown);
     if (const std::optional<Results> more = with_more_modes(data, nominal))
       fine = numbers_of(*more, nominal);
     add_differences(all, nominal, fine, &MeshError::cutoff, 1, 1);
@@ -298,31 +305,36 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stag
 }
 
 std::string beyond_accuracy(const Case& data, const Results& results) {
-  double accuracy = 0;
+  double accuracy = 0, worst = 0;
   for (const Part& part : data.parts)
     if (const auto* bellows = std::get_if<Bellows>(&part.body))
       accuracy = std::max(accuracy, mesh_accuracy(*bellows));
   if (accuracy == 0) return "";
   std::string list;
-  const auto add = [&](const std::string& name, double missing, double value) {
-    const double share = missing / value;
-    if (!(std::abs(share) > accuracy)) return;
+  const auto percent = [](const char* format, double share) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), " (%+.1f %%)", 100 * share);
-    list += (list.empty() ? "" : ", ") + name + text.data();
+    std::snprintf(text.data(), text.size(), format, 100 * share);
+    return std::string(text.data());
+  };
+  const auto add = [&](const std::string& name, const MeshError& error, double value) {
+    const double share = error.total() / value;
+    if (!(std::abs(share) > accuracy)) return;
+    worst = std::max(worst, std::abs(share));
+    list += (list.empty() ? "" : ", ") + name + percent(" (%+.1f %%)", share);
   };
   const ErrorBars& errors = results.error_bars;
-  for (const ErrorBar& bar : errors.bars)
-    if (bar.key.starts_with("k_")) add("static stiffness", bar.mesh.total(), bar.value);
+  for (std::size_t i = 0; i < errors.statics.size(); ++i)
+    add(stiffness_names[i] + std::string(" stiffness"), errors.statics[i],
+        results.statics->all()[i]);
   for (std::size_t i = 0; i < errors.modes.size(); ++i)
     if (results.modes[i].shape != "rigid")
-      add("mode " + std::to_string(i + 1), errors.modes[i].total(), results.modes[i].frequency);
+      add("mode " + std::to_string(i + 1), errors.modes[i], results.modes[i].frequency);
   if (list.empty()) return "";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * accuracy);
-  return std::string("beyond the accuracy of ") + text.data() +
+  // Errors are in proportion to the accuracy: elements grow with its root, errors fall with their
+  // square.
+  return "beyond the accuracy of " + percent("%.3g %%", accuracy) +
          " that the mesh was chosen for, by its estimated error: " + list +
-         "; a smaller mesh.accuracy refines it";
+         "; mesh.accuracy: " + percent("%.2g %%", 0.95 * accuracy * accuracy / worst) + " would do";
 }
 
 } // namespace plica

@@ -31,13 +31,13 @@ Case for_headline(Case data);
 Case for_comparison(const Case& data);
 
 // `stage` is told what runs. `nominal`: results of the case as it stands, from for_headline or
-// more. Of its headline numbers, modes and stresses.
+// more. Of its headline numbers, static stiffnesses, modes and stresses.
 ErrorBars error_bars(const Case& data, const Results& nominal,
                      const std::function<void(const std::string&)>& stage);
 
-// The numbers whose mesh error is estimated to be beyond the accuracy that the mesh of the bellows
-// was chosen for, as a warning; empty = none. That accuracy is one of stiffness and of modes with
-// n = 0 and 1.
+// The stiffnesses and modes whose mesh error is estimated to be beyond the accuracy that the mesh
+// of the bellows was chosen for (model/shape/mesh_choice.hpp), with an accuracy that would do, as a
+// warning; empty = none. Peaks of stress are not chosen for.
 std::string beyond_accuracy(const Case& data, const Results& results);
 
 } // namespace plica

@@ -170,11 +170,8 @@ PartReference full_reference(const Model& model, const Boundary& boundary, doubl
   PartReference part;
   const MatrixXd r = rigid_body_motions(model, system.map, Eigen::Vector3d::Zero());
   part.rigid_mass = r.transpose() * symmetric_product(system.M, r);
-  std::vector<int> held;
-  for (int node : boundary.nodes)
-    for (int dof = 6 * node; dof < 6 * node + 6; ++dof) held.push_back(system.map.independent[dof]);
-  std::sort(held.begin(), held.end());
-  const std::vector<int> inner = complement(system.map.size(), held);
+  const std::vector<int> inner =
+      complement(system.map.size(), node_dofs(system.map, boundary.nodes));
   const ModeSet free = modes_up_to(system.K, system.M, high);
   part.free_lambda = free.lambda;
   part.free_motion.resize(6 * Index(boundary.nodes.size()), free.Phi.cols());

@@ -1,6 +1,7 @@
 #include "run/study/refine.hpp"
 
 #include "model/shape/build_bellows.hpp"
+#include "model/shape/mesh_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,26 @@ Refinement refinement_ratio(const Case& data, const Refinement& factor) {
     if (ratio.around == 1) ratio.around = double(finer[1]) / coarse[1];
   }
   return ratio;
+}
+
+int unresolved_waves(const Case& data, const Results& results) {
+  int waves = 0;
+  for (const ModeResult& mode : results.modes) waves = std::max(waves, mode.harmonic);
+  const Case finer = resolving(data, waves);
+  for (std::size_t i = 0; i < data.parts.size(); ++i)
+    if (const auto* bellows = std::get_if<Bellows>(&data.parts[i].body))
+      if (element_counts(std::get<Bellows>(finer.parts[i].body)).around >
+          element_counts(*bellows).around)
+        return waves;
+  return 0;
+}
+
+Case resolving(Case data, int waves) {
+  for (Part& part : data.parts)
+    if (auto* bellows = std::get_if<Bellows>(&part.body);
+        bellows && mesh_accuracy(*bellows) > 0 && bellows->mesh.waves == 0)
+      bellows->mesh.waves = std::max(1, waves);
+  return data;
 }
 
 } // namespace plica

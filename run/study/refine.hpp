@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/description/case.hpp"
+#include "run/results/results.hpp"
 
 namespace plica {
 
@@ -21,5 +22,13 @@ Case with_coarse_bellows(Case data);
 // Ratio of the elements that `refined` really gives, from the first part that is refined that way;
 // 1 when there is none.
 Refinement refinement_ratio(const Case& data, const Refinement& factor);
+
+// Most waves around of the listed modes that the mesh of a bellows with an accuracy does not yet
+// resolve (model/shape/mesh_choice.hpp); 0 = it resolves them all, or the case says up to how many
+// it has to.
+int unresolved_waves(const Case& data, const Results& results);
+
+// Every bellows with an accuracy resolves so many waves, where the case does not say how many.
+Case resolving(Case data, int waves);
 
 } // namespace plica
