@@ -1,11 +1,11 @@
 // What the mesh of an accuracy of 1 % misses for n = 0 and 1, apart around and along, for bellows
 // of many shapes: static stiffness and the lowest mode of each number of waves around. From 1.5
 // times as many elements around and twice as many along, at order 2. Beside it what the choice of
-// the mesh expects (model/mesh_choice.hpp).
-#include "model/match_modes.hpp"
-#include "model/mesh_choice.hpp"
-#include "model/refine.hpp"
-#include "model/run.hpp"
+// the mesh expects (model/shape/mesh_choice.hpp).
+#include "model/shape/mesh_choice.hpp"
+#include "run/analyses/run.hpp"
+#include "run/study/match_modes.hpp"
+#include "run/study/refine.hpp"
 #include "solve/blas_kernels.hpp"
 #include "solve/sparse_factor.hpp"
 
