@@ -1,6 +1,6 @@
 #include "model/shape/mesh_choice.hpp"
 
-#include "mesh/meridian.hpp"
+#include "mesh/generation/meridian.hpp"
 #include "model/description/profile.hpp"
 
 #include <algorithm>
