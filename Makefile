@@ -6,7 +6,7 @@ JOBS ?= $(shell nproc)
 # A text of the user's as one word of the shell, blanks and quotes included.
 quoted = '$(subst ','\'',$(1))'
 
-.PHONY: run test check slow sealed table bench program build deps test-deps slow-deps bench-deps clean
+.PHONY: run test slow sealed table bench program build deps test-deps slow-deps bench-deps clean
 
 # Without OUT the results go into out/, under the name of the case.
 run: program
@@ -16,14 +16,6 @@ run: program
 
 test: build
 	ctest --preset release -j $(JOBS)
-
-# What `make test` leaves out and no change may break: every source compiled by itself without a
-# warning and under sanitizers, clang-tidy, the installed package, the table of verification.
-check: slow-deps build
-	cmake --preset dev
-	cmake --preset check
-	cmake --build --preset check -j $(JOBS)
-	ctest --preset check
 
 slow: slow-deps build
 	ctest --preset slow
@@ -62,4 +54,4 @@ bench-deps:
 	@cmake/install_packages.sh run bench
 
 clean:
-	rm -rf build build-dev build-check out
+	rm -rf build build-dev build-asan out

@@ -81,10 +81,13 @@ private:
   // K-energy of the nominal mode most like a shape, of its size.
   double energy_like(const MatrixXd& c, const VectorXd& y) const {
     double most = -1, energy = 1;
+    const MatrixXd all = c * modes_;
+    // A mode that moves no channel shows what rounding mixed into it, which may be like any shape.
+    constexpr double seen = 1e-6;
+    const double least = seen * all.colwise().squaredNorm().maxCoeff();
     for (Index i = 0; i < lambda_.size(); ++i) {
-      const VectorXd shown = c * modes_.col(i);
-      const double along = shown.dot(y), own = shown.squaredNorm();
-      if (!(own > 0) || along * along / own < most) continue;
+      const double along = all.col(i).dot(y), own = all.col(i).squaredNorm();
+      if (!(own > least) || along * along / own < most) continue;
       most = along * along / own;
       energy = lambda_[i] * std::pow(along / own, 2);
     }
