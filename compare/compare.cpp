@@ -1,5 +1,6 @@
 #include "compare/compare.hpp"
 
+#include "lab/measured/measured_words.hpp"
 #include "model/description/connector_curve.hpp"
 
 #include <algorithm>
@@ -53,24 +54,15 @@ std::string millimetres_of(double length) {
   return text;
 }
 
-const char* shape_name(MeasuredShape shape) {
-  constexpr std::array names{"axial", "transverse", "torsion", "shell", "other"};
-  return names[static_cast<std::size_t>(shape)];
-}
-
-char letter(Axis axis) {
-  return "xyz"[static_cast<std::size_t>(axis)];
-}
-
 // Response to motion of the base along an axis; null when there is none.
 const ResponseResult* response_to(const Results& results, Axis base) {
   for (const ResponseResult& r : results.responses)
-    if (!r.is_force && r.excitation == std::string(1, letter(base))) return &r;
+    if (!r.is_force && r.excitation == word_of(base)) return &r;
   return nullptr;
 }
 
 bool in_direction(const ResponseResult& r, int channel, Axis direction) {
-  return r.channels[channel].second == std::string(1, letter(direction));
+  return r.channels[channel].second == word_of(direction);
 }
 
 // The `count` largest peaks of the channels in a direction, of one sensor if it is named, by
@@ -103,8 +95,8 @@ std::string entry(const char* list, std::size_t i) {
 void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, const std::string& from,
               const ResponsePeak& peak) {
   std::string of = " of the peak";
-  if (!m.sensor.empty()) of += " at " + m.sensor + " in " + letter(m.direction.value_or(*m.base));
-  of += std::string(", base ") + letter(*m.base);
+  if (!m.sensor.empty()) of += " at " + m.sensor + " in " + word_of(m.direction.value_or(*m.base));
+  of += std::string(", base ") + word_of(*m.base);
   rows.push_back({.quantity = "frequency" + of,
                   .unit = "Hz",
                   .measured = m.frequency,
@@ -124,20 +116,19 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, cons
 void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& results,
                      const MeasuredPeaks& measured, const std::string& from) {
   for (const LevelFamily& family : results.families) {
-    if (family.is_force || family.excitation != std::string(1, letter(measured.base))) continue;
+    if (family.is_force || family.excitation != word_of(measured.base)) continue;
     for (std::size_t k = 0; k < measured.level.size(); ++k)
       for (const LevelCurve& curve : family.curves) {
         if (std::abs(curve.level - measured.level[k]) > 1e-6 * curve.level) continue;
         const auto peak =
             std::find_if(curve.peaks_up.begin(), curve.peaks_up.end(), [&](const LevelPeak& p) {
               const auto& [sensor, axis] = family.channels[std::size_t(p.channel)];
-              return sensor == measured.sensor &&
-                     axis == std::string(1, letter(measured.direction));
+              return sensor == measured.sensor && axis == word_of(measured.direction);
             });
         if (peak == curve.peaks_up.end()) continue;
-        const std::string of = fmt::sprintf(" of the first peak at %s in %c, base %c, %g m/s2",
-                                            measured.sensor.c_str(), letter(measured.direction),
-                                            letter(measured.base), curve.level);
+        const std::string of = fmt::sprintf(" of the first peak at %s in %s, base %s, %g m/s2",
+                                            measured.sensor.c_str(), word_of(measured.direction),
+                                            word_of(measured.base), curve.level);
         rows.push_back({.quantity = std::string("frequency") + of,
                         .unit = "Hz",
                         .measured = measured.frequency[k],
@@ -201,12 +192,12 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
     }
     if (cross > 1e-3 * largest) continue;
     const std::string text = fmt::sprintf(
-        "the test saw %.0f Hz in %c while the base moved in %c; the model answers in %c "
+        "the test saw %.0f Hz in %s while the base moved in %s; the model answers in %s "
         "with %.1g of its largest channel. It has no path from one to the other: only what "
         "breaks its symmetry (a dent, a sensor's mass, a flexible fixture, a base that "
-        "also moves in %c) can make one.",
-        m.frequency, letter(*m.direction), letter(*m.base), letter(*m.direction),
-        largest > 0 ? cross / largest : 0, letter(*m.direction));
+        "also moves in %s) can make one.",
+        m.frequency, word_of(*m.direction), word_of(*m.base), word_of(*m.direction),
+        largest > 0 ? cross / largest : 0, word_of(*m.direction));
     remarks.emplace_back(text);
   }
   return remarks;
@@ -239,11 +230,11 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
     const MeasuredMode& m = measured.modes[i];
     std::map<std::string, int> order; // of the shape in each direction: a pair counts once
     for (const ModeResult& mode : results.modes) {
-      const bool same = mode.shape == shape_name(m.shape) &&
-                        (!m.direction || mode.direction == std::string(1, letter(*m.direction)));
+      const bool same = mode.shape == word_of(m.shape) &&
+                        (!m.direction || mode.direction == word_of(*m.direction));
       if (!same || ++order[mode.direction] < m.order) continue;
       rows.push_back(
-          {.quantity = std::string(shape_name(m.shape)) + " mode " + std::to_string(m.order),
+          {.quantity = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order),
            .unit = "Hz",
            .measured = m.frequency,
            .sigma = m.sigma.value_or(0),

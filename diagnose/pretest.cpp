@@ -2,6 +2,7 @@
 
 #include "diagnose/judge/identifiability.hpp"
 #include "diagnose/predict/menu.hpp"
+#include "lab/measured/measured_words.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
   for (int base : plan.bases)
     for (double level : plan.levels) {
       append_readings(all, sweep_readings(data, base, level, sensors.front(), sensors));
-      const std::string text = fmt::sprintf("a sweep along %c at %g m/s2", "xyz"[base], level);
+      const std::string text = fmt::sprintf("a sweep along %s at %g m/s2", axis_word(base), level);
       words.emplace_back(text);
     }
   for (Reading& r : all.readings) r.sigma = usual_sigma(r.kind) / 2;

@@ -2,6 +2,7 @@
 #include "diagnose/diagnose.hpp"
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/readings/response_peaks.hpp"
+#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
 #include "diagnose/weigh/interval.hpp"

@@ -6,6 +6,7 @@
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/headline.hpp"
 #include "diagnose/weigh/interval.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -262,7 +263,7 @@ private:
           }
         if (!reading) continue;
         const TestRun& run = problem_.readings.runs[std::size_t(reading->run)];
-        const std::string channel = run.sensor + "." + "xyz"[run.axis];
+        const std::string channel = run.sensor + "." + axis_word(run.axis);
         const auto column = std::find(set.responses.begin(), set.responses.end(), channel);
         if (column == set.responses.end()) continue;
         OverlaidResponse o;

@@ -1,5 +1,6 @@
 #include "diagnose/account/residual_energy.hpp"
 
+#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
 #include "diagnose/weigh/scatter.hpp"

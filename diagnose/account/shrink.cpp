@@ -2,8 +2,10 @@
 
 #include "compare/search/search.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/scatter.hpp"
+#include "lab/measured/measured_words.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/LU>
@@ -162,7 +164,7 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   });
   add("direction", [&](const Reading& r) {
     const TestRun* run = run_of(r);
-    return run && run->base >= 0 ? "base " + std::string(1, "xyz"[run->base]) : std::string();
+    return run && run->base >= 0 ? "base " + std::string(axis_word(run->base)) : std::string();
   });
   add("band", [&](const Reading& r) {
     return r.run >= 0 ? "peak " + std::to_string(r.peak + 1) : "static and mass";

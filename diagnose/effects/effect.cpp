@@ -1,5 +1,7 @@
 #include "diagnose/effects/effect.hpp"
 
+#include "diagnose/results/normal_distribution.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
@@ -16,7 +18,7 @@ std::uint64_t Identity::next() {
 double value_of(const Prior& prior, double z) {
   if (prior.kind == PriorKind::normal) return prior.centre + prior.width * z;
   if (prior.kind == PriorKind::log_normal) return prior.centre * std::exp(prior.width * z);
-  const double share = std::erfc(-z / std::sqrt(2.)) / 2;
+  const double share = normal_share(z);
   return prior.centre + (prior.width - prior.centre) * share;
 }
 

@@ -2,6 +2,7 @@
 
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/rig_stiffness.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -323,11 +324,10 @@ std::pair<double, double> StateAnswers::summit(const Peak& peak, int sensor, int
 
 // Whether a nominal mode is of the kind and direction that a mode was measured as.
 bool StateAnswers::of_kind(Index nominal, const Reading& reading) const {
-  constexpr std::array shapes{"axial", "transverse", "torsion", "shell", "mode"};
   const ModeLabel& label = own_.nominal->labels[std::size_t(nominal)];
   return reading.shape == MeasuredShape::other ||
-         (label.shape == shapes[static_cast<std::size_t>(reading.shape)] &&
-          (reading.axis < 0 || label.direction == std::string(1, "xyz"[reading.axis])));
+         (label.shape == word_of(reading.shape) &&
+          (reading.axis < 0 || label.direction == axis_word(reading.axis)));
 }
 
 // Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of

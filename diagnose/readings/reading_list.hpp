@@ -22,6 +22,4 @@ private:
 std::string entry_name(const char* list, std::size_t i); // "frf[3]"
 std::string at_level(double level);                      // ", 5 m/s2"; empty for zero
 
-constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
-
 } // namespace plica

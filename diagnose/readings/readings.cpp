@@ -2,6 +2,7 @@
 
 #include "diagnose/readings/repeats.hpp"
 #include "diagnose/readings/response_readings.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,11 +20,6 @@ const char* static_name(StaticDirection direction) {
                              "transverse stiffness z", "bending stiffness x",
                              "bending stiffness z",    "torsional stiffness"};
   return names[static_cast<std::size_t>(direction)];
-}
-
-const char* shape_name(MeasuredShape shape) {
-  constexpr std::array names{"axial", "transverse", "torsion", "shell", "other"};
-  return names[static_cast<std::size_t>(shape)];
 }
 
 double relative(const std::optional<double>& sigma, double value, double otherwise) {
@@ -84,7 +80,7 @@ private:
       list_.all.runs.push_back({.state = m.state, .sensor = "", .peaks = {}});
     TestRun& own = list_.all.runs[std::size_t(run)];
     Reading reading{.kind = ReadingKind::frequency,
-                    .name = std::string(shape_name(m.shape)) + " mode " + std::to_string(m.order),
+                    .name = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order),
                     .unit = "Hz",
                     .entry = entry_name("modes", i),
                     .state = m.state,
@@ -98,7 +94,7 @@ private:
                     .sigma = relative(m.sigma, m.frequency, frequency_sigma),
                     .assumed = !m.sigma};
     own.peaks.push_back(m.frequency);
-    if (m.direction) reading.name += std::string(" in ") + axis_names[std::size_t(reading.axis)];
+    if (m.direction) reading.name += std::string(" in ") + axis_word(reading.axis);
     list_.add(reading);
     add_damping(reading, m.damping, m.sigma_damping);
   }
@@ -146,8 +142,8 @@ private:
       for (std::size_t k = 0; k < own.size(); ++k) {
         const MeasuredMode& mode = measured_.modes[own[k]];
         Reading reading{.kind = ReadingKind::frequency,
-                        .name = std::string("frequency in ") + axis_names[std::size_t(run.axis)] +
-                                ", base " + axis_names[std::size_t(run.base)] + at_level(run.level),
+                        .name = std::string("frequency in ") + axis_word(run.axis) + ", base " +
+                                axis_word(run.base) + at_level(run.level),
                         .unit = "Hz",
                         .entry = entry_name("modes", own[k]),
                         .state = run.state,
@@ -176,9 +172,8 @@ private:
                   .axis = static_cast<int>(p.direction),
                   .peaks = {p.frequency[k]},
                   .first = true};
-      const std::string of = std::string(" of the first peak in ") +
-                             axis_names[std::size_t(run.axis)] + ", base " +
-                             axis_names[std::size_t(run.base)] + at_level(run.level);
+      const std::string of = std::string(" of the first peak in ") + axis_word(run.axis) +
+                             ", base " + axis_word(run.base) + at_level(run.level);
       Reading reading{.kind = ReadingKind::frequency,
                       .name = "frequency" + of,
                       .unit = "Hz",

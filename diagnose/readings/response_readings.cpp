@@ -1,6 +1,7 @@
 #include "diagnose/readings/response_readings.hpp"
 
 #include "diagnose/readings/response_peaks.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ public:
 private:
   // Column of a channel of a set; -1 = not there.
   static Index column(const FrfSet& set, const std::string& sensor, int axis) {
-    const std::string name = sensor + "." + axis_names[std::size_t(axis)];
+    const std::string name = sensor + "." + axis_word(axis);
     const auto found = std::find(set.responses.begin(), set.responses.end(), name);
     return found == set.responses.end() ? -1 : found - set.responses.begin();
   }
@@ -153,9 +154,8 @@ private:
         reading.kind = ReadingKind::cross;
         reading.sensor = at.sensor;
         reading.axis = at.base;
-        reading.name = std::string("share in ") + axis_names[std::size_t(at.base)] +
-                       " at its resonance, base " + axis_names[std::size_t(run.base)] +
-                       at_level(run.level);
+        reading.name = std::string("share in ") + axis_word(at.base) + " at its resonance, base " +
+                       axis_word(run.base) + at_level(run.level);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
         reading.sigma = std::hypot(0.03, noise * ratio / (ratio + cross_floor));
@@ -183,8 +183,8 @@ private:
         reading.kind = ReadingKind::cross;
         reading.highest = true;
         reading.axis = axis;
-        reading.name = std::string("highest in ") + axis_names[std::size_t(axis)] +
-                       " over that in " + axis_names[std::size_t(run.base)] + at_level(run.level);
+        reading.name = std::string("highest in ") + axis_word(axis) + " over that in " +
+                       axis_word(run.base) + at_level(run.level);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
         const double noise = stated_noise(own.entry, ratio * height);
@@ -216,8 +216,8 @@ private:
   void add_main(std::size_t i, const FrfSet& set, const TestRun& run, int k,
                 const FittedPeak& peak) {
     const std::string of = " of peak " + std::to_string(k + 1) + " at " + run.sensor + " in " +
-                           axis_names[std::size_t(run.axis)] + ", base " +
-                           axis_names[std::size_t(run.base)] + at_level(run.level);
+                           axis_word(run.axis) + ", base " + axis_word(run.base) +
+                           at_level(run.level);
     const double step = (set.hertz[set.hertz.size() - 1] - set.hertz[0]) /
                         double(std::max<Index>(1, set.hertz.size() - 1)) / peak.frequency;
     // Of what a fit finds from so many lines: relative to height, half of it to width.
@@ -260,8 +260,7 @@ private:
     const double noise = stated_noise(i, height);
     Reading reading = blank(i, run, 0);
     reading.sensor = sensor;
-    const std::string of =
-        " at " + sensor + ", base " + axis_names[std::size_t(run.base)] + at_level(run.level);
+    const std::string of = " at " + sensor + ", base " + axis_word(run.base) + at_level(run.level);
     if (sensor != run.sensor) {
       reading.kind = ReadingKind::amplitude;
       reading.name = std::string("amplitude") + of;
@@ -275,7 +274,7 @@ private:
       const double ratio = largest(c, cross_window) / height;
       reading.kind = ReadingKind::cross;
       reading.axis = axis;
-      reading.name = std::string("share in ") + axis_names[std::size_t(axis)] + of;
+      reading.name = std::string("share in ") + axis_word(axis) + of;
       reading.value = std::max(ratio, 1e-9);
       reading.log_value = std::log(ratio + cross_floor);
       reading.sigma = std::hypot(0.03, std::hypot(noise, noise * 0.5 / (ratio + cross_floor)));

@@ -1,5 +1,7 @@
 #include "diagnose/weigh/blocks.hpp"
 
+#include "diagnose/results/normal_distribution.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/printf.h>
@@ -55,19 +57,6 @@ double wilson_hilferty(double chi2, double k) {
 }
 
 } // namespace
-
-double normal_share(double z) {
-  return std::erfc(-z / std::sqrt(2.)) / 2;
-}
-
-double normal_quantile(double p) {
-  double low = -40, high = 40;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = (low + high) / 2;
-    (normal_share(middle) < p ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
 
 std::string name_of(const LocatedGap& b) {
   std::string name = b.kind;

@@ -46,10 +46,6 @@ void mark_significant(std::vector<LocatedGap>& gaps, const std::vector<double>& 
 std::vector<LocatedGap> located(const BlockScores& scores, const Eigen::VectorXd& deviation);
 std::vector<LevelTrend> level_trends(const TestReadings& test);
 
-// z below which a share p of a normal distribution lies, and back.
-double normal_quantile(double p);
-double normal_share(double z);
-
 std::string name_of(const LocatedGap& block);
 
 } // namespace plica

@@ -1,5 +1,6 @@
 #include "diagnose/weigh/interval.hpp"
 
+#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 
 #include <algorithm>

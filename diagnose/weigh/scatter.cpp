@@ -1,6 +1,7 @@
 #include "diagnose/weigh/scatter.hpp"
 
 #include "diagnose/effects/places.hpp"
+#include "diagnose/results/normal_distribution.hpp"
 #include "model/description/case_path.hpp"
 #include "run/study/error_bars.hpp"
 
@@ -77,7 +78,7 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
                  .way = "",
                  .parameters = {{"z", "", {PriorKind::normal, 0, 1}}},
                  .coefficients = [coefficients, t](const VectorXd& z) {
-                   const double share = std::erfc(-z[0] / std::sqrt(2.)) / 2;
+                   const double share = normal_share(z[0]);
                    return coefficients(quantile(t, std::clamp(share, 1e-6, 1 - 1e-6)) - t.value);
                  }};
     for (double x : samples)

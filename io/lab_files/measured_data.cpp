@@ -2,6 +2,7 @@
 
 #include "io/lab_files/channels.hpp"
 #include "io/lab_files/universal_units.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +110,7 @@ std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder) 
   for (std::size_t i = 0; i < measured.frf.size(); ++i) {
     const MeasuredFrf& entry = measured.frf[i];
     const std::string reference =
-        entry.base ? std::string("base.") + "xyz"[static_cast<int>(*entry.base)] : entry.force;
+        entry.base ? std::string("base.") + word_of(*entry.base) : entry.force;
     const ChannelRequest request{.path = folder / entry.file,
                                  .key = "frf[" + std::to_string(i) + "]",
                                  .channels = entry.channels,

@@ -1,6 +1,7 @@
 #include "io/tables/correlation_words.hpp"
 
 #include "io/tables/text.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <fmt/format.h>
 
@@ -41,12 +42,11 @@ std::string pairs_text(const Correlation& c, const TestData& a, const TestData& 
 } // namespace
 
 std::string mode_name(const MeasuredMode& mode, int index) {
-  constexpr std::array shapes{"axial", "transverse", "torsion", "shell", "mode"};
   if (mode.shape == MeasuredShape::other) return "mode " + std::to_string(index + 1);
-  std::string name = shapes[static_cast<std::size_t>(mode.shape)];
+  std::string name = word_of(mode.shape);
   name += " " + std::to_string(mode.order);
   if (mode.direction && mode.shape != MeasuredShape::axial)
-    name += std::string(" in ") + "xyz"[static_cast<int>(*mode.direction)];
+    name += std::string(" in ") + word_of(*mode.direction);
   return name;
 }
 

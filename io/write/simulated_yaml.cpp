@@ -1,20 +1,12 @@
 #include "io/write/simulated_yaml.hpp"
 
+#include "lab/measured/measured_words.hpp"
 #include <fmt/format.h>
 
 #include <array>
 
 namespace plica {
 namespace {
-
-constexpr std::array axes{"x", "y", "z"};
-constexpr std::array shapes{"axial", "transverse", "torsion", "shell", "other"};
-constexpr std::array directions{"axial",     "transverse_x", "transverse_z",
-                                "bending_x", "bending_z",    "torsion"};
-
-template <class E> const char* word(const auto& words, E value) {
-  return words[static_cast<std::size_t>(value)];
-}
 
 template <class List> std::string listed(const List& list) {
   std::string text;
@@ -33,8 +25,8 @@ std::string quoted(const std::string& text) {
 std::string axis_names(const std::vector<int>& numbers) {
   std::string text;
   for (const int a : numbers)
-    text +=
-        fmt::format("{}{}{}", text.empty() ? "" : ", ", a < 0 ? "-" : "", axes[std::abs(a) - 1]);
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", a < 0 ? "-" : "",
+                        axis_word(std::abs(a) - 1));
   return "[" + text + "]";
 }
 
@@ -43,9 +35,9 @@ std::string mode_text(const MeasuredMode& m) {
   if (m.sigma) text += fmt::format(", sigma: {}", *m.sigma);
   if (m.damping) text += fmt::format(", damping: {}", *m.damping);
   if (m.sigma_damping) text += fmt::format(", sigma_damping: {}", *m.sigma_damping);
-  text += fmt::format(", shape: {}, order: {}", word(shapes, m.shape), m.order);
-  if (m.direction) text += fmt::format(", direction: {}", word(axes, *m.direction));
-  if (m.base) text += fmt::format(", base: {}", word(axes, *m.base));
+  text += fmt::format(", shape: {}, order: {}", word_of(m.shape), m.order);
+  if (m.direction) text += fmt::format(", direction: {}", word_of(*m.direction));
+  if (m.base) text += fmt::format(", base: {}", word_of(*m.base));
   if (m.level) text += fmt::format(", level: {}", *m.level);
   if (!m.sensor.empty()) text += ", sensor: " + m.sensor;
   if (m.vector) {
@@ -68,14 +60,13 @@ std::string simulated_yaml(const Measured& m) {
   if (m.mass) text += fmt::format("mass: {{value: {}}}\n", m.mass->value);
   if (!m.statics.empty()) text += "static:\n";
   for (const MeasuredStatic& s : m.statics)
-    text +=
-        fmt::format("  - {{direction: {}, value: {}}}\n", word(directions, s.direction), s.value);
+    text += fmt::format("  - {{direction: {}, value: {}}}\n", word_of(s.direction), s.value);
   if (!m.modes.empty()) text += "modes:\n";
   for (const MeasuredMode& mode : m.modes) text += mode_text(mode);
   if (!m.frf.empty()) text += "frf:\n";
   for (const MeasuredFrf& f : m.frf) {
     text += fmt::format("  - {{file: {}", quoted(f.file));
-    if (f.base) text += fmt::format(", base: {}", word(axes, *f.base));
+    if (f.base) text += fmt::format(", base: {}", word_of(*f.base));
     if (f.level) text += fmt::format(", level: {}", *f.level);
     text += "}\n";
   }

@@ -2,6 +2,7 @@
 
 #include "lab/identification/mode_correlation.hpp"
 #include "lab/identification/peak_picking.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <fmt/printf.h>
 
@@ -107,12 +108,11 @@ LevelVerdict level_verdict(const std::string& what, const std::vector<double>& l
 std::vector<LevelVerdict> level_verdicts(const Measured& measured,
                                          const std::vector<FrfSet>& frfs) {
   std::vector<LevelVerdict> verdicts;
-  const auto letter = [](Axis a) { return std::string(1, "xyz"[static_cast<int>(a)]); };
   for (const MeasuredPeaks& p : measured.peaks)
     if (p.level.size() > 1 && p.frequency.size() == p.level.size())
-      verdicts.push_back(
-          level_verdict("base " + letter(p.base) + ", " + p.sensor + "." + letter(p.direction),
-                        p.level, p.frequency, p.sigma.value_or(0), p.amplitude, p.damping));
+      verdicts.push_back(level_verdict(
+          std::string("base ") + word_of(p.base) + ", " + p.sensor + "." + word_of(p.direction),
+          p.level, p.frequency, p.sigma.value_or(0), p.amplitude, p.damping));
   struct Series {
     std::vector<double> level, frequency, amplitude, damping;
   };

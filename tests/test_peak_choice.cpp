@@ -1,0 +1,52 @@
+// Which modes of a model are the peaks of a measured channel.
+#include "diagnose/predict/peak_choice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Peaks = std::vector<Index>;
+
+constexpr std::array<double, 2> no_band{0, 0};
+
+TEST(PeakChoice, pairs_by_the_least_sum_of_logarithms_not_each_with_its_nearest) {
+  // 100 is nearest to 105, but then 110 would have to take 150: 0.05 + 0.31 against 0.22 + 0.05.
+  EXPECT_EQ(paired({100, 110}, {80, 105, 150}, false), (Peaks{0, 1}));
+}
+
+TEST(PeakChoice, keeps_the_order_and_takes_each_peak_once) {
+  EXPECT_EQ(paired({100, 101}, {100, 200, 300}, false), (Peaks{0, 1}));
+}
+
+TEST(PeakChoice, takes_the_first_ones_when_the_test_says_so) {
+  EXPECT_EQ(paired({300}, {100, 290, 310}, true), (Peaks{0}));
+  EXPECT_EQ(paired({300}, {100, 290, 310}, false), (Peaks{2}));
+}
+
+TEST(PeakChoice, repeats_the_last_where_the_model_has_too_few_and_minus_one_where_none) {
+  EXPECT_EQ(paired({100, 200, 300}, {110, 190}, false), (Peaks{0, 1, 1}));
+  EXPECT_EQ(paired({100, 200}, {}, false), (Peaks{-1, -1}));
+}
+
+TEST(PeakChoice, leaves_out_what_is_below_twelve_percent_of_the_highest) {
+  const VectorXd hertz{{10, 20, 30}}, zeta{{0.01, 0.01, 0.01}}, height{{1, 0.119, 0.121}};
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, no_band, 1), (Peaks{0, 2}));
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, no_band, 3), (Peaks{0, 1, 2})) << "as many as wanted";
+}
+
+TEST(PeakChoice, sees_two_modes_within_their_widths_as_one) {
+  const VectorXd hertz{{100, 100.9, 120}}, zeta{{0.01, 0.01, 0.01}}, height{{0.9, 1, 0.5}};
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, no_band, 1), (Peaks{1, 2}));
+}
+
+TEST(PeakChoice, leaves_out_what_lies_a_fifth_beyond_the_band) {
+  const VectorXd hertz{{39, 41, 100, 239, 241}}, zeta = VectorXd::Constant(5, 0.01),
+                                                 height = VectorXd::Ones(5);
+  EXPECT_EQ(strong_peaks(hertz, zeta, height, {50, 200}, 1), (Peaks{1, 2, 3}));
+}
+
+} // namespace
+} // namespace plica
