@@ -11,7 +11,9 @@ constexpr const char* axis_word(int axis) { // 0..2
   constexpr std::array words{"x", "y", "z"};
   return words.at(static_cast<std::size_t>(axis));
 }
-constexpr const char* word_of(Axis axis) { return axis_word(static_cast<int>(axis)); }
+constexpr const char* word_of(Axis axis) {
+  return axis_word(static_cast<int>(axis));
+}
 
 constexpr const char* word_of(MeasuredShape shape) {
   constexpr std::array words{"axial", "transverse", "torsion", "shell", "other"};
