@@ -38,7 +38,7 @@ std::atomic<int> stopping_signal{SIGINT};
 void stop_searching(int signal) {
   stopping_signal = signal;
   if (!stopped.exchange(true)) return;
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  for (const int other : {SIGINT, SIGTERM}) std::signal(other, SIG_DFL);
 }
 
 [[noreturn]] void refuse(const CaseFile& file, const std::string& wrong,

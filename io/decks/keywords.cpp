@@ -67,8 +67,8 @@ private:
       const std::string name = in_capitals(trimmed(fields[i].substr(0, equals)));
       const std::string value =
           equals == std::string::npos ? "" : trimmed(fields[i].substr(equals + 1));
-      const auto [known, first] = keywords.back().parameters.try_emplace(name, value);
-      if (!first && known->second != value)
+      const auto [known, is_new] = keywords.back().parameters.try_emplace(name, value);
+      if (!is_new && known->second != value)
         deck_error(keywords.back().at, "*" + keywords.back().name,
                    "has " + name + " twice, " + known->second + " and " + value, "one of them");
     }

@@ -53,12 +53,15 @@ bool is_cad_file(const fs::path& file) {
 fs::path mesher_program() {
   if (const char* told = std::getenv("PLICA_MESHER")) return told;
   std::error_code ignored;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
-  const std::vector<fs::path> places{beside / "mesher" / "plica_mesher",
-                                     beside / PLICA_MESHER_FOLDER / "plica_mesher",
-                                     fs::path(PLICA_MESHER_INSTALLED) / "plica_mesher"};
+  std::vector<fs::path> folders;
+  if (const fs::path program = fs::read_symlink("/proc/self/exe", ignored); !program.empty()) {
+    const fs::path beside = program.parent_path().parent_path();
+    folders = {beside / "mesher", beside / PLICA_MESHER_FOLDER};
+  }
+  folders.insert(folders.end(), {PLICA_MESHER_INSTALLED, PLICA_MESHER_PACKAGED});
   std::string all;
-  for (const fs::path& place : places) {
+  for (const fs::path& folder : folders) {
+    const fs::path place = folder / "plica_mesher";
     if (fs::is_regular_file(place, ignored)) return place;
     all += (all.empty() ? "" : ", ") + place.string();
   }

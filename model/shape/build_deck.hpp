@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/description/case.hpp"
+#include "solve/model.hpp"
 
 namespace plica {
 
