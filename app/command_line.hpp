@@ -47,7 +47,7 @@ struct ChosenCase {
 };
 void add_case(CLI::App& command, ChosenCase& chosen);
 
-// --out, --threads and --quiet.
+// --out and --quiet.
 struct Output {
   std::filesystem::path folder = "out";
   bool quiet = false;
