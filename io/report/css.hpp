@@ -69,14 +69,15 @@ svg text { fill: var(--ink); font-family: inherit; }
 .tag { paint-order: stroke; stroke: var(--paper); stroke-width: 10; stroke-linejoin: round; }
 .legend { max-width: 22rem; }
 figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { display: none; }
-.live { position: relative; } .live canvas { display: block; }
+/* A drawing is as wide as its place only after its script has seen a new width. */
+.live { position: relative; overflow: hidden; } .live canvas { display: block; }
 .controls { display: flex; flex-wrap: wrap; gap: 0.5rem; align-items: center; margin: 0.4rem 0;
   font-size: 0.8125rem; color: var(--muted); }
 .controls button, .controls select { font: inherit; color: var(--ink); background: var(--panel);
   border: 1px solid var(--strong-rule); border-radius: 4px; padding: 0.2rem 0.6rem; cursor: pointer; }
 .controls button[aria-pressed="true"] { border-color: var(--accent); box-shadow: inset 0 0 0 1px var(--accent); }
 .controls :focus-visible, [data-mode]:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
-.viewer .live { background: var(--panel); border-radius: 6px; overflow: hidden; touch-action: none; }
+.viewer .live { background: var(--panel); border-radius: 6px; touch-action: none; }
 .viewer .tag { position: absolute; left: 0; top: 0; margin: -0.7em 0 0 0.8em; font-size: 0.8125rem;
   pointer-events: none; text-shadow: 0 0 3px var(--paper), 0 0 3px var(--paper); }
 .viewer .sensor::before { content: ""; position: absolute; left: -1.15em; top: 0.3em; width: 0.6em;

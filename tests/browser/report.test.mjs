@@ -50,6 +50,10 @@ const framesLater = async (more) => {
   await page.waitForFunction((n) => Number(document.querySelector('.viewer').dataset.frames) >= n, wanted);
 };
 
+// Waits until each drawing has the width of its place, however slow the machine.
+const fitted = () => page.waitForFunction(() => [...document.querySelectorAll('.live')].every((place) =>
+  [...place.querySelectorAll('canvas')].every((c) => Math.abs(c.clientWidth - place.clientWidth) < 2)));
+
 test('the part is drawn', async () => {
   const { share } = await shown();
   assert.ok(share > 0.03, `only ${share} of the canvas is painted`);
@@ -166,12 +170,12 @@ test('a dark room is served', async () => {
 
 test('a narrow window needs no scrolling sideways', async () => {
   await page.setViewportSize({ width: 420, height: 800 });
-  await page.waitForTimeout(200);
   const [inside, wide] = await page.evaluate(() => [innerWidth, document.documentElement.scrollWidth]);
-  assert.ok(wide <= inside + 1, `${wide} in ${inside}`);
+  assert.ok(wide <= inside + 1, `${wide} in ${inside}`); // whether the drawings have followed or not
+  await fitted();
   await page.screenshot({ path: picture('narrow') });
   await page.setViewportSize({ width: 1200, height: 900 });
-  await page.waitForTimeout(200);
+  await fitted();
   await page.screenshot({ path: picture('whole'), fullPage: true });
 });
 
