@@ -6,6 +6,7 @@
 #include "io/matlab/matlab_file.hpp"
 #include "io/universal/writer.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,12 +4,26 @@ import { join } from 'node:path';
 
 const { chromium } = createRequire(join(process.env.PACKAGES, 'x.js'))('playwright-core');
 
-export const launch = () => chromium.launch({
+const patience = 120_000; // ms: a drawing takes long where nothing helps to draw
+
+const start = () => chromium.launch({
   executablePath: '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
     '--disable-background-networking', '--disable-component-update', '--disable-sync',
     '--no-first-run'],
 });
+
+// A browser whose pages wait as long as a slow machine needs.
+export async function launch() {
+  const browser = await start();
+  const newPage = browser.newPage.bind(browser);
+  browser.newPage = async (options) => {
+    const page = await newPage(options);
+    page.setDefaultTimeout(patience);
+    return page;
+  };
+  return browser;
+}
 
 // Errors that a page says and addresses that it asks for, as they come.
 export function watch(page) {
