@@ -10,6 +10,8 @@
 namespace plica {
 namespace {
 
+constexpr double alike = 0.5; // MAC above which shapes may be of one mode
+
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -122,18 +124,39 @@ std::vector<std::array<int, 2>> best_pairs(const MatrixXd& score) {
   return pairs;
 }
 
+// ln of the factor that all frequencies of one side have in common: the median over modes that are
+// each other's most alike in shape.
+double common_stretch(const TestData& a, const TestData& b, const Correlation& c) {
+  std::vector<double> ratios;
+  for (Index i = 0; i < c.mac.rows(); ++i) {
+    Index j = 0, back = 0;
+    const double most = c.mac.row(i).maxCoeff(&j);
+    c.mac.col(j).maxCoeff(&back);
+    if (back == i && most > alike)
+      ratios.push_back(std::log(a.data.modes[c.mac_rows[i]].frequency /
+                                b.data.modes[c.mac_columns[j]].frequency));
+  }
+  if (ratios.empty()) return 0;
+  const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
 void pair_by_shape(const TestData& a, const TestData& b, Correlation& c) {
   c.mac_rows = with_shape(a.data);
   c.mac_columns = with_shape(b.data);
   if (c.mac_rows.empty() || c.mac_columns.empty()) return;
   c.mac = mac_matrix_of(a.data, c.mac_rows, b.data, c.mac_columns);
   c.auto_mac = mac_matrix_of(b.data, c.mac_columns, b.data, c.mac_columns);
+  // A mode of like shape that is far off in frequency, beyond what all modes are, is another one.
+  const double stretch = std::exp(common_stretch(a, b, c));
   MatrixXd score = c.mac;
   for (Index i = 0; i < score.rows(); ++i)
     for (Index j = 0; j < score.cols(); ++j) {
-      const double e =
-          a.data.modes[c.mac_rows[i]].frequency / b.data.modes[c.mac_columns[j]].frequency - 1;
-      score(i, j) = c.mac(i, j) > 0.5 ? c.mac(i, j) - 10 * e * e : 0;
+      const double e = a.data.modes[c.mac_rows[i]].frequency /
+                           (stretch * b.data.modes[c.mac_columns[j]].frequency) -
+                       1;
+      score(i, j) = c.mac(i, j) > alike ? c.mac(i, j) - 10 * e * e : 0;
     }
   for (const auto& [i, j] : best_pairs(score)) {
     PairedMode p = paired(a.data, b.data, c.mac_rows[i], c.mac_columns[j], "shape");

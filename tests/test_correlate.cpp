@@ -44,6 +44,17 @@ TEST(Correlate, pairs_by_shape_across_a_swap) {
   EXPECT_NEAR(c.comac.minCoeff(), 1, 1e-14);
 }
 
+// A model that is 40 % too stiff has the right modes all the same.
+TEST(Correlate, pairs_by_shape_though_all_frequencies_are_far_off) {
+  const std::vector<double> measured{100, 150, 225};
+  std::vector<double> computed;
+  for (double f : measured) computed.push_back(1.4 * f);
+  const Correlation c =
+      correlate(side(computed, orthogonal, three), side(measured, orthogonal, three));
+  ASSERT_EQ(c.pairs.size(), 3U);
+  for (const PairedMode& p : c.pairs) EXPECT_EQ(p.simulated, p.measured);
+}
+
 TEST(Correlate, leaves_over_what_has_no_partner) {
   const TestData a = side({100, 110}, {{1, 1, 0}, {1, -1, 0}}, three);
   const TestData b = side({101, 290}, {{1, 1, 0}, {0, 0, 1}}, three);
