@@ -5,6 +5,7 @@
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/correlation_words.hpp"
 #include "io/write/write_correlation.hpp"
+#include "lab/measured/states.hpp"
 
 #include <fmt/core.h>
 
@@ -30,8 +31,11 @@ MeasuredFile measured_file(const std::string& path) {
   return read_measured_file(file.string());
 }
 
+// What belongs to the specimen as the case draws it.
 TestData test_data(const MeasuredFile& file) {
-  return {.data = file.data, .frfs = load_frfs(file.data, file.path.parent_path())};
+  Measured data = measured_as_drawn(file.data);
+  std::vector<FrfSet> frfs = load_frfs(data, file.path.parent_path());
+  return {.data = std::move(data), .frfs = std::move(frfs)};
 }
 
 int compare_files(const CompareOptions& options) {

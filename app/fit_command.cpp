@@ -9,6 +9,7 @@
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/fit_words.hpp"
 #include "io/write/write_fit.hpp"
+#include "lab/measured/states.hpp"
 #include "model/description/case_checks.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -68,6 +69,7 @@ int fit(const FitOptions& options) {
     const auto& held = test.data.hold_out;
     return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
   });
+  test.data = measured_as_drawn(test.data);
   test.frfs = load_frfs(test.data, test_file->path.parent_path());
   FitSettings settings{.search = options.search.value_or(file.data.fit->search),
                        .evaluations = options.evaluations.value_or(file.data.fit->evaluations),

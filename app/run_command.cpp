@@ -14,6 +14,7 @@
 #include "io/tables/summary.hpp"
 #include "io/write/geometry.hpp"
 #include "io/write/write_results.hpp"
+#include "lab/measured/states.hpp"
 #include "run/analyses/run.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/refine.hpp"
@@ -152,8 +153,9 @@ int run_case(const RunOptions& options) {
   set_threads(options.threads);
   CaseFile file = read_case(options.chosen.path, options.chosen.model);
   if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
-  const std::optional<MeasuredFile> measured = test_of(file);
+  std::optional<MeasuredFile> measured = test_of(file);
   std::vector<FrfSet> frfs;
+  if (measured) measured->data = measured_as_drawn(measured->data);
   if (measured) frfs = load_frfs(measured->data, measured->path.parent_path());
   OutputFolder out(options.out.folder, work_of(file, measured, options));
   Progress progress(options.out.quiet);

@@ -2,6 +2,8 @@
 
 #include "io/input/field_reader.hpp"
 #include "lab/measured/measured_fields.hpp"
+#include "lab/measured/measured_words.hpp"
+#include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/check_log.hpp"
 #include "words/did_you_mean.hpp"
@@ -190,6 +192,56 @@ void check_states(const Measured& m, ReadLog& log) {
   check(m.modes, "modes");
   check(m.peaks, "peaks");
   check(m.frf, "frf");
+  if (m.mass && !m.mass->state.empty() &&
+      std::find(names.begin(), names.end(), m.mass->state) == names.end())
+    log.add("mass.state", "there is no state '" + shown(m.mass->state) + "'",
+            names.empty() ? "this file has no states" : suggestion(m.mass->state, names));
+}
+
+// What makes two entries measurements of one thing, whatever the state.
+std::string thing(const MeasuredStatic& s) {
+  return std::string(word_of(s.direction)) + " stiffness";
+}
+std::string thing(const MeasuredMode& m) {
+  std::string text = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order);
+  if (m.direction) text += std::string(" in ") + word_of(*m.direction);
+  if (m.base) text += std::string(", base ") + word_of(*m.base);
+  return m.sensor.empty() ? text : text + ", sensor " + m.sensor;
+}
+std::string thing(const MeasuredPeaks& p) {
+  return "peak of " + p.sensor + "." + word_of(p.direction) + ", base " + word_of(p.base);
+}
+std::string thing(const MeasuredFrf& f) {
+  return f.base ? std::string("response to base ") + word_of(*f.base)
+                : "response to a force at " + f.force;
+}
+
+// A change is explained from what was measured before and after it.
+void check_baselines(const Measured& m, ReadLog& log) {
+  if (!has_baseline(m)) return;
+  std::size_t changed = 0;
+  const auto check = [&](const auto& entries, const char* list) {
+    std::set<std::string> before;
+    for (const auto& entry : entries)
+      if (is_baseline(m, entry.state)) before.insert(thing(entry));
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (is_baseline(m, entries[i].state)) continue;
+      ++changed;
+      if (!before.contains(thing(entries[i])))
+        log.add(item(list, i), "no baseline has a " + thing(entries[i]),
+                "the same measured in a state with baseline: true, or no such entry here");
+    }
+  };
+  check(m.statics, "static");
+  check(m.modes, "modes");
+  check(m.peaks, "peaks");
+  check(m.frf, "frf");
+  if (m.mass && m.mass->state.empty())
+    log.add("mass", "does not say in which state it was weighed",
+            "state: one of `states`, as there is a baseline");
+  if (changed == 0)
+    log.add("states", "nothing was measured but in baselines",
+            "a state without baseline: true, with entries of its own");
 }
 
 void check_hold_out(const Measured& m, ReadLog& log) {
@@ -216,6 +268,7 @@ MeasuredFile read_measured_file(const std::string& path) {
   FieldReader::read(root, "", data, log);
   check_sensors(data, log);
   check_states(data, log);
+  check_baselines(data, log);
   check_modes(data, log);
   check_peaks(data, log);
   check_responses(data, path, log);

@@ -28,11 +28,14 @@ struct MeasuredSensor {
   int node = 0; // its number in universal files; 0 = found by its name
 };
 
-// A known change of the specimen under which some entries were measured: "loaded".
+// A state of the specimen in which some entries were measured: "loaded", "as_delivered".
 struct MeasuredState {
   std::string name;
-  std::map<std::string, std::string> set; // path in the case: value, as written there
-  std::map<std::string, double> numbers;  // the same in SI, once a case gives the units
+  // What a diagnosis looks for is not there yet: the change from these states is explained.
+  bool baseline = false;
+  std::map<std::string, std::string>
+      set;                               // a known change: path in the case, value as written there
+  std::map<std::string, double> numbers; // the same in SI, once a case gives the units
 };
 
 // `repeats` are single results; where no sigma is given it is their standard deviation.
@@ -40,6 +43,7 @@ struct MeasuredMass {
   double value = 0;
   std::optional<double> sigma;
   std::vector<double> repeats;
+  std::string state = {}; // empty = the specimen as it stands, here and below
 };
 
 struct MeasuredStatic {
@@ -48,7 +52,7 @@ struct MeasuredStatic {
   std::optional<double> sigma;
   std::optional<double> stroke; // m; rad for bending and torsion
   std::vector<double> repeats;
-  std::string state; // empty = the specimen as it stands, here and below
+  std::string state;
   std::string note;
 };
 

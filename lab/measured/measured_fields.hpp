@@ -36,7 +36,9 @@ template <class V> void fields(V& v, MeasuredSensor& s) {
 
 template <class V> void fields(V& v, MeasuredState& s) {
   v.text(s.name, "name", {.required = true, .name = true}, "name");
-  v.replacements(s.set, "set", required_key, "path in the case: its number in this state");
+  v.flag(s.baseline, "baseline",
+         "what is looked for was not there yet: a diagnosis explains the change from here");
+  v.replacements(s.set, "set", optional_key, "known change: path in the case, its number here");
 }
 
 inline constexpr const char* state_meaning = "state of the specimen, one of `states`";
@@ -50,6 +52,7 @@ template <class V> void fields(V& v, MeasuredMass& m) {
   v.quantities(m.repeats, "repeats",
                {.unit = Dimension::mass, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results, where no sigma is given");
+  v.text(m.state, "state", {}, state_meaning);
 }
 
 template <class V> void fields(V& v, MeasuredStatic& s) {
@@ -172,7 +175,7 @@ template <class V> void fields(V& v, Measured& m) {
   v.text(m.specimen, "specimen", {.required = true, .name = true}, "case the data belong to");
   v.text(m.source, "source", {}, "where the numbers are from");
   v.list(m.sensors, "sensors", optional_key, "accelerometers");
-  v.list(m.states, "states", optional_key, "known changes under which entries were measured");
+  v.list(m.states, "states", optional_key, "states of the specimen in which entries were measured");
   v.object(m.mass, "mass", optional_key, "weighed mass");
   v.list(m.statics, "static", optional_key, "static stiffnesses from a rig");
   v.list(m.modes, "modes", optional_key, "identified modes");

@@ -1,0 +1,70 @@
+#include "lab/measured/states.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace plica {
+namespace {
+
+const MeasuredState* state_named(const Measured& measured, const std::string& name) {
+  const auto found = std::find_if(measured.states.begin(), measured.states.end(),
+                                  [&](const MeasuredState& s) { return s.name == name; });
+  return found == measured.states.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+bool is_baseline(const Measured& measured, const std::string& state) {
+  const MeasuredState* own = state_named(measured, state);
+  return own && own->baseline;
+}
+
+bool has_baseline(const Measured& measured) {
+  return std::any_of(measured.states.begin(), measured.states.end(),
+                     [](const MeasuredState& s) { return s.baseline; });
+}
+
+Measured measured_in(const Measured& measured,
+                     const std::function<bool(const std::string& state)>& kept) {
+  Measured result = measured;
+  std::map<std::string, std::string> renamed; // of those kept: "modes[3]" to "modes[1]"
+  const auto keep = [&](auto& entries, const std::string& list) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (!kept(entries[i].state)) continue;
+      renamed[list + "[" + std::to_string(i) + "]"] = list + "[" + std::to_string(next) + "]";
+      if (next != i) entries[next] = std::move(entries[i]);
+      ++next;
+    }
+    entries.resize(next);
+  };
+  keep(result.statics, "static");
+  keep(result.modes, "modes");
+  keep(result.peaks, "peaks");
+  keep(result.frf, "frf");
+  if (result.mass && !kept(result.mass->state)) result.mass.reset();
+  std::erase_if(result.states, [&](const MeasuredState& s) { return !kept(s.name); });
+  std::vector<std::string> held;
+  for (const std::string& entry : result.hold_out) {
+    const auto now = renamed.find(entry);
+    if (now != renamed.end())
+      held.push_back(now->second);
+    else if (entry.starts_with("signals["))
+      held.push_back(entry);
+  }
+  result.hold_out = std::move(held);
+  return result;
+}
+
+bool as_drawn(const Measured& measured, const std::string& state) {
+  const bool changes = has_baseline(measured);
+  if (state.empty()) return !changes;
+  const MeasuredState* own = state_named(measured, state);
+  return changes && own && own->baseline && own->set.empty();
+}
+
+Measured measured_as_drawn(const Measured& measured) {
+  return measured_in(measured, [&](const std::string& state) { return as_drawn(measured, state); });
+}
+
+} // namespace plica
