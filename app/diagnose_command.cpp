@@ -4,11 +4,13 @@
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "diagnose/diagnose.hpp"
+#include "diagnose/fit_baseline.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/diagnosis_words.hpp"
 #include "io/write/write_diagnosis.hpp"
 #include "io/write/write_pretest.hpp"
+#include "model/description/case_checks.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <array>
@@ -24,6 +26,7 @@ struct DiagnoseOptions {
   Output out;
   int threads = 0;
   bool plan_next = true;
+  bool fit_baseline = false;
   bool pretest = false; // what a planned test could tell, before it is made
   TestPlan plan;
 };
@@ -104,6 +107,20 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
   return 0;
 }
 
+// Designs that the reader would not take are not tried.
+FitSettings fit_settings(const CaseFile& file) {
+  FitSettings settings;
+  if (file.data.fit) {
+    settings.search = file.data.fit->search;
+    settings.evaluations = file.data.fit->evaluations;
+  }
+  const std::string beside = fs::path(file.path).parent_path().string();
+  settings.refused = [beside](const Case& design) {
+    return !check_case(design, {}, beside).empty();
+  };
+  return settings;
+}
+
 int diagnose_case(const DiagnoseOptions& options) {
   set_threads(options.threads);
   const CaseFile file = read_case(options.chosen.path, options.chosen.model);
@@ -128,8 +145,16 @@ int diagnose_case(const DiagnoseOptions& options) {
   };
   Diagnosis diagnosis;
   try {
-    diagnosis = with_doubts(
-        file, [&] { return located(file, [&] { return diagnose(file.data, test, settings); }); });
+    diagnosis = with_doubts(file, [&] {
+      return located(file, [&] {
+        if (!options.fit_baseline && !file.data.diagnose.fit_baseline)
+          return diagnose(file.data, test, settings);
+        settings.stage("fit to the baseline");
+        FittedBaseline fitted = fitted_to_baseline(file.data, test, fit_settings(file));
+        settings.words = std::move(fitted.words);
+        return diagnose(fitted.data, test, settings);
+      });
+    });
   } catch (const std::invalid_argument& error) {
     throw InputError({{.file = test_file.path.string(),
                        .line = 0,
@@ -162,6 +187,8 @@ void add_diagnose_command(CommandLine& line) {
       ->type_name("DIR");
   command.add_option("--without", options->without, "leave a guard out, to see what it does")
       ->check(CLI::IsMember({"form", "nuisance", "reassembly", "adequacy", "levels", "heldout"}));
+  command.add_flag("--fit-baseline", options->fit_baseline,
+                   "adjust the case to the baseline first, by its section fit");
   command.add_flag("--pretest", options->pretest,
                    "before a test: what looks alike, how small an effect would be found");
   command

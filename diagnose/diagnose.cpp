@@ -1,15 +1,18 @@
 #include "diagnose/diagnose.hpp"
 
 #include "diagnose/account/account.hpp"
+#include "diagnose/account/shrink.hpp"
+#include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/pairs.hpp"
+#include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <stdexcept>
 
 namespace plica {
@@ -66,10 +69,17 @@ public:
     if (settings_.without.contains("levels")) lowest_levels_only(problem_.readings);
     if (settings_.without.contains("heldout"))
       for (Reading& r : problem_.readings.readings) r.held_out = false;
+    const Measured& measured = problem_.test.data;
+    pair_like_baselines(problem_.nominal, measured, problem_.readings);
     problem_.readings = answered(problem_.nominal, std::move(problem_.readings));
     settings_.stage("admissible specimens");
+    problem_.remounting = remounting_of(problem_.readings, measured, problem_.data.diagnose);
     problem_.uncertainty = uncertainty_of(problem_.data, problem_.nominal, problem_.readings,
-                                          problem_.test.data, settings_.without);
+                                          measured, settings_.without, problem_.remounting);
+    problem_.baseline =
+        given_baselines(measured, problem_.data.diagnose, problem_.readings, problem_.uncertainty);
+    if (problem_.readings.readings.empty())
+      throw std::invalid_argument("the model gives none of what was measured after the baseline");
     problem_.log_measured.resize(Index(problem_.readings.readings.size()));
     for (Index i = 0; i < problem_.log_measured.size(); ++i)
       problem_.log_measured[i] = problem_.readings.readings[std::size_t(i)].log_value;
@@ -102,7 +112,9 @@ public:
       settings_.stage("pairs of effects");
       pairs = fit_pairs(context, ranked, fits, all, plain, *problem_.held_out, scores, standards);
     }
-    const Judgement judgement = judge(nominal, ranked, pairs, standards);
+    const Judgement judgement = judge(nominal, ranked, pairs, standards, [&](const JudgedFit& j) {
+      return objection(context, plain, j);
+    });
     settings_.stage("report");
     Diagnosis result = account_of(problem_,
                                   {.context = context,
@@ -122,12 +134,12 @@ public:
 
 private:
   void list_hypotheses() {
-    const Structure structure = problem_.nominal.structure(problem_.test.data);
-    for (const Effect& effect : effects()) {
-      std::vector<Hypothesis> own = effect.hypotheses(structure);
-      if (own.empty()) not_tried_.push_back({effect.name, effect.needs});
-      for (Hypothesis& h : own) problem_.hypotheses.push_back(std::move(h));
-    }
+    ChosenEffects chosen = chosen_effects(problem_.nominal.structure(problem_.test.data));
+    for (const std::string& name : chosen.without_place)
+      not_tried_.push_back({name, effect_named(name).needs});
+    problem_.hypotheses = std::move(chosen.hypotheses);
+    problem_.words = settings_.words;
+    problem_.words.insert(problem_.words.end(), chosen.words.begin(), chosen.words.end());
   }
 
   std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,
@@ -163,6 +175,42 @@ private:
       *chosen[std::size_t(i)] =
           judged(std::move(fit), plain, context, *problem_.held_out, scores, standards);
     });
+  }
+
+  // Why what leads is not identified.
+  std::string objection(const FitContext& context, const HypothesisFit& plain,
+                        const JudgedFit& leads) {
+    const std::size_t readings = context.fitted.rows().size();
+    if (leads.free_parameters >= int(readings))
+      return fmt::format("{} free parameters for {} fitted readings", leads.free_parameters,
+                         readings);
+    if (const std::string rest = what_remains(context, plain, leads); !rest.empty()) return rest;
+    constexpr std::size_t fewest = 4, most = 24;
+    if (!problem_.held_out->rows().empty() || readings > most) return "";
+    const GapShrink turn = in_turn(context, plain, leads.fit);
+    if (turn.interval[0] > 0) return "";
+    const std::string found =
+        fmt::format("taken in turn, readings are foretold no better with it (shrink {:.0f} % "
+                    "[{:.0f}, {:.0f}])",
+                    100 * turn.shrink(), 100 * turn.interval[0], 100 * turn.interval[1]);
+    if (readings >= fewest) return found;
+    problem_.readings.warnings.push_back(name_of(leads.fit) + ": " + found);
+    return "";
+  }
+
+  // Beside a baseline an effect may be off by what it changes, so that much may remain of the gap.
+  std::string what_remains(const FitContext& context, const HypothesisFit& plain,
+                           const JudgedFit& leads) {
+    constexpr double within = 1.5, most_left = 0.3, clearly_less = 0.5;
+    const double before = std::sqrt(plain.chi2 / double(plain.error.size()));
+    if (problem_.baseline.readings.empty() || leads.gap_after < within) return "";
+    for (const Compensator& c : compensators(context, *problem_.held_out, plain,
+                                             problem_.nominal.structure(problem_.test.data)))
+      if (c.gap_after < clearly_less * leads.gap_after)
+        return fmt::format("{} times {:.3g} would leave less of the change ({:.2g} against {:.2g})",
+                           c.name, c.factor, c.gap_after, leads.gap_after);
+    if (leads.gap_after < most_left * before) return "";
+    return fmt::format("it leaves {:.0f} % of the change", 100 * leads.gap_after / before);
   }
 
   GapProblem problem_;

@@ -1,5 +1,6 @@
 #include "diagnose/pretest.hpp"
 
+#include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/judge/identifiability.hpp"
 #include "diagnose/predict/menu.hpp"
 #include "lab/measured/measured_words.hpp"
@@ -183,9 +184,7 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   PredictorStore predictors(nominal, test);
   const Whitening fitted(test, u, false);
   const FitContext context{predictors, test, u, measured, fitted};
-  std::vector<Hypothesis> all;
-  for (const Effect& effect : effects())
-    for (Hypothesis& h : effect.hypotheses(nominal.structure(runs))) all.push_back(std::move(h));
+  const std::vector<Hypothesis> all = chosen_effects(nominal.structure(runs)).hypotheses;
   stage("signatures of " + std::to_string(all.size()) + " hypotheses");
   std::vector<Signature> own = signatures(context, all);
   find_smallest(context, own);

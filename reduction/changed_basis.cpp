@@ -99,7 +99,8 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   const Index k = T.cols();
   ReducedFamily family;
   family.boundary = int(b);
-  family.lambda = lambda_;
+  family.lambda = nominal_.lambda;
+  family.suspended = nominal_.suspended;
   family.K = MatrixXd::Zero(b + k, b + k);
   family.K.topLeftCorner(b, b) = PsiKPsi_;
   family.K.bottomRightCorner(k, k) = T.transpose() * E * T;
@@ -126,7 +127,9 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
     rows << of_Psi, of_W, of_X;
     return rows;
   };
-  family.load = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
+  family.rigid = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
+  family.load = family.rigid.leftCols(3);
+  family.rigid_mass = rigid_.transpose() * Mr_;
   family.mass = rigid_.col(1).dot(Mr_.col(1));
   family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere
@@ -143,16 +146,24 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
                                : side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
                                               X(d.dofs, Eigen::all));
     const MatrixXd& V = whole ? all : own;
-    const MatrixXd r = rows_at(rigid_, d.dofs), Mr = symmetric_product(d.M, r);
+    const MatrixXd r = rows_at(rigid_, d.dofs).leftCols(3), Mr = symmetric_product(d.M, r);
     family.dK[std::size_t(i)] = seen_by(d.K, V);
     family.dM[std::size_t(i)] = seen_by(d.M, V);
     family.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
     family.d_mass[std::size_t(i)] = r.col(1).dot(Mr.col(1));
   });
-  family.nominal = MatrixXd::Zero(b + k, lambda_.size());
-  family.nominal.bottomRows(k) = MatrixXd(family.M.bottomRightCorner(k, k))
-                                     .ldlt()
-                                     .solve(MatrixXd(T.transpose() * G.leftCols(lambda_.size())));
+  const Index modes = nominal_.lambda.size();
+  family.nominal = MatrixXd::Zero(b + k, modes);
+  if (modes == 0) return family; // they are about to be found
+  const MatrixXd inner =
+      T.transpose() * (G.leftCols(c) * nominal_.inside + P.transpose() * nominal_.boundary);
+  if (nominal_.boundary.isZero(0)) {
+    family.nominal.bottomRows(k) = MatrixXd(family.M.bottomRightCorner(k, k)).ldlt().solve(inner);
+    return family;
+  }
+  MatrixXd momentum(b + k, modes);
+  momentum << PsiMPsi_ * nominal_.boundary + PsiMW_ * nominal_.inside, inner;
+  family.nominal = family.M.ldlt().solve(momentum);
   return family;
 }
 
@@ -166,13 +177,25 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
     K += coefficients[Index(i)] * f.dK[i];
     M += coefficients[Index(i)] * f.dM[i];
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K(free, free), M(free, free));
-  if (pairs.info() != Eigen::Success || !(pairs.eigenvalues()[0] > 0))
-    throw ModelError("the changed structure is not stable");
-  const Index count = std::min<Index>(modes, pairs.eigenvalues().size());
-  const VectorXd lambda = pairs.eigenvalues().head(count);
-  MatrixXd q = MatrixXd::Zero(K.rows(), count);
-  q(free, Eigen::all) = pairs.eigenvectors().leftCols(count);
+  const MatrixXd own_M = M(free, free);
+  MatrixXd own_K = K(free, free);
+  const double shift = f.suspended ? 0.01 * f.lambda[0] : 0;
+  own_K += shift * own_M;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(own_M, own_K);
+  if (Eigen::LLT<MatrixXd>(own_K).info() != Eigen::Success || pairs.info() != Eigen::Success)
+    return VectorXd::Constant(modes, std::numeric_limits<double>::quiet_NaN());
+  const Index all = std::min<Index>(modes + 6, pairs.eigenvalues().size());
+  const VectorXd theta = pairs.eigenvalues().reverse().head(all);
+  MatrixXd found = MatrixXd::Zero(K.rows(), all);
+  found(free, Eigen::all) = pairs.eigenvectors().rowwise().reverse().leftCols(all) *
+                            theta.cwiseInverse().cwiseSqrt().asDiagonal();
+  constexpr double is_rigid = 0.5;
+  const VectorXd shares = f.suspended ? rigid_shares(f, found) : VectorXd(VectorXd::Zero(all));
+  std::vector<Index> kept;
+  for (Index i = 0; i < all && Index(kept.size()) < modes; ++i)
+    if (shares[i] < is_rigid) kept.push_back(i);
+  const MatrixXd q = found(Eigen::all, kept);
+  const VectorXd lambda = (theta(kept).cwiseInverse().array() - shift).matrix();
   const MatrixXd inner = basis.T * q.bottomRows(basis.T.cols());
   const MatrixXd u = Psi_ * q.topRows(Psi_.cols()) + W_ * inner.topRows(W_.cols()) +
                      basis.X * inner.bottomRows(basis.X.cols());

@@ -144,7 +144,7 @@ ParametricModel::prepare(const std::vector<ModelChange>& changes) const {
   for (const ModelChange& change : changes) {
     Model changed = model_;
     if (change.apply) change.apply(changed);
-    MatrixDifference difference = matrix_difference(changed, model_, system_, change.on_mean);
+    MatrixDifference difference = matrix_difference(changed, model_, system_, change.on_motion);
     const auto own = Index(difference.dofs.size());
     made.push_back({std::move(difference), MatrixXd(system_.map.size(), 0), MatrixXd(own, 0)});
   }

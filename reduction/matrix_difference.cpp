@@ -112,13 +112,21 @@ SparseMatrix from_triplets(int size, const Triplets& entries) {
 
 } // namespace
 
+OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness) {
+  const auto n = Index(nodes.size());
+  MatrixXd rows = MatrixXd::Zero(3, 6 * n);
+  for (Index a = 0; a < n; ++a) rows.block<3, 3>(0, 6 * a).diagonal().setConstant(1 / double(n));
+  return {std::move(nodes), std::move(rows), mass, stiffness};
+}
+
 MatrixDifference matrix_difference(const Model& changed, const Model& nominal, const System& system,
-                                   const std::vector<OnMeanMotion>& on_mean) {
+                                   const std::vector<OnMotion>& on_motion) {
   MatrixDifference d;
   const bool other_shape = changed.mesh.nodes != nominal.mesh.nodes;
   const Model more = other_shape ? Model() : only_in(changed, nominal);
   // Another shape, with other arms, or other elements nearly everywhere: the whole anew.
-  if (on_mean.empty() && (other_shape || 2 * more.mesh.quads.size() > nominal.mesh.quads.size())) {
+  if (on_motion.empty() &&
+      (other_shape || 2 * more.mesh.quads.size() > nominal.mesh.quads.size())) {
     const System other = assemble(changed);
     if (other.map.size() != system.map.size())
       throw std::invalid_argument("a change of a model that changes its unknowns");
@@ -132,15 +140,11 @@ MatrixDifference matrix_difference(const Model& changed, const Model& nominal, c
     std::iota(d.dofs.begin(), d.dofs.end(), 0);
     return d;
   }
-  if (other_shape) throw std::invalid_argument("a change of shape with masses on mean motions");
+  if (other_shape) throw std::invalid_argument("a change of shape with masses on motions of nodes");
   Triplets k, m;
-  for (const OnMeanMotion& own : on_mean) {
-    const auto n = Index(own.nodes.size());
-    MatrixXd mean = MatrixXd::Zero(6 * n, 6 * n);
-    for (Index a = 0; a < n; ++a)
-      for (Index b = 0; b < n; ++b)
-        mean.block<3, 3>(6 * a, 6 * b).diagonal().setConstant(1 / double(n * n));
-    add_element(system.map, own.nodes, own.stiffness * mean, own.mass * mean, 1, k, m);
+  for (const OnMotion& own : on_motion) {
+    const MatrixXd square = own.rows.transpose() * own.rows;
+    add_element(system.map, own.nodes, own.stiffness * square, own.mass * square, 1, k, m);
   }
   add_differences(more, only_in(nominal, changed), system.map, k, m);
   std::vector<int> number(std::size_t(system.map.size()), -1);

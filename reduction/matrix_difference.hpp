@@ -5,11 +5,16 @@
 
 namespace plica {
 
-// A mass on the mean translation of nodes, kg, and a spring from it to the ground, N/m.
-struct OnMeanMotion {
+// A mass that takes part in motions that are sums over DOFs of nodes, kg, and a spring from each of
+// them to the ground, N/m.
+struct OnMotion {
   std::vector<int> nodes;
+  Eigen::MatrixXd rows; // a motion each: its factors on the six DOFs of every node
   double mass = 0, stiffness = 0;
 };
+
+// On the mean translation of nodes along x, y and z.
+OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness);
 
 // Over the independent DOFs that differ.
 struct MatrixDifference {
@@ -20,6 +25,6 @@ struct MatrixDifference {
 // From the elements that differ, or, where most do or the shape is another, by assembling anew.
 // `system`: that of the nominal model. Throws std::invalid_argument when the unknowns differ.
 MatrixDifference matrix_difference(const Model& changed, const Model& nominal, const System& system,
-                                   const std::vector<OnMeanMotion>& on_mean);
+                                   const std::vector<OnMotion>& on_motion);
 
 } // namespace plica

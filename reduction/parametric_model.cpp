@@ -34,9 +34,10 @@ int most_modes(const SparseMatrix& K, const SparseMatrix& M) {
 } // namespace
 
 ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked,
-                                 int modes, const std::vector<int>& observed)
+                                 int modes, const std::vector<int>& observed,
+                                 const std::optional<std::vector<int>>& held, bool may_hang)
     : model_(std::move(model)), boundary_(std::move(boundary)), marked_(std::move(marked)),
-      count_(modes), system_(assemble(model_)) {
+      count_(modes), may_hang_(may_hang), system_(assemble(model_)) {
   const DofMap& map = system_.map;
   for (int node : boundary_)
     for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
@@ -90,16 +91,88 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   WKW_ = W_.transpose() * KW_;
   WMW_ = W_.transpose() * MW_;
   PsiMW_ = Psi_.transpose() * MW_;
-  rigid_ = rigid_body_motions(model_, map, {0, 0, 0}).leftCols(3);
+  rigid_ = rigid_body_motions(model_, map, {0, 0, 0});
   Mr_ = symmetric_product(system_.M, rigid_);
   rigidMPsi_ = Mr_.transpose() * Psi_;
   rigidMW_ = Mr_.transpose() * W_;
   markedPsi_ = markers_ * Psi_;
   markedW_ = markers_ * W_;
+  nominal_ = held && *held != boundary_ ? modes_held_at(*held) : modes_inside();
+}
+
+namespace {
+
+constexpr Index rigid_motions = 6;
+
+// Of modes M-orthonormal by increasing frequency: whether all rigid motions come first and the next
+// mode lies far above. `momentum`: R' M of the modes.
+bool hangs(const VectorXd& lambda, const MatrixXd& momentum, const MatrixXd& rigid_mass) {
+  constexpr double is_rigid = 0.9, far_above = 9; // of lambda: three times the frequency
+  if (lambda.size() <= rigid_motions) return false;
+  const VectorXd shares =
+      momentum.cwiseProduct(MatrixXd(rigid_mass.ldlt().solve(momentum))).colwise().sum();
+  return shares.head(rigid_motions).minCoeff() > is_rigid &&
+         lambda[rigid_motions] > far_above * lambda[rigid_motions - 1];
+}
+
+} // namespace
+
+ParametricModel::NominalModes ParametricModel::modes_inside() const {
+  const bool suspended =
+      may_hang_ && hangs(lambda_, rigidMW_.leftCols(lambda_.size()), rigid_.transpose() * Mr_);
+  const Index first = suspended ? rigid_motions : 0;
+  const Index count = lambda_.size() - first;
+  NominalModes found{.lambda = lambda_.tail(count),
+                     .boundary = MatrixXd::Zero(Psi_.cols(), count),
+                     .inside = MatrixXd::Zero(W_.cols(), count),
+                     .suspended = suspended};
+  found.inside.middleRows(first, count).setIdentity();
+  return found;
+}
+
+// A shift makes the stiffness regular where nothing holds the structure.
+ParametricModel::NominalModes ParametricModel::modes_held_at(const std::vector<int>& nodes) const {
+  const Basis basis = basis_of({});
+  const ReducedFamily f = reduced({}, basis);
+  std::vector<int> free;
+  for (Index i = 0; i < f.K.rows(); ++i)
+    if (i >= f.boundary ||
+        std::find(nodes.begin(), nodes.end(), boundary_[std::size_t(i / 6)]) == nodes.end())
+      free.push_back(int(i));
+  constexpr double small = 0.01; // of the lowest mode with the boundary held
+  const double shift = small * lambda_[0];
+  const MatrixXd M = f.M(free, free);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(M, MatrixXd(f.K(free, free)) +
+                                                                        shift * M);
+  if (pairs.info() != Eigen::Success) throw ModelError("the structure is not stable");
+  const VectorXd theta = pairs.eigenvalues().reverse(); // 1 / (lambda + shift), decreasing
+  const Index n =
+      std::count_if(theta.begin(), theta.end(), [&](double x) { return x > 1e-12 * theta[0]; });
+  const VectorXd lambda = (theta.head(n).cwiseInverse().array() - shift).matrix();
+  MatrixXd q = MatrixXd::Zero(f.K.rows(), n);
+  q(free, Eigen::all) = pairs.eigenvectors().rowwise().reverse().leftCols(n) *
+                        theta.head(n).cwiseInverse().cwiseSqrt().asDiagonal();
+  const bool suspended = may_hang_ && hangs(lambda, f.rigid.transpose() * q, f.rigid_mass);
+  const Index first = suspended ? rigid_motions : 0;
+  const Index count = std::min<Index>(count_, n - first);
+  MatrixXd own = q.middleCols(first, count);
+  NominalModes found{
+      .lambda = lambda.segment(first, count), .boundary = {}, .inside = {}, .suspended = suspended};
+  MatrixXd u = expand(system_.map, Psi_ * own.topRows(Psi_.cols()) +
+                                       W_ * (basis.T * own.bottomRows(basis.T.cols())));
+  orient_modes(model_, marked_, found.lambda, own, u);
+  found.boundary = own.topRows(Psi_.cols());
+  found.inside = basis.T * own.bottomRows(basis.T.cols());
+  return found;
+}
+
+VectorXd rigid_shares(const ReducedFamily& family, const MatrixXd& q) {
+  const MatrixXd moved = family.rigid.transpose() * q;
+  return moved.cwiseProduct(MatrixXd(family.rigid_mass.ldlt().solve(moved))).colwise().sum();
 }
 
 MatrixXd ParametricModel::nominal_shapes() const {
-  return expand(system_.map, W_.leftCols(lambda_.size()));
+  return expand(system_.map, Psi_ * nominal_.boundary + W_ * nominal_.inside);
 }
 
 MatrixXd ParametricModel::basis() const {

@@ -29,7 +29,7 @@ enum class Follow { nominal, series, modes };
 struct ModelChange {
   std::function<void(Model&)> apply;
   Follow follow = Follow::series;
-  std::vector<OnMeanMotion> on_mean = {}; // besides
+  std::vector<OnMotion> on_motion = {}; // besides
 };
 
 // A change over the independent DOFs that it touches, with what it adds to the basis.
@@ -49,18 +49,30 @@ struct ReducedFamily {
   double mass = 0; // of the whole, kg
   std::vector<double> d_mass;
   Eigen::MatrixXd marked;  // 6 rows per marked node, then per observed one: its motion
-  Eigen::VectorXd lambda;  // of the nominal modes, the boundary held
+  Eigen::VectorXd lambda;  // of the nominal modes
   Eigen::MatrixXd nominal; // their coordinates, M-orthonormal
   int boundary = 0;        // coordinates of boundary nodes
+  // Free, or hung so softly that its rigid motions are no modes of its own: they are left out of
+  // the nominal modes. V' M R and R' M R, R: six rigid motions.
+  bool suspended = false;
+  Eigen::MatrixXd rigid, rigid_mass;
 };
+
+// Of modes M-orthonormal over q (columns): share of rigid motion in each, by mass.
+Eigen::VectorXd rigid_shares(const ReducedFamily& family, const Eigen::MatrixXd& q);
 
 class ParametricModel {
 public:
   // `boundary`, `marked`, `observed`: nodes; the last are looked at only, so that no static answers
-  // are kept for them. Every boundary node has six independent DOFs. Throws ConstraintError,
-  // std::runtime_error for a structure without stiffness where it needs some.
+  // are kept for them. Every boundary node has six independent DOFs. `held`: those of the boundary
+  // that do not move in the nominal modes; none = all. `may_hang`: nothing or springs alone hold
+  // the structure, so that its six lowest modes may be rigid motions, which are then left out.
+  // Throws ConstraintError, std::runtime_error for a structure without stiffness where it needs
+  // some.
   ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes,
-                  const std::vector<int>& observed = {});
+                  const std::vector<int>& observed = {},
+                  const std::optional<std::vector<int>>& held = std::nullopt,
+                  bool may_hang = false);
 
   // All may be called from several threads. Several changes prepared together take less time.
   PreparedChange prepare(const ModelChange& change) const;
@@ -70,7 +82,7 @@ public:
   // How far the frequencies of the lowest modes may lie above those of the whole structure,
   // relative: r' K_0^-1 r / (2 lambda), r the forces that the reduced mode leaves unbalanced, K_0
   // the nominal stiffness. `free`: coordinates that are not held. An estimate: K_0 stands for the
-  // changed stiffness. Throws std::runtime_error where the structure is not stable.
+  // changed stiffness. Not a number where the changed structure is not stable.
   Eigen::VectorXd frequency_errors(const std::vector<PreparedChange>& changes,
                                    const Eigen::VectorXd& coefficients,
                                    const std::vector<int>& free, int modes) const;
@@ -78,7 +90,8 @@ public:
   const Model& model() const { return model_; }
   Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
   Eigen::MatrixXd basis() const;          // V without changes, over all DOFs
-  const Eigen::VectorXd& lambda() const { return lambda_; }
+  const Eigen::VectorXd& lambda() const { return nominal_.lambda; } // of the nominal modes
+  bool suspended() const { return nominal_.suspended; }
   const std::vector<int>& boundary() const { return boundary_; }
   int unknowns() const { return system_.map.size(); }
 
@@ -92,6 +105,14 @@ private:
     const std::vector<int>* dofs;
     Eigen::MatrixXd forces;
   };
+  // The nominal modes: Psi `boundary` + W `inside`.
+  struct NominalModes {
+    Eigen::VectorXd lambda;
+    Eigen::MatrixXd boundary, inside;
+    bool suspended = false;
+  };
+  NominalModes modes_inside() const;
+  NominalModes modes_held_at(const std::vector<int>& nodes) const;
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
   ReducedFamily reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
@@ -104,11 +125,13 @@ private:
   Model model_;
   std::vector<int> boundary_, marked_;
   int count_ = 0;
+  bool may_hang_ = false;
   System system_;
   std::vector<int> held_, inside_; // independent DOFs
   std::vector<int> row_inside_;    // of an independent DOF among those inside; -1 = held
   std::optional<SparseFactor> factor_;
-  Eigen::VectorXd lambda_;
+  Eigen::VectorXd lambda_; // the boundary held
+  NominalModes nominal_;
   // Over the independent DOFs. W: modes, then answers to forces on marked nodes; K Psi is zero but
   // at the boundary.
   Eigen::MatrixXd Psi_, W_, KW_, MPsi_, MW_, rigid_, Mr_;

@@ -306,7 +306,7 @@ TEST(Evidence, a_sign_that_does_not_show_is_left_open) {
   ASSERT_EQ(fit.others.size(), 1U);
   EXPECT_NEAR(fit.others.front()[0], -fit.z[0], 1e-2);
   sample(context, fit, 400, 1);
-  const auto [low, high] = interval_of({&fit}, 0, h.parameters.front().prior);
+  const auto [low, high] = interval_of({&fit}, 0, h.parameters.front().prior).ends;
   EXPECT_LT(low, -0.7);
   EXPECT_GT(high, 0.7);
 }
@@ -330,13 +330,13 @@ TEST(Intervals, end_at_a_bound_where_the_draws_crowd) {
   constexpr int count = 1000;
   fit.draws.resize(1, count);
   for (int i = 0; i < count; ++i) fit.draws(0, i) = normal_quantile((i + 0.5) / count);
-  const auto [low, high] = interval_of({&fit}, 0, {PriorKind::normal, 10, 2});
+  const auto [low, high] = interval_of({&fit}, 0, {PriorKind::normal, 10, 2}).ends;
   EXPECT_NEAR(low, 10 - 2 * 1.645, 0.02);
   EXPECT_NEAR(high, 10 + 2 * 1.645, 0.02);
   // Exponential towards zero with mean 0.05, of a share between 0 and 1.
   for (int i = 0; i < count; ++i)
     fit.draws(0, i) = normal_quantile(-0.05 * std::log(1 - (i + 0.5) / count));
-  const auto [none, most] = interval_of({&fit}, 0, {PriorKind::uniform, 0, 1});
+  const auto [none, most] = interval_of({&fit}, 0, {PriorKind::uniform, 0, 1}).ends;
   EXPECT_EQ(none, 0);
   EXPECT_NEAR(most, 0.05 * std::log(10.), 5e-3);
 }

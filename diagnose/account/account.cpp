@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {
@@ -34,18 +35,13 @@ public:
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
-    const auto probability = [&](const std::string& effect) {
-      for (const auto& [name, p] : judgement.probabilities)
-        if (name == effect) return p;
-      return 0.;
-    };
     for (const JudgedFit* j : judgement.named)
       for (std::size_t h = 0; h < j->fit.together.size(); ++h) {
         const Hypothesis& own = *j->fit.together[h];
         if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& e) {
               return e.name == own.effect && e.place == own.place;
             }))
-          result_.effects.push_back(named(j->fit, h, probability(own.effect), fits));
+          result_.effects.push_back(named(j->fit, h, probability(judgement, *j, own), fits));
       }
     result_.where = located(scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
@@ -84,12 +80,19 @@ public:
     plan_next(nominal, ranked, judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
     result_.warnings = problem_.readings.warnings;
+    result_.baseline = problem_.baseline;
     result_.hypotheses = int(problem_.hypotheses.size());
     result_.headline = headline(nominal, judgement);
     return std::move(result_);
   }
 
 private:
+  // Of the effect at this place; in a pair, of the effect.
+  static double probability(const Judgement& judgement, const JudgedFit& j, const Hypothesis& h) {
+    const double effect = judgement.probability_of(h.effect);
+    return j.fit.together.size() > 1 ? effect : effect * judgement.share_of(h.effect, h.place);
+  }
+
   // `fits`: of single hypotheses, where other ways of the same effect are looked for.
   NamedEffect named(const HypothesisFit& fit, std::size_t half, double probability,
                     const std::vector<JudgedFit>& fits) const {
@@ -109,10 +112,12 @@ private:
     for (std::size_t i = 0; i < half; ++i) first += Index(fit.together[i]->parameters.size());
     for (std::size_t i = 0; i < h.parameters.size(); ++i) {
       const Index row = first + Index(i);
+      const Interval between = interval_of(ways, row, h.parameters[i].prior);
+      const bool within = fit.values[row] >= between.ends[0] && fit.values[row] <= between.ends[1];
       e.parameters.push_back({.name = h.parameters[i].name,
                               .unit = h.parameters[i].unit,
-                              .value = fit.values[row],
-                              .interval = interval_of(ways, row, h.parameters[i].prior),
+                              .value = within ? fit.values[row] : between.middle,
+                              .interval = between.ends,
                               .z = fit.z[row]});
     }
     return e;
@@ -138,13 +143,29 @@ private:
                       .rejected = ""};
     for (std::size_t h = 0; h < j.fit.together.size(); ++h)
       t.effects.push_back(named(j.fit, h, 0, {}));
+    for (Index i : j.fit.aside) t.aside.push_back(problem_.readings.readings[std::size_t(i)].name);
     if (!j.adequate)
-      t.rejected = "does not explain " + j.worst.second;
+      t.rejected = why_inadequate(j);
     else if (j.absurd)
       t.rejected = "only with a value far out of its prior";
     else if (j.fails_held_out)
       t.rejected = "does not predict the held-out readings";
     return t;
+  }
+
+  // The first of the gates (judge.hpp) that a fit does not pass.
+  std::string why_inadequate(const JudgedFit& j) const {
+    const Standards& limit = found_.standards;
+    if (j.worst.first > limit.worst_block)
+      return fmt::format("does not explain {} (z {:.1f}, limit {:.1f})", j.worst.second,
+                         j.worst.first, limit.worst_block);
+    if (j.fit.chi2 > limit.chi2)
+      return fmt::format("all readings together (chi-square {:.1f}, limit {:.1f})", j.fit.chi2,
+                         limit.chi2);
+    if (j.chi2_of_means > limit.chi2_of_means)
+      return fmt::format("the means over the levels (chi-square {:.1f}, limit {:.1f})",
+                         j.chi2_of_means, limit.chi2_of_means);
+    return fmt::format("leaves a gap of {:.1f}", j.gap_after);
   }
 
   // By evidence, with which of them is the best.

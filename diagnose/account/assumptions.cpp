@@ -27,7 +27,7 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
       percent(scatters::all_damping), percent(scatters::mode_damping), percent(scatters::gain),
       scatters::turn, 1e3 * scatters::off_place, percent(scatters::other_axes));
   add("reassembly %g %% of frequencies and %g %% of damping, runs %g %% and %g %%",
-      percent(test_sigma::reassembled_frequency), percent(test_sigma::reassembled_damping),
+      percent(problem.remounting.frequency), percent(problem.remounting.damping),
       percent(test_sigma::run_frequency), percent(test_sigma::run_damping));
   add("model %g %% of frequencies, %g %% of damping, %g %% of stiffnesses, %g %% of cross "
       "responses and %g %% of what the meshes differ by",
@@ -38,6 +38,11 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
       "levels, no block beyond z = %.1f; ln BF over the nominal case at least %.1f",
       standards.chi2, problem.fitted->rows().size(), standards.chi2_of_means, standards.worst_block,
       standards.evidence);
+  list.insert(list.end(), problem.words.begin(), problem.words.end());
+  list.insert(list.end(), problem.baseline.words.begin(), problem.baseline.words.end());
+  if (problem.uncertainty.change_error > 0)
+    add("what an effect changes it changes with an error of %g %% of the change, with long tails",
+        percent(problem.uncertainty.change_error));
   for (const std::string& w : without) list.push_back("left out: " + w);
   return list;
 }

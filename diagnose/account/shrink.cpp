@@ -218,7 +218,7 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
     Compensator row{.name = c.name,
                     .factor = factor,
                     .prior_sigmas = std::abs(std::log(factor)) / c.sigma,
-                    .gap_after = rms(fit.error),
+                    .gap_after = rms(context.fitted(fit.deviation)),
                     .held_out_after = {},
                     .contradicted_by = ""};
     if (!held_out.rows().empty()) row.held_out_after = rms(held_out(fit.deviation));

@@ -1,3 +1,4 @@
+#include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
 
 namespace plica {
@@ -9,6 +10,8 @@ ModelChange on_each(const std::vector<int>& nodes) {
   }};
 }
 
+constexpr double most = 0.2; // of the part: what nobody would miss on seeing it is less
+
 // A mass all round a crown turns with it; one that is clamped softly does not.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
@@ -16,7 +19,9 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     found.push_back({.effect = "added_mass",
                      .place = spot.place,
                      .way = way,
-                     .parameters = {{"mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1}}},
+                     .parameters = {{"mass",
+                                     "kg",
+                                     {PriorKind::log_normal, 0.03 * s.mass, 1, 0, most * s.mass}}},
                      .changes = {std::move(one_kilogram)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
@@ -25,8 +30,22 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     add(spot, "", on_each({spot.touched}));
     if (spot.nodes.size() < 2) continue;
     add(spot, "all round", on_each(spot.nodes));
-    add(spot, "on the mean motion", {.apply = {}, .on_mean = {{.nodes = spot.nodes, .mass = 1}}});
+    add(spot, "on the mean motion", {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 1, 0)}});
   }
+  for (const BeamPath& path : beam_paths(s))
+    found.push_back(
+        {.effect = "added_mass",
+         .place = path.part,
+         .way = "",
+         .parameters = {{"mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, most * s.mass}},
+                        {"at", "m", {PriorKind::uniform, 0, path.length()}}},
+         .changes = mass_along(s, path),
+         .coefficients =
+             [path](const Eigen::VectorXd& v) {
+               return Eigen::VectorXd(v[0] * path.weights(v[1]));
+             },
+         .at_rig = false,
+         .along = 1});
   return found;
 }
 

@@ -15,7 +15,28 @@ std::uint64_t Identity::next() {
   return ++last;
 }
 
+namespace {
+
+// Share of an unbounded prior below a value.
+double share_below(const Prior& prior, double value) {
+  if (prior.kind == PriorKind::normal) return normal_share((value - prior.centre) / prior.width);
+  if (prior.kind == PriorKind::log_normal)
+    return value > 0 ? normal_share(std::log(value / prior.centre) / prior.width) : 0;
+  return std::clamp((value - prior.centre) / (prior.width - prior.centre), 0., 1.);
+}
+
+} // namespace
+
 double value_of(const Prior& prior, double z) {
+  if (prior.bounded()) {
+    constexpr double end = 1e-12; // shares within which a quantile is a number
+    const double from = share_below(prior, prior.low), to = share_below(prior, prior.high);
+    const double share = std::clamp(from + (to - from) * normal_share(z), end, 1 - end);
+    Prior free = prior;
+    free.low = -std::numeric_limits<double>::infinity();
+    free.high = -free.low;
+    return std::clamp(value_of(free, normal_quantile(share)), prior.low, prior.high);
+  }
   if (prior.kind == PriorKind::normal) return prior.centre + prior.width * z;
   if (prior.kind == PriorKind::log_normal) return prior.centre * std::exp(prior.width * z);
   const double share = normal_share(z);

@@ -11,9 +11,12 @@
 #include "reduction/parametric_model.hpp"
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +26,13 @@ enum class PriorKind { normal, log_normal, uniform };
 
 // What may be expected of a parameter before the test. Its coordinate z is N(0, 1).
 //   normal: centre + width z;  log_normal: centre exp(width z);  uniform: between centre and width
+// Between `low` and `high`, where these bound it: z is that of the share of what lies between.
 struct Prior {
   PriorKind kind = PriorKind::normal;
   double centre = 0, width = 1;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool bounded() const { return std::isfinite(low) || std::isfinite(high); }
 };
 double value_of(const Prior& prior, double z);
 
@@ -89,6 +96,7 @@ struct Hypothesis {
   double group_stiffness = 0; // N/m: stretch of the group = sqrt(2 energy / this)
   double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
   double law_error = 0;       // share of what slip changes that its law may be off
+  std::optional<std::size_t> along = {}; // the parameter that says where along `place` it acts, m
   Identity identity = {};
 };
 

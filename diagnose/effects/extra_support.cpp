@@ -1,4 +1,6 @@
+#include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
+#include "lab/measured/measured_words.hpp"
 
 namespace plica {
 namespace {
@@ -30,8 +32,25 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     add(spot, "all round", on_each(spot.nodes, Eigen::Vector3d::Ones()));
     if (spot.nodes.size() > 1)
       add(spot, "on the mean motion",
-          {.apply = {}, .on_mean = {{.nodes = spot.nodes, .stiffness = 1}}});
+          {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 0, 1)}});
   }
+  // From a touch to a pin: beyond what the beam itself has, the readings do not feel how stiff.
+  constexpr double centre = 1000, width = 3;
+  for (const BeamPath& path : beam_paths(s))
+    for (int axis = 0; axis < 3; ++axis)
+      found.push_back(
+          {.effect = "extra_support",
+           .place = path.part,
+           .way = axis_word(axis),
+           .parameters = {{"k", "N/m", {PriorKind::log_normal, centre * s.stiffness, width}},
+                          {"at", "m", {PriorKind::uniform, 0, path.length()}}},
+           .changes = support_along(s, path, axis),
+           .coefficients =
+               [path](const Eigen::VectorXd& v) {
+                 return Eigen::VectorXd(v[0] * path.weights(v[1]));
+               },
+           .at_rig = false,
+           .along = 1});
   return found;
 }
 

@@ -6,6 +6,24 @@
 #include <fmt/printf.h>
 
 namespace plica {
+namespace {
+
+// How sure the place is, where it is not: "; place 61 %, beam.point[2] 30 %".
+std::string places(const Judgement& judgement, const Hypothesis& named) {
+  constexpr double sure = 0.95, worth_a_word = 0.05;
+  constexpr int most = 3;
+  const double own = judgement.share_of(named.effect, named.place);
+  const auto known = judgement.places.find(named.effect);
+  if (own > sure || known == judgement.places.end()) return "";
+  std::string text = fmt::format("; the place {:.0f} %", 100 * own);
+  int told = 0;
+  for (const auto& [place, share] : known->second)
+    if (place != named.place && share > worth_a_word && told++ < most)
+      text += fmt::format(", {} {:.0f} %", place, 100 * share);
+  return text;
+}
+
+} // namespace
 
 std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
   const auto odds = [](double log_bayes) {
@@ -17,28 +35,26 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
     return "No effect: the nominal case explains the test within its uncertainties";
   case Verdict::identified: {
     const JudgedFit& j = *judgement.named.front();
+    const std::string& effect = j.fit.together[0]->effect;
     std::string text = name_of(j.fit) + " (" + odds(j.log_bayes_factor) + " over no effect";
     for (const auto& [name, p] : judgement.probabilities)
-      if (name != j.fit.together[0]->effect && name != "none") {
-        double own = 0;
-        for (const auto& [other, q] : judgement.probabilities)
-          if (other == j.fit.together[0]->effect) own = q;
+      if (name != effect && name != "none") {
+        const double own = judgement.probability_of(effect);
         text +=
             ", " + odds(std::log(std::max(own, 1e-300) / std::max(p, 1e-300))) + " over " + name;
         break;
       }
-    return text + ")";
+    return text + ")" + places(judgement, *j.fit.together[0]);
   }
   case Verdict::ambiguous: {
     std::string text = "Ambiguous: ";
     for (const JudgedFit* j : judgement.named) {
-      double p = 0;
-      for (const auto& [name, own] : judgement.probabilities)
-        if (name == j->fit.together[0]->effect) p = own;
+      const Hypothesis& h = *j->fit.together[0];
+      const double p = judgement.probability_of(h.effect) * judgement.share_of(h.effect, h.place);
       text += (j == judgement.named.front() ? "" : " or ") + name_of(j->fit) +
               fmt::format(" {:.0f} %", 100 * p);
     }
-    return text;
+    return judgement.withheld.empty() ? text : text + "; not identified: " + judgement.withheld;
   }
   case Verdict::pair: {
     std::string text = "Two effects: ";

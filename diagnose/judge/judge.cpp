@@ -10,10 +10,13 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double told_apart = 3;          // nats between effects that are told apart
+constexpr double open_to = 8;             // nats, where the one that leads is not believed
+constexpr std::size_t most_listed = 3;    // of these
 constexpr double pair_gain = 5;           // over the best single one
 constexpr double pair_shrink = 0.3;       // of held-out readings
 constexpr double absurd_z = 3;            // standard deviations of a prior
 constexpr double most_allowed = 1.5;      // gap without what a hypothesis is allowed to be off
+constexpr double most_left = 0.5;         // of a change from a baseline
 constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
 
 double evidence(const HypothesisFit& fit) {
@@ -30,6 +33,15 @@ template <class Chi2> std::vector<double> of_healthy(const FitContext& context, 
 
 double point(const std::vector<double>& sorted, double share) {
   return sorted.empty() ? 0 : sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
+}
+
+int free_parameters(const HypothesisFit& fit) {
+  constexpr double narrower = 0.5, moves = 0.1; // standard deviations of prior and of a reading
+  int count = 0;
+  for (Eigen::Index k = 0; k < fit.z.size(); ++k)
+    count +=
+        std::sqrt(fit.covariance(k, k)) < narrower || fit.J.col(k).cwiseAbs().maxCoeff() > moves;
+  return count;
 }
 
 // Worth of each half: what the other loses without it.
@@ -76,11 +88,16 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
                           double(context.fitted.rows().size()));
   const bool slips = std::any_of(j.fit.together.begin(), j.fit.together.end(),
                                  [](const Hypothesis* h) { return h->law_error > 0; });
-  j.adequate =
-      !standards.gate ||
-      (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
-       j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= most_allowed));
+  // Beside a baseline what a hypothesis may be off grows with what it changes.
+  const double before = std::sqrt(nominal.chi2 / double(context.fitted.rows().size()));
+  const double allowed = context.uncertainty.change_error > 0
+                             ? std::max(most_allowed, most_left * before)
+                             : most_allowed;
+  j.adequate = !standards.gate ||
+               (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
+                j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
   j.absurd = j.fit.farthest > absurd_z;
+  j.free_parameters = free_parameters(j.fit);
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {
     const double n = double(held_out.rows().size());
@@ -114,6 +131,13 @@ std::vector<Family> families(const std::vector<JudgedFit>& fits) {
       if (!f.best || rank(j) > rank(f.best)) f.best = j;
     }
     f.log_evidence = highest + std::log(sum);
+    std::map<std::string, double> places;
+    for (const JudgedFit* j : own)
+      places[j->fit.together[0]->place] +=
+          std::exp(evidence(j->fit) - highest) / (sum * double(own.size()));
+    f.places.assign(places.begin(), places.end());
+    std::stable_sort(f.places.begin(), f.places.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
     all.push_back(f);
   }
   std::sort(all.begin(), all.end(),
@@ -121,9 +145,25 @@ std::vector<Family> families(const std::vector<JudgedFit>& fits) {
   return all;
 }
 
+double Judgement::probability_of(const std::string& effect) const {
+  for (const auto& [name, p] : probabilities)
+    if (name == effect) return p;
+  return 0;
+}
+
+double Judgement::share_of(const std::string& effect, const std::string& place) const {
+  const auto known = places.find(effect);
+  if (known == places.end()) return 1;
+  for (const auto& [name, share] : known->second)
+    if (name == place) return share;
+  return 0;
+}
+
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
-                const std::vector<JudgedFit>& pairs, const Standards& standards) {
+                const std::vector<JudgedFit>& pairs, const Standards& standards,
+                const Objection& objection) {
   Judgement result;
+  for (const Family& f : families) result.places[f.effect] = f.places;
   const double none = nominal.fit.log_evidence;
   // Probabilities among what is credible; where nothing is, among all.
   std::vector<const Family*> credible;
@@ -154,7 +194,14 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
       if (best - f->log_evidence < told_apart &&
           f->log_evidence - none >= standards.evidence - told_apart)
         result.named.push_back(f->best);
-    result.verdict = result.named.size() == 1 ? Verdict::identified : Verdict::ambiguous;
+    if (result.named.size() == 1 && objection) result.withheld = objection(*result.named.front());
+    if (!result.withheld.empty())
+      for (const Family* f : credible)
+        if (result.named.size() < most_listed && f->best != result.named.front() &&
+            best - f->log_evidence < open_to)
+          result.named.push_back(f->best);
+    result.verdict = result.named.size() == 1 && result.withheld.empty() ? Verdict::identified
+                                                                         : Verdict::ambiguous;
     return result;
   }
   std::vector<const JudgedFit*> standing;

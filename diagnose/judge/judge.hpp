@@ -7,7 +7,11 @@
 //   none        the nominal case is adequate and no effect has ln BF above the threshold
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 over
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
-//   ambiguous   several adequate effects within 3 of the best
+//   ambiguous   several adequate effects within 3 of the best; or what would be identified has as
+//               many free parameters as there are fitted readings, or foretells readings taken in
+//               turn no better than no effect does: then up to three effects within 8 of it. A
+//               parameter is free where its posterior is narrower than half its prior, or a move
+//               within the prior changes a reading by a tenth of its standard deviation
 //   pair        no single one adequate; a pair is, with 5 more than the best single one, each half
 //               worth 3, held-out readings there, met, and better by three tenths; with it all
 //               such pairs within 3 of it
@@ -17,6 +21,9 @@
 #include "diagnose/results/diagnosis.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
+
+#include <functional>
+#include <map>
 
 namespace plica {
 
@@ -40,6 +47,7 @@ struct JudgedFit {
   std::pair<double, std::string> worst;
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;
+  int free_parameters = 0;
   bool credible() const { return adequate && !absurd && !fails_held_out; }
 };
 JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitContext& context,
@@ -48,17 +56,27 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
 // An effect over all its places.
 struct Family {
   std::string effect;
-  double log_evidence = 0;         // places weigh alike
-  const JudgedFit* best = nullptr; // place
+  double log_evidence = 0;                                 // places weigh alike
+  const JudgedFit* best = nullptr;                         // place
+  std::vector<std::pair<std::string, double>> places = {}; // with their shares, the largest first
 };
 std::vector<Family> families(const std::vector<JudgedFit>& fits); // by evidence
 
 struct Judgement {
   Verdict verdict = Verdict::none;
   std::vector<const JudgedFit*> named; // one; the ambiguous set; or the pairs, the best first
-  std::vector<std::pair<std::string, double>> probabilities;
+  std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
+  std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
+  std::string withheld; // why an effect that leads is not identified; empty = nothing is
+  double probability_of(const std::string& effect) const;
+  double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };
+
+// Why a fit that leads must not be called identified; empty = it may.
+using Objection = std::function<std::string(const JudgedFit&)>;
+
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
-                const std::vector<JudgedFit>& pairs, const Standards& standards);
+                const std::vector<JudgedFit>& pairs, const Standards& standards,
+                const Objection& objection = {});
 
 } // namespace plica

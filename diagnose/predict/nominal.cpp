@@ -5,6 +5,7 @@
 #include "model/description/case_path.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "run/analyses/damping.hpp"
+#include "solve/model_error.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int modes = 16;
-constexpr std::size_t small_mesh = 2500; // nodes; below, a coarse mesh saves nothing
+constexpr int modes = 16, modes_of_a_free_part = 32; // which are made of those with a node held
+constexpr std::size_t small_mesh = 2500;             // nodes; below, a coarse mesh saves nothing
 
 // Counts in place of an accuracy, so that every specimen has the same mesh. Enough for how readings
 // change: two elements a quarter arc, two a wall, sixteen around, of which four are a quarter of
@@ -58,6 +59,33 @@ std::vector<int> boundary_of(const BuiltCase& built, const Case& data) {
   for (const Constraint& c : built.model.constraints) dependent.insert(c.node);
   std::erase_if(nodes, [&](int node) { return dependent.contains(node); });
   return nodes;
+}
+
+// Supports, or springs to the ground.
+bool held_otherwise(const Model& model) {
+  return std::any_of(model.constraints.begin(), model.constraints.end(),
+                     [](const Constraint& c) { return c.terms.empty(); }) ||
+         std::any_of(model.bushings.begin(), model.bushings.end(),
+                     [](const BushingElement& b) { return b.node2 < 0; });
+}
+
+// Springs of mounts are all that holds it.
+bool hangs_in_springs(const Case& data, const Model& model) {
+  return !held_otherwise(model) &&
+         std::none_of(data.mount.begin(), data.mount.end(),
+                      [](const Mount& m) { return m.kind == MountKind::rigid; });
+}
+
+// A node whose six motions are its own: with it held, a free part is held, and the motions that
+// follow it are rigid.
+int anchor_of(const Model& model) {
+  std::set<int> dependent;
+  for (const Constraint& c : model.constraints) dependent.insert(c.node);
+  for (const BeamElement& b : model.beams)
+    if (!dependent.contains(b.node1)) return b.node1;
+  for (const ShellQuad& q : model.mesh.quads)
+    if (!dependent.contains(q.nodes[0])) return q.nodes[0];
+  throw ModelError("nothing holds the part: hold it by a mount or supports");
 }
 
 // Its own axes as the test says, else as the case does.
@@ -98,8 +126,18 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
     state.observed.push_back(std::move(place));
   }
   for (const BuiltSensor& s : state.observed) state.axes.push_back(axes_of(s, measured));
-  state.model = std::make_unique<ParametricModel>(
-      state.built.model, boundary_of(state.built, state.data), sensors, modes, further);
+  std::vector<int> boundary = boundary_of(state.built, state.data);
+  std::vector<int> held = state.built.held_nodes;
+  std::erase_if(held, [&](int node) {
+    return std::find(boundary.begin(), boundary.end(), node) == boundary.end();
+  });
+  std::sort(held.begin(), held.end());
+  const bool free = held.empty() && !held_otherwise(state.built.model);
+  const bool hung = !free && hangs_in_springs(state.data, state.built.model);
+  if (free && boundary.empty()) boundary = {anchor_of(state.built.model)};
+  state.model = std::make_unique<ParametricModel>(state.built.model, boundary, sensors,
+                                                  free || hung ? modes_of_a_free_part : modes,
+                                                  further, held, free || hung);
   const VectorXd& lambda = state.model->lambda();
   const MatrixXd u = state.model->nominal_shapes();
   const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,

@@ -360,12 +360,33 @@ bool StateAnswers::labelled(const Reading& reading, double& value) {
   return true;
 }
 
+// Where the kind of motion is known the order that the test states binds; where it states no
+// direction, of those of that order along each axis the nearest. Of unknown kind, in their order as
+// they lie nearest.
 Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) const {
+  const auto looked_for = [](const Reading& r) { return r.paired_as > 0 ? r.paired_as : r.value; };
+  if (reading.shape != MeasuredShape::other) {
+    Index nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    const bool either = reading.axis < 0 && reading.shape == MeasuredShape::transverse;
+    for (int axis : either ? std::vector{0, 2} : std::vector{reading.axis}) {
+      Reading kind = reading;
+      kind.axis = axis;
+      const std::vector<Index> modes = modes_of_kind(m, kind);
+      if (reading.order > int(modes.size())) continue;
+      const Index own = modes[std::size_t(reading.order - 1)];
+      if (const double off = std::abs(std::log(m.hertz(own) / looked_for(reading))); off < least) {
+        least = off;
+        nearest = own;
+      }
+    }
+    return nearest;
+  }
   std::map<int, double> measured; // by order
   for (const Reading& r : test_.readings)
     if (r.kind == ReadingKind::frequency && r.run == reading.run && r.shape == reading.shape &&
         r.axis == reading.axis)
-      measured[r.order] = r.value;
+      measured[r.order] = looked_for(r);
   std::vector<Index> modes = modes_of_kind(m, reading);
   const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
   modes.erase(modes.begin(), modes.begin() + Index(before));

@@ -44,8 +44,9 @@ struct Reading {
   MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation
   int order = 0;                                      // of that mode
   double value = 0, log_value = 0;                    // measured, in `unit`
-  double sigma = 0;                                   // of the logarithm, of the measurement
-  bool assumed = false;                               // sigma: the test states none
+  double paired_as = 0; // Hz, of a mode without excitation: what chooses its mode; 0 = its value
+  double sigma = 0;     // of the logarithm, of the measurement
+  bool assumed = false; // sigma: the test states none
   bool held_out = false;
 };
 

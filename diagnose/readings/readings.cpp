@@ -33,8 +33,17 @@ public:
 
   TestReadings collect() {
     numbers();
+    std::string levels; // of modes that are known by their kind alone
     for (std::size_t i = 0; i < measured_.modes.size(); ++i)
-      if (!measured_.modes[i].base) mode_alone(i);
+      if (!measured_.modes[i].base) {
+        mode_alone(i);
+        if (measured_.modes[i].level)
+          levels += (levels.empty() ? "" : ", ") + entry_name("modes", i);
+      }
+    if (!levels.empty())
+      list_.all.warnings.push_back("the levels of " + levels +
+                                   " say nothing without `base`: these modes are compared with the "
+                                   "structure at rest, and what they differ by counts as scatter");
     modes_of_runs();
     for (std::size_t i = 0; i < measured_.peaks.size(); ++i) peaks(i);
     add_response_readings(test_, list_);

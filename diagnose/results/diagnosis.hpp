@@ -46,7 +46,8 @@ struct TriedHypothesis {
   std::optional<double> held_out_after;
   bool absurd = false; // |z| of a parameter above 3
   bool fails_held_out = false;
-  std::string rejected; // why, in words; empty = not
+  std::string rejected;                // why, in words; empty = not
+  std::vector<std::string> aside = {}; // readings that do not follow what it changes
 };
 
 // An effect that has no place in the case.
@@ -93,6 +94,12 @@ struct ComparedReading {
   std::optional<double> second;
   double sigma = 0; // of all uncertainties, relative
   bool held_out = false;
+};
+
+// Baselines beside the model, and what they say of its error.
+struct BaselineFound {
+  std::vector<ComparedReading> readings; // `best` is the nominal case: no effect acts there
+  std::vector<std::string> words;
 };
 
 struct Mimic {
@@ -149,6 +156,7 @@ struct Diagnosis {
   std::optional<GapShrink> held_out;
   std::string held_out_how; // "frf[6], frf[7]", "the highest level", "each reading in turn"
   std::vector<ComparedReading> readings;
+  BaselineFound baseline; // empty: the test has none
   std::vector<Compensator> compensators;
   std::vector<Mimic> mimics; // of effects that look alike by 0.8 and more
   std::vector<std::string> effect_names;

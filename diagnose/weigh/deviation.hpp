@@ -27,15 +27,21 @@ public:
   struct Widened {
     Eigen::VectorXd deviation;
     Eigen::MatrixXd further;
+    double penalty = 0;                   // of ln Z, for readings that are let off
+    std::vector<Eigen::Index> aside = {}; // these: they do not follow what the hypothesis changes
   };
   std::optional<Widened> widened(const Eigen::VectorXd& z, Predictor::Which which) const;
-  // Further covariance where parameters have these values and the readings are predicted as `y`.
+  // Further covariance where parameters have these values and the readings are predicted as `y`, no
+  // reading let off.
   Eigen::MatrixXd further(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
                           Predictor::Which which) const;
   const Predictor& predictor() const { return predict_; }
 
 private:
   Eigen::VectorXd left_by(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd change_error(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd let_off(const Eigen::VectorXd& error, Widened& there) const;
+  Eigen::MatrixXd covariance(const Eigen::VectorXd& error, const Eigen::VectorXd& law) const;
 
   const FitContext& context_;
   const Predictor& predict_;

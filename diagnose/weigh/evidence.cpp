@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 
 namespace plica {
@@ -111,6 +112,7 @@ public:
     fit.deviation = there->deviation;
     fit.further = there->further;
     fit.penalty = penalty_;
+    fit.aside = there->aside;
     fit.error = white_(there->deviation);
     fit.J = J->topRows(n_);
     fit.covariance = (MatrixXd::Identity(p_, p_) + fit.J.transpose() * fit.J).inverse();
@@ -124,7 +126,7 @@ private:
     auto there = deviation_.widened(z, Predictor::Which::fitted);
     if (there && there->further.size() > 0) {
       white_ = context_.fitted.widened(there->further);
-      penalty_ = white_.log_det() - context_.fitted.log_det();
+      penalty_ = white_.log_det() - context_.fitted.log_det() + there->penalty;
     }
     return there;
   }
@@ -219,10 +221,14 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
 std::string name_of(const HypothesisFit& fit) {
   if (fit.together.empty()) return "nominal case";
   std::string name;
+  Index first = 0;
   for (const Hypothesis* h : fit.together) {
     if (!name.empty()) name += " and ";
     name += h->effect + " at " + h->place;
+    if (h->along && fit.values.size() > 0)
+      name += fmt::format(", {:.3g} m along", fit.values[first + Index(*h->along)]);
     if (!h->way.empty()) name += " (" + h->way + ")";
+    first += Index(h->parameters.size());
   }
   return name;
 }

@@ -36,6 +36,7 @@ struct HypothesisFit {
   double chi2 = 0;                            // e'e
   Eigen::MatrixXd further;                    // further covariance of all readings; empty = none
   double penalty = 0;                         // of ln Z, for these
+  std::vector<Eigen::Index> aside;            // readings that do not follow the hypothesis
   double farthest = 0;                        // largest |z|
   int evaluations = 0;
 };

@@ -70,8 +70,8 @@ std::array<double, 2> shortest(const std::vector<double>& values, double low, do
 
 } // namespace
 
-std::array<double, 2> interval_of(const std::vector<const HypothesisFit*>& ways, Index parameter,
-                                  const Prior& prior) {
+Interval interval_of(const std::vector<const HypothesisFit*>& ways, Index parameter,
+                     const Prior& prior) {
   std::vector<double> values = drawn(ways, parameter);
   const HypothesisFit& first = *ways.front();
   const bool of_a_law = std::any_of(first.together.begin(), first.together.end(),
@@ -80,8 +80,11 @@ std::array<double, 2> interval_of(const std::vector<const HypothesisFit*>& ways,
   if (of_a_law)
     for (double& z : values) z = first.z[parameter] + wider * (z - first.z[parameter]);
   for (double& z : values) z = value_of(prior, z);
-  if (prior.kind == PriorKind::uniform) return shortest(values, prior.centre, prior.width);
-  return {quantile(values, (1 - share) / 2), quantile(values, (1 + share) / 2)};
+  const double middle = quantile(values, 0.5);
+  if (prior.kind == PriorKind::uniform)
+    return {shortest(values, prior.centre, prior.width), middle};
+  if (prior.bounded()) return {shortest(values, value_of(prior, -5), value_of(prior, 5)), middle};
+  return {{quantile(values, (1 - share) / 2), quantile(values, (1 + share) / 2)}, middle};
 }
 
 } // namespace plica

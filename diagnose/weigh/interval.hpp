@@ -10,7 +10,11 @@ namespace plica {
 // than it would be if its direction were known. Equal tails; of a parameter between two bounds the
 // shortest interval, which ends at a bound where the draws crowd there. The numbers of a law of
 // slip (Hypothesis::law_error) are those of that law: their interval is twice as wide.
-std::array<double, 2> interval_of(const std::vector<const HypothesisFit*>& ways,
-                                  Eigen::Index parameter, const Prior& prior);
+struct Interval {
+  std::array<double, 2> ends{};
+  double middle = 0; // as probably above as below
+};
+Interval interval_of(const std::vector<const HypothesisFit*>& ways, Eigen::Index parameter,
+                     const Prior& prior);
 
 } // namespace plica

@@ -151,7 +151,8 @@ VectorXd Uncertainty::expected(const VectorXd& coarse) const {
 }
 
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
-                           const Measured& measured, const std::set<std::string>& without) {
+                           const Measured& measured, const std::set<std::string>& without,
+                           const Remounting& remounting) {
   const auto n = Index(test.readings.size());
   Uncertainty u;
   const VectorXd coarse = *Predictor(nominal, test, {})(VectorXd());
@@ -176,8 +177,8 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
       return same_base(test, a, b) && together(a, b);
     };
   };
-  u.reassembly = shared_frequency(test, reassembled_frequency, assembled) +
-                 shared_damping(test, weights, reassembled_damping, by_base(assembled)) +
+  u.reassembly = shared_frequency(test, remounting.frequency, assembled) +
+                 shared_damping(test, weights, remounting.damping, by_base(assembled)) +
                  shared_frequency(test, run_frequency, at_once) +
                  shared_damping(test, weights, run_damping, by_base(at_once));
   if (without.contains("reassembly")) u.reassembly.setZero();

@@ -14,6 +14,11 @@
 
 namespace plica {
 
+// How much a specimen that is mounted anew scatters, relative.
+struct Remounting {
+  double frequency = 0.002, damping = 0.04;
+};
+
 struct Uncertainty {
   Eigen::VectorXd nominal;         // log readings of the case on its own mesh
   Eigen::VectorXd correction;      // what the own mesh differs by from the coarse one
@@ -22,6 +27,7 @@ struct Uncertainty {
   std::vector<int> series; // of each reading: those that differ in level only share a number
   Eigen::MatrixXd measurement, reassembly, numeric, form;
   Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
+  double change_error = 0; // of what an effect changes beside a baseline (weigh/baseline.hpp)
   Eigen::MatrixXd total() const { return measurement + reassembly + numeric + form; }
 
   // Mean log readings of admissible specimens that answer so on the coarse mesh. What scatter adds
@@ -31,13 +37,13 @@ struct Uncertainty {
 
 // `without`: groups left out, for ablations: "form", "nuisance", "reassembly".
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
-                           const Measured& measured, const std::set<std::string>& without);
+                           const Measured& measured, const std::set<std::string>& without,
+                           const Remounting& remounting = {});
 
 constexpr int specimens = 500;
 
 // Standard deviations, relative.
 namespace test_sigma {
-constexpr double reassembled_frequency = 0.002, reassembled_damping = 0.04;
 constexpr double run_frequency = 0.0003, run_damping = 0.01; // from run to run
 // Of the model, and of what the fit of one mode makes of a peak: damping.
 constexpr double numeric_frequency = 0.002, numeric_damping = 0.015, numeric_stiffness = 0.004;

@@ -5,6 +5,7 @@
 #include "io/report/page.hpp"
 #include "io/tables/diagnosis_words.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace plica {
@@ -81,14 +82,17 @@ std::string assumptions(const Diagnosis& d) {
   return html_list(lines) +
          fmt::format(
              "<p>Hypotheses are tried on a reduced model; of a frequency of the best one it "
-             "is off by {} %.</p>\n",
-             html_number(100 * d.basis_error, 2));
+             "is off by {}.</p>\n",
+             std::isfinite(d.basis_error) ? html_number(100 * d.basis_error, 2) + " %"
+                                          : "nobody knows how much: the changed structure is "
+                                            "barely stable");
 }
 
 } // namespace
 
 std::string diagnosis_html(const Diagnosis& d, const std::string& title) {
   std::string sections = banner(d) + facts(d);
+  sections += html_section("baseline", "Baseline", baseline_html(d));
   sections += html_section("where", "Where the gap lies",
                            blocks_html(d) + components_html(d) + trends_html(d));
   sections += html_section("which", "Which effect", hypotheses_html(d) + probabilities_html(d));

@@ -220,6 +220,27 @@ std::string readings_html(const Diagnosis& d) {
                     rows);
 }
 
+std::string baseline_html(const Diagnosis& d) {
+  std::vector<HtmlRow> rows;
+  for (const ComparedReading& r : d.baseline.readings) {
+    HtmlRow row = row_of(r);
+    row.cells = {row.cells[0], row.cells[1], row.cells[2],
+                 row.cells[3], row.cells[6], row.cells[8]};
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return "";
+  return html_table("What is looked for was not there: the model's own error. What is explained is "
+                    "the change from here. Sigma: of all uncertainties, this error among them.",
+                    {{"reading", "", false},
+                     {"unit", "", false},
+                     {"test", ""},
+                     {"model", ""},
+                     {"difference", ""},
+                     {"sigma", ""}},
+                    rows) +
+         html_list(d.baseline.words);
+}
+
 std::string overlays_html(const Diagnosis& d) {
   std::string html;
   for (const OverlaidResponse& r : d.overlays) {

@@ -20,6 +20,7 @@ std::string compensators_html(const Diagnosis& d);
 
 std::string shrink_html(const Diagnosis& d); // table and waterfall
 std::string readings_html(const Diagnosis& d);
+std::string baseline_html(const Diagnosis& d); // before the change, beside the model
 std::string overlays_html(const Diagnosis& d);
 std::string posteriors_html(const Diagnosis& d);
 

@@ -44,11 +44,13 @@ HtmlRow row_of(const TriedHypothesis& h, bool best) {
     names = {"none<span class=\"change\">nominal case</span>"};
     bayes = "0";
   }
+  std::string remarks = html_escape(h.rejected);
+  for (const std::string& reading : h.aside)
+    remarks += (remarks.empty() ? "" : "; ") + html_escape(reading) + " does not follow";
   HtmlRow row{{join(names), in_lines(values), in_lines(distances), bayes,
                html_number(h.share_of_healthy_worse, 2) + (h.adequate ? "" : " ✗"),
                html_number(h.gap_after, 3),
-               or_dash(h.held_out_after, 3) + (h.fails_held_out ? " ✗" : ""),
-               html_escape(h.rejected)},
+               or_dash(h.held_out_after, 3) + (h.fails_held_out ? " ✗" : ""), remarks},
               best ? "nominal" : ""};
   if (h.rejected.empty()) return row;
   for (std::string& cell : row.cells)
@@ -81,7 +83,7 @@ std::string hypotheses_html(const Diagnosis& d) {
        {"p", ""},
        {"G, fitted", ""},
        {"G, held out", ""},
-       {"rejected because", "", false}},
+       {"rejected because, remarks", "", false}},
       rows);
 }
 

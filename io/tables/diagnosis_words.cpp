@@ -69,7 +69,22 @@ std::string effects_text(const Diagnosis& d) {
     }
     if (e.parameters.empty()) rows.push_back({label, "", "", "", "", "", "", odds});
   }
-  return "\nEffects (SI)\n" + text_table(rows, 3);
+  std::string text = "\nEffects (SI)\n" + text_table(rows, 3);
+  if (const TriedHypothesis* best = best_hypothesis(d))
+    for (const std::string& reading : best->aside)
+      text += "  " + reading + " does not follow " + hypothesis_label(*best) + "\n";
+  return text;
+}
+
+std::string baseline_text(const Diagnosis& d) {
+  if (d.baseline.readings.empty()) return "";
+  std::vector<std::vector<std::string>> rows{{"", "unit", "test", "model", "off %"}};
+  for (const ComparedReading& r : d.baseline.readings)
+    rows.push_back({r.name, r.unit, significant(r.measured, 5), significant(r.nominal, 5),
+                    with_sign(100 * (r.nominal / r.measured - 1), 1)});
+  std::string text = "\nBaseline: the change from it is explained\n" + text_table(rows, 2);
+  for (const std::string& w : d.baseline.words) text += "  " + w + "\n";
+  return text;
 }
 
 std::string gap_text(const Diagnosis& d) {
@@ -143,8 +158,9 @@ std::vector<LocatedGap> located_components(const Diagnosis& d) {
 }
 
 std::string diagnosis_text(const Diagnosis& d) {
-  std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + where_text(d) +
-                     effects_text(d) + gap_text(d) + compensators_text(d) + next_text(d);
+  std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + baseline_text(d) +
+                     where_text(d) + effects_text(d) + gap_text(d) + compensators_text(d) +
+                     next_text(d);
   text += fmt::format("\n{} hypotheses, {} evaluations\n", d.hypotheses, d.evaluations);
   std::string without;
   for (const EffectNotTried& e : d.not_tried) without += (without.empty() ? "" : ", ") + e.name;

@@ -103,7 +103,8 @@ Json json_of(const TriedHypothesis& h) {
           {"heldout_after", json_number(h.held_out_after)},
           {"absurd", h.absurd},
           {"fails_heldout", h.fails_held_out},
-          {"rejected", h.rejected}};
+          {"rejected", h.rejected},
+          {"does_not_follow", h.aside}};
 }
 
 Json json_of(const ComparedReading& r) {
@@ -231,6 +232,8 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["not_tried"] = list_of(d.not_tried, [](const EffectNotTried& e) {
     return Json{{"name", e.name}, {"needs", e.needs}};
   });
+  json["baseline"] = {{"readings", list_of(d.baseline.readings, item)},
+                      {"model_error", d.baseline.words}};
   json["compensators"] = list_of(d.compensators, item);
   json["identifiability"] = identifiability_json(d);
   json["assumptions"] = d.assumptions;

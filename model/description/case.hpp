@@ -6,6 +6,7 @@
 #pragma once
 
 #include "model/description/analyses.hpp"
+#include "model/description/diagnosis_request.hpp"
 #include "model/description/fit_request.hpp"
 #include "model/description/parts.hpp"
 
@@ -92,6 +93,7 @@ struct Case {
   Analyses analyses;
   std::vector<Variant> variants;
   std::optional<FitRequest> fit;
+  DiagnosisRequest diagnose;
   std::vector<AlternativeModel> models;
   std::vector<Tolerance> tolerances;
   std::string measured; // path of measured.yaml beside the case file; empty = none

@@ -5,6 +5,7 @@
 
 #include "model/description/analyses_fields.hpp"
 #include "model/description/case.hpp"
+#include "model/description/diagnosis_fields.hpp"
 #include "model/description/fit_fields.hpp"
 #include "model/description/parts_fields.hpp"
 
@@ -89,6 +90,8 @@ template <class V> void fields(V& v, Case& c) {
   v.object(c.analyses, "analyses", optional_key, "what is computed");
   v.list(c.variants, "variants", optional_key, "the same case with some values changed");
   v.object(c.fit, "fit", optional_key, "what plica fit adjusts to the measured data");
+  v.object(c.diagnose, "diagnose", optional_key,
+           "which effects plica diagnose tries, and how far off the model may be");
   v.named(c.models, &AlternativeModel::name, "models", optional_key,
           "the same component by other kinds of model: plica run CASE --model NAME");
   v.text(c.measured, "measured", {}, "file of measured data, relative to this one");

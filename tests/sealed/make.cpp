@@ -64,6 +64,10 @@ void copy_cases(const fs::path& data) {
     std::ofstream out(data / (std::string(name) + ".yaml"));
     for (std::string line; std::getline(in, line);)
       if (!line.starts_with("measured:")) out << line << '\n'; // each specimen has its own
+    out << "diagnose: # specimens of the suite may be hot, and heavy weights may sit on them\n"
+           "  priors:\n"
+           "    - {effect: temperature, parameter: delta_T, between: [-300, 300]}\n"
+           "    - {effect: added_mass, parameter: mass, between: [0, 1]}\n";
   }
 }
 

@@ -1,0 +1,106 @@
+#include "diagnose/effects/beam_path.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int degree = 6;     // of the entries of h h'
+constexpr int intervals = 16; // of a path, about
+
+// Factors on the DOFs of two nodes of the motion along `d` at a share t of the way between.
+RowVectorXd motion(const Vector3d& from, const Vector3d& to, const Vector3d& d, double t) {
+  const double h = (to - from).norm();
+  const Vector3d e = (to - from) / h, straight = d.dot(e) * e, across = d - straight;
+  const Vector3d turn = e.cross(across); // slope across = rotation . turn
+  const double t2 = t * t, t3 = t2 * t;
+  RowVectorXd row(12);
+  row << ((1 - 3 * t2 + 2 * t3) * across + (1 - t) * straight).transpose(),
+      (h * (t - 2 * t2 + t3) * turn).transpose(),
+      ((3 * t2 - 2 * t3) * across + t * straight).transpose(), (h * (t3 - t2) * turn).transpose();
+  return row;
+}
+
+// A change each at the samples: seven in an interval, those at its ends shared.
+std::vector<ModelChange> changes_along(const Structure& s, const BeamPath& path,
+                                       const std::vector<Vector3d>& axes, double mass,
+                                       double stiffness) {
+  std::vector<ModelChange> changes;
+  const auto n = int(path.nodes.size()) - 1;
+  for (int sample = 0; sample <= degree * n; ++sample) {
+    const auto i = std::size_t(std::min(sample / degree, n - 1));
+    const double t = double(sample - degree * int(i)) / degree;
+    OnMotion own{.nodes = {path.nodes[i], path.nodes[i + 1]},
+                 .rows = MatrixXd(Index(axes.size()), 12),
+                 .mass = mass,
+                 .stiffness = stiffness};
+    const std::vector<Vector3d>& x = s.built.model.mesh.nodes;
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      own.rows.row(Index(a)) =
+          motion(x[std::size_t(own.nodes[0])], x[std::size_t(own.nodes[1])], axes[a], t);
+    changes.push_back({.apply = {}, .on_motion = {std::move(own)}});
+  }
+  return changes;
+}
+
+} // namespace
+
+VectorXd BeamPath::weights(double s) const {
+  const auto n = int(nodes.size()) - 1;
+  const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, s);
+  const auto i = std::size_t(next - at.begin() - 1);
+  const double t = std::clamp((s - at[i]) / (at[i + 1] - at[i]), 0., 1.);
+  VectorXd w = VectorXd::Zero(degree * n + 1);
+  for (int j = 0; j <= degree; ++j) {
+    double lagrange = 1;
+    for (int k = 0; k <= degree; ++k)
+      if (k != j) lagrange *= (t * degree - k) / double(j - k);
+    w[degree * Index(i) + j] = lagrange;
+  }
+  return w;
+}
+
+std::vector<BeamPath> beam_paths(const Structure& s) {
+  std::vector<BeamPath> found;
+  const Model& model = s.built.model;
+  for (const Part& part : s.data.parts) {
+    const auto* beam = std::get_if<BeamPart>(&part.body);
+    if (!beam || beam->points.size() < 2) continue;
+    std::vector<const BeamElement*> own;
+    for (const BeamElement& b : model.beams)
+      if (model.components[std::size_t(b.component)] == part.name) own.push_back(&b);
+    const auto stretches = int(beam->points.size()) - 1;
+    if (int(own.size()) != stretches * beam->elements) continue;
+    const int wanted = std::clamp(intervals / stretches, 1, beam->elements);
+    const int step = (beam->elements + wanted - 1) / wanted;
+    BeamPath path{.part = part.name, .nodes = {own.front()->node1}, .at = {0}};
+    for (int k = 0; k < stretches; ++k)
+      for (int e = 0; e < beam->elements; e += step) {
+        const int last = std::min(e + step, beam->elements) - 1;
+        const int node = own[std::size_t(k * beam->elements + last)]->node2;
+        const auto& x = model.mesh.nodes;
+        path.at.push_back(path.at.back() +
+                          (x[std::size_t(node)] - x[std::size_t(path.nodes.back())]).norm());
+        path.nodes.push_back(node);
+      }
+    found.push_back(std::move(path));
+  }
+  return found;
+}
+
+std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path, int axis) {
+  return changes_along(s, path, {Vector3d::Unit(axis)}, 0, 1);
+}
+
+std::vector<ModelChange> mass_along(const Structure& s, const BeamPath& path) {
+  return changes_along(s, path, {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}, 1, 0);
+}
+
+} // namespace plica

@@ -1,0 +1,28 @@
+// A beam as a path of places: what sits on it may sit anywhere along.
+//
+// Between two nodes of the path a beam moves by Hermite's cubics across and straight along itself,
+// so that a spring or mass at a place s adds k h(s) h(s)', whose entries are polynomials of degree
+// six: exactly the sum of those at seven places between the two nodes, with Lagrange's weights.
+#pragma once
+
+#include "diagnose/effects/effect.hpp"
+
+namespace plica {
+
+struct BeamPath {
+  std::string part;
+  std::vector<int> nodes; // some of the part's, its points among them
+  std::vector<double> at; // of each: m along the part
+  double length() const { return at.back(); }
+  // Of springs or masses at the samples, for one at s: they add up to it.
+  Eigen::VectorXd weights(double s) const;
+};
+
+// Of every part that is a beam.
+std::vector<BeamPath> beam_paths(const Structure& s);
+
+// A change each for a spring of 1 N/m along an axis, or a mass of 1 kg, at the samples.
+std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path, int axis);
+std::vector<ModelChange> mass_along(const Structure& s, const BeamPath& path);
+
+} // namespace plica

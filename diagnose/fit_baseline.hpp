@@ -1,0 +1,20 @@
+// The nominal case adjusted to the baseline before the change is looked at.
+#pragma once
+
+#include "compare/fit/fit.hpp"
+#include "diagnose/readings/reading.hpp"
+
+namespace plica {
+
+struct FittedBaseline {
+  Case data;
+  std::vector<std::string> words; // what was adjusted, a line each
+};
+
+// By the section `fit` of the case, to what was measured in baselines that differ from the case by
+// no known change. Throws std::invalid_argument where there is no such section or baseline, or
+// nothing to fit.
+FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
+                                  const FitSettings& settings);
+
+} // namespace plica

@@ -1,0 +1,270 @@
+#include "diagnose/weigh/baseline.hpp"
+
+#include "diagnose/weigh/normal_draws.hpp"
+#include "lab/measured/states.hpp"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Errors of a model of a real structure beside that of its frequencies, relative. A damping ratio
+// is a guess, and the height of a peak goes with it.
+constexpr double damping_error = 0.3, amplitude_error = 0.3, cross_error = 0.5;
+
+double stated_error(ReadingKind kind, double of_frequency) {
+  switch (kind) {
+  case ReadingKind::mass:
+    return of_frequency;
+  case ReadingKind::stiffness:
+    return 2 * of_frequency;
+  case ReadingKind::frequency:
+    return of_frequency;
+  case ReadingKind::damping:
+    return damping_error;
+  case ReadingKind::amplitude:
+    return amplitude_error;
+  case ReadingKind::cross:
+    break;
+  }
+  return cross_error;
+}
+
+const char* plural(ReadingKind kind) {
+  constexpr std::array names{"masses",  "static stiffnesses", "frequencies",
+                             "damping", "heights of peaks",   "responses along other axes"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+// Readings numbered so that those of one thing share a number.
+std::vector<int> things_of(const TestReadings& test) {
+  std::vector<int> numbers;
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    std::size_t k = 0;
+    while (k < first.size() && !same_thing(test, test.readings[first[k]], test.readings[i])) ++k;
+    if (k == first.size()) first.push_back(i);
+    numbers.push_back(int(k));
+  }
+  return numbers;
+}
+
+double level_of(const TestReadings& test, const Reading& r) {
+  return r.run < 0 ? 0 : test.runs[std::size_t(r.run)].level;
+}
+
+class Conditioning {
+public:
+  Conditioning(const Measured& measured, const DiagnosisRequest& request, TestReadings& test,
+               Uncertainty& u)
+      : request_(request), test_(test), u_(u), things_(things_of(test)),
+        deviation_(test.readings.size()) {
+    for (std::size_t i = 0; i < test.readings.size(); ++i) {
+      const Reading& r = test.readings[i];
+      (is_baseline(measured, r.state) ? before_ : after_).push_back(Index(i));
+      deviation_[Index(i)] = r.log_value - u.nominal[Index(i)] - u.bias[Index(i)];
+    }
+  }
+
+  BaselineFound found() {
+    BaselineFound found;
+    for (ReadingKind kind : {ReadingKind::mass, ReadingKind::stiffness, ReadingKind::frequency,
+                             ReadingKind::damping, ReadingKind::amplitude, ReadingKind::cross})
+      add_model_error(kind, found);
+    u_.change_error = request_.change_error;
+    if (before_.empty()) return found;
+    list_before(found);
+    condition();
+    return found;
+  }
+
+private:
+  // What the baselines show of the model's error of a kind, beside what they scatter anyway.
+  double shown(ReadingKind kind) const {
+    double sum = 0;
+    int count = 0;
+    for (Index i : before_)
+      if (reading(i).kind == kind) {
+        sum += deviation_[i] * deviation_[i] - u_.measurement(i, i) - u_.reassembly(i, i);
+        ++count;
+      }
+    return count > 0 && sum > 0 ? std::sqrt(sum / count) : 0;
+  }
+
+  void add_model_error(ReadingKind kind, BaselineFound& found) {
+    if (std::none_of(test_.readings.begin(), test_.readings.end(),
+                     [&](const Reading& r) { return r.kind == kind; }))
+      return;
+    constexpr double usual = 0.02; // of a frequency
+    const double stated = stated_error(kind, request_.model_error.value_or(usual));
+    const double seen = shown(kind), sigma = std::max(stated, seen);
+    std::string why = "as stated";
+    if (seen > stated)
+      why = fmt::format("as the baseline shows ({:.2g} % stated)", 100 * stated);
+    else if (!before_.empty())
+      why += fmt::format(" (the baseline shows {:.2g} %)", 100 * seen);
+    found.words.push_back(
+        fmt::format("model error of {}: {:.2g} %, {}", plural(kind), 100 * sigma, why));
+    const double shared = request_.correlation;
+    const Index n = u_.form.rows();
+    for (Index i = 0; i < n; ++i)
+      for (Index j = 0; j < n; ++j)
+        if (reading(i).kind == kind && things_[std::size_t(i)] == things_[std::size_t(j)])
+          u_.form(i, j) += sigma * sigma * (reading(i).state == reading(j).state ? 1 : shared);
+    for (Index k = 0; k < u_.healthy.cols(); ++k) {
+      constexpr unsigned apart = 100000; // seeds of the specimens lie below
+      NormalDraws draw(apart * (1 + unsigned(kind)) + unsigned(k));
+      std::map<int, double> common;
+      std::map<std::pair<int, std::string>, double> own;
+      for (Index i = 0; i < n; ++i) {
+        if (reading(i).kind != kind) continue;
+        const int thing = things_[std::size_t(i)];
+        const auto [all, first] = common.try_emplace(thing);
+        if (first) all->second = draw();
+        const auto [one, fresh] = own.try_emplace({thing, reading(i).state});
+        if (fresh) one->second = draw();
+        u_.healthy(i, k) += sigma * (std::sqrt(shared) * all->second +
+                                     std::sqrt(std::max(0., 1 - shared)) * one->second);
+      }
+    }
+  }
+
+  void list_before(BaselineFound& found) const {
+    const MatrixXd total = u_.total();
+    const auto plain = [](const Reading& r, double log_value) {
+      return r.kind == ReadingKind::cross ? std::max(0., std::exp(log_value) - cross_floor)
+                                          : std::exp(log_value);
+    };
+    for (Index i : before_) {
+      const double model = plain(reading(i), reading(i).log_value - deviation_[i]);
+      found.readings.push_back({.name = reading(i).name,
+                                .unit = reading(i).unit,
+                                .measured = reading(i).value,
+                                .nominal = model,
+                                .best = model,
+                                .second = {},
+                                .sigma = std::sqrt(total(i, i)),
+                                .held_out = false});
+    }
+  }
+
+  void condition() {
+    const MatrixXd total = u_.total();
+    const Eigen::LLT<MatrixXd> root(MatrixXd(total(before_, before_)));
+    const MatrixXd gain =
+        root.solve(MatrixXd(total(before_, after_))).transpose(); // after x before
+    const MatrixXd explained = gain * total(before_, after_);
+    u_.bias = VectorXd(u_.bias(after_)) + gain * VectorXd(deviation_(before_));
+    u_.nominal = VectorXd(u_.nominal(after_));
+    u_.correction = VectorXd(u_.correction(after_));
+    u_.healthy =
+        MatrixXd(u_.healthy(after_, Eigen::all)) - gain * MatrixXd(u_.healthy(before_, Eigen::all));
+    for (MatrixXd* part : {&u_.measurement, &u_.reassembly, &u_.numeric, &u_.form})
+      *part = MatrixXd((*part)(after_, after_));
+    u_.form -= explained;
+    std::vector<Reading> kept;
+    std::vector<int> series;
+    u_.cross.clear();
+    for (Index i : after_) {
+      if (reading(i).kind == ReadingKind::cross) u_.cross.push_back(Index(kept.size()));
+      kept.push_back(reading(i));
+      series.push_back(u_.series[std::size_t(i)]);
+    }
+    u_.series = std::move(series);
+    test_.readings = std::move(kept);
+  }
+
+  const Reading& reading(Index i) const { return test_.readings[std::size_t(i)]; }
+
+  const DiagnosisRequest& request_;
+  TestReadings& test_;
+  Uncertainty& u_;
+  std::vector<int> things_;
+  std::vector<Index> before_, after_;
+  VectorXd deviation_; // of the test from the model
+};
+
+} // namespace
+
+bool same_thing(const TestReadings& test, const Reading& a, const Reading& b) {
+  if (a.kind != b.kind || a.direction != b.direction || (a.run < 0) != (b.run < 0)) return false;
+  if (a.run < 0) return true;
+  const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
+  if (r.base != s.base || a.axis != b.axis) return false;
+  if (r.base < 0) return a.shape == b.shape && a.order == b.order;
+  return r.axis == s.axis && a.peak == b.peak && a.sensor == b.sensor &&
+         (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest;
+}
+
+Remounting remounting_of(const TestReadings& test, const Measured& measured,
+                         const DiagnosisRequest& request) {
+  Remounting usual;
+  if (!has_baseline(measured)) return usual;
+  constexpr double frequency = 0.004, damping = 0.15, speaks = 4;
+  const std::vector<int> things = things_of(test);
+  const auto seen = [&](ReadingKind kind, double sigma) {
+    std::map<std::pair<int, double>, std::map<std::string, std::vector<double>>> groups;
+    for (std::size_t i = 0; i < test.readings.size(); ++i)
+      if (const Reading& r = test.readings[i]; r.kind == kind && is_baseline(measured, r.state))
+        groups[{things[i], level_of(test, r)}][r.state].push_back(r.log_value);
+    double sum = speaks * sigma * sigma, count = speaks;
+    for (const auto& [thing, states] : groups) {
+      std::vector<double> means;
+      double mean = 0;
+      for (const auto& [state, values] : states) {
+        means.push_back(VectorXd::Map(values.data(), Index(values.size())).mean());
+        mean += means.back() / double(states.size());
+      }
+      for (double m : means) sum += (m - mean) * (m - mean);
+      count += double(means.size()) - 1;
+    }
+    return std::sqrt(sum / count);
+  };
+  usual.frequency = request.remounting.value_or(seen(ReadingKind::frequency, frequency));
+  usual.damping = seen(ReadingKind::damping, damping);
+  return usual;
+}
+
+void pair_like_baselines(const Nominal& nominal, const Measured& measured, TestReadings& test) {
+  if (!has_baseline(measured)) return;
+  const auto y = Predictor(nominal, test, {})(VectorXd());
+  if (!y) return;
+  // Of each thing, how far the baselines lie off the model.
+  const std::vector<int> things = things_of(test);
+  std::map<int, std::vector<double>> off;
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    if (const Reading& r = test.readings[i]; r.kind == ReadingKind::frequency &&
+                                             is_baseline(measured, r.state) &&
+                                             std::isfinite((*y)[Index(i)]))
+      off[things[i]].push_back(r.log_value - (*y)[Index(i)]);
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    Reading& r = test.readings[i];
+    const auto before = off.find(things[i]);
+    if (r.kind != ReadingKind::frequency || is_baseline(measured, r.state) || before == off.end())
+      continue;
+    const std::vector<double>& all = before->second;
+    const double stretch = VectorXd::Map(all.data(), Index(all.size())).mean();
+    r.paired_as = r.value * std::exp(-stretch);
+    TestRun& run = test.runs[std::size_t(r.run)];
+    if (run.base >= 0) run.peaks[std::size_t(r.peak)] = r.paired_as;
+  }
+  for (TestRun& run : test.runs)
+    if (run.base >= 0) std::sort(run.peaks.begin(), run.peaks.end());
+}
+
+BaselineFound given_baselines(const Measured& measured, const DiagnosisRequest& request,
+                              TestReadings& test, Uncertainty& u) {
+  if (!has_baseline(measured) && !request.model_error) return {};
+  return Conditioning(measured, request, test, u).found();
+}
+
+} // namespace plica
