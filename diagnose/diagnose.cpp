@@ -3,10 +3,12 @@
 #include "diagnose/account/account.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/effects/chosen_effects.hpp"
+#include "diagnose/effects/growth.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/pairs.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
+#include "lab/measured/states.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -66,6 +68,9 @@ public:
     settings_.stage("nominal case");
     problem_.nominal = nominal_of(problem_.data, problem_.test.data);
     problem_.readings = readings_of(problem_.test);
+    if (std::all_of(problem_.readings.readings.begin(), problem_.readings.readings.end(),
+                    [&](const Reading& r) { return is_baseline(problem_.test.data, r.state); }))
+      throw std::invalid_argument("nothing was measured but in baselines");
     if (settings_.without.contains("levels")) lowest_levels_only(problem_.readings);
     if (settings_.without.contains("heldout"))
       for (Reading& r : problem_.readings.readings) r.held_out = false;
@@ -98,6 +103,8 @@ public:
     Standards standards = standards_of(context, *problem_.held_out, scores);
     standards.gate = !settings_.without.contains("adequacy");
     standards.evidence = evidence_threshold(context, all);
+    constexpr double apart_beside_errors = 5; // nats: a model that errs makes some of its own
+    if (problem_.uncertainty.change_error > 0) standards.apart = apart_beside_errors;
 
     settings_.stage("fits");
     const HypothesisFit plain = nominal_fit(context);
@@ -111,6 +118,7 @@ public:
                                           [](const Family& f) { return f.best->credible(); })) {
       settings_.stage("pairs of effects");
       pairs = fit_pairs(context, ranked, fits, all, plain, *problem_.held_out, scores, standards);
+      if (problem_.held_out->rows().empty()) take_in_turn(context, plain, pairs);
     }
     const Judgement judgement = judge(nominal, ranked, pairs, standards, [&](const JudgedFit& j) {
       return objection(context, plain, j);
@@ -137,7 +145,9 @@ private:
     ChosenEffects chosen = chosen_effects(problem_.nominal.structure(problem_.test.data));
     for (const std::string& name : chosen.without_place)
       not_tried_.push_back({name, effect_named(name).needs});
-    problem_.hypotheses = std::move(chosen.hypotheses);
+    const std::vector<std::string> states = changed_states(problem_.test.data);
+    for (Hypothesis& h : chosen.hypotheses)
+      problem_.hypotheses.push_back(grown(std::move(h), states));
     problem_.words = settings_.words;
     problem_.words.insert(problem_.words.end(), chosen.words.begin(), chosen.words.end());
   }
@@ -177,6 +187,29 @@ private:
     });
   }
 
+  // Where nothing is held out, readings taken in turn speak for the best of the pairs.
+  void take_in_turn(const FitContext& context, const HypothesisFit& plain,
+                    std::vector<JudgedFit>& pairs) const {
+    if (!can_be_taken_in_turn(context)) return;
+    constexpr std::size_t most = 3;
+    std::vector<JudgedFit*> best;
+    for (JudgedFit& pair : pairs)
+      if (pair.fit.solved && pair.credible()) best.push_back(&pair);
+    std::stable_sort(best.begin(), best.end(), [](const JudgedFit* a, const JudgedFit* b) {
+      return a->fit.log_evidence > b->fit.log_evidence;
+    });
+    for (std::size_t i = 0; i < std::min(most, best.size()); ++i) {
+      const GapShrink turn = in_turn(context, plain, best[i]->fit);
+      best[i]->held_out_shrink = turn.shrink();
+      best[i]->held_out_met = turn.interval[0] > 0;
+    }
+  }
+
+  static bool can_be_taken_in_turn(const FitContext& context) {
+    constexpr std::size_t most = 24; // each is fitted anew
+    return context.fitted.rows().size() <= most;
+  }
+
   // Why what leads is not identified.
   std::string objection(const FitContext& context, const HypothesisFit& plain,
                         const JudgedFit& leads) {
@@ -185,8 +218,8 @@ private:
       return fmt::format("{} free parameters for {} fitted readings", leads.free_parameters,
                          readings);
     if (const std::string rest = what_remains(context, plain, leads); !rest.empty()) return rest;
-    constexpr std::size_t fewest = 4, most = 24;
-    if (!problem_.held_out->rows().empty() || readings > most) return "";
+    constexpr std::size_t fewest = 4;
+    if (!problem_.held_out->rows().empty() || !can_be_taken_in_turn(context)) return "";
     const GapShrink turn = in_turn(context, plain, leads.fit);
     if (turn.interval[0] > 0) return "";
     const std::string found =
@@ -198,17 +231,25 @@ private:
     return "";
   }
 
+  // Effects that are such a factor themselves.
+  static bool is_like(const Compensator& c, const Hypothesis& h) {
+    return (h.effect == "damping" && c.name == "all damping") ||
+           (h.effect == "temperature" && c.name == "Young's modulus");
+  }
+
   // Beside a baseline an effect may be off by what it changes, so that much may remain of the gap.
   std::string what_remains(const FitContext& context, const HypothesisFit& plain,
                            const JudgedFit& leads) {
-    constexpr double within = 1.5, most_left = 0.3, clearly_less = 0.5;
+    constexpr double within = 1.5, most_left = 0.3, as_well = 1.2;
     const double before = std::sqrt(plain.chi2 / double(plain.error.size()));
-    if (problem_.baseline.readings.empty() || leads.gap_after < within) return "";
+    if (problem_.baseline.readings.empty()) return "";
     for (const Compensator& c : compensators(context, *problem_.held_out, plain,
                                              problem_.nominal.structure(problem_.test.data)))
-      if (c.gap_after < clearly_less * leads.gap_after)
-        return fmt::format("{} times {:.3g} would leave less of the change ({:.2g} against {:.2g})",
-                           c.name, c.factor, c.gap_after, leads.gap_after);
+      if (c.gap_after < as_well * leads.gap_after && !is_like(c, *leads.fit.together[0]))
+        return fmt::format(
+            "{} times {:.3g} would leave no more of the change ({:.2g}, {:.2g} with it)", c.name,
+            c.factor, c.gap_after, leads.gap_after);
+    if (leads.gap_after < within) return "";
     if (leads.gap_after < most_left * before) return "";
     return fmt::format("it leaves {:.0f} % of the change", 100 * leads.gap_after / before);
   }

@@ -1,17 +1,28 @@
 #include "diagnose/fit_baseline.hpp"
 
 #include "lab/measured/states.hpp"
+#include "words/input_error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
-#include <stdexcept>
 
 namespace plica {
 
 FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
                                   const FitSettings& settings) {
-  if (!data.fit) throw std::invalid_argument("the case has no section `fit` to fit a baseline by");
-  if (!has_baseline(test.data))
-    throw std::invalid_argument("no state has baseline: true, so there is no baseline to fit to");
+  const auto refuse = [](const std::string& wrong, const std::string& allowed) {
+    throw InputError({{.file = "",
+                       .line = 0,
+                       .key = "diagnose.fit_baseline",
+                       .wrong = wrong,
+                       .allowed = allowed}});
+  };
+  if (!data.fit)
+    refuse("needs a section `fit`", "fit: {parameters: [{path: ..., bounds: [..., ...]}]}");
+  if (std::none_of(test.data.states.begin(), test.data.states.end(),
+                   [](const MeasuredState& s) { return s.baseline && s.set.empty(); }))
+    refuse("needs a baseline that differs from the case by no known change",
+           "states: [{name: before, baseline: true}] in the measured data");
   TestData baseline{.data = measured_as_drawn(test.data), .frfs = {}};
   for (std::size_t i = 0; i < test.data.frf.size(); ++i)
     if (as_drawn(test.data, test.data.frf[i].state))

@@ -12,8 +12,8 @@ struct FittedBaseline {
 };
 
 // By the section `fit` of the case, to what was measured in baselines that differ from the case by
-// no known change. Throws std::invalid_argument where there is no such section or baseline, or
-// nothing to fit.
+// no known change. Throws InputError where there is no such section or baseline, std::
+// invalid_argument where there is nothing to fit.
 FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
                                   const FitSettings& settings);
 

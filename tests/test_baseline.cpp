@@ -128,6 +128,38 @@ TEST(Baseline, a_change_is_found_though_every_mode_of_the_model_is_percents_off)
       << raw.headline;
 }
 
+// Frequencies do not tell the two halves of a free beam apart.
+TEST(Baseline, a_place_that_answers_like_its_mirror_image_is_stated_with_it) {
+  const Case nominal = beam_of(4, 0.6, 0.025, 0.012, false);
+  Case heavier = nominal;
+  std::get<BeamPart>(heavier.parts[0].body)
+      .points.insert(std::get<BeamPart>(heavier.parts[0].body).points.begin() + 2, {0, 0.22, 0});
+  PointMass mass;
+  mass.at = "beam.point[3]";
+  mass.mass = 0.1;
+  heavier.parts.push_back({"clamp", mass});
+  const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, heavier));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  ASSERT_EQ(d.effects.front().name, "added_mass") << d.headline;
+  ASSERT_EQ(d.effects.front().place, "beam") << d.headline;
+  const std::array<double, 2> at = d.effects.front().parameters.back().interval;
+  EXPECT_LT(at[0], 0.22) << d.headline;
+  EXPECT_GT(at[1], 0.38) << d.headline;
+  EXPECT_NE(d.headline.find(" or "), std::string::npos) << d.headline;
+}
+
+// What turns at its clamp, k_rotation 6 kNm/rad, while nothing gives way along.
+TEST(Baseline, a_clamp_that_turns_is_no_mass) {
+  const Case nominal = beam_of(4, 0.6, 0.025, 0.012, true);
+  Case softer = nominal;
+  softer.mount.front().kind = MountKind::springs;
+  softer.mount.front().stiffness = {1e9, 1e9, 1e9, 6e3, 6e3, 6e3};
+  const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, softer));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "boundary_compliance") << d.headline;
+  EXPECT_EQ(d.effects.front().way, "rotation") << d.headline;
+}
+
 TEST(Baseline, a_specimen_mounted_anew_has_not_changed) {
   const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
   const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, nominal));
@@ -152,6 +184,45 @@ TEST(Baseline, effects_do_not_act_in_it_whatever_the_known_change) {
   for (Eigen::Index i = 0; i < 5; ++i)
     EXPECT_NEAR(std::sqrt(u.healthy.row(i).squaredNorm() / double(u.healthy.cols())),
                 std::sqrt(u.total()(i, i)), 0.15 * std::sqrt(u.total()(i, i)));
+}
+
+// A stretch that loses a fifth of its stiffness, then two fifths.
+TEST(Baseline, damage_that_grows_has_one_place_and_a_size_in_every_state) {
+  const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
+  Measured m;
+  m.specimen = "beam";
+  const std::vector<std::pair<std::string, double>> losses{
+      {"before", 0}, {"first", 0.2}, {"second", 0.4}};
+  for (const auto& [state, loss] : losses)
+    m.states.push_back({.name = state, .baseline = loss == 0, .set = {}, .numbers = {}});
+  for (const auto& [state, loss] : losses) add_modes(m, state);
+  // By hand: local_damage of the second stretch, in a test of that state alone.
+  Measured plain;
+  plain.specimen = "beam";
+  add_modes(plain, "");
+  const Nominal model = nominal_of(nominal, plain);
+  const ChosenEffects chosen = chosen_effects(model.structure(plain));
+  const auto damage =
+      std::find_if(chosen.hypotheses.begin(), chosen.hypotheses.end(), [](const Hypothesis& h) {
+        return h.effect == "local_damage" && h.place == "beam.stretch[2]";
+      });
+  ASSERT_NE(damage, chosen.hypotheses.end());
+  const TestReadings readings = readings_of({.data = plain, .responses = {}});
+  const Predictor damaged(model, readings, {&*damage});
+  for (std::size_t s = 0; s < losses.size(); ++s) {
+    const VectorXd y = *damaged(VectorXd::Constant(1, losses[s].second));
+    for (std::size_t k = 0; k < 5; ++k)
+      m.modes[5 * s + k].frequency = std::exp(y[Eigen::Index(k)]) * (k % 2 == 0 ? 1.02 : 0.985);
+  }
+  const Diagnosis d = diagnosis_of(nominal, m);
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "local_damage") << d.headline;
+  EXPECT_EQ(d.effects.front().place, "beam.stretch[2]") << d.headline;
+  ASSERT_EQ(d.effects.front().parameters.size(), 2U);
+  EXPECT_EQ(d.effects.front().parameters[0].name, "loss, first");
+  EXPECT_EQ(d.effects.front().parameters[1].name, "loss, second");
+  EXPECT_NEAR(d.effects.front().parameters[0].value, 0.2, 0.08);
+  EXPECT_NEAR(d.effects.front().parameters[1].value, 0.4, 0.08);
 }
 
 TEST(Baseline, several_of_them_say_how_much_mounting_anew_scatters) {
@@ -364,10 +435,11 @@ TEST(States, a_baseline_has_what_the_others_have) {
 }
 
 TEST(States, something_is_measured_after_the_baseline_and_a_mass_says_when) {
-  const auto alone = problems_of(
-      two_states + "modes: [{frequency: 10 Hz, shape: transverse, direction: z, state: before}]\n");
-  ASSERT_EQ(alone.size(), 1U);
-  EXPECT_EQ(alone[0].wrong, "nothing was measured but in baselines");
+  Measured alone;
+  alone.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}}};
+  alone.modes = {bending(Axis::z, 1, "before", 10)};
+  EXPECT_THROW(diagnosis_of(beam_of(5, 0.5, 0.03, 0.01, true), alone), std::invalid_argument);
+  EXPECT_EQ(measured_as_drawn(alone).modes.size(), 1U) << "a run has something to be held against";
   const auto mass = problems_of(
       two_states + "mass: {value: 1 kg}\n"
                    "modes:\n"

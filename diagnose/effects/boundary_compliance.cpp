@@ -9,20 +9,40 @@ namespace {
 
 constexpr double width = 1.5; // of the priors, on a log scale
 
-// Under a cap that is held rigidly: springs.
+// Under a cap that is held rigidly: springs, against one kind of motion or both.
 void add_rigid_ends(std::vector<Hypothesis>& found, const Structure& s) {
   const double arm = s.length / 4, k = 10 * s.stiffness;
-  for (const HeldEnds& ends : held_ends(s, true))
+  constexpr double rigid = 1e5; // of the structure's own
+  const double held = rigid * s.stiffness, held_turning = held * arm * arm;
+  const EffectParameter translation{"k_translation", "N/m", {PriorKind::log_normal, k, width}},
+      rotation{"k_rotation", "Nm/rad", {PriorKind::log_normal, k * arm * arm, width}};
+  for (const HeldEnds& ends : held_ends(s, true)) {
+    const auto add = [&](const char* way, const EffectParameter& parameter, auto springs) {
+      found.push_back(
+          {.effect = "boundary_compliance",
+           .place = ends.place,
+           .way = way,
+           .parameters = {parameter},
+           .changes = {ground_springs(ends.nodes, 1, 0), ground_springs(ends.nodes, 0, 1)},
+           .coefficients = springs,
+           .at_rig = false,
+           .released = ends.nodes});
+    };
+    add("rotation", rotation,
+        [held](const Eigen::VectorXd& v) { return Eigen::VectorXd(Eigen::Vector2d(held, v[0])); });
+    add("translation", translation, [held_turning](const Eigen::VectorXd& v) {
+      return Eigen::VectorXd(Eigen::Vector2d(v[0], held_turning));
+    });
     found.push_back(
         {.effect = "boundary_compliance",
          .place = ends.place,
          .way = "",
-         .parameters = {{"k_translation", "N/m", {PriorKind::log_normal, k, width}},
-                        {"k_rotation", "Nm/rad", {PriorKind::log_normal, k * arm * arm, width}}},
+         .parameters = {translation, rotation},
          .changes = {ground_springs(ends.nodes, 1, 0), ground_springs(ends.nodes, 0, 1)},
          .coefficients = [](const Eigen::VectorXd& v) { return v; },
          .at_rig = false,
          .released = ends.nodes});
+  }
 }
 
 // Springs of a mount once more: all of them, or those against one kind of motion.

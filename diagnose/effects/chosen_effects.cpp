@@ -86,15 +86,22 @@ private:
     const PriorRequest& asked = asked_.priors[i];
     const std::string key = fmt::format("priors[{}]", i);
     if (!check_name(asked.effect, key + ".effect")) return;
+    if (!allowed(asked.effect)) {
+      refuse(key + ".effect", asked.effect + " is not tried", "an effect that the case lets in");
+      return;
+    }
     std::vector<std::string> known;
-    bool found = false, outside = false;
+    bool found = false, outside = false, wide = false;
     for (Hypothesis& h : result_.hypotheses) {
       if (h.effect != asked.effect) continue;
       for (EffectParameter& p : h.parameters) {
         if (!named(known, p.name)) known.push_back(p.name);
         if (p.name != asked.parameter) continue;
         found = true;
-        if (asked.widening && p.prior.kind != PriorKind::uniform) p.prior.width *= *asked.widening;
+        if (p.prior.kind == PriorKind::uniform)
+          wide = asked.widening.has_value();
+        else
+          p.prior.width *= asked.widening.value_or(1);
         if (asked.between.size() == 2) outside = !bound(p.prior, asked.between) || outside;
       }
     }
@@ -105,6 +112,9 @@ private:
     if (outside)
       refuse(key + ".between", "leaves nothing of the prior",
              "[low, high] that the parameter may have");
+    if (wide)
+      refuse(key + ".widening", asked.parameter + " lies evenly between two bounds",
+             "between: [low, high] within them");
     if (asked.between.empty() && !asked.widening)
       refuse(key, "changes nothing", "between: [low, high], or widening: 2");
   }

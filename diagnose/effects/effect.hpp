@@ -97,6 +97,8 @@ struct Hypothesis {
   double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
   double law_error = 0;       // share of what slip changes that its law may be off
   std::optional<std::size_t> along = {}; // the parameter that says where along `place` it acts, m
+  // Of all parameters those that act in a state, where states differ (growth.hpp).
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&, const std::string& state)> values_in = {};
   Identity identity = {};
 };
 

@@ -191,8 +191,8 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
   }
   if (!credible.empty() && best - none >= standards.evidence) {
     for (const Family* f : credible)
-      if (best - f->log_evidence < told_apart &&
-          f->log_evidence - none >= standards.evidence - told_apart)
+      if (best - f->log_evidence < standards.apart &&
+          f->log_evidence - none >= standards.evidence - standards.apart)
         result.named.push_back(f->best);
     if (result.named.size() == 1 && objection) result.withheld = objection(*result.named.front());
     if (!result.withheld.empty())
@@ -207,6 +207,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& pair : pairs) {
     if (!pair.fit.solved || !pair.credible()) continue;
+    if (pair.free_parameters >= pair.fit.error.size() && pair.fit.error.size() > 0) continue;
     // With so many parameters only what was held out can speak for it.
     if (!pair.held_out_met || pair.held_out_shrink.value_or(0) < pair_shrink) continue;
     const double single = families.empty() ? none : evidence(families.front().best->fit);

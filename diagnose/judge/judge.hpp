@@ -5,16 +5,19 @@
 //               healthy specimens, no block beyond its 99.95 %; without what the hypothesis is
 //               allowed to be off (evidence.hpp), which carries laws of slip, a gap of 1.5
 //   none        the nominal case is adequate and no effect has ln BF above the threshold
-//   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 over
-//               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
-//   ambiguous   several adequate effects within 3 of the best; or what would be identified has as
+//   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 (beside
+//               a baseline 5) over every other adequate effect, no parameter beyond |z| = 3,
+//               held-out readings met
+//   ambiguous   several adequate effects within that of the best; or what would be identified has
+//   as
 //               many free parameters as there are fitted readings, or foretells readings taken in
 //               turn no better than no effect does: then up to three effects within 8 of it. A
 //               parameter is free where its posterior is narrower than half its prior, or a move
 //               within the prior changes a reading by a tenth of its standard deviation
 //   pair        no single one adequate; a pair is, with 5 more than the best single one, each half
-//               worth 3, held-out readings there, met, and better by three tenths; with it all
-//               such pairs within 3 of it
+//               worth 3, held-out readings met and better by three tenths, or where nothing is held
+//               out readings in turn (the interval of their shrink above zero), and fewer free
+//               parameters than readings; with it all such pairs within 3 of it
 //   unknown     everything else
 #pragma once
 
@@ -32,6 +35,7 @@ struct Standards {
   double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
   double worst_block = 3.3;                              // standard score
   double evidence = 3;                                   // ln BF over the nominal case
+  double apart = 3;                                      // nats between effects told apart
   std::vector<double> healthy_chi2;                      // sorted
   bool gate = true; // false: adequacy is not asked for (an ablation)
 };

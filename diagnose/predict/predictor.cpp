@@ -168,7 +168,7 @@ double Predictor::basis_error(const VectorXd& values) const {
   constexpr int modes = 6;
   const NominalState& state = nominal_.states.front();
   return state.model
-      ->frequency_errors(families_->changes(0, together_), acting(values).all,
+      ->frequency_errors(families_->changes(0, together_), acting(values, 0).all,
                          family(0).coordinates, modes)
       .maxCoeff();
 }
@@ -184,14 +184,15 @@ VectorXd Predictor::values_of(const VectorXd& z) const {
   return values;
 }
 
-Acting Predictor::acting(const VectorXd& values) const {
+Acting Predictor::acting(const VectorXd& values, std::size_t state) const {
   std::vector<double> all, rig;
   Acting acting;
   Index first = 0;
   for (std::size_t i = 0; i < together_.size(); ++i) {
     const Hypothesis& h = *together_[i];
-    const VectorXd own = values.segment(first, Index(h.parameters.size()));
+    VectorXd own = values.segment(first, Index(h.parameters.size()));
     first += own.size();
+    if (h.values_in) own = h.values_in(own, nominal_.states[state].name);
     if (h.coefficients)
       for (double x : h.coefficients(own)) {
         all.push_back(x);
@@ -209,14 +210,12 @@ Acting Predictor::acting(const VectorXd& values) const {
 }
 
 std::optional<VectorXd> Predictor::operator()(const VectorXd& values, Which which) const {
-  return answers(acting(values), which);
+  return answers(values, Slip::as_is, which);
 }
 
 VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which which) const {
   if (softening_ < 0) return VectorXd();
-  Acting own = acting(values);
-  own.group.reset();
-  const auto stuck = answers(own, which);
+  const auto stuck = answers(values, Slip::stuck, which);
   if (!stuck) return VectorXd();
   VectorXd change = (y - *stuck).cwiseAbs();
   change = change.array().isFinite().select(change, 0);
@@ -233,7 +232,8 @@ VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which w
   return together_[std::size_t(softening_)]->law_error * change;
 }
 
-std::optional<VectorXd> Predictor::answers(const Acting& own, Which which) const {
+std::optional<VectorXd> Predictor::answers(const VectorXd& values, Slip slip, Which which) const {
+  std::vector<std::optional<Acting>> acts(seen_.size());
   std::vector<std::optional<StateAnswers>> answers(seen_.size());
   VectorXd y =
       VectorXd::Constant(Index(test_.readings.size()), std::numeric_limits<double>::quiet_NaN());
@@ -241,18 +241,22 @@ std::optional<VectorXd> Predictor::answers(const Acting& own, Which which) const
     const Reading& reading = test_.readings[std::size_t(i)];
     if (which == Which::fitted && reading.held_out) continue;
     const std::size_t s = state_of_reading_[std::size_t(i)];
-    if (!answers[s]) answers[s].emplace(answers_of(s, own));
+    if (!answers[s]) {
+      acts[s] = acting(values, s);
+      if (slip == Slip::stuck) acts[s]->group.reset();
+      answers[s].emplace(answers_of(s, *acts[s]));
+    }
     if (!answers[s]->answer(reading, y[i])) return std::nullopt;
   }
   return y;
 }
 
 std::optional<FamilyModes> Predictor::modes(const VectorXd& values) const {
-  return family(0).free.modes(acting(values).all);
+  return family(0).free.modes(acting(values, 0).all);
 }
 
 std::vector<int> Predictor::nominal_modes() const {
-  const Acting own = acting(VectorXd());
+  const Acting own = acting(VectorXd(), 0);
   std::vector<int> modes;
   std::vector<std::optional<StateAnswers>> answers(seen_.size());
   for (std::size_t i = 0; i < test_.readings.size(); ++i) {
@@ -267,7 +271,7 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
                                                     const VectorXd& hertz) const {
   std::size_t s = 0;
   while (s + 1 < seen_.size() && nominal_.states[s].name != run.state) ++s;
-  const Acting own = acting(values);
+  const Acting own = acting(values, s);
   return answers_of(s, own).response(run, hertz);
 }
 

@@ -90,8 +90,10 @@ public:
 private:
   const StateFamily& family(std::size_t state) const { return families_->of(state, together_); }
   StateAnswers answers_of(std::size_t state, const Acting& acting) const;
-  Acting acting(const Eigen::VectorXd& values) const;
-  std::optional<Eigen::VectorXd> answers(const Acting& acting, Which which) const;
+  Acting acting(const Eigen::VectorXd& values, std::size_t state) const;
+  enum class Slip { as_is, stuck };
+  std::optional<Eigen::VectorXd> answers(const Eigen::VectorXd& values, Slip slip,
+                                         Which which) const;
 
   const Nominal& nominal_;
   const TestReadings& test_;

@@ -66,11 +66,12 @@ class Conditioning {
 public:
   Conditioning(const Measured& measured, const DiagnosisRequest& request, TestReadings& test,
                Uncertainty& u)
-      : request_(request), test_(test), u_(u), things_(things_of(test)),
+      : request_(request), asked_(measured.hold_out), test_(test), u_(u), things_(things_of(test)),
         deviation_(test.readings.size()) {
     for (std::size_t i = 0; i < test.readings.size(); ++i) {
       const Reading& r = test.readings[i];
       (is_baseline(measured, r.state) ? before_ : after_).push_back(Index(i));
+      held_out_ = held_out_ || (is_baseline(measured, r.state) && r.held_out);
       deviation_[Index(i)] = r.log_value - u.nominal[Index(i)] - u.bias[Index(i)];
     }
   }
@@ -84,6 +85,9 @@ public:
     if (before_.empty()) return found;
     list_before(found);
     condition();
+    if (held_out_ && !asked_.empty())
+      test_.warnings.emplace_back("hold_out of what was measured in a baseline changes nothing: it "
+                                  "is no evidence");
     return found;
   }
 
@@ -186,11 +190,13 @@ private:
   const Reading& reading(Index i) const { return test_.readings[std::size_t(i)]; }
 
   const DiagnosisRequest& request_;
+  const std::vector<std::string>& asked_; // to be held out
   TestReadings& test_;
   Uncertainty& u_;
   std::vector<int> things_;
   std::vector<Index> before_, after_;
-  VectorXd deviation_; // of the test from the model
+  bool held_out_ = false; // something of a baseline
+  VectorXd deviation_;    // of the test from the model
 };
 
 } // namespace

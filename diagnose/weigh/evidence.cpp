@@ -1,6 +1,7 @@
 #include "diagnose/weigh/evidence.hpp"
 
 #include "compare/search/search.hpp"
+#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/spread_point.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
 
@@ -64,12 +65,12 @@ public:
     if (const auto cost = cost_at(z)) starts_.emplace_back(*cost, z);
   }
 
-  // From the best of the starts: optima, the best first, with those nearly as good.
-  std::vector<VectorXd> best() {
+  // From the best of the starts, so many of them and so far from each other: optima, the best
+  // first, with those nearly as good.
+  std::vector<VectorXd> best(std::size_t refined, double apart) {
     std::sort(starts_.begin(), starts_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
-    const std::size_t refined = p_ > 1 ? 3 : 2;
-    constexpr double apart = 0.8, as_good = 3;
+    constexpr double as_good = 3;
     std::vector<std::pair<double, VectorXd>> found;
     std::vector<VectorXd> begun;
     for (const auto& [start_cost, start] : starts_) {
@@ -164,6 +165,8 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
                      const VectorXd& start) {
   Search search(context, together);
   const Index p = search.parameters();
+  std::size_t refined = p > 1 ? 3 : 2;
+  double apart = 0.8; // in standard deviations of the priors
   if (start.size() == p) {
     const Index second = Index(together[0]->parameters.size());
     for (double z : {0., -1.5, 1.5}) {
@@ -171,6 +174,17 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
       if (second < p) there[second] += z;
       search.try_from(there);
     }
+  } else if (together.size() == 1 && together[0]->along) {
+    // Places along a part that answer alike lie anywhere: all of it is looked at.
+    constexpr int stations = 40;
+    for (int i = 0; i < stations; ++i)
+      for (double size : {-1.2, 0., 1.2}) {
+        VectorXd there = VectorXd::Constant(p, size);
+        there[Index(*together[0]->along)] = normal_quantile((i + 0.5) / stations);
+        search.try_from(there);
+      }
+    refined = 10;
+    apart = 0.2;
   } else if (together.size() == 1 && together[0]->softening && p == 6) {
     // Ratio, share, slip, exponent, across, loss: the slip distance decides, so it is tried
     // throughout.
@@ -182,7 +196,7 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
     const int tried = p == 1 ? 7 : p == 2 ? 16 : 28;
     for (int i = 0; i < tried; ++i) search.try_from(spread_point(i, p, 2.5));
   }
-  const std::vector<VectorXd> optima = search.best();
+  const std::vector<VectorXd> optima = search.best(refined, apart);
   HypothesisFit fit;
   if (!optima.empty()) {
     fit = search.at(optima.front());
@@ -218,6 +232,26 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
   if (drawn.log_evidence) fit.sampled_log_evidence = *drawn.log_evidence - fit.penalty;
 }
 
+namespace {
+
+// "0.22 or 0.38": where it acts along its part, and where it would as well.
+std::string places_along(const HypothesisFit& fit, const Hypothesis& h, Index first) {
+  const Index row = first + Index(*h.along);
+  const Prior& prior = h.parameters[*h.along].prior;
+  const double apart = 0.05 * (prior.width - prior.centre);
+  std::vector<double> places{fit.values[row]};
+  for (const VectorXd& other : fit.others)
+    if (const double at = value_of(prior, other[row]);
+        std::all_of(places.begin(), places.end(),
+                    [&](double known) { return std::abs(at - known) > apart; }))
+      places.push_back(at);
+  std::string text;
+  for (double at : places) text += fmt::format("{}{:.3g}", text.empty() ? "" : " or ", at);
+  return text;
+}
+
+} // namespace
+
 std::string name_of(const HypothesisFit& fit) {
   if (fit.together.empty()) return "nominal case";
   std::string name;
@@ -225,8 +259,7 @@ std::string name_of(const HypothesisFit& fit) {
   for (const Hypothesis* h : fit.together) {
     if (!name.empty()) name += " and ";
     name += h->effect + " at " + h->place;
-    if (h->along && fit.values.size() > 0)
-      name += fmt::format(", {:.3g} m along", fit.values[first + Index(*h->along)]);
+    if (h->along && fit.values.size() > 0) name += ", " + places_along(fit, *h, first) + " m along";
     if (!h->way.empty()) name += " (" + h->way + ")";
     first += Index(h->parameters.size());
   }

@@ -64,8 +64,11 @@ std::array<double, 2> shortest(const std::vector<double>& values, double low, do
   for (std::size_t i = 0; i + inside < n; ++i)
     if (values[i + inside] - values[i] < values[best + inside] - values[best]) best = i;
   const std::size_t at_the_end = n / 50;
-  return {best <= at_the_end ? low : values[best],
-          best + inside + at_the_end >= n - 1 ? high : values[best + inside]};
+  const double near = 0.05 * (values[best + inside] - values[best]); // so close draws crowd at it
+  return {best <= at_the_end && values.front() - low < near ? low : values[best],
+          best + inside + at_the_end >= n - 1 && high - values.back() < near
+              ? high
+              : values[best + inside]};
 }
 
 } // namespace
