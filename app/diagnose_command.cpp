@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 #include "app/finish.hpp"
+#include "app/fit_settings.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
@@ -10,7 +11,6 @@
 #include "io/tables/diagnosis_words.hpp"
 #include "io/write/write_diagnosis.hpp"
 #include "io/write/write_pretest.hpp"
-#include "model/description/case_checks.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <array>
@@ -105,20 +105,6 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
     print(fmt::format("{}\nReport: {}\n", pretest_text(result),
                       (out.path() / "pretest.html").string()));
   return 0;
-}
-
-// Designs that the reader would not take are not tried.
-FitSettings fit_settings(const CaseFile& file) {
-  FitSettings settings;
-  if (file.data.fit) {
-    settings.search = file.data.fit->search;
-    settings.evaluations = file.data.fit->evaluations;
-  }
-  const std::string beside = fs::path(file.path).parent_path().string();
-  settings.refused = [beside](const Case& design) {
-    return !check_case(design, {}, beside).empty();
-  };
-  return settings;
 }
 
 int diagnose_case(const DiagnoseOptions& options) {

@@ -1,16 +1,15 @@
 #include "app/command_line.hpp"
 #include "app/finish.hpp"
+#include "app/fit_settings.hpp"
 #include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "compare/fit/fit.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/fit_words.hpp"
 #include "io/write/write_fit.hpp"
 #include "lab/measured/states.hpp"
-#include "model/description/case_checks.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <algorithm>
@@ -65,16 +64,16 @@ int fit(const FitOptions& options) {
     refuse(file, "has nothing to fit to",
            "measured: measured.yaml in the case, or --measured FILE");
   TestData test{.data = test_file->data, .frfs = {}};
-  std::erase_if(test.data.frf, [&, i = 0](const MeasuredFrf&) mutable {
+  Measured fitted = test.data;
+  std::erase_if(fitted.frf, [&, i = 0](const MeasuredFrf&) mutable {
     const auto& held = test.data.hold_out;
     return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
   });
-  test.data = measured_as_drawn(test.data);
-  test.frfs = load_frfs(test.data, test_file->path.parent_path());
-  FitSettings settings{.search = options.search.value_or(file.data.fit->search),
-                       .evaluations = options.evaluations.value_or(file.data.fit->evaluations),
-                       .seed = options.seed,
-                       .starts = {}};
+  test.frfs = load_frfs(measured_as_drawn(fitted), test_file->path.parent_path());
+  FitSettings settings = fit_settings(file);
+  settings.search = options.search.value_or(settings.search);
+  settings.evaluations = options.evaluations.value_or(settings.evaluations);
+  settings.seed = options.seed;
   if (!options.restart.empty()) settings.starts = read_designs(options.restart, *file.data.fit);
   std::vector<std::filesystem::path> inputs = files_of(file);
   for (std::filesystem::path& path : files_of(*test_file)) inputs.push_back(std::move(path));
@@ -95,8 +94,6 @@ int fit(const FitOptions& options) {
     progress.stage(fmt::format("step {}, {} evaluations, cost {:.4g}", step, evaluations, cost));
   };
   settings.stop = [] { return stopped.load(); };
-  const std::string beside = std::filesystem::path(file.path).parent_path().string();
-  settings.refused = [&](const Case& design) { return !check_case(design, {}, beside).empty(); };
   for (const int signal : {SIGINT, SIGTERM})
     std::signal(signal, stop_searching); // the best so far is refined and written
   FitResult fit;

@@ -8,7 +8,6 @@
 #include "io/input/measured_file.hpp"
 #include "io/tables/benchmark_words.hpp"
 #include "io/write/write_benchmark.hpp"
-#include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
 #include "run/analyses/run.hpp"
 #include "run/study/error_bars.hpp"
@@ -84,7 +83,6 @@ private:
   static Input read(const std::string& path, const BenchmarkColumn& column) {
     Input input{.file = read_case(path, column.model, column.set), .measured = {}};
     input.measured = test_of(input.file);
-    if (input.measured) input.measured->data = measured_as_drawn(input.measured->data);
     return input;
   }
 

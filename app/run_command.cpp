@@ -153,10 +153,9 @@ int run_case(const RunOptions& options) {
   set_threads(options.threads);
   CaseFile file = read_case(options.chosen.path, options.chosen.model);
   if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
-  std::optional<MeasuredFile> measured = test_of(file);
+  const std::optional<MeasuredFile> measured = test_of(file);
   std::vector<FrfSet> frfs;
-  if (measured) measured->data = measured_as_drawn(measured->data);
-  if (measured) frfs = load_frfs(measured->data, measured->path.parent_path());
+  if (measured) frfs = load_frfs(measured_as_drawn(measured->data), measured->path.parent_path());
   OutputFolder out(options.out.folder, work_of(file, measured, options));
   Progress progress(options.out.quiet);
   progress.title(file.data.name);

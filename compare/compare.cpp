@@ -1,6 +1,7 @@
 #include "compare/compare.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "lab/measured/states.hpp"
 #include "model/description/connector_curve.hpp"
 
 #include <algorithm>
@@ -161,7 +162,7 @@ PeakPlace place_of(const MeasuredMode& mode, const std::vector<MeasuredMode>& al
   if (mode.sensor.empty()) return {std::size_t(mode.order), std::size_t(mode.order)};
   PeakPlace place;
   for (const MeasuredMode& other : all) {
-    if (other.sensor != mode.sensor || other.base != mode.base ||
+    if (other.sensor != mode.sensor || other.base != mode.base || other.state != mode.state ||
         other.direction.value_or(*other.base) != mode.direction.value_or(*mode.base))
       continue;
     ++place.count;
@@ -174,12 +175,15 @@ PeakPlace place_of(const MeasuredMode& mode, const std::vector<MeasuredMode>& al
 
 std::vector<std::string> unanswered(const Results& results, const Measured& measured) {
   std::vector<std::string> remarks;
-  if (!measured.peaks.empty() && results.families.empty())
+  if (std::any_of(measured.peaks.begin(), measured.peaks.end(),
+                  [&](const MeasuredPeaks& p) { return as_drawn(measured, p.state); }) &&
+      results.families.empty())
     remarks.emplace_back("the peaks over the level of the test stand beside nothing: the case asks "
                          "for no `levels`. A frequency of a single sweep goes to `modes`; `plica "
                          "diagnose` reads both.");
   for (const MeasuredMode& m : measured.modes) {
-    if (!m.base || !m.direction || *m.base == *m.direction) continue;
+    if (!m.base || !m.direction || *m.base == *m.direction || !as_drawn(measured, m.state))
+      continue;
     const ResponseResult* response = response_to(results, *m.base);
     if (!response || m.frequency < response->hertz[0] ||
         m.frequency > response->hertz[response->hertz.size() - 1])
@@ -205,7 +209,7 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
 
 std::vector<MeasuredComparison> compare(const Results& results, const Measured& measured) {
   std::vector<MeasuredComparison> rows;
-  if (measured.mass)
+  if (measured.mass && as_drawn(measured, measured.mass->state))
     rows.push_back({.quantity = "mass",
                     .unit = "kg",
                     .measured = measured.mass->value,
@@ -215,6 +219,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   for (std::size_t i = 0; i < measured.statics.size(); ++i) {
     const MeasuredStatic& k = measured.statics[i];
     if (!results.statics) break;
+    if (!as_drawn(measured, k.state)) continue;
     const StaticEntry found = static_entry(*results.statics, k.direction);
     const std::optional<double> over_stroke = secant(results, k);
     std::string name = found.name;
@@ -228,6 +233,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   }
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {
     const MeasuredMode& m = measured.modes[i];
+    if (!as_drawn(measured, m.state)) continue;
     std::map<std::string, int> order; // of the shape in each direction: a pair counts once
     for (const ModeResult& mode : results.modes) {
       const bool same = mode.shape == word_of(m.shape) &&
@@ -246,14 +252,15 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {
     const MeasuredMode& m = measured.modes[i];
     const ResponseResult* response = m.base ? response_to(results, *m.base) : nullptr;
-    if (!response) continue;
+    if (!response || !as_drawn(measured, m.state)) continue;
     const PeakPlace place = place_of(m, measured.modes);
     const auto peaks =
         largest_peaks(*response, m.direction.value_or(*m.base), m.sensor, place.count);
     if (peaks.size() == place.count) add_peak(rows, m, entry("modes", i), peaks[place.rank - 1]);
   }
   for (std::size_t i = 0; i < measured.peaks.size(); ++i)
-    add_level_peaks(rows, results, measured.peaks[i], entry("peaks", i));
+    if (as_drawn(measured, measured.peaks[i].state))
+      add_level_peaks(rows, results, measured.peaks[i], entry("peaks", i));
   return rows;
 }
 

@@ -10,6 +10,7 @@ namespace plica {
 // Mass, static stiffnesses, modes and peaks that both sides have. Measured modes of one shape (and
 // direction, where stated) are paired with the computed ones of it from the lowest up; as peaks,
 // with the largest peaks of the response to their base motion in their direction, by frequency.
+// Of a test of several states, what the case as drawn answers (lab/measured/states.hpp).
 std::vector<MeasuredComparison> compare(const Results& results, const Measured& measured);
 
 // In words: measured modes that answer across their base motion where, within the band, the model

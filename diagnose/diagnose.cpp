@@ -120,8 +120,10 @@ public:
       pairs = fit_pairs(context, ranked, fits, all, plain, *problem_.held_out, scores, standards);
       if (problem_.held_out->rows().empty()) take_in_turn(context, plain, pairs);
     }
+    const std::vector<Compensator> tempting = compensators(
+        context, *problem_.held_out, plain, problem_.nominal.structure(problem_.test.data));
     const Judgement judgement = judge(nominal, ranked, pairs, standards, [&](const JudgedFit& j) {
-      return objection(context, plain, j);
+      return objection(context, plain, tempting, j);
     });
     settings_.stage("report");
     Diagnosis result = account_of(problem_,
@@ -133,7 +135,8 @@ public:
                                    .fits = fits,
                                    .pairs = pairs,
                                    .judgement = judgement,
-                                   .signatures = all},
+                                   .signatures = all,
+                                   .compensators = tempting},
                                   settings_);
     result.not_tried = std::move(not_tried_);
     result.seconds = watch_.seconds();
@@ -211,24 +214,25 @@ private:
   }
 
   // Why what leads is not identified.
-  std::string objection(const FitContext& context, const HypothesisFit& plain,
-                        const JudgedFit& leads) {
+  Objection objection(const FitContext& context, const HypothesisFit& plain,
+                      const std::vector<Compensator>& tempting, const JudgedFit& leads) {
     const std::size_t readings = context.fitted.rows().size();
     if (leads.free_parameters >= int(readings))
-      return fmt::format("{} free parameters for {} fitted readings", leads.free_parameters,
-                         readings);
-    if (const std::string rest = what_remains(context, plain, leads); !rest.empty()) return rest;
+      return {fmt::format("{} free parameters for {} fitted readings", leads.free_parameters,
+                          readings)};
+    if (std::string rest = what_remains(plain, tempting, leads); !rest.empty())
+      return {std::move(rest)};
     constexpr std::size_t fewest = 4;
-    if (!problem_.held_out->rows().empty() || !can_be_taken_in_turn(context)) return "";
+    if (!problem_.held_out->rows().empty() || !can_be_taken_in_turn(context)) return {};
     const GapShrink turn = in_turn(context, plain, leads.fit);
-    if (turn.interval[0] > 0) return "";
+    if (turn.interval[0] > 0) return {"", turn};
     const std::string found =
         fmt::format("taken in turn, readings are foretold no better with it (shrink {:.0f} % "
                     "[{:.0f}, {:.0f}])",
                     100 * turn.shrink(), 100 * turn.interval[0], 100 * turn.interval[1]);
-    if (readings >= fewest) return found;
+    if (readings >= fewest) return {found, turn};
     problem_.readings.warnings.push_back(name_of(leads.fit) + ": " + found);
-    return "";
+    return {"", turn};
   }
 
   // Effects that are such a factor themselves.
@@ -238,13 +242,12 @@ private:
   }
 
   // Beside a baseline an effect may be off by what it changes, so that much may remain of the gap.
-  std::string what_remains(const FitContext& context, const HypothesisFit& plain,
-                           const JudgedFit& leads) {
+  std::string what_remains(const HypothesisFit& plain, const std::vector<Compensator>& tempting,
+                           const JudgedFit& leads) const {
     constexpr double within = 1.5, most_left = 0.3, as_well = 1.2;
     const double before = std::sqrt(plain.chi2 / double(plain.error.size()));
     if (problem_.baseline.readings.empty()) return "";
-    for (const Compensator& c : compensators(context, *problem_.held_out, plain,
-                                             problem_.nominal.structure(problem_.test.data)))
+    for (const Compensator& c : tempting)
       if (c.gap_after < as_well * leads.gap_after && !is_like(c, *leads.fit.together[0]))
         return fmt::format(
             "{} times {:.3g} would leave no more of the change ({:.2g}, {:.2g} with it)", c.name,

@@ -100,7 +100,6 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   ReducedFamily family;
   family.boundary = int(b);
   family.lambda = nominal_.lambda;
-  family.suspended = nominal_.suspended;
   family.K = MatrixXd::Zero(b + k, b + k);
   family.K.topLeftCorner(b, b) = PsiKPsi_;
   family.K.bottomRightCorner(k, k) = T.transpose() * E * T;
@@ -127,9 +126,12 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
     rows << of_Psi, of_W, of_X;
     return rows;
   };
-  family.rigid = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
-  family.load = family.rigid.leftCols(3);
-  family.rigid_mass = rigid_.transpose() * Mr_;
+  family.suspension = {
+      .leaves_rigid = nominal_.suspended,
+      .shift = nominal_.suspended ? small_shift * nominal_.lambda[0] : 0,
+      .rigid = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose(),
+      .rigid_mass = rigid_.transpose() * Mr_};
+  family.load = family.suspension.rigid.leftCols(3);
   family.mass = rigid_.col(1).dot(Mr_.col(1));
   family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere
@@ -177,25 +179,15 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
     K += coefficients[Index(i)] * f.dK[i];
     M += coefficients[Index(i)] * f.dM[i];
   }
-  const MatrixXd own_M = M(free, free);
-  MatrixXd own_K = K(free, free);
-  const double shift = f.suspended ? 0.01 * f.lambda[0] : 0;
-  own_K += shift * own_M;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(own_M, own_K);
-  if (Eigen::LLT<MatrixXd>(own_K).info() != Eigen::Success || pairs.info() != Eigen::Success)
-    return VectorXd::Constant(modes, std::numeric_limits<double>::quiet_NaN());
-  const Index all = std::min<Index>(modes + 6, pairs.eigenvalues().size());
-  const VectorXd theta = pairs.eigenvalues().reverse().head(all);
-  MatrixXd found = MatrixXd::Zero(K.rows(), all);
-  found(free, Eigen::all) = pairs.eigenvectors().rowwise().reverse().leftCols(all) *
-                            theta.cwiseInverse().cwiseSqrt().asDiagonal();
-  constexpr double is_rigid = 0.5;
-  const VectorXd shares = f.suspended ? rigid_shares(f, found) : VectorXd(VectorXd::Zero(all));
-  std::vector<Index> kept;
-  for (Index i = 0; i < all && Index(kept.size()) < modes; ++i)
-    if (shares[i] < is_rigid) kept.push_back(i);
-  const MatrixXd q = found(Eigen::all, kept);
-  const VectorXd lambda = (theta(kept).cwiseInverse().array() - shift).matrix();
+  Suspension suspension = f.suspension;
+  suspension.rigid = suspension.rigid(free, Eigen::all).eval();
+  const auto lowest =
+      reduced_modes(K(free, free), M(free, free), suspension, Index(modes) + rigid_modes);
+  if (!lowest) return VectorXd::Constant(modes, std::numeric_limits<double>::quiet_NaN());
+  const Index count = std::min<Index>(modes, lowest->lambda.size());
+  const VectorXd lambda = lowest->lambda.head(count);
+  MatrixXd q = MatrixXd::Zero(K.rows(), count);
+  q(free, Eigen::all) = lowest->q.leftCols(count);
   const MatrixXd inner = basis.T * q.bottomRows(basis.T.cols());
   const MatrixXd u = Psi_ * q.topRows(Psi_.cols()) + W_ * inner.topRows(W_.cols()) +
                      basis.X * inner.bottomRows(basis.X.cols());

@@ -102,26 +102,26 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
 
 namespace {
 
-constexpr Index rigid_motions = 6;
-
-// Of modes M-orthonormal by increasing frequency: whether all rigid motions come first and the next
-// mode lies far above. `momentum`: R' M of the modes.
-bool hangs(const VectorXd& lambda, const MatrixXd& momentum, const MatrixXd& rigid_mass) {
+// Whether of modes of unit mass, by increasing frequency, all rigid motions come first and the next
+// one lies far above.
+bool hangs(const VectorXd& lambda, const VectorXd& rigid_shares) {
   constexpr double is_rigid = 0.9, far_above = 9; // of lambda: three times the frequency
-  if (lambda.size() <= rigid_motions) return false;
-  const VectorXd shares =
-      momentum.cwiseProduct(MatrixXd(rigid_mass.ldlt().solve(momentum))).colwise().sum();
-  return shares.head(rigid_motions).minCoeff() > is_rigid &&
-         lambda[rigid_motions] > far_above * lambda[rigid_motions - 1];
+  return lambda.size() > rigid_modes && rigid_shares.head(rigid_modes).minCoeff() > is_rigid &&
+         lambda[rigid_modes] > far_above * lambda[rigid_modes - 1];
 }
 
 } // namespace
 
 ParametricModel::NominalModes ParametricModel::modes_inside() const {
+  const Index all = lambda_.size();
+  const Suspension inside{.leaves_rigid = false,
+                          .shift = 0,
+                          .rigid = rigidMW_.transpose(),
+                          .rigid_mass = rigid_.transpose() * Mr_};
   const bool suspended =
-      may_hang_ && hangs(lambda_, rigidMW_.leftCols(lambda_.size()), rigid_.transpose() * Mr_);
-  const Index first = suspended ? rigid_motions : 0;
-  const Index count = lambda_.size() - first;
+      may_hang_ && hangs(lambda_, inside.rigid_shares(MatrixXd::Identity(W_.cols(), all)));
+  const Index first = suspended ? rigid_modes : 0;
+  const Index count = all - first;
   NominalModes found{.lambda = lambda_.tail(count),
                      .boundary = MatrixXd::Zero(Psi_.cols(), count),
                      .inside = MatrixXd::Zero(W_.cols(), count),
@@ -139,36 +139,27 @@ ParametricModel::NominalModes ParametricModel::modes_held_at(const std::vector<i
     if (i >= f.boundary ||
         std::find(nodes.begin(), nodes.end(), boundary_[std::size_t(i / 6)]) == nodes.end())
       free.push_back(int(i));
-  constexpr double small = 0.01; // of the lowest mode with the boundary held
-  const double shift = small * lambda_[0];
-  const MatrixXd M = f.M(free, free);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(M, MatrixXd(f.K(free, free)) +
-                                                                        shift * M);
-  if (pairs.info() != Eigen::Success) throw ModelError("the structure is not stable");
-  const VectorXd theta = pairs.eigenvalues().reverse(); // 1 / (lambda + shift), decreasing
-  const Index n =
-      std::count_if(theta.begin(), theta.end(), [&](double x) { return x > 1e-12 * theta[0]; });
-  const VectorXd lambda = (theta.head(n).cwiseInverse().array() - shift).matrix();
-  MatrixXd q = MatrixXd::Zero(f.K.rows(), n);
-  q(free, Eigen::all) = pairs.eigenvectors().rowwise().reverse().leftCols(n) *
-                        theta.head(n).cwiseInverse().cwiseSqrt().asDiagonal();
-  const bool suspended = may_hang_ && hangs(lambda, f.rigid.transpose() * q, f.rigid_mass);
-  const Index first = suspended ? rigid_motions : 0;
-  const Index count = std::min<Index>(count_, n - first);
-  MatrixXd own = q.middleCols(first, count);
-  NominalModes found{
-      .lambda = lambda.segment(first, count), .boundary = {}, .inside = {}, .suspended = suspended};
+  Suspension suspension = f.suspension;
+  suspension.leaves_rigid = false; // whether it hangs is about to be found
+  suspension.shift = small_shift * lambda_[0];
+  suspension.rigid = suspension.rigid(free, Eigen::all).eval();
+  const auto modes = reduced_modes(f.K(free, free), f.M(free, free), suspension, f.K.rows());
+  if (!modes) throw ModelError("the structure is not stable");
+  const bool suspended = may_hang_ && hangs(modes->lambda, suspension.rigid_shares(modes->q));
+  const Index first = suspended ? rigid_modes : 0;
+  const Index count = std::min<Index>(count_, modes->lambda.size() - first);
+  MatrixXd own = MatrixXd::Zero(f.K.rows(), count);
+  own(free, Eigen::all) = modes->q.middleCols(first, count);
+  NominalModes found{.lambda = modes->lambda.segment(first, count),
+                     .boundary = {},
+                     .inside = {},
+                     .suspended = suspended};
   MatrixXd u = expand(system_.map, Psi_ * own.topRows(Psi_.cols()) +
                                        W_ * (basis.T * own.bottomRows(basis.T.cols())));
   orient_modes(model_, marked_, found.lambda, own, u);
   found.boundary = own.topRows(Psi_.cols());
   found.inside = basis.T * own.bottomRows(basis.T.cols());
   return found;
-}
-
-VectorXd rigid_shares(const ReducedFamily& family, const MatrixXd& q) {
-  const MatrixXd moved = family.rigid.transpose() * q;
-  return moved.cwiseProduct(MatrixXd(family.rigid_mass.ldlt().solve(moved))).colwise().sum();
 }
 
 MatrixXd ParametricModel::nominal_shapes() const {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "reduction/matrix_difference.hpp"
+#include "reduction/suspension.hpp"
 #include "solve/modes.hpp"
 
 #include <functional>
@@ -52,14 +53,8 @@ struct ReducedFamily {
   Eigen::VectorXd lambda;  // of the nominal modes
   Eigen::MatrixXd nominal; // their coordinates, M-orthonormal
   int boundary = 0;        // coordinates of boundary nodes
-  // Free, or hung so softly that its rigid motions are no modes of its own: they are left out of
-  // the nominal modes. V' M R and R' M R, R: six rigid motions.
-  bool suspended = false;
-  Eigen::MatrixXd rigid, rigid_mass;
+  Suspension suspension;   // over q
 };
-
-// Of modes M-orthonormal over q (columns): share of rigid motion in each, by mass.
-Eigen::VectorXd rigid_shares(const ReducedFamily& family, const Eigen::MatrixXd& q);
 
 class ParametricModel {
 public:
@@ -91,7 +86,6 @@ public:
   Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
   Eigen::MatrixXd basis() const;          // V without changes, over all DOFs
   const Eigen::VectorXd& lambda() const { return nominal_.lambda; } // of the nominal modes
-  bool suspended() const { return nominal_.suspended; }
   const std::vector<int>& boundary() const { return boundary_; }
   int unknowns() const { return system_.map.size(); }
 

@@ -61,8 +61,7 @@ public:
     how_far(context, nominal, best, second);
     result_.basis_error = problem_.predictors->of(best.together).basis_error(best.values);
     if (best.together.size() == 1) result_.drifts = drifts(context, best);
-    const Structure structure = problem_.nominal.structure(problem_.test.data);
-    result_.compensators = compensators(context, *problem_.held_out, nominal.fit, structure);
+    result_.compensators = found_.compensators;
     const Likeness alike = likeness(all);
     result_.effect_names = alike.effects;
     result_.likeness = alike.cosine;
@@ -239,6 +238,7 @@ private:
 
   void how_far(const FitContext& context, const JudgedFit& nominal, const HypothesisFit& best,
                const HypothesisFit* second) {
+    const Judgement& judgement = found_.judgement;
     result_.gap = gap_shrink(context, *problem_.fitted, nominal.fit, best);
     if (!problem_.held_out->rows().empty()) {
       result_.held_out = gap_shrink(context, *problem_.held_out, nominal.fit, best);
@@ -248,16 +248,17 @@ private:
         result_.held_out_how = "the highest level of each direction";
     } else if (problem_.fitted->rows().size() > 2 && problem_.fitted->rows().size() < 16 &&
                !best.together.empty()) {
-      result_.held_out = in_turn(context, nominal.fit, best);
+      const bool leads = !judgement.named.empty() && judgement.named.front()->fit.z == best.z &&
+                         judgement.named.front()->fit.together == best.together;
+      result_.held_out =
+          leads && judgement.in_turn ? *judgement.in_turn : in_turn(context, nominal.fit, best);
       result_.held_out_how = "each reading in turn, the others fitted";
     }
     const MatrixXd total = problem_.uncertainty.total();
     for (std::size_t i = 0; i < problem_.readings.readings.size(); ++i) {
       const Reading& r = problem_.readings.readings[i];
       const auto value = [&](const HypothesisFit& fit) {
-        const double log_value = problem_.log_measured[Index(i)] - fit.deviation[Index(i)];
-        return r.kind == ReadingKind::cross ? std::max(0., std::exp(log_value) - cross_floor)
-                                            : std::exp(log_value);
+        return value_of(r, problem_.log_measured[Index(i)] - fit.deviation[Index(i)]);
       };
       ComparedReading row{.name = r.name,
                           .unit = r.unit,

@@ -19,6 +19,7 @@ struct Findings {
   const std::vector<JudgedFit>& pairs; // two at once, where no single one explains the test
   const Judgement& judgement;
   const std::vector<Signature>& signatures;
+  const std::vector<Compensator>& compensators;
 };
 
 // Tells the stage of what takes time.

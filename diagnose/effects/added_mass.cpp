@@ -15,13 +15,13 @@ constexpr double most = 0.2; // of the part: what nobody would miss on seeing it
 // A mass all round a crown turns with it; one that is clamped softly does not.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
+  const EffectParameter mass{
+      "mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, most * s.mass}};
   const auto add = [&](const Spot& spot, const char* way, ModelChange one_kilogram) {
     found.push_back({.effect = "added_mass",
                      .place = spot.place,
                      .way = way,
-                     .parameters = {{"mass",
-                                     "kg",
-                                     {PriorKind::log_normal, 0.03 * s.mass, 1, 0, most * s.mass}}},
+                     .parameters = {mass},
                      .changes = {std::move(one_kilogram)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
@@ -32,20 +32,10 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     add(spot, "all round", on_each(spot.nodes));
     add(spot, "on the mean motion", {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 1, 0)}});
   }
-  for (const BeamPath& path : beam_paths(s))
-    found.push_back(
-        {.effect = "added_mass",
-         .place = path.part,
-         .way = "",
-         .parameters = {{"mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, most * s.mass}},
-                        {"at", "m", {PriorKind::uniform, 0, path.length()}}},
-         .changes = mass_along(s, path),
-         .coefficients =
-             [path](const Eigen::VectorXd& v) {
-               return Eigen::VectorXd(v[0] * path.weights(v[1]));
-             },
-         .at_rig = false,
-         .along = 1});
+  for (const BeamPath& path : beam_paths(s)) {
+    found.push_back(anywhere_along(path, mass, mass_along(s, path)));
+    found.back().effect = "added_mass";
+  }
   return found;
 }
 

@@ -67,6 +67,18 @@ VectorXd BeamPath::weights(double s) const {
   return w;
 }
 
+Hypothesis anywhere_along(const BeamPath& path, const EffectParameter& size,
+                          std::vector<ModelChange> samples) {
+  return {.effect = "",
+          .place = path.part,
+          .way = "",
+          .parameters = {size, {"at", "m", {PriorKind::uniform, 0, path.length()}}},
+          .changes = std::move(samples),
+          .coefficients = [path](const VectorXd& v) { return VectorXd(v[0] * path.weights(v[1])); },
+          .at_rig = false,
+          .along = 1};
+}
+
 std::vector<BeamPath> beam_paths(const Structure& s) {
   std::vector<BeamPath> found;
   const Model& model = s.built.model;

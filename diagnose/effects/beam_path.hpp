@@ -18,6 +18,10 @@ struct BeamPath {
   Eigen::VectorXd weights(double s) const;
 };
 
+// What sits somewhere along: `size` and where, and what these are of the changes at the samples.
+Hypothesis anywhere_along(const BeamPath& path, const EffectParameter& size,
+                          std::vector<ModelChange> samples);
+
 // Of every part that is a beam.
 std::vector<BeamPath> beam_paths(const Structure& s);
 

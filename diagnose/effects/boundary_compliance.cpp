@@ -17,31 +17,23 @@ void add_rigid_ends(std::vector<Hypothesis>& found, const Structure& s) {
   const EffectParameter translation{"k_translation", "N/m", {PriorKind::log_normal, k, width}},
       rotation{"k_rotation", "Nm/rad", {PriorKind::log_normal, k * arm * arm, width}};
   for (const HeldEnds& ends : held_ends(s, true)) {
-    const auto add = [&](const char* way, const EffectParameter& parameter, auto springs) {
+    const auto add = [&](const char* way, const std::vector<EffectParameter>& parameters,
+                         const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& springs) {
       found.push_back(
           {.effect = "boundary_compliance",
            .place = ends.place,
            .way = way,
-           .parameters = {parameter},
+           .parameters = parameters,
            .changes = {ground_springs(ends.nodes, 1, 0), ground_springs(ends.nodes, 0, 1)},
            .coefficients = springs,
            .at_rig = false,
            .released = ends.nodes});
     };
-    add("rotation", rotation,
-        [held](const Eigen::VectorXd& v) { return Eigen::VectorXd(Eigen::Vector2d(held, v[0])); });
-    add("translation", translation, [held_turning](const Eigen::VectorXd& v) {
-      return Eigen::VectorXd(Eigen::Vector2d(v[0], held_turning));
-    });
-    found.push_back(
-        {.effect = "boundary_compliance",
-         .place = ends.place,
-         .way = "",
-         .parameters = {translation, rotation},
-         .changes = {ground_springs(ends.nodes, 1, 0), ground_springs(ends.nodes, 0, 1)},
-         .coefficients = [](const Eigen::VectorXd& v) { return v; },
-         .at_rig = false,
-         .released = ends.nodes});
+    add("rotation", {rotation},
+        [held](const Eigen::VectorXd& v) { return Eigen::Vector2d(held, v[0]); });
+    add("translation", {translation},
+        [held_turning](const Eigen::VectorXd& v) { return Eigen::Vector2d(v[0], held_turning); });
+    add("", {translation, rotation}, [](const Eigen::VectorXd& v) { return v; });
   }
 }
 

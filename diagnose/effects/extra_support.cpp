@@ -37,20 +37,13 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
   // From a touch to a pin: beyond what the beam itself has, the readings do not feel how stiff.
   constexpr double centre = 1000, width = 3;
   for (const BeamPath& path : beam_paths(s))
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
       found.push_back(
-          {.effect = "extra_support",
-           .place = path.part,
-           .way = axis_word(axis),
-           .parameters = {{"k", "N/m", {PriorKind::log_normal, centre * s.stiffness, width}},
-                          {"at", "m", {PriorKind::uniform, 0, path.length()}}},
-           .changes = support_along(s, path, axis),
-           .coefficients =
-               [path](const Eigen::VectorXd& v) {
-                 return Eigen::VectorXd(v[0] * path.weights(v[1]));
-               },
-           .at_rig = false,
-           .along = 1});
+          anywhere_along(path, {"k", "N/m", {PriorKind::log_normal, centre * s.stiffness, width}},
+                         support_along(s, path, axis)));
+      found.back().effect = "extra_support";
+      found.back().way = axis_word(axis);
+    }
   return found;
 }
 

@@ -103,9 +103,9 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
     const double n = double(held_out.rows().size());
     const double chi2 = held_out(j.fit.deviation).squaredNorm();
     const double by_law = held_out.widened(j.fit.further)(j.fit.deviation).squaredNorm();
-    const double before = held_out(nominal.deviation).squaredNorm();
+    const double of_nominal = held_out(nominal.deviation).squaredNorm();
     j.held_out_after = std::sqrt(chi2 / n);
-    j.held_out_shrink = 1 - std::sqrt(chi2 / before);
+    j.held_out_shrink = 1 - std::sqrt(chi2 / of_nominal);
     j.held_out_met = by_law <= standards.held_out_chi2;
     j.fails_held_out = !j.held_out_met && *j.held_out_shrink < believable_shrink;
   }
@@ -161,7 +161,7 @@ double Judgement::share_of(const std::string& effect, const std::string& place) 
 
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
                 const std::vector<JudgedFit>& pairs, const Standards& standards,
-                const Objection& objection) {
+                const Objecting& objecting) {
   Judgement result;
   for (const Family& f : families) result.places[f.effect] = f.places;
   const double none = nominal.fit.log_evidence;
@@ -194,7 +194,11 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
       if (best - f->log_evidence < standards.apart &&
           f->log_evidence - none >= standards.evidence - standards.apart)
         result.named.push_back(f->best);
-    if (result.named.size() == 1 && objection) result.withheld = objection(*result.named.front());
+    if (result.named.size() == 1 && objecting) {
+      Objection objection = objecting(*result.named.front());
+      result.withheld = std::move(objection.why);
+      result.in_turn = objection.in_turn;
+    }
     if (!result.withheld.empty())
       for (const Family* f : credible)
         if (result.named.size() < most_listed && f->best != result.named.front() &&

@@ -72,15 +72,20 @@ struct Judgement {
   std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
   std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
   std::string withheld; // why an effect that leads is not identified; empty = nothing is
+  std::optional<GapShrink> in_turn; // of what leads, where its readings were taken in turn
   double probability_of(const std::string& effect) const;
   double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };
 
 // Why a fit that leads must not be called identified; empty = it may.
-using Objection = std::function<std::string(const JudgedFit&)>;
+struct Objection {
+  std::string why;
+  std::optional<GapShrink> in_turn = {}; // where it was asked for
+};
+using Objecting = std::function<Objection(const JudgedFit&)>;
 
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
                 const std::vector<JudgedFit>& pairs, const Standards& standards,
-                const Objection& objection = {});
+                const Objecting& objecting = {});
 
 } // namespace plica

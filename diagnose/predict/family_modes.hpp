@@ -37,13 +37,9 @@ public:
 
 private:
   void damp(FamilyModes& modes) const;
-  void leave_out_rigid(Eigen::VectorXd& lambda, Eigen::MatrixXd& q) const;
 
   Eigen::MatrixXd K_, M_, load_, marked_, nominal_; // nominal: M times the nominal modes
-  // Of a part that is free or hung: rigid motions are no modes of its own (ReducedFamily).
-  bool suspended_ = false;
-  double shift_ = 0; // on lambda, so that the stiffness is regular
-  Eigen::MatrixXd rigid_, rigid_mass_;
+  Suspension suspension_;
   std::vector<Eigen::MatrixXd> dK_, dM_, d_load_;
   Eigen::VectorXd zeta_;
 };

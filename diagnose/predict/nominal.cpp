@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -150,6 +151,10 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
     share.head<3>() = gamma.row(j).transpose().array().square() / plain.mass;
     state.labels.push_back(label_mode(state.built.model, u.col(j), false, share));
   }
+  std::map<std::pair<std::string, std::string>, int> kinds;
+  for (const ModeLabel& label : state.labels)
+    state.kinds.push_back(
+        kinds.try_emplace({label.shape, label.direction}, int(kinds.size())).first->second);
   return state;
 }
 

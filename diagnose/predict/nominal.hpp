@@ -19,6 +19,7 @@ struct NominalState {
   std::unique_ptr<ParametricModel> model;
   Eigen::VectorXd zeta; // of its modes, loss factors included
   std::vector<ModeLabel> labels;
+  std::vector<int> kinds; // of each label: a number for its shape and direction
   // The sensors of the case, then places where one might be put: massless, named by the place.
   std::vector<BuiltSensor> observed;
   std::vector<Eigen::Matrix3d> axes; // of each: rows are its own axes

@@ -2,7 +2,6 @@
 
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/rig_stiffness.hpp"
-#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -320,82 +319,6 @@ std::pair<double, double> StateAnswers::summit(const Peak& peak, int sensor, int
     }
   }
   return {peak.omega() * (1 + peak.damping() * x) / (2 * std::numbers::pi), height};
-}
-
-// Whether a nominal mode is of the kind and direction that a mode was measured as.
-bool StateAnswers::of_kind(Index nominal, const Reading& reading) const {
-  const ModeLabel& label = own_.nominal->labels[std::size_t(nominal)];
-  return reading.shape == MeasuredShape::other ||
-         (label.shape == word_of(reading.shape) &&
-          (reading.axis < 0 || label.direction == axis_word(reading.axis)));
-}
-
-// Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
-// any other, and enough to be seen.
-std::vector<Index> StateAnswers::modes_of_kind(const FamilyModes& m, const Reading& kind) const {
-  constexpr double seen = 0.01;
-  std::vector<Index> found;
-  for (Index i = 0; i < m.lambda.size(); ++i) {
-    double own = 0;
-    std::map<std::pair<std::string, std::string>, double> others;
-    for (Index j = 0; j < m.likeness.rows(); ++j) {
-      const double share = m.likeness(j, i) * m.likeness(j, i);
-      const ModeLabel& label = own_.nominal->labels[std::size_t(j)];
-      (of_kind(j, kind) ? own : others[{label.shape, label.direction}]) += share;
-    }
-    if (own > seen && std::all_of(others.begin(), others.end(),
-                                  [&](const auto& other) { return other.second < own; }))
-      found.push_back(i);
-  }
-  return found;
-}
-
-// Modes known by their kind: in their order, as they lie nearest.
-bool StateAnswers::labelled(const Reading& reading, double& value) {
-  const FamilyModes* m = linear_modes();
-  if (!m) return false;
-  const Index mode = labelled_mode(*m, reading);
-  if (mode >= 0)
-    value = std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
-  return true;
-}
-
-// Where the kind of motion is known the order that the test states binds; where it states no
-// direction, of those of that order along each axis the nearest. Of unknown kind, in their order as
-// they lie nearest.
-Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) const {
-  const auto looked_for = [](const Reading& r) { return r.paired_as > 0 ? r.paired_as : r.value; };
-  if (reading.shape != MeasuredShape::other) {
-    Index nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
-    const bool either = reading.axis < 0 && reading.shape == MeasuredShape::transverse;
-    for (int axis : either ? std::vector{0, 2} : std::vector{reading.axis}) {
-      Reading kind = reading;
-      kind.axis = axis;
-      const std::vector<Index> modes = modes_of_kind(m, kind);
-      if (reading.order > int(modes.size())) continue;
-      const Index own = modes[std::size_t(reading.order - 1)];
-      if (const double off = std::abs(std::log(m.hertz(own) / looked_for(reading))); off < least) {
-        least = off;
-        nearest = own;
-      }
-    }
-    return nearest;
-  }
-  std::map<int, double> measured; // by order
-  for (const Reading& r : test_.readings)
-    if (r.kind == ReadingKind::frequency && r.run == reading.run && r.shape == reading.shape &&
-        r.axis == reading.axis)
-      measured[r.order] = looked_for(r);
-  std::vector<Index> modes = modes_of_kind(m, reading);
-  const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
-  modes.erase(modes.begin(), modes.begin() + Index(before));
-  std::vector<double> wanted, hertz;
-  for (const auto& [order, value] : measured) wanted.push_back(value);
-  for (Index i : modes) hertz.push_back(m.hertz(i));
-  const auto place = std::distance(measured.begin(), measured.find(reading.order));
-  const Index pair = paired(wanted, hertz, false)[std::size_t(place)];
-  return pair < 0 ? -1 : modes[std::size_t(pair)];
 }
 
 } // namespace plica

@@ -89,9 +89,9 @@ private:
   bool dynamic(const Reading& reading, double& value);
   bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);
   bool labelled(const Reading& reading, double& value);
-  bool of_kind(Eigen::Index nominal, const Reading& reading) const;
-  std::vector<Eigen::Index> modes_of_kind(const FamilyModes& m, const Reading& kind) const;
-  Eigen::Index labelled_mode(const FamilyModes& m, const Reading& reading) const;
+  const std::vector<Eigen::Index>& modes_of_kind(const FamilyModes& m, MeasuredShape shape,
+                                                 int axis);
+  Eigen::Index labelled_mode(const FamilyModes& m, const Reading& reading);
 
   const StateFamily& own_;
   const TestReadings& test_;
@@ -100,6 +100,7 @@ private:
   std::optional<std::optional<FamilyModes>> linear_;
   std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
   std::map<int, std::vector<Peak>> peaks_;
+  std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_; // linear modes
   std::vector<std::unique_ptr<FamilyModes>> kept_;
 };
 

@@ -65,6 +65,8 @@ struct DiagnosisData {
 // What a cross response adds to before the logarithm: below a fiftieth of the main motion it is
 // noise.
 constexpr double cross_floor = 0.02;
+// In its unit, what its logarithm stands for.
+double value_of(const Reading& reading, double log_value);
 // How far from a peak a cross response is looked for, relative.
 constexpr double cross_window = 0.12;
 // The same where the other axis resonates.

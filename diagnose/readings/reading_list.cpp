@@ -18,6 +18,11 @@ void ReadingList::add(Reading reading) {
   all.readings.push_back(std::move(reading));
 }
 
+double value_of(const Reading& reading, double log_value) {
+  const double value = std::exp(log_value);
+  return reading.kind == ReadingKind::cross ? std::max(0., value - cross_floor) : value;
+}
+
 std::string entry_name(const char* list, std::size_t i) {
   return std::string(list) + "[" + std::to_string(i) + "]";
 }

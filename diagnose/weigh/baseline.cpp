@@ -4,6 +4,7 @@
 #include "lab/measured/states.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -144,12 +145,8 @@ private:
 
   void list_before(BaselineFound& found) const {
     const MatrixXd total = u_.total();
-    const auto plain = [](const Reading& r, double log_value) {
-      return r.kind == ReadingKind::cross ? std::max(0., std::exp(log_value) - cross_floor)
-                                          : std::exp(log_value);
-    };
     for (Index i : before_) {
-      const double model = plain(reading(i), reading(i).log_value - deviation_[i]);
+      const double model = value_of(reading(i), reading(i).log_value - deviation_[i]);
       found.readings.push_back({.name = reading(i).name,
                                 .unit = reading(i).unit,
                                 .measured = reading(i).value,
@@ -252,6 +249,8 @@ void pair_like_baselines(const Nominal& nominal, const Measured& measured, TestR
                                              is_baseline(measured, r.state) &&
                                              std::isfinite((*y)[Index(i)]))
       off[things[i]].push_back(r.log_value - (*y)[Index(i)]);
+  std::vector<std::vector<double>> peaks;
+  for (const TestRun& run : test.runs) peaks.push_back(run.peaks);
   for (std::size_t i = 0; i < test.readings.size(); ++i) {
     Reading& r = test.readings[i];
     const auto before = off.find(things[i]);
@@ -260,11 +259,12 @@ void pair_like_baselines(const Nominal& nominal, const Measured& measured, TestR
     const std::vector<double>& all = before->second;
     const double stretch = VectorXd::Map(all.data(), Index(all.size())).mean();
     r.paired_as = r.value * std::exp(-stretch);
-    TestRun& run = test.runs[std::size_t(r.run)];
-    if (run.base >= 0) run.peaks[std::size_t(r.peak)] = r.paired_as;
+    peaks[std::size_t(r.run)][std::size_t(r.peak)] = r.paired_as;
   }
-  for (TestRun& run : test.runs)
-    if (run.base >= 0) std::sort(run.peaks.begin(), run.peaks.end());
+  // Readings know their peaks by number, so that these keep their order or stay as they are.
+  for (std::size_t k = 0; k < peaks.size(); ++k)
+    if (test.runs[k].base >= 0 && std::is_sorted(peaks[k].begin(), peaks[k].end()))
+      test.runs[k].peaks = std::move(peaks[k]);
 }
 
 BaselineFound given_baselines(const Measured& measured, const DiagnosisRequest& request,

@@ -1,0 +1,95 @@
+// Modes that a test knows by their kind, without excitation: which of a model's they are.
+#include "diagnose/predict/state_answers.hpp"
+
+#include "diagnose/predict/peak_choice.hpp"
+#include "lab/measured/measured_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plica {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+// Whether a nominal mode is of the kind and direction that a mode was measured as.
+bool is_of(const ModeLabel& label, MeasuredShape shape, int axis) {
+  return shape == MeasuredShape::other ||
+         (label.shape == word_of(shape) && (axis < 0 || label.direction == axis_word(axis)));
+}
+
+} // namespace
+
+// Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
+// any other, and enough to be seen.
+const std::vector<Index>& StateAnswers::modes_of_kind(const FamilyModes& m, MeasuredShape shape,
+                                                      int axis) {
+  const auto [known, made] = of_kind_.try_emplace({shape, axis});
+  std::vector<Index>& found = known->second;
+  if (!made) return found;
+  constexpr double seen = 0.01;
+  const std::vector<ModeLabel>& labels = own_.nominal->labels;
+  std::vector<int> other; // of each nominal mode: its kind, where it is not the one looked for
+  for (std::size_t j = 0; j < labels.size(); ++j)
+    other.push_back(is_of(labels[j], shape, axis) ? -1 : own_.nominal->kinds[j]);
+  VectorXd shares(labels.size()); // of the others, by kind
+  for (Index i = 0; i < m.lambda.size(); ++i) {
+    double own = 0;
+    shares.setZero();
+    for (std::size_t j = 0; j < labels.size(); ++j)
+      (other[j] < 0 ? own : shares[other[j]]) += std::pow(m.likeness(Index(j), i), 2);
+    if (own > seen && own > shares.maxCoeff()) found.push_back(i);
+  }
+  return found;
+}
+
+// Modes known by their kind: in their order, as they lie nearest.
+bool StateAnswers::labelled(const Reading& reading, double& value) {
+  const FamilyModes* m = linear_modes();
+  if (!m) return false;
+  const Index mode = labelled_mode(*m, reading);
+  if (mode >= 0)
+    value = std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
+  return true;
+}
+
+// Where the kind of motion is known the order that the test states binds; where it states no
+// direction, of those of that order along each axis the nearest. Of unknown kind, in their order as
+// they lie nearest.
+Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) {
+  const auto looked_for = [](const Reading& r) { return r.paired_as > 0 ? r.paired_as : r.value; };
+  if (reading.shape != MeasuredShape::other) {
+    Index nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    const bool either = reading.axis < 0 && reading.shape == MeasuredShape::transverse;
+    for (int axis : either ? std::vector{0, 2} : std::vector{reading.axis}) {
+      const std::vector<Index>& modes = modes_of_kind(m, reading.shape, axis);
+      if (reading.order > int(modes.size())) continue;
+      const Index own = modes[std::size_t(reading.order - 1)];
+      if (const double off = std::abs(std::log(m.hertz(own) / looked_for(reading))); off < least) {
+        least = off;
+        nearest = own;
+      }
+    }
+    return nearest;
+  }
+  std::map<int, double> measured; // by order
+  for (const Reading& r : test_.readings)
+    if (r.kind == ReadingKind::frequency && r.run == reading.run && r.shape == reading.shape &&
+        r.axis == reading.axis)
+      measured[r.order] = looked_for(r);
+  std::vector<Index> modes = modes_of_kind(m, reading.shape, reading.axis);
+  const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
+  modes.erase(modes.begin(), modes.begin() + Index(before));
+  std::vector<double> wanted, hertz;
+  for (const auto& [order, value] : measured) wanted.push_back(value);
+  for (Index i : modes) hertz.push_back(m.hertz(i));
+  const auto place = std::distance(measured.begin(), measured.find(reading.order));
+  const Index pair = paired(wanted, hertz, false)[std::size_t(place)];
+  return pair < 0 ? -1 : modes[std::size_t(pair)];
+}
+
+} // namespace plica
