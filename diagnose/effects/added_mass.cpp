@@ -27,6 +27,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                      .at_rig = false});
   };
   for (const Spot& spot : spots(s)) {
+    if (is_along(s, spot)) continue;
     add(spot, "", on_each({spot.touched}));
     if (spot.nodes.size() < 2) continue;
     add(spot, "all round", on_each(spot.nodes));

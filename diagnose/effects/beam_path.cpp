@@ -107,8 +107,13 @@ std::vector<BeamPath> beam_paths(const Structure& s) {
   return found;
 }
 
-std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path, int axis) {
-  return changes_along(s, path, {Vector3d::Unit(axis)}, 0, 1);
+bool is_along(const Structure& s, const Spot& spot) {
+  return spot.on_beam && s.data.diagnose.places.empty();
+}
+
+std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path,
+                                       const std::vector<Vector3d>& axes) {
+  return changes_along(s, path, axes, 0, 1);
 }
 
 std::vector<ModelChange> mass_along(const Structure& s, const BeamPath& path) {

@@ -5,7 +5,7 @@
 // six: exactly the sum of those at seven places between the two nodes, with Lagrange's weights.
 #pragma once
 
-#include "diagnose/effects/effect.hpp"
+#include "diagnose/effects/places.hpp"
 
 namespace plica {
 
@@ -25,8 +25,12 @@ Hypothesis anywhere_along(const BeamPath& path, const EffectParameter& size,
 // Of every part that is a beam.
 std::vector<BeamPath> beam_paths(const Structure& s);
 
-// A change each for a spring of 1 N/m along an axis, or a mass of 1 kg, at the samples.
-std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path, int axis);
+// A point of a beam is one of the places along it, unless the case asks for places by name.
+bool is_along(const Structure& s, const Spot& spot);
+
+// A change each for springs of 1 N/m along axes, or a mass of 1 kg, at the samples.
+std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path,
+                                       const std::vector<Eigen::Vector3d>& axes);
 std::vector<ModelChange> mass_along(const Structure& s, const BeamPath& path);
 
 } // namespace plica

@@ -1,6 +1,5 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
-#include "lab/measured/measured_words.hpp"
 
 namespace plica {
 namespace {
@@ -25,7 +24,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                      .at_rig = false});
   };
   for (const Spot& spot : spots(s)) {
-    if (spot.place.starts_with("sensor.")) continue;
+    if (spot.place.starts_with("sensor.") || is_along(s, spot)) continue;
     add(spot, "x", on_each({spot.touched}, Eigen::Vector3d::UnitX()));
     add(spot, "y", on_each({spot.touched}, Eigen::Vector3d::UnitY()));
     add(spot, "z", on_each({spot.touched}, Eigen::Vector3d::UnitZ()));
@@ -36,14 +35,21 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
   }
   // From a touch to a pin: beyond what the beam itself has, the readings do not feel how stiff.
   constexpr double centre = 1000, width = 3;
-  for (const BeamPath& path : beam_paths(s))
-    for (int axis = 0; axis < 3; ++axis) {
+  for (const BeamPath& path : beam_paths(s)) {
+    const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {
       found.push_back(
           anywhere_along(path, {"k", "N/m", {PriorKind::log_normal, centre * s.stiffness, width}},
-                         support_along(s, path, axis)));
+                         support_along(s, path, axes)));
       found.back().effect = "extra_support";
-      found.back().way = axis_word(axis);
-    }
+      found.back().way = way;
+    };
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                          z = Eigen::Vector3d::UnitZ();
+    along("x", {x});
+    along("y", {y});
+    along("z", {z});
+    along("all round", {x, y, z});
+  }
   return found;
 }
 

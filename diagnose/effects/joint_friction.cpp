@@ -1,5 +1,7 @@
 #include "diagnose/effects/places.hpp"
 
+#include <algorithm>
+
 namespace plica {
 namespace {
 
@@ -7,12 +9,21 @@ namespace {
 // does to frequency, damping and height.
 constexpr double law_error = 0.1;
 
+bool has_levels(const Measured& m) {
+  return std::any_of(m.frf.begin(), m.frf.end(),
+                     [](const auto& f) { return f.level.has_value(); }) ||
+         std::any_of(m.modes.begin(), m.modes.end(),
+                     [](const auto& mode) { return mode.base && mode.level; }) ||
+         !m.peaks.empty();
+}
+
 // What a joint loses for the stiffness it gives up depends on how it unloads: Masing's rule is in
 // the middle, half and twice as much occur (docs/friction.md, hose B).
 //
 // Stuck, the group has `ratio` times its stiffness; `share` of that slips.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
+  if (!has_levels(s.measured)) return found; // one motion: a softer joint says the same
   for (const JointGroup& group : joint_groups(s)) {
     const double present = group.present ? 1 : 0;
     Hypothesis h{
@@ -53,7 +64,7 @@ Effect joint_friction() {
           .look_alikes = {"ply_slip: the static stiffness at a small and a large stroke",
                           "joint_stiffness: further levels",
                           "damping: a free decay at a low level"},
-          .needs = "a joint, connector, interlock or springs of a mount",
+          .needs = "a joint, connector, interlock or springs of a mount, and levels of excitation",
           .hypotheses = hypotheses};
 }
 

@@ -55,7 +55,7 @@ void add_points(std::vector<Spot>& found, const Structure& s, const std::string&
   while (sets.contains(part + ".point[" + std::to_string(points + 1) + "]")) ++points;
   for (int k : stations_of(points)) {
     const std::string place = part + ".point[" + std::to_string(k) + "]";
-    found.push_back({place, sets.at(place), sets.at(place).front()});
+    found.push_back({place, sets.at(place), sets.at(place).front(), true});
   }
 }
 

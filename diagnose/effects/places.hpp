@@ -10,6 +10,7 @@ struct Spot {
   std::string place;
   std::vector<int> nodes;
   int touched = 0;
+  bool on_beam = false; // a point of a beam, along which any place is looked at (beam_path.hpp)
 };
 // Numbers of 1..count that are looked at: all, or eight evenly spread.
 std::vector<int> stations_of(int count);

@@ -117,6 +117,13 @@ private:
       why = fmt::format("as the baseline shows ({:.2g} % stated)", 100 * stated);
     else if (!before_.empty())
       why += fmt::format(" (the baseline shows {:.2g} %)", 100 * seen);
+    constexpr double another_model = 0.1; // of a frequency
+    if (kind == ReadingKind::frequency && seen > another_model)
+      test_.warnings.push_back(fmt::format(
+          "the model's frequencies lie {:.2g} % from those of the baseline: modes may be "
+          "taken for others (order, direction), or the case wants to be fitted first "
+          "(--fit-baseline)",
+          100 * seen));
     found.words.push_back(
         fmt::format("model error of {}: {:.2g} %, {}", plural(kind), 100 * sigma, why));
     const double shared = request_.correlation;

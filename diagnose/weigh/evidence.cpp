@@ -79,17 +79,18 @@ public:
                       [&](const VectorXd& other) { return (start - other).norm() < apart; }))
         continue;
       begun.push_back(start);
-      VectorXd z = start;
-      constexpr int rounds = 2, steps = 15;
-      for (int round = 0; round < rounds; ++round) {
-        if (!widen(z)) break;
-        z = search_freely(residuals(), z, steps).best;
-        if (!deviation_.predictor().changes_structure()) break; // the weights stay
-      }
-      if (const auto cost = cost_at(z)) found.emplace_back(*cost, z);
+      refine(start, found);
     }
-    std::sort(found.begin(), found.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+    const auto cheaper = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::sort(found.begin(), found.end(), cheaper);
+    if (deviation_.predictor().changes_structure()) { // else the weights stay as they are
+      constexpr double within_reach = 10;
+      const std::vector<std::pair<double, VectorXd>> once = std::move(found);
+      found.clear();
+      for (const auto& [cost, z] : once)
+        if (cost < once.front().first + within_reach) refine(z, found);
+      std::sort(found.begin(), found.end(), cheaper);
+    }
     std::vector<VectorXd> optima;
     for (const auto& [cost, z] : found)
       if (cost < found.front().first + as_good &&
@@ -130,6 +131,14 @@ private:
       penalty_ = white_.log_det() - context_.fitted.log_det() + there->penalty;
     }
     return there;
+  }
+
+  // Searches on with the weights of where it begins.
+  void refine(const VectorXd& from, std::vector<std::pair<double, VectorXd>>& found) {
+    constexpr int steps = 15;
+    if (!widen(from)) return;
+    const VectorXd z = search_freely(residuals(), from, steps).best;
+    if (const auto cost = cost_at(z)) found.emplace_back(*cost, z);
   }
 
   // Weighed by its own covariance.

@@ -3,7 +3,10 @@
 //   plica_sealed run   --data D --plica build/app/plica --out O [--ablate form]
 //   plica_sealed score --data D --truth T --out O [--require]
 //   plica_sealed check --work W
+//   plica_sealed make-changes  --data D --truth T --seed S [--rounds N] [--thresholds]
+//   plica_sealed score-changes --truth T --out O
 //   plica_sealed specimen --structure bolted_lap --effect damping --strength weak --out FOLDER
+#include "changes/changes.hpp"
 #include "files.hpp"
 #include "solve/blas_kernels.hpp"
 
@@ -56,6 +59,17 @@ int main(int argc, char** argv) {
   one->add_option("--variant", single.variant, "which of its places and signs");
   one->add_option("--seed", single.seed, "of all chance");
   one->add_option("--out", single.out, "folder of measured.yaml")->required();
+  sealed::ChangesPlan plan;
+  CLI::App* make_changes = app.add_subcommand("make-changes", "write specimens before and after");
+  make_changes->add_option("--data", data, "folder of the data")->required();
+  make_changes->add_option("--truth", truth, "folder of the truth")->required();
+  make_changes->add_option("--seed", plan.seed, "of all chance");
+  make_changes->add_option("--rounds", plan.rounds, "specimens of each structure and mechanism");
+  make_changes->add_flag("--thresholds", plan.thresholds,
+                         "of the mechanisms that choose thresholds, not of the others");
+  CLI::App* mark_changes = app.add_subcommand("score-changes", "compare with the truth");
+  mark_changes->add_option("--truth", truth, "folder of the truth")->required();
+  mark_changes->add_option("--out", score.out, "folder of the diagnoses")->required();
   CLI11_PARSE(app, argc, argv);
   try {
     if (make->parsed()) {
@@ -67,6 +81,9 @@ int main(int argc, char** argv) {
     if (one->parsed()) sealed::make_single(single);
     if (diagnose->parsed()) sealed::run_suite(run);
     if (check->parsed()) sealed::check_roads(work);
+    if (make_changes->parsed())
+      std::printf("%s\n", sealed::make_changes(plan, data, truth).c_str());
+    if (mark_changes->parsed()) return sealed::score_changes(truth, score.out) ? 0 : 2;
     if (mark->parsed()) return sealed::score_suite(score) ? 0 : 2;
     return 0;
   } catch (const std::exception& error) {

@@ -1,0 +1,259 @@
+#include "changes.hpp"
+
+#include "../verdicts.hpp"
+#include "structures.hpp"
+
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace sealed {
+namespace {
+
+using nlohmann::json;
+
+// What says the same of the same place: the scale does not see a specimen again after the change,
+// and at low frequencies a soft fixture is a soft clamp.
+bool say_the_same(const std::string& a, const std::string& b) {
+  static const std::vector<std::set<std::string>> groups{
+      {"added_mass", "component_mass"}, {"boundary_compliance", "fixture_flexibility"}};
+  return a == b || std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+           return group.contains(a) && group.contains(b);
+         });
+}
+
+class Marker {
+public:
+  explicit Marker(const json& truth) : truth_(truth) {
+    for (auto& s : changed_structures())
+      if (s->name() == truth.at("structure")) structure_ = std::move(s);
+  }
+
+  // The effect and its place, within 5 % of the structure or the interval that it states.
+  bool is_right(const json& said) const {
+    if (truth_["effects"].empty()) return false;
+    const json& effect = truth_["effects"][0];
+    const std::string name = said.value("name", "");
+    if (structure_->alike(name, said.value("place", ""), effect["name"], effect["place"]))
+      return true;
+    return say_the_same(name, effect["name"]) && place_is_right(said);
+  }
+  bool has_interval_of_place(const json& said) const {
+    return said.contains("interval") && said["interval"].contains("at") &&
+           !truth_["position"].is_null();
+  }
+  bool place_in_interval(const json& said) const {
+    const json& range = said["interval"]["at"];
+    const double from = structure_->position(said["place"]);
+    return either(
+        [&](double p) { return p >= from + double(range[0]) && p <= from + double(range[1]); });
+  }
+  std::optional<bool> size_in_interval(const json& said) const {
+    const json& effect = truth_["effects"][0];
+    if (said.value("name", "") != effect["name"] || !said.contains("interval")) return {};
+    for (const char* key : {"mass", "loss", "ratio", "k"})
+      if (effect["value"].contains(key) && said["interval"].contains(key)) {
+        const json& range = said["interval"][key];
+        const double own = effect["value"][key];
+        return own >= double(range[0]) && own <= double(range[1]);
+      }
+    return {};
+  }
+
+private:
+  bool either(const std::function<bool(double)>& holds) const { // halves may be alike
+    const double p = truth_["position"];
+    return holds(p) || (structure_->symmetric() && holds(structure_->length() - p));
+  }
+  bool place_is_right(const json& said) const {
+    if (said.value("place", "") == truth_["effects"][0]["place"] && !has_interval_of_place(said))
+      return true;
+    if (truth_["position"].is_null()) return false;
+    for (const json& other : said.value("other_places", json::array()))
+      if (other == truth_["effects"][0]["place"]) return true;
+    if (has_interval_of_place(said) && place_in_interval(said)) return true;
+    double own = structure_->position(said.value("place", ""));
+    if (said.contains("value") && said["value"].contains("at")) own += double(said["value"]["at"]);
+    return either([&](double p) { return std::abs(p - own) <= 0.05 * structure_->length(); });
+  }
+
+  const json& truth_;
+  std::unique_ptr<ChangedStructure> structure_;
+};
+
+struct Marked {
+  std::string verdict;
+  bool changed = false, detectable = false, confident = false, wrong = false, best = false,
+       named = false;
+  double ratio = 0;
+  std::optional<bool> size, place; // within their intervals
+};
+
+// What leads, named or not.
+json best_guess(const json& diagnosis) {
+  for (const char* list : {"effects", "hypotheses"})
+    for (const json& said : diagnosis.value(list, json::array())) {
+      const json& first =
+          said.contains("effects") && !said["effects"].empty() ? said["effects"][0] : said;
+      if (first.value("name", "none") != "none") return first;
+    }
+  return json::object();
+}
+
+Marked marked(const Scored& s) {
+  Marked m;
+  m.verdict = s.verdict;
+  m.changed = s.cls != "none";
+  m.detectable = s.truth["detectable"];
+  m.ratio = s.truth["ratio"];
+  m.confident = s.verdict == "identified" || s.verdict == "pair";
+  const Marker marker(s.truth);
+  const json said = s.diagnosis.value("effects", json::array());
+  const auto right = [&](const json& e) { return marker.is_right(e); };
+  m.wrong = m.confident && !std::all_of(said.begin(), said.end(), right);
+  const json best = best_guess(s.diagnosis);
+  m.best = m.changed && marker.is_right(best);
+  constexpr std::size_t most_listed = 3;
+  m.named = m.changed && ((s.verdict == "identified" && !m.wrong) ||
+                          (s.verdict == "ambiguous" && said.size() <= most_listed &&
+                           std::any_of(said.begin(), said.end(), right)));
+  if (m.best && (m.confident || s.verdict == "ambiguous")) {
+    m.size = marker.size_in_interval(best);
+    if (marker.has_interval_of_place(best)) m.place = marker.place_in_interval(best);
+  }
+  return m;
+}
+
+struct Share {
+  int good = 0, of = 0;
+  void add(bool is_good) {
+    good += is_good;
+    ++of;
+  }
+  double value() const { return of ? double(good) / of : 0; }
+  // One-sided 90 % bounds of Clopper and Pearson.
+  double low() const {
+    return good == 0 ? 0
+                     : boost::math::binomial_distribution<>::find_lower_bound_on_p(of, good, 0.1);
+  }
+  double high() const {
+    return good == of ? 1
+                      : boost::math::binomial_distribution<>::find_upper_bound_on_p(of, good, 0.1);
+  }
+};
+
+struct Goal {
+  const char* name;
+  double least, most; // of the share
+};
+
+void print(json& score, const Goal& goal, const std::string& of, const Share& share, bool judged) {
+  if (share.of == 0) return;
+  std::string word;
+  if (judged) {
+    const bool shown = share.low() >= goal.least - 1e-9 && share.high() <= goal.most + 1e-9;
+    const bool missed = share.high() < goal.least || share.low() > goal.most;
+    word = shown ? "met" : missed ? "MISSED" : "not shown";
+  }
+  fmt::print("  {:44} {:26} {:6.3f} [{:.3f}, {:.3f}]  {:3} of {:3}  {}\n", goal.name, of,
+             share.value(), share.low(), share.high(), share.good, share.of, word);
+  score["metrics"].push_back({{"name", goal.name},
+                              {"of", of},
+                              {"value", share.value()},
+                              {"low", share.low()},
+                              {"high", share.high()},
+                              {"count", share.of},
+                              {"goal", word}});
+}
+
+struct Band {
+  const char* name;
+  double from, to;
+};
+constexpr Band bands[] = {{"change below its error", 0, 1},
+                          {"1 to 2 errors", 1, 2},
+                          {"2 to 5 errors", 2, 5},
+                          {"above 5 errors", 5, 1e9}};
+
+using Counts = std::function<bool(const Marked&)>;
+
+void print_shares(json& score, const Goal& goal, const std::vector<Marked>& all,
+                  const Counts& counts, const Counts& good, const char* of, bool in_bands) {
+  const auto share = [&](const Counts& also) {
+    Share s;
+    for (const Marked& m : all)
+      if (counts(m) && also(m)) s.add(good(m));
+    return s;
+  };
+  print(score, goal, of, share([](const Marked&) { return true; }), true);
+  if (!in_bands) return;
+  print(score, goal, "detectable ones", share([](const Marked& m) { return m.detectable; }), false);
+  for (const Band& b : bands)
+    print(score, goal, b.name,
+          share([&](const Marked& m) { return m.ratio >= b.from && m.ratio < b.to; }), false);
+}
+
+} // namespace
+
+bool score_changes(const std::filesystem::path& truth, const std::filesystem::path& out) {
+  const std::vector<Scored> scored = read_verdicts(truth, out);
+  std::vector<Marked> all;
+  json score{{"specimens", json::array()}, {"metrics", json::array()}};
+  std::map<std::string, std::map<std::string, int>> table;
+  bool whole = true;
+  for (const Scored& s : scored) {
+    all.push_back(marked(s));
+    const Marked& m = all.back();
+    whole = whole && s.verdict != "missing";
+    ++table[s.cls][s.verdict];
+    const json best = best_guess(s.diagnosis);
+    score["specimens"].push_back({{"id", s.id},
+                                  {"structure", s.truth["structure"]},
+                                  {"mechanism", s.truth["mechanism"]},
+                                  {"class", s.cls},
+                                  {"ratio", m.ratio},
+                                  {"verdict", s.verdict},
+                                  {"best", best.value("name", "") + "@" + best.value("place", "")},
+                                  {"best_right", m.best},
+                                  {"wrong", m.wrong}});
+  }
+  for (const auto& [cls, verdicts] : table) {
+    fmt::print("{:22}", cls);
+    for (const auto& [verdict, count] : verdicts) fmt::print(" {} {}", verdict, count);
+    fmt::print("\n");
+  }
+  fmt::print("share [one-sided 90 % bounds]\n");
+  const auto changed = [](const Marked& m) { return m.changed; };
+  const auto any = [](const Marked&) { return true; };
+  print_shares(
+      score, {"confident and wrong", 0, 0.01}, all, any, [](const Marked& m) { return m.wrong; },
+      "all specimens", true);
+  print_shares(
+      score, {"confident and wrong", 0, 1}, all, [](const Marked& m) { return m.confident; },
+      [](const Marked& m) { return m.wrong; }, "confident answers", false);
+  print_shares(
+      score, {"best guess right", 0.9, 1}, all, changed, [](const Marked& m) { return m.best; },
+      "changed", true);
+  print_shares(
+      score, {"named right", 0.75, 1}, all, changed, [](const Marked& m) { return m.named; },
+      "changed", true);
+  print_shares(
+      score, {"none where nothing changed", 0.98, 1}, all,
+      [](const Marked& m) { return !m.changed; },
+      [](const Marked& m) { return m.verdict == "none"; }, "unchanged", false);
+  print_shares(
+      score, {"90 % intervals hold the size", 0.85, 0.95}, all,
+      [](const Marked& m) { return m.size.has_value(); }, [](const Marked& m) { return *m.size; },
+      "named rightly", false);
+  print_shares(
+      score, {"place within its interval", 0.9, 1}, all,
+      [](const Marked& m) { return m.place.has_value(); }, [](const Marked& m) { return *m.place; },
+      "named rightly", false);
+  std::ofstream(out / "score.json") << score.dump(1) << '\n';
+  return whole;
+}
+
+} // namespace sealed
