@@ -23,6 +23,7 @@ slow: slow-deps build
 # The sealed suite of the diagnosis: specimens made, diagnosed, scored; then with guards left out.
 sealed: slow-deps build
 	ctest --preset slow -R sealed_suite --verbose
+	ctest --preset slow -R sealed_changes --verbose
 	ctest --preset slow -R sealed_ablations --verbose
 
 # What the tests of mechanics found beside what their sources say.

@@ -1,5 +1,5 @@
 # Makes specimens, has them diagnosed where the truth does not exist, and scores the verdicts.
-#   cmake -DSEALED=plica_sealed -DPLICA=plica -DWORK=folder -DCASES=smoke|all|beams -DSEED=1
+#   cmake -DSEALED=plica_sealed -DPLICA=plica -DWORK=folder -DCASES=smoke|all|beams|changes -DSEED=1
 #         [-DABLATE=form,levels] [-DREQUIRE=ON] -P score_sealed.cmake
 function(step)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE failed)
@@ -9,7 +9,11 @@ function(step)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-step(${SEALED} make --data ${WORK}/data --truth ${WORK}/truth --seed ${SEED} --cases ${CASES})
+if(CASES STREQUAL changes)
+  step(${SEALED} make-changes --data ${WORK}/data --truth ${WORK}/truth --seed ${SEED} --rounds ${ROUNDS})
+else()
+  step(${SEALED} make --data ${WORK}/data --truth ${WORK}/truth --seed ${SEED} --cases ${CASES})
+endif()
 file(GLOB data ${WORK}/data/*/measured.yaml)
 file(GLOB truth ${WORK}/truth/*.json)
 list(LENGTH data made)
@@ -35,6 +39,10 @@ if(NOT kept STREQUAL published)
   message(FATAL_ERROR "the truth changed while it was sealed")
 endif()
 file(ARCHIVE_EXTRACT INPUT ${WORK}.truth.tar DESTINATION ${WORK})
+if(CASES STREQUAL changes)
+  step(${SEALED} score-changes --truth ${WORK}/truth --out ${WORK}/out)
+  return()
+endif()
 if(REQUIRE)
   list(APPEND ablations --require)
 endif()

@@ -1,4 +1,6 @@
 // The sealed suite's own solvers against closed forms and against each other.
+#include "changes/line_model.hpp"
+#include "changes/line_structures.hpp"
 #include "response.hpp"
 #include "specimen.hpp"
 
@@ -135,5 +137,67 @@ TEST(SealedSuite, has_the_promised_specimens) {
   for (const std::string& name : effect_names()) {
     EXPECT_GE(classes[name], 8) << name;
     EXPECT_EQ(strengths[name].size(), 3u) << name;
+  }
+}
+
+// Euler's beam, 100 times as long as deep (Blevins 1979); lambda^2 of the first three modes clamped and free.
+TEST(SealedChanges, a_line_bends_as_a_slender_beam_does) {
+  const double EI = steel::E * 1e-8 / 12, mass = steel::rho * 1e-4; // 10 x 10 mm, 1 m
+  const SectionAt slender = [&](double) {
+    return LineSection{.EI = EI, .GA = 1e9, .mass = mass, .inertia = mass * 1e-4 / 12};
+  };
+  const double unit = std::sqrt(EI / mass) / (2 * pi);
+  LineModel clamped;
+  clamped.add_stretch(0, 1, 10, slender);
+  clamped.fix(0, true, true);
+  const auto f = clamped.frequencies(3);
+  LineModel free;
+  free.add_stretch(0, 0.4, 4, slender);
+  free.add_stretch(0.4, 1, 6, slender);
+  const auto g = free.frequencies(4);
+  const double clamped_roots[] = {1.87510407, 4.69409113}, free_roots[] = {4.73004074, 7.85320462};
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(f[k], unit * clamped_roots[k] * clamped_roots[k], 1e-3 * f[k]);
+    EXPECT_NEAR(g[k + 2], unit * free_roots[k] * free_roots[k], 1e-3 * g[k + 2]);
+  }
+}
+
+// NAFEMS FV16, square, 10 m: after Barton 0.421, 1.029, 2.582, 3.306, 3.753 Hz, accepted within 2
+// %.
+TEST(SealedChanges, a_plate_by_ritz_is_the_clamped_plate_of_nafems) {
+  const auto plate =
+      clamped_plate({.length = 10, .width = 10, .thickness = 0.05, .sensor_mass = 0});
+  const auto f = plate->frequencies({}, {});
+  const double published[] = {0.421, 1.029, 2.582, 3.306, 3.753};
+  const double as_steel = std::sqrt(steel::E / 200e9 * 8000 / steel::rho);
+  for (int k = 0; k < 5; ++k)
+    EXPECT_NEAR(f[k], published[k] * as_steel, 0.02 * f[k]) << "mode " << k + 1;
+}
+
+// What the model leaves out has no part in it where there is none of it, and a change of nothing
+// changes nothing.
+TEST(SealedChanges, mechanisms_and_changes_begin_at_nothing) {
+  for (const auto& structure : changed_structures()) {
+    if (structure->name() == "bellows") continue; // minutes
+    const auto right = structure->frequencies({}, {});
+    ASSERT_EQ(std::size_t(right.size()), structure->labels().size());
+    for (const std::string& mechanism : mechanisms) {
+      const auto barely =
+          structure->frequencies({.name = mechanism, .amount = 1e-7, .seed = 3}, {});
+      const auto more = structure->frequencies({.name = mechanism, .amount = 1e-2, .seed = 3}, {});
+      EXPECT_LT((barely - right).cwiseQuotient(right).cwiseAbs().maxCoeff(), 1e-4)
+          << structure->name() << ", " << mechanism;
+      EXPECT_GT((more - right).norm(), (barely - right).norm())
+          << structure->name() << ", " << mechanism;
+    }
+    Draws draws(5, structure->name());
+    for (int i = 0; i < 12; ++i) {
+      const Change change = structure->draw_change(draws);
+      Effect least = change.effect;
+      least.value[change.size] = change.value(change.smallest);
+      const auto changed = structure->frequencies({}, least);
+      EXPECT_LT((changed - right).cwiseQuotient(right).cwiseAbs().maxCoeff(), 3e-3)
+          << structure->name() << ", " << change.effect.name << " at " << change.effect.place;
+    }
   }
 }

@@ -171,7 +171,7 @@ private:
       model.add_mass(node, mass);
       if (m.name == "theory") { // a bolted block stiffens the beam under it, and turns with it
         constexpr double block = 0.04;
-        model.add_mass(node, 0, mass * block * block / 3);
+        model.add_mass(node, 0, m.amount * mass * block * block / 12);
         const LineSection r = rectangle(beam.across, beam.depth);
         const int left = model.node(stops[std::size_t(k)] - block / 2);
         model.add_joint(left, node, 0, m.amount * r.EI / block);

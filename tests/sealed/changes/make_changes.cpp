@@ -27,7 +27,7 @@ double log_between(Draws& draws, double low, double high) {
 template <typename Grows> double where(double target, double least, double most, const Grows& f) {
   double a = std::log(least), b = std::log(most);
   if (f(most) <= target) return most;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 16; ++i) {
     const double c = (a + b) / 2;
     (f(std::exp(c)) < target ? a : b) = c;
   }

@@ -17,7 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double lx = 0.3, ly = 0.2, thickness = 0.003, nu = steel::nu;
 constexpr int degree = 9, points = 16, per_axis = degree + 1;
 struct Sensor {
   const char* name;
@@ -26,6 +25,8 @@ struct Sensor {
 constexpr std::array sensors{Sensor{"p1", 0.15, 0.05},  Sensor{"p2", 0.15, 0.15},
                              Sensor{"p3", 0.225, 0.10}, Sensor{"p4", 0.3, 0.},
                              Sensor{"p5", 0.3, 0.1},    Sensor{"p6", 0.3, 0.2}};
+
+constexpr double nu = steel::nu;
 
 // Values, first and second derivatives of P_n in x = 2 s - 1, by s.
 struct Polynomials {
@@ -52,10 +53,6 @@ VectorXd product(const VectorXd& a, const VectorXd& b) {
   return all;
 }
 
-VectorXd at(double x, double y) {
-  return product(polynomials(x / lx).value, polynomials(y / ly).value);
-}
-
 struct Points {
   std::array<double, points> s, weight;
 };
@@ -73,6 +70,9 @@ Points gauss() {
 
 class Plate final : public ChangedStructure {
 public:
+  explicit Plate(const PlateShape& shape)
+      : lx(shape.length), ly(shape.width), thickness(shape.thickness),
+        sensor_mass_(shape.sensor_mass) {}
   std::string name() const override { return "plate"; }
   double damping() const override { return 0.004; }
   double length() const override { return lx; }
@@ -127,8 +127,9 @@ public:
            (rigid * w * w.transpose() + turn * turn.transpose() / compliance);
     }
     for (const Sensor& sensor : sensors) {
-      const VectorXd w = at(sensor.x, sensor.y);
-      double mass = 0.004;
+      const VectorXd w =
+          product(polynomials(sensor.x / lx).value, polynomials(sensor.y / ly).value);
+      double mass = sensor_mass_;
       if (change.name == "added_mass" && change.place == std::string("sensor.") + sensor.name)
         mass += change.value.at("mass");
       M += mass * w * w.transpose();
@@ -167,12 +168,19 @@ public:
       if (place == std::string("sensor.") + sensors[k].name) return double(k + 1) * lx;
     return std::numeric_limits<double>::quiet_NaN();
   }
+
+private:
+  double lx, ly, thickness, sensor_mass_; // m, kg
 };
 
 } // namespace
 
+std::unique_ptr<ChangedStructure> clamped_plate(const PlateShape& shape) {
+  return std::make_unique<Plate>(shape);
+}
+
 void add_plate(std::vector<std::unique_ptr<ChangedStructure>>& all) {
-  all.push_back(std::make_unique<Plate>());
+  all.push_back(clamped_plate({}));
 }
 
 } // namespace sealed

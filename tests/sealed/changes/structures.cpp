@@ -15,6 +15,7 @@ std::vector<std::unique_ptr<ChangedStructure>> changed_structures() {
   std::vector<std::unique_ptr<ChangedStructure>> all;
   add_line_structures(all);
   add_plate(all);
+  add_bellows(all);
   return all;
 }
 
