@@ -8,8 +8,10 @@
 #include "tests/support/temporary_folder.hpp"
 #include "words/input_error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <numbers>
 
 namespace plica::test {
@@ -230,6 +232,44 @@ TEST_F(LabFiles, headers_of_tables_state_units) {
   expect_si(
       read("f [rpm],a z real [g/g],a z imag [g/g]" + rows, "f.csv", FrfQuantity::transmissibility),
       1);
+}
+
+// 20 dB and a quarter of a turn are 10 i.
+TEST_F(LabFiles, magnitudes_stand_beside_phases) {
+  const std::string rows = "\n10,20,90\n20,0,180\n30,6.0206,0\n";
+  const FrfSet set = read("f [Hz],a z magnitude [dB],a z phase [deg]" + rows, "f.csv");
+  ASSERT_EQ(set.responses, std::vector<std::string>{"a.z"});
+  EXPECT_NEAR(std::abs(set.H[0](0, 0) - std::complex<double>(0, 10)), 0, 1e-12);
+  EXPECT_NEAR(std::abs(set.H[0](1, 0) + 1.), 0, 1e-12);
+  EXPECT_NEAR(set.H[0](2, 0).real(), 2, 1e-5);
+  EXPECT_NE(set.warnings.at(0).find("decibels are taken as relative to 1 in SI units"),
+            std::string::npos);
+  const std::string turned = "\n10,20,0.5\n20,0,-0.5\n";
+  const FrfSet plain = read("f [Hz],a z mag [mm/N],a z phase [rad]" + turned, "f.csv");
+  EXPECT_NEAR(std::arg(plain.H[0](0, 0)), 0.5, 1e-12);
+  EXPECT_NEAR(std::abs(plain.H[0](0, 0)), 0.02, 1e-12);
+  EXPECT_NE(refusal("f [Hz],a z magnitude [dB],a z phase" + rows, "f.csv")
+                .find("f.csv:1: column 3: a phase without a unit; [deg] or [rad]"),
+            std::string::npos);
+}
+
+// 2 kHz: from the tenth second on the times hop by a digit, of 0.1 ms.
+TEST_F(LabFiles, times_of_six_digits_are_evenly_spaced) {
+  MeasuredSignals entry;
+  entry.file = "s.csv";
+  entry.reference = "hammer";
+  entry.channels = {"hammer", "mid.y"};
+  const auto load = [&](int missing) {
+    std::string text = "t [s],hammer [N],mid [m/s2]\n";
+    for (int i = 0; i < 30000; ++i)
+      if (i != missing) text += fmt::format("{:.6g},{},{}\n", i / 2000., i % 7, i % 3);
+    write_whole(folder_.path / "s.csv", text);
+    return load_signals(entry, {}, folder_.path, "signals[0]");
+  };
+  EXPECT_NEAR(load(-1).rate, 2000, 0.05);
+  EXPECT_THROW(load(20000), InputError) << "a sample is missing";
+  entry.rate = 2000;
+  EXPECT_EQ(load(-1).rate, 2000);
 }
 
 TEST_F(LabFiles, time_signals_are_brought_to_SI) {

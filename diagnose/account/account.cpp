@@ -47,7 +47,6 @@ public:
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
       result_.where.push_back(std::move(gap));
     add_components(ranked);
-    result_.trends = level_trends(problem_.readings);
     const JudgedFit* first = best_of(nominal, ranked, pairs, judgement);
     add_tried(nominal, ranked, pairs, first);
     for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
@@ -59,6 +58,7 @@ public:
     const HypothesisFit& best = shown.front();
     const HypothesisFit* second = other ? &shown.back() : nullptr;
     how_far(context, nominal, best, second);
+    add_trends(best);
     result_.basis_error = problem_.predictors->of(best.together).basis_error(best.values);
     if (best.together.size() == 1) result_.drifts = drifts(context, best);
     result_.compensators = found_.compensators;
@@ -234,6 +234,16 @@ private:
     for (const Family& f : ranked)
       if (f.best != best) return f.best;
     return nullptr;
+  }
+
+  // Over the level: the test's, and the model's.
+  void add_trends(const HypothesisFit& best) {
+    result_.trends = level_trends(problem_.readings);
+    TestReadings model = problem_.readings;
+    for (std::size_t i = 0; i < model.readings.size(); ++i)
+      model.readings[i].log_value = problem_.log_measured[Index(i)] - best.deviation[Index(i)];
+    const std::vector<LevelTrend> of_model = level_trends(model);
+    for (std::size_t i = 0; i < of_model.size(); ++i) result_.trends[i].best = of_model[i].slope;
   }
 
   void how_far(const FitContext& context, const JudgedFit& nominal, const HypothesisFit& best,

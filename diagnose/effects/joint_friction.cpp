@@ -12,8 +12,9 @@ constexpr double law_error = 0.1;
 bool has_levels(const Measured& m) {
   return std::any_of(m.frf.begin(), m.frf.end(),
                      [](const auto& f) { return f.level.has_value(); }) ||
-         std::any_of(m.modes.begin(), m.modes.end(),
-                     [](const auto& mode) { return mode.base && mode.level; }) ||
+         std::any_of(
+             m.modes.begin(), m.modes.end(),
+             [](const auto& mode) { return !mode.drive.empty() || (mode.base && mode.level); }) ||
          !m.peaks.empty();
 }
 

@@ -25,11 +25,12 @@ bool is_of(const ModeLabel& label, MeasuredShape shape, int axis) {
 
 // Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
 // any other, and enough to be seen.
-const std::vector<Index>& StateAnswers::modes_of_kind(const FamilyModes& m, MeasuredShape shape,
-                                                      int axis) {
-  const auto [known, made] = of_kind_.try_emplace({shape, axis});
-  std::vector<Index>& found = known->second;
-  if (!made) return found;
+std::vector<Index> StateAnswers::modes_of_kind(const FamilyModes& m, MeasuredShape shape,
+                                               int axis) {
+  const bool linear = linear_ && *linear_ && &m == &**linear_;
+  if (const auto known = of_kind_.find({shape, axis}); linear && known != of_kind_.end())
+    return known->second;
+  std::vector<Index> found;
   constexpr double seen = 0.01;
   const std::vector<ModeLabel>& labels = own_.nominal->labels;
   std::vector<int> other; // of each nominal mode: its kind, where it is not the one looked for
@@ -43,11 +44,14 @@ const std::vector<Index>& StateAnswers::modes_of_kind(const FamilyModes& m, Meas
       (other[j] < 0 ? own : shares[other[j]]) += std::pow(m.likeness(Index(j), i), 2);
     if (own > seen && own > shares.maxCoeff()) found.push_back(i);
   }
+  if (linear) of_kind_[{shape, axis}] = found;
   return found;
 }
 
 // Modes known by their kind: in their order, as they lie nearest.
 bool StateAnswers::labelled(const Reading& reading, double& value) {
+  if (acting_.group && test_.runs[std::size_t(reading.run)].level > 0)
+    return slipping_mode(reading, value);
   const FamilyModes* m = linear_modes();
   if (!m) return false;
   const Index mode = labelled_mode(*m, reading);
@@ -66,7 +70,7 @@ Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) 
     double least = std::numeric_limits<double>::infinity();
     const bool either = reading.axis < 0 && reading.shape == MeasuredShape::transverse;
     for (int axis : either ? std::vector{0, 2} : std::vector{reading.axis}) {
-      const std::vector<Index>& modes = modes_of_kind(m, reading.shape, axis);
+      const std::vector<Index> modes = modes_of_kind(m, reading.shape, axis);
       if (reading.order > int(modes.size())) continue;
       const Index own = modes[std::size_t(reading.order - 1)];
       if (const double off = std::abs(std::log(m.hertz(own) / looked_for(reading))); off < least) {

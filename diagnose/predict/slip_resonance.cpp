@@ -54,47 +54,47 @@ private:
 
 } // namespace
 
+SlipTable& StateAnswers::table() {
+  if (!table_) table_ = own_.tables.of(own_.free, acting_.all, *acting_.group);
+  return *table_;
+}
+
 // The stiffness at which sliders and resonance agree about the amplitude of each peak. None: no
 // stable structure.
-std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const TestRun& run,
-                                                                          SlipTable& table) const {
+std::optional<std::vector<StateAnswers::Slipping>>
+StateAnswers::slipping(const Softening& softening, const Driven& driven, SlipTable& table) const {
   const SlipGroup& group = *acting_.group;
-  Softening own = acting_.softening;
-  constexpr int along_the_pipe = 1;
-  if (run.base != along_the_pipe) own.distance *= own.across;
   const double stuck = acting_.all[group.change] + group.present;
   constexpr double most = 0.98; // of the share: something is always left
-  const int low = SlipTable::point_at(stuck * (1 - most * own.share)) - 1,
+  const int low = SlipTable::point_at(stuck * (1 - most * softening.share)) - 1,
             high = SlipTable::point_at(stuck) + 1;
   if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
   PeaksOverStiffness peaks(low, high, [&](int point) {
-    PeaksOverStiffness::Rows rows(run.peaks.size());
+    PeaksOverStiffness::Rows rows(driven.peaks);
     const FamilyModes* m = table.modes_at(point);
     if (!m) return rows;
-    const std::vector<Index> modes = peak_modes(*m, run);
+    const std::vector<Index> modes = driven.modes(*m);
     for (std::size_t p = 0; p < rows.size(); ++p) {
       const Index i = modes[p];
       if (i < 0) continue;
       const double stretch = std::sqrt(std::max(0., m->group(i, i)) / group.stiffness);
-      rows[p] = {std::abs(m->gamma.row(i).dot(base_of(run))) * stretch / (2 * m->lambda[i]),
-                 acting_.setup.damping * m->zeta[i],
+      rows[p] = {driven.amplitude(*m, i) * stretch, acting_.setup.damping * m->zeta[i],
                  group.stiffness * stretch * stretch / m->lambda[i]};
     }
     return rows;
   });
-  const Sliders sliders(own);
-  const double level = run.level > 0 ? run.level : default_level(own_.nominal->data);
+  const Sliders sliders(softening);
   std::vector<Slipping> found;
-  for (std::size_t p = 0; p < run.peaks.size(); ++p) {
-    const auto state_at = [&](double amplitude) { // and what the table's motion makes of it
+  for (std::size_t p = 0; p < driven.peaks; ++p) {
+    const auto state_at = [&](double amplitude) { // and what the excitation makes of it
       const Complex gain = sliders.kept(amplitude);
-      const double stiffness = stuck * (1 - own.share * (1 - gain.real()));
+      const double stiffness = stuck * (1 - softening.share * (1 - gain.real()));
       const auto row = peaks.at(stiffness, p);
       if (!row) return std::optional<std::pair<Slipping, double>>();
       const auto [motion, zeta, energy] = *row;
-      const double damping = energy * stuck * own.share * own.loss * gain.imag() / 2;
-      return std::optional(
-          std::pair{Slipping{stiffness, damping}, level * motion / (zeta + damping)});
+      const double damping = energy * stuck * softening.share * softening.loss * gain.imag() / 2;
+      return std::optional(std::pair{Slipping{stiffness, damping},
+                                     driven.level * motion / (driven.held ? 1 : zeta + damping)});
     };
     double below = std::log(1e-12), above = std::log(1.);
     constexpr int halvings = 40;
@@ -110,13 +110,58 @@ std::optional<std::vector<StateAnswers::Slipping>> StateAnswers::slipping(const 
   return found;
 }
 
+// What a sensor's channel sees of a mode of unit mass, 1/sqrt(kg).
+double StateAnswers::seen_at(const FamilyModes& m, Index mode, int sensor, int axis) const {
+  return own_.nominal->axes[std::size_t(sensor)].row(axis).dot(
+      m.marked.block<3, 1>(6 * Index(sensor), mode));
+}
+
+// A mode that is known by its kind, at what a shaker drives it to: at resonance the amplitude q is
+// a / (w^2 phi) where the controller holds the acceleration a, F phi / (2 zeta w^2) under a force.
+bool StateAnswers::slipping_mode(const Reading& reading, double& value) {
+  const auto [known, made] = driven_.try_emplace(reading.run * 1000 + reading.peak, 0., 0.);
+  if (made) {
+    const TestRun& run = test_.runs[std::size_t(reading.run)];
+    const int sensor = own_.nominal->number_of(run.sensor);
+    const Driven driven{
+        .level = run.level,
+        .held = !run.by_force,
+        .modes = [&](const FamilyModes& m) { return std::vector{labelled_mode(m, reading)}; },
+        .amplitude =
+            [&](const FamilyModes& m, Index i) {
+              const double phi = std::abs(seen_at(m, i, sensor, run.axis));
+              return run.by_force ? phi / (2 * m.lambda[i]) : 1 / (m.lambda[i] * phi);
+            }};
+    if (sensor < 0) return true; // nothing to answer with
+    const auto state = slipping(acting_.softening, driven, table());
+    auto m = state ? table().modes(state->front().stiffness) : std::nullopt;
+    if (!m) return false;
+    const Index mode = labelled_mode(*m, reading);
+    if (mode >= 0)
+      known->second = {m->hertz(mode),
+                       acting_.setup.damping * m->zeta[mode] + state->front().damping};
+  }
+  const auto [hertz, zeta] = known->second;
+  if (hertz > 0) value = std::log(reading.kind == ReadingKind::damping ? zeta : hertz);
+  return true;
+}
+
 bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
-  const auto table = own_.tables.of(own_.free, acting_.all, *acting_.group);
-  const auto at_peaks = slipping(run, *table);
+  Softening softening = acting_.softening;
+  constexpr int along_the_pipe = 1;
+  if (run.base != along_the_pipe) softening.distance *= softening.across;
+  const Driven driven{.level = run.level > 0 ? run.level : default_level(own_.nominal->data),
+                      .peaks = run.peaks.size(),
+                      .modes = [&](const FamilyModes& m) { return peak_modes(m, run); },
+                      .amplitude =
+                          [&](const FamilyModes& m, Index i) {
+                            return std::abs(m.gamma.row(i).dot(base_of(run))) / (2 * m.lambda[i]);
+                          }};
+  const auto at_peaks = slipping(softening, driven, table());
   if (!at_peaks) return false;
   for (std::size_t p = 0; p < run.peaks.size(); ++p) {
     const Slipping& s = (*at_peaks)[p];
-    auto m = table->modes(s.stiffness);
+    auto m = table().modes(s.stiffness);
     if (!m) return false;
     m->zeta *= acting_.setup.damping;
     kept_.push_back(std::make_unique<FamilyModes>(std::move(*m)));

@@ -67,6 +67,15 @@ private:
   struct Slipping {
     double stiffness = 1, damping = 0; // stiffness: in terms of the group's own
   };
+  // How peaks are driven: which modes they are of (-1: none), and the amplitude of a mode, sqrt(kg)
+  // m, per level: of unit damping, or whatever its damping where it is `held`.
+  struct Driven {
+    double level = 1;
+    bool held = false;
+    std::size_t peaks = 1;
+    std::function<std::vector<Eigen::Index>(const FamilyModes&)> modes;
+    std::function<double(const FamilyModes&, Eigen::Index)> amplitude;
+  };
 
   const FamilyModes* linear_modes();
   Eigen::VectorXd damping_of(const FamilyModes& linear) const;
@@ -79,7 +88,10 @@ private:
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
   std::vector<Eigen::Index> peak_modes(const FamilyModes& m, const TestRun& run) const;
-  std::optional<std::vector<Slipping>> slipping(const TestRun& run, SlipTable& table) const;
+  std::optional<std::vector<Slipping>> slipping(const Softening& softening, const Driven& driven,
+                                                SlipTable& table) const;
+  bool slipping_mode(const Reading& reading, double& value);
+  SlipTable& table();
   bool find_peaks(int run);
   bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
   void respond(Peak& peak, const TestRun& run) const;
@@ -89,9 +101,9 @@ private:
   bool dynamic(const Reading& reading, double& value);
   bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);
   bool labelled(const Reading& reading, double& value);
-  const std::vector<Eigen::Index>& modes_of_kind(const FamilyModes& m, MeasuredShape shape,
-                                                 int axis);
+  std::vector<Eigen::Index> modes_of_kind(const FamilyModes& m, MeasuredShape shape, int axis);
   Eigen::Index labelled_mode(const FamilyModes& m, const Reading& reading);
+  double seen_at(const FamilyModes& m, Eigen::Index mode, int sensor, int axis) const;
 
   const StateFamily& own_;
   const TestReadings& test_;
@@ -101,6 +113,8 @@ private:
   std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
   std::map<int, std::vector<Peak>> peaks_;
   std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_; // linear modes
+  std::shared_ptr<SlipTable> table_;                // what it holds stands as long as this
+  std::map<int, std::pair<double, double>> driven_; // by run and order: Hz, damping
   std::vector<std::unique_ptr<FamilyModes>> kept_;
 };
 

@@ -16,12 +16,14 @@ namespace plica {
 
 enum class ReadingKind { mass, stiffness, frequency, damping, amplitude, cross };
 
-// One run of the table, or a list of modes without excitation.
+// One run of the table, or a list of modes: at rest, or driven by a shaker to a level.
 struct TestRun {
   std::string state;         // empty = the specimen as it stands
   int base = -1;             // 0..2 = x y z; -1: modes alone
-  double level = 0;          // m/s2; 0 = not stated
-  std::string sensor;        // in whose channel along `axis` the peaks are seen; empty = not known
+  double level = 0;          // m/s2 of the table, or at the channel that is driven; 0 = not stated
+  bool by_force = false;     // the level is the force there, N
+  std::string sensor;        // in whose channel along `axis` the peaks are seen; empty = not known;
+                             // of modes alone: the channel that is driven
   int axis = 0;              // 0..2
   std::vector<double> peaks; // measured, Hz, increasing; zero: of a run that is planned
   bool first = false;        // they are the first peaks of the channel, whatever comes after

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 namespace plica {
 
@@ -27,10 +27,9 @@ std::string entry_name(const char* list, std::size_t i) {
   return std::string(list) + "[" + std::to_string(i) + "]";
 }
 
-std::string at_level(double level) {
-  if (level == 0) return "";
-  const std::string text = fmt::sprintf(", %g m/s2", level);
-  return text;
+std::string at_level(const TestRun& run) {
+  if (run.level == 0) return "";
+  return fmt::format(", {:g} {}", run.level, run.by_force ? "N" : "m/s2");
 }
 
 } // namespace plica

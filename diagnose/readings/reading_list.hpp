@@ -20,6 +20,6 @@ private:
 };
 
 std::string entry_name(const char* list, std::size_t i); // "frf[3]"
-std::string at_level(double level);                      // ", 5 m/s2"; empty for zero
+std::string at_level(const TestRun& run);                // ", 5 m/s2"; empty for zero
 
 } // namespace plica

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 namespace plica {
 namespace {
@@ -81,13 +83,21 @@ private:
   // A mode without excitation is known by its kind.
   void mode_alone(std::size_t i) {
     const MeasuredMode& m = measured_.modes[i];
-    int run = 0;
-    while (run < int(list_.all.runs.size()) && (list_.all.runs[std::size_t(run)].base >= 0 ||
-                                                list_.all.runs[std::size_t(run)].state != m.state))
-      ++run;
-    if (run == int(list_.all.runs.size()))
-      list_.all.runs.push_back({.state = m.state, .sensor = "", .peaks = {}});
-    TestRun& own = list_.all.runs[std::size_t(run)];
+    const auto dot = m.drive.rfind('.');
+    const TestRun driven{.state = m.state,
+                         .level = m.acceleration.value_or(m.force.value_or(0)),
+                         .by_force = m.force.has_value(),
+                         .sensor = m.drive.substr(0, dot),
+                         .axis = m.drive.empty() ? 0 : m.drive.back() - 'x',
+                         .peaks = {}};
+    std::vector<TestRun>& runs = list_.all.runs;
+    auto same = std::find_if(runs.begin(), runs.end(), [&](const TestRun& r) {
+      return r.base < 0 && r.state == driven.state && r.level == driven.level &&
+             r.by_force == driven.by_force && r.sensor == driven.sensor && r.axis == driven.axis;
+    });
+    if (same == runs.end()) same = runs.insert(same, driven);
+    const int run = int(same - runs.begin());
+    TestRun& own = *same;
     Reading reading{.kind = ReadingKind::frequency,
                     .name = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order),
                     .unit = "Hz",
@@ -104,6 +114,7 @@ private:
                     .assumed = !m.sigma};
     own.peaks.push_back(m.frequency);
     if (m.direction) reading.name += std::string(" in ") + axis_word(reading.axis);
+    if (driven.level > 0) reading.name += at_level(driven) + " at " + m.drive;
     list_.add(reading);
     add_damping(reading, m.damping, m.sigma_damping);
   }
@@ -112,7 +123,7 @@ private:
                    const std::optional<double>& sigma) {
     if (!damping || !(*damping > 0)) return;
     reading.kind = ReadingKind::damping;
-    reading.name = "damping of " + reading.name.substr(0, reading.name.find(", " + reading.state));
+    reading.name = "damping of " + reading.name;
     reading.unit = "";
     reading.value = *damping;
     reading.sigma = relative(sigma, *damping, damping_sigma);
@@ -152,7 +163,7 @@ private:
         const MeasuredMode& mode = measured_.modes[own[k]];
         Reading reading{.kind = ReadingKind::frequency,
                         .name = std::string("frequency in ") + axis_word(run.axis) + ", base " +
-                                axis_word(run.base) + at_level(run.level),
+                                axis_word(run.base) + at_level(run),
                         .unit = "Hz",
                         .entry = entry_name("modes", own[k]),
                         .state = run.state,
@@ -182,7 +193,7 @@ private:
                   .peaks = {p.frequency[k]},
                   .first = true};
       const std::string of = std::string(" of the first peak in ") + axis_word(run.axis) +
-                             ", base " + axis_word(run.base) + at_level(run.level);
+                             ", base " + axis_word(run.base) + at_level(run);
       Reading reading{.kind = ReadingKind::frequency,
                       .name = "frequency" + of,
                       .unit = "Hz",
@@ -213,18 +224,20 @@ private:
     }
   }
 
-  // Without a word on it, the highest of three levels or more in a direction is held out.
+  // Without a word on it, the highest of three levels or more of one excitation is held out.
   void hold_out_by_level() {
     if (!measured_.hold_out.empty()) return;
-    for (int base = 0; base < 3; ++base) {
-      std::set<double> levels;
-      for (const TestRun& run : list_.all.runs)
-        if (run.base == base && run.level > 0) levels.insert(run.level);
-      if (levels.size() < 3) continue;
-      for (Reading& r : list_.all.readings)
-        if (r.run >= 0 && list_.all.runs[std::size_t(r.run)].base == base &&
-            list_.all.runs[std::size_t(r.run)].level == *levels.rbegin())
-          r.held_out = true;
+    std::map<std::tuple<int, std::string, int, bool>, std::set<double>> levels;
+    const auto of = [&](const TestRun& run) -> std::set<double>& {
+      return run.base >= 0 ? levels[{run.base, "", 0, false}]
+                           : levels[{-1, run.sensor, run.axis, run.by_force}];
+    };
+    for (const TestRun& run : list_.all.runs)
+      if (run.level > 0) of(run).insert(run.level);
+    for (Reading& r : list_.all.readings) {
+      if (r.run < 0) continue;
+      const TestRun& run = list_.all.runs[std::size_t(r.run)];
+      if (of(run).size() >= 3 && run.level == *of(run).rbegin()) r.held_out = true;
     }
   }
 

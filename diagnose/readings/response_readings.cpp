@@ -155,7 +155,7 @@ private:
         reading.sensor = at.sensor;
         reading.axis = at.base;
         reading.name = std::string("share in ") + axis_word(at.base) + " at its resonance, base " +
-                       axis_word(run.base) + at_level(run.level);
+                       axis_word(run.base) + at_level(run);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
         reading.sigma = std::hypot(0.03, noise * ratio / (ratio + cross_floor));
@@ -184,7 +184,7 @@ private:
         reading.highest = true;
         reading.axis = axis;
         reading.name = std::string("highest in ") + axis_word(axis) + " over that in " +
-                       axis_word(run.base) + at_level(run.level);
+                       axis_word(run.base) + at_level(run);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
         const double noise = stated_noise(own.entry, ratio * height);
@@ -216,8 +216,7 @@ private:
   void add_main(std::size_t i, const FrfSet& set, const TestRun& run, int k,
                 const FittedPeak& peak) {
     const std::string of = " of peak " + std::to_string(k + 1) + " at " + run.sensor + " in " +
-                           axis_word(run.axis) + ", base " + axis_word(run.base) +
-                           at_level(run.level);
+                           axis_word(run.axis) + ", base " + axis_word(run.base) + at_level(run);
     const double step = (set.hertz[set.hertz.size() - 1] - set.hertz[0]) /
                         double(std::max<Index>(1, set.hertz.size() - 1)) / peak.frequency;
     // Of what a fit finds from so many lines: relative to height, half of it to width.
@@ -260,7 +259,7 @@ private:
     const double noise = stated_noise(i, height);
     Reading reading = blank(i, run, 0);
     reading.sensor = sensor;
-    const std::string of = " at " + sensor + ", base " + axis_word(run.base) + at_level(run.level);
+    const std::string of = " at " + sensor + ", base " + axis_word(run.base) + at_level(run);
     if (sensor != run.sensor) {
       reading.kind = ReadingKind::amplitude;
       reading.name = std::string("amplitude") + of;

@@ -71,6 +71,7 @@ struct LocatedGap {
 struct LevelTrend {
   std::string quantity;
   double slope = 0, sigma = 0; // d ln / d ln level
+  double best = 0;             // the slope that the model has with what the gap is closed with
 };
 
 // A parameter estimated from parts of the readings alone.

@@ -35,6 +35,8 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   if (run.base < 0) {
     label.band = r.name.substr(r.name.find("damping of ") == 0 ? 11 : 0);
     label.band = label.band.substr(0, label.band.find(','));
+    if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
+    if (run.level > 0 && !run.by_force) label.level = run.level;
     if (r.axis >= 0) label.direction = letters[std::size_t(r.axis)];
     return label;
   }
@@ -163,10 +165,13 @@ std::vector<LevelTrend> level_trends(const TestReadings& test) {
   for (const Reading& r : test.readings) {
     if (r.run < 0 || (r.kind != ReadingKind::frequency && r.kind != ReadingKind::damping)) continue;
     const TestRun& run = test.runs[std::size_t(r.run)];
-    if (run.base < 0 || !(run.level > 0)) continue;
-    const std::string name =
-        std::string(kind_name(r.kind)) + " of peak " + std::to_string(r.peak + 1) + ", base " +
-        letters[std::size_t(run.base)] + (r.state.empty() ? "" : ", " + r.state);
+    if (!(run.level > 0)) continue;
+    const std::string mode = r.name.substr(r.name.starts_with("damping of ") ? 11 : 0);
+    const std::string name = std::string(kind_name(r.kind)) + " of " +
+                             (run.base < 0 ? mode.substr(0, mode.find(','))
+                                           : "peak " + std::to_string(r.peak + 1) + ", base " +
+                                                 letters[std::size_t(run.base)]) +
+                             (r.state.empty() ? "" : ", " + r.state);
     Points& p = series[name];
     p.x.push_back(std::log(run.level));
     p.y.push_back(r.log_value);

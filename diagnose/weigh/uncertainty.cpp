@@ -40,20 +40,24 @@ bool same_way(const TestReadings& test, const Reading& a, const Reading& b) {
 
 // Numbers of the series of readings that differ in nothing but the level.
 std::vector<int> series_of(const TestReadings& test) {
-  std::map<std::tuple<ReadingKind, std::string, std::string, int, int, int, bool, bool, int>, int>
-      known;
+  using Run = std::tuple<int, int, bool, std::string>;
+  std::map<std::tuple<ReadingKind, std::string, std::string, int, Run, bool, bool, int>, int> known;
   std::vector<int> series;
   for (const Reading& r : test.readings) {
-    if (r.run < 0 || test.runs[std::size_t(r.run)].base < 0) {
+    if (r.run < 0 ||
+        (test.runs[std::size_t(r.run)].base < 0 && test.runs[std::size_t(r.run)].level == 0)) {
       series.push_back(-1 - int(series.size())); // alone
       continue;
     }
     const TestRun& run = test.runs[std::size_t(r.run)];
-    series.push_back(known
-                         .try_emplace({r.kind, r.state, r.sensor, r.axis, run.base, run.axis,
-                                       r.at_run >= 0, r.highest, r.peak},
-                                      int(known.size()))
-                         .first->second);
+    const bool table = run.base >= 0;
+    const Run of{run.base, run.axis, run.by_force, table ? "" : run.sensor};
+    series.push_back(
+        known
+            .try_emplace({r.kind, r.state, table ? r.sensor : std::to_string(int(r.shape)), r.axis,
+                          of, r.at_run >= 0, r.highest, table ? r.peak : r.order},
+                         int(known.size()))
+            .first->second);
   }
   return series;
 }

@@ -135,11 +135,30 @@ void check_vector(const Measured& m, const MeasuredVector& v, const std::string&
   same_length(v.imaginary, "imaginary", false);
 }
 
+// A shaker in place of the table.
+void check_drive(const Measured& m, const MeasuredMode& mode, const std::string& key,
+                 ReadLog& log) {
+  const int levels = int(mode.acceleration.has_value()) + int(mode.force.has_value());
+  if (mode.drive.empty()) {
+    if (levels > 0)
+      log.add(key, "has a level of a shaker but no place where it drove",
+              "drive: sensor and axis, such as mid.y; `level` is that of a table");
+    return;
+  }
+  check_channels(m, {mode.drive}, key + ".drive", "", log);
+  if (mode.base || mode.level)
+    log.add(key, "has both a table and a shaker", "base and level, or drive and its level");
+  if (levels != 1)
+    log.add(key, levels == 0 ? "has a drive but no level" : "has two levels",
+            "acceleration that was held at the drive, or force");
+}
+
 void check_modes(const Measured& m, ReadLog& log) {
   for (std::size_t i = 0; i < m.modes.size(); ++i) {
     const std::string key = item("modes", i);
     check_sensor_named(m, key, m.modes[i].sensor, log);
     if (m.modes[i].vector) check_vector(m, *m.modes[i].vector, key + ".vector", log);
+    check_drive(m, m.modes[i], key, log);
     if (!m.modes[i].sensor.empty() && !m.modes[i].base)
       log.add(key, "has a sensor but no base, so no response it belongs to",
               "give the axis along which the table moved");

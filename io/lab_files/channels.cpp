@@ -67,9 +67,10 @@ ChannelTable assembled(const VectorXd& abscissa, std::vector<ChannelColumn> colu
   }
   if (kept == 0) bad_channels(r, "channels", "leave nothing", "at least one channel");
   if (!r.time && table.values.leftCols(kept).imag().isZero(0))
-    bad_channels(r, "channels", "no response has an imaginary part",
-                 "complex cells, or a real and an imaginary column per channel with the channels "
-                 "named; magnitudes alone, or with phases, are not read");
+    bad_channels(
+        r, "channels", "no response has an imaginary part",
+        "complex cells, a real and an imaginary column per channel with the channels named, "
+        "or columns such as 'mid y magnitude [dB]' and 'mid y phase [deg]'");
   table.values.conservativeResize(Eigen::NoChange, kept);
   for (Index i = 1; i < abscissa.size(); ++i)
     if (!(abscissa[i] > abscissa[i - 1]))

@@ -2,6 +2,8 @@
 #include "io/lab_files/csv_table.hpp"
 #include "words/did_you_mean.hpp"
 
+#include <numbers>
+
 namespace plica {
 namespace {
 
@@ -23,6 +25,10 @@ bool take_ending(std::string& name, std::initializer_list<const char*> endings) 
   return false;
 }
 
+bool is_decibel(const std::string& unit) {
+  return unit == "dB" || unit == "db" || unit == "DB";
+}
+
 InputProblem at_header(const CsvTable& table, const ChannelRequest& r, std::size_t column) {
   return {r.path.string(), table.header_line, "column " + std::to_string(column + 1), "", ""};
 }
@@ -30,7 +36,10 @@ InputProblem at_header(const CsvTable& table, const ChannelRequest& r, std::size
 // Brings the numbers to SI; a warning where the unit leaves something open.
 void take_unit(ChannelColumn& column, const CsvTable& table, std::size_t c, const ChannelRequest& r,
                std::vector<std::string>& warnings) {
-  ColumnUnit unit = column_unit(table.columns[c].unit, r, at_header(table, r, c));
+  const std::string& written = table.columns[c].unit;
+  const bool decibel = is_decibel(written);
+  ColumnUnit unit = column_unit(decibel ? "" : written, r, at_header(table, r, c));
+  if (decibel) unit.note = "decibels are taken as relative to 1 in SI units";
   column.values *= unit.factor;
   column.factor = unit.factor;
   column.powers = unit.powers;
@@ -41,7 +50,42 @@ void take_unit(ChannelColumn& column, const CsvTable& table, std::size_t c, cons
                        std::to_string(c + 1) + ": " + unit.note);
 }
 
-// Complex columns, and pairs of real and imaginary ones.
+// "mid y" of "mid y magnitude [dB]" with "mid y phase [deg]" to its right; empty: it is no such
+// pair.
+std::string stem_of_polar(const CsvTable& table, std::size_t c) {
+  if (!table.header || c + 1 >= table.columns.size()) return "";
+  std::string magnitude = table.columns[c].name, phase = table.columns[c + 1].name;
+  const bool is_pair = take_ending(magnitude, {" magnitude", " Magnitude", " mag", " Mag",
+                                               " amplitude", " Amplitude", " abs", " Abs"}) &&
+                       take_ending(phase, {" phase", " Phase", " phi", " angle", " Angle"}) &&
+                       magnitude == phase;
+  return is_pair ? magnitude : "";
+}
+
+// Of a magnitude, plain or in decibels, and a phase in degrees or radians.
+VectorXcd polar(const CsvTable& table, std::size_t c, const ChannelRequest& r) {
+  const CsvColumn &magnitude = table.columns[c], &phase = table.columns[c + 1];
+  Eigen::ArrayXd size = magnitude.real.array();
+  if (is_decibel(magnitude.unit)) size = Eigen::pow(10., size / 20);
+  double turn = 1;
+  if (phase.unit == "deg" || phase.unit == "degree" || phase.unit == "degrees" ||
+      phase.unit == "\u00b0") {
+    turn = std::numbers::pi / 180;
+  } else if (phase.unit != "rad") {
+    InputProblem problem = at_header(table, r, c + 1);
+    problem.wrong =
+        phase.unit.empty() ? "a phase without a unit" : "a phase in '" + shown(phase.unit) + "'";
+    problem.allowed = "[deg] or [rad]";
+    throw InputError({problem});
+  }
+  VectorXcd values(size.size());
+  for (Eigen::Index i = 0; i < size.size(); ++i)
+    values[i] =
+        std::polar(std::abs(size[i]), turn * phase.real[i] + (size[i] < 0 ? std::numbers::pi : 0));
+  return values;
+}
+
+// Complex columns, pairs of real and imaginary ones, and pairs of magnitude and phase.
 std::vector<ChannelColumn> columns_of(const CsvTable& table, const ChannelRequest& r,
                                       std::vector<std::string>& warnings) {
   std::vector<ChannelColumn> columns;
@@ -54,6 +98,14 @@ std::vector<ChannelColumn> columns_of(const CsvTable& table, const ChannelReques
     ChannelColumn column;
     column.name = by_name ? source.name : "column " + std::to_string(c + 1);
     column.values = source.real.cast<std::complex<double>>();
+    if (const std::string stem = stem_of_polar(table, c); !r.time && !stem.empty()) {
+      column.name = by_name ? stem : column.name;
+      column.values = polar(table, c++, r);
+      column.name = channel_of(column.name);
+      take_unit(column, table, first, r, warnings);
+      columns.push_back(std::move(column));
+      continue;
+    }
     if (source.imaginary.size() > 0) {
       column.values.imag() = source.imaginary;
     } else if (by_name && column.name.ends_with(" sum")) {

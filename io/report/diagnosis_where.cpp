@@ -141,14 +141,15 @@ std::string trends_html(const Diagnosis& d) {
   for (const LevelTrend& t : d.trends) {
     const std::string slope = html_signed(t.slope, 3);
     const bool clear = std::abs(t.slope) > 2 * t.sigma;
-    rows.push_back({{html_escape(t.quantity), clear ? "<b>" + slope + "</b>" : slope,
-                     html_number(t.sigma, 2), html_signed(100 * (std::exp2(t.slope) - 1), 1),
-                     bar_svg({.from = t.slope - 2 * t.sigma,
-                              .to = t.slope + 2 * t.sigma,
-                              .low = -reach,
-                              .high = reach,
-                              .mark = 0})},
-                    ""});
+    rows.push_back(
+        {{html_escape(t.quantity), clear ? "<b>" + slope + "</b>" : slope, html_number(t.sigma, 2),
+          html_signed(t.best, 3), html_signed(100 * (std::exp2(t.slope) - 1), 1),
+          bar_svg({.from = t.slope - 2 * t.sigma,
+                   .to = t.slope + 2 * t.sigma,
+                   .low = -reach,
+                   .high = reach,
+                   .mark = 0})},
+         ""});
   }
   std::string html;
   if (!rows.empty())
@@ -158,6 +159,7 @@ std::string trends_html(const Diagnosis& d) {
                       {{"", "", false},
                        {"slope", ""},
                        {"sigma", ""},
+                       {"with the best hypothesis", ""},
                        {"at twice the level", "%"},
                        {"", "", false}},
                       rows);

@@ -51,8 +51,11 @@ std::string where_text(const Diagnosis& d) {
   if (!rows.empty()) text += "  by component\n" + text_table(rows, 1);
   rows.clear();
   for (const LevelTrend& t : d.trends)
-    rows.push_back({t.quantity, with_sign(t.slope, 3), "+/- " + significant(t.sigma, 2)});
-  if (!rows.empty()) text += "  over the level, d ln / d ln level\n" + text_table(rows, 1);
+    rows.push_back({t.quantity, with_sign(t.slope, 3), "+/- " + significant(t.sigma, 2),
+                    with_sign(t.best, 3)});
+  if (!rows.empty())
+    text += "  over the level, d ln / d ln level: the test, the model with the best hypothesis\n" +
+            text_table(rows, 1);
   return text;
 }
 

@@ -215,8 +215,10 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["effects"] = list_of(d.effects, [](const NamedEffect& e) { return named_json(e); });
   json["where"] = list_of(d.where, item);
   json["level_trends"] = list_of(d.trends, [](const LevelTrend& t) {
-    return Json{
-        {"quantity", t.quantity}, {"slope", json_number(t.slope)}, {"sigma", json_number(t.sigma)}};
+    return Json{{"quantity", t.quantity},
+                {"slope", json_number(t.slope)},
+                {"sigma", json_number(t.sigma)},
+                {"best", json_number(t.best)}};
   });
   json["drifts"] = list_of(d.drifts, item);
   json["gap"] = json_of(d.gap);

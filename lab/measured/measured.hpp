@@ -70,6 +70,9 @@ struct MeasuredMode {
   std::optional<Axis> direction; // in which the mode moves, where known
   std::optional<Axis> base;      // excited along
   std::optional<double> level;
+  // Excited at a channel, "mid.y", in place of a table: what a controller held there, m/s2, or N.
+  std::string drive;
+  std::optional<double> acceleration, force;
   std::string sensor;          // at which the peak was seen; empty = not known
   std::vector<double> repeats; // of the frequency
   std::optional<MeasuredVector> vector;

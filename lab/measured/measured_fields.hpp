@@ -105,6 +105,11 @@ template <class V> void fields(V& v, MeasuredMode& m) {
   v.choice(m.direction, "direction", axis_names, optional_key, "axis along which the mode moves");
   v.choice(m.base, "base", axis_names, optional_key, "axis along which the table moved");
   v.quantity(m.level, "level", measured_level, "base acceleration");
+  v.text(m.drive, "drive", {}, "sensor and axis at which a shaker drove it, such as mid.y");
+  v.quantity(m.acceleration, "acceleration", measured_level,
+             "amplitude that was held at the drive");
+  v.quantity(m.force, "force", {.unit = Dimension::force, .min = 0, .exclusive_min = true},
+             "amplitude of the force at the drive");
   v.text(m.sensor, "sensor", {},
          "name of the sensor that showed it: its peaks are paired in order");
   v.quantities(m.repeats, "repeats",

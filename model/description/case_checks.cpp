@@ -112,7 +112,8 @@ void check_sensors(const Case& data, CheckLog& log) {
       if (d < nearest) name = part.name;
       nearest = std::min(nearest, d);
     }
-    if (nearest > 5e-3)
+    constexpr double rounding = 5e-6; // of what the message shows
+    if (nearest > 5e-3 + rounding)
       log.add(key,
               "the sensor is off the part" +
                   (name.empty() ? "" : ": " + millimetres(nearest) + " away from '" + name + "'"),

@@ -119,7 +119,8 @@ void place_sensors(Building& b) {
                              "arm of sensor " + sensor.name);
       distance = along;
     }
-    if (distance > sensor.reach) {
+    constexpr double rounding = 5e-6; // of what the message shows
+    if (distance > sensor.reach + rounding) {
       const Vector3d& x = b.built.model.mesh.nodes[node];
       input_error("sensors[" + std::to_string(i) + "].at",
                   "sensor \"" + sensor.name + "\" is " + in_millimetres(distance) +
