@@ -14,9 +14,9 @@
 namespace plica {
 namespace {
 
-const std::string lap_folder = PLICA_SOURCE_DIR "/cases/lap_beam/";
+const std::string lap_folder = PLICA_SOURCE_DIR "/cases/lap_levels/";
 
-// A free uniform beam with a spring against bending in its middle (cases/lap_beam/lap_levels.yaml):
+// A free uniform beam with a spring against bending in its middle (cases/lap_levels):
 // square of the first mode of unit mass at a place, 1/kg. Half of it, free at x = 0:
 //   w = cosh bx + cos bx + c (sinh bx + sin bx), no shear force at x = L: c = -w3[0] / w3[1]
 double mode_squared(double hertz, double place) {
@@ -42,7 +42,7 @@ double mode_squared(double hertz, double place) {
 // the damping that a held acceleration gives says what phi is.
 TEST(DrivenModes, a_force_and_the_acceleration_that_it_gives_are_one_level) {
   const CaseFile file = read_case(lap_folder + "lap_levels.yaml");
-  Measured m = read_measured(lap_folder + "levels.yaml");
+  Measured m = read_measured(lap_folder + "measured.yaml");
   m.modes.resize(1);
   m.hold_out.clear();
   const Nominal nominal = nominal_of(file.data, m);
@@ -75,11 +75,11 @@ TEST(DrivenModes, a_force_and_the_acceleration_that_it_gives_are_one_level) {
   }
 }
 
-// The Brake-Reuss beam (cases/lap_beam/levels.yaml says whose measurement it is): damping that
+// The Brake-Reuss beam (cases/lap_levels says whose measurement it is): damping that
 // grows fourfold is friction in the lap, not damping of everything.
 TEST(DrivenModes, damping_that_grows_over_the_level_is_friction_in_the_lap) {
   const CaseFile file = read_case(lap_folder + "lap_levels.yaml");
-  const Measured m = read_measured(lap_folder + "levels.yaml");
+  const Measured m = read_measured(lap_folder + "measured.yaml");
   const Diagnosis d = diagnose(file.data, {.data = m, .responses = {}}, {});
   ASSERT_FALSE(d.effects.empty()) << d.headline;
   EXPECT_EQ(d.effects.front().name, "joint_friction") << d.headline;

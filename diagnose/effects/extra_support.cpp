@@ -1,6 +1,8 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
 
+#include <set>
+
 namespace plica {
 namespace {
 
@@ -9,6 +11,17 @@ ModelChange on_each(const std::vector<int>& nodes, const Eigen::Vector3d& along)
   return {.apply = [nodes, k = Eigen::Vector3d(along / double(nodes.size()))](Model& model) {
     for (int node : nodes) add_ground_spring(model, node, {k[0], k[1], k[2], 0, 0, 0});
   }};
+}
+
+// Whether what holds along all axes shows otherwise than what holds along one.
+bool sees_two_directions(const Measured& m) {
+  std::set<Axis> seen;
+  for (const MeasuredMode& mode : m.modes)
+    if (mode.base || mode.direction) seen.insert(mode.base ? *mode.base : *mode.direction);
+  for (const MeasuredPeaks& p : m.peaks) seen.insert(p.base);
+  for (const MeasuredFrf& f : m.frf)
+    if (f.base) seen.insert(*f.base);
+  return seen.size() > 1;
 }
 
 // A support all round a crown holds its turning too; one that touches softly does not.
@@ -48,7 +61,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     along("x", {x});
     along("y", {y});
     along("z", {z});
-    along("all round", {x, y, z});
+    if (sees_two_directions(s.measured)) along("all round", {x, y, z});
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include "diagnose/effects/on_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plica {
@@ -71,6 +72,42 @@ void add_along(std::vector<Spot>& found, const Structure& s, const std::string& 
 bool is_held(const Structure& s, int node) {
   return std::find(s.built.held_nodes.begin(), s.built.held_nodes.end(), node) !=
          s.built.held_nodes.end();
+}
+
+// Of the law of a spring: the pipe lies along y.
+std::vector<int> rows_of(JointDirection motion) {
+  static const std::array<std::vector<int>, 5> rows{{{0, 1, 2, 3, 4, 5}, {1}, {0, 2}, {3, 5}, {4}}};
+  return rows[static_cast<std::size_t>(motion)];
+}
+
+// Stiffnesses of a beam that bear a motion; what it has across follows from bending.
+std::vector<double*> numbers_of(BeamProperties& section, JointDirection motion) {
+  switch (motion) {
+  case JointDirection::all:
+    return {&section.EA, &section.EI_y, &section.EI_z, &section.GJ};
+  case JointDirection::axial:
+    return {&section.EA};
+  case JointDirection::lateral:
+    return {};
+  case JointDirection::bending:
+    return {&section.EI_y, &section.EI_z};
+  case JointDirection::torsion:
+    return {&section.GJ};
+  }
+  return {};
+}
+
+// What stands in for an interlock without stiffness: a thin tube of its radius, massless, as its
+// mass is there already.
+BeamProperties tube_of(const Model& model, const JointGroup& group) {
+  const auto& x = model.mesh.nodes;
+  const double length = (x[group.nodes.back()] - x[group.nodes.front()]).norm();
+  const double EA = group.stiffness * length, r2 = group.radius * group.radius;
+  BeamProperties tube;
+  tube.EA = EA;
+  tube.EI_y = tube.EI_z = EA * r2 / 2;
+  tube.GJ = EA * r2 / 2.6;
+  return tube;
 }
 
 double largest_translation(const BushingElement& b) {
@@ -142,25 +179,61 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
   return groups;
 }
 
-void scale_group(Model& model, const JointGroup& group, double factor) {
-  for (int i : group.bushings) model.bushings[std::size_t(i)].bushing.law *= factor;
+const char* way_of(JointDirection motion) {
+  constexpr std::array names{"", "axial", "lateral", "bending", "torsion"};
+  return names[static_cast<std::size_t>(motion)];
+}
+
+bool turns(JointDirection motion) {
+  return motion == JointDirection::bending || motion == JointDirection::torsion;
+}
+
+double stiffness_in(const Model& model, const JointGroup& group, JointDirection motion) {
+  double compliance = 0;
+  for (int i : group.bushings) {
+    const Matrix6& law = model.bushings[std::size_t(i)].bushing.law;
+    double k = 0;
+    for (int row : rows_of(motion)) k = std::max(k, law(row, row));
+    if (!law.isDiagonal() || !(k > 0)) return 0;
+    compliance += 1 / k;
+  }
+  for (std::size_t n = 1; n < group.nodes.size() && motion != JointDirection::lateral; ++n) {
+    const BeamProperties section = group.present && n <= group.beams.size()
+                                       ? model.beams[std::size_t(group.beams[n - 1])].section
+                                       : tube_of(model, group);
+    const double length =
+        (model.mesh.nodes[group.nodes[n]] - model.mesh.nodes[group.nodes[n - 1]]).norm();
+    const double k = motion == JointDirection::bending   ? section.EI_y
+                     : motion == JointDirection::torsion ? section.GJ
+                                                         : section.EA;
+    if (!(k > 0)) return 0;
+    compliance += length / k;
+  }
+  return compliance > 0 ? 1 / compliance : 0;
+}
+
+void scale_group(Model& model, const JointGroup& group, double factor, JointDirection motion) {
+  for (int i : group.bushings) {
+    Matrix6& law = model.bushings[std::size_t(i)].bushing.law;
+    if (motion == JointDirection::all)
+      law *= factor;
+    else
+      for (int row : rows_of(motion)) law(row, row) *= factor;
+  }
   if (group.present) {
-    for (int i : group.beams) {
-      BeamProperties& section = model.beams[std::size_t(i)].section;
-      for (double* number : {&section.EA, &section.EI_y, &section.EI_z, &section.GJ})
+    for (int i : group.beams)
+      for (double* number : numbers_of(model.beams[std::size_t(i)].section, motion))
         *number *= factor;
-    }
     return;
   }
-  // Of a thin tube of its radius, massless: the mass is there already.
-  const auto& x = model.mesh.nodes;
-  const double length = (x[group.nodes.back()] - x[group.nodes.front()]).norm();
-  const double EA = factor * group.stiffness * length, r2 = group.radius * group.radius;
-  for (std::size_t i = 1; i < group.nodes.size(); ++i) {
-    BeamElement beam{.node1 = group.nodes[i - 1], .node2 = group.nodes[i], .section = {}};
-    beam.section = {.EA = EA, .EI_y = EA * r2 / 2, .EI_z = EA * r2 / 2, .GJ = EA * r2 / 2.6};
-    model.beams.push_back(beam);
-  }
+  const BeamProperties tube = tube_of(model, group);
+  BeamProperties own = tube;
+  for (double* number : numbers_of(own, JointDirection::all)) *number = 0;
+  BeamProperties given = tube;
+  const std::vector<double*> from = numbers_of(given, motion), to = numbers_of(own, motion);
+  for (std::size_t n = 0; n < to.size(); ++n) *to[n] = factor * *from[n];
+  for (std::size_t i = 1; i < group.nodes.size(); ++i)
+    model.beams.push_back({.node1 = group.nodes[i - 1], .node2 = group.nodes[i], .section = own});
 }
 
 std::vector<WallElements> walls(const Structure& s) {
@@ -218,9 +291,10 @@ ModelChange ground_springs(const std::vector<int>& nodes, double translation, do
           Follow::series};
 }
 
-ModelChange added_group(const JointGroup& group) {
-  return {[group](Model& model) { scale_group(model, group, group.present ? 2 : 1); },
-          Follow::series};
+ModelChange added_group(const JointGroup& group, JointDirection motion) {
+  return {
+      [group, motion](Model& model) { scale_group(model, group, group.present ? 2 : 1, motion); },
+      Follow::series};
 }
 
 Vector3d quad_centre(const Model& model, int quad) {

@@ -28,11 +28,22 @@ struct JointGroup {
   bool mount = false;   // the springs of a mount
 };
 std::vector<JointGroup> joint_groups(const Structure& s);
-// The stiffness of the group times a factor; an absent one gets the factor times `stiffness`.
-void scale_group(Model& model, const JointGroup& group, double factor);
+// What a joint gives way in: along the pipe, across it, about axes across it, about its axis.
+enum class JointDirection { all, axial, lateral, bending, torsion };
+const char* way_of(JointDirection motion); // "axial"; empty for all
+bool turns(JointDirection motion);
+
+// The stiffness of the group in a motion times a factor; an absent one gets the factor times
+// `stiffness`.
+void scale_group(Model& model, const JointGroup& group, double factor,
+                 JointDirection motion = JointDirection::all);
 
 // Adds the group once more; one that is absent, at its reference stiffness.
-ModelChange added_group(const JointGroup& group);
+ModelChange added_group(const JointGroup& group, JointDirection motion = JointDirection::all);
+
+// N/m or Nm/rad of the group in one motion, from its one end to the other; 0: it has none, or its
+// motions are coupled.
+double stiffness_in(const Model& model, const JointGroup& group, JointDirection motion);
 
 // The wall of a bellows: its quads and, of each, the number of its convolution from 1, 0 = a cuff.
 struct WallElements {

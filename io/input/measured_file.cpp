@@ -67,12 +67,24 @@ void check_file(const std::string& name, const std::string& key, const std::stri
     log.add(key, "there is no file '" + shown(name) + "'", "give a path relative to this file");
 }
 
-// "mid.y" of a sensor of this file, or "-". Inputs have names of their own.
-void check_channels(const Measured& m, const std::vector<std::string>& channels,
-                    const std::string& key, const std::string& input, ReadLog& log) {
+std::vector<std::string> sensor_channels(const Measured& m) {
   std::vector<std::string> known;
   for (const MeasuredSensor& s : m.sensors)
     for (const char* axis : {".x", ".y", ".z"}) known.push_back(s.name + axis);
+  return known;
+}
+
+void check_channel(const std::vector<std::string>& known, const std::string& channel,
+                   const std::string& place, ReadLog& log) {
+  if (std::find(known.begin(), known.end(), channel) == known.end())
+    log.add(place, "there is no sensor and axis '" + shown(channel) + "'",
+            known.empty() ? "this file has no sensors" : suggestion(channel, known));
+}
+
+// "mid.y" of a sensor of this file, or "-". Inputs have names of their own.
+void check_channels(const Measured& m, const std::vector<std::string>& channels,
+                    const std::string& key, const std::string& input, ReadLog& log) {
+  const std::vector<std::string> known = sensor_channels(m);
   std::set<std::string> seen;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const std::string place = item(key, i);
@@ -82,9 +94,7 @@ void check_channels(const Measured& m, const std::vector<std::string>& channels,
               "each channel once, - for one to leave out");
     const bool is_input =
         !input.empty() && (channels[i] == input || channels[i].starts_with("base."));
-    if (!is_input && std::find(known.begin(), known.end(), channels[i]) == known.end())
-      log.add(place, "there is no sensor and axis '" + shown(channels[i]) + "'",
-              known.empty() ? "this file has no sensors" : suggestion(channels[i], known));
+    if (!is_input) check_channel(known, channels[i], place, log);
   }
 }
 
@@ -145,7 +155,7 @@ void check_drive(const Measured& m, const MeasuredMode& mode, const std::string&
               "drive: sensor and axis, such as mid.y; `level` is that of a table");
     return;
   }
-  check_channels(m, {mode.drive}, key + ".drive", "", log);
+  check_channel(sensor_channels(m), mode.drive, key + ".drive", log);
   if (mode.base || mode.level)
     log.add(key, "has both a table and a shaker", "base and level, or drive and its level");
   if (levels != 1)

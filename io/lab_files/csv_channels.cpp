@@ -137,12 +137,10 @@ std::vector<ChannelColumn> columns_of(const CsvTable& table, const ChannelReques
 
 ChannelTable csv_channels(const ChannelRequest& r) {
   CsvTable table = read_csv(r.path);
-  if (r.rate > 0) { // no column of times
-    const std::string& first = table.columns[0].name;
-    if (first == "t" || first.starts_with("time") || first.starts_with("Time") ||
-        (!r.channels.empty() && table.columns.size() == r.channels.size() + 1))
-      bad_channels(r, "rate", "stands beside a column of times",
-                   "nothing, where the file has the time");
+  const std::string& first = table.columns[0].name;
+  const bool has_times = first == "t" || first.starts_with("time") || first.starts_with("Time") ||
+                         (!r.channels.empty() && table.columns.size() == r.channels.size() + 1);
+  if (r.rate > 0 && !has_times) {
     CsvColumn time{.name = "time",
                    .unit = "s",
                    .real = times_at(r.rate, table.columns[0].real.size()),

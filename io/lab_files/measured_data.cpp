@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {
@@ -169,8 +170,7 @@ SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                    "one sampling rate");
   if (set.rate > 0 && std::abs(set.rate * step - 1) > 1e-3)
     bad_channels(request, "rate",
-                 "is " + std::to_string(set.rate) + " Hz, the file has " +
-                     std::to_string(1 / step) + " Hz",
+                 fmt::format("is {:g} Hz, the times of the file are {:g} Hz", set.rate, 1 / step),
                  "nothing, where the file has the time");
   if (set.rate == 0) set.rate = 1 / step;
   return set;

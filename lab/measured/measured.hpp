@@ -123,7 +123,7 @@ struct MeasuredSignals {
   std::string reference;             // channel of the input: "base.y" or "hammer"
   std::string force;                 // channel that the input drives, "mid.y", when it is a force
   std::vector<std::string> channels; // of the columns without the time
-  std::optional<double> rate;        // Hz; absent where the file has the time
+  std::optional<double> rate;        // Hz; where the file has no time
   std::optional<double> level;
   SignalKind excitation = SignalKind::random;
   std::optional<FrfQuantity> quantity;

@@ -167,7 +167,8 @@ template <class V> void fields(V& v, MeasuredSignals& s) {
   v.text(s.force, "force", {}, "channel that the input drives, where it is a force");
   v.texts(s.channels, "channels",
           "sensor and axis of every column, such as mid.y; - leaves it out");
-  v.quantity(s.rate, "rate", sigma_frequency, "sampling rate, where the file has no time");
+  v.quantity(s.rate, "rate", sigma_frequency,
+             "sampling rate, where the file has no time; beside times, what they must agree with");
   v.quantity(s.level, "level", measured_level, "base acceleration");
   v.choice(s.excitation, "excitation", {{SignalKind::random, "random"}, {SignalKind::sine, "sine"}},
            optional_key, "random noise, or a stepped or swept sine");

@@ -1,0 +1,88 @@
+// A beam whose modes are percents off those of its model, measured before and after a change.
+#pragma once
+
+#include "diagnose/diagnose.hpp"
+#include "diagnose/predict/predictor.hpp"
+#include "diagnose/readings/readings.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace plica::changed_beam {
+
+// A steel beam along y of stretches of one length, bending in x and z, held at its start or free.
+inline Case beam_of(int stretches, double length, double width, double depth, bool held) {
+  Case c;
+  c.name = "beam";
+  c.materials["steel"] = {.E = 200e9, .nu = 0.3, .rho = 7850};
+  BeamPart beam;
+  for (int i = 0; i <= stretches; ++i) beam.points.push_back({0, length * i / stretches, 0});
+  beam.elements = 6;
+  beam.up = {0, 0, 1};
+  beam.section.shape = BeamShape::rectangle;
+  beam.section.material = "steel";
+  beam.section.width = width;
+  beam.section.depth = depth;
+  c.parts.push_back({"beam", beam});
+  if (held) {
+    Cap root;
+    root.name = "root";
+    root.of = {"beam.start"};
+    c.caps.push_back(root);
+    c.mount.push_back({.cap = "root"});
+  }
+  c.analyses.modes = Modes{.count = 8};
+  c.analyses.damping.modal = 0.01;
+  return c;
+}
+
+inline MeasuredMode bending(Axis axis, int order, const std::string& state, double frequency = 1) {
+  MeasuredMode mode;
+  mode.shape = MeasuredShape::transverse;
+  mode.direction = axis;
+  mode.order = order;
+  mode.state = state;
+  mode.frequency = frequency;
+  return mode;
+}
+
+// Three modes in z and two in x of one state.
+inline void add_modes(Measured& m, const std::string& state) {
+  for (int order = 1; order <= 3; ++order) m.modes.push_back(bending(Axis::z, order, state));
+  for (int order = 1; order <= 2; ++order) m.modes.push_back(bending(Axis::x, order, state));
+}
+
+// What a model reads for a test.
+inline Eigen::VectorXd read_by(const Case& truth, const Measured& m) {
+  const DiagnosisData test{.data = m, .responses = {}};
+  const TestReadings readings = readings_of(test);
+  return *Predictor(nominal_of(truth, m), readings, {})(Eigen::VectorXd());
+}
+
+// Before and after. Each mode of the specimen is some percents off that of any model of the library
+// here, and once mounted anew some thousandths off itself.
+inline Measured before_and_after(const Case& before, const Case& after) {
+  constexpr std::array model_error{0.031, -0.024, 0.017, -0.035, 0.012};
+  constexpr std::array mounted_anew{0.002, -0.003, 0.001, 0.003, -0.002};
+  Measured m;
+  m.specimen = "beam";
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  add_modes(m, "before");
+  add_modes(m, "after");
+  const Eigen::VectorXd first = read_by(before, m), second = read_by(after, m);
+  for (std::size_t k = 0; k < 5; ++k) {
+    m.modes[k].frequency = std::exp(first[Eigen::Index(k)] + model_error[k]);
+    m.modes[5 + k].frequency =
+        std::exp(second[Eigen::Index(5 + k)] + model_error[k] + mounted_anew[k]);
+  }
+  return m;
+}
+
+inline Diagnosis diagnosis_of(const Case& nominal, const Measured& m) {
+  DiagnosisSettings settings;
+  settings.plan_next = false;
+  return diagnose(nominal, {.data = m, .responses = {}}, settings);
+}
+
+} // namespace plica::changed_beam

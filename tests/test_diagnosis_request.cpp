@@ -1,0 +1,132 @@
+// What a case says of its diagnosis, and a test of its states.
+#include "diagnose/effects/chosen_effects.hpp"
+#include "io/input/measured_file.hpp"
+#include "lab/measured/states.hpp"
+#include "model/description/case_path.hpp"
+#include "tests/changed_beam.hpp"
+#include "words/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace plica {
+namespace {
+
+using namespace changed_beam;
+std::string problem_of(const Case& data) {
+  Measured none;
+  try {
+    chosen_effects(nominal_of(data, none).structure(none));
+  } catch (const InputError& error) {
+    return error.problems().front().key + ": " + error.problems().front().wrong;
+  }
+  return "";
+}
+
+TEST(ChosenEffects, are_those_that_the_case_lets_in) {
+  Case data = beam_of(5, 0.5, 0.03, 0.01, true);
+  data.diagnose.effects = {"added_mass", "extra_support"};
+  data.diagnose.without = {"extra_support"};
+  data.diagnose.places = {"beam.point[3]"};
+  data.diagnose.priors = {
+      {.effect = "added_mass", .parameter = "mass", .between = {0.01, 0.02}, .widening = {}}};
+  Measured none;
+  const ChosenEffects chosen = chosen_effects(nominal_of(data, none).structure(none));
+  ASSERT_EQ(chosen.hypotheses.size(), 1U);
+  EXPECT_EQ(chosen.hypotheses[0].effect, "added_mass");
+  EXPECT_EQ(chosen.hypotheses[0].place, "beam.point[3]");
+  EXPECT_GE(value_of(chosen.hypotheses[0].parameters[0].prior, -5), 0.01);
+  EXPECT_LE(value_of(chosen.hypotheses[0].parameters[0].prior, 5), 0.02);
+  EXPECT_EQ(chosen.words.size(), 4U);
+}
+
+TEST(ChosenEffects, refuse_what_is_none) {
+  const Case data = beam_of(5, 0.5, 0.03, 0.01, true);
+  Case effect = data, place = data, parameter = data, nothing = data, empty = data;
+  effect.diagnose.without = {"addedmass"};
+  place.diagnose.places = {"bellow"};
+  parameter.diagnose.priors = {
+      {.effect = "temperature", .parameter = "T", .between = {0, 1}, .widening = {}}};
+  nothing.diagnose.priors = {
+      {.effect = "temperature", .parameter = "delta_T", .between = {}, .widening = {}}};
+  empty.diagnose.priors = {
+      {.effect = "temperature", .parameter = "delta_T", .between = {5, 1}, .widening = {}}};
+  EXPECT_EQ(problem_of(effect), "diagnose.without[0]: there is no effect 'addedmass'");
+  EXPECT_EQ(problem_of(place), "diagnose.places[0]: no effect has a place 'bellow'");
+  EXPECT_EQ(problem_of(parameter),
+            "diagnose.priors[0].parameter: temperature has no parameter 'T'");
+  EXPECT_EQ(problem_of(nothing), "diagnose.priors[0]: changes nothing");
+  EXPECT_EQ(problem_of(empty), "diagnose.priors[0].between: leaves nothing of the prior");
+  EXPECT_EQ(problem_of(data), "");
+}
+
+// Problems of a measured.yaml, a line each.
+std::vector<InputProblem> problems_of(const std::string& text) {
+  const std::string path = testing::TempDir() + "baseline_" +
+                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml";
+  std::ofstream(path) << text;
+  try {
+    read_measured(path);
+  } catch (const InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+const std::string two_states = "specimen: beam\n"
+                               "states:\n"
+                               "  - {name: before, baseline: true}\n"
+                               "  - {name: after}\n";
+
+TEST(States, a_baseline_has_what_the_others_have) {
+  const auto problems = problems_of(
+      two_states +
+      "modes:\n"
+      "  - {frequency: 10 Hz, shape: transverse, direction: z, order: 1, state: before}\n"
+      "  - {frequency: 9 Hz, shape: transverse, direction: z, order: 1, state: after}\n"
+      "  - {frequency: 60 Hz, shape: transverse, direction: z, order: 2, state: after}\n");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].line, 8);
+  EXPECT_EQ(problems[0].key, "modes[2]");
+  EXPECT_EQ(problems[0].wrong, "no baseline has a transverse mode 2 in z");
+}
+
+TEST(States, something_is_measured_after_the_baseline_and_a_mass_says_when) {
+  Measured alone;
+  alone.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}}};
+  alone.modes = {bending(Axis::z, 1, "before", 10)};
+  EXPECT_THROW(diagnosis_of(beam_of(5, 0.5, 0.03, 0.01, true), alone), std::invalid_argument);
+  EXPECT_EQ(measured_as_drawn(alone).modes.size(), 1U) << "a run has something to be held against";
+  const auto mass = problems_of(
+      two_states + "mass: {value: 1 kg}\n"
+                   "modes:\n"
+                   "  - {frequency: 10 Hz, shape: transverse, direction: z, state: before}\n"
+                   "  - {frequency: 9 Hz, shape: transverse, direction: z, state: after}\n");
+  ASSERT_EQ(mass.size(), 1U);
+  EXPECT_EQ(mass[0].key, "mass");
+  EXPECT_EQ(mass[0].line, 5);
+}
+
+TEST(States, a_run_is_compared_with_what_belongs_to_the_drawing) {
+  Measured m;
+  m.states = {
+      {.name = "before", .baseline = true, .set = {}, .numbers = {}},
+      {.name = "loaded", .baseline = true, .set = {{"parts.m.mass", "1 kg"}}, .numbers = {}},
+      {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  m.modes = {bending(Axis::z, 1, "after", 9), bending(Axis::z, 1, "loaded", 8),
+             bending(Axis::z, 1, "before", 10), bending(Axis::z, 2, "before", 60)};
+  m.hold_out = {"modes[0]", "modes[3]"};
+  const Measured own = measured_as_drawn(m);
+  ASSERT_EQ(own.modes.size(), 2U);
+  EXPECT_EQ(own.modes[0].frequency, 10);
+  EXPECT_EQ(own.hold_out, (std::vector<std::string>{"modes[1]"}));
+
+  for (MeasuredState& s : m.states) s.baseline = false;
+  m.modes.push_back(bending(Axis::z, 1, "", 11));
+  ASSERT_EQ(measured_as_drawn(m).modes.size(), 1U);
+  EXPECT_EQ(measured_as_drawn(m).modes[0].frequency, 11);
+}
+
+} // namespace
+} // namespace plica
