@@ -33,6 +33,24 @@ TEST(Compare, pairs_modes_by_shape_direction_and_order) {
   EXPECT_EQ(rows[2].computed, 131.26) << "another test of the first mode";
 }
 
+// What was measured of another state has no place beside the case, and the others keep the numbers
+// that the file gives them.
+TEST(Compare, leaves_other_states_out_and_keeps_the_numbers_of_entries) {
+  Measured data;
+  data.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+                 {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  data.modes = {measured(90, MeasuredShape::axial, Axis::y, Axis::y),
+                measured(130, MeasuredShape::axial, Axis::y, Axis::y)};
+  data.modes[0].state = "after";
+  data.modes[1].state = "before";
+  Results results = sample();
+  results.responses.clear();
+  const auto rows = compare(results, data);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].entry, "modes[1]");
+  EXPECT_EQ(rows[0].measured, 130);
+}
+
 TEST(Compare, never_pairs_a_second_mode_with_the_first_peak) {
   Measured data;
   data.modes = {measured(130, MeasuredShape::other, Axis::y, Axis::y),

@@ -119,7 +119,7 @@ double StateAnswers::seen_at(const FamilyModes& m, Index mode, int sensor, int a
 // A mode that is known by its kind, at what a shaker drives it to: at resonance the amplitude q is
 // a / (w^2 phi) where the controller holds the acceleration a, F phi / (2 zeta w^2) under a force.
 bool StateAnswers::slipping_mode(const Reading& reading, double& value) {
-  const auto [known, made] = driven_.try_emplace(reading.run * 1000 + reading.peak, 0., 0.);
+  const auto [known, made] = driven_.try_emplace({reading.run, reading.peak}, 0., 0.);
   if (made) {
     const TestRun& run = test_.runs[std::size_t(reading.run)];
     const int sensor = own_.nominal->number_of(run.sensor);

@@ -113,8 +113,9 @@ private:
   std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
   std::map<int, std::vector<Peak>> peaks_;
   std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_; // linear modes
-  std::shared_ptr<SlipTable> table_;                // what it holds stands as long as this
-  std::map<int, std::pair<double, double>> driven_; // by run and order: Hz, damping
+  std::shared_ptr<SlipTable> table_; // what it holds stands as long as this
+  // Of modes that a shaker drives, by run and peak: Hz, damping.
+  std::map<std::pair<int, int>, std::pair<double, double>> driven_;
   std::vector<std::unique_ptr<FamilyModes>> kept_;
 };
 
