@@ -140,7 +140,8 @@ TEST(SealedSuite, has_the_promised_specimens) {
   }
 }
 
-// Euler's beam, 100 times as long as deep (Blevins 1979); lambda^2 of the first three modes clamped and free.
+// Euler's beam, 100 times as long as deep (Blevins 1979); lambda^2 of the first three modes clamped
+// and free.
 TEST(SealedChanges, a_line_bends_as_a_slender_beam_does) {
   const double EI = steel::E * 1e-8 / 12, mass = steel::rho * 1e-4; // 10 x 10 mm, 1 m
   const SectionAt slender = [&](double) {
