@@ -2,10 +2,12 @@
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "lab/measured/states.hpp"
+#include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plica {
@@ -79,6 +81,36 @@ TEST(Baseline, a_specimen_mounted_anew_has_not_changed) {
   const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
   const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, nominal));
   EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+}
+
+// Axes taken for each other, or modes counted otherwise: half off in every frequency.
+TEST(Baseline, a_model_that_is_another_is_warned_of) {
+  const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
+  Measured m = before_and_after(nominal, nominal);
+  const auto is_warned = [&] {
+    const Diagnosis d = diagnosis_of(nominal, m);
+    return std::any_of(d.warnings.begin(), d.warnings.end(), [](const std::string& w) {
+      return w.find("from those of the baseline: modes may be taken for others") !=
+             std::string::npos;
+    });
+  };
+  EXPECT_FALSE(is_warned());
+  for (MeasuredMode& mode : m.modes) mode.frequency *= 1.5;
+  EXPECT_TRUE(is_warned());
+}
+
+TEST(Baseline, nothing_is_formed_anew_beside_it) {
+  const Case data = test::verification_case("bellows_a", {.around = 16, .arc = 2, .wall = 2}, 4);
+  Measured m;
+  m.specimen = data.name;
+  const auto is_tried = [&] {
+    const ChosenEffects chosen = chosen_effects(nominal_of(data, m).structure(m));
+    return std::any_of(chosen.hypotheses.begin(), chosen.hypotheses.end(),
+                       [](const Hypothesis& h) { return h.effect == "forming_thinning"; });
+  };
+  EXPECT_TRUE(is_tried());
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}}};
+  EXPECT_FALSE(is_tried());
 }
 
 TEST(Baseline, effects_do_not_act_in_it_whatever_the_known_change) {
