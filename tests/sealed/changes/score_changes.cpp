@@ -153,7 +153,7 @@ struct Goal {
 void print(json& score, const Goal& goal, const std::string& of, const Share& share, bool judged) {
   if (share.of == 0) return;
   std::string word;
-  if (judged) {
+  if (judged && (goal.least > 0 || goal.most < 1)) {
     const bool shown = share.low() >= goal.least - 1e-9 && share.high() <= goal.most + 1e-9;
     const bool missed = share.high() < goal.least || share.low() > goal.most;
     word = shown ? "met" : missed ? "MISSED" : "not shown";
