@@ -37,7 +37,7 @@ double share_before(const std::string& stage) {
                                                                   {"signatures", 0.26},
                                                                   {"fits", 0.53},
                                                                   {"Markov chains", 0.56},
-                                                                  {"pairs of effects", 0.58},
+                                                                  {"several effects at once", 0.58},
                                                                   {"report", 0.94},
                                                                   {"next measurement", 0.98}}};
   for (const auto& [name, share] : shares)

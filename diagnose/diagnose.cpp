@@ -1,11 +1,13 @@
 #include "diagnose/diagnose.hpp"
 
 #include "diagnose/account/account.hpp"
+#include "diagnose/account/ledger.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/growth.hpp"
+#include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
-#include "diagnose/judge/pairs.hpp"
+#include "diagnose/judge/sets.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/states.hpp"
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <stdexcept>
 
 namespace plica {
@@ -110,21 +113,25 @@ public:
     const HypothesisFit plain = nominal_fit(context);
     const JudgedFit nominal = judged(plain, plain, context, *problem_.held_out, scores, standards);
     std::vector<JudgedFit> fits = fit_all(context, all, plain, scores, standards);
+    drop_places_with_a_cause(fits, nominal);
     std::vector<Family> ranked = families(fits);
     confirm(context, ranked, fits, plain, scores, standards);
     ranked = families(fits);
-    std::vector<JudgedFit> pairs;
+    std::vector<JudgedFit> sets;
     if (!nominal.adequate && std::none_of(ranked.begin(), ranked.end(),
                                           [](const Family& f) { return f.best->credible(); })) {
-      settings_.stage("pairs of effects");
-      pairs = fit_pairs(context, ranked, fits, all, plain, *problem_.held_out, scores, standards);
-      if (problem_.held_out->rows().empty()) take_in_turn(context, plain, pairs);
+      settings_.stage("several effects at once");
+      sets = fit_sets(context, ranked, fits, all, nominal, *problem_.held_out, scores, standards);
+      if (problem_.held_out->rows().empty()) take_in_turn(context, plain, sets);
     }
+    const Inclusion inclusion(nominal, fits, sets);
     const std::vector<Compensator> tempting = compensators(
         context, *problem_.held_out, plain, problem_.nominal.structure(problem_.test.data));
-    const Judgement judgement = judge(nominal, ranked, pairs, standards, [&](const JudgedFit& j) {
-      return objection(context, plain, tempting, j);
-    });
+    const Referee referee{
+        .to_all = [&](const JudgedFit& j) { return objection(context, plain, tempting, j); },
+        .to_most =
+            [&](const JudgedFit& j) { return objection_to_most(context, plain, tempting, j); }};
+    const Judgement judgement = judge(nominal, ranked, sets, inclusion, standards, referee);
     settings_.stage("report");
     Diagnosis result = account_of(problem_,
                                   {.context = context,
@@ -133,7 +140,8 @@ public:
                                    .nominal = nominal,
                                    .ranked = ranked,
                                    .fits = fits,
-                                   .pairs = pairs,
+                                   .sets = sets,
+                                   .inclusion = inclusion,
                                    .judgement = judgement,
                                    .signatures = all,
                                    .compensators = tempting},
@@ -190,14 +198,13 @@ private:
     });
   }
 
-  // Where nothing is held out, readings taken in turn speak for the best of the pairs.
+  // Where nothing is held out, readings taken in turn speak for the best of the sets.
   void take_in_turn(const FitContext& context, const HypothesisFit& plain,
-                    std::vector<JudgedFit>& pairs) const {
-    if (!can_be_taken_in_turn(context)) return;
+                    std::vector<JudgedFit>& sets) const {
     constexpr std::size_t most = 3;
     std::vector<JudgedFit*> best;
-    for (JudgedFit& pair : pairs)
-      if (pair.fit.solved && pair.credible()) best.push_back(&pair);
+    for (JudgedFit& set : sets)
+      if (set.credible()) best.push_back(&set);
     std::stable_sort(best.begin(), best.end(), [](const JudgedFit* a, const JudgedFit* b) {
       return a->fit.log_evidence > b->fit.log_evidence;
     });
@@ -206,11 +213,6 @@ private:
       best[i]->held_out_shrink = turn.shrink();
       best[i]->held_out_met = turn.interval[0] > 0;
     }
-  }
-
-  static bool can_be_taken_in_turn(const FitContext& context) {
-    constexpr std::size_t most = 24; // each is fitted anew
-    return context.fitted.rows().size() <= most;
   }
 
   // Why what leads is not identified.
@@ -223,37 +225,79 @@ private:
     if (std::string rest = what_remains(plain, tempting, leads); !rest.empty())
       return {std::move(rest)};
     constexpr std::size_t fewest = 4;
-    if (!problem_.held_out->rows().empty() || !can_be_taken_in_turn(context)) return {};
+    if (!problem_.held_out->rows().empty()) return {};
     const GapShrink turn = in_turn(context, plain, leads.fit);
     if (turn.interval[0] > 0) return {"", turn};
-    const std::string found =
-        fmt::format("taken in turn, readings are foretold no better with it (shrink {:.0f} % "
-                    "[{:.0f}, {:.0f}])",
-                    100 * turn.shrink(), 100 * turn.interval[0], 100 * turn.interval[1]);
+    const std::string found = "taken in turn, " + foretold_no_better(turn);
     if (readings >= fewest) return {found, turn};
     problem_.readings.warnings.push_back(name_of(leads.fit) + ": " + found);
     return {"", turn};
   }
 
-  // Effects that are such a factor themselves.
-  static bool is_like(const Compensator& c, const Hypothesis& h) {
-    return (h.effect == "damping" && c.name == "all damping") ||
-           (h.effect == "temperature" && c.name == "Young's modulus");
+  // Why effects that lead are not said to explain most. Their own number of the gap that they close
+  // is not known better than the rest lets them be.
+  Objection objection_to_most(const FitContext& context, const HypothesisFit& plain,
+                              const std::vector<Compensator>& tempting,
+                              const JudgedFit& leads) const {
+    if (std::string other = imitated(tempting, leads); !other.empty()) return {std::move(other)};
+    HypothesisFit fit = leads.fit;
+    sample(context, fit, settings_.particles, 1, dispersion(fit));
+    const Ledger ledger = ledger_of(context, plain, {{&fit}});
+    constexpr double most = 0.5;
+    if (ledger.explained_interval[0] < most)
+      return {fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]", 100 * ledger.explained,
+                          100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1])};
+    if (problem_.held_out->rows().empty()) {
+      const GapShrink turn = in_turn(context, plain, leads.fit);
+      return {turn.interval[0] > 0 ? "" : "taken in turn, " + foretold_no_better(turn), turn};
+    }
+    complete(context, fit);
+    const GapShrink held_out = gap_shrink(context, *problem_.held_out, plain, fit);
+    return {held_out.interval[0] > 0 ? "" : "held-out " + foretold_no_better(held_out)};
+  }
+
+  static std::string foretold_no_better(const GapShrink& g) {
+    return fmt::format("readings are foretold no better with it (shrink {:.0f} % [{:.0f}, {:.0f}])",
+                       100 * g.shrink(), 100 * g.interval[0], 100 * g.interval[1]);
+  }
+
+  // Effects that are such a factor themselves, or where a drawing may be as wrong, on a whole part.
+  bool is_like(const Compensator& c, const HypothesisFit& fit) const {
+    static const std::multimap<std::string, std::string> same{{"all damping", "damping"},
+                                                              {"Young's modulus", "temperature"}},
+        drawn{{"Young's modulus", "ply_slip"},
+              {"Young's modulus", "component_stiffness"},
+              {"Young's modulus", "forming_thinning"},
+              {"density", "unweighed_mass"}};
+    const auto holds = [&](const auto& list) {
+      return std::any_of(list.begin(), list.end(), [&](const auto& pair) {
+        return pair.first == c.name &&
+               std::any_of(fit.together.begin(), fit.together.end(),
+                           [&](const Hypothesis* h) { return h->effect == pair.second; });
+      });
+    };
+    return holds(same) || (problem_.baseline.readings.empty() && holds(drawn));
+  }
+
+  // One factor on everything that would leave no more of the gap.
+  std::string imitated(const std::vector<Compensator>& tempting, const JudgedFit& leads) const {
+    constexpr double as_well = 1.2;
+    for (const Compensator& c : tempting)
+      if (c.gap_after < as_well * leads.gap_after && !is_like(c, leads.fit))
+        return fmt::format(
+            "{} times {:.3g} would leave no more of the gap ({:.2g}, {:.2g} with it)", c.name,
+            c.factor, c.gap_after, leads.gap_after);
+    return "";
   }
 
   // Beside a baseline an effect may be off by what it changes, so that much may remain of the gap.
   std::string what_remains(const HypothesisFit& plain, const std::vector<Compensator>& tempting,
                            const JudgedFit& leads) const {
-    constexpr double within = 1.5, most_left = 0.3, as_well = 1.2;
+    constexpr double within = 1.5, most_left = 0.3;
     const double before = std::sqrt(plain.chi2 / double(plain.error.size()));
     if (problem_.baseline.readings.empty()) return "";
-    for (const Compensator& c : tempting)
-      if (c.gap_after < as_well * leads.gap_after && !is_like(c, *leads.fit.together[0]))
-        return fmt::format(
-            "{} times {:.3g} would leave no more of the change ({:.2g}, {:.2g} with it)", c.name,
-            c.factor, c.gap_after, leads.gap_after);
-    if (leads.gap_after < within) return "";
-    if (leads.gap_after < most_left * before) return "";
+    if (std::string other = imitated(tempting, leads); !other.empty()) return other;
+    if (leads.gap_after < within || leads.gap_after < most_left * before) return "";
     return fmt::format("it leaves {:.0f} % of the change", 100 * leads.gap_after / before);
   }
 

@@ -1,5 +1,6 @@
 // The verdict by its published rules (docs/diagnosis.md, judge.hpp), on fits made up for the
 // purpose.
+#include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 
 #include <cmath>
@@ -23,19 +24,44 @@ public:
     singles.push_back(fit_of({hypothesis(effect, place)}, log_evidence, adequate));
     return singles.back();
   }
-  JudgedFit& add_pair(const std::string& a, const std::string& b, double log_evidence) {
-    pairs.push_back(fit_of({hypothesis(a, "here"), hypothesis(b, "here")}, log_evidence, true));
-    pairs.back().held_out_met = true;
-    pairs.back().held_out_shrink = 0.5;
-    return pairs.back();
+  JudgedFit& add_set(const std::vector<std::string>& effects, double log_evidence,
+                     bool adequate = true) {
+    std::vector<const Hypothesis*> together;
+    for (const std::string& effect : effects) together.push_back(hypothesis(effect, "here"));
+    sets.push_back(fit_of(std::move(together), log_evidence, adequate));
+    sets.back().held_out_met = true;
+    sets.back().held_out_shrink = 0.5;
+    return sets.back();
   }
-  Judgement judgement(bool nominal_adequate) {
+  JudgedFit& add_pair(const std::string& a, const std::string& b, double log_evidence) {
+    return add_set({a, b}, log_evidence);
+  }
+  Judgement judgement(bool nominal_adequate, const Referee& referee = {}) {
     nominal_ = nominal(nominal_adequate);
     families_ = families(singles);
-    return judge(nominal_, families_, pairs, {});
+    return judge(nominal_, families_, sets, Inclusion(nominal_, singles, sets), {}, referee);
+  }
+  // Fits of ten readings that leave this gap each, as log evidences are without their dispersion.
+  Judgement judgement_of_gaps(double nominal_gap, const Referee& referee = {}) {
+    nominal_ = nominal(false);
+    leave(nominal_, nominal_gap);
+    families_ = families(singles);
+    return judge(nominal_, families_, sets, Inclusion(nominal_, singles, sets), {}, referee);
+  }
+  static void leave(JudgedFit& j, double gap) {
+    constexpr int readings = 10;
+    j.gap_after = gap;
+    j.fit.error = Eigen::VectorXd::Constant(readings, gap);
+    j.fit.J = Eigen::MatrixXd::Zero(readings, j.fit.z.size());
+    j.fit.chi2 = j.fit.error.squaredNorm();
+    j.fit.log_evidence = -j.fit.chi2 / 2;
+  }
+  JudgedFit& add_gap(const std::string& effect, double gap, const std::string& place = "here") {
+    leave(add(effect, 0, false, place), gap);
+    return singles.back();
   }
 
-  std::vector<JudgedFit> singles, pairs;
+  std::vector<JudgedFit> singles, sets;
 
 private:
   const Hypothesis* hypothesis(const std::string& effect, const std::string& place) {
@@ -121,7 +147,7 @@ TEST(Judge, takes_a_pair_only_when_each_half_is_needed) {
   fits.add("ply_slip", 4, false);
   fits.add_pair("added_mass", "ply_slip", 15.1);
   Judgement j = fits.judgement(false);
-  EXPECT_EQ(j.verdict, Verdict::pair);
+  EXPECT_EQ(j.verdict, Verdict::several);
   EXPECT_NEAR(probability(j, "added_mass"), 1, 1e-12);
   EXPECT_NEAR(probability(j, "ply_slip"), 1, 1e-12);
 
@@ -139,6 +165,97 @@ TEST(Judge, takes_a_pair_only_when_each_half_is_needed) {
   unshrunk.add("added_mass", 10, false);
   unshrunk.add_pair("added_mass", "ply_slip", 20).held_out_shrink = 0.29;
   EXPECT_EQ(unshrunk.judgement(false).verdict, Verdict::unknown);
+}
+
+TEST(Judge, takes_a_larger_set_only_when_each_of_it_is_needed) {
+  const std::vector<std::string> three{"added_mass", "ply_slip", "damping"};
+  Fits fits;
+  fits.add("added_mass", 10, false);
+  fits.add_set({"added_mass", "ply_slip"}, 20, false);
+  fits.add_set(three, 25.1);
+  Judgement j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::several);
+  ASSERT_EQ(j.named.size(), 1u);
+  EXPECT_EQ(j.named[0]->fit.together.size(), 3u);
+
+  Fits little; // 4.9 more than the best smaller one
+  little.add("added_mass", 10, false);
+  little.add_set({"added_mass", "ply_slip"}, 20.2, false);
+  little.add_set(three, 25.1);
+  EXPECT_EQ(little.judgement(false).verdict, Verdict::unknown);
+
+  Fits free; // two readings for each free parameter
+  free.add("added_mass", 10, false);
+  JudgedFit& set = free.add_set(three, 40);
+  set.fit.error = Eigen::VectorXd::Zero(6);
+  set.free_parameters = 3;
+  EXPECT_EQ(free.judgement(false).verdict, Verdict::unknown);
+}
+
+TEST(Judge, says_mostly_where_an_effect_far_ahead_closes_half_of_the_gap) {
+  Fits fits; // of ten readings: 10 ln(6.8 / 2) = 12 nats, the next 4.4 behind
+  fits.add_gap("ply_slip", 2);
+  fits.add_gap("temperature", 6);
+  Judgement j = fits.judgement_of_gaps(6.8);
+  EXPECT_EQ(j.verdict, Verdict::mostly);
+  ASSERT_EQ(j.named.size(), 1u);
+  EXPECT_EQ(j.named[0]->fit.together[0]->effect, "ply_slip");
+  EXPECT_GT(j.probability_of("ply_slip"), 0.9);
+
+  Fits close; // 10 ln(2.2 / 2) = 1 nat apart
+  close.add_gap("ply_slip", 2);
+  close.add_gap("temperature", 2.2);
+  j = close.judgement_of_gaps(6.8);
+  EXPECT_EQ(j.verdict, Verdict::unknown);
+  EXPECT_TRUE(j.named.empty());
+  ASSERT_TRUE(j.nearest);
+  EXPECT_EQ(j.nearest->fit.together[0]->effect, "ply_slip");
+}
+
+TEST(Judge, does_not_say_mostly_of_less_than_half_of_the_gap) {
+  Fits fits; // (1.43 / 2)^2 = 0.51 of G is left
+  fits.add_gap("ply_slip", 2 * std::sqrt(0.51));
+  EXPECT_EQ(fits.judgement_of_gaps(2).verdict, Verdict::unknown);
+  Fits most;
+  most.add_gap("ply_slip", 20 * std::sqrt(0.49));
+  most.add_gap("temperature", 19.9);
+  EXPECT_EQ(most.judgement_of_gaps(20).verdict, Verdict::mostly);
+  most.singles.front().absurd = true;
+  EXPECT_EQ(most.judgement_of_gaps(20).withheld, "only with a value far out of its prior");
+  most.singles.front().absurd = false;
+  most.singles.front().held_out_shrink = 0.29;
+  EXPECT_EQ(most.judgement_of_gaps(20).verdict, Verdict::unknown);
+  most.singles.front().held_out_shrink = {};
+  most.singles.front().free_parameters = 4; // of ten readings
+  EXPECT_EQ(most.judgement_of_gaps(20).verdict, Verdict::unknown);
+  most.singles.front().free_parameters = 3;
+  const Referee against{
+      .to_all = {}, .to_most = [](const JudgedFit&) -> Objection { return {"readings in turn"}; }};
+  const Judgement j = most.judgement_of_gaps(20, against);
+  EXPECT_EQ(j.verdict, Verdict::unknown);
+  EXPECT_EQ(j.withheld, "readings in turn");
+}
+
+TEST(Inclusion, is_the_share_of_all_sets_that_hold_an_effect) {
+  Fits fits;
+  fits.add("a", std::log(8.));
+  fits.add("b", std::log(4.), true, "left");
+  fits.add("b", std::log(4.), true, "right");
+  fits.add_set({"a", "b"}, std::log(64.));
+  // Two effects: each costs a half, a place of b another half. The evidences of these fits without
+  // readings are zero but for the penalty, which holds them here.
+  for (std::vector<JudgedFit>* list : {&fits.singles, &fits.sets})
+    for (JudgedFit& j : *list) j.fit.penalty = -j.fit.log_evidence;
+  const JudgedFit nominal = fits.nominal(false);
+  const Inclusion inclusion(nominal, fits.singles, fits.sets);
+  const double none = 1, a = 8 / 2., b = 2 * 4 / 4., both = 64 / 8., all = none + a + b + both;
+  EXPECT_NEAR(inclusion.of("a"), (a + both) / all, 1e-12);
+  EXPECT_NEAR(inclusion.of("b"), (b + both) / all, 1e-12);
+  EXPECT_NEAR(inclusion.at("b", "left"), 1 / all, 1e-12);
+  EXPECT_NEAR(inclusion.at("b", "here"), both / all, 1e-12);
+  EXPECT_EQ(inclusion.leading()->fit.together.size(), 2u);
+  EXPECT_EQ(inclusion.leading_with(0.75)->fit.together[0]->effect, "a");
+  EXPECT_EQ(inclusion.leading_with(0.9), nullptr);
 }
 
 TEST(Judge, averages_the_evidence_of_an_effect_over_its_places) {

@@ -1,7 +1,9 @@
 #include "diagnose/account/account.hpp"
 
 #include "diagnose/account/assumptions.hpp"
+#include "diagnose/account/ledger.hpp"
 #include "diagnose/account/next_measurement.hpp"
+#include "diagnose/account/overlays.hpp"
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/headline.hpp"
@@ -29,30 +31,30 @@ public:
     const BlockScores& scores = found_.scores;
     const JudgedFit& nominal = found_.nominal;
     const std::vector<Family>& ranked = found_.ranked;
-    const std::vector<JudgedFit>&fits = found_.fits, &pairs = found_.pairs;
     const Judgement& judgement = found_.judgement;
     const std::vector<Signature>& all = found_.signatures;
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
-    for (const JudgedFit* j : judgement.named)
-      for (std::size_t h = 0; h < j->fit.together.size(); ++h) {
-        const Hypothesis& own = *j->fit.together[h];
-        if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& e) {
-              return e.name == own.effect && e.place == own.place;
+    settings_.stage("ledger");
+    const std::vector<HypothesisFit> told = fits_told();
+    for (std::size_t i = 0; i < judgement.named.size(); ++i)
+      for (NamedEffect& e : members_of(told[i]))
+        if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& o) {
+              return o.name == e.name && o.place == e.place;
             }))
-          result_.effects.push_back(named(j->fit, h, probability(judgement, *j, own), fits));
-      }
+          result_.effects.push_back(std::move(e));
+    keep_ledger(told);
+    settings_.stage("report");
     result_.where = located(scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
       result_.where.push_back(std::move(gap));
     add_components(ranked);
-    const JudgedFit* first = best_of(nominal, ranked, pairs, judgement);
-    add_tried(nominal, ranked, pairs, first);
+    const JudgedFit* first = best_of(nominal, judgement);
+    add_tried(nominal, ranked, first);
     for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
-    for (NamedEffect& e : result_.effects) add_other_places(e, fits);
     const JudgedFit* other = second_of(ranked, first);
-    std::vector<HypothesisFit> shown{first->fit};
+    std::vector<HypothesisFit> shown{told.empty() ? first->fit : told.front()};
     if (other) shown.push_back(other->fit);
     for (HypothesisFit& fit : shown) complete(context, fit);
     const HypothesisFit& best = shown.front();
@@ -67,7 +69,7 @@ public:
     result_.likeness = alike.cosine;
     result_.mimics = mimics(alike);
     result_.detectable = detectable(all);
-    overlay(best, second);
+    result_.overlays = overlays_of(problem_, best, second);
     for (const HypothesisFit& fit : shown)
       if (fit.draws.cols() > 0) {
         MatrixXd values(fit.draws.rows(), fit.draws.cols());
@@ -86,10 +88,52 @@ public:
   }
 
 private:
-  // Of the effect at this place; in a pair, of the effect.
-  static double probability(const Judgement& judgement, const JudgedFit& j, const Hypothesis& h) {
-    const double effect = judgement.probability_of(h.effect);
-    return j.fit.together.size() > 1 ? effect : effect * judgement.share_of(h.effect, h.place);
+  // What the user is told of: the effects named, else what comes nearest. Where several act at
+  // once, or errors are larger than stated, with draws of all their parameters together.
+  std::vector<HypothesisFit> fits_told() const {
+    const Judgement& judgement = found_.judgement;
+    std::vector<const JudgedFit*> chosen = judgement.named;
+    if (chosen.empty() && judgement.nearest) chosen.push_back(judgement.nearest);
+    std::vector<HypothesisFit> told;
+    for (const JudgedFit* j : chosen) told.push_back(j->fit);
+    if (judgement.verdict == Verdict::several || judgement.verdict == Verdict::mostly ||
+        judgement.verdict == Verdict::unknown)
+      for (HypothesisFit& fit : told)
+        sample(found_.context, fit, settings_.particles, 1, dispersion(fit));
+    return told;
+  }
+
+  std::vector<NamedEffect> members_of(const HypothesisFit& fit) const {
+    const Judgement& judgement = found_.judgement;
+    std::vector<NamedEffect> members;
+    for (std::size_t h = 0; h < fit.together.size(); ++h) {
+      const Hypothesis& own = *fit.together[h];
+      const double effect = judgement.probability_of(own.effect);
+      const bool place_is_weighed = judgement.verdict != Verdict::several;
+      members.push_back(named(
+          fit, h, place_is_weighed ? effect * judgement.share_of(own.effect, own.place) : effect,
+          found_.fits));
+      members.back().anywhere = effect;
+      add_other_places(members.back());
+    }
+    return members;
+  }
+
+  // An ambiguous list is one row: each of it would explain that much.
+  void keep_ledger(const std::vector<HypothesisFit>& told) {
+    const Judgement& judgement = found_.judgement;
+    const bool list = judgement.verdict == Verdict::ambiguous;
+    std::vector<LedgerSet> sets;
+    for (const HypothesisFit& fit : told)
+      if (list || sets.empty())
+        sets.push_back(
+            {&fit, list ? std::max(1e-3, judgement.probability_of(fit.together[0]->effect)) : 1});
+    result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
+    for (const LedgerSet& set : sets) {
+      std::vector<NamedEffect> members = members_of(*set.fit);
+      for (std::size_t i = 0; i < members.size(); ++i)
+        result_.ledger.rows[i].effects.push_back(std::move(members[i]));
+    }
   }
 
   // `fits`: of single hypotheses, where other ways of the same effect are looked for.
@@ -169,10 +213,11 @@ private:
 
   // By evidence, with which of them is the best.
   void add_tried(const JudgedFit& nominal, const std::vector<Family>& ranked,
-                 const std::vector<JudgedFit>& pairs, const JudgedFit* best) {
+                 const JudgedFit* best) {
     std::vector<const JudgedFit*> all{&nominal};
     for (const Family& f : ranked) all.push_back(f.best);
-    for (const JudgedFit& p : pairs) all.push_back(&p);
+    for (const JudgedFit& set : found_.sets) all.push_back(&set);
+    if (std::find(all.begin(), all.end(), best) == all.end()) all.push_back(best);
     std::stable_sort(all.begin(), all.end(), [](const JudgedFit* a, const JudgedFit* b) {
       return a->log_bayes_factor > b->log_bayes_factor;
     });
@@ -182,14 +227,22 @@ private:
     }
   }
 
-  // Places of the effect, alone, that the readings do not tell from the named one.
-  static void add_other_places(NamedEffect& e, const std::vector<JudgedFit>& fits) {
+  // Places of the effect that the readings do not tell from the named one: alone, or where errors
+  // are larger than stated over all that was tried.
+  void add_other_places(NamedEffect& e) const {
+    const Judgement& judgement = found_.judgement;
+    if (judgement.verdict == Verdict::mostly || judgement.verdict == Verdict::unknown) {
+      constexpr double worth_a_word = 0.05;
+      for (const auto& [place, share] : judgement.places.at(e.name))
+        if (place != e.place && share > worth_a_word) e.other_places.push_back(place);
+      return;
+    }
     double own = -1e300;
-    for (const JudgedFit& j : fits)
+    for (const JudgedFit& j : found_.fits)
       if (j.fit.together[0]->effect == e.name && j.fit.together[0]->place == e.place)
         own = std::max(own, j.fit.log_evidence);
     constexpr double as_well = 3;
-    for (const JudgedFit& j : fits) {
+    for (const JudgedFit& j : found_.fits) {
       const Hypothesis& h = *j.fit.together[0];
       if (h.effect == e.name && h.place != e.place && own - j.fit.log_evidence < as_well &&
           std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
@@ -216,19 +269,9 @@ private:
       }
   }
 
-  static const JudgedFit* best_of(const JudgedFit& nominal, const std::vector<Family>& ranked,
-                                  const std::vector<JudgedFit>& pairs, const Judgement& judgement) {
-    if (judgement.verdict == Verdict::none) return &nominal;
+  static const JudgedFit* best_of(const JudgedFit& nominal, const Judgement& judgement) {
     if (!judgement.named.empty()) return judgement.named.front();
-    if (ranked.empty()) return &nominal;
-    // Where none is known, what comes nearest.
-    const JudgedFit* best = ranked.front().best;
-    for (const Family& f : ranked)
-      if (f.best->gap_after < best->gap_after) best = f.best;
-    constexpr double worth_a_second = 0.8;
-    for (const JudgedFit& p : pairs)
-      if (p.gap_after < worth_a_second * best->gap_after) best = &p;
-    return best;
+    return judgement.nearest ? judgement.nearest : &nominal;
   }
   static const JudgedFit* second_of(const std::vector<Family>& ranked, const JudgedFit* best) {
     for (const Family& f : ranked)
@@ -256,13 +299,12 @@ private:
         result_.held_out_how += (result_.held_out_how.empty() ? "" : ", ") + h;
       if (result_.held_out_how.empty())
         result_.held_out_how = "the highest level of each direction";
-    } else if (problem_.fitted->rows().size() > 2 && problem_.fitted->rows().size() < 16 &&
-               !best.together.empty()) {
+    } else if (problem_.fitted->rows().size() > 2 && !best.together.empty()) {
       const bool leads = !judgement.named.empty() && judgement.named.front()->fit.z == best.z &&
                          judgement.named.front()->fit.together == best.together;
       result_.held_out =
           leads && judgement.in_turn ? *judgement.in_turn : in_turn(context, nominal.fit, best);
-      result_.held_out_how = "each reading in turn, the others fitted";
+      result_.held_out_how = how_in_turn(context.fitted.rows().size());
     }
     const MatrixXd total = problem_.uncertainty.total();
     for (std::size_t i = 0; i < problem_.readings.readings.size(); ++i) {
@@ -283,42 +325,9 @@ private:
     }
   }
 
-  void overlay(const HypothesisFit& best, const HypothesisFit* second) {
-    for (std::size_t i = 0; i < problem_.test.responses.size(); ++i)
-      for (const FrfSet& set : problem_.test.responses[i]) {
-        if (set.references.empty() || result_.overlays.size() >= 4) continue;
-        const Reading* reading = nullptr;
-        for (const Reading& r : problem_.readings.readings)
-          if (r.entry == "frf[" + std::to_string(i) + "]" && r.kind == ReadingKind::amplitude) {
-            reading = &r;
-            break;
-          }
-        if (!reading) continue;
-        const TestRun& run = problem_.readings.runs[std::size_t(reading->run)];
-        const std::string channel = run.sensor + "." + axis_word(run.axis);
-        const auto column = std::find(set.responses.begin(), set.responses.end(), channel);
-        if (column == set.responses.end()) continue;
-        OverlaidResponse o;
-        o.name = reading->name.substr(reading->name.find(" at ") + 1);
-        o.hertz = set.hertz;
-        o.measured = set.H[0].col(column - set.responses.begin()).cwiseAbs();
-        const auto magnitude = [&](const HypothesisFit& fit) {
-          const auto H = problem_.predictors->of(fit.together).response(fit.values, run, set.hertz);
-          return H ? VectorXd(H->cwiseAbs()) : VectorXd();
-        };
-        o.nominal = problem_.predictors->of({})
-                        .response(VectorXd(), run, set.hertz)
-                        .value_or(Eigen::VectorXcd())
-                        .cwiseAbs();
-        o.best = magnitude(best);
-        if (second) o.second = magnitude(*second);
-        result_.overlays.push_back(std::move(o));
-      }
-  }
-
   void plan_next(const JudgedFit& nominal, const std::vector<Family>& ranked,
                  const Judgement& judgement) {
-    if (!settings_.plan_next || judgement.verdict == Verdict::pair) return;
+    if (!settings_.plan_next || judgement.verdict == Verdict::several) return;
     std::vector<RivalHypothesis> rivals;
     constexpr std::size_t most = 4;
     const auto add = [&](const JudgedFit& j) {

@@ -4,6 +4,7 @@
 
 #include "diagnose/account/gap_problem.hpp"
 #include "diagnose/judge/identifiability.hpp"
+#include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/results/settings.hpp"
 
@@ -14,9 +15,10 @@ struct Findings {
   const BlockScores& scores;
   const Standards& standards;
   const JudgedFit& nominal;
-  const std::vector<Family>& ranked;   // effects, the best first
-  const std::vector<JudgedFit>& fits;  // single hypotheses
-  const std::vector<JudgedFit>& pairs; // two at once, where no single one explains the test
+  const std::vector<Family>& ranked;  // effects, the best first
+  const std::vector<JudgedFit>& fits; // single hypotheses
+  const std::vector<JudgedFit>& sets; // several at once, where no single one explains the test
+  const Inclusion& inclusion;
   const Judgement& judgement;
   const std::vector<Signature>& signatures;
   const std::vector<Compensator>& compensators;

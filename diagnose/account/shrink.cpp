@@ -74,40 +74,68 @@ GapShrink gap_shrink(const FitContext& context, const Whitening& white,
   return with_interval(before, after);
 }
 
+namespace {
+
+constexpr Index singly = 24, groups = 12;
+
+// Fitted readings in groups that are foretold together: each by itself, or neighbours, which are of
+// one run.
+std::vector<std::vector<Index>> groups_of(Index readings) {
+  const Index count = readings <= singly ? readings : groups;
+  std::vector<std::vector<Index>> all(static_cast<std::size_t>(count));
+  for (Index i = 0; i < readings; ++i) all[std::size_t(i * count / readings)].push_back(i);
+  return all;
+}
+
+} // namespace
+
 GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
                   const HypothesisFit& best) {
   const std::vector<Index>& rows = context.fitted.rows();
-  const MatrixXd total = context.uncertainty.total();
+  const MatrixXd total = context.uncertainty.total()(rows, rows);
   const auto n = Index(rows.size());
   VectorXd before(n), after(n);
   const Deviation deviation(context, best.together);
-  in_parallel(int(n), [&](int i) {
+  const std::vector<std::vector<Index>> groups = groups_of(n);
+  in_parallel(int(groups.size()), [&](int g) {
+    const std::vector<Index>& own = groups[std::size_t(g)];
     std::vector<Index> others;
     for (Index j = 0; j < n; ++j)
-      if (j != i) others.push_back(rows[std::size_t(j)]);
+      if (std::find(own.begin(), own.end(), j) == own.end()) others.push_back(j);
+    const auto rest = Index(others.size());
     const Eigen::LLT<MatrixXd> root(MatrixXd(total(others, others)));
-    const VectorXd cross = total(others, rows[std::size_t(i)]);
-    const VectorXd gain = root.solve(cross);
-    const double own =
-        std::sqrt(total(rows[std::size_t(i)], rows[std::size_t(i)]) - cross.dot(gain));
-    const auto predicted = [&](const VectorXd& d) {
-      return (d[rows[std::size_t(i)]] - gain.dot(VectorXd(d(others)))) / own;
+    const MatrixXd gain = root.solve(MatrixXd(total(others, own))).transpose(); // own x others
+    const Eigen::LLT<MatrixXd> left(
+        MatrixXd(MatrixXd(total(own, own)) - gain * MatrixXd(total(others, own))));
+    const auto predicted = [&](const VectorXd& d) -> VectorXd {
+      const VectorXd fitted = d(rows);
+      return left.matrixL().solve(
+          VectorXd(VectorXd(fitted(own)) - gain * VectorXd(fitted(others))));
     };
-    before[i] = predicted(nominal.deviation);
+    before(own) = predicted(nominal.deviation);
     const Index p = best.z.size();
     const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
-      const auto d = deviation.at(z);
-      VectorXd r(n - 1 + p);
+      const auto d = deviation.at(z, Predictor::Which::fitted);
+      VectorXd r(rest + p);
       r.tail(p) = z;
-      r.head(n - 1) = d ? VectorXd(root.matrixL().solve(VectorXd((*d)(others))))
-                        : VectorXd::Constant(n - 1, 1e6);
+      if (d) {
+        const VectorXd fitted = (*d)(rows);
+        r.head(rest) = root.matrixL().solve(VectorXd(fitted(others)));
+      } else {
+        r.head(rest).setConstant(1e6);
+      }
       return r;
     };
     const LocalSearch found = search_freely(residuals, best.z, 15);
-    const auto d = deviation.at(found.best);
-    after[i] = d ? predicted(*d) : before[i];
+    const auto d = deviation.at(found.best, Predictor::Which::fitted);
+    after(own) = d ? predicted(*d) : VectorXd(before(own));
   });
   return with_interval(before, {after});
+}
+
+std::string how_in_turn(std::size_t readings) {
+  return Index(readings) <= singly ? "each reading in turn, the others fitted"
+                                   : "twelve groups of readings in turn, the others fitted";
 }
 
 std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFit& fit) {

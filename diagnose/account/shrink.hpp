@@ -14,9 +14,12 @@ GapShrink gap_shrink(const FitContext& context, const Whitening& white,
                      const HypothesisFit& nominal, const HypothesisFit& best);
 
 // Every reading of the fit predicted by the hypothesis fitted to the others, its value given what
-// is known to scatter with it: for tests too small to hold anything out.
+// is known to scatter with it: for tests that hold nothing out. Of more than 24 readings, twelve
+// groups of neighbours in turn, which are of one run.
 GapShrink in_turn(const FitContext& context, const HypothesisFit& nominal,
                   const HypothesisFit& best);
+// "each reading in turn, the others fitted"
+std::string how_in_turn(std::size_t readings);
 
 // A parameter of a fit from the readings of one level, direction or band alone.
 std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFit& fit);

@@ -44,6 +44,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect added_mass() {
   return {.name = "added_mass",
+          .plain = "{mass} that nobody weighed",
           .physics = "a mass at a spot that the scale did not see: a sensor, a clamp, a deposit",
           .signature = "modes that move the spot fall, mass and static stiffness stay",
           .look_alikes = {"component_mass: weigh the part",

@@ -105,6 +105,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect boundary_compliance() {
   return {.name = "boundary_compliance",
+          .plain = "a held end that gives way",
           .physics = "a held end gives way elastically",
           .signature = "the lowest modes fall most, the static stiffness of the rig stays",
           .look_alikes = {"fixture_flexibility: an accelerometer on the fixture",

@@ -76,6 +76,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect component_mass() {
   return {.name = "component_mass",
+          .plain = "a part whose mass is {ratio+} off the drawing",
           .physics = "a part is heavier or lighter than drawn, and the scale sees it",
           .signature = "mass and the modes that move the part",
           .look_alikes = {"unweighed_mass: weigh again", "added_mass: weigh with everything on it"},

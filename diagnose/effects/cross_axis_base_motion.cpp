@@ -59,6 +59,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect cross_axis_base_motion() {
   return {.name = "cross_axis_base_motion",
+          .plain = "a table that also moves along another axis, by {fraction%} of its motion",
           .physics = "the table also moves along another axis than it was told",
           .signature = "cross responses that follow the other axis",
           .look_alikes = {"local_damage: an accelerometer on the table",

@@ -62,6 +62,7 @@ const std::vector<Effect>& effects() {
                                        extra_support(),
                                        added_mass(),
                                        component_mass(),
+                                       component_stiffness(),
                                        local_damage(),
                                        forming_thinning(),
                                        damping(),

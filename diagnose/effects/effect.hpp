@@ -96,6 +96,9 @@ struct Hypothesis {
   double group_stiffness = 0; // N/m: stretch of the group = sqrt(2 energy / this)
   double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
   double law_error = 0;       // share of what slip changes that its law may be off
+  // It says where, not why: it counts only where no other effect at the place closes half as much,
+  // and never explains all.
+  bool names_place_only = false;
   std::optional<std::size_t> along = {}; // the parameter that says where along `place` it acts, m
   // Of all parameters those that act in a state, where states differ (growth.hpp).
   std::function<Eigen::VectorXd(const Eigen::VectorXd&, const std::string& state)> values_in = {};
@@ -115,7 +118,10 @@ struct Structure {
 };
 
 struct Effect {
-  std::string name;    // of the contract: "ply_slip"
+  std::string name; // of the contract: "ply_slip"
+  // For whoever reads one line only: "{mass} that nobody weighed". A parameter in braces is its
+  // value; {ratio%} in percent, {ratio+} in percent off 1.
+  std::string plain;
   std::string physics; // one sentence
   std::string signature;
   std::vector<std::string> look_alikes; // with the measurement that tells them apart
@@ -143,6 +149,7 @@ Effect boundary_compliance();
 Effect extra_support();
 Effect added_mass();
 Effect component_mass();
+Effect component_stiffness();
 Effect local_damage();
 Effect forming_thinning();
 Effect damping();

@@ -70,6 +70,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect extra_support() {
   return {.name = "extra_support",
+          .plain = "something that touches the structure and is not drawn, as a spring of {k}",
           .physics = "something touches the structure between its held ends",
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
           .look_alikes = {"joint_stiffness: other modes", "component_mass: weigh the part"},

@@ -50,6 +50,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect fixture_flexibility() {
   return {.name = "fixture_flexibility",
+          .plain = "a fixture that moves under the held end, with a resonance at {frequency}",
           .physics = "a held end stands on a fixture with mass and a resonance of its own",
           .signature = "the lowest modes fall, a further resonance appears, the held end moves",
           .look_alikes = {"boundary_compliance: an accelerometer on the fixture",

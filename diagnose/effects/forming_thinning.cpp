@@ -43,6 +43,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect forming_thinning() {
   return {.name = "forming_thinning",
+          .plain = "a wall that forming made thinner towards the crown",
           .physics = "the wall is thinner towards the crown, as forming leaves it",
           .signature = "the stiffness falls, and the mass a little",
           .look_alikes = {"ply_slip: weigh, measure the thickness", "temperature: weigh"},

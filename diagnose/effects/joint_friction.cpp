@@ -21,17 +21,19 @@ bool has_levels(const Measured& m) {
 // What a joint loses for the stiffness it gives up depends on how it unloads: Masing's rule is in
 // the middle, half and twice as much occur (docs/friction.md, hose B).
 //
-// Stuck, the group has `ratio` times its stiffness; `share` of that slips.
+// Stuck, the group has `ratio` times its stiffness; `share` of that slips. A joint that is drawn by
+// a static test is drawn as it slips: stuck it may be ten times as stiff.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (!has_levels(s.measured)) return found; // one motion: a softer joint says the same
+  constexpr Prior drawn{PriorKind::log_normal, 1, 1.2}, absent{PriorKind::log_normal, 0.3, 0.7};
   for (const JointGroup& group : joint_groups(s)) {
     const double present = group.present ? 1 : 0;
     Hypothesis h{
         .effect = "joint_friction",
         .place = group.place,
         .way = "",
-        .parameters = {{"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 0.7}},
+        .parameters = {{"ratio", "", group.present ? drawn : absent},
                        {"share", "", {PriorKind::uniform, 0, 1}},
                        {"slip", "m", {PriorKind::log_normal, 1e-5, 2}},
                        {"exponent", "", {PriorKind::log_normal, 1, 0.7}},
@@ -60,6 +62,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect joint_friction() {
   return {.name = "joint_friction",
+          .plain = "a joint that slips",
           .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
           .signature = "frequencies fall with the level, damping rises and falls again",
           .look_alikes = {"ply_slip: the static stiffness at a small and a large stroke",

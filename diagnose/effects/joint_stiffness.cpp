@@ -45,6 +45,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect joint_stiffness() {
   return {.name = "joint_stiffness",
+          .plain = "a joint with {ratio} times the drawn stiffness",
           .physics = "a joint between two parts is softer or stiffer than the case says",
           .signature = "modes that strain the joint move, at every level alike",
           .look_alikes = {"joint_friction: further levels",

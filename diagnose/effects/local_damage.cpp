@@ -88,6 +88,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect local_damage() {
   return {.name = "local_damage",
+          .plain = "a spot that has lost {loss%} of its stiffness: a dent, a crack, a loose lap",
           .physics = "a dent or crack takes stiffness from one side of one place",
           .signature = "x and z differ, a motion along one shows along the other",
           .look_alikes = {"rotated_sensor: turn the sensor",

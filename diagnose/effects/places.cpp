@@ -236,6 +236,39 @@ void scale_group(Model& model, const JointGroup& group, double factor, JointDire
     model.beams.push_back({.node1 = group.nodes[i - 1], .node2 = group.nodes[i], .section = own});
 }
 
+bool PartGroup::holds(const Model& model, int component) const {
+  return std::find(parts.begin(), parts.end(), model.components[std::size_t(component)]) !=
+         parts.end();
+}
+
+std::vector<PartGroup> part_groups(const Structure& s) {
+  std::vector<PartGroup> found, alike;
+  std::vector<const Bellows*> drawn; // of the groups alike
+  for (const Part& part : s.data.parts) {
+    const auto* bellows = std::get_if<Bellows>(&part.body);
+    if (!bellows && !std::holds_alternative<Plate>(part.body) &&
+        !std::holds_alternative<BeamPart>(part.body))
+      continue;
+    found.push_back({part.name, {part.name}});
+    if (!bellows) continue;
+    const auto same = std::find_if(drawn.begin(), drawn.end(), [&](const Bellows* other) {
+      return other->material == bellows->material && other->profile == bellows->profile &&
+             other->root_radius == bellows->root_radius && other->wall == bellows->wall;
+    });
+    if (same == drawn.end()) {
+      drawn.push_back(bellows);
+      alike.push_back({part.name, {part.name}});
+      continue;
+    }
+    PartGroup& group = alike[std::size_t(same - drawn.begin())];
+    group.place += " and " + part.name;
+    group.parts.push_back(part.name);
+  }
+  for (PartGroup& group : alike)
+    if (group.parts.size() > 1) found.push_back(std::move(group));
+  return found;
+}
+
 std::vector<WallElements> walls(const Structure& s) {
   const Model& model = s.built.model;
   std::vector<WallElements> found;

@@ -57,6 +57,15 @@ struct WallElements {
 };
 std::vector<WallElements> walls(const Structure& s);
 
+// Parts that share a cause: each part with shells or beams alone, then bellows that are drawn
+// alike, "bellows_left and bellows_right".
+struct PartGroup {
+  std::string place;
+  std::vector<std::string> parts; // at least one
+  bool holds(const Model& model, int component) const;
+};
+std::vector<PartGroup> part_groups(const Structure& s);
+
 // Reference node of a cap; -1 = none.
 int cap_node(const Structure& s, const std::string& cap);
 // What the table holds: a cap that is mounted rigidly, or the foot under the springs of a mount

@@ -5,10 +5,15 @@
 namespace plica {
 namespace {
 
-void set_bending(Model& model, const WallElements& wall, double factor) {
+void set_bending(Model& model, const PartGroup& group, double factor) {
   for (ShellProperties& shell : model.shells)
-    if (model.components[std::size_t(shell.component)] == wall.part)
-      shell.section.bending_factor = factor;
+    if (group.holds(model, shell.component)) shell.section.bending_factor = factor;
+}
+
+const Bellows* bellows_of(const Structure& s, const std::string& name) {
+  for (const Part& part : s.data.parts)
+    if (part.name == name) return std::get_if<Bellows>(&part.body);
+  return nullptr;
 }
 
 // Plies with bond fraction b bend with D_slip + b (D_solid - D_slip) (elements/shell_section.hpp).
@@ -16,9 +21,11 @@ void set_bending(Model& model, const WallElements& wall, double factor) {
 // thickness move in by the root of the factor, which is why it comes in as well.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  for (const WallElements& wall : walls(s)) {
-    std::vector<double> plies = wall.plies;
-    double bond = wall.bond;
+  for (const PartGroup& group : part_groups(s)) {
+    const Bellows* bellows = bellows_of(s, group.parts.front());
+    if (!bellows) continue;
+    std::vector<double> plies = bellows->wall.plies;
+    double bond = bellows->wall.bond;
     if (plies.size() == 1) {
       plies = {plies[0] / 2, plies[0] / 2};
       bond = 1;
@@ -35,13 +42,13 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     const auto coefficients = coefficients_through(functions, samples);
     Hypothesis h{
         .effect = "ply_slip",
-        .place = wall.part,
+        .place = group.place,
         .way = "",
         .parameters = {{"bond", "", {PriorKind::uniform, 0, 1}}},
         .coefficients = [coefficients](const Eigen::VectorXd& v) { return coefficients(v[0]); }};
     for (double b : samples)
-      h.changes.push_back({[wall, factor = ply_bending_factor(plies, b)](Model& model) {
-                             set_bending(model, wall, factor);
+      h.changes.push_back({[group, factor = ply_bending_factor(plies, b)](Model& model) {
+                             set_bending(model, group, factor);
                            },
                            Follow::modes});
     found.push_back(std::move(h));
@@ -53,6 +60,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect ply_slip() {
   return {.name = "ply_slip",
+          .plain = "plies of the wall that slip on each other",
           .physics = "the plies of the wall slip on each other more, or less, than the case says",
           .signature = "all elastic modes and the static stiffness fall alike, the mass stays",
           .look_alikes = {"forming_thinning: weigh, measure the thickness by ultrasound",

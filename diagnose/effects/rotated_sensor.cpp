@@ -30,6 +30,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect rotated_sensor() {
   return {.name = "rotated_sensor",
+          .plain = "a sensor that is turned by {angle}",
           .physics = "a sensor is turned about one of its axes",
           .signature = "its cross channels show the main motion, those of other sensors do not",
           .look_alikes = {"local_damage: turn the sensor, look at a second one",

@@ -20,6 +20,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect sensor_gain() {
   return {.name = "sensor_gain",
+          .plain = "a sensor whose reading is {gain+} off",
           .physics = "a sensor reads too much or too little",
           .signature = "all its amplitudes, no frequency, no width of a peak",
           .look_alikes = {"damping: the width of the peaks", "added_mass: exchange the sensor"},

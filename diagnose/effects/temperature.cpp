@@ -38,6 +38,7 @@ std::vector<Hypothesis> hypotheses(const Structure&) {
 
 Effect temperature() {
   return {.name = "temperature",
+          .plain = "a temperature {delta_T} off that of the material data",
           .physics = "the specimen is warmer or colder than the material data",
           .signature = "frequencies, static stiffness and damping move together",
           .look_alikes = {"ply_slip: a thermometer", "damping: repeat after a soak"},

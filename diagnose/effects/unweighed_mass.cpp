@@ -36,6 +36,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
 
 Effect unweighed_mass() {
   return {.name = "unweighed_mass",
+          .plain = "mass spread over a part that nobody weighed, {ratio%} of its own",
           .physics = "mass spread over a part that the scale did not see: a fluid, a coating",
           .signature = "all modes of the part fall, mass and static stiffness stay",
           .look_alikes = {"boundary_compliance: an accelerometer on the held end",

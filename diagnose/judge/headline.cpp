@@ -23,6 +23,12 @@ std::string places(const Judgement& judgement, const Hypothesis& named) {
   return text;
 }
 
+// "71 %", of G.
+std::string closed(const JudgedFit& nominal, const JudgedFit& j) {
+  const double left = j.gap_after / nominal.gap_after;
+  return fmt::format("{:.0f} %", 100 * (1 - left * left));
+}
+
 } // namespace
 
 std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
@@ -56,17 +62,27 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
     }
     return judgement.withheld.empty() ? text : text + "; not identified: " + judgement.withheld;
   }
-  case Verdict::pair: {
-    std::string text = "Two effects: ";
-    for (const JudgedFit* pair : judgement.named)
-      text += (pair == judgement.named.front() ? "" : "; or ") + name_of(pair->fit);
+  case Verdict::several: {
+    std::string text = "Several effects: ";
+    for (const JudgedFit* set : judgement.named)
+      text += (set == judgement.named.front() ? "" : "; or ") + name_of(set->fit);
     return text + " (" + odds(judgement.named.front()->log_bayes_factor) + " over no effect)";
+  }
+  case Verdict::mostly: {
+    const JudgedFit& j = *judgement.named.front();
+    return fmt::format("Mostly {}: {} of the gap is closed, the rest is not explained{}",
+                       name_of(j.fit), closed(nominal, j), places(judgement, *j.fit.together[0]));
   }
   case Verdict::unknown:
     break;
   }
-  return "None of the effects known here explains the test; it is farthest off in " +
-         nominal.worst.second;
+  std::string text = "None of the effects known here explains the test; it is farthest off in " +
+                     nominal.worst.second;
+  if (const JudgedFit* j = judgement.nearest)
+    text += fmt::format("; nearest comes {}, which closes {} of the gap{}{}", name_of(j->fit),
+                        closed(nominal, *j),
+                        judgement.withheld.empty() ? "" : "; not named: ", judgement.withheld);
+  return text;
 }
 
 } // namespace plica

@@ -14,78 +14,57 @@
 //               turn no better than no effect does: then up to three effects within 8 of it. A
 //               parameter is free where its posterior is narrower than half its prior, or a move
 //               within the prior changes a reading by a tenth of its standard deviation
-//   pair        no single one adequate; a pair is, with 5 more than the best single one, each half
+//   several     no single one adequate; a set is, with 5 more than the best smaller one, each
+//   member
 //               worth 3, held-out readings met and better by three tenths, or where nothing is held
-//               out readings in turn (the interval of their shrink above zero), and fewer free
-//               parameters than readings; with it all such pairs within 3 of it
+//               out readings in turn (the interval of their shrink above zero), and three readings
+//               for each free parameter; with it all such sets within 3 of it
+//   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
+//               least half of the gap, the lower end of the interval counts, with no parameter
+//               beyond |z| = 3, three readings for each free parameter, and held-out readings
+//               better by three tenths, these or readings in turn with an interval above zero
+//               What would be identified, or several, is mostly where an effect of it names a
+//               place and no cause (Hypothesis::names_place_only)
 //   unknown     everything else
 #pragma once
 
+#include "diagnose/judge/inclusion.hpp"
+#include "diagnose/judge/judged_fit.hpp"
 #include "diagnose/results/diagnosis.hpp"
-#include "diagnose/weigh/blocks.hpp"
-#include "diagnose/weigh/evidence.hpp"
 
 #include <functional>
 #include <map>
 
 namespace plica {
 
-// Of healthy specimens; computed once per test.
-struct Standards {
-  double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
-  double worst_block = 3.3;                              // standard score
-  double evidence = 3;                                   // ln BF over the nominal case
-  double apart = 3;                                      // nats between effects told apart
-  std::vector<double> healthy_chi2;                      // sorted
-  bool gate = true; // false: adequacy is not asked for (an ablation)
-};
-Standards standards_of(const FitContext& context, const Whitening& held_out,
-                       const BlockScores& scores);
-
-// A fit with what it is worth.
-struct JudgedFit {
-  HypothesisFit fit;
-  double log_bayes_factor = 0;
-  bool adequate = false, absurd = false, held_out_met = false, fails_held_out = false;
-  double p = 1, chi2_of_means = 0;
-  std::pair<double, std::string> worst;
-  double gap_after = 0;
-  std::optional<double> held_out_after, held_out_shrink;
-  int free_parameters = 0;
-  bool credible() const { return adequate && !absurd && !fails_held_out; }
-};
-JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitContext& context,
-                 const Whitening& held_out, const BlockScores& scores, const Standards& standards);
-
-// An effect over all its places.
-struct Family {
-  std::string effect;
-  double log_evidence = 0;                                 // places weigh alike
-  const JudgedFit* best = nullptr;                         // place
-  std::vector<std::pair<std::string, double>> places = {}; // with their shares, the largest first
-};
-std::vector<Family> families(const std::vector<JudgedFit>& fits); // by evidence
-
 struct Judgement {
   Verdict verdict = Verdict::none;
-  std::vector<const JudgedFit*> named; // one; the ambiguous set; or the pairs, the best first
+  std::vector<const JudgedFit*> named; // one; the ambiguous set; or sets, the best first
+  // Where nothing is named, what comes nearest; null: nothing is better than the nominal case.
+  const JudgedFit* nearest = nullptr;
   std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
   std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
-  std::string withheld; // why an effect that leads is not identified; empty = nothing is
+  std::string withheld;             // why an effect that leads is not named; empty = nothing is
   std::optional<GapShrink> in_turn; // of what leads, where its readings were taken in turn
   double probability_of(const std::string& effect) const;
   double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };
 
-// Why a fit that leads must not be called identified; empty = it may.
+// Why a fit that leads must not be named; empty = it may.
 struct Objection {
   std::string why;
   std::optional<GapShrink> in_turn = {}; // where it was asked for
 };
 using Objecting = std::function<Objection(const JudgedFit&)>;
 
+// What takes time is asked of those only that it is needed of. Left out: nobody objects.
+struct Referee {
+  Objecting to_all;  // to an effect that would explain all
+  Objecting to_most; // to effects that would explain most
+};
+
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
-                const std::vector<JudgedFit>& pairs, const Standards& standards,
-                const Objecting& objecting = {});
+                const std::vector<JudgedFit>& sets, const Inclusion& inclusion,
+                const Standards& standards, const Referee& referee = {});
 
 } // namespace plica

@@ -12,9 +12,10 @@
 
 namespace plica {
 
-// none: the nominal case explains the test. ambiguous: several effects do, and the data cannot
-// tell. unknown: none of the library does.
-enum class Verdict { none, identified, ambiguous, pair, unknown };
+// none: the nominal case explains the test. identified: one effect does. ambiguous: each of several
+// effects does, and the data cannot tell. several: effects together do. mostly: effects that are
+// far ahead close at least half of the gap. unknown: nothing of the library does.
+enum class Verdict { none, identified, ambiguous, several, mostly, unknown };
 
 struct EstimatedParameter {
   std::string name, unit;
@@ -25,12 +26,13 @@ struct EstimatedParameter {
 
 struct NamedEffect {
   std::string name, place, way;
-  double probability = 0;
+  double probability = 0; // of effect and place
   std::vector<EstimatedParameter> parameters;
   std::vector<std::string> other_places = {}; // where it explains the test as well, within 3 nats
+  double anywhere = 0;                        // probability of the effect, wherever it sits
 };
 
-// One hypothesis that was tried, or a pair.
+// One hypothesis that was tried, or a set of them.
 struct TriedHypothesis {
   std::vector<NamedEffect> effects; // none = the nominal case
   double log_evidence = 0;
@@ -86,6 +88,29 @@ struct GapShrink {
   double shrink() const { return before > 0 ? 1 - after / before : 0; }
   std::array<double, 2> interval{}; // of the shrink, 90 %
   int readings = 0;
+};
+
+// What the gap is made of: the squared differences of the fitted readings from the nominal case
+// over their covariance before any effect, G = r' W r / n.
+//
+// An effect's share is its Shapley value: what G falls by when it comes in, over all orders in
+// which effects can come, without a refit, over draws of their joint posterior. What is left is
+// split by expectation: a part C_k of the covariance leaves trace(W C_k) / n, all of them 1
+// together (less where less is left); the rest is unexplained. Shares sum to 1; one that makes
+// others worse is negative.
+struct LedgerRow {
+  std::vector<NamedEffect> effects = {}; // that cannot be told apart; none: what is left
+  std::string left = {};                 // "measurement", "mounting", "model" or "unexplained"
+  double share = 0;
+  std::array<double, 2> interval{}; // 90 %
+};
+struct Ledger {
+  double gap = 0; // G
+  int readings = 0;
+  std::vector<LedgerRow> rows;
+  std::vector<std::pair<std::string, double>> left_in; // readings with their shares of the gap left
+  double explained = 0;                                // share of all effects together
+  std::array<double, 2> explained_interval{};
 };
 
 // One reading beside the models.
@@ -147,12 +172,13 @@ struct Diagnosis {
   std::vector<LocatedGap> where;
   std::vector<LevelTrend> trends;
   std::vector<ParameterDrift> drifts;
-  std::vector<TriedHypothesis> tried; // best of each effect, then pairs; by evidence
+  std::vector<TriedHypothesis> tried; // best of each effect, then sets; by evidence
   // Of these what the gap is closed with, in gap, readings and pictures: the effects named, the
   // first of an ambiguous set, else what comes nearest. None: the nominal case.
   std::optional<std::size_t> best;
   std::vector<EffectNotTried> not_tried;
   std::vector<std::pair<std::string, double>> probabilities; // of effects and "none"
+  Ledger ledger;
   GapShrink gap;
   std::optional<GapShrink> held_out;
   std::string held_out_how; // "frf[6], frf[7]", "the highest level", "each reading in turn"

@@ -170,15 +170,17 @@ private:
     const Eigen::LLT<MatrixXd> root(MatrixXd(total(before_, before_)));
     const MatrixXd gain =
         root.solve(MatrixXd(total(before_, after_))).transpose(); // after x before
-    const MatrixXd explained = gain * total(before_, after_);
     u_.bias = VectorXd(u_.bias(after_)) + gain * VectorXd(deviation_(before_));
     u_.nominal = VectorXd(u_.nominal(after_));
     u_.correction = VectorXd(u_.correction(after_));
     u_.healthy =
         MatrixXd(u_.healthy(after_, Eigen::all)) - gain * MatrixXd(u_.healthy(before_, Eigen::all));
-    for (MatrixXd* part : {&u_.measurement, &u_.reassembly, &u_.numeric, &u_.form})
-      *part = MatrixXd((*part)(after_, after_));
-    u_.form -= explained;
+    // Of what the baseline leaves open, each part its own: that of y_a - K y_b.
+    for (MatrixXd* part : {&u_.measurement, &u_.reassembly, &u_.numeric, &u_.form}) {
+      const MatrixXd across = gain * MatrixXd((*part)(before_, after_));
+      *part = MatrixXd((*part)(after_, after_)) - across - across.transpose() +
+              gain * MatrixXd((*part)(before_, before_)) * gain.transpose();
+    }
     std::vector<Reading> kept;
     std::vector<int> series;
     u_.cross.clear();

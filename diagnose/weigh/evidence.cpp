@@ -38,6 +38,28 @@ double log_evidence_at_width(const HypothesisFit& fit, double width) {
   return value - std::log(A.determinant()) / 2;
 }
 
+constexpr double stated_as = 4; // readings that the stated errors are worth, for their size
+
+double dispersion(const HypothesisFit& fit) {
+  return std::max(1.,
+                  (stated_as + fit.error.squaredNorm()) / (stated_as + double(fit.error.size())));
+}
+
+double dispersed_log_evidence(const HypothesisFit& fit) {
+  const double n = double(fit.error.size());
+  double value =
+      -(stated_as + n) / 2 * std::log1p(fit.error.squaredNorm() / stated_as) - fit.penalty;
+  if (fit.z.size() == 0) return value;
+  const MatrixXd A =
+      MatrixXd::Identity(fit.z.size(), fit.z.size()) + fit.J.transpose() * fit.J / dispersion(fit);
+  return value - fit.z.squaredNorm() / 2 - std::log(A.determinant()) / 2;
+}
+
+MatrixXd dispersed_covariance(const HypothesisFit& fit, double dispersion) {
+  return (MatrixXd::Identity(fit.z.size(), fit.z.size()) + fit.J.transpose() * fit.J / dispersion)
+      .inverse();
+}
+
 HypothesisFit nominal_fit(const FitContext& context) {
   HypothesisFit fit;
   fit.solved = fit.complete = true;
@@ -177,10 +199,10 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
   std::size_t refined = p > 1 ? 3 : 2;
   double apart = 0.8; // in standard deviations of the priors
   if (start.size() == p) {
-    const Index second = Index(together[0]->parameters.size());
+    const Index last = p - Index(together.back()->parameters.size());
     for (double z : {0., -1.5, 1.5}) {
       VectorXd there = start;
-      if (second < p) there[second] += z;
+      if (last < p) there[last] += z;
       search.try_from(there);
     }
   } else if (together.size() == 1 && together[0]->along) {
@@ -225,20 +247,22 @@ void complete(const FitContext& context, HypothesisFit& fit) {
   fit.complete = true;
 }
 
-void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed) {
+void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed,
+            double dispersion) {
   if (fit.together.empty() || !fit.solved) return;
   const Deviation deviation(context, fit.together);
   const Whitening whitened = context.fitted.widened(fit.further);
   const auto log_likelihood = [&](const VectorXd& z) -> std::optional<double> {
     const auto d = deviation.at(z, Predictor::Which::fitted);
-    return d ? std::optional(-whitened(*d).squaredNorm() / 2) : std::nullopt;
+    return d ? std::optional(-whitened(*d).squaredNorm() / (2 * dispersion)) : std::nullopt;
   };
   std::vector<VectorXd> optima = fit.others;
   optima.push_back(fit.z);
-  ChainDraws drawn =
-      tempered_chains({std::move(optima), fit.covariance}, log_likelihood, particles, seed);
+  ChainDraws drawn = tempered_chains({std::move(optima), dispersed_covariance(fit, dispersion)},
+                                     log_likelihood, particles, seed);
   fit.draws = std::move(drawn.z);
-  if (drawn.log_evidence) fit.sampled_log_evidence = *drawn.log_evidence - fit.penalty;
+  if (drawn.log_evidence && dispersion == 1)
+    fit.sampled_log_evidence = *drawn.log_evidence - fit.penalty;
 }
 
 namespace {

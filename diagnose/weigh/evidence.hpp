@@ -22,7 +22,7 @@
 namespace plica {
 
 struct HypothesisFit {
-  std::vector<const Hypothesis*> together; // one, or two of a pair; empty = nominal
+  std::vector<const Hypothesis*> together; // one, or several at once; empty = nominal
   bool solved = false, complete = false;   // complete: with the deviations of what was held out
   Eigen::VectorXd z, values;
   std::vector<Eigen::VectorXd> others; // further optima, nearly as good: a sign that does not show
@@ -49,11 +49,24 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
 // ln Z at prior standard deviations times `width`, from the Gaussian at the optimum.
 double log_evidence_at_width(const HypothesisFit& fit, double width);
 
+// Where a fit leaves more than the covariance of the readings allows, all errors are larger than
+// stated by a factor that nobody knows. With the stated size worth four readings, e is a t variable
+// of as many degrees of freedom,
+//   ln Z ~ -1/2 (4 + n) ln(1 + e'e / 4) - 1/2 z'z - 1/2 ln det(I + J'J / d),
+//   d = (4 + e'e) / (4 + n), at least 1:
+// a hypothesis that leaves half of a large gap is not beyond doubt against one that leaves two
+// thirds of it.
+double dispersion(const HypothesisFit& fit);
+double dispersed_log_evidence(const HypothesisFit& fit);
+// Of the coordinates, by the Gaussian at the optimum.
+Eigen::MatrixXd dispersed_covariance(const HypothesisFit& fit, double dispersion);
+
 // Fills in the deviations of readings that were held out, which fits leave aside.
 void complete(const FitContext& context, HypothesisFit& fit);
 
-// Fills draws and sampled_log_evidence.
-void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed);
+// Fills draws and, where errors are as stated (`dispersion` of 1), sampled_log_evidence.
+void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed,
+            double dispersion = 1);
 
 // "ply_slip at bellows", "added_mass at beam.point[3] (all round)"; pairs with "and".
 std::string name_of(const HypothesisFit& fit);

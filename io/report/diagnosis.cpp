@@ -19,8 +19,10 @@ const char* verdict_words(Verdict verdict) {
     return "identified: one effect explains the test";
   case Verdict::ambiguous:
     return "ambiguous: several effects explain the test, these data do not tell them apart";
-  case Verdict::pair:
-    return "pair: two effects together explain the test";
+  case Verdict::several:
+    return "several: these effects together explain the test";
+  case Verdict::mostly:
+    return "mostly: this closes at least half of the gap, what remains is not explained";
   default:
     return "unknown: no effect of the library explains the test";
   }
@@ -91,7 +93,9 @@ std::string assumptions(const Diagnosis& d) {
 } // namespace
 
 std::string diagnosis_html(const Diagnosis& d, const std::string& title) {
-  std::string sections = banner(d) + facts(d);
+  std::string sections = banner(d);
+  sections += html_section("ledger", "What the gap is made of", ledger_html(d));
+  sections += html_section("facts", "In short", facts(d));
   sections += html_section("baseline", "Baseline", baseline_html(d));
   sections += html_section("where", "Where the gap lies",
                            blocks_html(d) + components_html(d) + trends_html(d));

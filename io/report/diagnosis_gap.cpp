@@ -87,60 +87,38 @@ HtmlRow row_of(const ComparedReading& r) {
           ""};
 }
 
-// A step of the waterfall: what goes, or what stands.
-struct Step {
-  std::string name;
-  double from = 0, to = 0;
-};
-
-// From the nominal case over the best effect, of a pair the first one alone before both.
-std::vector<Step> steps(const Diagnosis& d, const GapShrink& gap, bool held_out) {
-  std::vector<Step> list{
-      {held_out ? "held out: nominal case" : "fitted: nominal case", 0, gap.before}};
-  const TriedHypothesis* best = best_hypothesis(d);
-  double left = gap.before;
-  if (best && best->effects.size() > 1)
-    for (const TriedHypothesis& h : d.tried) {
-      const std::optional<double> alone =
-          held_out ? h.held_out_after : std::optional<double>(h.gap_after);
-      if (h.effects.size() != 1 || !alone ||
-          effect_label(h.effects.front()) != effect_label(best->effects.front()))
-        continue;
-      list.push_back({effect_label(h.effects.front()), left, *alone});
-      left = *alone;
-      break;
-    }
-  const bool split = left != gap.before;
-  if (best)
-    list.push_back(
-        {split ? effect_label(best->effects.back()) : hypothesis_label(*best), left, gap.after});
-  list.push_back({"remains", 0, gap.after});
-  return list;
-}
-
-std::string waterfall(const Diagnosis& d) {
-  std::vector<Step> all = steps(d, d.gap, false);
-  if (d.held_out)
-    for (Step& step : steps(d, *d.held_out, true)) all.push_back(std::move(step));
-  double high = 1.1;
-  for (const Step& s : all) high = std::max({high, s.from, s.to});
+// From the gap of the nominal case, each row takes its share away; what is left stands.
+std::string waterfall(const Ledger& ledger) {
   std::vector<HtmlRow> rows;
-  for (const Step& s : all) {
-    const bool goes = s.from != 0;
+  double high = 1, left = 1;
+  for (const LedgerRow& row : ledger.rows) high = std::max(high, left -= row.share);
+  const auto bar = [&](double from, double to, bool faint) {
+    return bar_svg({.from = std::min(from, to),
+                    .to = std::max(from, to),
+                    .low = 0,
+                    .high = high,
+                    .faint = faint,
+                    .width = 24});
+  };
+  rows.push_back({{"the gap of the nominal case", "100", "", "", bar(0, 1, false)}, "nominal"});
+  left = 1;
+  for (const LedgerRow& row : ledger.rows) {
+    const bool effect = !row.effects.empty();
+    std::string name = html_escape(row_words(row));
+    for (const NamedEffect& e : row.effects)
+      name += fmt::format("<span class=\"change\">{}</span>", html_escape(effect_label(e)));
     rows.push_back(
-        {{html_escape(s.name), goes ? html_signed(s.to - s.from, 2) : html_fixed(s.to, 2),
-          bar_svg({.from = std::min(s.from, s.to),
-                   .to = std::max(s.from, s.to),
-                   .low = 0,
-                   .high = high,
-                   .mark = 1,
-                   .faint = goes,
-                   .width = 24})},
-         goes ? "" : "nominal"});
+        {{name, html_fixed(100 * row.share, 0), percent_range(row.interval),
+          row.effects.size() == 1 ? html_fixed(100 * row.effects.front().anywhere, 0) + "\u00a0%"
+                                  : "",
+          bar(left, left - row.share, effect)},
+         ""});
+    left -= row.share;
   }
-  return html_table("Upright line: 1, what measurement and scatter leave. Dashed: what the effect "
-                    "takes away.",
-                    {{"", "", false}, {"G", ""}, {"", "", false}}, rows);
+  return html_table(
+      "Dashed: what an effect takes away when it is added to the model, averaged over "
+      "the orders in which effects can be added. Solid: what is left.",
+      {{"", "", false}, {"share", "%"}, {"90 %", ""}, {"probability", ""}, {"", "", false}}, rows);
 }
 
 // Curves that a plot can show.
@@ -172,6 +150,23 @@ std::array<int, 2> readings_within(const Diagnosis& d) {
   return count;
 }
 
+std::string ledger_html(const Diagnosis& d) {
+  if (d.ledger.rows.empty()) return "";
+  std::string html = waterfall(d.ledger);
+  constexpr std::size_t most = 4;
+  if (d.verdict != Verdict::none && !d.ledger.left_in.empty()) {
+    std::vector<std::string> readings;
+    for (const auto& [reading, share] : d.ledger.left_in)
+      if (readings.size() < most)
+        readings.push_back(fmt::format("{}: {:.0f} % of the gap", reading, 100 * share));
+    html += "<p>What is left sits in:</p>\n" + html_list(readings);
+  }
+  if (!d.next.empty())
+    html += "<p>To measure next: " + html_escape(d.next.front().what) + " (" +
+            html_escape(d.next.front().separates) + ").</p>\n";
+  return html;
+}
+
 std::string shrink_html(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   const auto add = [&](const std::string& name, const GapShrink& g) {
@@ -194,7 +189,6 @@ std::string shrink_html(const Diagnosis& d) {
       rows);
   if (!d.held_out)
     html += "<p>Nothing is held out: the shrink is that of the fitted readings.</p>\n";
-  html += waterfall(d);
   if (const TriedHypothesis* best = best_hypothesis(d); best && !best->worst_block.empty())
     html += fmt::format("<p>Least met by {}: {}, z {}.</p>\n", html_escape(hypothesis_label(*best)),
                         html_escape(best->worst_block), html_signed(best->worst_block_z, 1));

@@ -38,15 +38,6 @@ std::string bar_svg(const LevelBar& bar) {
   return svg + "</svg>";
 }
 
-ShownUnit handy_unit(double value, const std::string& unit) {
-  const double size = std::abs(value);
-  if (unit == "m" && size < 1e-4) return {1e6, "µm"};
-  if (unit == "m" && size < 0.1) return {1e3, "mm"};
-  if (unit == "kg" && size < 0.1) return {1e3, "g"};
-  if (unit == "N/m" && size >= 1e7) return {1e-6, "MN/m"};
-  return shown_unit(value, unit);
-}
-
 std::string estimate_html(const EstimatedParameter& p) {
   const auto [factor, unit] = handy_unit(p.value, p.unit);
   return fmt::format("{} ({} to {}){}", html_number(factor * p.value, 3),

@@ -18,7 +18,8 @@ std::string hypotheses_html(const Diagnosis& d);
 std::string probabilities_html(const Diagnosis& d);
 std::string compensators_html(const Diagnosis& d);
 
-std::string shrink_html(const Diagnosis& d); // table and waterfall
+std::string ledger_html(const Diagnosis& d); // what the gap is made of, as a waterfall, in words
+std::string shrink_html(const Diagnosis& d); // table
 std::string readings_html(const Diagnosis& d);
 std::string baseline_html(const Diagnosis& d); // before the change, beside the model
 std::string overlays_html(const Diagnosis& d);
@@ -27,9 +28,6 @@ std::string posteriors_html(const Diagnosis& d);
 std::string likeness_html(const Diagnosis& d);
 std::string detectable_html(const Diagnosis& d);
 std::string next_html(const Diagnosis& d);
-
-// As shown_unit(), and small lengths and masses in mm, µm, g.
-ShownUnit handy_unit(double value, const std::string& unit);
 
 // "0.42 (0.38 to 0.47) kN/m"
 std::string estimate_html(const EstimatedParameter& parameter);

@@ -72,7 +72,8 @@ std::string hypotheses_html(const Diagnosis& d) {
   for (const TriedHypothesis& h : d.tried) rows.push_back(row_of(h, &h == best));
   if (rows.empty()) return "";
   return html_table(
-      "The best place of each effect, then pairs. |z|: distance of a value from the centre of its "
+      "The best place of each effect, then sets of several. |z|: distance of a value from the "
+      "centre of its "
       "prior; above 3 is absurd. ln BF over the nominal case; below it with priors half and twice "
       "as wide. p: share of admissible specimens that fit no better; ✗ = not adequate. G: RMS of "
       "the differences over their uncertainty. Grey: rejected.",

@@ -1,5 +1,6 @@
 #include "io/tables/diagnosis_words.hpp"
 
+#include "diagnose/effects/effect.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "io/tables/text.hpp"
 #include "io/tables/text_table.hpp"
@@ -32,6 +33,21 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.0f}", 100 * share) : "-";
 }
 
+// A parameter as a plain sentence asks for it: "mass", "loss%", "ratio+". Where an effect has a
+// size in each state, the first.
+std::string value_words(const NamedEffect& e, std::string name) {
+  const char form = name.back();
+  if (form == '%' || form == '+') name.pop_back();
+  for (const EstimatedParameter& p : e.parameters) {
+    if (p.name != name && !p.name.starts_with(name + ", ")) continue;
+    if (form == '%') return significant(100 * p.value, 2) + " %";
+    if (form == '+') return with_sign(100 * (p.value - 1), 0) + " %";
+    const auto [factor, unit] = handy_unit(p.value, p.unit);
+    return significant(factor * p.value, 2) + (unit.empty() || unit == "°" ? "" : " ") + unit;
+  }
+  return "an amount";
+}
+
 std::string where_text(const Diagnosis& d) {
   const std::vector<LocatedGap> blocks = located_blocks(d), components = located_components(d);
   const auto beyond = static_cast<std::size_t>(std::count_if(
@@ -57,6 +73,33 @@ std::string where_text(const Diagnosis& d) {
     text += "  over the level, d ln / d ln level: the test, the model with the best hypothesis\n" +
             text_table(rows, 1);
   return text;
+}
+
+// What is left where nothing is known of it is told in a row; small parts together.
+std::string ledger_text(const Diagnosis& d) {
+  constexpr double worth_a_row = 0.005;
+  constexpr std::size_t most_readings = 3;
+  std::vector<std::vector<std::string>> rows;
+  for (const LedgerRow& row : d.ledger.rows) {
+    if (row.effects.empty() && row.left != "unexplained" && std::abs(row.share) < worth_a_row)
+      continue;
+    std::string included;
+    if (row.effects.size() == 1)
+      included = fmt::format("probability {:.0f} %", 100 * row.effects.front().anywhere);
+    rows.push_back({row_words(row), fmt::format("{:.0f} %", 100 * row.share),
+                    fmt::format("[{:.0f}, {:.0f}]", 100 * row.interval[0], 100 * row.interval[1]),
+                    included});
+  }
+  std::string text = fmt::format(
+      "\nLedger: the gap, G = {} over {} readings (1 = what measuring and scatter leave)\n",
+      significant(d.ledger.gap, 3), d.ledger.readings);
+  text += text_table(rows, 1);
+  if (d.verdict == Verdict::none) return text;
+  std::string readings;
+  for (std::size_t i = 0; i < std::min(most_readings, d.ledger.left_in.size()); ++i)
+    readings += fmt::format("{}{} {:.0f} %", readings.empty() ? "" : ", ",
+                            d.ledger.left_in[i].first, 100 * d.ledger.left_in[i].second);
+  return text + "  what is left sits in " + readings + "\n";
 }
 
 std::string effects_text(const Diagnosis& d) {
@@ -132,8 +175,18 @@ std::string next_text(const Diagnosis& d) {
 
 } // namespace
 
+ShownUnit handy_unit(double value, const std::string& unit) {
+  const double size = std::abs(value);
+  if (unit == "m" && size < 1e-4) return {1e6, "µm"};
+  if (unit == "m" && size < 0.1) return {1e3, "mm"};
+  if (unit == "kg" && size < 0.1) return {1e3, "g"};
+  if (unit == "rad") return {180 / 3.14159265358979323846, "°"};
+  if (unit == "N/m" && size >= 1e7) return {1e-6, "MN/m"};
+  return shown_unit(value, unit);
+}
+
 std::string verdict_name(Verdict verdict) {
-  constexpr std::array names{"none", "identified", "ambiguous", "pair", "unknown"};
+  constexpr std::array names{"none", "identified", "ambiguous", "several", "mostly", "unknown"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
@@ -146,6 +199,31 @@ std::string hypothesis_label(const TriedHypothesis& h) {
   std::string label;
   for (const NamedEffect& e : h.effects) label += (label.empty() ? "" : " and ") + effect_label(e);
   return label.empty() ? "none" : label;
+}
+
+std::string plain_words(const NamedEffect& e) {
+  const std::string& plain = effect_named(e.name).plain;
+  std::string text;
+  for (std::size_t at = 0; at < plain.size();) {
+    const std::size_t open = plain.find('{', at), close = plain.find('}', at);
+    text += plain.substr(at, open - at);
+    if (open == std::string::npos) break;
+    text += value_words(e, plain.substr(open + 1, close - open - 1));
+    at = close + 1;
+  }
+  return text;
+}
+
+std::string row_words(const LedgerRow& row) {
+  if (row.left == "measurement") return "what measuring leaves open";
+  if (row.left == "mounting") return "scatter of mounting anew";
+  if (row.left == "model") return "tolerances and error of the model";
+  if (row.left == "unexplained") return "not explained";
+  std::string text;
+  for (const NamedEffect& e : row.effects)
+    text += (text.empty() ? "" : ", or ") + plain_words(e) + ", at " + e.place +
+            (e.way.empty() ? "" : " (" + e.way + ")");
+  return text;
 }
 
 const TriedHypothesis* best_hypothesis(const Diagnosis& d) {
@@ -161,9 +239,9 @@ std::vector<LocatedGap> located_components(const Diagnosis& d) {
 }
 
 std::string diagnosis_text(const Diagnosis& d) {
-  std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + baseline_text(d) +
-                     where_text(d) + effects_text(d) + gap_text(d) + compensators_text(d) +
-                     next_text(d);
+  std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + ledger_text(d) +
+                     baseline_text(d) + where_text(d) + effects_text(d) + gap_text(d) +
+                     compensators_text(d) + next_text(d);
   text += fmt::format("\n{} hypotheses, {} evaluations\n", d.hypotheses, d.evaluations);
   std::string without;
   for (const EffectNotTried& e : d.not_tried) without += (without.empty() ? "" : ", ") + e.name;

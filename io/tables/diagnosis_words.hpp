@@ -2,15 +2,25 @@
 #pragma once
 
 #include "diagnose/results/diagnosis.hpp"
+#include "io/tables/text.hpp"
 
 namespace plica {
 
-// "none", "identified", "ambiguous", "pair", "unknown"
+// "none", "identified", "ambiguous", "several", "mostly", "unknown"
 std::string verdict_name(Verdict verdict);
 
 // "added_mass at beam.point[3] (all round)"; of a hypothesis joined by "and", "none" = nominal.
 std::string effect_label(const NamedEffect& effect);
 std::string hypothesis_label(const TriedHypothesis& hypothesis);
+
+// "20 g that nobody weighed" (Effect::plain), without its place.
+std::string plain_words(const NamedEffect& effect);
+// A row of the ledger: "20 g that nobody weighed, at sensor mid"; of a list with "or"; what is
+// left: "not explained", "what measuring leaves open".
+std::string row_words(const LedgerRow& row);
+
+// As shown_unit(), and small lengths and masses in mm, µm, g, angles in degrees.
+ShownUnit handy_unit(double value, const std::string& unit);
 
 // What the gap is closed with (Diagnosis::best); null for the nominal case.
 const TriedHypothesis* best_hypothesis(const Diagnosis& d);

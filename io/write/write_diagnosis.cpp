@@ -40,10 +40,30 @@ Json json_of(const NamedEffect& e) {
 Json named_json(const NamedEffect& e) {
   Json json = json_of(e);
   json["probability"] = json_number(e.probability);
+  json["anywhere"] = json_number(e.anywhere);
   json["other_places"] = e.other_places;
   json["unit"] = Json::object();
   for (const EstimatedParameter& p : e.parameters) json["unit"][p.name] = p.unit;
   return json;
+}
+
+Json json_of(const LedgerRow& row) {
+  return {{"what", row_words(row)},
+          {"left", row.left},
+          {"effects", list_of(row.effects, [](const NamedEffect& e) { return named_json(e); })},
+          {"share", json_number(row.share)},
+          {"interval", interval(row.interval)}};
+}
+
+Json json_of(const Ledger& ledger) {
+  return {{"gap", json_number(ledger.gap)},
+          {"readings", ledger.readings},
+          {"explained", json_number(ledger.explained)},
+          {"explained_interval", interval(ledger.explained_interval)},
+          {"rows", list_of(ledger.rows, [](const LedgerRow& row) { return json_of(row); })},
+          {"left_in", list_of(ledger.left_in, [](const auto& reading) {
+             return Json{{"reading", reading.first}, {"share", json_number(reading.second)}};
+           })}};
 }
 
 Json json_of(const LocatedGap& b) {
@@ -195,6 +215,24 @@ std::string hypotheses_csv(const Diagnosis& d) {
   return text;
 }
 
+std::string ledger_csv(const Diagnosis& d) {
+  std::string text = "what,effect,place,share of the gap,5 %,95 %,probability\n";
+  for (const LedgerRow& row : d.ledger.rows) {
+    std::string effects, places;
+    for (const NamedEffect& e : row.effects) {
+      effects += (effects.empty() ? "" : " or ") + e.name;
+      places += (places.empty() ? "" : " or ") + e.place;
+    }
+    text += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(row_words(row)), csv_cell(effects),
+                        csv_cell(places), csv_number(row.share), csv_number(row.interval[0]),
+                        csv_number(row.interval[1]),
+                        row.effects.size() == 1 ? csv_number(row.effects[0].anywhere) : "");
+  }
+  for (const auto& [reading, share] : d.ledger.left_in)
+    text += fmt::format("{},,,{},,,\n", csv_cell("left in " + reading), csv_number(share));
+  return text;
+}
+
 std::string where_csv(const Diagnosis& d) {
   std::string text = "component,direction,band,level [m/s2],kind,state,z,significant\n";
   for (const LocatedGap& b : d.where)
@@ -208,11 +246,14 @@ std::string where_csv(const Diagnosis& d) {
 
 std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version) {
   const auto item = [](const auto& x) { return json_of(x); };
+  constexpr int version = 2; // of these words: 2 has a ledger; "several" (before: "pair"), "mostly"
   Json json{{"case", d.case_name},
             {"plica_version", plica_version},
+            {"version", version},
             {"verdict", verdict_name(d.verdict)},
             {"headline", d.headline}};
   json["effects"] = list_of(d.effects, [](const NamedEffect& e) { return named_json(e); });
+  json["ledger"] = json_of(d.ledger);
   json["where"] = list_of(d.where, item);
   json["level_trends"] = list_of(d.trends, [](const LevelTrend& t) {
     return Json{{"quantity", t.quantity},
@@ -248,12 +289,13 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
 }
 
 std::vector<std::string> diagnosis_files() {
-  return {"diagnosis_readings.csv", "diagnosis_hypotheses.csv", "diagnosis_where.csv",
-          "diagnosis.html", "diagnosis.json"};
+  return {"diagnosis_ledger.csv", "diagnosis_readings.csv", "diagnosis_hypotheses.csv",
+          "diagnosis_where.csv",  "diagnosis.html",         "diagnosis.json"};
 }
 
 void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
                      OutputFolder& out) {
+  out.add("diagnosis_ledger.csv", ledger_csv(d));
   out.add("diagnosis_readings.csv", readings_csv(d));
   out.add("diagnosis_hypotheses.csv", hypotheses_csv(d));
   out.add("diagnosis_where.csv", where_csv(d));

@@ -79,6 +79,7 @@ struct PlySlip {
                          // slipping wall bears
   double chi = -0.5, beta = 1;
   int sliders = 12, segments = 9;
+  bool operator==(const PlySlip&) const = default;
 };
 
 // Motions a joint can have friction in, each a direction of the part frame: 0..5 = ux .. rz.

@@ -40,6 +40,7 @@ struct MeridianSection {
   double end_radius = 0;                     // cuff: radius at its right end, 0 = cylinder
   std::vector<std::array<double, 2>> points; // [y, r] of one convolution, y from 0 to the pitch
   Interpolation interpolation = Interpolation::smooth;
+  bool operator==(const MeridianSection&) const = default;
 };
 
 enum class Thinning { none, uniform, local };
@@ -50,6 +51,7 @@ struct Wall {
   Thinning thinning = Thinning::none;
   double thinning_exponent = 0.5; // local: t(r) = t (r_root / r)^p
   std::optional<PlySlip> slip = {};
+  bool operator==(const Wall&) const = default;
 };
 
 // How finely a shell of revolution is meshed: counts, or one target accuracy.

@@ -1,5 +1,6 @@
 #include "metrics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -21,9 +22,17 @@ bool top_is_right(const Scored& s) {
   return !s.named.empty() && s.named[0] == true_effect(s);
 }
 
+bool all_named_are_true(const Scored& s) {
+  return std::all_of(s.named.begin(), s.named.end(), [&](const std::string& name) {
+    for (const json& e : s.truth.value("effects", json::array()))
+      if (e["name"] == name) return true;
+    return false;
+  });
+}
+
 bool confidently_wrong(const Scored& s) {
   return (s.verdict == "identified" && !top_is_right(s)) ||
-         (s.verdict == "pair" && !holds_truth(s));
+         ((s.verdict == "several" || s.verdict == "mostly") && !all_named_are_true(s));
 }
 
 // The verdict, or what it declares to look like it, is what the stranger could be taken for.

@@ -10,7 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> verdict_columns{"none", "ambiguous", "unknown", "pair", "missing"};
+const std::vector<std::string> verdict_columns{"none",    "ambiguous", "unknown",
+                                               "several", "mostly",    "missing"};
 
 // Row: what was done to the specimen; column: the verdict, or the effect it identified.
 json confusion_of(const std::vector<Scored>& all) {

@@ -109,7 +109,7 @@ Marked marked(const Scored& s) {
   m.changed = s.cls != "none";
   m.detectable = s.truth["detectable"];
   m.ratio = s.truth["ratio"];
-  m.confident = s.verdict == "identified" || s.verdict == "pair";
+  m.confident = s.verdict == "identified" || s.verdict == "several" || s.verdict == "mostly";
   const Marker marker(s.truth);
   const json said = s.diagnosis.value("effects", json::array());
   const auto right = [&](const json& e) { return marker.is_right(e); };

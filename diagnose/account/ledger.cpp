@@ -1,0 +1,221 @@
+#include "diagnose/account/ledger.hpp"
+
+#include "diagnose/weigh/normal_draws.hpp"
+#include "solve/parallel.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int draws_in_all = 60;
+
+// Shares at one draw: of the effects, of the parts of what is left; of the readings.
+struct OneDraw {
+  VectorXd effects, left, readings;
+  double weight = 0;
+};
+
+class Accounts {
+public:
+  Accounts(const FitContext& context, const HypothesisFit& nominal)
+      : context_(context), rows_(context.fitted.rows()),
+        covariance_(MatrixXd(context.uncertainty.total()(rows_, rows_))),
+        nominal_(nominal.deviation), gap_(gap_of(nominal.deviation)) {
+    const Uncertainty& u = context.uncertainty;
+    for (const MatrixXd& part : {u.measurement, u.reassembly, MatrixXd(u.numeric + u.form)})
+      expected_.push_back(covariance_.solve(MatrixXd(part(rows_, rows_))).trace() /
+                          double(rows_.size()));
+  }
+
+  double gap() const { return gap_; }
+
+  // Of a set at coordinates of its parameters; none where it has no stable structure.
+  std::optional<OneDraw> at(const std::vector<const Hypothesis*>& together,
+                            const VectorXd& z) const {
+    const std::size_t n = together.size(), subsets = std::size_t(1) << n;
+    VectorXd closed = VectorXd::Zero(Index(subsets)); // v(S)
+    VectorXd deviation = nominal_;
+    for (std::size_t subset = 1; subset < subsets; ++subset) {
+      const auto left = deviation_of(together, z, subset);
+      if (!left) return std::nullopt;
+      closed[Index(subset)] = gap_ - gap_of(*left);
+      if (subset + 1 == subsets) deviation = *left;
+    }
+    return account(shapley(closed, n), deviation);
+  }
+
+  OneDraw nothing() const { return account(VectorXd(), nominal_); }
+
+private:
+  double gap_of(const VectorXd& deviation) const {
+    return context_.fitted(deviation).squaredNorm() / double(rows_.size());
+  }
+
+  // With the members whose bits are set, the others as the nominal case has them.
+  std::optional<VectorXd> deviation_of(const std::vector<const Hypothesis*>& together,
+                                       const VectorXd& z, std::size_t subset) const {
+    std::vector<const Hypothesis*> members;
+    VectorXd own(z.size());
+    Index first = 0, used = 0;
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      const auto size = Index(together[i]->parameters.size());
+      if (subset >> i & 1) {
+        members.push_back(together[i]);
+        own.segment(used, size) = z.segment(first, size);
+        used += size;
+      }
+      first += size;
+    }
+    return Deviation(context_, members).at(own.head(used), Predictor::Which::fitted);
+  }
+
+  static VectorXd shapley(const VectorXd& closed, std::size_t n) {
+    VectorXd weight(static_cast<Index>(n)); // of a subset of so many others: s! (n - s - 1)! / n!
+    for (std::size_t s = 0; s < n; ++s)
+      weight[Index(s)] = std::exp(std::lgamma(double(s) + 1) + std::lgamma(double(n - s)) -
+                                  std::lgamma(double(n) + 1));
+    VectorXd shares = VectorXd::Zero(Index(n));
+    for (std::size_t subset = 0; subset < std::size_t(closed.size()); ++subset) {
+      std::size_t size = 0;
+      for (std::size_t i = 0; i < n; ++i) size += subset >> i & 1;
+      for (std::size_t i = 0; i < n; ++i)
+        if (!(subset >> i & 1))
+          shares[Index(i)] += weight[Index(size)] *
+                              (closed[Index(subset | std::size_t(1) << i)] - closed[Index(subset)]);
+    }
+    return shares;
+  }
+
+  OneDraw account(const VectorXd& effects, const VectorXd& deviation) const {
+    const double left = gap_of(deviation);
+    double expected = 0;
+    for (double part : expected_) expected += part;
+    const double scale = std::min(1., left / expected);
+    OneDraw draw{
+        .effects = effects / gap_, .left = VectorXd(Index(expected_.size()) + 1), .readings = {}};
+    for (std::size_t k = 0; k < expected_.size(); ++k)
+      draw.left[Index(k)] = scale * expected_[k] / gap_;
+    draw.left[Index(expected_.size())] = (left - scale * expected) / gap_;
+    const VectorXd own = deviation(rows_);
+    draw.readings = own.cwiseProduct(covariance_.solve(own)) / (double(rows_.size()) * gap_);
+    return draw;
+  }
+
+  const FitContext& context_;
+  const std::vector<Index>& rows_;
+  Eigen::LLT<MatrixXd> covariance_; // before any effect
+  VectorXd nominal_;
+  double gap_;
+  std::vector<double> expected_; // of measurement, mounting, model: in G
+};
+
+// Points of the posterior.
+std::vector<VectorXd> points_of(const HypothesisFit& fit, int count) {
+  std::vector<VectorXd> points;
+  if (fit.draws.cols() > 0) {
+    for (int k = 0; k < count; ++k)
+      points.emplace_back(fit.draws.col(Index(k) * fit.draws.cols() / count));
+    return points;
+  }
+  const MatrixXd root = dispersed_covariance(fit, dispersion(fit)).llt().matrixL();
+  NormalDraws normal(1);
+  for (int k = 0; k < count; ++k) {
+    VectorXd step(fit.z.size());
+    for (double& x : step) x = normal();
+    points.emplace_back(fit.z + root * step);
+  }
+  return points;
+}
+
+std::array<double, 2> interval_of(std::vector<std::pair<double, double>> weighed) {
+  std::sort(weighed.begin(), weighed.end());
+  double sum = 0, reached = 0;
+  for (const auto& [value, weight] : weighed) sum += weight;
+  std::array<double, 2> ends{weighed.front().first, weighed.back().first};
+  bool below = true;
+  for (const auto& [value, weight] : weighed) {
+    reached += weight / sum;
+    if (below && reached >= 0.05) {
+      ends[0] = value;
+      below = false;
+    }
+    if (reached >= 0.95) {
+      ends[1] = value;
+      break;
+    }
+  }
+  return ends;
+}
+
+// Mean and interval over the draws of a number that each has.
+template <class Number>
+std::pair<double, std::array<double, 2>> over(const std::vector<OneDraw>& draws, Number number) {
+  std::vector<std::pair<double, double>> all;
+  double sum = 0, mean = 0;
+  for (const OneDraw& d : draws) {
+    all.emplace_back(number(d), d.weight);
+    sum += d.weight;
+    mean += d.weight * number(d);
+  }
+  return {mean / sum, interval_of(std::move(all))};
+}
+
+} // namespace
+
+Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
+                 const std::vector<LedgerSet>& sets) {
+  const Accounts accounts(context, nominal);
+  Ledger ledger;
+  ledger.gap = accounts.gap();
+  ledger.readings = int(context.fitted.rows().size());
+  if (!(ledger.gap > 0)) return ledger;
+  std::vector<OneDraw> draws;
+  double weights = 0;
+  for (const LedgerSet& set : sets) weights += set.weight;
+  for (const LedgerSet& set : sets) {
+    constexpr int fewest = 20;
+    const std::vector<VectorXd> points = points_of(
+        *set.fit, std::max(fewest, int(std::lround(draws_in_all * set.weight / weights))));
+    std::vector<std::optional<OneDraw>> own(points.size());
+    in_parallel(int(points.size()), [&](int k) {
+      own[std::size_t(k)] = accounts.at(set.fit->together, points[std::size_t(k)]);
+    });
+    for (auto& draw : own)
+      if (draw) {
+        draw->weight = set.weight / double(points.size());
+        draws.push_back(std::move(*draw));
+      }
+  }
+  if (draws.empty()) {
+    draws.push_back(accounts.nothing());
+    draws.back().weight = 1;
+  }
+  for (Index i = 0; i < draws.front().effects.size(); ++i) {
+    const auto [share, interval] = over(draws, [&](const OneDraw& d) { return d.effects[i]; });
+    ledger.rows.push_back({.share = share, .interval = interval});
+  }
+  const std::array names{"measurement", "mounting", "model", "unexplained"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto [share, interval] = over(draws, [&](const OneDraw& d) { return d.left[Index(k)]; });
+    ledger.rows.push_back({.left = names[k], .share = share, .interval = interval});
+  }
+  std::tie(ledger.explained, ledger.explained_interval) =
+      over(draws, [](const OneDraw& d) { return d.effects.sum(); });
+  for (std::size_t i = 0; i < context.fitted.rows().size(); ++i) {
+    const Reading& reading = context.test.readings[std::size_t(context.fitted.rows()[i])];
+    ledger.left_in.emplace_back(
+        reading.name, over(draws, [&](const OneDraw& d) { return d.readings[Index(i)]; }).first);
+  }
+  std::stable_sort(ledger.left_in.begin(), ledger.left_in.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return ledger;
+}
+
+} // namespace plica

@@ -1,0 +1,48 @@
+#include "diagnose/account/overlays.hpp"
+
+#include "lab/measured/measured_words.hpp"
+
+#include <algorithm>
+
+namespace plica {
+
+using Eigen::VectorXd;
+
+std::vector<OverlaidResponse> overlays_of(GapProblem& problem, const HypothesisFit& best,
+                                          const HypothesisFit* second) {
+  std::vector<OverlaidResponse> overlays;
+  constexpr std::size_t most = 4;
+  for (std::size_t i = 0; i < problem.test.responses.size(); ++i)
+    for (const FrfSet& set : problem.test.responses[i]) {
+      if (set.references.empty() || overlays.size() >= most) continue;
+      const Reading* reading = nullptr;
+      for (const Reading& r : problem.readings.readings)
+        if (r.entry == "frf[" + std::to_string(i) + "]" && r.kind == ReadingKind::amplitude) {
+          reading = &r;
+          break;
+        }
+      if (!reading) continue;
+      const TestRun& run = problem.readings.runs[std::size_t(reading->run)];
+      const std::string channel = run.sensor + "." + axis_word(run.axis);
+      const auto column = std::find(set.responses.begin(), set.responses.end(), channel);
+      if (column == set.responses.end()) continue;
+      OverlaidResponse o;
+      o.name = reading->name.substr(reading->name.find(" at ") + 1);
+      o.hertz = set.hertz;
+      o.measured = set.H[0].col(column - set.responses.begin()).cwiseAbs();
+      const auto magnitude = [&](const HypothesisFit& fit) {
+        const auto H = problem.predictors->of(fit.together).response(fit.values, run, set.hertz);
+        return H ? VectorXd(H->cwiseAbs()) : VectorXd();
+      };
+      o.nominal = problem.predictors->of({})
+                      .response(VectorXd(), run, set.hertz)
+                      .value_or(Eigen::VectorXcd())
+                      .cwiseAbs();
+      o.best = magnitude(best);
+      if (second) o.second = magnitude(*second);
+      overlays.push_back(std::move(o));
+    }
+  return overlays;
+}
+
+} // namespace plica

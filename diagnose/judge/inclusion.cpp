@@ -1,0 +1,99 @@
+#include "diagnose/judge/inclusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace plica {
+namespace {
+
+bool has(const JudgedFit& j, const std::string& effect) {
+  return std::any_of(j.fit.together.begin(), j.fit.together.end(),
+                     [&](const Hypothesis* h) { return h->effect == effect; });
+}
+
+std::vector<std::pair<std::string, double>>
+largest_first(const std::map<std::string, double>& shares) {
+  std::vector<std::pair<std::string, double>> list(shares.begin(), shares.end());
+  std::stable_sort(list.begin(), list.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return list;
+}
+
+} // namespace
+
+Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
+                     const std::vector<JudgedFit>& sets) {
+  std::map<std::string, int> hypotheses;
+  for (const JudgedFit& j : fits) ++hypotheses[j.fit.together[0]->effect];
+  const double effect = 1 / std::max(1., double(hypotheses.size()));
+  const auto log_weight = [&](const JudgedFit& j) {
+    double value = dispersed_log_evidence(j.fit);
+    for (const Hypothesis* h : j.fit.together)
+      value += std::log(effect / std::max(1, hypotheses[h->effect]));
+    return value;
+  };
+  for (const std::vector<JudgedFit>* list : {&fits, &sets})
+    for (const JudgedFit& j : *list)
+      if (j.fit.solved) all_.push_back({&j, log_weight(j)});
+  none_ = log_weight(nominal);
+  double highest = none_;
+  for (const Weighed& w : all_) highest = std::max(highest, w.weight);
+  double sum = none_ = std::exp(none_ - highest), most = none_;
+  for (Weighed& w : all_) sum += w.weight = std::exp(w.weight - highest);
+  for (const Weighed& w : all_)
+    if (w.weight > most) {
+      most = w.weight;
+      leading_ = w.fit;
+    }
+  none_ /= sum;
+  for (Weighed& w : all_) w.weight /= sum;
+}
+
+double Inclusion::of(const std::string& effect) const {
+  double sum = 0;
+  for (const Weighed& w : all_)
+    if (has(*w.fit, effect)) sum += w.weight;
+  return sum;
+}
+
+double Inclusion::at(const std::string& effect, const std::string& place) const {
+  for (const auto& [name, share] : places(effect))
+    if (name == place) return share;
+  return 0;
+}
+
+std::vector<std::pair<std::string, double>> Inclusion::effects() const {
+  std::map<std::string, double> shares{{"none", none_}};
+  for (const Weighed& w : all_) {
+    std::set<std::string> own;
+    for (const Hypothesis* h : w.fit->fit.together) own.insert(h->effect);
+    for (const std::string& effect : own) shares[effect] += w.weight;
+  }
+  return largest_first(shares);
+}
+
+std::vector<std::pair<std::string, double>> Inclusion::places(const std::string& effect) const {
+  std::map<std::string, double> shares;
+  for (const Weighed& w : all_) {
+    std::set<std::string> own;
+    for (const Hypothesis* h : w.fit->fit.together)
+      if (h->effect == effect) own.insert(h->place);
+    for (const std::string& place : own) shares[place] += w.weight;
+  }
+  return largest_first(shares);
+}
+
+const JudgedFit* Inclusion::leading_with(double each_at_least) const {
+  const Weighed* best = nullptr;
+  for (const Weighed& w : all_) {
+    const bool all =
+        std::all_of(w.fit->fit.together.begin(), w.fit->fit.together.end(),
+                    [&](const Hypothesis* h) { return of(h->effect) >= each_at_least; });
+    if (all && (!best || w.weight > best->weight)) best = &w;
+  }
+  return best ? best->fit : nullptr;
+}
+
+} // namespace plica

@@ -1,0 +1,40 @@
+// How probable it is that an effect is part of the cause, over all sets that were tried.
+//
+//   P(S | test) ~ exp(ln Z(S)) prod over members (1 / N) / places(effect),   N effects tried
+//
+// that is, one effect is expected, anywhere. ln Z is the dispersed one (evidence.hpp), since a set
+// that does not explain the test cannot claim the errors that were stated.
+#pragma once
+
+#include "diagnose/judge/judged_fit.hpp"
+
+namespace plica {
+
+class Inclusion {
+public:
+  // `fits`: of single hypotheses, `sets`: of several. Both must outlive it.
+  Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
+            const std::vector<JudgedFit>& sets);
+
+  double of(const std::string& effect) const; // anywhere
+  double at(const std::string& effect, const std::string& place) const;
+  // With "none", the largest first.
+  std::vector<std::pair<std::string, double>> effects() const;
+  std::vector<std::pair<std::string, double>> places(const std::string& effect) const;
+
+  // The most probable; null: the nominal case.
+  const JudgedFit* leading() const { return leading_; }
+  // The most probable of those whose effects all have at least this probability; null: none.
+  const JudgedFit* leading_with(double each_at_least) const;
+
+private:
+  struct Weighed {
+    const JudgedFit* fit;
+    double weight;
+  };
+  std::vector<Weighed> all_;
+  double none_ = 1;
+  const JudgedFit* leading_ = nullptr;
+};
+
+} // namespace plica

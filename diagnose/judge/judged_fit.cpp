@@ -1,0 +1,158 @@
+#include "diagnose/judge/judged_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace plica {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double absurd_z = 3;            // standard deviations of a prior
+constexpr double most_allowed = 1.5;      // gap without what a hypothesis is allowed to be off
+constexpr double most_left = 0.5;         // of a change from a baseline
+constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
+
+template <class Chi2> std::vector<double> of_healthy(const FitContext& context, const Chi2& chi2) {
+  std::vector<double> all;
+  for (Eigen::Index k = 0; k < context.uncertainty.healthy.cols(); ++k)
+    all.push_back(chi2(VectorXd(context.uncertainty.healthy.col(k))));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+double point(const std::vector<double>& sorted, double share) {
+  return sorted.empty() ? 0 : sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
+}
+
+int free_parameters(const HypothesisFit& fit) {
+  constexpr double narrower = 0.5, moves = 0.1; // standard deviations of prior and of a reading
+  int count = 0;
+  for (Eigen::Index k = 0; k < fit.z.size(); ++k)
+    count +=
+        std::sqrt(fit.covariance(k, k)) < narrower || fit.J.col(k).cwiseAbs().maxCoeff() > moves;
+  return count;
+}
+
+} // namespace
+
+double evidence_of(const HypothesisFit& fit) {
+  return fit.sampled_log_evidence.value_or(fit.log_evidence);
+}
+
+Standards standards_of(const FitContext& context, const Whitening& held_out,
+                       const BlockScores& scores) {
+  Standards s;
+  const auto by = [](const Whitening& white) {
+    return [&white](const VectorXd& d) { return white(d).squaredNorm(); };
+  };
+  s.healthy_chi2 = of_healthy(context, by(context.fitted));
+  s.chi2 = point(s.healthy_chi2, 0.99);
+  s.chi2_of_means =
+      point(of_healthy(context, [&](const VectorXd& d) { return scores.of_means(d); }), 0.99);
+  if (!held_out.rows().empty()) s.held_out_chi2 = point(of_healthy(context, by(held_out)), 0.999);
+  return s;
+}
+
+JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitContext& context,
+                 const Whitening& held_out, const BlockScores& scores, const Standards& standards) {
+  JudgedFit j;
+  j.fit = std::move(fit);
+  if (!j.fit.solved) return j;
+  j.log_bayes_factor = evidence_of(j.fit) - nominal.log_evidence;
+  j.worst = scores.worst(j.fit.deviation, j.fit.further);
+  j.chi2_of_means = scores.of_means(j.fit.deviation, j.fit.further);
+  const auto& healthy = standards.healthy_chi2;
+  j.p = double(healthy.end() - std::lower_bound(healthy.begin(), healthy.end(), j.fit.chi2)) /
+        double(healthy.size());
+  j.gap_after = std::sqrt(context.fitted(j.fit.deviation).squaredNorm() /
+                          double(context.fitted.rows().size()));
+  const bool slips = std::any_of(j.fit.together.begin(), j.fit.together.end(),
+                                 [](const Hypothesis* h) { return h->law_error > 0; });
+  // Beside a baseline what a hypothesis may be off grows with what it changes.
+  const double before = std::sqrt(nominal.chi2 / double(context.fitted.rows().size()));
+  const double allowed = context.uncertainty.change_error > 0
+                             ? std::max(most_allowed, most_left * before)
+                             : most_allowed;
+  j.adequate = !standards.gate ||
+               (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
+                j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
+  j.absurd = j.fit.farthest > absurd_z;
+  j.free_parameters = free_parameters(j.fit);
+  if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
+  if (!held_out.rows().empty() && j.fit.complete) {
+    const double n = double(held_out.rows().size());
+    const double chi2 = held_out(j.fit.deviation).squaredNorm();
+    const double by_law = held_out.widened(j.fit.further)(j.fit.deviation).squaredNorm();
+    const double of_nominal = held_out(nominal.deviation).squaredNorm();
+    j.held_out_after = std::sqrt(chi2 / n);
+    j.held_out_shrink = 1 - std::sqrt(chi2 / of_nominal);
+    j.held_out_met = by_law <= standards.held_out_chi2;
+    j.fails_held_out = !j.held_out_met && *j.held_out_shrink < believable_shrink;
+  }
+  return j;
+}
+
+std::vector<Family> families(const std::vector<JudgedFit>& fits) {
+  std::map<std::string, std::vector<const JudgedFit*>> by_effect;
+  for (const JudgedFit& j : fits)
+    if (j.fit.solved) by_effect[j.fit.together[0]->effect].push_back(&j);
+  std::vector<Family> all;
+  for (const auto& [effect, own] : by_effect) {
+    Family f{.effect = effect};
+    double highest = -1e300;
+    for (const JudgedFit* j : own) highest = std::max(highest, evidence_of(j->fit));
+    double sum = 0;
+    for (const JudgedFit* j : own) {
+      sum += std::exp(evidence_of(j->fit) - highest) / double(own.size());
+      // Among equals the one that stands up.
+      const auto rank = [](const JudgedFit* a) {
+        return evidence_of(a->fit) + (a->credible() ? 2 : 0);
+      };
+      if (!f.best || rank(j) > rank(f.best)) f.best = j;
+    }
+    f.log_evidence = highest + std::log(sum);
+    std::map<std::string, double> places;
+    for (const JudgedFit* j : own)
+      places[j->fit.together[0]->place] +=
+          std::exp(evidence_of(j->fit) - highest) / (sum * double(own.size()));
+    f.places.assign(places.begin(), places.end());
+    std::stable_sort(f.places.begin(), f.places.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    all.push_back(f);
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Family& a, const Family& b) { return a.log_evidence > b.log_evidence; });
+  return all;
+}
+
+bool JudgedFit::leaves_cause_open() const {
+  return std::any_of(fit.together.begin(), fit.together.end(),
+                     [](const Hypothesis* h) { return h->names_place_only; });
+}
+
+bool JudgedFit::too_free() const {
+  constexpr int readings_each = 3;
+  return fit.error.size() > 0 && readings_each * free_parameters > fit.error.size();
+}
+
+void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nominal) {
+  constexpr double as_much = 0.5;
+  const auto component = [](const JudgedFit& j) {
+    const std::string& place = j.fit.together[0]->place;
+    return place.substr(0, place.find('.'));
+  };
+  const auto closed = [&](const JudgedFit& j) {
+    return nominal.gap_after * nominal.gap_after - j.gap_after * j.gap_after;
+  };
+  std::map<std::string, double> by_causes;
+  for (const JudgedFit& j : fits)
+    if (!j.leaves_cause_open() && !j.absurd)
+      by_causes[component(j)] = std::max(by_causes[component(j)], closed(j));
+  std::erase_if(fits, [&](const JudgedFit& j) {
+    return j.leaves_cause_open() && by_causes[component(j)] >= as_much * closed(j);
+  });
+}
+
+} // namespace plica

@@ -1,0 +1,61 @@
+// Fits held against what healthy specimens show, and effects over their places.
+#pragma once
+
+#include "diagnose/weigh/blocks.hpp"
+#include "diagnose/weigh/evidence.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plica {
+
+// Of healthy specimens; computed once per test.
+struct Standards {
+  double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
+  double worst_block = 3.3;                              // standard score
+  double evidence = 3;                                   // ln BF over the nominal case
+  double apart = 3;                                      // nats between effects told apart
+  std::vector<double> healthy_chi2;                      // sorted
+  bool gate = true; // false: adequacy is not asked for (an ablation)
+};
+Standards standards_of(const FitContext& context, const Whitening& held_out,
+                       const BlockScores& scores);
+
+// A fit with what it is worth.
+struct JudgedFit {
+  HypothesisFit fit;
+  double log_bayes_factor = 0;
+  bool adequate = false, absurd = false, held_out_met = false, fails_held_out = false;
+  double p = 1, chi2_of_means = 0;
+  std::pair<double, std::string> worst;
+  double gap_after = 0;
+  std::optional<double> held_out_after, held_out_shrink;
+  int free_parameters = 0;
+  bool credible() const { return adequate && !absurd && !fails_held_out; }
+  // Whether there are too few readings for several effects, or for what explains most: less than
+  // three for each free parameter.
+  bool too_free() const;
+  // Whether an effect in it names a place only (Hypothesis::names_place_only).
+  bool leaves_cause_open() const;
+};
+JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitContext& context,
+                 const Whitening& held_out, const BlockScores& scores, const Standards& standards);
+
+// An effect over all its places.
+struct Family {
+  std::string effect;
+  double log_evidence = 0;                                 // places weigh alike
+  const JudgedFit* best = nullptr;                         // place
+  std::vector<std::pair<std::string, double>> places = {}; // with their shares, the largest first
+};
+std::vector<Family> families(const std::vector<JudgedFit>& fits); // by evidence
+
+// Without effects that name a place only (Hypothesis::names_place_only) where another effect at
+// that place closes half as much of the gap.
+void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nominal);
+
+// ln Z, by Markov chains where they were followed.
+double evidence_of(const HypothesisFit& fit);
+
+} // namespace plica

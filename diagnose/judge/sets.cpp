@@ -1,0 +1,249 @@
+#include "diagnose/judge/sets.hpp"
+
+#include "solve/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Together = std::vector<const Hypothesis*>;
+
+constexpr std::size_t most_effects = 5;
+constexpr std::size_t grown_sets = 3, further_effects = 6; // of each size; for each of them
+constexpr std::size_t moved_sets = 2, other_places = 3;    // of each size; for one member
+constexpr double worth_growing = 2;                        // nats, of one effect more
+
+// A frequency or damping moves with the level by more than its uncertainty: what slips may be in
+// it.
+bool changes_with_level(const TestReadings& test) {
+  constexpr double beyond = 3; // standard deviations
+  const std::vector<LevelTrend> trends = level_trends(test);
+  return std::any_of(trends.begin(), trends.end(),
+                     [](const LevelTrend& t) { return std::abs(t.slope) > beyond * t.sigma; });
+}
+
+struct Asked {
+  Together together;
+  VectorXd start;
+};
+
+// Coordinates of one member.
+VectorXd part_of(const HypothesisFit& fit, std::size_t member) {
+  Index first = 0;
+  for (std::size_t i = 0; i < member; ++i) first += Index(fit.together[i]->parameters.size());
+  return fit.z.segment(first, Index(fit.together[member]->parameters.size()));
+}
+
+VectorXd joined(const std::vector<VectorXd>& parts) {
+  Index size = 0, first = 0;
+  for (const VectorXd& part : parts) size += part.size();
+  VectorXd all(size);
+  for (const VectorXd& part : parts) {
+    all.segment(first, part.size()) = part;
+    first += part.size();
+  }
+  return all;
+}
+
+bool contains(const Together& together, const Hypothesis* h) {
+  return std::find(together.begin(), together.end(), h) != together.end();
+}
+
+class Growth {
+public:
+  Growth(const FitContext& context, const std::vector<JudgedFit>& fits,
+         const std::vector<Signature>& all, const JudgedFit& nominal, const Whitening& held_out,
+         const BlockScores& scores, const Standards& standards)
+      : context_(context), fits_(fits), all_(all), nominal_(nominal), held_out_(held_out),
+        scores_(scores), standards_(standards), levels_matter_(changes_with_level(context.test)) {}
+
+  std::vector<JudgedFit> sets(const std::vector<Family>& ranked) {
+    std::vector<JudgedFit> front;
+    for (std::size_t i = 0; i < std::min(grown_sets, ranked.size()); ++i)
+      if (ranked[i].best->log_bayes_factor >= 1) front.push_back(*ranked[i].best);
+    std::vector<JudgedFit> found;
+    for (std::size_t size = 2; size <= most_effects && size < context_.fitted.rows().size();
+         ++size) {
+      if (front.empty()) break;
+      const double before = dispersed_log_evidence(front.front().fit);
+      std::vector<JudgedFit> level = fitted(larger(front));
+      add(level, fitted(moved(level)));
+      if (size > 2 && !level.empty()) add(found, fitted(smaller(level.front().fit)));
+      found.insert(found.end(), level.begin(), level.end());
+      if (level.empty() ||
+          std::any_of(level.begin(), level.end(), [](const JudgedFit& j) { return j.credible(); }))
+        break;
+      if (dispersed_log_evidence(level.front().fit) < before + worth_growing) break;
+      level.resize(std::min(grown_sets, level.size()));
+      front = std::move(level);
+    }
+    sort(found);
+    return found;
+  }
+
+private:
+  static void sort(std::vector<JudgedFit>& sets) {
+    std::stable_sort(sets.begin(), sets.end(), [](const JudgedFit& a, const JudgedFit& b) {
+      return a.fit.log_evidence > b.fit.log_evidence;
+    });
+  }
+
+  static void add(std::vector<JudgedFit>& to, std::vector<JudgedFit> more) {
+    for (JudgedFit& j : more) to.push_back(std::move(j));
+    sort(to);
+  }
+
+  // Whether this set was not asked for before; it is from now on.
+  bool is_new(Together together) {
+    std::sort(together.begin(), together.end());
+    if (std::find(asked_.begin(), asked_.end(), together) != asked_.end()) return false;
+    asked_.push_back(std::move(together));
+    return true;
+  }
+
+  // What a hypothesis would be worth beside a set: its matched filter on the residual, of which the
+  // set takes up its share.
+  static double gain(const HypothesisFit& set, const Signature& s) {
+    const MatrixXd& J = set.J;
+    const MatrixXd A = MatrixXd::Identity(J.cols(), J.cols()) + J.transpose() * J;
+    const VectorXd g = s.g - J * A.ldlt().solve(J.transpose() * s.g);
+    return std::pow(g.dot(set.error), 2) / (2 * (g.squaredNorm() + 1)) -
+           std::log1p(g.squaredNorm()) / 2;
+  }
+
+  bool may_join(const HypothesisFit& set, const Hypothesis& h) const {
+    bool softens = false;
+    for (const Hypothesis* own : set.together) {
+      softens = softens || own->softening;
+      if (own->effect == h.effect && own->place == h.place) return false;
+    }
+    if (h.names_place_only && std::none_of(fits_.begin(), fits_.end(), [&](const JudgedFit& j) {
+          return j.fit.together[0] == &h;
+        }))
+      return false;
+    return !h.softening || (levels_matter_ && !softens);
+  }
+
+  // Each set with the effects that its residual asks for; one place of each.
+  std::vector<Asked> larger(const std::vector<JudgedFit>& sets) {
+    std::vector<Asked> asked;
+    for (const JudgedFit& j : sets) {
+      std::map<std::string, std::pair<double, const Signature*>> gains;
+      for (const Signature& s : all_) {
+        if (!may_join(j.fit, *s.hypothesis)) continue;
+        const double own = gain(j.fit, s);
+        auto& best = gains[s.hypothesis->effect];
+        if (!best.second || own > best.first) best = {own, &s};
+      }
+      std::vector<std::pair<double, const Signature*>> order;
+      for (const auto& [effect, own] : gains) order.push_back(own);
+      std::stable_sort(order.begin(), order.end(),
+                       [](const auto& a, const auto& b) { return a.first > b.first; });
+      for (std::size_t k = 0; k < std::min(further_effects, order.size()); ++k) {
+        const Hypothesis* h = order[k].second->hypothesis;
+        Together together = j.fit.together;
+        together.push_back(h);
+        if (is_new(together))
+          asked.push_back(
+              {together, joined({j.fit.z, VectorXd::Zero(Index(h->parameters.size()))})});
+      }
+    }
+    return asked;
+  }
+
+  // The best sets with one member at the places that come next.
+  std::vector<Asked> moved(const std::vector<JudgedFit>& sets) {
+    std::vector<Asked> asked;
+    for (std::size_t i = 0; i < std::min(moved_sets, sets.size()); ++i) {
+      const HypothesisFit& set = sets[i].fit;
+      for (std::size_t member = 0; member < set.together.size(); ++member) {
+        std::vector<const HypothesisFit*> others;
+        for (const JudgedFit& j : fits_)
+          if (const Hypothesis* h = j.fit.together[0];
+              h->effect == set.together[member]->effect && !contains(set.together, h))
+            others.push_back(&j.fit);
+        std::stable_sort(others.begin(), others.end(), [](const auto* a, const auto* b) {
+          return a->log_evidence > b->log_evidence;
+        });
+        if (others.size() > other_places) others.resize(other_places);
+        for (const HypothesisFit* other : others) {
+          Together together = set.together;
+          std::vector<VectorXd> start;
+          for (std::size_t k = 0; k < together.size(); ++k)
+            start.push_back(k == member ? other->z : part_of(set, k));
+          together[member] = other->together[0];
+          if (is_new(together)) asked.push_back({together, joined(start)});
+        }
+      }
+    }
+    return asked;
+  }
+
+  // A set without each of its members in turn.
+  std::vector<Asked> smaller(const HypothesisFit& set) {
+    std::vector<Asked> asked;
+    for (std::size_t out = 0; out < set.together.size(); ++out) {
+      Asked rest;
+      std::vector<VectorXd> start;
+      for (std::size_t k = 0; k < set.together.size(); ++k)
+        if (k != out) {
+          rest.together.push_back(set.together[k]);
+          start.push_back(part_of(set, k));
+        }
+      rest.start = joined(start);
+      if (is_new(rest.together)) asked.push_back(std::move(rest));
+    }
+    return asked;
+  }
+
+  // What members change is prepared once: each is in several sets.
+  void keep_members(const std::vector<Asked>& asked) {
+    StateFamilies::Together members;
+    for (const Asked& set : asked)
+      for (const Hypothesis* h : set.together)
+        if (!contains(members, h)) members.push_back(h);
+    StateFamilies& families = *context_.predictors.families();
+    for (std::size_t state : families.fitted_states(context_.test)) families.keep(state, members);
+  }
+
+  std::vector<JudgedFit> fitted(const std::vector<Asked>& asked) {
+    keep_members(asked);
+    std::vector<JudgedFit> own(asked.size());
+    in_parallel(int(asked.size()), [&](int i) {
+      const Asked& set = asked[std::size_t(i)];
+      own[std::size_t(i)] = judged(fit_of(context_, set.together, set.start), nominal_.fit,
+                                   context_, held_out_, scores_, standards_);
+    });
+    std::erase_if(own, [](const JudgedFit& j) { return !j.fit.solved || j.too_free(); });
+    sort(own);
+    return own;
+  }
+
+  const FitContext& context_;
+  const std::vector<JudgedFit>& fits_;
+  const std::vector<Signature>& all_;
+  const JudgedFit& nominal_;
+  const Whitening& held_out_;
+  const BlockScores& scores_;
+  const Standards& standards_;
+  bool levels_matter_ = false;
+  std::vector<Together> asked_;
+};
+
+} // namespace
+
+std::vector<JudgedFit> fit_sets(const FitContext& context, const std::vector<Family>& ranked,
+                                const std::vector<JudgedFit>& fits,
+                                const std::vector<Signature>& all, const JudgedFit& nominal,
+                                const Whitening& held_out, const BlockScores& scores,
+                                const Standards& standards) {
+  return Growth(context, fits, all, nominal, held_out, scores, standards).sets(ranked);
+}
+
+} // namespace plica

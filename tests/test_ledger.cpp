@@ -1,0 +1,132 @@
+// What the gap is made of: shares that add up, effects together, what is left.
+#include "changed_beam.hpp"
+#include "model/description/case_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+
+namespace plica {
+namespace {
+
+using Eigen::VectorXd;
+
+// A cantilever with three masses.
+Case cantilever() {
+  Case c = changed_beam::beam_of(3, 0.6, 0.03, 0.005, true);
+  for (int k = 2; k <= 4; ++k) {
+    PointMass mass;
+    mass.at = "beam.point[" + std::to_string(k) + "]";
+    mass.mass = 0.02 + 0.01 * k;
+    c.parts.push_back({"m" + std::to_string(k - 1), mass});
+  }
+  return c;
+}
+
+// What the model of a case reads as a test: its mass and eight frequencies, not quite exactly.
+Measured test_of(const Case& truth) {
+  Measured m;
+  m.specimen = "beam";
+  for (int order = 1; order <= 4; ++order)
+    for (Axis axis : {Axis::x, Axis::z}) m.modes.push_back(changed_beam::bending(axis, order, ""));
+  m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
+  const DiagnosisData blank{.data = m, .responses = {}};
+  const TestReadings readings = readings_of(blank);
+  const VectorXd y = changed_beam::read_by(truth, m);
+  constexpr std::array noise{0.0006, -0.0004, 0.0009, -0.0011, 0.0003, 0.0007, -0.0008, 0.0001};
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const Reading& r = readings.readings[std::size_t(i)];
+    if (r.kind == ReadingKind::mass) m.mass->value = std::exp(y[i]);
+    if (r.kind == ReadingKind::frequency) {
+      const auto k = std::size_t(r.entry[6] - '0');
+      m.modes[k].frequency = std::exp(y[i] + noise[k]);
+    }
+  }
+  return m;
+}
+
+Diagnosis diagnosis_of(const Case& truth) {
+  return changed_beam::diagnosis_of(cantilever(), test_of(truth));
+}
+
+double sum_of(const Ledger& ledger) {
+  return std::accumulate(ledger.rows.begin(), ledger.rows.end(), 0.,
+                         [](double sum, const LedgerRow& row) { return sum + row.share; });
+}
+
+const LedgerRow& left(const Ledger& ledger, const std::string& what) {
+  for (const LedgerRow& row : ledger.rows)
+    if (row.left == what) return row;
+  throw std::out_of_range(what);
+}
+
+// Of the readings that are left, all together leave what no effect explains.
+void expect_sound(const Ledger& ledger) {
+  EXPECT_NEAR(sum_of(ledger), 1, 1e-9);
+  double of_readings = 0, of_effects = 0;
+  for (const auto& [reading, share] : ledger.left_in) of_readings += share;
+  for (const LedgerRow& row : ledger.rows)
+    if (!row.effects.empty()) of_effects += row.share;
+  EXPECT_NEAR(of_readings, 1 - of_effects, 1e-9);
+  EXPECT_NEAR(of_effects, ledger.explained, 1e-9);
+  for (const LedgerRow& row : ledger.rows) {
+    EXPECT_LE(row.interval[0], row.interval[1]);
+    EXPECT_TRUE(row.effects.empty() != row.left.empty());
+  }
+}
+
+TEST(Ledger, of_a_healthy_specimen_holds_what_is_left_alone) {
+  const Diagnosis d = diagnosis_of(cantilever());
+  EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+  ASSERT_EQ(d.ledger.rows.size(), 4u);
+  expect_sound(d.ledger);
+  EXPECT_LT(d.ledger.gap, 1);
+  EXPECT_NEAR(left(d.ledger, "unexplained").share, 0, 1e-12) << "less is left than expected";
+}
+
+TEST(Ledger, gives_nearly_all_to_the_one_effect_there_is) {
+  Case truth = cantilever();
+  *number_at(truth, "parts.m2.mass") = 1e-6;
+  const Diagnosis d = diagnosis_of(truth);
+  ASSERT_EQ(d.verdict, Verdict::identified) << d.headline;
+  expect_sound(d.ledger);
+  const LedgerRow& row = d.ledger.rows.front();
+  ASSERT_EQ(row.effects.size(), 1u);
+  EXPECT_EQ(row.effects.front().name, "component_mass");
+  EXPECT_GT(row.share, 0.95);
+  EXPECT_NEAR(d.ledger.gap, d.gap.before * d.gap.before, 1e-9 * d.ledger.gap);
+}
+
+// The same effect at two places and another one, each found with its size.
+TEST(Ledger, shares_the_gap_among_three_effects_at_once) {
+  Case truth = cantilever();
+  *number_at(truth, "parts.m1.mass") = 0.07;  // 0.04 drawn
+  *number_at(truth, "parts.m3.mass") = 0.09;  // 0.06 drawn
+  constexpr double stiff = 1e10, soft = 2000; // the beam: 3 EI / L = 310 and 11,000 Nm/rad
+  truth.mount.front() = {.cap = "root",
+                         .kind = MountKind::springs,
+                         .stiffness = {stiff, stiff, stiff, soft, soft, soft}};
+  const Diagnosis d = diagnosis_of(truth);
+  expect_sound(d.ledger);
+  EXPECT_EQ(d.verdict, Verdict::several) << d.headline;
+  const auto row = [&](const std::string& effect, const std::string& place) {
+    for (const LedgerRow& r : d.ledger.rows)
+      for (const NamedEffect& e : r.effects)
+        if (e.name == effect && e.place == place) return r;
+    ADD_FAILURE() << effect << " at " << place << " is not in: " << d.headline;
+    return LedgerRow{.effects = {NamedEffect{}}, .interval = {}};
+  };
+  const auto expect_value = [&](const LedgerRow& r, double truth) {
+    ASSERT_EQ(r.effects.front().parameters.size(), 1u);
+    const EstimatedParameter& p = r.effects.front().parameters.front();
+    EXPECT_LE(p.interval[0], truth) << p.name;
+    EXPECT_GE(p.interval[1], truth) << p.name;
+  };
+  expect_value(row("component_mass", "m1"), 0.07 / 0.04);
+  expect_value(row("component_mass", "m3"), 0.09 / 0.06);
+  expect_value(row("boundary_compliance", "mount.root"), soft);
+}
+
+} // namespace
+} // namespace plica
