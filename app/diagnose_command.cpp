@@ -1,19 +1,23 @@
 #include "app/command_line.hpp"
 #include "app/finish.hpp"
 #include "app/fit_settings.hpp"
+#include "app/interrupt.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "diagnose/diagnose.hpp"
 #include "diagnose/fit_baseline.hpp"
+#include "diagnose/suppose.hpp"
 #include "io/input/measured_file.hpp"
+#include "io/input/supposition_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/write/explained_case.hpp"
 #include "io/write/write_diagnosis.hpp"
 #include "io/write/write_pretest.hpp"
+#include "io/write/write_supposition.hpp"
 #include "solve/sparse_factor.hpp"
 
-#include <array>
 #include <fmt/core.h>
 
 namespace plica {
@@ -27,23 +31,11 @@ struct DiagnoseOptions {
   int threads = 0;
   bool plan_next = true;
   bool fit_baseline = false;
+  bool add = false;     // writes the case with the named effects in it
   bool pretest = false; // what a planned test could tell, before it is made
   TestPlan plan;
+  std::string supposed; // file of effects whose shares are asked for, in place of a diagnosis
 };
-
-// Of the work of a diagnosis, what lies before a stage: as pipe A2 has it.
-double share_before(const std::string& stage) {
-  constexpr std::array<std::pair<const char*, double>, 7> shares{{{"admissible specimens", 0.08},
-                                                                  {"signatures", 0.26},
-                                                                  {"fits", 0.53},
-                                                                  {"Markov chains", 0.56},
-                                                                  {"several effects at once", 0.58},
-                                                                  {"report", 0.94},
-                                                                  {"next measurement", 0.98}}};
-  for (const auto& [name, share] : shares)
-    if (stage.starts_with(name)) return share;
-  return 0;
-}
 
 namespace fs = std::filesystem;
 
@@ -107,56 +99,141 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
   return 0;
 }
 
-int diagnose_case(const DiagnoseOptions& options) {
-  set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
-  if (options.pretest) return plan_test(options, file);
-  const MeasuredFile test_file = measured_file(options, file);
-  DiagnosisData test{.data = test_file.data, .responses = {}};
-  resolve_states(test.data, file.data, test_file.path.string());
-  test.responses = responses_of(test.data, test_file.path.parent_path());
-  std::vector<fs::path> inputs = files_of(file);
-  for (fs::path& path : files_of(test_file)) inputs.push_back(std::move(path));
-  OutputFolder out(
-      options.out.folder,
-      {.command = "diagnose", .inputs = std::move(inputs), .names = diagnosis_files()});
-  Progress progress(options.out.quiet);
-  progress.title(file.data.name +
-                 (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
-  DiagnosisSettings settings{.without = {options.without.begin(), options.without.end()},
-                             .plan_next = options.plan_next};
-  settings.stage = [&](const std::string& stage) {
-    progress.share(share_before(stage));
-    progress.stage(stage);
-  };
-  Diagnosis diagnosis;
+// What is wrong with a supposed effect stands in its file.
+Ledger suppose_from(const SuppositionFile& supposed, const Case& data, const DiagnosisData& test,
+                    const DiagnosisSettings& settings) {
   try {
-    diagnosis = with_doubts(file, [&] {
-      return located(file, [&] {
-        if (!options.fit_baseline && !file.data.diagnose.fit_baseline)
-          return diagnose(file.data, test, settings);
-        settings.stage("fit to the baseline");
-        FittedBaseline fitted = fitted_to_baseline(file.data, test, fit_settings(file));
-        settings.words = std::move(fitted.words);
-        return diagnose(fitted.data, test, settings);
-      });
-    });
+    return suppose(data, test, supposed.data, settings);
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& p : problems) {
+      if (!p.file.empty() || !p.key.starts_with("effects")) continue;
+      p.file = supposed.path;
+      std::string key = p.key; // a key that is missing stands where the one above it does
+      while (!supposed.lines.contains(key) && key.find('.') != std::string::npos)
+        key.erase(key.rfind('.'));
+      if (const auto line = supposed.lines.find(key); line != supposed.lines.end())
+        p.line = line->second;
+    }
+    throw InputError(std::move(problems));
+  }
+}
+
+// A case with its test, and the files they were read from.
+struct Asked {
+  CaseFile file;
+  MeasuredFile test_file;
+  DiagnosisData test;
+  std::vector<fs::path> inputs;
+};
+
+Asked asked_for(const DiagnoseOptions& options, const CaseFile& file) {
+  Asked a{.file = file, .test_file = measured_file(options, file), .test = {}, .inputs = {}};
+  a.test.data = a.test_file.data;
+  resolve_states(a.test.data, file.data, a.test_file.path.string());
+  a.test.responses = responses_of(a.test.data, a.test_file.path.parent_path());
+  a.inputs = files_of(file);
+  for (fs::path& path : files_of(a.test_file)) a.inputs.push_back(std::move(path));
+  return a;
+}
+
+// What `work` finds wrong in the case is said at its lines, in the test of its file.
+template <class Work> auto said_where(const Asked& a, const Work& work) {
+  try {
+    return with_doubts(a.file, [&] { return located(a.file, work); });
   } catch (const std::invalid_argument& error) {
-    throw InputError({{.file = test_file.path.string(),
+    throw InputError({{.file = a.test_file.path.string(),
                        .line = 0,
                        .key = "",
                        .wrong = error.what(),
                        .allowed = "mass, static, modes, peaks or frf that this case answers"}});
   }
-  for (const std::vector<FrfSet>& sets : test.responses)
+}
+
+// The case, adjusted to its baseline where that is asked for.
+FittedBaseline adjusted(const Asked& a, bool fit_baseline, DiagnosisSettings& settings) {
+  if (!fit_baseline && !a.file.data.diagnose.fit_baseline)
+    return {.data = a.file.data, .words = {}, .edits = {}};
+  settings.stage("fit to the baseline", 0);
+  FittedBaseline fitted =
+      said_where(a, [&] { return fitted_to_baseline(a.file.data, a.test, fit_settings(a.file)); });
+  settings.words = fitted.words;
+  return fitted;
+}
+
+int suppose_case(const DiagnoseOptions& options, const Asked& a, DiagnosisSettings& settings,
+                 Progress& progress) {
+  const SuppositionFile supposed = read_supposition(options.supposed);
+  std::vector<fs::path> inputs = a.inputs;
+  inputs.emplace_back(options.supposed);
+  OutputFolder out(
+      options.out.folder,
+      {.command = "suppose", .inputs = std::move(inputs), .names = supposition_files()});
+  const FittedBaseline start = adjusted(a, options.fit_baseline, settings);
+  const Ledger ledger =
+      said_where(a, [&] { return suppose_from(supposed, start.data, a.test, settings); });
+  write_supposition(ledger, a.file.data.name, PLICA_VERSION, out);
+  hand_over(out);
+  progress.finish();
+  if (!options.out.quiet) print(ledger_text(ledger));
+  return 0;
+}
+
+constexpr const char* explained_file = "explained.yaml";
+
+// Writes the case with the named effects in it, and says what gap it leaves.
+std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis& diagnosis,
+                        const DiagnosisSettings& settings, OutputFolder& out) {
+  const ExplainedCase explained =
+      explained_case(a.file, fitted, diagnosis, a.test_file.path, out.path());
+  std::string words = "\n";
+  for (const std::string& effect : explained.left_out)
+    words += fmt::format("No key of a case says {}: not taken over.\n", effect);
+  if (explained.in.empty()) return words + "No effect was taken over into a case.\n";
+  settings.stage("the case with its effects", 0);
+  const Ledger left =
+      said_where(a, [&] { return suppose(explained.data, a.test, Supposition{}, settings); });
+  out.add(explained_file, explained.text);
+  return words + fmt::format("{} has {} of {} effects in it: G falls from {:.3g} to {:.3g}.\n",
+                             explained_file, explained.in.size(),
+                             explained.in.size() + explained.left_out.size(), diagnosis.ledger.gap,
+                             left.gap);
+}
+
+int diagnose_case(const DiagnoseOptions& options) {
+  set_threads(options.threads);
+  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  if (options.pretest) return plan_test(options, file);
+  const Asked a = asked_for(options, file);
+  Progress progress(options.out.quiet);
+  progress.title(file.data.name +
+                 (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
+  DiagnosisSettings settings{.without = {options.without.begin(), options.without.end()},
+                             .plan_next = options.plan_next};
+  settings.stage = [&](const std::string& stage, double share) {
+    if (options.supposed.empty()) progress.share(share);
+    progress.stage(stage);
+  };
+  settings.search = let_searches_end;
+  settings.stop = search_is_ended;
+  if (!options.supposed.empty()) return suppose_case(options, a, settings, progress);
+  std::vector<std::string> names = diagnosis_files();
+  if (options.add) names.emplace_back(explained_file);
+  OutputFolder out(options.out.folder,
+                   {.command = "diagnose", .inputs = a.inputs, .names = std::move(names)});
+  const FittedBaseline start = adjusted(a, options.fit_baseline, settings);
+  Diagnosis diagnosis = said_where(a, [&] { return diagnose(start.data, a.test, settings); });
+  watch_interrupts();
+  for (const std::vector<FrfSet>& sets : a.test.responses)
     for (std::string& warning : warnings_of(sets)) diagnosis.warnings.push_back(std::move(warning));
   write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, out);
+  std::string words = diagnosis_text(diagnosis);
+  if (options.add) words += add_effects(a, start.edits, diagnosis, settings, out);
   hand_over(out);
   progress.finish();
   if (!options.out.quiet)
-    print(fmt::format("{}\nReport: {}\n", diagnosis_text(diagnosis),
-                      (out.path() / "diagnosis.html").string()));
-  return 0;
+    print(fmt::format("{}\nReport: {}\n", words, (out.path() / "diagnosis.html").string()));
+  return search_is_ended() ? interrupted_exit() : 0;
 }
 
 } // namespace
@@ -177,6 +254,13 @@ void add_diagnose_command(CommandLine& line) {
                    "adjust the case to the baseline first, by its section fit");
   command.add_flag("--pretest", options->pretest,
                    "before a test: what looks alike, how small an effect would be found");
+  command.add_flag("--add", options->add,
+                   "write explained.yaml, the case with the named effects in it");
+  command
+      .add_option("--suppose", options->supposed,
+                  "in place of a diagnosis: what the effects in this file would explain of the gap")
+      ->type_name("FILE")
+      ->excludes("--pretest");
   command
       .add_option_function<std::vector<char>>(
           "--bases",

@@ -31,16 +31,6 @@ struct FitOptions {
   unsigned seed = 1;
 };
 
-std::atomic<bool> stopped{false};
-std::atomic<int> stopping_signal{SIGINT};
-
-// The first time the search ends and its best is refined; the second time the program does.
-void stop_searching(int signal) {
-  stopping_signal = signal;
-  if (!stopped.exchange(true)) return;
-  for (const int other : {SIGINT, SIGTERM}) std::signal(other, SIG_DFL);
-}
-
 [[noreturn]] void refuse(const CaseFile& file, const std::string& wrong,
                          const std::string& allowed) {
   const auto line = file.lines.find("fit");
@@ -93,9 +83,8 @@ int fit(const FitOptions& options) {
     progress.share(0); // how many steps it takes, nobody knows
     progress.stage(fmt::format("step {}, {} evaluations, cost {:.4g}", step, evaluations, cost));
   };
-  settings.stop = [] { return stopped.load(); };
-  for (const int signal : {SIGINT, SIGTERM})
-    std::signal(signal, stop_searching); // the best so far is refined and written
+  settings.stop = search_is_ended;
+  let_searches_end(); // the best so far is refined and written
   FitResult fit;
   try {
     fit = with_doubts(file, [&] {
@@ -106,7 +95,7 @@ int fit(const FitOptions& options) {
   }
   watch_interrupts();
   for (std::string& warning : warnings_of(test.frfs)) fit.warnings.push_back(std::move(warning));
-  if (stopped)
+  if (search_is_ended())
     fit.warnings.insert(fit.warnings.begin(),
                         fit.stopped ? "the search was stopped: these are the best values so far"
                                     : "the search was stopped before its budget");
@@ -115,7 +104,7 @@ int fit(const FitOptions& options) {
   progress.finish();
   if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", fit_text(fit), (out.path() / "fit.html").string()));
-  if (stopped) return 128 + stopping_signal;
+  if (search_is_ended()) return interrupted_exit();
   return fit.converged ? 0 : 2;
 }
 

@@ -22,7 +22,24 @@ void on_interrupt(int signal) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
 }
 
+volatile std::sig_atomic_t ended = 0;
+
+void end_search(int signal) {
+  last = signal;
+  if (ended != 0)
+    for (const int other : {SIGINT, SIGTERM}) std::signal(other, SIG_DFL);
+  ended = 1;
+}
+
 } // namespace
+
+void let_searches_end() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end_search);
+}
+
+bool search_is_ended() {
+  return ended != 0;
+}
 
 void watch_interrupts() {
   once = 0;

@@ -10,6 +10,11 @@ void watch_interrupts(); // unless the shell has them ignored
 bool is_interrupted();
 void forget_interrupt(); // what was finished is being written
 
+// From here on the first signal ends a search, which keeps the best it has, and the next one the
+// program; until watch_interrupts().
+void let_searches_end();
+bool search_is_ended();
+
 std::string interrupted_by(); // "Ctrl-C" or "SIGTERM"
 int interrupted_exit();       // as a shell says it: 128 + the signal, 130 or 143
 

@@ -3,14 +3,9 @@
 #include "diagnose/account/account.hpp"
 #include "diagnose/account/ledger.hpp"
 #include "diagnose/account/shrink.hpp"
-#include "diagnose/effects/chosen_effects.hpp"
-#include "diagnose/effects/growth.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
-#include "diagnose/weigh/baseline.hpp"
-#include "diagnose/weigh/scatter.hpp"
-#include "lab/measured/states.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -30,77 +25,15 @@ using Eigen::VectorXd;
 constexpr double silent = 0.3;       // |g| below which no data speak of an effect
 constexpr std::size_t confirmed = 3; // hypotheses followed by Markov chains
 
-// Readings that the model answers; what it does not is said.
-TestReadings answered(const Nominal& nominal, TestReadings test) {
-  const auto y = Predictor(nominal, test, {})(VectorXd());
-  if (!y) throw std::runtime_error("the nominal structure has no stable answer");
-  std::vector<Reading> kept;
-  for (std::size_t i = 0; i < test.readings.size(); ++i) {
-    if (std::isfinite((*y)[Index(i)]))
-      kept.push_back(test.readings[i]);
-    else
-      test.warnings.push_back("the model gives no " + test.readings[i].name + " (" +
-                              test.readings[i].entry + ")");
-  }
-  test.readings = std::move(kept);
-  if (test.readings.empty())
-    throw std::invalid_argument("the model gives none of the measured quantities");
-  return test;
-}
-
-// Runs above the lowest level of their direction go.
-void lowest_levels_only(TestReadings& test) {
-  std::map<int, double> lowest;
-  for (const TestRun& run : test.runs) {
-    const auto [at, made] = lowest.try_emplace(run.base, run.level);
-    if (!made) at->second = std::min(at->second, run.level);
-  }
-  std::erase_if(test.readings, [&](const Reading& r) {
-    if (r.run < 0) return false;
-    const TestRun& run = test.runs[std::size_t(r.run)];
-    return run.level > lowest.at(run.base);
-  });
-}
-
 class Stages {
 public:
   Stages(const Case& data, const DiagnosisData& test, const DiagnosisSettings& settings)
-      : problem_{.data = data, .test = test}, settings_(settings) {}
+      : stated_(stated_gap(data, test, settings)), problem_(*stated_), settings_(settings) {}
 
   Diagnosis diagnosis() {
-    settings_.stage("nominal case");
-    problem_.nominal = nominal_of(problem_.data, problem_.test.data);
-    problem_.readings = readings_of(problem_.test);
-    if (std::all_of(problem_.readings.readings.begin(), problem_.readings.readings.end(),
-                    [&](const Reading& r) { return is_baseline(problem_.test.data, r.state); }))
-      throw std::invalid_argument("nothing was measured but in baselines");
-    if (settings_.without.contains("levels")) lowest_levels_only(problem_.readings);
-    if (settings_.without.contains("heldout"))
-      for (Reading& r : problem_.readings.readings) r.held_out = false;
-    const Measured& measured = problem_.test.data;
-    pair_like_baselines(problem_.nominal, measured, problem_.readings);
-    problem_.readings = answered(problem_.nominal, std::move(problem_.readings));
-    settings_.stage("admissible specimens");
-    problem_.remounting = remounting_of(problem_.readings, measured, problem_.data.diagnose);
-    problem_.uncertainty = uncertainty_of(problem_.data, problem_.nominal, problem_.readings,
-                                          measured, settings_.without, problem_.remounting);
-    problem_.baseline =
-        given_baselines(measured, problem_.data.diagnose, problem_.readings, problem_.uncertainty);
-    if (problem_.readings.readings.empty())
-      throw std::invalid_argument("the model gives none of what was measured after the baseline");
-    problem_.log_measured.resize(Index(problem_.readings.readings.size()));
-    for (Index i = 0; i < problem_.log_measured.size(); ++i)
-      problem_.log_measured[i] = problem_.readings.readings[std::size_t(i)].log_value;
-    problem_.fitted.emplace(problem_.readings, problem_.uncertainty, false);
-    problem_.held_out.emplace(problem_.readings, problem_.uncertainty, true);
-    if (problem_.fitted->rows().empty())
-      throw std::invalid_argument("all that was measured is held out");
-    problem_.predictors.emplace(problem_.nominal, problem_.readings);
-    const FitContext context{*problem_.predictors, problem_.readings, problem_.uncertainty,
-                             problem_.log_measured, *problem_.fitted};
+    const FitContext context = problem_.context();
     const BlockScores scores(problem_.readings, problem_.uncertainty);
-    list_hypotheses();
-    settings_.stage("signatures of " + std::to_string(problem_.hypotheses.size()) + " hypotheses");
+    settings_.stage(fmt::format("signatures of {} hypotheses", problem_.hypotheses.size()), 0.26);
     std::vector<Signature> all = signatures(context, problem_.hypotheses);
     find_smallest(context, all);
     Standards standards = standards_of(context, *problem_.held_out, scores);
@@ -109,7 +42,8 @@ public:
     constexpr double apart_beside_errors = 5; // nats: a model that errs makes some of its own
     if (problem_.uncertainty.change_error > 0) standards.apart = apart_beside_errors;
 
-    settings_.stage("fits");
+    settings_.stage("fits", 0.53);
+    settings_.search();
     const HypothesisFit plain = nominal_fit(context);
     const JudgedFit nominal = judged(plain, plain, context, *problem_.held_out, scores, standards);
     std::vector<JudgedFit> fits = fit_all(context, all, plain, scores, standards);
@@ -118,10 +52,9 @@ public:
     confirm(context, ranked, fits, plain, scores, standards);
     ranked = families(fits);
     std::vector<JudgedFit> sets;
-    if (!nominal.adequate && std::none_of(ranked.begin(), ranked.end(),
-                                          [](const Family& f) { return f.best->credible(); })) {
-      settings_.stage("several effects at once");
-      sets = fit_sets(context, ranked, fits, all, nominal, *problem_.held_out, scores, standards);
+    if (!nominal.adequate && wants_several(ranked, all)) {
+      sets = fit_sets(context, ranked, fits, all, nominal, *problem_.held_out, scores, standards,
+                      settings_);
       if (problem_.held_out->rows().empty()) take_in_turn(context, plain, sets);
     }
     const Inclusion inclusion(nominal, fits, sets);
@@ -131,8 +64,11 @@ public:
         .to_all = [&](const JudgedFit& j) { return objection(context, plain, tempting, j); },
         .to_most =
             [&](const JudgedFit& j) { return objection_to_most(context, plain, tempting, j); }};
-    const Judgement judgement = judge(nominal, ranked, sets, inclusion, standards, referee);
-    settings_.stage("report");
+    // Before all was tried nothing is known to be the best.
+    const bool stopped = settings_.stop();
+    const Judgement judgement = stopped
+                                    ? nearest_so_far(inclusion)
+                                    : judge(nominal, ranked, sets, inclusion, standards, referee);
     Diagnosis result = account_of(problem_,
                                   {.context = context,
                                    .scores = scores,
@@ -146,21 +82,22 @@ public:
                                    .signatures = all,
                                    .compensators = tempting},
                                   settings_);
-    result.not_tried = std::move(not_tried_);
+    if (stopped)
+      result.warnings.insert(result.warnings.begin(),
+                             "stopped before all effects were tried: this is what came nearest");
+    result.not_tried = problem_.not_tried;
     result.seconds = watch_.seconds();
     return result;
   }
 
 private:
-  void list_hypotheses() {
-    ChosenEffects chosen = chosen_effects(problem_.nominal.structure(problem_.test.data));
-    for (const std::string& name : chosen.without_place)
-      not_tried_.push_back({name, effect_named(name).needs});
-    const std::vector<std::string> states = changed_states(problem_.test.data);
-    for (Hypothesis& h : chosen.hypotheses)
-      problem_.hypotheses.push_back(grown(std::move(h), states));
-    problem_.words = settings_.words;
-    problem_.words.insert(problem_.words.end(), chosen.words.begin(), chosen.words.end());
+  // No single effect explains the test, or the best of those that do leaves what asks for more.
+  // Beside a baseline the latter may be what the change does not do exactly.
+  bool wants_several(const std::vector<Family>& ranked, const std::vector<Signature>& all) const {
+    const auto explains = [](const Family& f) { return f.best->credible(); };
+    const auto best = std::find_if(ranked.begin(), ranked.end(), explains);
+    if (best == ranked.end()) return true;
+    return problem_.baseline.readings.empty() && asks_for_more(best->best->fit, all);
   }
 
   std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,
@@ -169,7 +106,7 @@ private:
     std::vector<JudgedFit> fits(all.size());
     in_parallel(int(all.size()), [&](int i) {
       const Signature& s = all[std::size_t(i)];
-      if (s.g.norm() < silent) return;
+      if (s.g.norm() < silent || settings_.stop()) return;
       fits[std::size_t(i)] = judged(fit_of(context, {s.hypothesis}), plain, context,
                                     *problem_.held_out, scores, standards);
     });
@@ -182,7 +119,8 @@ private:
   void confirm(const FitContext& context, const std::vector<Family>& ranked,
                std::vector<JudgedFit>& fits, const HypothesisFit& plain, const BlockScores& scores,
                const Standards& standards) {
-    settings_.stage("Markov chains");
+    if (settings_.stop()) return;
+    settings_.stage("Markov chains", 0.56);
     std::vector<JudgedFit*> chosen;
     for (const Family& f : ranked)
       if (f.log_evidence > plain.log_evidence - 1)
@@ -301,10 +239,10 @@ private:
     return fmt::format("it leaves {:.0f} % of the change", 100 * leads.gap_after / before);
   }
 
-  GapProblem problem_;
-  const DiagnosisSettings& settings_;
   Stopwatch watch_;
-  std::vector<EffectNotTried> not_tried_;
+  std::unique_ptr<GapProblem> stated_;
+  GapProblem& problem_;
+  const DiagnosisSettings& settings_;
 };
 
 } // namespace

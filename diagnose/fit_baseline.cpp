@@ -1,5 +1,6 @@
 #include "diagnose/fit_baseline.hpp"
 
+#include "diagnose/effects/take_over.hpp"
 #include "lab/measured/states.hpp"
 #include "words/input_error.hpp"
 
@@ -40,6 +41,11 @@ FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
     result.words.push_back(fmt::format("fitted to the baseline: {} from {:.4g} to {:.4g} (SI){}",
                                        p.path, p.start, p.value, p.at_bound ? ", at a bound" : ""));
   }
+  for (const FittedParameter& p : fit.parameters) {
+    result.edits.push_back({p.path, yaml_of(p.value)});
+    for (const std::string& also : p.also) result.edits.push_back({also, yaml_of(p.value)});
+  }
+  for (const auto& [path, value] : fit.ties) result.edits.push_back({path, yaml_of(value)});
   if (!fit.converged) result.words.push_back("the fit to the baseline ended early: " + fit.reason);
   result.data = with_design(data, *data.fit, values);
   return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compare/fit/fit.hpp"
+#include "model/description/case_edit.hpp"
 #include "diagnose/readings/reading.hpp"
 
 namespace plica {
@@ -9,6 +10,7 @@ namespace plica {
 struct FittedBaseline {
   Case data;
   std::vector<std::string> words; // what was adjusted, a line each
+  CaseEdits edits;                // the same as a case says it
 };
 
 // By the section `fit` of the case, to what was measured in baselines that differ from the case by

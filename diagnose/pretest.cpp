@@ -89,10 +89,10 @@ double apart(const std::vector<VectorXd>& g, const std::vector<Hypothesis>& all)
 }
 
 // Greedy: what helps most for its cost, then what helps most beside that.
-std::vector<ProposedMeasurement> better(const Case& data, const Nominal& nominal,
-                                        const TestReadings& test, const std::vector<Signature>& own,
-                                        const std::vector<Hypothesis>& all,
-                                        const std::shared_ptr<StateFamilies>& families) {
+std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
+                                    const TestReadings& test, const std::vector<Signature>& own,
+                                    const std::vector<Hypothesis>& all,
+                                    const std::shared_ptr<StateFamilies>& families) {
   std::vector<Offer> offers = menu(data, Measured{}, test, nominal.states.front().further_places());
   const auto has = [&](const Reading& r) {
     return r.run < 0 &&
@@ -128,7 +128,7 @@ std::vector<ProposedMeasurement> better(const Case& data, const Nominal& nominal
   });
   std::vector<VectorXd> g;
   for (const Signature& s : own) g.push_back(s.g);
-  std::vector<ProposedMeasurement> proposals;
+  std::vector<PlannedAddition> proposals;
   for (int round = 0; round < additions; ++round) {
     const double now = apart(g, all);
     std::size_t best = offers.size();
@@ -152,11 +152,7 @@ std::vector<ProposedMeasurement> better(const Case& data, const Nominal& nominal
       g[h].tail(change[best][h].size()) = change[best][h];
     }
     change[best].clear();
-    proposals.push_back({.what = offers[best].what,
-                         .cost = offers[best].cost,
-                         .separation = apart(g, all) - now,
-                         .separates = "",
-                         .resolves = {}});
+    proposals.push_back({offers[best].what, offers[best].cost, apart(g, all) - now});
   }
   return proposals;
 }

@@ -16,6 +16,13 @@ struct TestPlan {
        pulled = true; // scale; static rig along and across, where there are two caps
 };
 
+// What the plan does not have yet.
+struct PlannedAddition {
+  std::string what;
+  double cost = 1; // 1: an hour at the rig
+  double gain = 0; // of how far apart the effects lie, beyond what was added before it
+};
+
 struct Pretest {
   std::string case_name;
   std::vector<std::string> plan; // in words
@@ -23,7 +30,7 @@ struct Pretest {
   Eigen::MatrixXd likeness; // effects x effects
   std::vector<Mimic> mimics;
   std::vector<SmallestDetectable> detectable;
-  std::vector<ProposedMeasurement> additions; // in the order in which they help most
+  std::vector<PlannedAddition> additions; // in the order in which they help most
 };
 
 // Sensors are those of the case. Throws as diagnose() does.

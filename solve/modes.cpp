@@ -188,7 +188,7 @@ VectorXd rounding_errors(const SparseMatrix& K, const MatrixXd& Phi) {
 }
 
 double relative_rounding(const VectorXd& lambda, const VectorXd& errors, double small) {
-  double elastic = small;
+  double elastic = 100 * small; // as the shift has it
   for (double value : lambda)
     if (value > small) {
       elastic = value;

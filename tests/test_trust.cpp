@@ -344,6 +344,15 @@ TEST(Certificate, pairs_frequencies_by_shape_where_they_cross) {
   EXPECT_NEAR(check(6 + 7).reduced, check(6 + 7).full, 1e-6) << "the others stand as they were";
 }
 
+// Of a free body of which rigid modes alone are asked for, rounding is held against the elastic
+// mode that lies beyond them, a hundred times `small`.
+TEST(Rounding, of_rigid_modes_is_relative_to_the_first_elastic_one) {
+  const Eigen::Vector2d rigid(1e-9, -2e-9), errors(1e-6, 3e-6);
+  EXPECT_NEAR(relative_rounding(rigid, errors, 0.01), 3e-6 / 1, 1e-18);
+  const Eigen::Vector3d lambda(1e-9, 4, 9), further(1e-6, 2e-6, 9e-6);
+  EXPECT_NEAR(relative_rounding(lambda, further, 0.01), 9e-6 / 9, 1e-18);
+}
+
 TEST(ImpossibleModel, is_the_users_to_mend_and_says_why) {
   Case held = case_of(plate_with_body("[0, 0, 0]"));
   held.supports = {{.set = "p.all", .dofs = {0, 1, 2, 3, 4, 5}}};

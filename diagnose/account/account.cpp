@@ -6,6 +6,7 @@
 #include "diagnose/account/overlays.hpp"
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
+#include "diagnose/effects/growth.hpp"
 #include "diagnose/judge/headline.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "lab/measured/measured_words.hpp"
@@ -36,7 +37,7 @@ public:
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
-    settings_.stage("ledger");
+    settings_.stage("ledger", 0.90);
     const std::vector<HypothesisFit> told = fits_told();
     for (std::size_t i = 0; i < judgement.named.size(); ++i)
       for (NamedEffect& e : members_of(told[i]))
@@ -45,7 +46,7 @@ public:
             }))
           result_.effects.push_back(std::move(e));
     keep_ledger(told);
-    settings_.stage("report");
+    settings_.stage("report", 0.94);
     result_.where = located(scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
       result_.where.push_back(std::move(gap));
@@ -78,7 +79,7 @@ public:
           values.col(k) = predict.values_of(fit.draws.col(k));
         result_.posteriors.emplace_back(name_of(fit), std::move(values));
       }
-    plan_next(nominal, ranked, judgement);
+    plan_next(nominal, judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
     result_.warnings = problem_.readings.warnings;
     result_.baseline = problem_.baseline;
@@ -163,7 +164,18 @@ private:
                               .interval = between.ends,
                               .z = fit.z[row]});
     }
+    if (h.in_case) e.in_case = in_case(h, e.parameters);
     return e;
+  }
+
+  // Of an effect that grew from state to state the last of them.
+  std::function<CaseEdits(const Case&)>
+  in_case(const Hypothesis& h, const std::vector<EstimatedParameter>& parameters) const {
+    VectorXd values(Index(parameters.size()));
+    for (Index i = 0; i < values.size(); ++i) values[i] = parameters[std::size_t(i)].value;
+    const std::vector<std::string> states = changed_states(problem_.test.data);
+    if (h.values_in && !states.empty()) values = h.values_in(values, states.back());
+    return [edits = h.in_case, values](const Case& now) { return edits(now, values); };
   }
 
   TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {
@@ -231,6 +243,7 @@ private:
   // are larger than stated over all that was tried.
   void add_other_places(NamedEffect& e) const {
     const Judgement& judgement = found_.judgement;
+    if (judgement.verdict == Verdict::several) return; // the sets that are listed say it
     if (judgement.verdict == Verdict::mostly || judgement.verdict == Verdict::unknown) {
       constexpr double worth_a_word = 0.05;
       for (const auto& [place, share] : judgement.places.at(e.name))
@@ -325,26 +338,25 @@ private:
     }
   }
 
-  void plan_next(const JudgedFit& nominal, const std::vector<Family>& ranked,
-                 const Judgement& judgement) {
-    if (!settings_.plan_next || judgement.verdict == Verdict::several) return;
-    std::vector<RivalHypothesis> rivals;
-    constexpr std::size_t most = 4;
-    const auto add = [&](const JudgedFit& j) {
-      double p = 0.02; // a rival is never quite ruled out
-      const std::string name = j.fit.together.empty() ? "none" : j.fit.together[0]->effect;
-      for (const auto& [effect, own] : judgement.probabilities)
-        if (effect == name) p = std::max(p, own);
-      rivals.push_back({j.fit.together, j.fit.values, p});
+  // Among what the test leaves open: the nominal case, sets of effects, their numbers.
+  void plan_next(const JudgedFit& nominal, const Judgement& judgement) {
+    if (!settings_.plan_next || settings_.stop()) return;
+    settings_.stage("next measurement", 0.98);
+    constexpr std::size_t most = 5;
+    constexpr double never_ruled_out = 0.02, ruled_out = 1e-3;
+    std::vector<RivalSet> rivals;
+    const auto add = [&](const JudgedFit& j, double probability) {
+      if (j.adequate) probability = std::max(probability, never_ruled_out);
+      if (probability < ruled_out) return;
+      rivals.push_back({.together = j.fit.together,
+                        .values = j.fit.values,
+                        .probability = probability,
+                        .draws = {}});
+      const int count = j.fit.together.size() > 2 ? 6 : 12; // every subset of a draw is solved
+      rivals.back().draws = share_draws(found_.context, nominal.fit, j.fit, count);
     };
-    if (nominal.adequate) add(nominal);
-    for (const JudgedFit* j : judgement.named) add(*j);
-    for (const Family& f : ranked)
-      if (rivals.size() < most && std::find(judgement.named.begin(), judgement.named.end(),
-                                            f.best) == judgement.named.end())
-        add(*f.best);
-    if (rivals.size() > most) rivals.resize(most);
-    settings_.stage("next measurement");
+    if (nominal.adequate) add(nominal, found_.inclusion.none());
+    for (const auto& [fit, probability] : found_.inclusion.first(most)) add(*fit, probability);
     result_.next = next_measurements(problem_.data, problem_.nominal, problem_.test.data,
                                      problem_.readings, rivals, problem_.predictors->families());
     for (const JudgedFit* j : judgement.named)

@@ -4,8 +4,11 @@
 
 #include "diagnose/readings/reading.hpp"
 #include "diagnose/results/diagnosis.hpp"
+#include "diagnose/results/settings.hpp"
 #include "diagnose/weigh/evidence.hpp"
 #include "model/description/case.hpp"
+
+#include <memory>
 
 namespace plica {
 
@@ -22,6 +25,14 @@ struct GapProblem {
   std::optional<PredictorStore> predictors = {};
   std::vector<Hypothesis> hypotheses = {};
   std::vector<std::string> words = {}; // what the case says of effects and priors
+  std::vector<EffectNotTried> not_tried = {};
+
+  FitContext context() { return {*predictors, readings, uncertainty, log_measured, *fitted}; }
 };
+
+// It stays where it is: predictors look at the nominal case in it. Throws InputError as build()
+// does; std::invalid_argument when the test has nothing that the model answers.
+std::unique_ptr<GapProblem> stated_gap(const Case& data, const DiagnosisData& test,
+                                       const DiagnosisSettings& settings);
 
 } // namespace plica

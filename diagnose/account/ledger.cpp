@@ -218,4 +218,27 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
   return ledger;
 }
 
+ShareDraws share_draws(const FitContext& context, const HypothesisFit& nominal,
+                       const HypothesisFit& fit, int count) {
+  const Accounts accounts(context, nominal);
+  const auto rows = Index(fit.together.size()) + 1;
+  if (fit.together.empty()) {
+    const OneDraw nothing = accounts.nothing();
+    return {MatrixXd(0, 1), MatrixXd::Constant(1, 1, nothing.left[nothing.left.size() - 1])};
+  }
+  const std::vector<VectorXd> points = points_of(fit, count);
+  ShareDraws draws{MatrixXd(fit.z.size(), count), MatrixXd(rows, count)};
+  Index kept = 0;
+  for (const VectorXd& z : points) {
+    const auto draw = accounts.at(fit.together, z);
+    if (!draw) continue;
+    draws.z.col(kept) = z;
+    draws.shares.col(kept) << draw->effects, draw->left[draw->left.size() - 1];
+    ++kept;
+  }
+  draws.z.conservativeResize(Eigen::NoChange, kept);
+  draws.shares.conservativeResize(Eigen::NoChange, kept);
+  return draws;
+}
+
 } // namespace plica

@@ -18,4 +18,13 @@ struct LedgerSet {
 Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
                  const std::vector<LedgerSet>& sets);
 
+// What a set explains over the numbers that the test leaves open: a column each.
+struct ShareDraws {
+  Eigen::MatrixXd z;      // parameters x draws
+  Eigen::MatrixXd shares; // of its effects, in their order, and last of what stays unexplained
+};
+// Fewer where the structure is not stable at some.
+ShareDraws share_draws(const FitContext& context, const HypothesisFit& nominal,
+                       const HypothesisFit& fit, int count);
+
 } // namespace plica

@@ -1,29 +1,33 @@
-// Which measurement would tell apart what still looks alike.
+// Which measurement would change the ledger most.
 //
-//   e* = argmax [sum_ij P_i P_j min(T_ij(e), 25) / sum_ij P_i P_j] / cost(e)
-//   T_ij = sum_k ((y_i - y_j)_k / s_k)^2,   s_k the usual standard deviation of such a reading
+// What explains the gap is open: which set of effects, and their numbers. Draws of both give shares
+// s of the ledger and readings y of what could be measured, with weights. Shares follow readings,
+// in the mean, by C_sy (C_yy + R)^-1, R of the usual scatter of such readings, so that the
+// measurement is expected to move the shares by
+//   change^2 = trace C_sy (C_yy + R)^-1 C_ys
+// and the best is that of the largest change per cost, over a menu: static directions and axes of
+// the table that were left out, a lower and a higher level, further sensors on held ends and along
+// the parts; what cannot be computed stands in the look-alikes of the effects.
 //
-// over a menu: static directions and axes of the table that were left out, a lower and a higher
-// level, further sensors on held ends and along the parts, a known mass; what cannot be computed
-// stands in the look-alikes of the effects.
+// Beside it, how far apart it puts two sets at their best numbers, in squared standard deviations.
 #pragma once
 
-#include "diagnose/results/diagnosis.hpp"
-#include "diagnose/weigh/evidence.hpp"
+#include "diagnose/account/ledger.hpp"
 
 namespace plica {
 
-struct RivalHypothesis {
-  std::vector<const Hypothesis*> together;
-  Eigen::VectorXd values;
+struct RivalSet {
+  std::vector<const Hypothesis*> together; // none: the nominal case
+  Eigen::VectorXd values;                  // at its optimum
   double probability = 0;
+  ShareDraws draws;
 };
 
-// Best first, at most eight; those that separate nothing are left out.
+// Best first, at most eight; those that change nothing are left out.
 std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& nominal,
                                                    const Measured& measured,
                                                    const TestReadings& test,
-                                                   const std::vector<RivalHypothesis>& rivals,
+                                                   const std::vector<RivalSet>& rivals,
                                                    const std::shared_ptr<StateFamilies>& families);
 
 } // namespace plica

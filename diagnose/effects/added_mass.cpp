@@ -1,6 +1,9 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plica {
 namespace {
 
@@ -8,6 +11,17 @@ ModelChange on_each(const std::vector<int>& nodes) {
   return {.apply = [nodes](Model& model) {
     for (int node : nodes) add_point_mass(model, node, 1 / double(nodes.size()));
   }};
+}
+
+Triple place_of(const Structure& s, int node) {
+  const Eigen::Vector3d& x = s.built.model.mesh.nodes[std::size_t(node)];
+  return {x[0], x[1], x[2]};
+}
+
+std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes) {
+  std::vector<Triple> all;
+  for (int node : nodes) all.push_back(place_of(s, node));
+  return all;
 }
 
 constexpr double most = 0.2; // of the part: what nobody would miss on seeing it is less
@@ -29,6 +43,14 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
   for (const Spot& spot : spots(s)) {
     if (is_along(s, spot)) continue;
     add(spot, "", on_each({spot.touched}));
+    found.back().in_case = [at = place_of(s, spot.touched),
+                            name = spot.place](const Case& now, const Eigen::VectorXd& v) {
+      for (std::size_t i = 0; i < now.sensors.size(); ++i)
+        if (name == "sensor." + now.sensors[i].name)
+          return CaseEdits{
+              {"sensors[" + std::to_string(i) + "].mass", yaml_of(now.sensors[i].mass + v[0])}};
+      return with_mass_at(now, at, v[0]);
+    };
     if (spot.nodes.size() < 2) continue;
     add(spot, "all round", on_each(spot.nodes));
     add(spot, "on the mean motion", {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 1, 0)}});
@@ -36,6 +58,14 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
   for (const BeamPath& path : beam_paths(s)) {
     found.push_back(anywhere_along(path, mass, mass_along(s, path)));
     found.back().effect = "added_mass";
+    found.back().in_case = [path, all = places_of(s, path.nodes)](const Case& now,
+                                                                  const Eigen::VectorXd& v) {
+      const auto nearest =
+          std::min_element(path.at.begin(), path.at.end(), [&](double a, double b) {
+            return std::abs(a - v[1]) < std::abs(b - v[1]);
+          });
+      return with_mass_at(now, all[std::size_t(nearest - path.at.begin())], v[0]);
+    };
   }
   return found;
 }

@@ -27,7 +27,17 @@ void add_rigid_ends(std::vector<Hypothesis>& found, const Structure& s) {
            .changes = {ground_springs(ends.nodes, 1, 0), ground_springs(ends.nodes, 0, 1)},
            .coefficients = springs,
            .at_rig = false,
-           .released = ends.nodes});
+           .released = ends.nodes,
+           .in_case = [place = ends.place, springs](const Case& now, const Eigen::VectorXd& v) {
+             const Eigen::VectorXd both = springs(v);
+             const double move = both[0], turn = both[1];
+             CaseEdits edits;
+             for (const Mount& m : mounts_at(now, place))
+               edits.push_back(
+                   {"mount." + m.cap,
+                    "{stiffness: " + yaml_of({move, move, move, turn, turn, turn}) + "}"});
+             return edits;
+           }});
     };
     add("rotation", {rotation},
         [held](const Eigen::VectorXd& v) { return Eigen::Vector2d(held, v[0]); });
@@ -79,7 +89,17 @@ void add_springs(std::vector<Hypothesis>& found, const Structure& s) {
            .parameters = {{"ratio", "", {PriorKind::log_normal, 1, width}}},
            .changes = {once_more(springs, motion)},
            .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(v.array() - 1); },
-           .at_rig = false});
+           .at_rig = false,
+           .in_case =
+               [place, motion](const Case& now, const Eigen::VectorXd& v) {
+                 CaseEdits edits;
+                 for (const Mount& m : mounts_at(now, place)) {
+                   Sextuple k = m.stiffness;
+                   for (int i = 0; i < motion.count; ++i) k[std::size_t(motion.first + i)] *= v[0];
+                   edits.push_back({"mount." + m.cap + ".stiffness", yaml_of(k)});
+                 }
+                 return edits;
+               }});
     }
   };
   std::vector<int> all;

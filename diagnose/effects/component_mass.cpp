@@ -26,6 +26,30 @@ std::vector<int> masses_on(const Model& model, const std::vector<int>& nodes,
   return found;
 }
 
+void scale_body(CaseEdits& edits, const std::string& path, double mass, Sextuple inertia,
+                double factor) {
+  scale(edits, path + ".mass", mass, factor);
+  if (inertia == Sextuple{}) return;
+  for (double& x : inertia) x *= factor;
+  edits.push_back({path + ".inertia", yaml_of(inertia)});
+}
+
+// "caps.left" or the name of a part, with so many times its mass.
+CaseEdits with_mass(const Case& now, const std::string& place, double factor) {
+  CaseEdits edits;
+  if (place.starts_with("caps.")) {
+    const Cap& cap = *cap_named(now, place.substr(5));
+    scale_body(edits, place, cap.mass, cap.inertia, factor);
+    return edits;
+  }
+  const Part& part = *part_named(now, place);
+  if (const auto* body = std::get_if<PointMass>(&part.body))
+    scale_body(edits, "parts." + place, body->mass, body->inertia, factor);
+  if (const auto* liner = std::get_if<Interlock>(&part.body))
+    scale(edits, "parts." + place + ".mass", liner->mass, factor);
+  return edits;
+}
+
 // Caps, attached masses, interlocks: a ratio to the mass in the case. An attached mass may be
 // missing altogether.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
@@ -39,7 +63,9 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
          .way = "",
          .parameters = {{"ratio", "", prior}},
          .changes = {doubled(std::move(masses))},
-         .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(v.array() - 1); }});
+         .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(v.array() - 1); },
+         .in_case = [place](const Case& now,
+                            const Eigen::VectorXd& v) { return with_mass(now, place, v[0]); }});
   };
   constexpr Prior drawn{PriorKind::log_normal, 1, 0.25}, attached{PriorKind::uniform, 0, 2};
   for (const Cap& cap : s.data.caps)

@@ -30,7 +30,15 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
          .parameters = {{"ratio", "", {PriorKind::log_normal, 1, 0.5}}},
          .changes = {doubled(group)},
          .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(v.array() - 1); },
-         .names_place_only = true});
+         .names_place_only = true,
+         .in_case =
+             [parts = group.parts](const Case& now, const Eigen::VectorXd& v) {
+               CaseEdits edits;
+               for (const std::string& part : parts)
+                 for (CaseEdit& edit : with_own_material(now, part, v[0], 1))
+                   edits.push_back(std::move(edit));
+               return edits;
+             }});
   return found.size() > 1 ? found : std::vector<Hypothesis>();
 }
 

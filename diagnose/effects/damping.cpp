@@ -8,7 +8,9 @@ std::vector<Hypothesis> hypotheses(const Structure&) {
            .place = "all",
            .way = "",
            .parameters = {{"ratio", "", {PriorKind::log_normal, 1, 0.6}}},
-           .setup = [](TestSetup& setup, const Eigen::VectorXd& v) { setup.damping *= v[0]; }}};
+           .setup = [](TestSetup& setup, const Eigen::VectorXd& v) { setup.damping *= v[0]; },
+           .in_case = [](const Case& now,
+                         const Eigen::VectorXd& v) { return with_damping(now, v[0]); }}};
 }
 
 } // namespace

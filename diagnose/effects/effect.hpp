@@ -6,6 +6,7 @@
 // one. Nothing here knows of a specimen.
 #pragma once
 
+#include "diagnose/effects/take_over.hpp"
 #include "lab/measured/measured.hpp"
 #include "model/shape/build.hpp"
 #include "reduction/parametric_model.hpp"
@@ -102,6 +103,9 @@ struct Hypothesis {
   std::optional<std::size_t> along = {}; // the parameter that says where along `place` it acts, m
   // Of all parameters those that act in a state, where states differ (growth.hpp).
   std::function<Eigen::VectorXd(const Eigen::VectorXd&, const std::string& state)> values_in = {};
+  // What a case says in place of the effect at these values, where it says that much already; none
+  // of either: no key of a case says it.
+  std::function<CaseEdits(const Case& now, const Eigen::VectorXd& values)> in_case = {};
   Identity identity = {};
 };
 

@@ -8,6 +8,24 @@ namespace {
 
 constexpr double steel = 7850, gyration_of_cube = 0.41; // kg/m3, radius over edge
 
+// Caps that were held rigidly, with the mass of the fixture, on its springs.
+CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::VectorXd& v) {
+  const double mass = v[0], inertia = v[0] * v[3] * v[3], omega = 2 * std::numbers::pi * v[1];
+  const double k = mass * omega * omega, turning = inertia * std::pow(omega * v[2], 2);
+  CaseEdits edits;
+  for (const Mount& m : mounts_at(now, place)) {
+    const Cap& cap = *cap_named(now, m.cap);
+    if (m.kind != MountKind::rigid || cap.offset != Triple{}) return {};
+    Sextuple own = cap.inertia;
+    for (std::size_t i = 0; i < 3; ++i) own[i] += inertia;
+    edits.push_back(
+        {"mount." + m.cap, "{stiffness: " + yaml_of({k, k, k, turning, turning, turning}) + "}"});
+    edits.push_back({"caps." + m.cap + ".mass", yaml_of(cap.mass + mass)});
+    edits.push_back({"caps." + m.cap + ".inertia", yaml_of(own)});
+  }
+  return edits;
+}
+
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
 // straight, with the radius of gyration of a block of its size, nearly.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
@@ -41,7 +59,11 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                    v[0] * omega * omega, v[0], inertia * std::pow(omega * v[2], 2), inertia));
              },
          .at_rig = false,
-         .released = ends.nodes});
+         .released = ends.nodes,
+         .in_case =
+             [place = ends.place](const Case& now, const Eigen::VectorXd& v) {
+               return on_fixtures(now, place, v);
+             }});
   }
   return found;
 }

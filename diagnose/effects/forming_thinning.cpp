@@ -32,6 +32,13 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
         .way = "",
         .parameters = {{"exponent", "", {PriorKind::log_normal, 0.4, 0.7}}},
         .coefficients = [coefficients](const Eigen::VectorXd& v) { return coefficients(v[0]); }};
+    h.in_case = [part = wall.part](const Case& now, const Eigen::VectorXd& v) -> CaseEdits {
+      const Wall& own = std::get<Bellows>(part_named(now, part)->body).wall;
+      const std::string path = "parts." + part + ".wall.";
+      if (own.thinning == Thinning::uniform) return {};
+      const double there = own.thinning == Thinning::local ? own.thinning_exponent : 0;
+      return {{path + "thinning", "local"}, {path + "thinning_exponent", yaml_of(there + v[0])}};
+    };
     for (double p : samples)
       h.changes.push_back({[wall, p](Model& model) { thin(model, wall, p); }, Follow::modes});
     found.push_back(std::move(h));

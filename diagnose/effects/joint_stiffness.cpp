@@ -13,20 +13,75 @@ Prior prior_in(const Structure& s, double stiffness, JointDirection motion) {
   return {PriorKind::log_normal, centre, centre > 0.5 ? 1 : 1.5};
 }
 
+// Numbers of a joint that bear a motion, times a factor; of an interlock that has none in terms of
+// what stands in for it.
+CaseEdits with_joint(const Case& now, const std::string& place,
+                     const std::optional<BeamProperties>& absent, JointDirection motion,
+                     double factor) {
+  CaseEdits edits;
+  const auto bears = [&](JointDirection own) {
+    return motion == JointDirection::all || motion == own;
+  };
+  if (place.starts_with("caps.")) {
+    Sextuple k = cap_named(now, place.substr(5))->stiffness.value_or(Sextuple{});
+    constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
+                                JointDirection::lateral, JointDirection::bending,
+                                JointDirection::torsion, JointDirection::bending};
+    for (std::size_t i = 0; i < k.size(); ++i)
+      if (bears(of_row[i])) k[i] *= factor;
+    return {{place + ".stiffness", yaml_of(k)}};
+  }
+  const Part* part = part_named(now, place);
+  if (!part) return {};
+  const std::string path = "parts." + place + ".";
+  if (const auto* liner = std::get_if<Interlock>(&part->body)) {
+    const auto own = [&](double drawn, double BeamProperties::*number) {
+      return absent ? (*absent).*number : drawn;
+    };
+    using B = BeamProperties;
+    if (bears(JointDirection::axial)) scale(edits, path + "EA", own(liner->EA, &B::EA), factor);
+    if (bears(JointDirection::bending)) scale(edits, path + "EI", own(liner->EI, &B::EI_y), factor);
+    if (bears(JointDirection::torsion)) scale(edits, path + "GJ", own(liner->GJ, &B::GJ), factor);
+  }
+  const auto* chain = std::get_if<ConnectorChain>(&part->body);
+  const auto add = [&](const std::string& key, const ConnectorSpring& s) {
+    if (bears(JointDirection::axial)) scale(edits, key + ".axial", s.axial, factor);
+    if (bears(JointDirection::lateral)) scale(edits, key + ".transverse", s.transverse, factor);
+    if (bears(JointDirection::bending)) scale(edits, key + ".bending", s.bending, factor);
+    if (bears(JointDirection::torsion)) scale(edits, key + ".torsion", s.torsion, factor);
+  };
+  const auto is_plain = [](const ConnectorSpring& s) {
+    return s.matrix.empty() && s.axial_curve.empty() && s.transverse_curve.empty();
+  };
+  if (!chain || !is_plain(chain->spring) || (chain->end_spring && !is_plain(*chain->end_spring)))
+    return edits;
+  add(path + "spring", chain->spring);
+  if (chain->end_spring) add(path + "end_spring", *chain->end_spring);
+  return edits;
+}
+
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const JointGroup& group : joint_groups(s)) {
     if (group.mount) continue; // boundary_compliance
     const double present = group.present ? 1 : 0;
+    std::optional<BeamProperties> absent;
+    if (!group.present) absent = tube_of(s.built.model, group);
     const auto add = [&](JointDirection motion, const Prior& prior) {
-      found.push_back({.effect = "joint_stiffness",
-                       .place = group.place,
-                       .way = way_of(motion),
-                       .parameters = {{"ratio", "", prior}},
-                       .changes = {added_group(group, motion)},
-                       .coefficients = [present](const Eigen::VectorXd& v) {
-                         return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
-                       }});
+      found.push_back(
+          {.effect = "joint_stiffness",
+           .place = group.place,
+           .way = way_of(motion),
+           .parameters = {{"ratio", "", prior}},
+           .changes = {added_group(group, motion)},
+           .coefficients =
+               [present](const Eigen::VectorXd& v) {
+                 return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
+               },
+           .in_case =
+               [place = group.place, absent, motion](const Case& now, const Eigen::VectorXd& v) {
+                 return with_joint(now, place, absent, motion, v[0]);
+               }});
     };
     add(JointDirection::all, {PriorKind::log_normal, group.present ? 1 : 0.3, 1});
     std::vector<std::pair<JointDirection, double>> single;

@@ -97,19 +97,6 @@ std::vector<double*> numbers_of(BeamProperties& section, JointDirection motion) 
   return {};
 }
 
-// What stands in for an interlock without stiffness: a thin tube of its radius, massless, as its
-// mass is there already.
-BeamProperties tube_of(const Model& model, const JointGroup& group) {
-  const auto& x = model.mesh.nodes;
-  const double length = (x[group.nodes.back()] - x[group.nodes.front()]).norm();
-  const double EA = group.stiffness * length, r2 = group.radius * group.radius;
-  BeamProperties tube;
-  tube.EA = EA;
-  tube.EI_y = tube.EI_z = EA * r2 / 2;
-  tube.GJ = EA * r2 / 2.6;
-  return tube;
-}
-
 double largest_translation(const BushingElement& b) {
   return b.bushing.law.diagonal().head<3>().maxCoeff();
 }
@@ -177,6 +164,17 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
   }
   std::erase_if(groups, [](const JointGroup& g) { return !(g.stiffness > 0); });
   return groups;
+}
+
+BeamProperties tube_of(const Model& model, const JointGroup& group) {
+  const auto& x = model.mesh.nodes;
+  const double length = (x[group.nodes.back()] - x[group.nodes.front()]).norm();
+  const double EA = group.stiffness * length, r2 = group.radius * group.radius;
+  BeamProperties tube;
+  tube.EA = EA;
+  tube.EI_y = tube.EI_z = EA * r2 / 2;
+  tube.GJ = EA * r2 / 2.6;
+  return tube;
 }
 
 const char* way_of(JointDirection motion) {

@@ -28,6 +28,10 @@ struct JointGroup {
   bool mount = false;   // the springs of a mount
 };
 std::vector<JointGroup> joint_groups(const Structure& s);
+// What stands in for an interlock without stiffness: a thin tube of its radius, massless, as its
+// mass is there already.
+BeamProperties tube_of(const Model& model, const JointGroup& group);
+
 // What a joint gives way in: along the pipe, across it, about axes across it, about its axis.
 enum class JointDirection { all, axial, lateral, bending, torsion };
 const char* way_of(JointDirection motion); // "axial"; empty for all

@@ -46,6 +46,17 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
         .way = "",
         .parameters = {{"bond", "", {PriorKind::uniform, 0, 1}}},
         .coefficients = [coefficients](const Eigen::VectorXd& v) { return coefficients(v[0]); }};
+    h.in_case = [parts = group.parts](const Case& now, const Eigen::VectorXd& v) {
+      CaseEdits edits;
+      for (const std::string& part : parts) {
+        const std::string wall = "parts." + part + ".wall.";
+        const Wall& own = std::get<Bellows>(part_named(now, part)->body).wall;
+        if (const double t = own.plies[0] / 2; own.plies.size() == 1)
+          edits.push_back({wall + "plies", "[" + yaml_of(t) + ", " + yaml_of(t) + "]"});
+        edits.push_back({wall + "bond", yaml_of(v[0])});
+      }
+      return edits;
+    };
     for (double b : samples)
       h.changes.push_back({[group, factor = ply_bending_factor(plies, b)](Model& model) {
                              set_bending(model, group, factor);

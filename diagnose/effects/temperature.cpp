@@ -31,6 +31,20 @@ std::vector<Hypothesis> hypotheses(const Structure&) {
        .setup =
            [](TestSetup& setup, const Eigen::VectorXd& v) {
              setup.damping *= std::max(0.1, 1 + damping_per_kelvin * v[0]);
+           },
+       .in_case =
+           [](const Case& now, const Eigen::VectorXd& v) {
+             CaseEdits edits = with_damping(now, std::max(0.1, 1 + damping_per_kelvin * v[0]));
+             const double E = 1 + modulus_per_kelvin * v[0];
+             for (const auto& [name, material] : now.materials)
+               scale(edits, "materials." + name + ".E", material.E, E);
+             for (const Part& part : now.parts)
+               if (const auto* liner = std::get_if<Interlock>(&part.body))
+                 for (const auto& [key, value] :
+                      {std::pair{"EA", liner->EA}, std::pair{"EI", liner->EI},
+                       std::pair{"GJ", liner->GJ}})
+                   scale(edits, "parts." + part.name + "." + key, value, E);
+             return edits;
            }}};
 }
 

@@ -27,7 +27,11 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                                   },
                                   Follow::series}},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
-                     .at_rig = false});
+                     .at_rig = false,
+                     .in_case =
+                         [name = part.name](const Case& now, const Eigen::VectorXd& v) {
+                           return with_own_material(now, name, 1, 1 + v[0]);
+                         }});
   }
   return found;
 }

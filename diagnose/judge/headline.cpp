@@ -76,6 +76,13 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
   case Verdict::unknown:
     break;
   }
+  if (judgement.stopped && !judgement.nearest)
+    return "Stopped before an effect was found that comes nearer than the nominal case";
+  if (judgement.stopped)
+    return fmt::format(
+        "Stopped before all effects were tried; nearest so far comes {}, which closes "
+        "{} of the gap",
+        name_of(judgement.nearest->fit), closed(nominal, *judgement.nearest));
   std::string text = "None of the effects known here explains the test; it is farthest off in " +
                      nominal.worst.second;
   if (const JudgedFit* j = judgement.nearest)

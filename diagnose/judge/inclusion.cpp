@@ -51,6 +51,30 @@ Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fit
   for (Weighed& w : all_) w.weight /= sum;
 }
 
+std::vector<std::pair<const JudgedFit*, double>> Inclusion::first(std::size_t count) const {
+  struct Best {
+    const JudgedFit* fit = nullptr;
+    double weight = 0, all = 0;
+  };
+  std::map<std::multiset<std::string>, Best> best;
+  for (const Weighed& w : all_) {
+    std::multiset<std::string> effects;
+    for (const Hypothesis* h : w.fit->fit.together) effects.insert(h->effect);
+    Best& own = best[effects];
+    own.all += w.weight;
+    if (!own.fit || w.weight > own.weight) {
+      own.fit = w.fit;
+      own.weight = w.weight;
+    }
+  }
+  std::vector<std::pair<const JudgedFit*, double>> list;
+  for (const auto& [effects, own] : best) list.emplace_back(own.fit, own.all);
+  std::stable_sort(list.begin(), list.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (list.size() > count) list.resize(count);
+  return list;
+}
+
 double Inclusion::of(const std::string& effect) const {
   double sum = 0;
   for (const Weighed& w : all_)

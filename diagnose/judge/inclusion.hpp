@@ -22,6 +22,11 @@ public:
   std::vector<std::pair<std::string, double>> effects() const;
   std::vector<std::pair<std::string, double>> places(const std::string& effect) const;
 
+  double none() const { return none_; } // the nominal case
+  // Sets of different effects, each at its best places, with the probability of these effects,
+  // wherever they sit; the most probable first.
+  std::vector<std::pair<const JudgedFit*, double>> first(std::size_t count) const;
+
   // The most probable; null: the nominal case.
   const JudgedFit* leading() const { return leading_; }
   // The most probable of those whose effects all have at least this probability; null: none.

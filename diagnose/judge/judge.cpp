@@ -10,7 +10,7 @@ namespace {
 constexpr double told_apart = 3;       // nats between effects that are told apart
 constexpr double open_to = 8;          // nats, where the one that leads is not believed
 constexpr std::size_t most_listed = 3; // of these
-constexpr double set_gain = 5;         // over the best smaller one
+constexpr double set_gain = 5;         // over the best smaller one, none of which explains the test
 constexpr double set_shrink = 0.3;     // of held-out readings
 constexpr double most_closed = 0.5;    // of the gap, at least
 constexpr double far_ahead = 0.9;      // probability of each effect that explains most
@@ -39,14 +39,19 @@ bool all_needed(const JudgedFit& set, const std::vector<Family>& families,
   return true;
 }
 
-// By how much a set is ahead of all that are smaller.
-double gain_of(const JudgedFit& set, double none, const std::vector<Family>& families,
-               const std::vector<JudgedFit>& sets) {
+// Whether a set is far enough ahead of all that are smaller.
+bool is_ahead(const JudgedFit& set, double none, const std::vector<Family>& families,
+              const std::vector<JudgedFit>& sets) {
   double best = none;
-  if (!families.empty()) best = std::max(best, evidence_of(families.front().best->fit));
+  bool explained = false;
+  const auto hold_against = [&](const JudgedFit& j) {
+    best = std::max(best, evidence_of(j.fit));
+    explained = explained || j.credible();
+  };
+  for (const Family& f : families) hold_against(*f.best);
   for (const JudgedFit& j : sets)
-    if (j.fit.together.size() < set.fit.together.size()) best = std::max(best, evidence_of(j.fit));
-  return evidence_of(set.fit) - best;
+    if (j.fit.together.size() < set.fit.together.size()) hold_against(j);
+  return evidence_of(set.fit) - best >= (explained ? beyond_chance : set_gain);
 }
 
 // Whether held-out readings, or readings in turn, speak for a set.
@@ -60,7 +65,7 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Famil
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& set : sets)
     if (set.fit.solved && set.credible() && !set.too_free() && foretold(set) &&
-        gain_of(set, none, families, sets) >= set_gain && all_needed(set, families, sets))
+        is_ahead(set, none, families, sets) && all_needed(set, families, sets))
       standing.push_back(&set);
   std::stable_sort(standing.begin(), standing.end(), [](const JudgedFit* a, const JudgedFit* b) {
     return evidence_of(a->fit) > evidence_of(b->fit);
@@ -149,6 +154,16 @@ void name_singles(const std::vector<const Family*>& credible, double none,
         result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::identified;
 }
 
+// Probabilities over all sets, and of an effect over its places.
+void take_over(const Inclusion& inclusion, Judgement& result) {
+  result.probabilities = inclusion.effects();
+  for (const auto& [effect, probability] : result.probabilities) {
+    if (effect == "none") continue;
+    auto& places = result.places[effect] = inclusion.places(effect);
+    for (auto& [place, share] : places) share /= std::max(probability, 1e-300);
+  }
+}
+
 // Effects that are far ahead and explain most, or nothing.
 void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objecting& objecting,
                Judgement& result) {
@@ -177,6 +192,15 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
 
 } // namespace
 
+Judgement nearest_so_far(const Inclusion& inclusion) {
+  Judgement result;
+  result.verdict = Verdict::unknown;
+  result.nearest = inclusion.leading();
+  result.stopped = true;
+  take_over(inclusion, result);
+  return result;
+}
+
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
                 const std::vector<JudgedFit>& sets, const Inclusion& inclusion,
                 const Standards& standards, const Referee& referee) {
@@ -192,22 +216,17 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
     result.verdict = Verdict::none;
     return result;
   }
-  if (!credible.empty() && best - none >= standards.evidence) {
-    name_singles(credible, none, standards, referee.to_all, result);
-    return result;
-  }
   result.named = standing_sets(none, families, sets);
   if (!result.named.empty()) {
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);
     return result;
   }
-  result.probabilities = inclusion.effects();
-  for (auto& [effect, places] : result.places) {
-    const double of_effect = inclusion.of(effect);
-    places = inclusion.places(effect);
-    for (auto& [place, share] : places) share /= std::max(of_effect, 1e-300);
+  if (!credible.empty() && best - none >= standards.evidence) {
+    name_singles(credible, none, standards, referee.to_all, result);
+    return result;
   }
+  take_over(inclusion, result);
   name_most(nominal, inclusion, referee.to_most, result);
   return result;
 }

@@ -14,7 +14,9 @@
 //               turn no better than no effect does: then up to three effects within 8 of it. A
 //               parameter is free where its posterior is narrower than half its prior, or a move
 //               within the prior changes a reading by a tenth of its standard deviation
-//   several     no single one adequate; a set is, with 5 more than the best smaller one, each
+//   several     a set is adequate, with 5 more than the best smaller one, or 7 where a smaller one
+//   is
+//               adequate (among so many effects some nats turn up by chance), each
 //   member
 //               worth 3, held-out readings met and better by three tenths, or where nothing is held
 //               out readings in turn (the interval of their shrink above zero), and three readings
@@ -44,6 +46,7 @@ struct Judgement {
   const JudgedFit* nearest = nullptr;
   std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
   std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
+  bool stopped = false;                                                      // before all was tried
   std::string withheld;             // why an effect that leads is not named; empty = nothing is
   std::optional<GapShrink> in_turn; // of what leads, where its readings were taken in turn
   double probability_of(const std::string& effect) const;
@@ -62,6 +65,9 @@ struct Referee {
   Objecting to_all;  // to an effect that would explain all
   Objecting to_most; // to effects that would explain most
 };
+
+// Of what was tried until the search was stopped: unknown, with what comes nearest.
+Judgement nearest_so_far(const Inclusion& inclusion);
 
 Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
                 const std::vector<JudgedFit>& sets, const Inclusion& inclusion,

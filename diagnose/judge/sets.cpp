@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 
 namespace plica {
@@ -51,6 +52,16 @@ VectorXd joined(const std::vector<VectorXd>& parts) {
   return all;
 }
 
+// What a hypothesis would be worth beside a set: its matched filter on the residual, of which the
+// set takes up its share.
+double gain(const HypothesisFit& set, const Signature& s) {
+  const MatrixXd& J = set.J;
+  const MatrixXd A = MatrixXd::Identity(J.cols(), J.cols()) + J.transpose() * J;
+  const VectorXd g = s.g - J * A.ldlt().solve(J.transpose() * s.g);
+  return std::pow(g.dot(set.error), 2) / (2 * (g.squaredNorm() + 1)) -
+         std::log1p(g.squaredNorm()) / 2;
+}
+
 bool contains(const Together& together, const Hypothesis* h) {
   return std::find(together.begin(), together.end(), h) != together.end();
 }
@@ -59,9 +70,10 @@ class Growth {
 public:
   Growth(const FitContext& context, const std::vector<JudgedFit>& fits,
          const std::vector<Signature>& all, const JudgedFit& nominal, const Whitening& held_out,
-         const BlockScores& scores, const Standards& standards)
+         const BlockScores& scores, const Standards& standards, const DiagnosisSettings& settings)
       : context_(context), fits_(fits), all_(all), nominal_(nominal), held_out_(held_out),
-        scores_(scores), standards_(standards), levels_matter_(changes_with_level(context.test)) {}
+        scores_(scores), standards_(standards), settings_(settings),
+        levels_matter_(changes_with_level(context.test)) {}
 
   std::vector<JudgedFit> sets(const std::vector<Family>& ranked) {
     std::vector<JudgedFit> front;
@@ -70,15 +82,19 @@ public:
     std::vector<JudgedFit> found;
     for (std::size_t size = 2; size <= most_effects && size < context_.fitted.rows().size();
          ++size) {
-      if (front.empty()) break;
+      if (front.empty() || settings_.stop()) break;
+      constexpr double begins = 0.58, ends = 0.90; // shares of the work
+      settings_.stage(fmt::format("sets of {} effects", size),
+                      begins + (ends - begins) * double(size - 2) / double(most_effects - 1));
       const double before = dispersed_log_evidence(front.front().fit);
       std::vector<JudgedFit> level = fitted(larger(front));
       add(level, fitted(moved(level)));
       if (size > 2 && !level.empty()) add(found, fitted(smaller(level.front().fit)));
       found.insert(found.end(), level.begin(), level.end());
-      if (level.empty() ||
-          std::any_of(level.begin(), level.end(), [](const JudgedFit& j) { return j.credible(); }))
-        break;
+      const auto explains_all = [&](const JudgedFit& j) {
+        return j.credible() && !asks_for_more(j.fit, all_);
+      };
+      if (level.empty() || std::any_of(level.begin(), level.end(), explains_all)) break;
       if (dispersed_log_evidence(level.front().fit) < before + worth_growing) break;
       level.resize(std::min(grown_sets, level.size()));
       front = std::move(level);
@@ -105,16 +121,6 @@ private:
     if (std::find(asked_.begin(), asked_.end(), together) != asked_.end()) return false;
     asked_.push_back(std::move(together));
     return true;
-  }
-
-  // What a hypothesis would be worth beside a set: its matched filter on the residual, of which the
-  // set takes up its share.
-  static double gain(const HypothesisFit& set, const Signature& s) {
-    const MatrixXd& J = set.J;
-    const MatrixXd A = MatrixXd::Identity(J.cols(), J.cols()) + J.transpose() * J;
-    const VectorXd g = s.g - J * A.ldlt().solve(J.transpose() * s.g);
-    return std::pow(g.dot(set.error), 2) / (2 * (g.squaredNorm() + 1)) -
-           std::log1p(g.squaredNorm()) / 2;
   }
 
   bool may_join(const HypothesisFit& set, const Hypothesis& h) const {
@@ -216,6 +222,7 @@ private:
     keep_members(asked);
     std::vector<JudgedFit> own(asked.size());
     in_parallel(int(asked.size()), [&](int i) {
+      if (settings_.stop()) return;
       const Asked& set = asked[std::size_t(i)];
       own[std::size_t(i)] = judged(fit_of(context_, set.together, set.start), nominal_.fit,
                                    context_, held_out_, scores_, standards_);
@@ -232,18 +239,26 @@ private:
   const Whitening& held_out_;
   const BlockScores& scores_;
   const Standards& standards_;
+  const DiagnosisSettings& settings_;
   bool levels_matter_ = false;
   std::vector<Together> asked_;
 };
 
 } // namespace
 
+bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all) {
+  return std::any_of(all.begin(), all.end(), [&](const Signature& s) {
+    return !contains(fit.together, s.hypothesis) && !s.hypothesis->softening &&
+           gain(fit, s) >= beyond_chance;
+  });
+}
+
 std::vector<JudgedFit> fit_sets(const FitContext& context, const std::vector<Family>& ranked,
                                 const std::vector<JudgedFit>& fits,
                                 const std::vector<Signature>& all, const JudgedFit& nominal,
                                 const Whitening& held_out, const BlockScores& scores,
-                                const Standards& standards) {
-  return Growth(context, fits, all, nominal, held_out, scores, standards).sets(ranked);
+                                const Standards& standards, const DiagnosisSettings& settings) {
+  return Growth(context, fits, all, nominal, held_out, scores, standards, settings).sets(ranked);
 }
 
 } // namespace plica

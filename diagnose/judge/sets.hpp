@@ -1,23 +1,28 @@
-// Several effects at once, tried where no single one explains the test.
+// Several effects at once, tried where no single one explains all of the test.
 //
 // Sets grow by one effect at a time: the best of a size, each with those effects that its residual
 // asks for (matched filter). Members of the best sets are then exchanged for the same effect
 // elsewhere, since alone an effect may have been drawn to another place by what the others do, and
-// left out in turn. Growth ends with a set that explains the test, at five effects, or where a
-// further one is worth too little.
+// left out in turn. Growth ends at five effects, where a further one is worth too little, or with a
+// set that explains the test and whose residual asks for no more.
 #pragma once
 
 #include "diagnose/judge/identifiability.hpp"
 #include "diagnose/judge/judge.hpp"
+#include "diagnose/results/settings.hpp"
 
 namespace plica {
 
+// Whether what a fit leaves asks for a further effect, by the matched filter of its signature.
+bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all);
+
 // `ranked`: single effects by evidence; `fits`: all single hypotheses; `all`: signatures of all
-// hypotheses. By evidence, those of two and more effects.
+// hypotheses. By evidence, those of two and more effects; where it is stopped, those that were
+// tried until then.
 std::vector<JudgedFit> fit_sets(const FitContext& context, const std::vector<Family>& ranked,
                                 const std::vector<JudgedFit>& fits,
                                 const std::vector<Signature>& all, const JudgedFit& nominal,
                                 const Whitening& held_out, const BlockScores& scores,
-                                const Standards& standards);
+                                const Standards& standards, const DiagnosisSettings& settings);
 
 } // namespace plica

@@ -2,8 +2,11 @@
 // much of it goes when the effect is modelled, and what to measure next.
 #pragma once
 
+#include "model/description/case_edit.hpp"
+
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,6 +33,8 @@ struct NamedEffect {
   std::vector<EstimatedParameter> parameters;
   std::vector<std::string> other_places = {}; // where it explains the test as well, within 3 nats
   double anywhere = 0;                        // probability of the effect, wherever it sits
+  // What a case says in its place (Hypothesis::in_case), at these values.
+  std::function<CaseEdits(const Case& now)> in_case = {};
 };
 
 // One hypothesis that was tried, or a set of them.
@@ -143,9 +148,11 @@ struct SmallestDetectable {
 
 struct ProposedMeasurement {
   std::string what;
-  double cost = 1;                   // 1: an hour at the rig
-  double separation = 0;             // expected, of what is to be told apart; 25 = beyond doubt
-  std::string separates;             // which from which
+  double cost = 1;       // 1: an hour at the rig
+  double change = 0;     // expected, of the shares of the ledger: root of their squares
+  std::string about;     // the effect whose share it settles most, or "what is unexplained"
+  double separation = 0; // expected, of what is to be told apart; 25 = beyond doubt
+  std::string separates; // which from which
   std::vector<std::string> resolves; // effects that it tells from all others that are open
 };
 

@@ -15,7 +15,14 @@ struct DiagnosisSettings {
   bool plan_next = true;               // propose the next measurement
   int particles = 160;                 // of the Markov chains
   std::vector<std::string> words = {}; // what was done to the case before, told among assumptions
-  std::function<void(const std::string&)> stage = [](const std::string&) {};
+  // Called before each stage, with the share of the work that lies before it, as far as it is known
+  // (0 = it is not).
+  std::function<void(const std::string& name, double share)> stage = [](const std::string&,
+                                                                        double) {};
+  // The search for effects begins; from here on `stop` ends it: what was found so far is told, and
+  // that it is no more than that.
+  std::function<void()> search = [] {};
+  std::function<bool()> stop = [] { return false; };
 };
 
 } // namespace plica

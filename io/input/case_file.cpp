@@ -272,6 +272,39 @@ CaseFile read_case(const std::string& path, const std::string& model,
   return file;
 }
 
+std::string yaml_of(const CaseFile& file, const std::map<std::string, std::string>& changes,
+                    const std::filesystem::path& measured, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  ReadLog log{.file = file.path};
+  YamlNode root = parse_yaml(file.text, file.path, log.problems);
+  if (!file.data.model.empty()) root = chosen_model(root, file.data.model, log);
+  std::erase_if(root.entries, [](const YamlEntry& e) {
+    return e.key == "models" || e.key == "variants" || e.key == "fit";
+  });
+  if (root.find("diagnose")) put(root, "diagnose.fit_baseline", "~", 0);
+  for (const auto& [path, value] : changes) {
+    const PathProblem problem = put(root, path, value, 0);
+    if (!problem.wrong.empty()) log.add(0, path, problem.wrong, problem.allowed);
+  }
+  if (!log.problems.empty()) throw InputError(std::move(log.problems));
+  const fs::path here = fs::path(file.path).parent_path();
+  const auto from_folder = [&](const fs::path& path) {
+    return fs::proximate(fs::absolute(path), fs::absolute(folder)).generic_string();
+  };
+  if (YamlNode* parts = root.find("parts"))
+    for (YamlEntry& part : parts->entries)
+      if (YamlNode* geometry = part.value.find("file"))
+        geometry->text = from_folder(here / geometry->text);
+  const YamlNode* named = root.find("measured");
+  if (named || !measured.empty()) {
+    YamlNode path;
+    path.kind = YamlNode::Kind::scalar;
+    path.text = from_folder(measured.empty() ? here / named->text : measured);
+    put(root, "measured", to_yaml(path), 0);
+  }
+  return to_yaml_file(root);
+}
+
 std::vector<std::filesystem::path> files_of(const CaseFile& file) {
   std::vector<std::filesystem::path> files{file.path};
   for (const Part& part : file.data.parts) {

@@ -62,6 +62,35 @@ std::string to_yaml(const YamlNode& node) {
   return text;
 }
 
+namespace {
+
+constexpr std::size_t widest = 100;
+
+// An entry of a map or list whose first line begins with `head`, which stands `indent` in.
+std::string entry_text(const std::string& head, const YamlNode& value, std::size_t indent);
+
+std::string block_text(const YamlNode& node, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::string text;
+  for (const YamlEntry& e : node.entries)
+    text += entry_text(margin + scalar_text(e.key, false) + ":", e.value, indent);
+  for (const YamlNode& item : node.items) text += entry_text(margin + "-", item, indent);
+  return text;
+}
+
+std::string entry_text(const std::string& head, const YamlNode& value, std::size_t indent) {
+  const std::string line = to_yaml(value);
+  if (head.size() + 1 + line.size() <= widest || (value.items.empty() && value.entries.empty()))
+    return head + " " + line + "\n";
+  return head + "\n" + block_text(value, indent + 2);
+}
+
+} // namespace
+
+std::string to_yaml_file(const YamlNode& root) {
+  return block_text(root, 0);
+}
+
 std::string kind_of(const YamlNode& node) {
   switch (node.kind) {
   case YamlNode::Kind::null:

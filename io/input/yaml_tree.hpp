@@ -48,6 +48,9 @@ YamlNode parse_yaml(const std::string& text, const std::string& file,
 // The tree as one line of YAML (flow style), such that parsing gives the same tree.
 std::string to_yaml(const YamlNode& node);
 
+// The same as lines of a file: what is short stands on one line.
+std::string to_yaml_file(const YamlNode& root);
+
 // "a map", "a list", "'text'", "no value"
 std::string kind_of(const YamlNode& node);
 

@@ -90,12 +90,16 @@ HtmlRow row_of(const ComparedReading& r) {
 // From the gap of the nominal case, each row takes its share away; what is left stands.
 std::string waterfall(const Ledger& ledger) {
   std::vector<HtmlRow> rows;
-  double high = 1, left = 1;
-  for (const LedgerRow& row : ledger.rows) high = std::max(high, left -= row.share);
+  double low = 0, high = 1, left = 1;
+  for (const LedgerRow& row : ledger.rows) {
+    left -= row.share;
+    low = std::min(low, left);
+    high = std::max(high, left);
+  }
   const auto bar = [&](double from, double to, bool faint) {
     return bar_svg({.from = std::min(from, to),
                     .to = std::max(from, to),
-                    .low = 0,
+                    .low = low,
                     .high = high,
                     .faint = faint,
                     .width = 24});
@@ -153,17 +157,13 @@ std::array<int, 2> readings_within(const Diagnosis& d) {
 std::string ledger_html(const Diagnosis& d) {
   if (d.ledger.rows.empty()) return "";
   std::string html = waterfall(d.ledger);
-  constexpr std::size_t most = 4;
-  if (d.verdict != Verdict::none && !d.ledger.left_in.empty()) {
-    std::vector<std::string> readings;
-    for (const auto& [reading, share] : d.ledger.left_in)
-      if (readings.size() < most)
-        readings.push_back(fmt::format("{}: {:.0f} % of the gap", reading, 100 * share));
-    html += "<p>What is left sits in:</p>\n" + html_list(readings);
-  }
+  std::vector<std::string> readings;
+  for (const auto& [reading, share] : most_left_in(d.ledger))
+    readings.push_back(fmt::format("{}: {:.0f} % of the gap", reading, 100 * share));
+  if (!readings.empty()) html += "<p>What is left sits in:</p>\n" + html_list(readings);
   if (!d.next.empty())
-    html += "<p>To measure next: " + html_escape(d.next.front().what) + " (" +
-            html_escape(d.next.front().separates) + ").</p>\n";
+    html += "<p>To measure next: " + html_escape(d.next.front().what) + " (" + "about " +
+            html_escape(d.next.front().about) + ").</p>\n";
   return html;
 }
 

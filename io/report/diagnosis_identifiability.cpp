@@ -1,5 +1,6 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
+#include "io/tables/diagnosis_words.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@ using Eigen::Index;
 
 constexpr double alike = 0.8;                       // cosine
 constexpr double names = 190, wide = 52, tall = 24; // of the matrix
-constexpr double beyond_doubt = 25;                 // separation
 
 // One square of the matrix, its middle at (x, y).
 std::string cell_svg(double x, double y, double cosine) {
@@ -95,22 +95,26 @@ std::string detectable_html(const Diagnosis& d) {
 
 std::string next_html(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
+  double most = 0;
+  for (const ProposedMeasurement& m : d.next) most = std::max(most, m.change);
   for (const ProposedMeasurement& m : d.next)
-    rows.push_back(
-        {{html_escape(m.what), html_escape(m.separates), html_number(m.separation, 3),
-          bar_svg({.from = 0, .to = m.separation, .high = beyond_doubt, .mark = beyond_doubt}),
-          html_number(m.cost, 2), html_number(m.separation / m.cost, 3)},
-         ""});
+    rows.push_back({{html_escape(m.what), html_escape(m.about), html_number(100 * m.change, 2),
+                     bar_svg({.from = 0, .to = m.change, .high = most}), html_number(m.cost, 2),
+                     html_escape(m.separates), html_number(m.separation, 3)},
+                    ""});
   std::string html;
   if (!rows.empty())
-    html = html_table("Separation: expected squared difference, over its uncertainty, between what "
-                      "is to be told apart; 25 (upright line) is beyond doubt.",
+    html = html_table("Change: expected of the shares of the ledger, over the sets of effects and "
+                      "their numbers that the test leaves open; by change per hour. Separation: of "
+                      "two sets, expected squared difference over its uncertainty; 25 is beyond "
+                      "doubt.",
                       {{"measurement", "", false},
-                       {"separates", "", false},
-                       {"separation", ""},
+                       {"about the share of", "", false},
+                       {"change", "% of the gap"},
                        {"", "", false},
                        {"cost", "hours at the rig"},
-                       {"per hour", ""}},
+                       {"separates", "", false},
+                       {"separation", ""}},
                       rows);
   return html + html_list(d.advice);
 }

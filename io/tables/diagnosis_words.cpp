@@ -75,33 +75,6 @@ std::string where_text(const Diagnosis& d) {
   return text;
 }
 
-// What is left where nothing is known of it is told in a row; small parts together.
-std::string ledger_text(const Diagnosis& d) {
-  constexpr double worth_a_row = 0.005;
-  constexpr std::size_t most_readings = 3;
-  std::vector<std::vector<std::string>> rows;
-  for (const LedgerRow& row : d.ledger.rows) {
-    if (row.effects.empty() && row.left != "unexplained" && std::abs(row.share) < worth_a_row)
-      continue;
-    std::string included;
-    if (row.effects.size() == 1)
-      included = fmt::format("probability {:.0f} %", 100 * row.effects.front().anywhere);
-    rows.push_back({row_words(row), fmt::format("{:.0f} %", 100 * row.share),
-                    fmt::format("[{:.0f}, {:.0f}]", 100 * row.interval[0], 100 * row.interval[1]),
-                    included});
-  }
-  std::string text = fmt::format(
-      "\nLedger: the gap, G = {} over {} readings (1 = what measuring and scatter leave)\n",
-      significant(d.ledger.gap, 3), d.ledger.readings);
-  text += text_table(rows, 1);
-  if (d.verdict == Verdict::none) return text;
-  std::string readings;
-  for (std::size_t i = 0; i < std::min(most_readings, d.ledger.left_in.size()); ++i)
-    readings += fmt::format("{}{} {:.0f} %", readings.empty() ? "" : ", ",
-                            d.ledger.left_in[i].first, 100 * d.ledger.left_in[i].second);
-  return text + "  what is left sits in " + readings + "\n";
-}
-
 std::string effects_text(const Diagnosis& d) {
   if (d.effects.empty()) return "";
   std::vector<std::vector<std::string>> rows{
@@ -164,10 +137,10 @@ std::string compensators_text(const Diagnosis& d) {
 
 std::string next_text(const Diagnosis& d) {
   if (d.next.empty() && d.advice.empty()) return "";
-  std::vector<std::vector<std::string>> rows{{"", "separates", "hours", "separation"}};
+  std::vector<std::vector<std::string>> rows{{"", "about", "changes the ledger by", "hours"}};
   for (const ProposedMeasurement& m : d.next)
-    rows.push_back({m.what, m.separates, significant(m.cost, 2), significant(m.separation, 3)});
-  std::string text = "\nNext measurement: a separation of 25 is beyond doubt\n";
+    rows.push_back({m.what, m.about, percent(m.change) + " %", significant(m.cost, 2)});
+  std::string text = "\nNext measurement\n";
   if (!d.next.empty()) text += text_table(rows, 2);
   for (const std::string& a : d.advice) text += "  " + a + "\n";
   return text;
@@ -230,6 +203,41 @@ const TriedHypothesis* best_hypothesis(const Diagnosis& d) {
   return d.best ? &d.tried.at(*d.best) : nullptr;
 }
 
+std::vector<std::pair<std::string, double>> most_left_in(const Ledger& ledger) {
+  constexpr double worth_a_word = 0.01, nothing = 0.01;
+  constexpr std::size_t most = 4;
+  std::vector<std::pair<std::string, double>> readings;
+  for (const LedgerRow& row : ledger.rows)
+    if (row.left == "unexplained" && row.share < nothing) return readings;
+  for (const auto& own : ledger.left_in)
+    if (own.second >= worth_a_word && readings.size() < most) readings.push_back(own);
+  return readings;
+}
+
+// What is left where nothing is known of it is told in a row; small parts together.
+std::string ledger_text(const Ledger& ledger) {
+  constexpr double worth_a_row = 0.005;
+  std::vector<std::vector<std::string>> rows;
+  for (const LedgerRow& row : ledger.rows) {
+    if (row.effects.empty() && row.left != "unexplained" && std::abs(row.share) < worth_a_row)
+      continue;
+    std::string included;
+    if (row.effects.size() == 1)
+      included = fmt::format("probability {:.0f} %", 100 * row.effects.front().anywhere);
+    rows.push_back({row_words(row), fmt::format("{:.0f} %", 100 * row.share),
+                    fmt::format("[{:.0f}, {:.0f}]", 100 * row.interval[0], 100 * row.interval[1]),
+                    included});
+  }
+  std::string text = fmt::format(
+      "\nLedger: the gap, G = {} over {} readings (1 = what measuring and scatter leave)\n",
+      significant(ledger.gap, 3), ledger.readings);
+  text += text_table(rows, 1);
+  std::string readings;
+  for (const auto& [reading, share] : most_left_in(ledger))
+    readings += fmt::format("{}{} {:.0f} %", readings.empty() ? "" : ", ", reading, 100 * share);
+  return readings.empty() ? text : text + "  what is left sits in " + readings + "\n";
+}
+
 std::vector<LocatedGap> located_blocks(const Diagnosis& d) {
   return farthest_first(d, false);
 }
@@ -239,7 +247,7 @@ std::vector<LocatedGap> located_components(const Diagnosis& d) {
 }
 
 std::string diagnosis_text(const Diagnosis& d) {
-  std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + ledger_text(d) +
+  std::string text = fmt::format("{}: {}\n", d.case_name, d.headline) + ledger_text(d.ledger) +
                      baseline_text(d) + where_text(d) + effects_text(d) + gap_text(d) +
                      compensators_text(d) + next_text(d);
   text += fmt::format("\n{} hypotheses, {} evaluations\n", d.hypotheses, d.evaluations);

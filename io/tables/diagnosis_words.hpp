@@ -19,6 +19,11 @@ std::string plain_words(const NamedEffect& effect);
 // left: "not explained", "what measuring leaves open".
 std::string row_words(const LedgerRow& row);
 
+// Readings in which what no effect explains sits, where it is worth a word.
+std::vector<std::pair<std::string, double>> most_left_in(const Ledger& ledger);
+// For the terminal.
+std::string ledger_text(const Ledger& ledger);
+
 // As shown_unit(), and small lengths and masses in mm, µm, g, angles in degrees.
 ShownUnit handy_unit(double value, const std::string& unit);
 

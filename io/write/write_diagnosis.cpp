@@ -55,7 +55,9 @@ Json json_of(const LedgerRow& row) {
           {"interval", interval(row.interval)}};
 }
 
-Json json_of(const Ledger& ledger) {
+} // namespace
+
+Json ledger_json(const Ledger& ledger) {
   return {{"gap", json_number(ledger.gap)},
           {"readings", ledger.readings},
           {"explained", json_number(ledger.explained)},
@@ -65,6 +67,8 @@ Json json_of(const Ledger& ledger) {
              return Json{{"reading", reading.first}, {"share", json_number(reading.second)}};
            })}};
 }
+
+namespace {
 
 Json json_of(const LocatedGap& b) {
   Json json = Json::object();
@@ -150,6 +154,8 @@ Json json_of(const Compensator& c) {
 Json json_of(const ProposedMeasurement& m) {
   return {{"what", m.what},
           {"cost", json_number(m.cost)},
+          {"change", json_number(m.change)},
+          {"about", m.about},
           {"separation", json_number(m.separation)},
           {"separates", m.separates},
           {"resolves", m.resolves}};
@@ -253,7 +259,7 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
             {"verdict", verdict_name(d.verdict)},
             {"headline", d.headline}};
   json["effects"] = list_of(d.effects, [](const NamedEffect& e) { return named_json(e); });
-  json["ledger"] = json_of(d.ledger);
+  json["ledger"] = ledger_json(d.ledger);
   json["where"] = list_of(d.where, item);
   json["level_trends"] = list_of(d.trends, [](const LevelTrend& t) {
     return Json{{"quantity", t.quantity},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnose/results/diagnosis.hpp"
+#include "io/files/json_text.hpp"
 #include "io/files/output_folder.hpp"
 
 namespace plica {
@@ -11,6 +12,7 @@ std::vector<std::string> diagnosis_files();
 void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
                      OutputFolder& out);
 
+Json ledger_json(const Ledger& ledger);
 std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version);
 
 } // namespace plica

@@ -18,7 +18,6 @@ Diagnosis as_diagnosis(const Pretest& p) {
   d.likeness = p.likeness;
   d.mimics = p.mimics;
   d.detectable = p.detectable;
-  d.next = p.additions;
   return d;
 }
 
@@ -44,9 +43,24 @@ std::string pretest_json(const Pretest& p, const std::string& plica_version) {
                                   {"smallest", s.value ? Json(*s.value) : Json(nullptr)},
                                   {"noncentrality", s.noncentrality}});
   json["additions"] = Json::array();
-  for (const ProposedMeasurement& m : p.additions)
-    json["additions"].push_back({{"what", m.what}, {"cost", m.cost}, {"gain", m.separation}});
+  for (const PlannedAddition& m : p.additions)
+    json["additions"].push_back({{"what", m.what}, {"cost", m.cost}, {"gain", m.gain}});
   return json_text(json);
+}
+
+std::string additions_html(const Pretest& p) {
+  std::vector<HtmlRow> rows;
+  double most = 0;
+  for (const PlannedAddition& a : p.additions) most = std::max(most, a.gain);
+  for (const PlannedAddition& a : p.additions)
+    rows.push_back({{html_escape(a.what), html_number(a.gain, 3),
+                     bar_svg({.from = 0, .to = a.gain, .high = most}), html_number(a.cost, 2)},
+                    ""});
+  if (rows.empty()) return "<p>Nothing on the menu tells more apart.</p>\n";
+  return html_table(
+      "Gain: of how far apart the effects lie, beyond what stands above.",
+      {{"measurement", "", false}, {"gain", ""}, {"", "", false}, {"cost", "hours at the rig"}},
+      rows);
 }
 
 std::string html(const Pretest& p, const std::string& title) {
@@ -54,7 +68,7 @@ std::string html(const Pretest& p, const std::string& title) {
   std::string sections = html_section("plan", "The planned test", html_list(p.plan));
   sections += html_section("likeness", "What this test could tell apart",
                            likeness_html(d) + detectable_html(d));
-  sections += html_section("next", "What to add, in this order", next_html(d));
+  sections += html_section("next", "What to add, in this order", additions_html(p));
   return report_page(title + ": planned test", html_escape(p.case_name), {}, sections);
 }
 
@@ -79,8 +93,8 @@ std::string pretest_text(const Pretest& p) {
                             : "not found within its prior");
   }
   text += "\nWhat to add, in this order:\n";
-  for (const ProposedMeasurement& m : p.additions)
-    text += fmt::format("  {:60} cost {:.1f}  gain {:.2f}\n", m.what, m.cost, m.separation);
+  for (const PlannedAddition& m : p.additions)
+    text += fmt::format("  {:60} cost {:.1f}  gain {:.2f}\n", m.what, m.cost, m.gain);
   if (p.additions.empty()) text += "  nothing on the menu tells more apart\n";
   return text;
 }

@@ -36,4 +36,15 @@ template <class V> void fields(V& v, DiagnosisRequest& d) {
              "of what an effect changes beside a baseline, in terms of the change");
 }
 
+template <class V> void fields(V& v, SupposedEffect& e) {
+  v.text(e.effect, "effect", {.required = true}, "effect of the library");
+  v.text(e.place, "place", {.required = true}, "where it sits, as a diagnosis names it");
+  v.text(e.way, "way", {}, "how it acts there, where there are several ways: x, all round");
+  v.replacements(e.value, "value", required_key, "parameter: its number");
+}
+
+template <class V> void fields(V& v, Supposition& s) {
+  v.list(s.effects, "effects", Need{.required = true}, "effects that act all at once");
+}
+
 } // namespace plica

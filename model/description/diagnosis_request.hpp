@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,15 @@ struct DiagnosisRequest {
   std::optional<double> remounting; // scatter of a frequency when the specimen is mounted anew;
                                     // none: 0.4 %, or what several baselines show
   double change_error = 0.1;        // of what an effect changes, in terms of the change
+};
+
+// Effects that somebody supposes, at stated numbers, all at once; at most six.
+struct SupposedEffect {
+  std::string effect, place, way;           // as a diagnosis names them; way: empty = there is one
+  std::map<std::string, std::string> value; // of each parameter: "20 g"; a plain number is SI
+};
+struct Supposition {
+  std::vector<SupposedEffect> effects;
 };
 
 } // namespace plica

@@ -79,9 +79,12 @@ test('a mode plays, pauses and shows its displacement', async () => {
   await page.getByLabel('mode', { exact: true }).selectOption('0');
   await framesLater(2);
   const first = await shown();
-  await framesLater(3);
-  const second = await shown();
   assert.notEqual(first.sum, rest.sum);
+  let second = first; // a busy machine may show the same phase twice
+  for (let frame = 0; frame < 40 && second.sum === first.sum; ++frame) {
+    await framesLater(1);
+    second = await shown();
+  }
   assert.notEqual(first.sum, second.sum, 'the mode does not move');
   await page.getByRole('button', { name: 'pause' }).click();
   const paused = await shown();

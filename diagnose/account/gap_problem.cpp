@@ -1,0 +1,106 @@
+#include "diagnose/account/gap_problem.hpp"
+
+#include "diagnose/effects/chosen_effects.hpp"
+#include "diagnose/effects/growth.hpp"
+#include "diagnose/weigh/baseline.hpp"
+#include "diagnose/weigh/scatter.hpp"
+#include "lab/measured/states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Readings that the model answers; what it does not is said.
+TestReadings answered(const Nominal& nominal, TestReadings test) {
+  const auto y = Predictor(nominal, test, {})(VectorXd());
+  if (!y) throw std::runtime_error("the nominal structure has no stable answer");
+  std::vector<Reading> kept;
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    if (std::isfinite((*y)[Index(i)]))
+      kept.push_back(test.readings[i]);
+    else
+      test.warnings.push_back("the model gives no " + test.readings[i].name + " (" +
+                              test.readings[i].entry + ")");
+  }
+  test.readings = std::move(kept);
+  if (test.readings.empty())
+    throw std::invalid_argument("the model gives none of the measured quantities");
+  return test;
+}
+
+// Runs above the lowest level of their direction go.
+void lowest_levels_only(TestReadings& test) {
+  std::map<int, double> lowest;
+  for (const TestRun& run : test.runs) {
+    const auto [at, made] = lowest.try_emplace(run.base, run.level);
+    if (!made) at->second = std::min(at->second, run.level);
+  }
+  std::erase_if(test.readings, [&](const Reading& r) {
+    if (r.run < 0) return false;
+    const TestRun& run = test.runs[std::size_t(r.run)];
+    return run.level > lowest.at(run.base);
+  });
+}
+
+TestReadings chosen_readings(const DiagnosisData& test, const std::set<std::string>& without) {
+  TestReadings readings = readings_of(test);
+  if (std::all_of(readings.readings.begin(), readings.readings.end(),
+                  [&](const Reading& r) { return is_baseline(test.data, r.state); }))
+    throw std::invalid_argument("nothing was measured but in baselines");
+  if (without.contains("levels")) lowest_levels_only(readings);
+  if (without.contains("heldout"))
+    for (Reading& r : readings.readings) r.held_out = false;
+  return readings;
+}
+
+// What the scatter of readings rests on comes first; readings of baselines go with it.
+void state_errors(GapProblem& p, const std::set<std::string>& without) {
+  const Measured& measured = p.test.data;
+  p.remounting = remounting_of(p.readings, measured, p.data.diagnose);
+  p.uncertainty = uncertainty_of(p.data, p.nominal, p.readings, measured, without, p.remounting);
+  p.baseline = given_baselines(measured, p.data.diagnose, p.readings, p.uncertainty);
+  if (p.readings.readings.empty())
+    throw std::invalid_argument("the model gives none of what was measured after the baseline");
+  p.fitted.emplace(p.readings, p.uncertainty, false);
+  p.held_out.emplace(p.readings, p.uncertainty, true);
+  if (p.fitted->rows().empty()) throw std::invalid_argument("all that was measured is held out");
+}
+
+void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
+  ChosenEffects chosen = chosen_effects(p.nominal.structure(p.test.data));
+  for (const std::string& name : chosen.without_place)
+    p.not_tried.push_back({name, effect_named(name).needs});
+  const std::vector<std::string> states = changed_states(p.test.data);
+  for (Hypothesis& h : chosen.hypotheses) p.hypotheses.push_back(grown(std::move(h), states));
+  p.words = words;
+  p.words.insert(p.words.end(), chosen.words.begin(), chosen.words.end());
+}
+
+} // namespace
+
+std::unique_ptr<GapProblem> stated_gap(const Case& data, const DiagnosisData& test,
+                                       const DiagnosisSettings& settings) {
+  std::unique_ptr<GapProblem> stated(new GapProblem{.data = data, .test = test});
+  GapProblem& p = *stated;
+  settings.stage("nominal case", 0);
+  p.nominal = nominal_of(data, test.data);
+  p.readings = chosen_readings(test, settings.without);
+  pair_like_baselines(p.nominal, test.data, p.readings);
+  p.readings = answered(p.nominal, std::move(p.readings));
+  settings.stage("admissible specimens", 0.08);
+  state_errors(p, settings.without);
+  p.log_measured.resize(Index(p.readings.readings.size()));
+  for (Index i = 0; i < p.log_measured.size(); ++i)
+    p.log_measured[i] = p.readings.readings[std::size_t(i)].log_value;
+  p.predictors.emplace(p.nominal, p.readings);
+  list_hypotheses(p, settings.words);
+  return stated;
+}
+
+} // namespace plica

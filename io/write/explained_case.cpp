@@ -1,0 +1,47 @@
+#include "io/write/explained_case.hpp"
+
+#include "io/tables/diagnosis_words.hpp"
+
+#include <fmt/format.h>
+
+namespace plica {
+namespace {
+
+// As a diagnosis shows them: "joint_stiffness at interlock, ratio 0.7".
+std::string words_of(const NamedEffect& e) {
+  std::string text = effect_label(e);
+  for (const EstimatedParameter& p : e.parameters)
+    text += fmt::format(", {} {:.4g}{}", p.name, p.value, p.unit.empty() ? "" : " " + p.unit);
+  return text;
+}
+
+} // namespace
+
+ExplainedCase explained_case(const CaseFile& file, const CaseEdits& fitted, const Diagnosis& d,
+                             const std::filesystem::path& measured,
+                             const std::filesystem::path& folder) {
+  ExplainedCase explained{.data = file.data, .text = {}, .in = {}, .left_out = {}};
+  std::map<std::string, std::string> changes;
+  const auto take = [&](const CaseEdits& edits) {
+    for (const CaseEdit& edit : edits) changes[edit.path] = edit.value;
+    explained.data = read_case(file.path, file.data.model, changes).data;
+  };
+  if (!fitted.empty()) take(fitted);
+  const std::size_t named = d.verdict == Verdict::ambiguous ? 1 : d.effects.size();
+  for (std::size_t i = 0; i < named; ++i) { // each into what those before it left
+    const NamedEffect& e = d.effects[i];
+    const CaseEdits edits = e.in_case ? e.in_case(explained.data) : CaseEdits();
+    (edits.empty() ? explained.left_out : explained.in).push_back(words_of(e));
+    if (!edits.empty()) take(edits);
+  }
+  std::string head = fmt::format("# {}, with the effects in it that its test shows. SI units.\n#\n"
+                                 "# {}\n",
+                                 d.case_name, d.headline);
+  for (const std::string& words : explained.in) head += "# in it: " + words + "\n";
+  for (const std::string& words : explained.left_out)
+    head += "# not in it, as no key of a case says it: " + words + "\n";
+  explained.text = head + "\n" + yaml_of(file, changes, measured, folder);
+  return explained;
+}
+
+} // namespace plica

@@ -1,0 +1,229 @@
+// Effects that are taken over into a case, and effects that somebody supposes.
+#include "changed_beam.hpp"
+#include "diagnose/effects/chosen_effects.hpp"
+#include "diagnose/suppose.hpp"
+#include "io/input/case_file.hpp"
+#include "io/input/measured_file.hpp"
+#include "io/lab_files/measured_data.hpp"
+#include "io/write/explained_case.hpp"
+#include "model/description/case_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace plica {
+namespace {
+
+using Eigen::VectorXd;
+namespace fs = std::filesystem;
+const fs::path cases = fs::path(PLICA_SOURCE_DIR) / "cases";
+
+// What a case's own test asks of its model: frequencies, stiffness, mass; responses left out.
+struct Asked {
+  Measured measured;
+  TestReadings readings;
+};
+Asked asked_of(const CaseFile& file) {
+  Asked asked{
+      .measured =
+          read_measured_file((fs::path(file.path).parent_path() / "measured.yaml").string()).data,
+      .readings = {}};
+  asked.measured.frf.clear();
+  asked.measured.hold_out.clear();
+  resolve_states(asked.measured, file.data, "measured.yaml");
+  asked.readings = readings_of(DiagnosisData{.data = asked.measured, .responses = {}});
+  return asked;
+}
+
+// Of a size to be expected, in standard deviations of the priors; along a part, at its end, where a
+// node is.
+VectorXd usual_values(const Hypothesis& h, double size) {
+  VectorXd values(Eigen::Index(h.parameters.size()));
+  for (std::size_t i = 0; i < h.parameters.size(); ++i)
+    values[Eigen::Index(i)] =
+        h.along == i ? h.parameters[i].prior.width : value_of(h.parameters[i].prior, size);
+  return values;
+}
+
+// Every effect that a case can say is, said so, what the diagnosis takes it for: each way of each
+// effect at one place. `within`: of a log reading.
+std::set<std::string> expect_alike(const std::string& path,
+                                   const std::map<std::string, std::string>& coarser, double size,
+                                   double within) {
+  const CaseFile file = read_case(path, "", coarser);
+  const Asked asked = asked_of(file);
+  const Nominal nominal = nominal_of(file.data, asked.measured);
+  const ChosenEffects chosen = chosen_effects(nominal.structure(asked.measured));
+  std::set<std::string> tried, effects;
+  for (const Hypothesis& h : chosen.hypotheses) {
+    if (!h.in_case || !tried.insert(h.effect + " " + h.way).second) continue;
+    const VectorXd values = usual_values(h, size);
+    const auto model = Predictor(nominal, asked.readings, {&h})(values);
+    std::map<std::string, std::string> changes = coarser;
+    for (const CaseEdit& edit : h.in_case(file.data, values)) changes[edit.path] = edit.value;
+    EXPECT_GT(changes.size(), coarser.size()) << h.effect << " at " << h.place;
+    const Case explained = read_case(path, "", changes).data;
+    const auto said =
+        Predictor(nominal_of(explained, asked.measured), asked.readings, {})(VectorXd());
+    EXPECT_TRUE(model && said) << h.effect << " at " << h.place;
+    if (!model || !said) continue;
+    effects.insert(h.effect);
+    for (std::size_t i = 0; i < asked.readings.readings.size(); ++i) {
+      const Reading& r = asked.readings.readings[i];
+      const bool on_rig = r.kind == ReadingKind::mass || r.kind == ReadingKind::stiffness;
+      if ((on_rig && !h.at_rig) || !std::isfinite((*model)[Eigen::Index(i)])) continue;
+      EXPECT_NEAR((*model)[Eigen::Index(i)], (*said)[Eigen::Index(i)], within)
+          << h.effect << " at " << h.place << " " << h.way << ": " << r.name;
+    }
+  }
+  return effects;
+}
+
+// What a change of the model leaves out is what its reduction leaves out: 1e-4 of a frequency.
+TEST(TakeOver, a_case_of_beams_says_an_effect_as_the_diagnosis_takes_it) {
+  const std::set<std::string> lap =
+      expect_alike((cases / "bolted_lap/bolted_lap.yaml").string(), {}, 0.4, 2e-4);
+  for (const char* effect :
+       {"joint_stiffness", "component_mass", "added_mass", "damping", "boundary_compliance",
+        "fixture_flexibility", "temperature", "component_stiffness", "unweighed_mass"})
+    EXPECT_TRUE(lap.contains(effect)) << effect;
+  expect_alike((cases / "cantilever_masses/cantilever_masses.yaml").string(), {}, 0.4, 2e-4);
+}
+
+TEST(TakeOver, a_case_of_a_bellows_does) {
+  const std::set<std::string> effects =
+      expect_alike((cases / "tutorial/tutorial.yaml").string(),
+                   {{"parts.bellows.mesh.accuracy", "10 %"}}, -1.5, 2e-3);
+  for (const char* effect : {"ply_slip", "forming_thinning", "unweighed_mass", "component_mass"})
+    EXPECT_TRUE(effects.contains(effect)) << effect;
+}
+
+TEST(TakeOver, writes_a_case_that_reads_as_what_it_was_made_of) {
+  const fs::path folder = fs::path(testing::TempDir()) / "take_over";
+  fs::create_directories(folder);
+  const CaseFile file = read_case((cases / "bellow_a2/bellow_a2.yaml").string(), "pipe");
+  const std::string text = yaml_of(file, {{"materials.steel.E", "1.9e11"}}, {}, folder);
+  std::ofstream(folder / "explained.yaml") << text;
+  const CaseFile again = read_case((folder / "explained.yaml").string());
+  EXPECT_EQ(again.data.materials.at("steel").E, 1.9e11);
+  ASSERT_EQ(again.data.parts.size(), file.data.parts.size());
+  for (std::size_t i = 0; i < file.data.parts.size(); ++i)
+    EXPECT_EQ(again.data.parts[i].name, file.data.parts[i].name);
+  EXPECT_EQ(again.data.assumptions, file.data.assumptions);
+  EXPECT_EQ(again.data.title, file.data.title);
+  EXPECT_TRUE(again.data.models.empty());
+  EXPECT_TRUE(fs::exists(folder / again.data.measured)) << again.data.measured;
+  EXPECT_EQ(text.find(" \n"), std::string::npos);
+}
+
+// A beam with one effect, taken over, is a beam without: nothing of the gap is left.
+TEST(TakeOver, closes_the_gap_of_the_effect_that_is_named) {
+  const fs::path folder = fs::path(testing::TempDir()) / "take_over_beam";
+  fs::create_directories(folder);
+  const std::string path = (cases / "cantilever_masses/cantilever_masses.yaml").string();
+  const CaseFile file = read_case(path);
+  Asked asked = asked_of(file);
+  const Case truth = read_case(path, "", {{"parts.m3.mass", "0.3"}}).data; // 0.15 drawn
+  const VectorXd y = changed_beam::read_by(truth, asked.measured);
+  for (std::size_t i = 0; i < asked.readings.readings.size(); ++i) {
+    const Reading& r = asked.readings.readings[i];
+    if (r.kind == ReadingKind::mass && asked.measured.mass)
+      asked.measured.mass->value = std::exp(y[Eigen::Index(i)]);
+    if (r.kind == ReadingKind::frequency)
+      asked.measured.modes[std::stoul(r.entry.substr(6))].frequency = std::exp(y[Eigen::Index(i)]);
+  }
+  DiagnosisSettings settings;
+  settings.plan_next = false;
+  const DiagnosisData test{.data = asked.measured, .responses = {}};
+  const Diagnosis d = diagnose(file.data, test, settings);
+  ASSERT_EQ(d.verdict, Verdict::identified) << d.headline;
+  const ExplainedCase explained = explained_case(file, {}, d, {}, folder);
+  ASSERT_EQ(explained.in.size(), 1u) << d.headline;
+  EXPECT_TRUE(explained.left_out.empty());
+  EXPECT_NEAR(std::get<PointMass>(part_named(explained.data, "m3")->body).mass, 0.3, 0.01);
+  EXPECT_NE(explained.text.find("# in it: component_mass at m3"), std::string::npos);
+  const double before = suppose(file.data, test, {}, settings).gap;
+  const double after = suppose(explained.data, test, {}, settings).gap;
+  EXPECT_GT(before, 5);
+  EXPECT_LT(after, 0.1 * before);
+}
+
+class SupposedBeam : public testing::Test {
+protected:
+  SupposedBeam() {
+    measured_.specimen = "beam";
+    heavy_ = drawn_;
+    *number_at(heavy_, "parts.m.mass") = 0.08;
+    changed_beam::add_modes(measured_, "");
+    const TestReadings readings = readings_of({.data = measured_, .responses = {}});
+    const VectorXd y = changed_beam::read_by(heavy_, measured_);
+    for (std::size_t i = 0; i < readings.readings.size(); ++i)
+      if (readings.readings[i].kind == ReadingKind::frequency)
+        measured_.modes[std::stoul(readings.readings[i].entry.substr(6))].frequency =
+            std::exp(y[Eigen::Index(i)]);
+  }
+
+  static Case drawn() {
+    Case c = changed_beam::beam_of(3, 0.6, 0.03, 0.005, true);
+    PointMass mass;
+    mass.at = "beam.point[3]";
+    mass.mass = 0.05;
+    c.parts.push_back({"m", mass});
+    return c;
+  }
+
+  Ledger supposed(const std::vector<SupposedEffect>& effects) const {
+    return suppose(drawn_, {.data = measured_, .responses = {}}, {effects}, {});
+  }
+
+  std::string refused(const SupposedEffect& effect) const {
+    try {
+      supposed({effect});
+    } catch (const InputError& error) {
+      return error.problems().front().key + ": " + error.problems().front().wrong;
+    }
+    return "";
+  }
+
+  Case drawn_ = drawn(), heavy_;
+  Measured measured_;
+};
+
+// 0.05 kg drawn, 0.08 there: all of the gap; half of the excess: three quarters of it, as the gap
+// is the square of what is left, nearly.
+TEST_F(SupposedBeam, explains_what_it_is_worth) {
+  const Ledger all = supposed({{"component_mass", "m", "", {{"ratio", "1.6"}}}});
+  EXPECT_NEAR(all.rows.front().share, 1, 1e-3);
+  const Ledger half = supposed({{"component_mass", "m", "", {{"ratio", "1.3"}}}});
+  EXPECT_NEAR(half.rows.front().share, 0.75, 0.06);
+  const Ledger wrong = supposed({{"component_mass", "m", "", {{"ratio", "0.8"}}}});
+  EXPECT_LT(wrong.rows.front().share, 0) << "the other way";
+  const Ledger none = supposed({});
+  EXPECT_EQ(none.rows.size(), 4u);
+  EXPECT_EQ(none.gap, all.gap);
+  // Two that say the same: each takes half of what they share.
+  const Ledger two = supposed({{"component_mass", "m", "", {{"ratio", "1.3"}}},
+                               {"added_mass", "beam", "", {{"mass", "15 g"}, {"at", "400 mm"}}}});
+  EXPECT_NEAR(two.rows[0].share, 0.5, 0.02);
+  EXPECT_NEAR(two.rows[1].share, 0.5, 0.02);
+}
+
+TEST_F(SupposedBeam, names_what_the_library_does_not_have) {
+  EXPECT_EQ(refused({"component_mas", "m", "", {}}),
+            "effects[0].effect: 'component_mas' is not tried in this case");
+  EXPECT_EQ(refused({"component_mass", "n", "", {{"ratio", "1"}}}),
+            "effects[0].place: component_mass has no place 'n'");
+  EXPECT_EQ(refused({"component_mass", "m", "x", {{"ratio", "1"}}}),
+            "effects[0].way: 'x' is none of its ways at m");
+  EXPECT_EQ(refused({"component_mass", "m", "", {{"ratios", "1"}, {"ratio", "1"}}}),
+            "effects[0].value.ratios: component_mass has no such parameter");
+  EXPECT_EQ(refused({"component_mass", "m", "", {}}), "effects[0].value.ratio: is missing");
+  EXPECT_EQ(refused({"added_mass", "beam", "", {{"mass", "15 N"}, {"at", "0.4"}}}),
+            "effects[0].value.mass: '15 N' is a force");
+}
+
+} // namespace
+} // namespace plica
