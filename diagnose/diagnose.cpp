@@ -39,8 +39,6 @@ public:
     Standards standards = standards_of(context, *problem_.held_out, scores);
     standards.gate = !settings_.without.contains("adequacy");
     standards.evidence = evidence_threshold(context, all);
-    constexpr double apart_beside_errors = 5; // nats: a model that errs makes some of its own
-    if (problem_.uncertainty.change_error > 0) standards.apart = apart_beside_errors;
 
     settings_.stage("fits", 0.53);
     settings_.search();

@@ -102,21 +102,21 @@ TEST(Judge, says_none_while_no_effect_is_worth_the_threshold) {
   EXPECT_NEAR(probability(j, "added_mass"), std::exp(2.9) / (1 + std::exp(2.9)), 1e-12);
 }
 
-TEST(Judge, identifies_an_effect_that_is_three_nats_ahead) {
+TEST(Judge, identifies_an_effect_that_is_five_nats_ahead) {
   Fits fits;
   fits.add("added_mass", 10);
-  fits.add("ply_slip", 6.9);
+  fits.add("ply_slip", 4.9);
   const Judgement j = fits.judgement(false);
   EXPECT_EQ(j.verdict, Verdict::identified);
   ASSERT_EQ(j.named.size(), 1u);
   EXPECT_EQ(j.named[0]->fit.together[0]->effect, "added_mass");
 }
 
-TEST(Judge, names_all_that_lie_within_three_nats) {
+TEST(Judge, names_all_that_lie_within_five_nats) {
   Fits fits;
   fits.add("added_mass", 10);
-  fits.add("ply_slip", 7.1);
-  fits.add("temperature", 6.9);
+  fits.add("ply_slip", 5.1);
+  fits.add("temperature", 4.9);
   const Judgement j = fits.judgement(false);
   EXPECT_EQ(j.verdict, Verdict::ambiguous);
   EXPECT_EQ(j.named.size(), 2u);
@@ -190,6 +190,30 @@ TEST(Judge, takes_a_larger_set_only_when_each_of_it_is_needed) {
   set.fit.error = Eigen::VectorXd::Zero(6);
   set.free_parameters = 3;
   EXPECT_EQ(free.judgement(false).verdict, Verdict::unknown);
+  set.fit.error = Eigen::VectorXd::Zero(9);
+  EXPECT_EQ(free.judgement(false).verdict, Verdict::several);
+}
+
+TEST(Judge, takes_a_set_beside_what_explains_the_test_only_beyond_chance) {
+  Fits fits;
+  fits.add("added_mass", 10);
+  fits.add_set({"added_mass", "ply_slip"}, 16.9);
+  EXPECT_EQ(fits.judgement(false).verdict, Verdict::identified);
+  fits.sets.back().fit.log_evidence = 17.1;
+  EXPECT_EQ(fits.judgement(false).verdict, Verdict::several);
+}
+
+TEST(Judge, says_of_a_search_that_was_stopped_what_came_nearest) {
+  Fits fits;
+  JudgedFit nominal = fits.nominal(false);
+  Fits::leave(nominal, 5);
+  fits.add_gap("added_mass", 2);
+  const Judgement j = nearest_so_far(Inclusion(nominal, fits.singles, fits.sets));
+  EXPECT_EQ(j.verdict, Verdict::unknown);
+  EXPECT_TRUE(j.stopped);
+  EXPECT_TRUE(j.named.empty());
+  ASSERT_NE(j.nearest, nullptr);
+  EXPECT_EQ(j.nearest->fit.together[0]->effect, "added_mass");
 }
 
 TEST(Judge, says_mostly_where_an_effect_far_ahead_closes_half_of_the_gap) {

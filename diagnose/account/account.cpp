@@ -2,13 +2,12 @@
 
 #include "diagnose/account/assumptions.hpp"
 #include "diagnose/account/ledger.hpp"
+#include "diagnose/account/named_effects.hpp"
 #include "diagnose/account/next_measurement.hpp"
 #include "diagnose/account/overlays.hpp"
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
-#include "diagnose/effects/growth.hpp"
 #include "diagnose/judge/headline.hpp"
-#include "diagnose/weigh/interval.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ using Eigen::VectorXd;
 class Account {
 public:
   Account(GapProblem& problem, const Findings& found, const DiagnosisSettings& settings)
-      : problem_(problem), found_(found), settings_(settings) {}
+      : problem_(problem), found_(found), settings_(settings), names_(problem, found) {}
 
   Diagnosis diagnosis() {
     const FitContext& context = found_.context;
@@ -40,7 +39,7 @@ public:
     settings_.stage("ledger", 0.90);
     const std::vector<HypothesisFit> told = fits_told();
     for (std::size_t i = 0; i < judgement.named.size(); ++i)
-      for (NamedEffect& e : members_of(told[i]))
+      for (NamedEffect& e : names_.members_of(told[i]))
         if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& o) {
               return o.name == e.name && o.place == e.place;
             }))
@@ -85,10 +84,17 @@ public:
     result_.baseline = problem_.baseline;
     result_.hypotheses = int(problem_.hypotheses.size());
     result_.headline = headline(nominal, judgement);
+    keep_picture();
     return std::move(result_);
   }
 
 private:
+  void keep_picture() {
+    const Model& model = problem_.nominal.structure(problem_.test.data).built.model;
+    result_.mesh = model.mesh;
+    for (const BeamElement& b : model.beams) result_.lines.push_back({b.node1, b.node2});
+  }
+
   // What the user is told of: the effects named, else what comes nearest. Where several act at
   // once, or errors are larger than stated, with draws of all their parameters together.
   std::vector<HypothesisFit> fits_told() const {
@@ -104,22 +110,6 @@ private:
     return told;
   }
 
-  std::vector<NamedEffect> members_of(const HypothesisFit& fit) const {
-    const Judgement& judgement = found_.judgement;
-    std::vector<NamedEffect> members;
-    for (std::size_t h = 0; h < fit.together.size(); ++h) {
-      const Hypothesis& own = *fit.together[h];
-      const double effect = judgement.probability_of(own.effect);
-      const bool place_is_weighed = judgement.verdict != Verdict::several;
-      members.push_back(named(
-          fit, h, place_is_weighed ? effect * judgement.share_of(own.effect, own.place) : effect,
-          found_.fits));
-      members.back().anywhere = effect;
-      add_other_places(members.back());
-    }
-    return members;
-  }
-
   // An ambiguous list is one row: each of it would explain that much.
   void keep_ledger(const std::vector<HypothesisFit>& told) {
     const Judgement& judgement = found_.judgement;
@@ -131,51 +121,10 @@ private:
             {&fit, list ? std::max(1e-3, judgement.probability_of(fit.together[0]->effect)) : 1});
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
     for (const LedgerSet& set : sets) {
-      std::vector<NamedEffect> members = members_of(*set.fit);
+      std::vector<NamedEffect> members = names_.members_of(*set.fit);
       for (std::size_t i = 0; i < members.size(); ++i)
         result_.ledger.rows[i].effects.push_back(std::move(members[i]));
     }
-  }
-
-  // `fits`: of single hypotheses, where other ways of the same effect are looked for.
-  NamedEffect named(const HypothesisFit& fit, std::size_t half, double probability,
-                    const std::vector<JudgedFit>& fits) const {
-    const Hypothesis& h = *fit.together[half];
-    NamedEffect e{.name = h.effect,
-                  .place = h.place,
-                  .way = h.way,
-                  .probability = probability,
-                  .parameters = {}};
-    std::vector<const HypothesisFit*> ways{&fit};
-    if (fit.together.size() == 1)
-      for (const JudgedFit& j : fits)
-        if (const Hypothesis& other = *j.fit.together[0];
-            other.effect == h.effect && other.place == h.place && other.way != h.way)
-          ways.push_back(&j.fit);
-    Index first = 0;
-    for (std::size_t i = 0; i < half; ++i) first += Index(fit.together[i]->parameters.size());
-    for (std::size_t i = 0; i < h.parameters.size(); ++i) {
-      const Index row = first + Index(i);
-      const Interval between = interval_of(ways, row, h.parameters[i].prior);
-      const bool within = fit.values[row] >= between.ends[0] && fit.values[row] <= between.ends[1];
-      e.parameters.push_back({.name = h.parameters[i].name,
-                              .unit = h.parameters[i].unit,
-                              .value = within ? fit.values[row] : between.middle,
-                              .interval = between.ends,
-                              .z = fit.z[row]});
-    }
-    if (h.in_case) e.in_case = in_case(h, e.parameters);
-    return e;
-  }
-
-  // Of an effect that grew from state to state the last of them.
-  std::function<CaseEdits(const Case&)>
-  in_case(const Hypothesis& h, const std::vector<EstimatedParameter>& parameters) const {
-    VectorXd values(Index(parameters.size()));
-    for (Index i = 0; i < values.size(); ++i) values[i] = parameters[std::size_t(i)].value;
-    const std::vector<std::string> states = changed_states(problem_.test.data);
-    if (h.values_in && !states.empty()) values = h.values_in(values, states.back());
-    return [edits = h.in_case, values](const Case& now) { return edits(now, values); };
   }
 
   TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {
@@ -197,7 +146,7 @@ private:
                       .fails_held_out = j.fails_held_out,
                       .rejected = ""};
     for (std::size_t h = 0; h < j.fit.together.size(); ++h)
-      t.effects.push_back(named(j.fit, h, 0, {}));
+      t.effects.push_back(names_.named(j.fit, h, 0, {}));
     for (Index i : j.fit.aside) t.aside.push_back(problem_.readings.readings[std::size_t(i)].name);
     if (!j.adequate)
       t.rejected = why_inadequate(j);
@@ -236,30 +185,6 @@ private:
     for (const JudgedFit* j : all) {
       if (j == best && j != &nominal) result_.best = result_.tried.size();
       result_.tried.push_back(tried(*j, nominal.fit));
-    }
-  }
-
-  // Places of the effect that the readings do not tell from the named one: alone, or where errors
-  // are larger than stated over all that was tried.
-  void add_other_places(NamedEffect& e) const {
-    const Judgement& judgement = found_.judgement;
-    if (judgement.verdict == Verdict::several) return; // the sets that are listed say it
-    if (judgement.verdict == Verdict::mostly || judgement.verdict == Verdict::unknown) {
-      constexpr double worth_a_word = 0.05;
-      for (const auto& [place, share] : judgement.places.at(e.name))
-        if (place != e.place && share > worth_a_word) e.other_places.push_back(place);
-      return;
-    }
-    double own = -1e300;
-    for (const JudgedFit& j : found_.fits)
-      if (j.fit.together[0]->effect == e.name && j.fit.together[0]->place == e.place)
-        own = std::max(own, j.fit.log_evidence);
-    constexpr double as_well = 3;
-    for (const JudgedFit& j : found_.fits) {
-      const Hypothesis& h = *j.fit.together[0];
-      if (h.effect == e.name && h.place != e.place && own - j.fit.log_evidence < as_well &&
-          std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
-        e.other_places.push_back(h.place);
     }
   }
 
@@ -368,6 +293,7 @@ private:
   GapProblem& problem_; // its predictors are made as they are asked for
   const Findings& found_;
   const DiagnosisSettings& settings_;
+  const NamedEffects names_;
   Diagnosis result_;
 };
 

@@ -59,9 +59,9 @@ bool foretold(const JudgedFit& set) {
   return set.held_out_met && set.held_out_shrink.value_or(0) >= set_shrink;
 }
 
-// Sets that explain the test, the best first, all within three nats of it.
+// Sets that explain the test, the best first, and all that are not told apart from it.
 std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Family>& families,
-                                            const std::vector<JudgedFit>& sets) {
+                                            const std::vector<JudgedFit>& sets, double apart) {
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& set : sets)
     if (set.fit.solved && set.credible() && !set.too_free() && foretold(set) &&
@@ -73,7 +73,7 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Famil
   if (standing.empty()) return standing;
   const double most = evidence_of(standing.front()->fit);
   std::erase_if(standing,
-                [&](const JudgedFit* set) { return most - evidence_of(set->fit) >= told_apart; });
+                [&](const JudgedFit* set) { return most - evidence_of(set->fit) >= apart; });
   return standing;
 }
 
@@ -134,10 +134,13 @@ void weigh_singles(const JudgedFit& nominal, const std::vector<Family>& families
 void name_singles(const std::vector<const Family*>& credible, double none,
                   const Standards& standards, const Objecting& objecting, Judgement& result) {
   const double best = credible.front()->log_evidence;
-  for (const Family* f : credible)
-    if (best - f->log_evidence < standards.apart &&
+  for (const Family* f : credible) {
+    const double behind = best - f->log_evidence;
+    const bool listed = result.named.size() < most_listed || behind < told_apart;
+    if (behind < standards.apart && listed &&
         f->log_evidence - none >= standards.evidence - standards.apart)
       result.named.push_back(f->best);
+  }
   if (result.named.size() == 1 && objecting) {
     Objection objection = objecting(*result.named.front());
     result.withheld = std::move(objection.why);
@@ -162,6 +165,17 @@ void take_over(const Inclusion& inclusion, Judgement& result) {
     auto& places = result.places[effect] = inclusion.places(effect);
     for (auto& [place, share] : places) share /= std::max(probability, 1e-300);
   }
+}
+
+// Where nothing explains the test, being ahead of all others that are known does not make an effect
+// the cause: of what it leaves, something that is not known is. What failed a test of its own has
+// even odds at most.
+void claim_no_more_than_is_closed(const JudgedFit& nominal, Judgement& result) {
+  const double left = result.nearest ? result.nearest->gap_after / nominal.gap_after : 1;
+  const double closed = std::clamp(1 - left * left, 0., 1.);
+  constexpr double even = 0.5;
+  for (auto& [effect, probability] : result.probabilities)
+    if (effect != "none") probability *= result.withheld.empty() ? closed : even * closed;
 }
 
 // Effects that are far ahead and explain most, or nothing.
@@ -216,7 +230,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
     result.verdict = Verdict::none;
     return result;
   }
-  result.named = standing_sets(none, families, sets);
+  result.named = standing_sets(none, families, sets, standards.apart);
   if (!result.named.empty()) {
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);
@@ -228,6 +242,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
   }
   take_over(inclusion, result);
   name_most(nominal, inclusion, referee.to_most, result);
+  if (result.verdict == Verdict::unknown) claim_no_more_than_is_closed(nominal, result);
   return result;
 }
 

@@ -5,29 +5,27 @@
 //               healthy specimens, no block beyond its 99.95 %; without what the hypothesis is
 //               allowed to be off (evidence.hpp), which carries laws of slip, a gap of 1.5
 //   none        the nominal case is adequate and no effect has ln BF above the threshold
-//   identified  best effect adequate, ln BF above the threshold over the nominal case and 3 (beside
-//               a baseline 5) over every other adequate effect, no parameter beyond |z| = 3,
-//               held-out readings met
-//   ambiguous   several adequate effects within that of the best; or what would be identified has
-//   as
-//               many free parameters as there are fitted readings, or foretells readings taken in
-//               turn no better than no effect does: then up to three effects within 8 of it. A
-//               parameter is free where its posterior is narrower than half its prior, or a move
-//               within the prior changes a reading by a tenth of its standard deviation
 //   several     a set is adequate, with 5 more than the best smaller one, or 7 where a smaller one
-//   is
-//               adequate (among so many effects some nats turn up by chance), each
-//   member
-//               worth 3, held-out readings met and better by three tenths, or where nothing is held
-//               out readings in turn (the interval of their shrink above zero), and three readings
-//               for each free parameter; with it all such sets within 3 of it
+//               is adequate (among so many effects some nats turn up by chance), each member worth
+//               3, held-out readings met and better by three tenths, or where nothing is held out
+//               readings in turn (the interval of their shrink above zero), and three readings for
+//               each free parameter; with it all such sets within 5 of it
+//   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
+//               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
+//   ambiguous   several adequate effects within that of the best, up to three of them, or all that
+//               are within 3; or what would be identified has as many free parameters as there are
+//               fitted readings, or foretells readings taken in turn no better than no effect does:
+//               then up to three effects within 8 of it. A parameter is free where its posterior is
+//               narrower than half its prior, or a move within the prior changes a reading by a
+//               tenth of its standard deviation
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings
-//               better by three tenths, these or readings in turn with an interval above zero
+//               better by three tenths, these or readings in turn with an interval above zero.
 //               What would be identified, or several, is mostly where an effect of it names a
 //               place and no cause (Hypothesis::names_place_only)
-//   unknown     everything else
+//   unknown     everything else; probabilities are then no more than the share that what comes
+//               nearest closes, half of it where that failed a test of its own
 #pragma once
 
 #include "diagnose/judge/inclusion.hpp"

@@ -19,9 +19,10 @@ struct Standards {
   double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
   double worst_block = 3.3;                              // standard score
   double evidence = 3;                                   // ln BF over the nominal case
-  double apart = 3;                                      // nats between effects told apart
-  std::vector<double> healthy_chi2;                      // sorted
-  bool gate = true; // false: adequacy is not asked for (an ablation)
+  double apart =
+      5; // nats between effects that are told apart: a model makes some by its own errors
+  std::vector<double> healthy_chi2; // sorted
+  bool gate = true;                 // false: adequacy is not asked for (an ablation)
 };
 Standards standards_of(const FitContext& context, const Whitening& held_out,
                        const BlockScores& scores);

@@ -128,6 +128,10 @@ private:
     for (const Hypothesis* own : set.together) {
       softens = softens || own->softening;
       if (own->effect == h.effect && own->place == h.place) return false;
+      if (std::any_of(own->released.begin(), own->released.end(), [&](int node) {
+            return std::find(h.released.begin(), h.released.end(), node) != h.released.end();
+          }))
+        return false; // an end is let go once
     }
     if (h.names_place_only && std::none_of(fits_.begin(), fits_.end(), [&](const JudgedFit& j) {
           return j.fit.together[0] == &h;
@@ -136,10 +140,12 @@ private:
     return !h.softening || (levels_matter_ && !softens);
   }
 
-  // Each set with the effects that its residual asks for; one place of each.
+  // Each set with the effects that its residual asks for; one place of each. The best set with
+  // every effect: far from the nominal case a matched filter is no more than a hint.
   std::vector<Asked> larger(const std::vector<JudgedFit>& sets) {
     std::vector<Asked> asked;
     for (const JudgedFit& j : sets) {
+      const bool is_best = &j == &sets.front();
       std::map<std::string, std::pair<double, const Signature*>> gains;
       for (const Signature& s : all_) {
         if (!may_join(j.fit, *s.hypothesis)) continue;
@@ -151,7 +157,8 @@ private:
       for (const auto& [effect, own] : gains) order.push_back(own);
       std::stable_sort(order.begin(), order.end(),
                        [](const auto& a, const auto& b) { return a.first > b.first; });
-      for (std::size_t k = 0; k < std::min(further_effects, order.size()); ++k) {
+      const std::size_t most = is_best ? order.size() : std::min(further_effects, order.size());
+      for (std::size_t k = 0; k < most; ++k) {
         const Hypothesis* h = order[k].second->hypothesis;
         Together together = j.fit.together;
         together.push_back(h);

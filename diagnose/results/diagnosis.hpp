@@ -2,6 +2,7 @@
 // much of it goes when the effect is modelled, and what to measure next.
 #pragma once
 
+#include "mesh/mesh.hpp"
 #include "model/description/case_edit.hpp"
 
 #include <Eigen/Core>
@@ -33,6 +34,7 @@ struct NamedEffect {
   std::vector<EstimatedParameter> parameters;
   std::vector<std::string> other_places = {}; // where it explains the test as well, within 3 nats
   double anywhere = 0;                        // probability of the effect, wherever it sits
+  std::vector<int> nodes = {}; // of Diagnosis::mesh, where it sits; none: everywhere, or outside
   // What a case says in its place (Hypothesis::in_case), at these values.
   std::function<CaseEdits(const Case& now)> in_case = {};
 };
@@ -202,6 +204,8 @@ struct Diagnosis {
   // Draws of the best and second hypothesis, values of their parameters.
   std::vector<std::pair<std::string, Eigen::MatrixXd>> posteriors;
   std::vector<std::string> assumptions, warnings;
+  Mesh mesh; // of the nominal case, and its lines: for pictures
+  std::vector<std::array<int, 2>> lines;
   double basis_error = 0; // of a frequency of the best hypothesis by its reduction, relative
   int hypotheses = 0, evaluations = 0;
   double seconds = 0;

@@ -1,4 +1,5 @@
 #include "io/report/markup.hpp"
+#include "io/report/picture.hpp"
 #include "io/report/tables.hpp"
 #include "io/tables/text.hpp"
 
@@ -56,6 +57,46 @@ std::string headline_html(const Results& results) {
   return html_table("Nothing measured stands beside these numbers.", columns, {row});
 }
 
+// In standard deviations where the test states one, else in percents.
+double farness(const MeasuredComparison& row) {
+  const double off = row.sigma > 0 ? sigma_deviation(row) : 100 * relative_deviation(row);
+  return std::isfinite(off) ? std::abs(off) : 0;
+}
+
+// Of what the model computes the number that is farthest off, in a sentence, with its mode. The
+// mass is what the case was given.
+std::string farthest_html(const Results& results) {
+  const MeasuredComparison* farthest = nullptr;
+  int computed = 0, within = 0;
+  for (const MeasuredComparison& row : results.comparison) {
+    if (row.quantity == "mass") continue;
+    ++computed;
+    within += farness(row) <= 2 ? 1 : 0;
+    if (!farthest || farness(row) > farness(*farthest)) farthest = &row;
+  }
+  if (!farthest) return "";
+  const bool is_good = within == computed;
+  const auto [factor, unit] = shown_unit(farthest->measured, farthest->unit);
+  const int decimals = decimals_of(*farthest, factor);
+  const std::string off =
+      farthest->sigma > 0 ? ", " + html_signed(sigma_deviation(*farthest), 1) + "\u00a0σ" : "";
+  std::string html =
+      fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;Farthest from the test: {}</b>, {} {} "
+                  "computed, {} measured "
+                  "({}\u00a0%{}); {} of {} computed numbers lie within 2 {}.</p>\n",
+                  is_good ? "" : " open", is_good ? "✓" : "!", html_escape(farthest->quantity),
+                  html_fixed(farthest->computed * factor, decimals), html_escape(unit),
+                  html_fixed(farthest->measured * factor, decimals),
+                  html_signed(100 * relative_deviation(*farthest), 1), off, within, computed,
+                  farthest->sigma > 0 ? "σ" : "%");
+  for (std::size_t m = 0; m < results.modes.size(); ++m)
+    if (results.modes[m].frequency == farthest->computed) {
+      html += "<div class=\"modes\">\n" + mode_picture(results, m) + "</div>\n";
+      break;
+    }
+  return html;
+}
+
 } // namespace
 
 std::string comparison_html(const Results& results) {
@@ -73,7 +114,8 @@ std::string comparison_html(const Results& results) {
           strip(row, range)},
          ""});
   }
-  return html_table("Strip: bar = measured ± 1 σ, dot = computed, ends at ±\u00a0" +
+  return farthest_html(results) +
+         html_table("Strip: bar = measured ± 1 σ, dot = computed, ends at ±\u00a0" +
                         html_number(100 * range, 2) + "\u00a0%.",
                     {{"quantity", "", false},
                      {"unit", "", false},

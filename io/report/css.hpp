@@ -77,6 +77,7 @@ figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { displ
   border: 1px solid var(--strong-rule); border-radius: 4px; padding: 0.2rem 0.6rem; cursor: pointer; }
 .controls button[aria-pressed="true"] { border-color: var(--accent); box-shadow: inset 0 0 0 1px var(--accent); }
 .controls :focus-visible, [data-mode]:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
+.answer { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 2rem; align-items: start; }
 .viewer .live { background: var(--panel); border-radius: 6px; touch-action: none; }
 .viewer .tag { position: absolute; left: 0; top: 0; margin: -0.7em 0 0 0.8em; font-size: 0.8125rem;
   pointer-events: none; text-shadow: 0 0 3px var(--paper), 0 0 3px var(--paper); }
@@ -89,7 +90,7 @@ summary { cursor: pointer; margin: 0.3rem 0; }
 footer { margin-top: 3rem; padding-top: 0.75rem; border-top: 1px solid var(--rule);
   color: var(--muted); font-size: 0.875rem; }
 @media screen and (max-width: 46rem) {
-  .pair { display: block; } .drawings { grid-template-columns: 1fr; } .modes { grid-template-columns: repeat(2, 1fr); } }
+  .pair, .answer { display: block; } .drawings { grid-template-columns: 1fr; } .modes { grid-template-columns: repeat(2, 1fr); } }
 @media print {
   figure.is-live > svg, .is-live > .part { display: block; } .live, .controls { display: none; }
   @page { margin: 16mm 14mm; }

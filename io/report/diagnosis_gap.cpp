@@ -102,7 +102,7 @@ std::string waterfall(const Ledger& ledger) {
                     .low = low,
                     .high = high,
                     .faint = faint,
-                    .width = 24});
+                    .width = 9});
   };
   rows.push_back({{"the gap of the nominal case", "100", "", "", bar(0, 1, false)}, "nominal"});
   left = 1;
@@ -156,7 +156,8 @@ std::array<int, 2> readings_within(const Diagnosis& d) {
 
 std::string ledger_html(const Diagnosis& d) {
   if (d.ledger.rows.empty()) return "";
-  std::string html = waterfall(d.ledger);
+  std::string html = "<div class=\"answer\">\n<div>" + waterfall(d.ledger) + "</div>\n" +
+                     place_html(d) + "</div>\n";
   std::vector<std::string> readings;
   for (const auto& [reading, share] : most_left_in(d.ledger))
     readings.push_back(fmt::format("{}: {:.0f} % of the gap", reading, 100 * share));

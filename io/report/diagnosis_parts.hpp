@@ -10,6 +10,7 @@
 
 namespace plica {
 
+std::string place_html(const Diagnosis& d);      // the part, and where on it effects sit
 std::string blocks_html(const Diagnosis& d);     // heat maps, direction and band against level
 std::string components_html(const Diagnosis& d); // bars
 std::string trends_html(const Diagnosis& d);     // slopes over the level, drift of parameters

@@ -123,8 +123,7 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
   };
   const ModeResult& result = results.modes[mode];
   const std::string name = fmt::format("{:.1f} Hz, {}", result.frequency, mode_label(result));
-  return fmt::format("<figure data-mode=\"{}\">", mode) +
-         svg_open(frame, fmt::format("mode {}: {}", mode + 1, name)) + drawn(scene, view, frame) +
+  return svg_open(frame, fmt::format("mode {}: {}", mode + 1, name)) + drawn(scene, view, frame) +
          outline(selection.used, view, frame) +
          fmt::format("</svg><figcaption><b>{}</b>  {:.1f} Hz, {}</figcaption></figure>\n", mode + 1,
                      result.frequency, html_escape(mode_label(result)));
@@ -145,6 +144,16 @@ std::string part_picture(const Results& results) {
          "</svg></figure>\n";
 }
 
+std::string mode_picture(const Results& results, std::size_t mode) {
+  if (mode >= results.shapes.size()) return "";
+  const Selection selection = select(results);
+  if (selection.used.empty()) return "";
+  const View view = view_of(selection.used);
+  return "<figure>" +
+         mode_figure(results, mode, selection, view,
+                     frame_round(view, selection.used, 1.1 * drawn_motion * selection.size, 1000));
+}
+
 std::string mode_pictures(const Results& results, int most) {
   require_one_row_per_node(results);
   const Selection selection = select(results);
@@ -155,7 +164,8 @@ std::string mode_pictures(const Results& results, int most) {
   const Frame frame = frame_round(view, selection.used, 1.1 * drawn_motion * selection.size, 1000);
   std::string html = "<div class=\"modes\">\n";
   for (std::size_t mode = 0; mode < count; ++mode) {
-    html += mode_figure(results, mode, selection, view, frame);
+    html += fmt::format("<figure data-mode=\"{}\">", mode) +
+            mode_figure(results, mode, selection, view, frame);
   }
   return html + "</div>\n<figure>" + legend() +
          "<figcaption>Displacement / its largest value in the mode. Drawn with the largest at 5 % "

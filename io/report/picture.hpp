@@ -14,6 +14,9 @@ namespace plica {
 // The undeformed part with its sensors; empty without elements.
 std::string part_picture(const Results& results);
 
+// One mode, as mode_pictures() has them; empty where it has no shape.
+std::string mode_picture(const Results& results, std::size_t mode);
+
 // Up to `most` first modes, exaggerated so that the largest translation is 5 % of the size of the
 // part, coloured by it; dashed: the outline at rest. With captions and one legend.
 std::string mode_pictures(const Results& results, int most = 6);

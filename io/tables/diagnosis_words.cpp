@@ -193,9 +193,11 @@ std::string row_words(const LedgerRow& row) {
   if (row.left == "model") return "tolerances and error of the model";
   if (row.left == "unexplained") return "not explained";
   std::string text;
-  for (const NamedEffect& e : row.effects)
-    text += (text.empty() ? "" : ", or ") + plain_words(e) + ", at " + e.place +
-            (e.way.empty() ? "" : " (" + e.way + ")");
+  for (const NamedEffect& e : row.effects) {
+    const std::string place = e.place + (e.way.empty() ? "" : " (" + e.way + ")");
+    if (row.effects.size() == 1) return plain_words(e) + ", at " + place;
+    text += (text.empty() ? "one of: " : " or ") + e.name + " at " + place; // a list stays short
+  }
   return text;
 }
 

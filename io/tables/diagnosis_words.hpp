@@ -15,7 +15,7 @@ std::string hypothesis_label(const TriedHypothesis& hypothesis);
 
 // "20 g that nobody weighed" (Effect::plain), without its place.
 std::string plain_words(const NamedEffect& effect);
-// A row of the ledger: "20 g that nobody weighed, at sensor mid"; of a list with "or"; what is
+// A row of the ledger: "20 g that nobody weighed, at sensor mid"; a list by its names; what is
 // left: "not explained", "what measuring leaves open".
 std::string row_words(const LedgerRow& row);
 

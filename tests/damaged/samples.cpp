@@ -322,9 +322,42 @@ Sample fit_restart() {
       "out/fit.json"};
 }
 
+// --- effects that somebody supposes
+
+Sample supposition() {
+  const std::string text =
+      "case: t\nmaterials:\n  steel: {E: 200 GPa, nu: 0.3, rho: 8000 kg/m3}\nparts:\n"
+      "  beam: {type: beam, points: [[0, 0, 0], [0, 150 mm, 0]], elements: 6, section: {shape: "
+      "rectangle, material: steel, width: 25 mm, depth: 15 mm}}\n"
+      "caps: {root: {of: beam.start}}\nmount: {root: rigid}\n"
+      "analyses: {static: false, modes: {count: 4}, damping: {modal: 1 %}}\n"
+      "measured: measured.yaml\n";
+  const std::string test =
+      "specimen: t\nmodes:\n"
+      "  - {shape: transverse, direction: z, order: 1, frequency: 500 Hz, damping: 1.1 %}\n"
+      "  - {shape: transverse, direction: x, order: 1, frequency: 800 Hz}\n"
+      "  - {shape: transverse, direction: z, order: 2, frequency: 3200 Hz}\n";
+  return {"supposition_yaml",
+          "effects.yaml",
+          "# What might be behind it.\n"
+          "effects:\n"
+          "  - effect: added_mass\n"
+          "    place: beam\n"
+          "    value: {mass: 20 g, at: 120 mm}\n"
+          "  - {effect: damping, place: all, value: {ratio: 1.2}}\n"
+          "  - effect: boundary_compliance\n"
+          "    place: mount.root\n"
+          "    way: rotation\n"
+          "    value: {k_rotation: 30 kNm/rad}\n",
+          {.comment = '#'},
+          {{"case.yaml", text}, {"measured.yaml", test}},
+          {"diagnose", "case.yaml", "--suppose", "effects.yaml", "--out", "out", "--threads", "1"},
+          "out/supposed.json"};
+}
+
 std::vector<Sample> all_samples() {
-  std::vector<Sample> all{yaml_case(), benchmark_yaml(), nastran_deck(), abaqus_deck(),
-                          fit_restart()};
+  std::vector<Sample> all{yaml_case(),   benchmark_yaml(), nastran_deck(),
+                          abaqus_deck(), fit_restart(),    supposition()};
   for (Sample& sample : lab_files()) all.push_back(std::move(sample));
   for (Sample& sample : geometry_samples()) all.push_back(std::move(sample));
   return all;

@@ -45,6 +45,7 @@ void take_numbers(const Json& json, std::map<std::string, double>& numbers) {
   if (json.contains("model")) numbers["mass"] = number_in(json["model"], "mass");
   if (json.contains("parameters"))
     for (const Json& p : json["parameters"]) numbers[p.value("path", "")] = number_in(p, "after");
+  if (json.contains("explained")) numbers["explained"] = number_in(json, "explained");
   if (!json.contains("modes") || json.contains("model") || json["modes"].empty()) return;
   const Json& mode = json["modes"][0];
   numbers["frequency"] = number_in(mode, "frequency");

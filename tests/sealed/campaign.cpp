@@ -11,7 +11,7 @@ VectorXd every(double from, double step, double to) {
 
 } // namespace
 
-Campaign campaign_of(const std::string& structure) {
+Campaign campaign_of(const std::string& structure, const std::string& name) {
   Campaign c;
   if (structure == "short_bellows") {
     c.lines = every(400, 4, 1800);
@@ -23,6 +23,12 @@ Campaign campaign_of(const std::string& structure) {
   } else if (structure == "bolted_lap") {
     c.lines = every(60, 0.75, 759);
     for (const double level : {1., 3., 10., 30.}) c.runs.push_back({2, level, "", level > 20});
+  } else if (name == "sets") { // 36 frequencies and dampings
+    for (const char* off : {"m1", "m2", "m3", "m4"})
+      c.states[std::string("without_") + off] = {{fmt::format("parts.{}.mass", off), 0}};
+    c.states["without_m1_m3"] = {{"parts.m1.mass", 0}, {"parts.m3.mass", 0}};
+    c.orders = 3;
+    c.only_across = true;
   } else {
     c.states["without_m2"] = {{"parts.m2.mass", 0}};
     c.states["without_m4"] = {{"parts.m4.mass", 0}};
@@ -45,7 +51,8 @@ std::string states_of(const Campaign& c) {
   std::string text = "states:\n";
   for (const auto& [name, set] : c.states) {
     text += fmt::format("  - {{name: {}, set: {{", name);
-    for (const auto& [path, value] : set) text += fmt::format("{}: {} kg", path, value);
+    for (const auto& [path, value] : set)
+      text += fmt::format("{}{}: {} kg", text.ends_with('{') ? "" : ", ", path, value);
     text += "}}\n";
   }
   return text;

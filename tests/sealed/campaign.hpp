@@ -16,9 +16,11 @@ struct Campaign {
   VectorXd lines;
   std::vector<Run> runs;
   std::map<std::string, State> states;
+  int orders = 2;           // modes listed in each direction and state
+  bool only_across = false; // not those that move along or turn about the beam
 };
 
-Campaign campaign_of(const std::string& structure);
+Campaign campaign_of(const std::string& structure, const std::string& name = "");
 
 // Keys of measured.yaml.
 std::string sensors_of(const std::string& structure);

@@ -4,6 +4,7 @@
 #include "specimen.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace sealed {
@@ -34,6 +35,18 @@ struct RunRequest {
   std::string only;   // one specimen, empty = all
 };
 void run_suite(const RunRequest& request);
+
+// Numbers of the specimens, in their order.
+std::vector<std::string> specimens_in(const std::filesystem::path& data);
+// `plica diagnose` of one of them, on one thread, into a folder made anew; its exit code. Options
+// begin with a space.
+int run_diagnosis(const std::filesystem::path& plica, const std::filesystem::path& data,
+                  const std::string& id, const std::filesystem::path& out,
+                  const std::string& options);
+std::string quoted(const std::filesystem::path& path); // for a shell
+
+// Runs work(i) for i below count; the first error stops the rest.
+void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
 
 struct ScoreRequest {
   std::filesystem::path data, truth, out;

@@ -5,9 +5,13 @@
 //   plica_sealed check --work W
 //   plica_sealed make-changes  --data D --truth T --seed S [--rounds N] [--thresholds]
 //   plica_sealed score-changes --truth T --out O
+//   plica_sealed make-sets    --data D --truth T --seed S [--rounds 20]
+//   plica_sealed suppose-sets --data D --truth T --plica build/app/plica --out O
+//   plica_sealed score-sets   --truth T --out O
 //   plica_sealed specimen --structure bolted_lap --effect damping --strength weak --out FOLDER
 #include "changes/changes.hpp"
 #include "files.hpp"
+#include "sets/sets.hpp"
 #include "solve/blas_kernels.hpp"
 
 #include <CLI/CLI.hpp>
@@ -70,6 +74,24 @@ int main(int argc, char** argv) {
   CLI::App* mark_changes = app.add_subcommand("score-changes", "compare with the truth");
   mark_changes->add_option("--truth", truth, "folder of the truth")->required();
   mark_changes->add_option("--out", score.out, "folder of the diagnoses")->required();
+  sealed::SetsPlan sets;
+  CLI::App* make_sets = app.add_subcommand("make-sets", "write specimens of several effects");
+  make_sets->add_option("--data", data, "folder of the data")->required();
+  make_sets->add_option("--truth", truth, "folder of the truth")->required();
+  make_sets->add_option("--seed", sets.seed, "of all chance");
+  make_sets->add_option("--rounds", sets.rounds, "of 15 specimens each")
+      ->check(CLI::PositiveNumber);
+  make_sets->add_option("--jobs", jobs, "specimens at once");
+  sealed::SupposeRequest suppose;
+  CLI::App* suppose_sets = app.add_subcommand("suppose-sets", "what the true effects are worth");
+  suppose_sets->add_option("--data", suppose.data, "folder of the data")->required();
+  suppose_sets->add_option("--truth", suppose.truth, "folder of the truth")->required();
+  suppose_sets->add_option("--plica", suppose.plica, "the program plica")->required();
+  suppose_sets->add_option("--out", suppose.out, "folder of the diagnoses")->required();
+  suppose_sets->add_option("--jobs", suppose.jobs, "specimens at once");
+  CLI::App* mark_sets = app.add_subcommand("score-sets", "compare with the truth");
+  mark_sets->add_option("--truth", truth, "folder of the truth")->required();
+  mark_sets->add_option("--out", score.out, "folder of the diagnoses")->required();
   CLI11_PARSE(app, argc, argv);
   try {
     if (make->parsed()) {
@@ -84,6 +106,10 @@ int main(int argc, char** argv) {
     if (make_changes->parsed())
       std::printf("%s\n", sealed::make_changes(plan, data, truth).c_str());
     if (mark_changes->parsed()) return sealed::score_changes(truth, score.out) ? 0 : 2;
+    if (make_sets->parsed())
+      std::printf("%s\n", sealed::make_suite(sealed::plan_sets(sets), data, truth, jobs).c_str());
+    if (suppose_sets->parsed()) return sealed::suppose_sets(suppose) ? 0 : 2;
+    if (mark_sets->parsed()) return sealed::score_sets(truth, score.out) ? 0 : 2;
     if (mark->parsed()) return sealed::score_suite(score) ? 0 : 2;
     return 0;
   } catch (const std::exception& error) {

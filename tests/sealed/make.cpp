@@ -33,7 +33,45 @@ std::vector<std::string> look_alikes(const std::string& cls) {
   return found == all.end() ? std::vector<std::string>{} : found->second;
 }
 
-// Runs work(i) for i below count; the first error stops the rest.
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// What a case leaves out it may not name a prior of.
+void write_case(const fs::path& data, const Specimen& s) {
+  const fs::path source = PLICA_SOURCE_DIR;
+  const bool bellows = s.structure == "short_bellows";
+  std::vector<std::string> lines = lines_of(
+      source / (bellows ? "tests/sealed" : "cases/" + s.structure) / (s.structure + ".yaml"));
+  if (!bellows)
+    for (const char* line :
+         {"diagnose: # specimens of the suite may be hot, and heavy weights may sit on them",
+          "  priors:", "    - {effect: temperature, parameter: delta_T, between: [-300, 300]}",
+          "    - {effect: added_mass, parameter: mass, between: [0, 1]}"})
+      lines.push_back(line);
+  std::ofstream out(data / (case_of(s) + ".yaml"));
+  for (const std::string& line : lines) {
+    if (line.starts_with("measured:")) continue; // each specimen has its own
+    if (!s.without.empty() && line.find("effect: " + s.without + ",") != std::string::npos)
+      continue;
+    out << (line.starts_with("case: ") ? "case: " + case_of(s) : line) << '\n';
+    if (!s.without.empty() && line.starts_with("diagnose:"))
+      out << "  without: [" << s.without << "]\n";
+  }
+}
+
+void write_cases(const fs::path& data, const Suite& suite) {
+  for (const char* structure : {"short_bellows", "cantilever_masses", "bolted_lap"})
+    write_case(data, {.structure = structure});
+  for (const Specimen& s : suite.specimens)
+    if (!s.without.empty()) write_case(data, s);
+}
+
+} // namespace
+
 void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr error;
@@ -55,24 +93,6 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
   if (error) std::rethrow_exception(error);
 }
 
-void copy_cases(const fs::path& data) {
-  const fs::path source = PLICA_SOURCE_DIR;
-  fs::copy_file(source / "tests/sealed/short_bellows.yaml", data / "short_bellows.yaml",
-                fs::copy_options::overwrite_existing);
-  for (const char* name : {"cantilever_masses", "bolted_lap"}) {
-    std::ifstream in(source / "cases" / name / (std::string(name) + ".yaml"));
-    std::ofstream out(data / (std::string(name) + ".yaml"));
-    for (std::string line; std::getline(in, line);)
-      if (!line.starts_with("measured:")) out << line << '\n'; // each specimen has its own
-    out << "diagnose: # specimens of the suite may be hot, and heavy weights may sit on them\n"
-           "  priors:\n"
-           "    - {effect: temperature, parameter: delta_T, between: [-300, 300]}\n"
-           "    - {effect: added_mass, parameter: mass, between: [0, 1]}\n";
-  }
-}
-
-} // namespace
-
 json truth_of(const Specimen& s, const std::map<std::string, double>& found) {
   json effects = json::array();
   for (const Effect& e : s.effects) {
@@ -82,18 +102,21 @@ json truth_of(const Specimen& s, const std::map<std::string, double>& found) {
     effects.push_back({{"name", e.name}, {"place", e.place}, {"value", value}});
   }
   static const std::set<std::string> beyond{"clearance", "hardening", "absorber"};
-  return {{"id", s.id},
-          {"structure", s.structure},
-          {"kind", s.kind},
-          {"class", s.cls},
-          {"strength", s.strength},
-          {"effects", effects},
-          {"road", s.wall.empty()                                 ? "beams"
-                   : s.wall.find("calculix") != std::string::npos ? "calculix"
-                                                                  : "mesh"},
-          {"wall", s.wall},
-          {"outside_by_design", s.kind == "stranger" && beyond.contains(s.cls)},
-          {"look_alikes", s.kind == "stranger" ? look_alikes(s.cls) : std::vector<std::string>{}}};
+  json truth{
+      {"id", s.id},
+      {"structure", s.structure},
+      {"kind", s.kind},
+      {"class", s.cls},
+      {"strength", s.strength},
+      {"effects", effects},
+      {"road", s.wall.empty()                                 ? "beams"
+               : s.wall.find("calculix") != std::string::npos ? "calculix"
+                                                              : "mesh"},
+      {"wall", s.wall},
+      {"outside_by_design", s.kind == "stranger" && beyond.contains(s.cls)},
+      {"look_alikes", s.kind == "stranger" ? look_alikes(s.cls) : std::vector<std::string>{}}};
+  if (!s.without.empty()) truth["left_out"] = s.without;
+  return truth;
 }
 
 std::string fingerprint(const fs::path& truth) {
@@ -112,7 +135,7 @@ std::string fingerprint(const fs::path& truth) {
 std::string make_suite(const Suite& suite, const fs::path& data, const fs::path& truth, int jobs) {
   fs::create_directories(data);
   fs::create_directories(truth / "walls"); // their names tell: they stay with the truth
-  copy_cases(data);
+  write_cases(data, suite);
   const auto walls = truth / "walls";
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] {

@@ -88,11 +88,14 @@ std::string mode_list(const Campaign& c, const Builder& build, const std::string
     const Bench bench = build(state.empty() ? State{} : c.states.at(state));
     const Assembly a = assemble_anew(bench, Draws(seed, name + ".assembly." + state));
     std::map<char, int> order;
-    for (Eigen::Index i = 0; i < a.modes.w.size() && (order['x'] < 2 || order['z'] < 2); ++i) {
+    for (Eigen::Index i = 0;
+         i < a.modes.w.size() && (order['x'] < c.orders || order['z'] < c.orders); ++i) {
       const VectorXcd shape =
           (bench.probes[0].rows * a.modes.phi.col(i)).cast<std::complex<double>>();
+      const double across = shape.cwiseAbs()(Eigen::Vector2i(0, 2)).maxCoeff();
+      if (c.only_across && across < std::max(1e-3, std::abs(shape[1]))) continue;
       const char axis = std::abs(shape[0]) > std::abs(shape[2]) ? 'x' : 'z';
-      if (++order[axis] > 2) continue;
+      if (++order[axis] > c.orders) continue;
       const double f = a.modes.w[i] / (2 * std::numbers::pi) * (1 + 0.001 * draws.normal());
       const double zeta = a.zeta[i] * (1 + 0.05 * draws.normal());
       text += fmt::format("  - {{frequency: {:.5g}, sigma: {:.3g}, damping: {:.4g}, sigma_damping: "
@@ -102,6 +105,14 @@ std::string mode_list(const Campaign& c, const Builder& build, const std::string
     }
   }
   return text;
+}
+
+std::string last_state_held_out(const Campaign& c) {
+  const int each = 2 * c.orders, first = each * int(c.states.size());
+  std::string text = "hold_out: [";
+  for (int i = first; i < first + each; ++i)
+    text += fmt::format("{}\"modes[{}]\"", i == first ? "" : ", ", i);
+  return text + "]\n";
 }
 
 std::string response_list(const Campaign& c, const Builder& build, const std::string& name,
@@ -138,7 +149,7 @@ std::map<std::string, double> measure(const Specimen& s, const ReducedWall* wall
                                       std::uint64_t seed, const fs::path& data) {
   const fs::path folder = data / s.id;
   fs::create_directories(folder);
-  const Campaign campaign = campaign_of(s.structure);
+  const Campaign campaign = campaign_of(s.structure, s.campaign);
   const std::string name = "specimen." + s.id;
   const Builder build = [&](const State& state) {
     const Draws healthy(seed, name + ".healthy");
@@ -153,14 +164,13 @@ std::map<std::string, double> measure(const Specimen& s, const ReducedWall* wall
     found["slip_force"] = slip;
   const double weighed = bench.body.weighed * (1 + 0.002 * noise.normal());
   std::string text =
-      fmt::format("{}specimen: {}\nsource: sealed suite, specimen {}\n", header, s.structure, s.id);
+      fmt::format("{}specimen: {}\nsource: sealed suite, specimen {}\n", header, case_of(s), s.id);
   text += sensors_of(s.structure) + states_of(campaign);
   text += fmt::format("mass: {{value: {:.6g}, sigma: {:.3g}}} # with its sensors\n", weighed,
                       0.002 * weighed);
   if (wall) text += static_tests(bench, noise);
   if (campaign.runs.empty())
-    text += mode_list(campaign, build, name, seed, noise) +
-            "hold_out: [\"modes[8]\", \"modes[9]\", \"modes[10]\", \"modes[11]\"]\n";
+    text += mode_list(campaign, build, name, seed, noise) + last_state_held_out(campaign);
   else
     text += response_list(campaign, build, name, seed, folder, bench, noise);
   fmt::output_file((folder / "measured.yaml").string()).print("{}", text);

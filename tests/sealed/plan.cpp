@@ -28,11 +28,7 @@ struct Planner {
     for (const Effect& e : effects) {
       if (e.name == "joint_friction" || e.name == "clearance" || e.name == "hardening")
         s.linear = false;
-      if (e.name == "ply_slip" || e.name == "forming_thinning" || e.name == "local_damage") {
-        s.wall = e.name + "_" + road;
-        for (const auto& [key, value] : e.value) s.wall += fmt::format("_{:.3g}", value);
-        s.wall += e.place == "bellows" ? "" : fmt::format("_at_{}", e.place[e.place.size() - 2]);
-      }
+      if (needs_wall(e)) s.wall = wall_of(e, road);
     }
     if (s.wall.empty() && structure == "short_bellows") s.wall = healthy_wall(walls);
     suite.specimens.push_back(s);
@@ -112,6 +108,33 @@ void plan_smoke(Planner& p) {
 
 } // namespace
 
+std::string case_of(const Specimen& s) {
+  return s.structure + (s.without.empty() ? "" : "_without_" + s.without);
+}
+
+bool needs_wall(const Effect& e) {
+  return e.name == "ply_slip" || e.name == "forming_thinning" || e.name == "local_damage";
+}
+
+std::string wall_of(const Effect& e, const std::string& road) {
+  std::string name = e.name + "_" + road;
+  for (const auto& [key, value] : e.value) name += fmt::format("_{:.3g}", value);
+  return name + (e.place == "bellows" ? "" : fmt::format("_at_{}", e.place[e.place.size() - 2]));
+}
+
+void number_suite(Suite& suite) {
+  auto& all = suite.specimens;
+  Draws draws(suite.seed, "order");
+  for (std::size_t i = all.size(); i > 1; --i)
+    std::swap(all[i - 1], all[std::size_t(draws.below(int(i)))]);
+  std::map<std::string, WallSpecimen> walls;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].id = fmt::format("{:03}", i + 1);
+    if (!all[i].wall.empty()) walls.try_emplace(all[i].wall, wall_specimen(all[i], suite.seed));
+  }
+  for (const auto& [name, specimen] : walls) suite.walls.push_back({name, specimen});
+}
+
 WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed) {
   WallSpecimen w;
   w.road = s.wall.find("calculix") != std::string::npos ? Road::calculix : Road::mesh;
@@ -147,16 +170,7 @@ Suite plan_suite(std::uint64_t seed, bool smoke) {
     plan_strangers(p);
     plan_pairs(p);
   }
-  auto& all = p.suite.specimens;
-  Draws draws(seed, "order");
-  for (std::size_t i = all.size(); i > 1; --i)
-    std::swap(all[i - 1], all[std::size_t(draws.below(int(i)))]);
-  std::map<std::string, WallSpecimen> walls;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].id = fmt::format("{:03}", i + 1);
-    if (!all[i].wall.empty()) walls.try_emplace(all[i].wall, wall_specimen(all[i], seed));
-  }
-  for (const auto& [name, specimen] : walls) p.suite.walls.push_back({name, specimen});
+  number_suite(p.suite);
   return p.suite;
 }
 

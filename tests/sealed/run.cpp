@@ -1,14 +1,12 @@
 // Has every specimen diagnosed by the program itself, as any user would, where no truth is.
 #include "files.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <mutex>
 #include <sys/wait.h>
-#include <thread>
 
 namespace sealed {
 namespace {
@@ -37,50 +35,51 @@ std::string specimen_of(const fs::path& measured) {
   throw std::runtime_error(measured.string() + " names no specimen");
 }
 
+} // namespace
+
 std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
-} // namespace
+std::vector<std::string> specimens_in(const fs::path& data) {
+  std::vector<std::string> ids;
+  for (const auto& entry : fs::directory_iterator(data))
+    if (fs::exists(entry.path() / "measured.yaml")) ids.push_back(entry.path().filename().string());
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+int run_diagnosis(const fs::path& plica, const fs::path& data, const std::string& id,
+                  const fs::path& out, const std::string& options) {
+  const fs::path measured = data / id;
+  fs::remove_all(out);
+  fs::create_directories(out);
+  const std::string command =
+      fmt::format("{} diagnose {} --measured {} --out {} --threads 1 --quiet{} > {} 2>&1",
+                  quoted(fs::absolute(plica)),
+                  quoted(data / (specimen_of(measured / "measured.yaml") + ".yaml")),
+                  quoted(measured), quoted(out), options, quoted(out / "log"));
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
 
 void run_suite(const RunRequest& r) {
   refuse_truth(r.data);
-  std::vector<std::string> ids;
-  for (const auto& entry : fs::directory_iterator(r.data))
-    if (fs::exists(entry.path() / "measured.yaml") &&
-        (r.only.empty() || entry.path().filename() == r.only))
-      ids.push_back(entry.path().filename().string());
-  std::sort(ids.begin(), ids.end());
+  std::vector<std::string> ids = specimens_in(r.data);
+  if (!r.only.empty()) std::erase_if(ids, [&](const std::string& id) { return id != r.only; });
   fs::create_directories(r.out);
-  std::atomic<std::size_t> next{0};
   std::mutex guard;
   json runs = json::object();
-  const auto loop = [&] {
-    for (std::size_t i = next++; i < ids.size(); i = next++) {
-      const fs::path measured = r.data / ids[i], out = r.out / ids[i];
-      fs::remove_all(out);
-      fs::create_directories(out);
-      std::string command =
-          fmt::format("{} diagnose {} --measured {} --out {} --threads 1 --quiet",
-                      quoted(fs::absolute(r.plica)),
-                      quoted(r.data / (specimen_of(measured / "measured.yaml") + ".yaml")),
-                      quoted(measured), quoted(out));
-      if (!r.ablate.empty()) command += " --without " + r.ablate;
-      command += " > " + quoted(out / "log") + " 2>&1";
-      const auto start = std::chrono::steady_clock::now();
-      const int status = std::system(command.c_str());
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-      const std::scoped_lock lock(guard);
-      const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-      runs[ids[i]] = {{"exit", code}, {"seconds", seconds.count()}};
-      fmt::print("{} {:.1f} s, exit {}\n", ids[i], seconds.count(), code);
-      std::fflush(stdout);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int t = 1; t < r.jobs; ++t) threads.emplace_back(loop);
-  loop();
-  for (std::thread& t : threads) t.join();
+  in_parallel(ids.size(), r.jobs, [&](std::size_t i) {
+    const auto start = std::chrono::steady_clock::now();
+    const int code = run_diagnosis(r.plica, r.data, ids[i], r.out / ids[i],
+                                   r.ablate.empty() ? "" : " --without " + r.ablate);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const std::scoped_lock lock(guard);
+    runs[ids[i]] = {{"exit", code}, {"seconds", seconds.count()}};
+    fmt::print("{} {:.1f} s, exit {}\n", ids[i], seconds.count(), code);
+    std::fflush(stdout);
+  });
   std::ofstream(r.out / "runs.json") << runs.dump(1) << '\n';
 }
 

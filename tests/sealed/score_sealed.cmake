@@ -1,5 +1,5 @@
 # Makes specimens, has them diagnosed where the truth does not exist, and scores the verdicts.
-#   cmake -DSEALED=plica_sealed -DPLICA=plica -DWORK=folder -DCASES=smoke|all|beams|changes -DSEED=1
+#   cmake -DSEALED=plica_sealed -DPLICA=plica -DWORK=folder -DCASES=smoke|all|beams|changes|sets -DSEED=1
 #         [-DABLATE=form,levels] [-DREQUIRE=ON] -P score_sealed.cmake
 function(step)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE failed)
@@ -11,6 +11,8 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 if(CASES STREQUAL changes)
   step(${SEALED} make-changes --data ${WORK}/data --truth ${WORK}/truth --seed ${SEED} --rounds ${ROUNDS})
+elseif(CASES STREQUAL sets)
+  step(${SEALED} make-sets --data ${WORK}/data --truth ${WORK}/truth --seed ${SEED} --rounds ${ROUNDS})
 else()
   step(${SEALED} make --data ${WORK}/data --truth ${WORK}/truth --seed ${SEED} --cases ${CASES})
 endif()
@@ -41,6 +43,11 @@ endif()
 file(ARCHIVE_EXTRACT INPUT ${WORK}.truth.tar DESTINATION ${WORK})
 if(CASES STREQUAL changes)
   step(${SEALED} score-changes --truth ${WORK}/truth --out ${WORK}/out)
+  return()
+endif()
+if(CASES STREQUAL sets)
+  step(${SEALED} suppose-sets --data ${WORK}/data --truth ${WORK}/truth --plica ${PLICA} --out ${WORK}/out)
+  step(${SEALED} score-sets --truth ${WORK}/truth --out ${WORK}/out)
   return()
 endif()
 if(REQUIRE)

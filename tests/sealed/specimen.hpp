@@ -15,13 +15,18 @@ struct Effect {
 struct Specimen {
   std::string id = {};        // "017"
   std::string structure = {}; // short_bellows, cantilever_masses, bolted_lap
-  std::string kind = {};      // none, effect, stranger, pair
+  std::string kind = {};      // none, effect, stranger, pair, triple, known_and_stranger
   std::string cls = {};       // effect name; a stranger's own; "a+b" of a pair
   std::string strength = {};  // weak, medium, strong; empty without
   std::string wall = {};      // specimen of the wall; empty for beams
   std::vector<Effect> effects = {};
   bool linear = true;
+  std::string without = {};  // an effect that its case leaves out
+  std::string campaign = {}; // "sets": more modes and states of the cantilever
 };
+
+// The case that a specimen is diagnosed by.
+std::string case_of(const Specimen& s);
 
 struct WallPlan {
   std::string name;
@@ -37,6 +42,12 @@ struct Suite {
 Suite plan_suite(std::uint64_t seed, bool smoke);
 void keep_first(Suite& suite, int count); // their order is random
 void keep_beams(Suite& suite);            // without those that need a wall
+
+// Effects that are made of a wall of its own, and what that is called.
+bool needs_wall(const Effect& e);
+std::string wall_of(const Effect& e, const std::string& road);
+// Shuffles, numbers, and lists the walls.
+void number_suite(Suite& suite);
 
 // Scatter of the wall that a specimen stands on, by the name of that wall.
 WallSpecimen wall_specimen(const Specimen& s, std::uint64_t seed);

@@ -146,10 +146,13 @@ double declared_cosine(const Scored& s, const std::string& a, const std::string&
 }
 
 bool place_is_right(const Scored& s) {
-  const json& first = s.diagnosis["effects"][0];
-  const std::string place = first.value("place", ""), name = first["name"], truth = true_place(s);
-  if (place == truth || is_along(first, truth)) return true;
-  for (const auto& other : first.value("other_places", json::array()))
+  return says_place(s, s.diagnosis["effects"][0], true_place(s));
+}
+
+bool says_place(const Scored& s, const json& said, const std::string& truth) {
+  const std::string place = said.value("place", ""), name = said["name"];
+  if (place == truth || is_along(said, truth)) return true;
+  for (const auto& other : said.value("other_places", json::array()))
     if (other == truth) return true;
   for (const char* between : {"@", " @ ", " "})
     if (declared_cosine(s, name + between + place, name + between + truth) >= 0.95) return true;

@@ -27,6 +27,8 @@ std::string true_place(const Scored& s);
 double declared_cosine(const Scored& s, const std::string& a, const std::string& b);
 // The place is right, or declared equivalent to the right one.
 bool place_is_right(const Scored& s);
+// The same of any effect that is said.
+bool says_place(const Scored& s, const nlohmann::json& said, const std::string& truth);
 
 // A number deep in the diagnosis, NaN when it is not there.
 double number_at(const nlohmann::json& object, const std::string& pointer);

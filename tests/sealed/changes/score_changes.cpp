@@ -1,9 +1,9 @@
 #include "changes.hpp"
 
+#include "../share.hpp"
 #include "../verdicts.hpp"
 #include "structures.hpp"
 
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -127,24 +127,6 @@ Marked marked(const Scored& s) {
   return m;
 }
 
-struct Share {
-  int good = 0, of = 0;
-  void add(bool is_good) {
-    good += is_good;
-    ++of;
-  }
-  double value() const { return of ? double(good) / of : 0; }
-  // One-sided 90 % bounds of Clopper and Pearson.
-  double low() const {
-    return good == 0 ? 0
-                     : boost::math::binomial_distribution<>::find_lower_bound_on_p(of, good, 0.1);
-  }
-  double high() const {
-    return good == of ? 1
-                      : boost::math::binomial_distribution<>::find_upper_bound_on_p(of, good, 0.1);
-  }
-};
-
 struct Goal {
   const char* name;
   double least, most; // of the share
@@ -152,12 +134,7 @@ struct Goal {
 
 void print(json& score, const Goal& goal, const std::string& of, const Share& share, bool judged) {
   if (share.of == 0) return;
-  std::string word;
-  if (judged && (goal.least > 0 || goal.most < 1)) {
-    const bool shown = share.low() >= goal.least - 1e-9 && share.high() <= goal.most + 1e-9;
-    const bool missed = share.high() < goal.least || share.low() > goal.most;
-    word = shown ? "met" : missed ? "MISSED" : "not shown";
-  }
+  const std::string word = judged ? share.against(goal.least, goal.most) : "";
   fmt::print("  {:44} {:26} {:6.3f} [{:.3f}, {:.3f}]  {:3} of {:3}  {}\n", goal.name, of,
              share.value(), share.low(), share.high(), share.good, share.of, word);
   score["metrics"].push_back({{"name", goal.name},

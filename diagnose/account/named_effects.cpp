@@ -1,0 +1,117 @@
+#include "diagnose/account/named_effects.hpp"
+
+#include "diagnose/effects/growth.hpp"
+#include "diagnose/effects/place_nodes.hpp"
+#include "diagnose/weigh/interval.hpp"
+
+#include <algorithm>
+
+namespace plica {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) const {
+  const Judgement& judgement = found_.judgement;
+  std::vector<NamedEffect> members;
+  for (std::size_t h = 0; h < fit.together.size(); ++h) {
+    const Hypothesis& own = *fit.together[h];
+    const double effect = judgement.probability_of(own.effect);
+    const bool place_is_weighed = judgement.verdict != Verdict::several;
+    members.push_back(named(
+        fit, h, place_is_weighed ? effect * judgement.share_of(own.effect, own.place) : effect,
+        found_.fits));
+    members.back().anywhere = effect;
+    if (judgement.verdict == Verdict::several)
+      add_exchanged_places(members.back(), fit, h);
+    else
+      add_other_places(members.back());
+  }
+  return members;
+}
+
+NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t half, double probability,
+                                const std::vector<JudgedFit>& fits) const {
+  const Hypothesis& h = *fit.together[half];
+  NamedEffect e{.name = h.effect,
+                .place = h.place,
+                .way = h.way,
+                .probability = probability,
+                .parameters = {}};
+  std::vector<const HypothesisFit*> ways{&fit};
+  if (fit.together.size() == 1)
+    for (const JudgedFit& j : fits)
+      if (const Hypothesis& other = *j.fit.together[0];
+          other.effect == h.effect && other.place == h.place && other.way != h.way)
+        ways.push_back(&j.fit);
+  Index first = 0;
+  for (std::size_t i = 0; i < half; ++i) first += Index(fit.together[i]->parameters.size());
+  for (std::size_t i = 0; i < h.parameters.size(); ++i) {
+    const Index row = first + Index(i);
+    const Interval between = interval_of(ways, row, h.parameters[i].prior);
+    const bool within = fit.values[row] >= between.ends[0] && fit.values[row] <= between.ends[1];
+    e.parameters.push_back({.name = h.parameters[i].name,
+                            .unit = h.parameters[i].unit,
+                            .value = within ? fit.values[row] : between.middle,
+                            .interval = between.ends,
+                            .z = fit.z[row]});
+  }
+  if (h.in_case) e.in_case = in_case(h, e.parameters);
+  std::optional<double> along;
+  if (h.along) along = e.parameters[*h.along].value;
+  e.nodes = nodes_at(problem_.nominal.structure(problem_.test.data), e.place, along);
+  return e;
+}
+
+// Of an effect that grew from state to state the last of them.
+std::function<CaseEdits(const Case&)>
+NamedEffects::in_case(const Hypothesis& h,
+                      const std::vector<EstimatedParameter>& parameters) const {
+  VectorXd values(Index(parameters.size()));
+  for (Index i = 0; i < values.size(); ++i) values[i] = parameters[std::size_t(i)].value;
+  const std::vector<std::string> states = changed_states(problem_.test.data);
+  if (h.values_in && !states.empty()) values = h.values_in(values, states.back());
+  return [edits = h.in_case, values](const Case& now) { return edits(now, values); };
+}
+
+// Places of one member of a set with which the others explain the test as well.
+void NamedEffects::add_exchanged_places(NamedEffect& e, const HypothesisFit& set,
+                                        std::size_t member) const {
+  for (const JudgedFit& j : found_.sets) {
+    if (!j.credible() || j.fit.together.size() != set.together.size() ||
+        evidence_of(set) - evidence_of(j.fit) >= found_.standards.apart)
+      continue;
+    std::vector<const Hypothesis*> own = j.fit.together;
+    for (std::size_t h = 0; h < set.together.size(); ++h)
+      if (h != member) std::erase(own, set.together[h]);
+    if (own.size() == 1 && own[0]->effect == e.name && own[0]->place != e.place &&
+        std::find(e.other_places.begin(), e.other_places.end(), own[0]->place) ==
+            e.other_places.end())
+      e.other_places.push_back(own[0]->place);
+  }
+}
+
+// Places of the effect that the readings do not tell from the named one: alone, or where errors
+// are larger than stated over all that was tried.
+void NamedEffects::add_other_places(NamedEffect& e) const {
+  const Judgement& judgement = found_.judgement;
+  if (judgement.verdict == Verdict::mostly || judgement.verdict == Verdict::unknown) {
+    constexpr double worth_a_word = 0.05;
+    for (const auto& [place, share] : judgement.places.at(e.name))
+      if (place != e.place && share > worth_a_word) e.other_places.push_back(place);
+    return;
+  }
+  double own = -1e300;
+  for (const JudgedFit& j : found_.fits)
+    if (j.fit.together[0]->effect == e.name && j.fit.together[0]->place == e.place)
+      own = std::max(own, j.fit.log_evidence);
+  constexpr double as_well = 3;
+  for (const JudgedFit& j : found_.fits) {
+    const Hypothesis& h = *j.fit.together[0];
+    if (h.effect == e.name && h.place != e.place && own - j.fit.log_evidence < as_well &&
+        std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
+      e.other_places.push_back(h.place);
+  }
+}
+
+} // namespace plica

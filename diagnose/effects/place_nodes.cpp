@@ -1,0 +1,91 @@
+#include "diagnose/effects/place_nodes.hpp"
+
+#include "diagnose/effects/beam_path.hpp"
+#include "diagnose/effects/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace plica {
+namespace {
+
+void add_component(std::set<int>& nodes, const Model& model, const std::string& name) {
+  const auto own = [&](int component) {
+    return component >= 0 && model.components[std::size_t(component)] == name;
+  };
+  for (const ShellQuad& quad : model.mesh.quads)
+    if (own(model.shells[std::size_t(quad.section)].component))
+      nodes.insert(quad.nodes.begin(), quad.nodes.end());
+  for (const BeamElement& b : model.beams)
+    if (own(b.component)) nodes.insert({b.node1, b.node2});
+  for (const BushingElement& b : model.bushings)
+    if (own(b.component))
+      for (int node : {b.node1, b.node2})
+        if (node >= 0) nodes.insert(node);
+}
+
+// "bellows.convolution[4]", "beam.stretch[4]": between the fourth and the fifth root or point.
+std::vector<std::string> ends_of(const std::string& name) {
+  for (const auto& [between, at] :
+       {std::pair<std::string, std::string>{".convolution[", ".root["}, {".stretch[", ".point["}}) {
+    const std::size_t found = name.find(between);
+    if (found == std::string::npos) continue;
+    const int number = std::stoi(name.substr(found + between.size()));
+    const std::string head = name.substr(0, found) + at;
+    return {head + std::to_string(number) + "]", head + std::to_string(number + 1) + "]"};
+  }
+  return {};
+}
+
+// What one name says.
+std::set<int> nodes_named(const Structure& s, const std::string& name) {
+  const Model& model = s.built.model;
+  std::set<int> nodes;
+  for (const BuiltSensor& sensor : s.built.sensors)
+    if (name == "sensor." + sensor.name) nodes.insert(sensor.node);
+  for (const auto& [cap, node] : s.built.cap_nodes)
+    if (name == "caps." + cap || name == "mount." + cap) nodes.insert(node);
+  for (const Mount& m : s.data.mount)
+    if (name == "mount" && m.kind != MountKind::free) nodes.insert(cap_node(s, m.cap));
+  for (const Spot& spot : spots(s))
+    if (spot.place == name) nodes.insert(spot.nodes.begin(), spot.nodes.end());
+  for (const Part& part : s.data.parts)
+    if (const auto* body = std::get_if<PointMass>(&part.body); body && part.name == name) {
+      const std::vector<int>& on = model.mesh.sets.at(body->at);
+      nodes.insert(on.begin(), on.end());
+    }
+  std::vector<std::string> sets{name, name + ".all"};
+  if (nodes.empty())
+    for (std::string& end : ends_of(name)) sets.push_back(std::move(end));
+  for (const std::string& of : sets)
+    if (const auto set = model.mesh.sets.find(of); set != model.mesh.sets.end())
+      nodes.insert(set->second.begin(), set->second.end());
+  if (nodes.empty()) add_component(nodes, model, name);
+  return nodes;
+}
+
+} // namespace
+
+std::vector<int> nodes_at(const Structure& s, const std::string& place,
+                          const std::optional<double>& along) {
+  for (const BeamPath& path : beam_paths(s))
+    if (along && path.part == place) {
+      const auto nearest =
+          std::min_element(path.at.begin(), path.at.end(), [&](double a, double b) {
+            return std::abs(a - *along) < std::abs(b - *along);
+          });
+      return {path.nodes[std::size_t(nearest - path.at.begin())]};
+    }
+  std::set<int> nodes;
+  const std::string between = " and ";
+  for (std::size_t from = 0; from <= place.size();) {
+    const std::size_t to = std::min(place.find(between, from), place.size());
+    nodes.merge(nodes_named(s, place.substr(from, to - from)));
+    from = to + between.size();
+  }
+  std::erase_if(nodes, [](int node) { return node < 0; });
+  return {nodes.begin(), nodes.end()};
+}
+
+} // namespace plica

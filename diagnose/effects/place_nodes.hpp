@@ -1,0 +1,13 @@
+// Where in the mesh a place of an effect lies: for pictures.
+#pragma once
+
+#include "diagnose/effects/effect.hpp"
+
+namespace plica {
+
+// Nodes of what the place names: a sensor, a crown, a point, a cap, a mount, a part or several.
+// `along`: m along a beam, its nearest node. None where it is everywhere, or on the table.
+std::vector<int> nodes_at(const Structure& s, const std::string& place,
+                          const std::optional<double>& along = {});
+
+} // namespace plica
