@@ -2,8 +2,8 @@
 #pragma once
 
 #include "compare/fit/fit.hpp"
-#include "model/description/case_edit.hpp"
 #include "diagnose/readings/reading.hpp"
+#include "model/description/case_edit.hpp"
 
 namespace plica {
 

@@ -164,11 +164,10 @@ protected:
   }
 
   PipeWithThreeCauses() : drawn_(pipe({})) {
-    const Case truth =
-        pipe({{"sensors[0].mass", "12 g"},
-              {"parts.bellows.wall.bond", "0.6"},
-              {"mount.left", "{stiffness: [1.5e6, 1.5e6, 1.5e6, 3000, 3000, 3000]}"}})
-            .data;
+    const Case truth = pipe({{"sensors[0].mass", "32 g"},
+                             {"parts.bellows.wall.bond", "0.4"},
+                             {"mount.left", "{stiffness: [1e6, 1e6, 1e6, 2000, 2000, 2000]}"}})
+                           .data;
     measured_.specimen = "tutorial";
     for (int order = 1; order <= 4; ++order)
       for (Axis axis : {Axis::x, Axis::z})
@@ -202,27 +201,27 @@ protected:
   Measured measured_;
 };
 
-TEST_F(PipeWithThreeCauses, has_all_three_named_with_their_shares) {
-  const DiagnosisData test{.data = measured_, .responses = {}};
+// Their shares are not looked at: alone, 30 g there change the order of modes, so that the share of
+// each hangs on a gram.
+TEST_F(PipeWithThreeCauses, has_all_three_named_with_their_sizes) {
   DiagnosisSettings settings;
   settings.plan_next = false;
-  const Diagnosis d = diagnose(drawn_.data, test, settings);
+  const Diagnosis d = diagnose(drawn_.data, {.data = measured_, .responses = {}}, settings);
   EXPECT_EQ(d.verdict, Verdict::several) << diagnosis_text(d);
-  const std::vector<SupposedEffect> truth{
-      {"added_mass", "sensor.mid", "", {{"mass", "10 g"}}},
-      {"ply_slip", "bellows", "", {{"bond", "0.6"}}},
-      {"boundary_compliance", "mount.left", "", {{"ratio", "0.5"}}}};
-  const Ledger true_shares = suppose(drawn_.data, test, {truth}, settings);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const auto row =
-        std::find_if(d.ledger.rows.begin(), d.ledger.rows.end(), [&](const LedgerRow& r) {
-          return r.effects.size() == 1 && r.effects[0].name == truth[i].effect &&
-                 r.effects[0].place == truth[i].place;
-        });
-    ASSERT_NE(row, d.ledger.rows.end()) << truth[i].effect << ": " << d.headline;
-    EXPECT_LE(row->interval[0], true_shares.rows[i].share) << truth[i].effect;
-    EXPECT_GE(row->interval[1], true_shares.rows[i].share) << truth[i].effect;
-  }
+  EXPECT_EQ(d.effects.size(), 3u) << d.headline;
+  EXPECT_GT(d.ledger.explained, 0.95);
+  const auto expect_named = [&](const char* effect, const char* place, double value) {
+    for (const NamedEffect& e : d.effects) {
+      if (e.name != effect || e.place != place) continue;
+      EXPECT_LE(e.parameters[0].interval[0], value) << effect;
+      EXPECT_GE(e.parameters[0].interval[1], value) << effect;
+      return;
+    }
+    ADD_FAILURE() << effect << " at " << place << " is not in: " << d.headline;
+  };
+  expect_named("added_mass", "sensor.mid", 0.03);
+  expect_named("ply_slip", "bellows", 0.4);
+  expect_named("boundary_compliance", "mount.left", 1 / 3.);
 }
 
 class SupposedBeam : public testing::Test {

@@ -1,7 +1,7 @@
 // Effects of a fit as they are told: place, values with intervals, probability, other places.
 #pragma once
 
-#include "diagnose/account/account.hpp"
+#include "diagnose/account/findings.hpp"
 
 namespace plica {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 namespace plica {
 namespace {
@@ -16,9 +17,9 @@ using Eigen::VectorXd;
 using Together = std::vector<const Hypothesis*>;
 
 constexpr std::size_t most_effects = 5;
-constexpr std::size_t grown_sets = 3, further_effects = 6; // of each size; for each of them
-constexpr std::size_t moved_sets = 2, other_places = 3;    // of each size; for one member
-constexpr double worth_growing = 2;                        // nats, of one effect more
+constexpr std::size_t grown_sets = 3;                   // of each size
+constexpr std::size_t moved_sets = 3, other_places = 3; // of each size; for one member
+constexpr double worth_growing = 2;                     // nats, of one effect more
 
 // A frequency or damping moves with the level by more than its uncertainty: what slips may be in
 // it.
@@ -62,23 +63,36 @@ double gain(const HypothesisFit& set, const Signature& s) {
          std::log1p(g.squaredNorm()) / 2;
 }
 
+// The first sets of different effects: one effect with many places would take all the turns.
+std::vector<JudgedFit> of_different_effects(const std::vector<JudgedFit>& sets, std::size_t most) {
+  std::vector<JudgedFit> chosen;
+  std::set<std::multiset<std::string>> seen;
+  for (const JudgedFit& j : sets) {
+    std::multiset<std::string> effects;
+    for (const Hypothesis* h : j.fit.together) effects.insert(h->effect);
+    if (chosen.size() < most && seen.insert(std::move(effects)).second) chosen.push_back(j);
+  }
+  return chosen;
+}
+
 bool contains(const Together& together, const Hypothesis* h) {
   return std::find(together.begin(), together.end(), h) != together.end();
 }
 
 class Growth {
 public:
-  Growth(const FitContext& context, const std::vector<JudgedFit>& fits,
-         const std::vector<Signature>& all, const JudgedFit& nominal, const Whitening& held_out,
-         const BlockScores& scores, const Standards& standards, const DiagnosisSettings& settings)
-      : context_(context), fits_(fits), all_(all), nominal_(nominal), held_out_(held_out),
-        scores_(scores), standards_(standards), settings_(settings),
+  Growth(const FitContext& context, const std::vector<Family>& ranked,
+         const std::vector<JudgedFit>& fits, const std::vector<Signature>& all,
+         const JudgedFit& nominal, const Whitening& held_out, const BlockScores& scores,
+         const Standards& standards, const DiagnosisSettings& settings)
+      : context_(context), ranked_(ranked), fits_(fits), all_(all), nominal_(nominal),
+        held_out_(held_out), scores_(scores), standards_(standards), settings_(settings),
         levels_matter_(changes_with_level(context.test)) {}
 
-  std::vector<JudgedFit> sets(const std::vector<Family>& ranked) {
+  std::vector<JudgedFit> sets() {
     std::vector<JudgedFit> front;
-    for (std::size_t i = 0; i < std::min(grown_sets, ranked.size()); ++i)
-      if (ranked[i].best->log_bayes_factor >= 1) front.push_back(*ranked[i].best);
+    for (std::size_t i = 0; i < std::min(grown_sets, ranked_.size()); ++i)
+      if (ranked_[i].best->log_bayes_factor >= 1) front.push_back(*ranked_[i].best);
     std::vector<JudgedFit> found;
     for (std::size_t size = 2; size <= most_effects && size < context_.fitted.rows().size();
          ++size) {
@@ -96,8 +110,7 @@ public:
       };
       if (level.empty() || std::any_of(level.begin(), level.end(), explains_all)) break;
       if (dispersed_log_evidence(level.front().fit) < before + worth_growing) break;
-      level.resize(std::min(grown_sets, level.size()));
-      front = std::move(level);
+      front = of_different_effects(level, grown_sets);
     }
     sort(found);
     return found;
@@ -140,41 +153,37 @@ private:
     return !h.softening || (levels_matter_ && !softens);
   }
 
-  // Each set with the effects that its residual asks for; one place of each. The best set with
-  // every effect: far from the nominal case a matched filter is no more than a hint.
+  // Each set with every effect at the place that its residual asks for, and where it is best alone.
   std::vector<Asked> larger(const std::vector<JudgedFit>& sets) {
     std::vector<Asked> asked;
     for (const JudgedFit& j : sets) {
-      const bool is_best = &j == &sets.front();
-      std::map<std::string, std::pair<double, const Signature*>> gains;
+      std::map<std::string, std::pair<double, const Hypothesis*>> best;
       for (const Signature& s : all_) {
         if (!may_join(j.fit, *s.hypothesis)) continue;
         const double own = gain(j.fit, s);
-        auto& best = gains[s.hypothesis->effect];
-        if (!best.second || own > best.first) best = {own, &s};
+        auto& of_effect = best[s.hypothesis->effect];
+        if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
       }
-      std::vector<std::pair<double, const Signature*>> order;
-      for (const auto& [effect, own] : gains) order.push_back(own);
-      std::stable_sort(order.begin(), order.end(),
-                       [](const auto& a, const auto& b) { return a.first > b.first; });
-      const std::size_t most = is_best ? order.size() : std::min(further_effects, order.size());
-      for (std::size_t k = 0; k < most; ++k) {
-        const Hypothesis* h = order[k].second->hypothesis;
-        Together together = j.fit.together;
-        together.push_back(h);
-        if (is_new(together))
-          asked.push_back(
-              {together, joined({j.fit.z, VectorXd::Zero(Index(h->parameters.size()))})});
-      }
+      for (const auto& [effect, of_effect] : best) add_joined(j.fit, *of_effect.second, asked);
+      for (const Family& f : ranked_)
+        if (const Hypothesis& h = *f.best->fit.together[0]; may_join(j.fit, h))
+          add_joined(j.fit, h, asked);
     }
     return asked;
   }
 
-  // The best sets with one member at the places that come next.
+  void add_joined(const HypothesisFit& set, const Hypothesis& h, std::vector<Asked>& asked) {
+    Together together = set.together;
+    together.push_back(&h);
+    if (is_new(together))
+      asked.push_back({together, joined({set.z, VectorXd::Zero(Index(h.parameters.size()))})});
+  }
+
+  // The best sets of different effects with one member at the places that come next.
   std::vector<Asked> moved(const std::vector<JudgedFit>& sets) {
     std::vector<Asked> asked;
-    for (std::size_t i = 0; i < std::min(moved_sets, sets.size()); ++i) {
-      const HypothesisFit& set = sets[i].fit;
+    for (const JudgedFit& best : of_different_effects(sets, moved_sets)) {
+      const HypothesisFit& set = best.fit;
       for (std::size_t member = 0; member < set.together.size(); ++member) {
         std::vector<const HypothesisFit*> others;
         for (const JudgedFit& j : fits_)
@@ -240,6 +249,7 @@ private:
   }
 
   const FitContext& context_;
+  const std::vector<Family>& ranked_;
   const std::vector<JudgedFit>& fits_;
   const std::vector<Signature>& all_;
   const JudgedFit& nominal_;
@@ -265,7 +275,7 @@ std::vector<JudgedFit> fit_sets(const FitContext& context, const std::vector<Fam
                                 const std::vector<Signature>& all, const JudgedFit& nominal,
                                 const Whitening& held_out, const BlockScores& scores,
                                 const Standards& standards, const DiagnosisSettings& settings) {
-  return Growth(context, fits, all, nominal, held_out, scores, standards, settings).sets(ranked);
+  return Growth(context, ranked, fits, all, nominal, held_out, scores, standards, settings).sets();
 }
 
 } // namespace plica

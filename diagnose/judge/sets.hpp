@@ -1,11 +1,12 @@
 // Several effects at once, tried where no single one explains all of the test.
 //
-// Sets grow by one effect at a time: the best of a size, the best one with every effect, the
-// others with those that their residual asks for (matched filter). Members of the best sets are
-// then exchanged for the same effect elsewhere, since alone an effect may have been drawn to
-// another place by what the others do, and left out in turn. Growth ends at five effects, where a
-// further one is worth too little, or with a set that explains the test and whose residual asks for
-// no more.
+// Sets grow by one effect at a time: the best of a size, of different effects, each with every
+// effect at the place that its residual asks for (matched filter, which far from the nominal case
+// is no more than a hint), and where the effect is best alone. Members of the best sets are then
+// exchanged for the same effect elsewhere, since alone an effect may have been drawn to another
+// place by what the others do, and left out in turn. Growth ends at five effects, where a further
+// one is worth too little, or with a set that explains the test and whose residual asks for no
+// more.
 #pragma once
 
 #include "diagnose/judge/identifiability.hpp"
