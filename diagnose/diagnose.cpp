@@ -22,7 +22,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double silent = 0.3;       // |g| below which no data speak of an effect
 constexpr std::size_t confirmed = 3; // hypotheses followed by Markov chains
 
 class Stages {

@@ -12,6 +12,8 @@
 
 namespace plica {
 
+inline constexpr double silent = 0.3; // |g| below which no data speak of an effect
+
 // Signature of a hypothesis at a size that can be expected: whitened change of the fitted readings.
 struct Signature {
   const Hypothesis* hypothesis = nullptr;

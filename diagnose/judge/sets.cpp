@@ -159,7 +159,7 @@ private:
     for (const JudgedFit& j : sets) {
       std::map<std::string, std::pair<double, const Hypothesis*>> best;
       for (const Signature& s : all_) {
-        if (!may_join(j.fit, *s.hypothesis)) continue;
+        if (s.g.norm() < silent || !may_join(j.fit, *s.hypothesis)) continue;
         const double own = gain(j.fit, s);
         auto& of_effect = best[s.hypothesis->effect];
         if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
