@@ -181,16 +181,24 @@ bool is_number(std::string text) {
   return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
-// "5mm" is a number and a unit.
 bool is_word_of(const std::string& token, const std::set<std::string>& words) {
   return words.contains(token) || lab_unit(token).has_value();
+}
+
+// "5mm" is a number and a unit.
+bool is_number_with_word(const std::string& token, const std::set<std::string>& words) {
+  for (std::size_t cut = 1; cut < token.size(); ++cut)
+    if (is_number(token.substr(0, cut)) && is_word_of(token.substr(cut), words)) return true;
+  return false;
 }
 
 bool reads_alike(const std::vector<std::string>& now, const std::vector<std::string>& once,
                  const std::set<std::string>& words) {
   if (now.size() > once.size()) return false;
   for (std::size_t i = 0; i < now.size(); ++i)
-    if (now[i] != once[i] && !is_number(now[i]) && !is_word_of(now[i], words)) return false;
+    if (now[i] != once[i] && !is_number(now[i]) && !is_word_of(now[i], words) &&
+        !is_number_with_word(now[i], words))
+      return false;
   return true;
 }
 
