@@ -31,10 +31,23 @@ void end_search(int signal) {
   ended = 1;
 }
 
+// Not of a signal that whoever started us has us ignore (nohup, a background job).
+void handle(void (*handler)(int), int flags) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler == SIG_IGN) continue;
+    struct sigaction own {};
+    own.sa_handler = handler;
+    own.sa_flags = flags;
+    sigaction(signal, &own, nullptr);
+  }
+}
+
 } // namespace
 
 void let_searches_end() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end_search);
+  handle(end_search, 0);
 }
 
 bool search_is_ended() {
@@ -43,15 +56,7 @@ bool search_is_ended() {
 
 void watch_interrupts() {
   once = 0;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    struct sigaction now {};
-    sigaction(signal, nullptr, &now);
-    if (now.sa_handler == SIG_IGN) continue;
-    struct sigaction own {};
-    own.sa_handler = on_interrupt;
-    own.sa_flags = SA_RESTART;
-    sigaction(signal, &own, nullptr);
-  }
+  handle(on_interrupt, SA_RESTART);
 }
 
 bool is_interrupted() {

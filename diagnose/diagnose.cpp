@@ -181,14 +181,19 @@ private:
     constexpr double most = 0.5;
     if (ledger.explained_interval[0] < most)
       return {fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]", 100 * ledger.explained,
-                          100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1])};
+                          100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1]),
+              {},
+              std::move(fit)};
     if (problem_.held_out->rows().empty()) {
       const GapShrink turn = in_turn(context, plain, leads.fit);
-      return {turn.interval[0] > 0 ? "" : "taken in turn, " + foretold_no_better(turn), turn};
+      return {turn.interval[0] > 0 ? "" : "taken in turn, " + foretold_no_better(turn), turn,
+              std::move(fit)};
     }
     complete(context, fit);
     const GapShrink held_out = gap_shrink(context, *problem_.held_out, plain, fit);
-    return {held_out.interval[0] > 0 ? "" : "held-out " + foretold_no_better(held_out)};
+    return {held_out.interval[0] > 0 ? "" : "held-out " + foretold_no_better(held_out),
+            {},
+            std::move(fit)};
   }
 
   static std::string foretold_no_better(const GapShrink& g) {

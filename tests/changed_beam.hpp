@@ -36,6 +36,16 @@ inline Case beam_of(int stretches, double length, double width, double depth, bo
   return c;
 }
 
+// Masses of 40, 50 and 60 g at points 2 to 4 of it: m1, m2, m3.
+inline void add_masses(Case& c) {
+  for (int k = 2; k <= 4; ++k) {
+    PointMass mass;
+    mass.at = "beam.point[" + std::to_string(k) + "]";
+    mass.mass = 0.02 + 0.01 * k;
+    c.parts.push_back({"m" + std::to_string(k - 1), mass});
+  }
+}
+
 inline MeasuredMode bending(Axis axis, int order, const std::string& state, double frequency = 1) {
   MeasuredMode mode;
   mode.shape = MeasuredShape::transverse;
@@ -57,6 +67,19 @@ inline Eigen::VectorXd read_by(const Case& truth, const Measured& m) {
   const DiagnosisData test{.data = m, .responses = {}};
   const TestReadings readings = readings_of(test);
   return *Predictor(nominal_of(truth, m), readings, {})(Eigen::VectorXd());
+}
+
+// The entries of a test, those of readings[i] at exp(y[i]). Modes and their frequencies, the mass,
+// static tests.
+inline void take_readings(Measured& m, const Eigen::VectorXd& y) {
+  const std::vector<Reading> readings = readings_of({.data = m, .responses = {}}).readings;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const Reading& r = readings[i];
+    const double value = std::exp(y[Eigen::Index(i)]);
+    if (r.kind == ReadingKind::mass && m.mass) m.mass->value = value;
+    if (r.kind == ReadingKind::frequency) m.modes[std::stoul(r.entry.substr(6))].frequency = value;
+    if (r.kind == ReadingKind::stiffness) m.statics[std::stoul(r.entry.substr(7))].value = value;
+  }
 }
 
 // Before and after. Each mode of the specimen is some percents off that of any model of the library

@@ -1,4 +1,5 @@
 // The parts of a diagnosis against closed forms, and whole diagnoses of made-up tests.
+#include "changed_beam.hpp"
 #include "diagnose/diagnose.hpp"
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/readings/response_peaks.hpp"
@@ -67,12 +68,7 @@ Case cantilever() {
   beam.section.width = 0.03;
   beam.section.depth = 0.005;
   c.parts.push_back({"beam", beam});
-  for (int k = 2; k <= 4; ++k) {
-    PointMass mass;
-    mass.at = "beam.point[" + std::to_string(k) + "]";
-    mass.mass = 0.02 + 0.01 * k;
-    c.parts.push_back({"m" + std::to_string(k - 1), mass});
-  }
+  changed_beam::add_masses(c);
   Cap root;
   root.name = "root";
   root.of = {"beam.start"};
@@ -106,16 +102,7 @@ Measured test_of(const Case& truth, const Case& nominal) {
     m.modes.push_back(mode);
   }
   m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
-  const DiagnosisData blank{.data = m, .responses = {}};
-  const TestReadings readings = readings_of(blank);
-  const Nominal model = nominal_of(truth, m);
-  const VectorXd y = *Predictor(model, readings, {})(VectorXd());
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const Reading& r = readings.readings[std::size_t(i)];
-    if (r.kind == ReadingKind::mass) m.mass->value = std::exp(y[i]);
-    if (r.kind == ReadingKind::frequency)
-      m.modes[std::size_t(r.entry[6] - '0')].frequency = std::exp(y[i]);
-  }
+  changed_beam::take_readings(m, changed_beam::read_by(truth, m));
   return m;
 }
 

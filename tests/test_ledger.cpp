@@ -15,12 +15,7 @@ using Eigen::VectorXd;
 // A cantilever with three masses.
 Case cantilever() {
   Case c = changed_beam::beam_of(3, 0.6, 0.03, 0.005, true);
-  for (int k = 2; k <= 4; ++k) {
-    PointMass mass;
-    mass.at = "beam.point[" + std::to_string(k) + "]";
-    mass.mass = 0.02 + 0.01 * k;
-    c.parts.push_back({"m" + std::to_string(k - 1), mass});
-  }
+  changed_beam::add_masses(c);
   return c;
 }
 
@@ -31,18 +26,10 @@ Measured test_of(const Case& truth) {
   for (int order = 1; order <= 4; ++order)
     for (Axis axis : {Axis::x, Axis::z}) m.modes.push_back(changed_beam::bending(axis, order, ""));
   m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
-  const DiagnosisData blank{.data = m, .responses = {}};
-  const TestReadings readings = readings_of(blank);
-  const VectorXd y = changed_beam::read_by(truth, m);
+  VectorXd y = changed_beam::read_by(truth, m);
   constexpr std::array noise{0.0006, -0.0004, 0.0009, -0.0011, 0.0003, 0.0007, -0.0008, 0.0001};
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const Reading& r = readings.readings[std::size_t(i)];
-    if (r.kind == ReadingKind::mass) m.mass->value = std::exp(y[i]);
-    if (r.kind == ReadingKind::frequency) {
-      const auto k = std::size_t(r.entry[6] - '0');
-      m.modes[k].frequency = std::exp(y[i] + noise[k]);
-    }
-  }
+  for (std::size_t k = 0; k < noise.size(); ++k) y[1 + Eigen::Index(k)] += noise[k];
+  changed_beam::take_readings(m, y);
   return m;
 }
 

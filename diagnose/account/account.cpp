@@ -38,13 +38,15 @@ public:
     result_.probabilities = judgement.probabilities;
     settings_.stage("ledger", 0.90);
     const std::vector<HypothesisFit> told = fits_told();
+    std::vector<std::vector<NamedEffect>> members;
+    for (const HypothesisFit& fit : told) members.push_back(names_.members_of(fit));
+    keep_ledger(told, members);
     for (std::size_t i = 0; i < judgement.named.size(); ++i)
-      for (NamedEffect& e : names_.members_of(told[i]))
+      for (NamedEffect& e : members[i])
         if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& o) {
               return o.name == e.name && o.place == e.place;
             }))
           result_.effects.push_back(std::move(e));
-    keep_ledger(told);
     settings_.stage("report", 0.94);
     result_.where = located(scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
@@ -99,6 +101,7 @@ private:
   // once, or errors are larger than stated, with draws of all their parameters together.
   std::vector<HypothesisFit> fits_told() const {
     const Judgement& judgement = found_.judgement;
+    if (judgement.sampled) return {*judgement.sampled};
     std::vector<const JudgedFit*> chosen = judgement.named;
     if (chosen.empty() && judgement.nearest) chosen.push_back(judgement.nearest);
     std::vector<HypothesisFit> told;
@@ -111,7 +114,8 @@ private:
   }
 
   // An ambiguous list is one row: each of it would explain that much.
-  void keep_ledger(const std::vector<HypothesisFit>& told) {
+  void keep_ledger(const std::vector<HypothesisFit>& told,
+                   const std::vector<std::vector<NamedEffect>>& members) {
     const Judgement& judgement = found_.judgement;
     const bool list = judgement.verdict == Verdict::ambiguous;
     std::vector<LedgerSet> sets;
@@ -120,11 +124,9 @@ private:
         sets.push_back(
             {&fit, list ? std::max(1e-3, judgement.probability_of(fit.together[0]->effect)) : 1});
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
-    for (const LedgerSet& set : sets) {
-      std::vector<NamedEffect> members = names_.members_of(*set.fit);
-      for (std::size_t i = 0; i < members.size(); ++i)
-        result_.ledger.rows[i].effects.push_back(std::move(members[i]));
-    }
+    for (std::size_t k = 0; k < sets.size(); ++k)
+      for (std::size_t i = 0; i < members[k].size(); ++i)
+        result_.ledger.rows[i].effects.push_back(members[k][i]);
   }
 
   TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {

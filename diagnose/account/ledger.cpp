@@ -116,10 +116,11 @@ private:
   std::vector<double> expected_; // of measurement, mounting, model: in G
 };
 
-// Points of the posterior, its mode among them.
+// Points of the posterior, its mode among them; of a fit with fewer draws as many as it has.
 std::vector<VectorXd> points_of(const HypothesisFit& fit, int count) {
   std::vector<VectorXd> points{fit.z};
   if (fit.draws.cols() > 0) {
+    count = std::min(count, int(fit.draws.cols()));
     for (int k = 1; k < count; ++k)
       points.emplace_back(fit.draws.col(Index(k) * fit.draws.cols() / count));
     return points;
@@ -132,6 +133,17 @@ std::vector<VectorXd> points_of(const HypothesisFit& fit, int count) {
     points.emplace_back(fit.z + root * step);
   }
   return points;
+}
+
+// None where the structure is not stable.
+std::vector<std::optional<OneDraw>> draws_at(const Accounts& accounts,
+                                             const std::vector<const Hypothesis*>& together,
+                                             const std::vector<VectorXd>& points) {
+  std::vector<std::optional<OneDraw>> draws(points.size());
+  in_parallel(int(points.size()), [&](int k) {
+    draws[std::size_t(k)] = accounts.at(together, points[std::size_t(k)]);
+  });
+  return draws;
 }
 
 // The shortest interval that holds nine tenths of the draws: an effect cannot close more than all,
@@ -182,11 +194,7 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
     constexpr int fewest = 20;
     const std::vector<VectorXd> points = points_of(
         *set.fit, std::max(fewest, int(std::lround(draws_in_all * set.weight / weights))));
-    std::vector<std::optional<OneDraw>> own(points.size());
-    in_parallel(int(points.size()), [&](int k) {
-      own[std::size_t(k)] = accounts.at(set.fit->together, points[std::size_t(k)]);
-    });
-    for (auto& draw : own)
+    for (auto& draw : draws_at(accounts, set.fit->together, points))
       if (draw) {
         draw->weight = set.weight / double(points.size());
         draws.push_back(std::move(*draw));
@@ -226,13 +234,14 @@ ShareDraws share_draws(const FitContext& context, const HypothesisFit& nominal,
     return {MatrixXd(0, 1), MatrixXd::Constant(1, 1, nothing.left[nothing.left.size() - 1])};
   }
   const std::vector<VectorXd> points = points_of(fit, count);
-  ShareDraws draws{MatrixXd(fit.z.size(), count), MatrixXd(rows, count)};
+  const auto all = draws_at(accounts, fit.together, points);
+  ShareDraws draws{MatrixXd(fit.z.size(), Index(points.size())),
+                   MatrixXd(rows, Index(points.size()))};
   Index kept = 0;
-  for (const VectorXd& z : points) {
-    const auto draw = accounts.at(fit.together, z);
-    if (!draw) continue;
-    draws.z.col(kept) = z;
-    draws.shares.col(kept) << draw->effects, draw->left[draw->left.size() - 1];
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!all[k]) continue;
+    draws.z.col(kept) = points[k];
+    draws.shares.col(kept) << all[k]->effects, all[k]->left[all[k]->left.size() - 1];
     ++kept;
   }
   draws.z.conservativeResize(Eigen::NoChange, kept);

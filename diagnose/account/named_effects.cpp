@@ -13,6 +13,7 @@ using Eigen::VectorXd;
 
 std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) const {
   const Judgement& judgement = found_.judgement;
+  const Structure structure = problem_.nominal.structure(problem_.test.data);
   std::vector<NamedEffect> members;
   for (std::size_t h = 0; h < fit.together.size(); ++h) {
     const Hypothesis& own = *fit.together[h];
@@ -21,18 +22,23 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
     members.push_back(named(
         fit, h, place_is_weighed ? effect * judgement.share_of(own.effect, own.place) : effect,
         found_.fits));
-    members.back().anywhere = effect;
+    NamedEffect& e = members.back();
+    e.anywhere = effect;
     if (judgement.verdict == Verdict::several)
-      add_exchanged_places(members.back(), fit, h);
+      add_exchanged_places(e, fit, h);
     else
-      add_other_places(members.back());
+      add_other_places(e);
+    if (own.in_case) e.in_case = in_case(own, e.parameters);
+    std::optional<double> along;
+    if (own.along) along = e.parameters[*own.along].value;
+    e.nodes = nodes_at(structure, e.place, along);
   }
   return members;
 }
 
-NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t half, double probability,
+NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, double probability,
                                 const std::vector<JudgedFit>& fits) const {
-  const Hypothesis& h = *fit.together[half];
+  const Hypothesis& h = *fit.together[member];
   NamedEffect e{.name = h.effect,
                 .place = h.place,
                 .way = h.way,
@@ -44,8 +50,7 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t half, doub
       if (const Hypothesis& other = *j.fit.together[0];
           other.effect == h.effect && other.place == h.place && other.way != h.way)
         ways.push_back(&j.fit);
-  Index first = 0;
-  for (std::size_t i = 0; i < half; ++i) first += Index(fit.together[i]->parameters.size());
+  const Index first = fit.first_of(member);
   for (std::size_t i = 0; i < h.parameters.size(); ++i) {
     const Index row = first + Index(i);
     const Interval between = interval_of(ways, row, h.parameters[i].prior);
@@ -56,10 +61,6 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t half, doub
                             .interval = between.ends,
                             .z = fit.z[row]});
   }
-  if (h.in_case) e.in_case = in_case(h, e.parameters);
-  std::optional<double> along;
-  if (h.along) along = e.parameters[*h.along].value;
-  e.nodes = nodes_at(problem_.nominal.structure(problem_.test.data), e.place, along);
   return e;
 }
 

@@ -11,10 +11,11 @@ public:
   NamedEffects(const GapProblem& problem, const Findings& found)
       : problem_(problem), found_(found) {}
 
+  // All that is told of the members of a fit.
   std::vector<NamedEffect> members_of(const HypothesisFit& fit) const;
 
-  // One member of a fit. `fits`: of single hypotheses, where other ways of the same effect are
-  // looked for.
+  // Name, values and probability of one member of a fit. `fits`: of single hypotheses, where other
+  // ways of the same effect are looked for.
   NamedEffect named(const HypothesisFit& fit, std::size_t member, double probability,
                     const std::vector<JudgedFit>& fits) const;
 

@@ -1,9 +1,6 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace plica {
 namespace {
 
@@ -60,11 +57,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
     found.back().effect = "added_mass";
     found.back().in_case = [path, all = places_of(s, path.nodes)](const Case& now,
                                                                   const Eigen::VectorXd& v) {
-      const auto nearest =
-          std::min_element(path.at.begin(), path.at.end(), [&](double a, double b) {
-            return std::abs(a - v[1]) < std::abs(b - v[1]);
-          });
-      return with_mass_at(now, all[std::size_t(nearest - path.at.begin())], v[0]);
+      return with_mass_at(now, all[path.nearest(v[1])], v[0]);
     };
   }
   return found;

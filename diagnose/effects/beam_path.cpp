@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace plica {
 namespace {
@@ -51,6 +52,12 @@ std::vector<ModelChange> changes_along(const Structure& s, const BeamPath& path,
 }
 
 } // namespace
+
+std::size_t BeamPath::nearest(double s) const {
+  const auto found = std::min_element(
+      at.begin(), at.end(), [&](double a, double b) { return std::abs(a - s) < std::abs(b - s); });
+  return std::size_t(found - at.begin());
+}
 
 VectorXd BeamPath::weights(double s) const {
   const auto n = int(nodes.size()) - 1;

@@ -14,6 +14,7 @@ struct BeamPath {
   std::vector<int> nodes; // some of the part's, its points among them
   std::vector<double> at; // of each: m along the part
   double length() const { return at.back(); }
+  std::size_t nearest(double s) const; // of the nodes
   // Of springs or masses at the samples, for one at s: they add up to it.
   Eigen::VectorXd weights(double s) const;
 };

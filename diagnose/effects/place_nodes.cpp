@@ -4,7 +4,6 @@
 #include "diagnose/effects/places.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace plica {
@@ -70,13 +69,7 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
 std::vector<int> nodes_at(const Structure& s, const std::string& place,
                           const std::optional<double>& along) {
   for (const BeamPath& path : beam_paths(s))
-    if (along && path.part == place) {
-      const auto nearest =
-          std::min_element(path.at.begin(), path.at.end(), [&](double a, double b) {
-            return std::abs(a - *along) < std::abs(b - *along);
-          });
-      return {path.nodes[std::size_t(nearest - path.at.begin())]};
-    }
+    if (along && path.part == place) return {path.nodes[path.nearest(*along)]};
   std::set<int> nodes;
   const std::string between = " and ";
   for (std::size_t from = 0; from <= place.size();) {

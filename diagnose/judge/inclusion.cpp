@@ -56,11 +56,9 @@ std::vector<std::pair<const JudgedFit*, double>> Inclusion::first(std::size_t co
     const JudgedFit* fit = nullptr;
     double weight = 0, all = 0;
   };
-  std::map<std::multiset<std::string>, Best> best;
+  std::map<std::vector<std::string>, Best> best;
   for (const Weighed& w : all_) {
-    std::multiset<std::string> effects;
-    for (const Hypothesis* h : w.fit->fit.together) effects.insert(h->effect);
-    Best& own = best[effects];
+    Best& own = best[w.fit->fit.effects()];
     own.all += w.weight;
     if (!own.fit || w.weight > own.weight) {
       own.fit = w.fit;
@@ -91,9 +89,9 @@ double Inclusion::at(const std::string& effect, const std::string& place) const 
 std::vector<std::pair<std::string, double>> Inclusion::effects() const {
   std::map<std::string, double> shares{{"none", none_}};
   for (const Weighed& w : all_) {
-    std::set<std::string> own;
-    for (const Hypothesis* h : w.fit->fit.together) own.insert(h->effect);
-    for (const std::string& effect : own) shares[effect] += w.weight;
+    const std::vector<std::string> all = w.fit->fit.effects();
+    for (const std::string& effect : std::set<std::string>(all.begin(), all.end()))
+      shares[effect] += w.weight;
   }
   return largest_first(shares);
 }

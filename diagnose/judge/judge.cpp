@@ -14,22 +14,16 @@ constexpr double set_gain = 5;         // over the best smaller one, none of whi
 constexpr double set_shrink = 0.3;     // of held-out readings
 constexpr double most_closed = 0.5;    // of the gap, at least
 constexpr double far_ahead = 0.9;      // probability of each effect that explains most
-std::vector<std::string> effects_of(const HypothesisFit& fit) {
-  std::vector<std::string> names;
-  for (const Hypothesis* h : fit.together) names.push_back(h->effect);
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 // Whether without any of its members a set is worth that much less: against what has the other
 // effects, wherever they sit.
 bool all_needed(const JudgedFit& set, const std::vector<Family>& families,
                 const std::vector<JudgedFit>& sets) {
   for (const Hypothesis* member : set.fit.together) {
-    std::vector<std::string> others = effects_of(set.fit);
+    std::vector<std::string> others = set.fit.effects();
     others.erase(std::find(others.begin(), others.end(), member->effect));
     const auto as_good = [&](const JudgedFit& j) {
-      return effects_of(j.fit) == others && evidence_of(set.fit) - evidence_of(j.fit) < told_apart;
+      return j.fit.effects() == others && evidence_of(set.fit) - evidence_of(j.fit) < told_apart;
     };
     if (std::any_of(families.begin(), families.end(),
                     [&](const Family& f) { return as_good(*f.best); }) ||
@@ -84,7 +78,7 @@ std::vector<std::pair<std::string, double>> shares_of(const std::vector<const Ju
   for (const JudgedFit* set : sets) {
     const double weight = std::exp(evidence_of(set->fit) - evidence_of(sets.front()->fit));
     all += weight;
-    for (const std::string& effect : effects_of(set->fit))
+    for (const std::string& effect : set->fit.effects())
       shares[effect] +=
           weight / double(std::count_if(set->fit.together.begin(), set->fit.together.end(),
                                         [&](const Hypothesis* h) { return h->effect == effect; }));
@@ -197,6 +191,7 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
     Objection objection = objecting(*lead);
     result.withheld = std::move(objection.why);
     result.in_turn = objection.in_turn;
+    result.sampled = std::move(objection.sampled);
   }
   result.nearest = lead;
   if (!result.withheld.empty()) return;

@@ -45,8 +45,9 @@ struct Judgement {
   std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
   std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
   bool stopped = false;                                                      // before all was tried
-  std::string withheld;             // why an effect that leads is not named; empty = nothing is
-  std::optional<GapShrink> in_turn; // of what leads, where its readings were taken in turn
+  std::string withheld;                 // why an effect that leads is not named; empty = nothing is
+  std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn
+  std::optional<HypothesisFit> sampled; // the same with draws (Objection)
   double probability_of(const std::string& effect) const;
   double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };
@@ -54,7 +55,8 @@ struct Judgement {
 // Why a fit that leads must not be named; empty = it may.
 struct Objection {
   std::string why;
-  std::optional<GapShrink> in_turn = {}; // where it was asked for
+  std::optional<GapShrink> in_turn = {};     // where it was asked for
+  std::optional<HypothesisFit> sampled = {}; // the fit with draws at its dispersion, where it was
 };
 using Objecting = std::function<Objection(const JudgedFit&)>;
 

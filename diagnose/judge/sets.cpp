@@ -37,9 +37,7 @@ struct Asked {
 
 // Coordinates of one member.
 VectorXd part_of(const HypothesisFit& fit, std::size_t member) {
-  Index first = 0;
-  for (std::size_t i = 0; i < member; ++i) first += Index(fit.together[i]->parameters.size());
-  return fit.z.segment(first, Index(fit.together[member]->parameters.size()));
+  return fit.z.segment(fit.first_of(member), Index(fit.together[member]->parameters.size()));
 }
 
 VectorXd joined(const std::vector<VectorXd>& parts) {
@@ -66,12 +64,9 @@ double gain(const HypothesisFit& set, const Signature& s) {
 // The first sets of different effects: one effect with many places would take all the turns.
 std::vector<JudgedFit> of_different_effects(const std::vector<JudgedFit>& sets, std::size_t most) {
   std::vector<JudgedFit> chosen;
-  std::set<std::multiset<std::string>> seen;
-  for (const JudgedFit& j : sets) {
-    std::multiset<std::string> effects;
-    for (const Hypothesis* h : j.fit.together) effects.insert(h->effect);
-    if (chosen.size() < most && seen.insert(std::move(effects)).second) chosen.push_back(j);
-  }
+  std::set<std::vector<std::string>> seen;
+  for (const JudgedFit& j : sets)
+    if (chosen.size() < most && seen.insert(j.fit.effects()).second) chosen.push_back(j);
   return chosen;
 }
 

@@ -39,6 +39,8 @@ struct HypothesisFit {
   std::vector<Eigen::Index> aside;            // readings that do not follow the hypothesis
   double farthest = 0;                        // largest |z|
   int evaluations = 0;
+  Eigen::Index first_of(std::size_t member) const; // where the coordinates of a member begin
+  std::vector<std::string> effects() const;        // of the members, sorted
 };
 
 HypothesisFit nominal_fit(const FitContext& context);

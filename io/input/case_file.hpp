@@ -30,8 +30,8 @@ CaseFile read_case(const std::string& path, const std::string& model = {},
                    const std::map<std::string, std::string>& overrides = {});
 
 // The case that was read as a file in a folder: with its model in place of others, without fit and
-// variants, with other values at some paths (YAML). `measured`: the test it
-// is held against; empty = as the case says.
+// variants, with other values at some paths (YAML). `measured`: the test it is held against; empty
+// = as the case says.
 std::string yaml_of(const CaseFile& file, const std::map<std::string, std::string>& changes,
                     const std::filesystem::path& measured, const std::filesystem::path& folder);
 

@@ -163,7 +163,7 @@ std::string ledger_html(const Diagnosis& d) {
     readings.push_back(fmt::format("{}: {:.0f} % of the gap", reading, 100 * share));
   if (!readings.empty()) html += "<p>What is left sits in:</p>\n" + html_list(readings);
   if (!d.next.empty())
-    html += "<p>To measure next: " + html_escape(d.next.front().what) + " (" + "about " +
+    html += "<p>To measure next: " + html_escape(d.next.front().what) + " (about " +
             html_escape(d.next.front().about) + ").</p>\n";
   return html;
 }

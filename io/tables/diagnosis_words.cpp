@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plica {
 namespace {
@@ -153,7 +154,7 @@ ShownUnit handy_unit(double value, const std::string& unit) {
   if (unit == "m" && size < 1e-4) return {1e6, "µm"};
   if (unit == "m" && size < 0.1) return {1e3, "mm"};
   if (unit == "kg" && size < 0.1) return {1e3, "g"};
-  if (unit == "rad") return {180 / 3.14159265358979323846, "°"};
+  if (unit == "rad") return {180 / std::numbers::pi, "°"};
   if (unit == "N/m" && size >= 1e7) return {1e-6, "MN/m"};
   return shown_unit(value, unit);
 }
@@ -194,9 +195,9 @@ std::string row_words(const LedgerRow& row) {
   if (row.left == "unexplained") return "not explained";
   std::string text;
   for (const NamedEffect& e : row.effects) {
-    const std::string place = e.place + (e.way.empty() ? "" : " (" + e.way + ")");
-    if (row.effects.size() == 1) return plain_words(e) + ", at " + place;
-    text += (text.empty() ? "one of: " : " or ") + e.name + " at " + place; // a list stays short
+    if (row.effects.size() == 1)
+      return plain_words(e) + ", at " + e.place + (e.way.empty() ? "" : " (" + e.way + ")");
+    text += (text.empty() ? "one of: " : " or ") + effect_label(e); // a list stays short
   }
   return text;
 }

@@ -27,9 +27,9 @@ ExplainedCase explained_case(const CaseFile& file, const CaseEdits& fitted, cons
     explained.data = read_case(file.path, file.data.model, changes).data;
   };
   if (!fitted.empty()) take(fitted);
-  const std::size_t named = d.verdict == Verdict::ambiguous ? 1 : d.effects.size();
-  for (std::size_t i = 0; i < named; ++i) { // each into what those before it left
-    const NamedEffect& e = d.effects[i];
+  for (const LedgerRow& row : d.ledger.rows) { // each into what those before it left
+    if (d.effects.empty() || row.effects.empty()) continue;
+    const NamedEffect& e = row.effects.front();
     const CaseEdits edits = e.in_case ? e.in_case(explained.data) : CaseEdits();
     (edits.empty() ? explained.left_out : explained.in).push_back(words_of(e));
     if (!edits.empty()) take(edits);
