@@ -49,7 +49,7 @@ public:
     confirm(context, ranked, fits, plain, scores, standards);
     ranked = families(fits);
     std::vector<JudgedFit> sets;
-    if (!nominal.adequate && wants_several(ranked, all)) {
+    if (!nominal.adequate && wants_several(ranked, all, standards)) {
       sets = fit_sets(context, ranked, fits, all, nominal, *problem_.held_out, scores, standards,
                       settings_);
       if (problem_.held_out->rows().empty()) take_in_turn(context, plain, sets);
@@ -88,13 +88,18 @@ public:
   }
 
 private:
-  // No single effect explains the test, or the best of those that do leaves what asks for more.
-  // Beside a baseline the latter may be what the change does not do exactly.
-  bool wants_several(const std::vector<Family>& ranked, const std::vector<Signature>& all) const {
+  // No single effect explains the test, or one of those that explain it as well as the best leaves
+  // what asks for more. Beside a baseline the latter may be what the change does not do exactly.
+  bool wants_several(const std::vector<Family>& ranked, const std::vector<Signature>& all,
+                     const Standards& standards) const {
     const auto explains = [](const Family& f) { return f.best->credible(); };
     const auto best = std::find_if(ranked.begin(), ranked.end(), explains);
     if (best == ranked.end()) return true;
-    return problem_.baseline.readings.empty() && asks_for_more(best->best->fit, all);
+    if (!problem_.baseline.readings.empty()) return false;
+    return std::any_of(ranked.begin(), ranked.end(), [&](const Family& f) {
+      return f.best->stands() && best->log_evidence - f.log_evidence < standards.apart &&
+             asks_for_more(f.best->fit, all);
+    });
   }
 
   std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,

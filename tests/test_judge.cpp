@@ -122,17 +122,47 @@ TEST(Judge, names_all_that_lie_within_five_nats) {
   EXPECT_EQ(j.named.size(), 2u);
 }
 
-TEST(Judge, passes_over_what_is_inadequate_absurd_or_not_met_by_what_was_held_out) {
+TEST(Judge, passes_over_what_is_inadequate_or_not_met_by_what_was_held_out) {
   Fits fits;
   fits.add("added_mass", 30, false);
-  fits.add("ply_slip", 25).absurd = true;
   fits.add("temperature", 20).fails_held_out = true;
   fits.add("local_damage", 10);
   const Judgement j = fits.judgement(false);
   EXPECT_EQ(j.verdict, Verdict::identified);
   ASSERT_EQ(j.named.size(), 1u);
   EXPECT_EQ(j.named[0]->fit.together[0]->effect, "local_damage");
-  EXPECT_EQ(probability(j, "added_mass"), 0) << "only what is credible has a share";
+  EXPECT_EQ(probability(j, "added_mass"), 0) << "only what stands has a share";
+}
+
+// A clamp softer than its prior lets it be explains a test: a fixture that explains it less well is
+// not the cause for that.
+TEST(Judge, tells_an_effect_apart_from_what_is_too_far_out_of_its_prior) {
+  Fits fits;
+  fits.add("boundary_compliance", 12).absurd = true;
+  fits.add("fixture_flexibility", 10);
+  Judgement j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  ASSERT_EQ(j.named.size(), 2u);
+  EXPECT_EQ(j.named[0]->fit.together[0]->effect, "fixture_flexibility");
+  EXPECT_EQ(j.named[1]->fit.together[0]->effect, "boundary_compliance");
+  EXPECT_GT(probability(j, "boundary_compliance"), 0.8);
+  fits.singles.front().fit.log_evidence = 4.9;
+  j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::identified);
+}
+
+TEST(Judge, lists_sets_that_are_too_far_out_of_a_prior_behind_one_that_is_not) {
+  Fits fits;
+  fits.add("added_mass", 10, false);
+  fits.add("ply_slip", 4, false);
+  fits.add_pair("added_mass", "ply_slip", 20);
+  fits.add_pair("added_mass", "temperature", 22).absurd = true;
+  Judgement j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::several);
+  ASSERT_EQ(j.named.size(), 2u);
+  EXPECT_EQ(j.named[0]->fit.together[1]->effect, "ply_slip");
+  fits.sets.front().absurd = true;
+  EXPECT_NE(fits.judgement(false).verdict, Verdict::several) << "none is left that may be named";
 }
 
 TEST(Judge, says_unknown_where_nothing_is_credible) {

@@ -1,5 +1,6 @@
 // What the gap is made of: shares that add up, effects together, what is left.
 #include "changed_beam.hpp"
+#include "diagnose/account/named_effects.hpp"
 #include "model/description/case_path.hpp"
 
 #include <gtest/gtest.h>
@@ -113,6 +114,22 @@ TEST(Ledger, shares_the_gap_among_three_effects_at_once) {
   expect_value(row("component_mass", "m1"), 0.07 / 0.04);
   expect_value(row("component_mass", "m3"), 0.09 / 0.06);
   expect_value(row("boundary_compliance", "mount.root"), soft);
+}
+
+TEST(Ledger, shows_what_takes_the_place_of_an_effect_in_sets_that_explain_as_well) {
+  const auto effect = [](const char* name, const char* place) {
+    return NamedEffect{.name = name, .place = place, .way = "", .parameters = {}};
+  };
+  const NamedEffect mass = effect("added_mass", "tip"), heavy = effect("added_mass", "middle"),
+                    hot = effect("temperature", "all"), soft = effect("joint_stiffness", "lap");
+  const auto groups = alternatives({{mass, hot}, {soft, mass}, {hot, heavy}, {mass, hot}});
+  ASSERT_EQ(groups.size(), 2u);
+  ASSERT_EQ(groups[0].size(), 2u);
+  EXPECT_EQ(groups[0][0].place, "tip");
+  EXPECT_EQ(groups[0][1].place, "middle");
+  ASSERT_EQ(groups[1].size(), 2u);
+  EXPECT_EQ(groups[1][0].name, "temperature");
+  EXPECT_EQ(groups[1][1].name, "joint_stiffness");
 }
 
 } // namespace

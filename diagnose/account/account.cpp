@@ -113,7 +113,9 @@ private:
     return told;
   }
 
-  // An ambiguous list is one row: each of it would explain that much.
+  // An ambiguous list is one row: each of it would explain that much. Of sets that explain the test
+  // alike the first is accounted for, and in the rows of its effects stand those that take their
+  // places in the others.
   void keep_ledger(const std::vector<HypothesisFit>& told,
                    const std::vector<std::vector<NamedEffect>>& members) {
     const Judgement& judgement = found_.judgement;
@@ -124,9 +126,10 @@ private:
         sets.push_back(
             {&fit, list ? std::max(1e-3, judgement.probability_of(fit.together[0]->effect)) : 1});
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
-    for (std::size_t k = 0; k < sets.size(); ++k)
-      for (std::size_t i = 0; i < members[k].size(); ++i)
-        result_.ledger.rows[i].effects.push_back(members[k][i]);
+    if (members.empty()) return;
+    std::vector<std::vector<NamedEffect>> groups = alternatives(members);
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      result_.ledger.rows[i].effects = std::move(groups[i]);
   }
 
   TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {

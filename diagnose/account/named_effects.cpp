@@ -115,4 +115,32 @@ void NamedEffects::add_other_places(NamedEffect& e) const {
   }
 }
 
+std::vector<std::vector<NamedEffect>>
+alternatives(const std::vector<std::vector<NamedEffect>>& sets) {
+  using Alike = bool (*)(const NamedEffect&, const NamedEffect&);
+  constexpr Alike same = [](const NamedEffect& a, const NamedEffect& b) {
+    return a.name == b.name && a.place == b.place;
+  };
+  constexpr Alike elsewhere = [](const NamedEffect& a, const NamedEffect& b) {
+    return a.name == b.name;
+  };
+  constexpr Alike another = [](const NamedEffect&, const NamedEffect&) { return true; };
+  const std::vector<NamedEffect>& first = sets.front();
+  std::vector<std::vector<NamedEffect>> groups;
+  for (const NamedEffect& e : first) groups.push_back({e});
+  for (const std::vector<NamedEffect>& set : sets) {
+    std::vector<bool> taken(first.size()), placed(set.size());
+    for (const Alike alike : {same, elsewhere, another})
+      for (std::size_t j = 0; j < set.size(); ++j)
+        for (std::size_t i = 0; i < first.size() && !placed[j]; ++i) {
+          if (taken[i] || !alike(first[i], set[j])) continue;
+          taken[i] = placed[j] = true;
+          if (std::none_of(groups[i].begin(), groups[i].end(),
+                           [&](const NamedEffect& own) { return same(own, set[j]); }))
+            groups[i].push_back(set[j]);
+        }
+  }
+  return groups;
+}
+
 } // namespace plica

@@ -29,4 +29,9 @@ private:
   const Findings& found_;
 };
 
+// Of sets that explain a test alike, the members of the first, each with what takes its place in
+// the others: the same effect elsewhere, else another one.
+std::vector<std::vector<NamedEffect>>
+alternatives(const std::vector<std::vector<NamedEffect>>& sets);
+
 } // namespace plica

@@ -53,18 +53,23 @@ bool foretold(const JudgedFit& set) {
   return set.held_out_met && set.held_out_shrink.value_or(0) >= set_shrink;
 }
 
-// Sets that explain the test, the best first, and all that are not told apart from it.
+// The best set that explains the test and is far enough ahead of all smaller ones, and behind it
+// all that are not told apart from it: of these some may be too far out of a prior.
 std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Family>& families,
                                             const std::vector<JudgedFit>& sets, double apart) {
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& set : sets)
-    if (set.fit.solved && set.credible() && !set.too_free() && foretold(set) &&
-        is_ahead(set, none, families, sets) && all_needed(set, families, sets))
+    if (set.fit.solved && set.stands() && !set.too_free() && foretold(set) &&
+        all_needed(set, families, sets))
       standing.push_back(&set);
   std::stable_sort(standing.begin(), standing.end(), [](const JudgedFit* a, const JudgedFit* b) {
     return evidence_of(a->fit) > evidence_of(b->fit);
   });
-  if (standing.empty()) return standing;
+  const auto lead = std::find_if(standing.begin(), standing.end(), [&](const JudgedFit* set) {
+    return set->credible() && is_ahead(*set, none, families, sets);
+  });
+  if (lead == standing.end()) return {};
+  std::rotate(standing.begin(), lead, lead + 1);
   const double most = evidence_of(standing.front()->fit);
   std::erase_if(standing,
                 [&](const JudgedFit* set) { return most - evidence_of(set->fit) >= apart; });
@@ -74,9 +79,10 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Famil
 // Of the effects, over sets that explain as well.
 std::vector<std::pair<std::string, double>> shares_of(const std::vector<const JudgedFit*>& sets) {
   std::map<std::string, double> shares;
-  double all = 0;
+  double all = 0, highest = -1e300;
+  for (const JudgedFit* set : sets) highest = std::max(highest, evidence_of(set->fit));
   for (const JudgedFit* set : sets) {
-    const double weight = std::exp(evidence_of(set->fit) - evidence_of(sets.front()->fit));
+    const double weight = std::exp(evidence_of(set->fit) - highest);
     all += weight;
     for (const std::string& effect : set->fit.effects())
       shares[effect] +=
@@ -118,15 +124,17 @@ void weigh_singles(const JudgedFit& nominal, const std::vector<Family>& families
     sum += result.probabilities.back().second;
   };
   weigh("none", none, nominal.adequate);
-  for (const Family& f : families) weigh(f.effect, f.log_evidence, f.best->credible());
+  for (const Family& f : families) weigh(f.effect, f.log_evidence, f.best->stands());
   for (auto& [name, p] : result.probabilities) p /= std::max(sum, 1e-300);
   std::stable_sort(result.probabilities.begin(), result.probabilities.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
 }
 
-// Effects that are told apart from all others, or a list of those that are not.
-void name_singles(const std::vector<const Family*>& credible, double none,
-                  const Standards& standards, const Objecting& objecting, Judgement& result) {
+// Effects that are told apart from all others, or a list of those that are not: `rivals` stand, but
+// too far out of their priors to be named alone.
+void name_singles(const std::vector<const Family*>& credible,
+                  const std::vector<const Family*>& rivals, double none, const Standards& standards,
+                  const Objecting& objecting, Judgement& result) {
   const double best = credible.front()->log_evidence;
   for (const Family* f : credible) {
     const double behind = best - f->log_evidence;
@@ -135,6 +143,9 @@ void name_singles(const std::vector<const Family*>& credible, double none,
         f->log_evidence - none >= standards.evidence - standards.apart)
       result.named.push_back(f->best);
   }
+  for (const Family* f : rivals)
+    if (best - f->log_evidence < standards.apart && result.named.size() < most_listed)
+      result.named.push_back(f->best);
   if (result.named.size() == 1 && objecting) {
     Objection objection = objecting(*result.named.front());
     result.withheld = std::move(objection.why);
@@ -164,8 +175,9 @@ void take_over(const Inclusion& inclusion, Judgement& result) {
 // Where nothing explains the test, being ahead of all others that are known does not make an effect
 // the cause: of what it leaves, something that is not known is. What failed a test of its own has
 // even odds at most.
-void claim_no_more_than_is_closed(const JudgedFit& nominal, Judgement& result) {
-  const double left = result.nearest ? result.nearest->gap_after / nominal.gap_after : 1;
+void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest,
+                                  Judgement& result) {
+  const double left = nearest ? nearest->gap_after / nominal.gap_after : 1;
   const double closed = std::clamp(1 - left * left, 0., 1.);
   constexpr double even = 0.5;
   for (auto& [effect, probability] : result.probabilities)
@@ -216,9 +228,13 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
   Judgement result;
   for (const Family& f : families) result.places[f.effect] = f.places;
   const double none = nominal.fit.log_evidence;
-  std::vector<const Family*> credible;
-  for (const Family& f : families)
-    if (f.best->credible()) credible.push_back(&f);
+  std::vector<const Family*> credible, rivals;
+  for (const Family& f : families) {
+    if (f.best->credible())
+      credible.push_back(&f);
+    else if (f.best->stands())
+      rivals.push_back(&f);
+  }
   weigh_singles(nominal, families, result);
   const double best = credible.empty() ? -1e300 : credible.front()->log_evidence;
   if (nominal.adequate && best - none < standards.evidence) {
@@ -232,12 +248,15 @@ Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
     return result;
   }
   if (!credible.empty() && best - none >= standards.evidence) {
-    name_singles(credible, none, standards, referee.to_all, result);
+    name_singles(credible, rivals, none, standards, referee.to_all, result);
+    if (!result.withheld.empty())
+      claim_no_more_than_is_closed(nominal, result.named.front(), result);
     return result;
   }
   take_over(inclusion, result);
   name_most(nominal, inclusion, referee.to_most, result);
-  if (result.verdict == Verdict::unknown) claim_no_more_than_is_closed(nominal, result);
+  if (result.verdict == Verdict::unknown)
+    claim_no_more_than_is_closed(nominal, result.nearest, result);
   return result;
 }
 

@@ -11,7 +11,8 @@
 //               readings in turn (the interval of their shrink above zero), and three readings for
 //               each free parameter; with it all such sets within 5 of it
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
-//               every other adequate effect, no parameter beyond |z| = 3, held-out readings met
+//               every other adequate effect, no parameter beyond |z| = 3, held-out readings met.
+//               What is beyond |z| = 3 can be no cause that is sure, but has to be told apart
 //   ambiguous   several adequate effects within that of the best, up to three of them, or all that
 //               are within 3; or what would be identified has as many free parameters as there are
 //               fitted readings, closes less than half of the gap, or foretells readings taken in

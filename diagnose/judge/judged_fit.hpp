@@ -37,7 +37,10 @@ struct JudgedFit {
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;
   int free_parameters = 0;
-  bool credible() const { return adequate && !absurd && !fails_held_out; }
+  bool credible() const { return stands() && !absurd; }
+  // Not refuted by any reading: what is named has to be told apart from it, though it may be too
+  // far out of its prior to be named for sure.
+  bool stands() const { return adequate && !fails_held_out; }
   // Whether there are too few readings for several effects, or for what explains most: less than
   // three for each free parameter.
   bool too_free() const;

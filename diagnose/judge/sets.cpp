@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -107,7 +108,7 @@ public:
       if (dispersed_log_evidence(level.front().fit) < before + worth_growing) break;
       front = of_different_effects(level, grown_sets);
     }
-    sort(found);
+    exchange(found);
     return found;
   }
 
@@ -217,6 +218,41 @@ private:
       if (is_new(rest.together)) asked.push_back(std::move(rest));
     }
     return asked;
+  }
+
+  // The best set with each member in turn given up for every other effect, until none is better.
+  void exchange(std::vector<JudgedFit>& found) {
+    constexpr int rounds = 2;
+    sort(found);
+    for (int round = 0; round < rounds && !found.empty() && !settings_.stop(); ++round) {
+      const Together best = best_of(found).fit.together;
+      add(found, fitted(smaller(best_of(found).fit)));
+      std::vector<JudgedFit> rests;
+      for (const Hypothesis* out : best) {
+        Together rest = best;
+        rest.erase(std::find(rest.begin(), rest.end(), out));
+        const auto take = [&](const std::vector<JudgedFit>& fits) {
+          std::copy_if(fits.begin(), fits.end(), std::back_inserter(rests),
+                       [&](const JudgedFit& j) { return is_of(j.fit, rest); });
+        };
+        take(fits_);
+        take(found);
+      }
+      add(found, fitted(larger(rests)));
+      if (best_of(found).fit.together == best) return;
+    }
+  }
+
+  static bool is_of(const HypothesisFit& fit, const Together& members) {
+    return fit.together.size() == members.size() &&
+           std::is_permutation(members.begin(), members.end(), fit.together.begin());
+  }
+
+  // Of those that explain the test, else of all; sorted.
+  static const JudgedFit& best_of(const std::vector<JudgedFit>& found) {
+    const auto credible =
+        std::find_if(found.begin(), found.end(), [](const JudgedFit& j) { return j.credible(); });
+    return credible == found.end() ? found.front() : *credible;
   }
 
   // What members change is prepared once: each is in several sets.

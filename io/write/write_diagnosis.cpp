@@ -42,8 +42,11 @@ Json named_json(const NamedEffect& e) {
   json["probability"] = json_number(e.probability);
   json["anywhere"] = json_number(e.anywhere);
   json["other_places"] = e.other_places;
-  json["unit"] = Json::object();
-  for (const EstimatedParameter& p : e.parameters) json["unit"][p.name] = p.unit;
+  json["unit"] = json["z_of_prior"] = Json::object();
+  for (const EstimatedParameter& p : e.parameters) {
+    json["unit"][p.name] = p.unit;
+    json["z_of_prior"][p.name] = json_number(p.z);
+  }
   return json;
 }
 
