@@ -194,12 +194,12 @@ std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis
   const Ledger left =
       said_where(a, [&] { return suppose(explained.data, a.test, Supposition{}, settings); });
   out.add(explained_file, explained.text);
-  const double superposed = diagnosis.ledger.gap * (1 - diagnosis.ledger.explained);
+  const double foretold = diagnosis.ledger.gap * (1 - diagnosis.ledger.explained);
   return words +
          fmt::format(
              "{} has {} of {} effects in it: G falls from {:.3g} to {:.3g} (the ledger: {:.3g})\n",
              explained_file, explained.in.size(), explained.in.size() + explained.left_out.size(),
-             diagnosis.ledger.gap, left.gap, superposed);
+             diagnosis.ledger.gap, left.gap, foretold);
 }
 
 int diagnose_case(const DiagnoseOptions& options) {

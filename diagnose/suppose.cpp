@@ -112,6 +112,7 @@ private:
 Ledger suppose(const Case& data, const DiagnosisData& test, const Supposition& supposition,
                const DiagnosisSettings& settings) {
   const auto problem = stated_gap(data, test, settings);
+  problem->predictors->solve_anew();
   const FitContext context = problem->context();
   const Statement statement(*problem, supposition);
   HypothesisFit fit;

@@ -81,6 +81,14 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
   return {std::move(X), std::move(E), std::move(T)};
 }
 
+VectorXd with_products(VectorXd coefficients, const std::vector<std::array<int, 2>>& products) {
+  const Index own = coefficients.size();
+  coefficients.conservativeResize(own + Index(products.size()));
+  for (std::size_t k = 0; k < products.size(); ++k)
+    coefficients[own + Index(k)] = coefficients[products[k][0]] * coefficients[products[k][1]];
+  return coefficients;
+}
+
 ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
   return reduced(changes, basis_of(changes));
 }
@@ -137,6 +145,8 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   MatrixXd all; // of what reaches everywhere
   const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
   if (std::any_of(changes.begin(), changes.end(), is_whole)) all = side_by_side(Psi_, W_, X);
+  for (const PreparedChange& change : changes)
+    if (change.product_of) family.products.push_back(*change.product_of);
   family.dK.resize(changes.size());
   family.dM.resize(changes.size());
   family.d_load.resize(changes.size());
@@ -170,10 +180,11 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
 }
 
 VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& changes,
-                                           const VectorXd& coefficients,
-                                           const std::vector<int>& free, int modes) const {
+                                           const VectorXd& of_changes, const std::vector<int>& free,
+                                           int modes) const {
   const Basis basis = basis_of(changes);
   const ReducedFamily f = reduced(changes, basis);
+  const VectorXd coefficients = with_products(of_changes, f.products);
   MatrixXd K = f.K, M = f.M;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     K += coefficients[Index(i)] * f.dK[i];

@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <iterator>
 
 namespace plica {
 namespace {
@@ -156,6 +157,24 @@ ParametricModel::prepare(const std::vector<ModelChange>& changes) const {
   }
   follow_series(series);
   return made;
+}
+
+std::optional<PreparedChange> ParametricModel::product(const ModelChange& both,
+                                                       const PreparedChange& a,
+                                                       const PreparedChange& b) const {
+  const bool in_stiffness = a.K.nonZeros() > 0 && b.K.nonZeros() > 0,
+             in_mass = a.M.nonZeros() > 0 && b.M.nonZeros() > 0;
+  std::vector<int> common;
+  std::set_intersection(a.dofs.begin(), a.dofs.end(), b.dofs.begin(), b.dofs.end(),
+                        std::back_inserter(common));
+  if (common.empty() || !(in_stiffness || in_mass)) return std::nullopt;
+  Model changed = model_;
+  both.apply(changed);
+  MatrixDifference rest = difference_of(matrix_difference(changed, model_, system_, both.on_motion),
+                                        a, b, system_.map.size());
+  if (rest.dofs.empty()) return std::nullopt;
+  const auto own = Index(rest.dofs.size());
+  return PreparedChange{{std::move(rest)}, MatrixXd(system_.map.size(), 0), MatrixXd(own, 0)};
 }
 
 } // namespace plica

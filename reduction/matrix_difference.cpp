@@ -110,6 +110,25 @@ SparseMatrix from_triplets(int size, const Triplets& entries) {
   return A;
 }
 
+// Over the DOFs that have an entry.
+MatrixDifference over_own_dofs(Triplets k, Triplets m, int unknowns) {
+  MatrixDifference d;
+  std::vector<int> number(std::size_t(unknowns), -1);
+  for (const Triplets* all : {&k, &m})
+    for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
+  for (int i = 0; i < int(number.size()); ++i)
+    if (number[std::size_t(i)] == 0) {
+      number[std::size_t(i)] = int(d.dofs.size());
+      d.dofs.push_back(i);
+    }
+  for (Triplets* all : {&k, &m})
+    for (auto& t : *all)
+      t = {number[std::size_t(t.row())], number[std::size_t(t.col())], t.value()};
+  d.K = from_triplets(int(d.dofs.size()), k);
+  d.M = from_triplets(int(d.dofs.size()), m);
+  return d;
+}
+
 } // namespace
 
 OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness) {
@@ -147,20 +166,33 @@ MatrixDifference matrix_difference(const Model& changed, const Model& nominal, c
     add_element(system.map, own.nodes, own.stiffness * square, own.mass * square, 1, k, m);
   }
   add_differences(more, only_in(nominal, changed), system.map, k, m);
-  std::vector<int> number(std::size_t(system.map.size()), -1);
-  for (const Triplets* all : {&k, &m})
-    for (const auto& t : *all) number[std::size_t(t.row())] = number[std::size_t(t.col())] = 0;
-  for (int i = 0; i < int(number.size()); ++i)
-    if (number[std::size_t(i)] == 0) {
-      number[std::size_t(i)] = int(d.dofs.size());
-      d.dofs.push_back(i);
+  return over_own_dofs(k, m, system.map.size());
+}
+
+MatrixDifference difference_of(const MatrixDifference& both, const MatrixDifference& a,
+                               const MatrixDifference& b, int unknowns) {
+  constexpr double rounding = 1e-9; // of what an entry is the sum of
+  const auto entries = [&](SparseMatrix MatrixDifference::*matrix) {
+    Triplets terms, sizes, left;
+    for (const auto& [part, sign] : {std::pair{&both, 1.}, {&a, -1.}, {&b, -1.}}) {
+      const SparseMatrix& A = part->*matrix;
+      for (int j = 0; j < A.outerSize(); ++j)
+        for (SparseMatrix::InnerIterator it(A, j); it; ++it) {
+          const int row = part->dofs[std::size_t(it.row())], column = part->dofs[std::size_t(j)];
+          terms.emplace_back(row, column, sign * it.value());
+          sizes.emplace_back(row, column, std::abs(it.value()));
+        }
     }
-  for (Triplets* all : {&k, &m})
-    for (auto& t : *all)
-      t = {number[std::size_t(t.row())], number[std::size_t(t.col())], t.value()};
-  d.K = from_triplets(int(d.dofs.size()), k);
-  d.M = from_triplets(int(d.dofs.size()), m);
-  return d;
+    const SparseMatrix sum = from_triplets(unknowns, terms), size = from_triplets(unknowns, sizes);
+    for (int j = 0; j < sum.outerSize(); ++j) { // of one pattern
+      SparseMatrix::InnerIterator own(size, j);
+      for (SparseMatrix::InnerIterator it(sum, j); it; ++it, ++own)
+        if (std::abs(it.value()) > rounding * own.value())
+          left.emplace_back(int(it.row()), j, it.value());
+    }
+    return left;
+  };
+  return over_own_dofs(entries(&MatrixDifference::K), entries(&MatrixDifference::M), unknowns);
 }
 
 } // namespace plica

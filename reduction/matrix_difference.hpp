@@ -27,4 +27,8 @@ struct MatrixDifference {
 MatrixDifference matrix_difference(const Model& changed, const Model& nominal, const System& system,
                                    const std::vector<OnMotion>& on_motion);
 
+// The first less the two others; entries that rounding leaves are dropped, and DOFs without any.
+MatrixDifference difference_of(const MatrixDifference& both, const MatrixDifference& a,
+                               const MatrixDifference& b, int unknowns);
+
 } // namespace plica

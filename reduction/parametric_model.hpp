@@ -3,19 +3,21 @@
 //
 //   K(c) = K_0 + sum_k c_k dK_k,   M(c) = M_0 + sum_k c_k dM_k   over q,   u = V q,   V = [Psi | W]
 //
-// dK_k, dM_k: what a finite change k adds. Psi: motions of the boundary nodes, the rest following
-// (constraint modes). W, the boundary held: the lowest modes; static answers to forces on marked
-// nodes; and for each change the first terms of its Neumann series, K^-1 (dK - lambda dM) phi and
-// K^-1 dK Psi (combined approximations: Kirsch, J. Mech. Des. 113 (1991)), or, for a change of the
-// whole, modes and constraint modes of the changed structure (multi-model basis: Balmes, Mech.
-// Syst. Signal Process. 10 (1996) 381). Exact for c = 0 below the cut of the modes, in statics of
-// boundary and marked nodes always.
+// dK_k, dM_k: what a finite change k adds. Two that change the same elements have a product
+// besides, c_j c_k (dK of both at once - dK_j - dK_k), where it is asked for. Psi: motions of the
+// boundary nodes, the rest following (constraint modes). W, the boundary held: the lowest modes;
+// static answers to forces on marked nodes; and for each change the first terms of its Neumann
+// series, K^-1 (dK - lambda dM) phi and K^-1 dK Psi (combined approximations: Kirsch, J. Mech. Des.
+// 113 (1991)), or, for a change of the whole, modes and constraint modes of the changed structure
+// (multi-model basis: Balmes, Mech. Syst. Signal Process. 10 (1996) 381). Exact for c = 0 below the
+// cut of the modes, in statics of boundary and marked nodes always.
 #pragma once
 
 #include "reduction/matrix_difference.hpp"
 #include "reduction/suspension.hpp"
 #include "solve/modes.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -39,13 +41,17 @@ struct PreparedChange : MatrixDifference {
   // K_0 `further`, the boundary left out: over `dofs`, where there is nothing elsewhere, else over
   // all independent DOFs.
   Eigen::MatrixXd forces;
+  // Of a product its two factors, by their numbers among the changes; it stands behind all that are
+  // none.
+  std::optional<std::array<int, 2>> product_of = {};
 };
 
 // Matrices over q; the first 6 coordinates of each boundary node are its DOFs.
 struct ReducedFamily {
   Eigen::MatrixXd K, M;
-  std::vector<Eigen::MatrixXd> dK, dM; // per change
-  Eigen::MatrixXd load;                // V' M r, r: translations along x y z
+  std::vector<Eigen::MatrixXd> dK, dM;      // per change, products last
+  std::vector<std::array<int, 2>> products; // their factors
+  Eigen::MatrixXd load;                     // V' M r, r: translations along x y z
   std::vector<Eigen::MatrixXd> d_load;
   double mass = 0; // of the whole, kg
   std::vector<double> d_mass;
@@ -55,6 +61,10 @@ struct ReducedFamily {
   int boundary = 0;        // coordinates of boundary nodes
   Suspension suspension;   // over q
 };
+
+// Coefficients of all changes from those of the ones that are no products.
+Eigen::VectorXd with_products(Eigen::VectorXd coefficients,
+                              const std::vector<std::array<int, 2>>& products);
 
 class ParametricModel {
 public:
@@ -72,6 +82,9 @@ public:
   // All may be called from several threads. Several changes prepared together take less time.
   PreparedChange prepare(const ModelChange& change) const;
   std::vector<PreparedChange> prepare(const std::vector<ModelChange>& changes) const;
+  // What two changes together have beyond their sum; none where they touch nothing in common.
+  std::optional<PreparedChange> product(const ModelChange& both, const PreparedChange& a,
+                                        const PreparedChange& b) const;
   ReducedFamily with(const std::vector<PreparedChange>& changes) const;
 
   // How far the frequencies of the lowest modes may lie above those of the whole structure,

@@ -102,6 +102,45 @@ TEST(TakeOver, a_case_of_a_bellows_does) {
     EXPECT_TRUE(effects.contains(effect)) << effect;
 }
 
+// Plies that slip and heat change the same walls: only together with their product are they what
+// the case with both of them in it is.
+TEST(TakeOver, two_effects_on_the_same_elements_are_what_the_case_with_both_is) {
+  const std::string path = (cases / "tutorial/tutorial.yaml").string();
+  std::map<std::string, std::string> changes{{"parts.bellows.mesh.accuracy", "10 %"}};
+  const CaseFile file = read_case(path, "", changes);
+  const Asked asked = asked_of(file);
+  const Nominal nominal = nominal_of(file.data, asked.measured);
+  const ChosenEffects chosen = chosen_effects(nominal.structure(asked.measured));
+  const auto effect = [&](const char* name) {
+    return &*std::find_if(chosen.hypotheses.begin(), chosen.hypotheses.end(),
+                          [&](const Hypothesis& h) { return h.effect == name; });
+  };
+  const std::vector<const Hypothesis*> both{effect("ply_slip"), effect("temperature")};
+  const VectorXd values = Eigen::Vector2d(0.3, 300); // of the bond, K: 11 % of the modulus
+  Case now = file.data;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    for (const CaseEdit& edit : both[i]->in_case(now, values.segment(Eigen::Index(i), 1)))
+      changes[edit.path] = edit.value;
+    now = read_case(path, "", changes).data;
+  }
+  const auto said = Predictor(nominal_of(now, asked.measured), asked.readings, {})(VectorXd());
+  ASSERT_TRUE(said);
+  const auto largest_error = [&](const std::optional<VectorXd>& model) {
+    double largest = 0;
+    for (std::size_t i = 0; i < asked.readings.readings.size(); ++i)
+      if (const ReadingKind kind = asked.readings.readings[i].kind;
+          kind == ReadingKind::frequency || kind == ReadingKind::stiffness)
+        largest = std::max(largest, std::abs((*model)[Eigen::Index(i)] - (*said)[Eigen::Index(i)]));
+    return largest;
+  };
+  PredictorStore store(nominal, asked.readings);
+  const double summed = largest_error(store.of(both)(values));
+  store.solve_anew();
+  const double anew = largest_error(store.of(both)(values));
+  EXPECT_GT(summed, 0.02);
+  EXPECT_LT(anew, 2e-3);
+}
+
 TEST(TakeOver, writes_a_case_that_reads_as_what_it_was_made_of) {
   const fs::path folder = fs::path(testing::TempDir()) / "take_over";
   fs::create_directories(folder);

@@ -109,6 +109,7 @@ public:
       front = of_different_effects(level, grown_sets);
     }
     exchange(found);
+    solve_anew(found);
     return found;
   }
 
@@ -241,6 +242,25 @@ private:
       add(found, fitted(larger(rests)));
       if (best_of(found).fit.together == best) return;
     }
+  }
+
+  // The sets that may count once more, with what their members do to each other: so far their
+  // changes were added up.
+  void solve_anew(std::vector<JudgedFit>& found) {
+    constexpr double may_count = 8; // nats
+    constexpr std::size_t most = 8;
+    if (found.empty() || settings_.stop()) return;
+    const double best = best_of(found).fit.log_evidence;
+    const auto count = std::min<std::ptrdiff_t>(
+        most, std::find_if(found.begin(), found.end(), [&](const JudgedFit& j) {
+                return j.fit.log_evidence < best - may_count;
+              }) - found.begin());
+    context_.predictors.solve_anew();
+    std::vector<Asked> asked;
+    for (auto j = found.begin(); j != found.begin() + count; ++j)
+      asked.push_back({j->fit.together, j->fit.z});
+    found.erase(found.begin(), found.begin() + count);
+    add(found, fitted(asked));
   }
 
   static bool is_of(const HypothesisFit& fit, const Together& members) {

@@ -32,7 +32,7 @@ MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const Vector
 FreeFamily::FreeFamily(const ReducedFamily& f, const std::vector<int>& free, const VectorXd& zeta)
     : K_(f.K(free, free)), M_(f.M(free, free)), load_(f.load(free, Eigen::all)),
       marked_(f.marked(Eigen::all, free)), nominal_(M_ * f.nominal(free, Eigen::all)),
-      suspension_(f.suspension), zeta_(zeta) {
+      suspension_(f.suspension), products_(f.products), zeta_(zeta) {
   suspension_.rigid = f.suspension.rigid(free, Eigen::all);
   for (std::size_t k = 0; k < f.dK.size(); ++k) {
     dK_.emplace_back(f.dK[k](free, free));
@@ -41,7 +41,8 @@ FreeFamily::FreeFamily(const ReducedFamily& f, const std::vector<int>& free, con
   }
 }
 
-std::optional<FamilyModes> FreeFamily::modes(const VectorXd& c, int group) const {
+std::optional<FamilyModes> FreeFamily::modes(const VectorXd& of_changes, int group) const {
+  const VectorXd c = with_products(of_changes, products_);
   auto found = reduced_modes(summed(K_, dK_, c), summed(M_, dM_, c), suspension_, most_modes);
   if (!found) return std::nullopt;
   const MatrixXd& q = found->q;
@@ -50,9 +51,20 @@ std::optional<FamilyModes> FreeFamily::modes(const VectorXd& c, int group) const
   m.gamma = q.transpose() * summed(load_, d_load_, c);
   m.marked = marked_ * q;
   m.likeness = nominal_.transpose() * q;
-  if (group >= 0) m.group = q.transpose() * dK_[std::size_t(group)] * q;
+  if (group >= 0) m.group = q.transpose() * group_stiffness(of_changes, group) * q;
   damp(m);
   return m;
+}
+
+MatrixXd FreeFamily::group_stiffness(const VectorXd& of_changes, int group) const {
+  MatrixXd K = dK_[std::size_t(group)];
+  for (std::size_t k = 0; k < products_.size(); ++k) {
+    const auto& [a, b] = products_[k];
+    const MatrixXd& together = dK_[std::size_t(of_changes.size()) + k];
+    if (a == group) K += of_changes[b] * together;
+    if (b == group) K += of_changes[a] * together;
+  }
+  return K;
 }
 
 FamilyModes FreeFamily::changed(const FamilyModes& modes, double more) const {

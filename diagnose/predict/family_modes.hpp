@@ -27,8 +27,8 @@ public:
   FreeFamily(const ReducedFamily& family, const std::vector<int>& free,
              const Eigen::VectorXd& zeta);
 
-  // At these coefficients of the changes; none where the structure is not stable. `group`: a change
-  // whose stiffness in modes is wanted.
+  // At these coefficients of the changes that are no products; none where the structure is not
+  // stable. `group`: a change whose stiffness in modes is wanted.
   std::optional<FamilyModes> modes(const Eigen::VectorXd& coefficients, int group = -1) const;
 
   // With the coefficient of the group changed by a little, in the space of the lowest of the modes
@@ -37,10 +37,13 @@ public:
 
 private:
   void damp(FamilyModes& modes) const;
+  // What one more of the group adds, the others as they are.
+  Eigen::MatrixXd group_stiffness(const Eigen::VectorXd& of_changes, int group) const;
 
   Eigen::MatrixXd K_, M_, load_, marked_, nominal_; // nominal: M times the nominal modes
   Suspension suspension_;
   std::vector<Eigen::MatrixXd> dK_, dM_, d_load_;
+  std::vector<std::array<int, 2>> products_; // the last of these are
   Eigen::VectorXd zeta_;
 };
 

@@ -4,6 +4,7 @@
 #include "solve/parallel.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace plica {
@@ -13,17 +14,49 @@ using Eigen::VectorXd;
 
 namespace {
 
+// The model of a state whose case is changed.
+std::function<void(Model&)> built_with(const NominalState& state,
+                                       std::vector<std::function<void(Case&)>> changes) {
+  return [&data = state.data, changes = std::move(changes)](Model& model) {
+    Case changed = data;
+    for (const auto& change : changes) change(changed);
+    model = build_on_table(changed).model;
+  };
+}
+
 // What a hypothesis does to the model of a state.
 std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis& h) {
   std::vector<ModelChange> all = h.changes;
   for (const auto& change : h.case_changes)
-    all.push_back({[&data = state.data, change](Model& model) {
-                     Case changed = data;
-                     change(changed);
-                     model = build_on_table(changed).model;
-                   },
-                   h.large ? Follow::modes : Follow::nominal});
+    all.push_back({built_with(state, {change}), h.large ? Follow::modes : Follow::nominal});
   return all;
+}
+
+// One change of each of two hypotheses, by their numbers: a case is changed before it is built, the
+// model after.
+ModelChange both_in(const NominalState& state, const Hypothesis& a, std::size_t i,
+                    const Hypothesis& b, std::size_t j) {
+  const auto of_case = [](const Hypothesis& h, std::size_t k) { return k >= h.changes.size(); };
+  const auto case_change = [](const Hypothesis& h, std::size_t k) {
+    return h.case_changes[k - h.changes.size()];
+  };
+  ModelChange both;
+  for (const auto& [h, k] : {std::pair{&a, i}, {&b, j}})
+    if (!of_case(*h, k))
+      both.on_motion.insert(both.on_motion.end(), h->changes[k].on_motion.begin(),
+                            h->changes[k].on_motion.end());
+  if (of_case(a, i) && of_case(b, j)) {
+    both.apply = built_with(state, {case_change(a, i), case_change(b, j)});
+    return both;
+  }
+  const bool turned = of_case(b, j);
+  const ModelChange first = changes_in(state, turned ? b : a)[turned ? j : i],
+                    second = changes_in(state, turned ? a : b)[turned ? i : j];
+  both.apply = [first, second](Model& model) {
+    if (first.apply) first.apply(model);
+    if (second.apply) second.apply(model);
+  };
+  return both;
 }
 
 bool is_costly(const Hypothesis& h) {
@@ -60,9 +93,57 @@ StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& tog
     parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
   });
   Changes all;
+  if (solves_anew_) {
+    std::vector<int> first{0};
+    for (const Changes& part : parts) first.push_back(first.back() + int(part.size()));
+    for (std::size_t a = 0; a < parts.size(); ++a)
+      for (std::size_t b = a + 1; b < parts.size(); ++b)
+        for (PreparedChange& change : products(nominal_.states[s], *together[a], parts[a], first[a],
+                                               *together[b], parts[b], first[b]))
+          all.push_back(std::move(change));
+  }
+  Changes singles;
   for (Changes& part : parts)
-    for (PreparedChange& change : part) all.push_back(std::move(change));
+    for (PreparedChange& change : part) singles.push_back(std::move(change));
+  all.insert(all.begin(), std::make_move_iterator(singles.begin()),
+             std::make_move_iterator(singles.end()));
   return all;
+}
+
+StateFamilies::Changes StateFamilies::products(const NominalState& state, const Hypothesis& a,
+                                               const Changes& of_a, int a_first,
+                                               const Hypothesis& b, const Changes& of_b,
+                                               int b_first) {
+  const std::tuple key{&state, a.identity.number(), b.identity.number()};
+  std::optional<Changes> found;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = products_.find(key); known != products_.end()) found = known->second;
+  }
+  if (!found) {
+    std::vector<std::optional<PreparedChange>> each(of_a.size() * of_b.size());
+    in_parallel(int(each.size()), [&](int k) {
+      const auto i = std::size_t(k) / of_b.size(), j = std::size_t(k) % of_b.size();
+      each[std::size_t(k)] = state.model->product(both_in(state, a, i, b, j), of_a[i], of_b[j]);
+      if (each[std::size_t(k)]) each[std::size_t(k)]->product_of = {int(i), int(j)};
+    });
+    found.emplace();
+    for (std::optional<PreparedChange>& change : each)
+      if (change) found->push_back(std::move(*change));
+    const std::lock_guard lock(mutex_);
+    products_.try_emplace(key, *found);
+  }
+  for (PreparedChange& change : *found) {
+    (*change.product_of)[0] += a_first;
+    (*change.product_of)[1] += b_first;
+  }
+  return std::move(*found);
+}
+
+void StateFamilies::solve_anew() {
+  const std::lock_guard lock(mutex_);
+  solves_anew_ = true;
+  std::erase_if(known_, [](const auto& known) { return known.first.second.size() > 1; });
 }
 
 void StateFamilies::make(std::size_t s, const Together& together, const Changes& changes,
@@ -273,6 +354,12 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
   while (s + 1 < seen_.size() && nominal_.states[s].name != run.state) ++s;
   const Acting own = acting(values, s);
   return answers_of(s, own).response(run, hertz);
+}
+
+void PredictorStore::solve_anew() {
+  families_->solve_anew();
+  const std::lock_guard lock(mutex_);
+  std::erase_if(known_, [](const auto& known) { return known.first.size() > 1; });
 }
 
 const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& together) {

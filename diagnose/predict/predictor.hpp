@@ -5,6 +5,7 @@
 
 #include <map>
 #include <mutex>
+#include <tuple>
 
 namespace plica {
 
@@ -28,6 +29,10 @@ public:
   // Prepares what these change in a state and keeps it, for hypotheses that will be taken together
   // with others.
   void keep(std::size_t state, const Together& each);
+  // From here on sets hold what their members do to each other (products); a search, which has to
+  // tell thousands of sets apart, goes without. What was reduced of sets before is forgotten: no
+  // thread may be using it.
+  void solve_anew();
   // States in which something was measured that is fitted.
   std::vector<std::size_t> fitted_states(const TestReadings& test) const;
 
@@ -39,6 +44,9 @@ private:
   using Changes = std::vector<PreparedChange>;
   std::optional<Changes> kept(const NominalState& state, const Hypothesis& h);
   Changes prepared(const NominalState& state, const Hypothesis& h);
+  // Of two hypotheses; `a_first`: where the changes of each stand among those of the set.
+  Changes products(const NominalState& state, const Hypothesis& a, const Changes& of_a, int a_first,
+                   const Hypothesis& b, const Changes& of_b, int b_first);
   Lazy& lazy(std::size_t state, const Together& together);
   void make(std::size_t state, const Together& together, const Changes& changes, StateFamily& own);
 
@@ -46,6 +54,9 @@ private:
   std::mutex mutex_;
   std::map<std::pair<const NominalState*, std::uint64_t>, Changes> kept_;
   std::map<std::pair<std::size_t, Identities>, Lazy> known_;
+  bool solves_anew_ = false;
+  // Of pairs of hypotheses, their factors numbered among the changes of each.
+  std::map<std::tuple<const NominalState*, std::uint64_t, std::uint64_t>, Changes> products_;
 };
 
 class Predictor {
@@ -113,6 +124,8 @@ public:
       : nominal_(nominal), test_(test), families_(std::make_shared<StateFamilies>(nominal)) {}
   const Predictor& of(const std::vector<const Hypothesis*>& together);
   const std::shared_ptr<StateFamilies>& families() const { return families_; }
+  // StateFamilies::solve_anew; predictors of sets that were handed out are gone.
+  void solve_anew();
 
 private:
   const Nominal& nominal_;

@@ -93,8 +93,9 @@ VectorXd StateAnswers::damping_of(const FamilyModes& linear) const {
 
 double StateAnswers::mass() const {
   double sum = own_.family.mass;
+  const VectorXd c = with_products(acting_.rig, own_.family.products);
   for (std::size_t k = 0; k < own_.family.d_mass.size(); ++k)
-    sum += acting_.rig[Index(k)] * own_.family.d_mass[k];
+    sum += c[Index(k)] * own_.family.d_mass[k];
   return sum;
 }
 
@@ -111,6 +112,7 @@ std::optional<EndStiffness> StateAnswers::ends_at(double kept) const {
     double& group = c[acting_.group->change];
     group = (group + acting_.group->present) * kept - acting_.group->present;
   }
+  c = with_products(std::move(c), own_.family.products);
   return rig_stiffness(*own_.nominal, summed(own_.family.K, own_.family.dK, c));
 }
 
