@@ -49,9 +49,17 @@ public:
     confirm(context, ranked, fits, plain, scores, standards);
     ranked = families(fits);
     std::vector<JudgedFit> sets;
+    const SetSearch search{.context = context,
+                           .ranked = ranked,
+                           .fits = fits,
+                           .all = all,
+                           .nominal = nominal,
+                           .held_out = *problem_.held_out,
+                           .scores = scores,
+                           .standards = standards,
+                           .settings = settings_};
     if (!nominal.adequate && wants_several(ranked, all, standards)) {
-      sets = fit_sets(context, ranked, fits, all, nominal, *problem_.held_out, scores, standards,
-                      settings_);
+      sets = fit_sets(search);
       if (problem_.held_out->rows().empty()) take_in_turn(context, plain, sets);
     }
     const Inclusion inclusion(nominal, fits, sets);
@@ -66,6 +74,9 @@ public:
     const Judgement judgement = stopped
                                     ? nearest_so_far(inclusion)
                                     : judge(nominal, ranked, sets, inclusion, standards, referee);
+    std::vector<JudgedFit> beside;
+    if (!judgement.named.empty() && judgement.verdict != Verdict::ambiguous)
+      beside = fit_beside(search, *judgement.named.front());
     Diagnosis result = account_of(problem_,
                                   {.context = context,
                                    .scores = scores,
@@ -74,6 +85,7 @@ public:
                                    .ranked = ranked,
                                    .fits = fits,
                                    .sets = sets,
+                                   .beside = beside,
                                    .inclusion = inclusion,
                                    .judgement = judgement,
                                    .signatures = all,

@@ -114,22 +114,42 @@ private:
   }
 
   // An ambiguous list is one row: each of it would explain that much. Of sets that explain the test
-  // alike the first is accounted for, and in the rows of its effects stand those that take their
-  // places in the others.
+  // alike the rows are those of the first, each with what takes its place in the others, and draws
+  // of all of them; of what leads draws beside further effects, too.
   void keep_ledger(const std::vector<HypothesisFit>& told,
                    const std::vector<std::vector<NamedEffect>>& members) {
     const Judgement& judgement = found_.judgement;
     const bool list = judgement.verdict == Verdict::ambiguous;
     std::vector<LedgerSet> sets;
-    for (const HypothesisFit& fit : told)
-      if (list || sets.empty())
-        sets.push_back(
-            {&fit, list ? std::max(1e-3, judgement.probability_of(fit.together[0]->effect)) : 1});
+    for (std::size_t k = 0; k < told.size(); ++k) {
+      LedgerSet set{.fit = &told[k], .members = in_place_of(members.front(), members[k])};
+      constexpr double least = 1e-3;
+      if (list)
+        set.weight = std::max(least, judgement.probability_of(told[k].together[0]->effect));
+      else if (k > 0)
+        set.weight = beside_the_first(*judgement.named[k]);
+      if (std::all_of(set.members.begin(), set.members.end(),
+                      [&](std::size_t member) { return member < members[k].size(); }))
+        sets.push_back(std::move(set));
+    }
+    for (const JudgedFit& j : found_.beside) {
+      LedgerSet set{.fit = &j.fit, .weight = beside_the_first(j)};
+      for (std::size_t i = 0; i + 1 < j.fit.together.size(); ++i) set.members.push_back(i);
+      constexpr double counts = 0.03;
+      if (set.weight >= counts) sets.push_back(std::move(set));
+    }
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
     if (members.empty()) return;
     std::vector<std::vector<NamedEffect>> groups = alternatives(members);
     for (std::size_t i = 0; i < groups.size(); ++i)
       result_.ledger.rows[i].effects = std::move(groups[i]);
+  }
+
+  // How probable a set is beside the first that is named.
+  double beside_the_first(const JudgedFit& set) const {
+    const Inclusion& inclusion = found_.inclusion;
+    return std::exp(inclusion.log_weight(set) -
+                    inclusion.log_weight(*found_.judgement.named.front()));
   }
 
   TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {

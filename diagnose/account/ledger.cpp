@@ -135,6 +135,23 @@ std::vector<VectorXd> points_of(const HypothesisFit& fit, int count) {
   return points;
 }
 
+// The members that are accounted for, with their coordinates at each point.
+std::pair<std::vector<const Hypothesis*>, std::vector<VectorXd>>
+accounted(const LedgerSet& set, const std::vector<VectorXd>& points) {
+  const HypothesisFit& fit = *set.fit;
+  if (set.members.empty()) return {fit.together, points};
+  std::vector<const Hypothesis*> together;
+  std::vector<Index> rows;
+  for (std::size_t member : set.members) {
+    together.push_back(fit.together[member]);
+    for (std::size_t p = 0; p < fit.together[member]->parameters.size(); ++p)
+      rows.push_back(fit.first_of(member) + Index(p));
+  }
+  std::vector<VectorXd> own;
+  for (const VectorXd& point : points) own.emplace_back(point(rows));
+  return {std::move(together), std::move(own)};
+}
+
 // None where the structure is not stable.
 std::vector<std::optional<OneDraw>> draws_at(const Accounts& accounts,
                                              const std::vector<const Hypothesis*>& together,
@@ -194,7 +211,8 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
     constexpr int fewest = 20;
     const std::vector<VectorXd> points = points_of(
         *set.fit, std::max(fewest, int(std::lround(draws_in_all * set.weight / weights))));
-    for (auto& draw : draws_at(accounts, set.fit->together, points))
+    const auto [together, own] = accounted(set, points);
+    for (auto& draw : draws_at(accounts, together, own))
       if (draw) {
         draw->weight = set.weight / double(points.size());
         draws.push_back(std::move(*draw));

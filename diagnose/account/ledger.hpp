@@ -6,12 +6,14 @@
 
 namespace plica {
 
-// Effects at the numbers that the test leaves open: sets of as many effects each, which stand for
-// one another row by row (an ambiguous list), or a single one. Fits without draws are represented
-// by the Gaussian at their optimum.
+// Effects at the numbers that the test leaves open: sets whose `members`, in this order, stand for
+// one another row by row; empty = all of a fit. What else acts in a fit makes its numbers less
+// certain and is left out of the account. Fits without draws are represented by the Gaussian at
+// their optimum.
 struct LedgerSet {
   const HypothesisFit* fit = nullptr;
   double weight = 1;
+  std::vector<std::size_t> members = {};
 };
 
 // Rows of effects come first, without their `effects`; none where `sets` is empty.

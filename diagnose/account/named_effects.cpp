@@ -11,6 +11,14 @@ namespace plica {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+bool is_same(const NamedEffect& a, const NamedEffect& b) {
+  return a.name == b.name && a.place == b.place;
+}
+
+} // namespace
+
 std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) const {
   const Judgement& judgement = found_.judgement;
   const Structure structure = problem_.nominal.structure(problem_.test.data);
@@ -115,30 +123,35 @@ void NamedEffects::add_other_places(NamedEffect& e) const {
   }
 }
 
-std::vector<std::vector<NamedEffect>>
-alternatives(const std::vector<std::vector<NamedEffect>>& sets) {
+std::vector<std::size_t> in_place_of(const std::vector<NamedEffect>& first,
+                                     const std::vector<NamedEffect>& set) {
   using Alike = bool (*)(const NamedEffect&, const NamedEffect&);
-  constexpr Alike same = [](const NamedEffect& a, const NamedEffect& b) {
-    return a.name == b.name && a.place == b.place;
-  };
   constexpr Alike elsewhere = [](const NamedEffect& a, const NamedEffect& b) {
     return a.name == b.name;
   };
   constexpr Alike another = [](const NamedEffect&, const NamedEffect&) { return true; };
-  const std::vector<NamedEffect>& first = sets.front();
-  std::vector<std::vector<NamedEffect>> groups;
-  for (const NamedEffect& e : first) groups.push_back({e});
-  for (const std::vector<NamedEffect>& set : sets) {
-    std::vector<bool> taken(first.size()), placed(set.size());
-    for (const Alike alike : {same, elsewhere, another})
-      for (std::size_t j = 0; j < set.size(); ++j)
-        for (std::size_t i = 0; i < first.size() && !placed[j]; ++i) {
-          if (taken[i] || !alike(first[i], set[j])) continue;
-          taken[i] = placed[j] = true;
-          if (std::none_of(groups[i].begin(), groups[i].end(),
-                           [&](const NamedEffect& own) { return same(own, set[j]); }))
-            groups[i].push_back(set[j]);
+  std::vector<std::size_t> found(first.size(), set.size());
+  std::vector<bool> placed(set.size());
+  for (const Alike alike : {Alike(is_same), elsewhere, another})
+    for (std::size_t j = 0; j < set.size(); ++j)
+      for (std::size_t i = 0; i < first.size() && !placed[j]; ++i)
+        if (found[i] == set.size() && alike(first[i], set[j])) {
+          found[i] = j;
+          placed[j] = true;
         }
+  return found;
+}
+
+std::vector<std::vector<NamedEffect>>
+alternatives(const std::vector<std::vector<NamedEffect>>& sets) {
+  std::vector<std::vector<NamedEffect>> groups(sets.front().size());
+  for (const std::vector<NamedEffect>& set : sets) {
+    const std::vector<std::size_t> member = in_place_of(sets.front(), set);
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (member[i] < set.size() &&
+          std::none_of(groups[i].begin(), groups[i].end(),
+                       [&](const NamedEffect& own) { return is_same(own, set[member[i]]); }))
+        groups[i].push_back(set[member[i]]);
   }
   return groups;
 }

@@ -29,8 +29,13 @@ private:
   const Findings& found_;
 };
 
-// Of sets that explain a test alike, the members of the first, each with what takes its place in
-// the others: the same effect elsewhere, else another one.
+// Of each effect of a set the number of what takes its place in another one: the same effect, the
+// same elsewhere, else another; the size of that one where none is left.
+std::vector<std::size_t> in_place_of(const std::vector<NamedEffect>& first,
+                                     const std::vector<NamedEffect>& set);
+
+// Of sets that explain a test alike the members of the first, each with what takes its place in the
+// others.
 std::vector<std::vector<NamedEffect>>
 alternatives(const std::vector<std::vector<NamedEffect>>& sets);
 

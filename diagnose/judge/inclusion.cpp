@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace plica {
@@ -25,15 +24,7 @@ largest_first(const std::map<std::string, double>& shares) {
 
 Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
                      const std::vector<JudgedFit>& sets) {
-  std::map<std::string, int> hypotheses;
-  for (const JudgedFit& j : fits) ++hypotheses[j.fit.together[0]->effect];
-  const double effect = 1 / std::max(1., double(hypotheses.size()));
-  const auto log_weight = [&](const JudgedFit& j) {
-    double value = dispersed_log_evidence(j.fit);
-    for (const Hypothesis* h : j.fit.together)
-      value += std::log(effect / std::max(1, hypotheses[h->effect]));
-    return value;
-  };
+  for (const JudgedFit& j : fits) ++places_[j.fit.together[0]->effect];
   for (const std::vector<JudgedFit>* list : {&fits, &sets})
     for (const JudgedFit& j : *list)
       if (j.fit.solved) all_.push_back({&j, log_weight(j)});
@@ -49,6 +40,16 @@ Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fit
     }
   none_ /= sum;
   for (Weighed& w : all_) w.weight /= sum;
+}
+
+double Inclusion::log_weight(const JudgedFit& set) const {
+  const double effect = 1 / std::max(1., double(places_.size()));
+  double value = dispersed_log_evidence(set.fit);
+  for (const Hypothesis* h : set.fit.together) {
+    const auto known = places_.find(h->effect);
+    value += std::log(effect / (known == places_.end() ? 1 : known->second));
+  }
+  return value;
 }
 
 std::vector<std::pair<const JudgedFit*, double>> Inclusion::first(std::size_t count) const {

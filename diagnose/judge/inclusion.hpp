@@ -8,6 +8,8 @@
 
 #include "diagnose/judge/judged_fit.hpp"
 
+#include <map>
+
 namespace plica {
 
 class Inclusion {
@@ -23,6 +25,8 @@ public:
   std::vector<std::pair<std::string, double>> places(const std::string& effect) const;
 
   double none() const { return none_; } // the nominal case
+  // ln P(S | test) but for a constant, of any set.
+  double log_weight(const JudgedFit& set) const;
   // Sets of different effects, each at its best places, with the probability of these effects,
   // wherever they sit; the most probable first.
   std::vector<std::pair<const JudgedFit*, double>> first(std::size_t count) const;
@@ -37,6 +41,7 @@ private:
     const JudgedFit* fit;
     double weight;
   };
+  std::map<std::string, int> places_; // hypotheses of an effect
   std::vector<Weighed> all_;
   double none_ = 1;
   const JudgedFit* leading_ = nullptr;

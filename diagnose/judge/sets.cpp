@@ -77,13 +77,11 @@ bool contains(const Together& together, const Hypothesis* h) {
 
 class Growth {
 public:
-  Growth(const FitContext& context, const std::vector<Family>& ranked,
-         const std::vector<JudgedFit>& fits, const std::vector<Signature>& all,
-         const JudgedFit& nominal, const Whitening& held_out, const BlockScores& scores,
-         const Standards& standards, const DiagnosisSettings& settings)
-      : context_(context), ranked_(ranked), fits_(fits), all_(all), nominal_(nominal),
-        held_out_(held_out), scores_(scores), standards_(standards), settings_(settings),
-        levels_matter_(changes_with_level(context.test)) {}
+  explicit Growth(const SetSearch& search)
+      : context_(search.context), ranked_(search.ranked), fits_(search.fits), all_(search.all),
+        nominal_(search.nominal), held_out_(search.held_out), scores_(search.scores),
+        standards_(search.standards), settings_(search.settings),
+        levels_matter_(changes_with_level(context_.test)) {}
 
   std::vector<JudgedFit> sets() {
     std::vector<JudgedFit> front;
@@ -111,6 +109,20 @@ public:
     exchange(found);
     solve_anew(found);
     return found;
+  }
+
+  std::vector<JudgedFit> beside(const JudgedFit& lead) {
+    constexpr double hint = 0.5; // nats
+    constexpr std::size_t most = 6;
+    std::vector<std::pair<double, const Hypothesis*>> by_gain;
+    for (const auto& [effect, best] : asked_for(lead.fit))
+      if (best.first > hint) by_gain.push_back(best);
+    std::sort(by_gain.rbegin(), by_gain.rend());
+    if (by_gain.size() > most) by_gain.resize(most);
+    context_.predictors.solve_anew();
+    std::vector<Asked> asked;
+    for (const auto& [own, h] : by_gain) add_joined(lead.fit, *h, asked);
+    return fitted(asked);
   }
 
 private:
@@ -154,19 +166,25 @@ private:
   std::vector<Asked> larger(const std::vector<JudgedFit>& sets) {
     std::vector<Asked> asked;
     for (const JudgedFit& j : sets) {
-      std::map<std::string, std::pair<double, const Hypothesis*>> best;
-      for (const Signature& s : all_) {
-        if (s.g.norm() < silent || !may_join(j.fit, *s.hypothesis)) continue;
-        const double own = gain(j.fit, s);
-        auto& of_effect = best[s.hypothesis->effect];
-        if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
-      }
-      for (const auto& [effect, of_effect] : best) add_joined(j.fit, *of_effect.second, asked);
+      for (const auto& [effect, best] : asked_for(j.fit)) add_joined(j.fit, *best.second, asked);
       for (const Family& f : ranked_)
         if (const Hypothesis& h = *f.best->fit.together[0]; may_join(j.fit, h))
           add_joined(j.fit, h, asked);
     }
     return asked;
+  }
+
+  // Of each effect the place that the residual of a set asks for, with what it would be worth.
+  std::map<std::string, std::pair<double, const Hypothesis*>>
+  asked_for(const HypothesisFit& set) const {
+    std::map<std::string, std::pair<double, const Hypothesis*>> best;
+    for (const Signature& s : all_) {
+      if (s.g.norm() < silent || !may_join(set, *s.hypothesis)) continue;
+      const double own = gain(set, s);
+      auto& of_effect = best[s.hypothesis->effect];
+      if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
+    }
+    return best;
   }
 
   void add_joined(const HypothesisFit& set, const Hypothesis& h, std::vector<Asked>& asked) {
@@ -321,12 +339,12 @@ bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all) 
   });
 }
 
-std::vector<JudgedFit> fit_sets(const FitContext& context, const std::vector<Family>& ranked,
-                                const std::vector<JudgedFit>& fits,
-                                const std::vector<Signature>& all, const JudgedFit& nominal,
-                                const Whitening& held_out, const BlockScores& scores,
-                                const Standards& standards, const DiagnosisSettings& settings) {
-  return Growth(context, ranked, fits, all, nominal, held_out, scores, standards, settings).sets();
+std::vector<JudgedFit> fit_sets(const SetSearch& search) {
+  return Growth(search).sets();
+}
+
+std::vector<JudgedFit> fit_beside(const SetSearch& search, const JudgedFit& lead) {
+  return Growth(search).beside(lead);
 }
 
 } // namespace plica

@@ -18,13 +18,25 @@ namespace plica {
 // Whether what a fit leaves asks for a further effect, by the matched filter of its signature.
 bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all);
 
-// `ranked`: single effects by evidence; `fits`: all single hypotheses; `all`: signatures of all
-// hypotheses. By evidence, those of two and more effects; where it is stopped, those that were
-// tried until then.
-std::vector<JudgedFit> fit_sets(const FitContext& context, const std::vector<Family>& ranked,
-                                const std::vector<JudgedFit>& fits,
-                                const std::vector<Signature>& all, const JudgedFit& nominal,
-                                const Whitening& held_out, const BlockScores& scores,
-                                const Standards& standards, const DiagnosisSettings& settings);
+// What sets grow from.
+struct SetSearch {
+  const FitContext& context;
+  const std::vector<Family>& ranked;  // single effects by evidence
+  const std::vector<JudgedFit>& fits; // all single hypotheses
+  const std::vector<Signature>& all;  // of all hypotheses
+  const JudgedFit& nominal;
+  const Whitening& held_out;
+  const BlockScores& scores;
+  const Standards& standards;
+  const DiagnosisSettings& settings;
+};
+
+// By evidence, those of two and more effects; where it is stopped, those that were tried until
+// then.
+std::vector<JudgedFit> fit_sets(const SetSearch& search);
+
+// The set that leads with one effect more, solved anew: those that its residual asks for most,
+// though too little to be named. How far they may act as well is part of what is not known of it.
+std::vector<JudgedFit> fit_beside(const SetSearch& search, const JudgedFit& lead);
 
 } // namespace plica
