@@ -20,8 +20,7 @@ public:
       if (values.cols() > values.rows()) values.transposeInPlace();
       abscissa = times_at(r_.rate, values.rows());
     } else {
-      const MatrixXcd x = wanted(r_.variables.abscissa, "abscissa");
-      abscissa = VectorXcd::Map(x.data(), x.size()).real() *
+      abscissa = abscissa_for(values) *
                  abscissa_unit(unit_beside(r_.variables.abscissa), r_, at("abscissa"));
     }
     if (values.rows() != abscissa.size() && values.cols() == abscissa.size())
@@ -50,16 +49,50 @@ private:
     return file_.matrix(name);
   }
 
-  // Text of H_unit or H_units beside H, of run.unit or run.units beside run.H.
+  // One number a value: a variable, or a structure that says where it begins and by what it grows,
+  // `start_value` (or `start`; else from zero) and `increment`, as Simcenter Testlab writes them.
+  VectorXd abscissa_for(const MatrixXcd& values) const {
+    const std::string& name = r_.variables.abscissa;
+    if (name.empty() || !file_.has_numbers(name + ".increment")) {
+      const MatrixXcd x = wanted(name, "abscissa");
+      return VectorXcd::Map(x.data(), x.size()).real();
+    }
+    const auto number = [&](const char* field) {
+      const MatrixXcd x = file_.matrix(name + field);
+      if (x.size() != 1)
+        bad_channels(r_, "variables.abscissa",
+                     name + field + " holds " + std::to_string(x.size()) + " numbers", "one");
+      return x(0, 0).real();
+    };
+    double start = 0;
+    for (const char* field : {".start", ".start_value"})
+      if (file_.has_numbers(name + field)) start = number(field);
+    Index count = std::max(values.rows(), values.cols());
+    if (file_.has_numbers(name + ".number_of_values")) {
+      const double stated = number(".number_of_values");
+      if (stated != double(values.rows()) && stated != double(values.cols()))
+        bad_channels(r_, "variables.abscissa",
+                     "states " + std::to_string(Index(stated)) + " values where " +
+                         r_.variables.values + " has " + std::to_string(values.rows()) + " x " +
+                         std::to_string(values.cols()),
+                     "as many as there are");
+      count = Index(stated);
+    }
+    const double increment = number(".increment");
+    return start + increment * VectorXd::LinSpaced(count, 0, double(count - 1)).array();
+  }
+
+  // Text of H_unit or H_units beside H, of run.unit or run.units beside run.H; the label of
+  // a quantity.
   std::string unit_beside(const std::string& name) const {
     const auto point = name.rfind('.');
     const std::string home = point == std::string::npos ? "" : name.substr(0, point + 1);
     for (const char* ending : {"_unit", "_units"})
       if (const auto text = file_.text_if(name + ending)) return *text;
     if (!home.empty() && name == r_.variables.values)
-      for (const char* field : {"unit", "units"})
+      for (const char* field : {"unit", "units", "quantity.label"})
         if (const auto text = file_.text_if(home + field)) return *text;
-    return "";
+    return file_.text_if(name + ".quantity.label").value_or("");
   }
 
   ChannelTable with_units(const VectorXd& abscissa, const MatrixXcd& values) const {

@@ -184,6 +184,14 @@ MatrixXcd MatlabReader::matrix(const std::string& name) const {
   }
 }
 
+bool MatlabReader::has_numbers(const std::string& name) const {
+  const std::string root = name.substr(0, name.find('.'));
+  if (!holds(root)) return false;
+  const MatlabVariable v = variable(root);
+  const matvar_t* at = field_of(v.get(), behind_point(name));
+  return at && at->data && at->class_type >= MAT_C_DOUBLE && at->class_type <= MAT_C_UINT64;
+}
+
 std::optional<std::string> MatlabReader::text_if(const std::string& name) const {
   const std::string root = name.substr(0, name.find('.'));
   if (!holds(root)) return std::nullopt;

@@ -48,6 +48,7 @@ public:
   // and variable.
   Eigen::MatrixXcd matrix(const std::string& name) const;
   bool holds(const std::string& name) const;
+  bool has_numbers(const std::string& name) const; // which may go into structures
   std::string text(const std::string& name) const;
   // Nothing where there is none; `name` may go into structures.
   std::optional<std::string> text_if(const std::string& name) const;

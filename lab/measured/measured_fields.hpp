@@ -137,7 +137,8 @@ template <class V> void fields(V& v, MeasuredPeaks& p) {
 }
 
 template <class V> void fields(V& v, MatlabVariables& m) {
-  v.text(m.abscissa, "abscissa", {}, "frequencies or times");
+  v.text(m.abscissa, "abscissa", {},
+         "frequencies or times, or a structure of `start_value` and `increment`");
   v.text(m.values, "values", {}, "one channel a column");
 }
 
