@@ -83,6 +83,7 @@ public:
     plan_next(nominal, judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
     result_.warnings = problem_.readings.warnings;
+    add_reach(best);
     result_.baseline = problem_.baseline;
     result_.hypotheses = int(problem_.hypotheses.size());
     result_.headline = headline(nominal, judgement);
@@ -250,6 +251,40 @@ private:
       model.readings[i].log_value = problem_.log_measured[Index(i)] - best.deviation[Index(i)];
     const std::vector<LevelTrend> of_model = level_trends(model);
     for (std::size_t i = 0; i < of_model.size(); ++i) result_.trends[i].best = of_model[i].slope;
+  }
+
+  // A law of slip is known over the levels that were fitted; what was held out beyond them it alone
+  // foretells.
+  void add_reach(const HypothesisFit& best) {
+    const auto slips = std::find_if(best.together.begin(), best.together.end(),
+                                    [](const Hypothesis* h) { return bool(h->softening); });
+    if (slips == best.together.end()) return;
+    struct Levels {
+      double least = 1e300, most = 0, held_out = 0;
+    };
+    std::map<std::pair<int, bool>, Levels> by_excitation;
+    for (const Reading& r : problem_.readings.readings) {
+      if (r.run < 0) continue;
+      const TestRun& run = problem_.readings.runs[std::size_t(r.run)];
+      if (!(run.level > 0)) continue;
+      Levels& own = by_excitation[{run.base, run.by_force}];
+      if (r.held_out) {
+        own.held_out = std::max(own.held_out, run.level);
+        continue;
+      }
+      own.least = std::min(own.least, run.level);
+      own.most = std::max(own.most, run.level);
+    }
+    for (const auto& [excitation, own] : by_excitation)
+      if (own.most > 0 && own.held_out > own.most) {
+        const auto& [base, by_force] = excitation;
+        const char* unit = by_force ? "N" : "m/s2";
+        result_.warnings.push_back(fmt::format(
+            "{} at {}: its law is fitted from {:.3g} to {:.3g} {}{}; at {:.3g} {}, which is held "
+            "out, the law alone speaks",
+            (*slips)->effect, (*slips)->place, own.least, own.most, unit,
+            base < 0 ? "" : std::string(" along ") + axis_word(base), own.held_out, unit));
+      }
   }
 
   void how_far(const FitContext& context, const JudgedFit& nominal, const HypothesisFit& best,
