@@ -1,8 +1,11 @@
 // Joints that give way in one direction, drawn with whatever large number stands for rigid.
+#include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/places.hpp"
 #include "tests/changed_beam.hpp"
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace plica {
 namespace {
@@ -37,6 +40,69 @@ TEST(JointDirections, what_gives_way_is_found_whatever_stands_for_rigid) {
     EXPECT_EQ(e.way, "bending") << rigid << ": " << d.headline;
     EXPECT_NEAR(e.parameters.front().value * rigid, loose, 0.25 * loose) << rigid;
   }
+}
+
+// Frequency and damping of the first peak at the end of the beam, along two axes of the table, over
+// the level, as a model with these hypotheses in it reads them.
+Measured swept(const Case& nominal, const std::vector<const Hypothesis*>& together,
+               const Eigen::VectorXd& values) {
+  Measured m;
+  m.specimen = "beam";
+  for (Axis axis : {Axis::x, Axis::z}) {
+    MeasuredPeaks peaks;
+    peaks.base = peaks.direction = axis;
+    peaks.sensor = "tip";
+    peaks.level = {0.5, 1, 2, 4, 8, 16};
+    peaks.frequency.assign(peaks.level.size(), 30);
+    peaks.damping.assign(peaks.level.size(), 0.01);
+    m.peaks.push_back(peaks);
+  }
+  const Nominal model = nominal_of(nominal, m);
+  const TestReadings test = readings_of({.data = m, .responses = {}});
+  const Eigen::VectorXd y = *Predictor(model, test, together)(values);
+  for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    const Reading& r = test.readings[i];
+    const TestRun& run = test.runs[std::size_t(r.run)];
+    MeasuredPeaks& peaks = m.peaks[run.base == 0 ? 0 : 1];
+    const auto level = std::size_t(std::find(peaks.level.begin(), peaks.level.end(), run.level) -
+                                   peaks.level.begin());
+    (r.kind == ReadingKind::frequency ? peaks.frequency : peaks.damping)[level] =
+        std::exp(y[Eigen::Index(i)]);
+  }
+  return m;
+}
+
+// The lap slides as it bends; along the beam it holds.
+TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
+  Case nominal = two_halves(3e3);
+  Sensor tip;
+  tip.name = "tip";
+  tip.at = {0, 0.6, 0};
+  nominal.sensors.push_back(tip);
+  const Measured any = swept(nominal, {}, {});
+  const Nominal model = nominal_of(nominal, any);
+  const std::vector<Hypothesis> all = joint_friction().hypotheses(model.structure(any));
+  std::set<std::string> ways;
+  for (const Hypothesis& h : all) ways.insert(h.way);
+  EXPECT_EQ(ways, (std::set<std::string>{"", "axial", "bending", "lateral", "torsion"}));
+  const auto bending =
+      std::find_if(all.begin(), all.end(), [](const Hypothesis& h) { return h.way == "bending"; });
+  ASSERT_NE(bending, all.end());
+  Eigen::VectorXd values(6); // ratio, share, slip, exponent, across, loss
+  values << 1, 0.6, 2e-5, 1, 1, 1;
+  const Measured m = swept(nominal, {&*bending}, values);
+  EXPECT_LT(m.peaks[0].frequency.back(), 0.9 * m.peaks[0].frequency.front()) << "it slips";
+  const Diagnosis d = diagnosis_of(nominal, m);
+  ASSERT_EQ(d.verdict, Verdict::identified) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "joint_friction");
+  EXPECT_EQ(e.place, "caps.joint");
+  EXPECT_EQ(e.way, "bending") << d.headline;
+  for (const EstimatedParameter& p : e.parameters)
+    if (p.name == "slip") {
+      EXPECT_LE(p.interval[0], 2e-5);
+      EXPECT_GE(p.interval[1], 2e-5);
+    }
 }
 
 // Springs in a row: 2, 3 and 6 N/m give 1; what couples its motions has no stiffness of its own.

@@ -73,7 +73,7 @@ protected:
     return all;
   }
 
-  Nominal nominal_ = nominal_of(mass_on_a_beam(), {});
+  Nominal nominal_ = nominal_of(mass_on_a_beam(), Measured());
   StateFamilies families_{nominal_};
   TestReadings sweep_;
 };
@@ -165,7 +165,7 @@ TEST(Menu, offers_the_scale_and_a_sweep_along_every_axis_where_only_modes_are_kn
 // One end is held: nothing can be pulled between two. What was weighed is not weighed again.
 TEST(Menu, offers_other_levels_and_further_sensors_where_a_sweep_was_run) {
   Measured m;
-  m.mass = MeasuredMass{.value = 2, .sigma = 0.001, .repeats = {}};
+  m.mass.emplace().value = 2;
   m.peaks.emplace_back();
   m.peaks.back().base = m.peaks.back().direction = Axis::z;
   m.peaks.back().sensor = "tip";

@@ -22,38 +22,49 @@ bool has_levels(const Measured& m) {
 // the middle, half and twice as much occur (docs/friction.md, hose B).
 //
 // Stuck, the group has `ratio` times its stiffness; `share` of that slips. A joint that is drawn by
-// a static test is drawn as it slips: stuck it may be ten times as stiff.
+// a static test is drawn as it slips: stuck it may be ten times as stiff. In all motions by one
+// law, or in one of them; turning is a path at a lever (places.hpp).
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (!has_levels(s.measured)) return found; // one motion: a softer joint says the same
   constexpr Prior drawn{PriorKind::log_normal, 1, 1.2}, absent{PriorKind::log_normal, 0.3, 0.7};
   for (const JointGroup& group : joint_groups(s)) {
     const double present = group.present ? 1 : 0;
-    Hypothesis h{
-        .effect = "joint_friction",
-        .place = group.place,
-        .way = "",
-        .parameters = {{"ratio", "", group.present ? drawn : absent},
-                       {"share", "", {PriorKind::uniform, 0, 1}},
-                       {"slip", "m", {PriorKind::log_normal, 1e-5, 2}},
-                       {"exponent", "", {PriorKind::log_normal, 1, 0.7}},
-                       {"across", "", {PriorKind::log_normal, 1, 0.8}},
-                       {"loss", "", {PriorKind::log_normal, 1, 0.5}}},
-        .size = 1,
-        .changes = {added_group(group)},
-        .coefficients =
-            [present](const Eigen::VectorXd& v) {
-              return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
-            },
-        .softening =
-            [](const Eigen::VectorXd& v) {
-              return Softening{
-                  .share = v[1], .distance = v[2], .exponent = v[3], .across = v[4], .loss = v[5]};
-            },
-        .group_stiffness = group.stiffness,
-        .group_present = present,
-        .law_error = law_error};
-    found.push_back(std::move(h));
+    const auto add = [&](JointDirection motion, const Prior& ratio, double stiffness) {
+      found.push_back({.effect = "joint_friction",
+                       .place = group.place,
+                       .way = way_of(motion),
+                       .parameters = {{"ratio", "", ratio},
+                                      {"share", "", {PriorKind::uniform, 0, 1}},
+                                      {"slip", "m", {PriorKind::log_normal, 1e-5, 2}},
+                                      {"exponent", "", {PriorKind::log_normal, 1, 0.7}},
+                                      {"across", "", {PriorKind::log_normal, 1, 0.8}},
+                                      {"loss", "", {PriorKind::log_normal, 1, 0.5}}},
+                       .size = 1,
+                       .changes = {added_group(group, motion)},
+                       .coefficients =
+                           [present](const Eigen::VectorXd& v) {
+                             return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
+                           },
+                       .softening =
+                           [](const Eigen::VectorXd& v) {
+                             return Softening{.share = v[1],
+                                              .distance = v[2],
+                                              .exponent = v[3],
+                                              .across = v[4],
+                                              .loss = v[5]};
+                           },
+                       .group_stiffness = stiffness,
+                       .group_present = present,
+                       .law_error = law_error});
+    };
+    add(JointDirection::all, group.present ? drawn : absent, group.stiffness);
+    for (const auto& [motion, k] : motions_of(s.built.model, group)) {
+      const double lever = turns(motion) ? lever_of(s) : 1;
+      Prior ratio = group.present ? ratio_prior(s, k, motion) : absent;
+      if (group.present) ratio.width = std::max(ratio.width, drawn.width);
+      add(motion, ratio, k / (lever * lever));
+    }
   }
   return found;
 }

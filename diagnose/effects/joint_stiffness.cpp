@@ -3,16 +3,6 @@
 namespace plica {
 namespace {
 
-// In one motion: in terms of what the case says, but a joint that is far stiffer than the structure
-// beside it may give way by as much as that does, whatever large number stands for rigid.
-Prior prior_in(const Structure& s, double stiffness, JointDirection motion) {
-  const double arm = s.length / 4;
-  const double beside = s.stiffness * (turns(motion) ? arm * arm : 1);
-  constexpr double share = 0.1; // of the structure's compliance
-  const double centre = 1 / (1 + share * stiffness / beside);
-  return {PriorKind::log_normal, centre, centre > 0.5 ? 1 : 1.5};
-}
-
 // Numbers of a joint that bear a motion, times a factor; of an interlock that has none in terms of
 // what stands in for it.
 CaseEdits with_joint(const Case& now, const std::string& place,
@@ -84,14 +74,8 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
                }});
     };
     add(JointDirection::all, {PriorKind::log_normal, group.present ? 1 : 0.3, 1});
-    std::vector<std::pair<JointDirection, double>> single;
-    for (JointDirection motion : {JointDirection::axial, JointDirection::lateral,
-                                  JointDirection::bending, JointDirection::torsion})
-      if (const double k = stiffness_in(s.built.model, group, motion); k > 0)
-        single.emplace_back(motion, k);
-    if (single.size() > 1)
-      for (const auto& [motion, k] : single)
-        add(motion, group.present ? prior_in(s, k, motion) : Prior{PriorKind::log_normal, 0.3, 1});
+    for (const auto& [motion, k] : motions_of(s.built.model, group))
+      add(motion, group.present ? ratio_prior(s, k, motion) : Prior{PriorKind::log_normal, 0.3, 1});
   }
   return found;
 }

@@ -210,6 +210,27 @@ double stiffness_in(const Model& model, const JointGroup& group, JointDirection 
   return compliance > 0 ? 1 / compliance : 0;
 }
 
+std::vector<std::pair<JointDirection, double>> motions_of(const Model& model,
+                                                          const JointGroup& group) {
+  std::vector<std::pair<JointDirection, double>> found;
+  for (JointDirection motion : {JointDirection::axial, JointDirection::lateral,
+                                JointDirection::bending, JointDirection::torsion})
+    if (const double k = stiffness_in(model, group, motion); k > 0) found.emplace_back(motion, k);
+  if (found.size() < 2) found.clear();
+  return found;
+}
+
+double lever_of(const Structure& s) {
+  return s.length / 4;
+}
+
+Prior ratio_prior(const Structure& s, double stiffness, JointDirection motion) {
+  const double beside = s.stiffness * (turns(motion) ? lever_of(s) * lever_of(s) : 1);
+  constexpr double share = 0.1; // of the structure's compliance
+  const double centre = 1 / (1 + share * stiffness / beside);
+  return {PriorKind::log_normal, centre, centre > 0.5 ? 1 : 1.5};
+}
+
 void scale_group(Model& model, const JointGroup& group, double factor, JointDirection motion) {
   for (int i : group.bushings) {
     Matrix6& law = model.bushings[std::size_t(i)].bushing.law;

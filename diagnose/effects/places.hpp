@@ -49,6 +49,19 @@ ModelChange added_group(const JointGroup& group, JointDirection motion = JointDi
 // motions are coupled.
 double stiffness_in(const Model& model, const JointGroup& group, JointDirection motion);
 
+// Motions in which a group may give way alone, with its stiffness in each; empty where there are
+// not several.
+std::vector<std::pair<JointDirection, double>> motions_of(const Model& model,
+                                                          const JointGroup& group);
+
+// A quarter of the structure: where something turns, the lever at which that is a path.
+double lever_of(const Structure& s);
+
+// Of what a group has in one motion in terms of what the case says. A joint that is far stiffer
+// than the structure beside it may give way by as much as that does, whatever large number stands
+// for rigid.
+Prior ratio_prior(const Structure& s, double stiffness, JointDirection motion);
+
 // The wall of a bellows: its quads and, of each, the number of its convolution from 1, 0 = a cuff.
 struct WallElements {
   std::string part;
