@@ -63,10 +63,13 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
     return judgement.withheld.empty() ? text : text + "; not identified: " + judgement.withheld;
   }
   case Verdict::several: {
-    std::string text = "Several effects: ";
-    for (const JudgedFit* set : judgement.named)
-      text += (set == judgement.named.front() ? "" : "; or ") + name_of(set->fit);
-    return text + " (" + odds(judgement.named.front()->log_bayes_factor) + " over no effect)";
+    const JudgedFit& first = *judgement.named.front();
+    std::string text = "Several effects: " + name_of(first.fit);
+    const std::size_t others = judgement.named.size() - 1;
+    if (others == 1) text += "; or " + name_of(judgement.named.back()->fit);
+    text += " (" + odds(first.log_bayes_factor) + " over no effect)";
+    return others < 2 ? text
+                      : text + fmt::format("; {} other sets explain the test as well", others);
   }
   case Verdict::mostly: {
     const JudgedFit& j = *judgement.named.front();

@@ -109,8 +109,11 @@ std::string waterfall(const Ledger& ledger) {
   for (const LedgerRow& row : ledger.rows) {
     const bool effect = !row.effects.empty();
     std::string name = html_escape(row_words(row));
+    std::string labels;
     for (const NamedEffect& e : row.effects)
-      name += fmt::format("<span class=\"change\">{}</span>", html_escape(effect_label(e)));
+      labels += (labels.empty() ? "" : " \u00b7 ") + effect_label(e);
+    if (row.effects.size() == 1 || is_long(row)) // a short list names them itself
+      name += fmt::format("<span class=\"change\">{}</span>", html_escape(labels));
     rows.push_back(
         {{name, html_fixed(100 * row.share, 0), percent_range(row.interval),
           row.effects.size() == 1 ? html_fixed(100 * row.effects.front().anywhere, 0) + "\u00a0%"

@@ -28,7 +28,7 @@ std::string place_html(const Diagnosis& d) {
   Results drawn; // the pictures of a run want its mesh, and what is named on it
   for (const LedgerRow& row : d.ledger.rows)
     for (const NamedEffect& e : row.effects)
-      if (!e.nodes.empty())
+      if (!e.nodes.empty() && (!is_long(row) || &e == &row.effects.front()))
         drawn.sensors.push_back({.name = plain_words(e), .node = middle_of(d.mesh, e.nodes)});
   if (drawn.sensors.empty()) return "";
   drawn.mesh = d.mesh;

@@ -188,17 +188,26 @@ std::string plain_words(const NamedEffect& e) {
   return text;
 }
 
+bool is_long(const LedgerRow& row) {
+  constexpr std::size_t at_a_glance = 3;
+  return row.effects.size() > at_a_glance;
+}
+
 std::string row_words(const LedgerRow& row) {
   if (row.left == "measurement") return "what measuring leaves open";
   if (row.left == "mounting") return "scatter of mounting anew";
   if (row.left == "model") return "tolerances and error of the model";
   if (row.left == "unexplained") return "not explained";
+  const NamedEffect& first = row.effects.front();
+  const std::string words = plain_words(first) + ", at " + first.place +
+                            (first.way.empty() ? "" : " (" + first.way + ")");
+  if (row.effects.size() == 1) return words;
+  if (is_long(row))
+    return words + fmt::format("; or one of {} others that the test does not tell from it",
+                               row.effects.size() - 1);
   std::string text;
-  for (const NamedEffect& e : row.effects) {
-    if (row.effects.size() == 1)
-      return plain_words(e) + ", at " + e.place + (e.way.empty() ? "" : " (" + e.way + ")");
-    text += (text.empty() ? "one of: " : " or ") + effect_label(e); // a list stays short
-  }
+  for (const NamedEffect& e : row.effects)
+    text += (text.empty() ? "one of: " : " or ") + effect_label(e);
   return text;
 }
 

@@ -18,6 +18,8 @@ std::string plain_words(const NamedEffect& effect);
 // A row of the ledger: "20 g that nobody weighed, at sensor mid"; a list by its names; what is
 // left: "not explained", "what measuring leaves open".
 std::string row_words(const LedgerRow& row);
+// More effects in one row than are read at a glance: its words name the first alone.
+bool is_long(const LedgerRow& row);
 
 // Readings in which what no effect explains sits, where it is worth a word.
 std::vector<std::pair<std::string, double>> most_left_in(const Ledger& ledger);
