@@ -10,6 +10,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { element } from './element.js';
 
 const period = 1600; // ms of one swing, whatever the frequency
+const room = 24, narrowest = 96; // px: between a name and the edge, of a name in lines
 
 function bytes(base64) {
   const text = atob(base64);
@@ -172,7 +173,9 @@ class Viewer {
     const { clientWidth, clientHeight } = this.renderer.domElement;
     for (const { label, at } of this.tags) {
       const p = at.clone().project(this.camera);
-      label.style.transform = `translate(${((p.x + 1) / 2) * clientWidth}px, ${((1 - p.y) / 2) * clientHeight}px)`;
+      const left = ((p.x + 1) / 2) * clientWidth;
+      label.style.transform = `translate(${left}px, ${((1 - p.y) / 2) * clientHeight}px)`;
+      label.style.maxWidth = `${Math.max(clientWidth - left - room, narrowest)}px`;
     }
     this.figure.dataset.frames = String(1 + Number(this.figure.dataset.frames ?? 0));
   }
