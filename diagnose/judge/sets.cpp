@@ -21,6 +21,7 @@ constexpr std::size_t most_effects = 5;
 constexpr std::size_t grown_sets = 3;                   // of each size
 constexpr std::size_t moved_sets = 3, other_places = 3; // of each size; for one member
 constexpr double worth_growing = 2;                     // nats, of one effect more
+constexpr std::size_t few = 6; // effects that are tried beside a set that leads, or in place of one
 
 // A frequency or damping moves with the level by more than its uncertainty: what slips may be in
 // it.
@@ -113,15 +114,10 @@ public:
 
   std::vector<JudgedFit> beside(const JudgedFit& lead) {
     constexpr double hint = 0.5; // nats
-    constexpr std::size_t most = 6;
-    std::vector<std::pair<double, const Hypothesis*>> by_gain;
-    for (const auto& [effect, best] : asked_for(lead.fit))
-      if (best.first > hint) by_gain.push_back(best);
-    std::sort(by_gain.rbegin(), by_gain.rend());
-    if (by_gain.size() > most) by_gain.resize(most);
     context_.predictors.solve_anew();
     std::vector<Asked> asked;
-    for (const auto& [own, h] : by_gain) add_joined(lead.fit, *h, asked);
+    for (const auto& [own, h] : asked_for(lead.fit, few))
+      if (own > hint) add_joined(lead.fit, *h, asked);
     return fitted(asked);
   }
 
@@ -162,21 +158,23 @@ private:
     return !h.softening || (levels_matter_ && !softens);
   }
 
-  // Each set with every effect at the place that its residual asks for, and where it is best alone.
-  std::vector<Asked> larger(const std::vector<JudgedFit>& sets) {
+  // Each set with every effect at the place that its residual asks for, and where it is best alone;
+  // with `most` of either.
+  std::vector<Asked> larger(const std::vector<JudgedFit>& sets, std::size_t most = 1000) {
     std::vector<Asked> asked;
     for (const JudgedFit& j : sets) {
-      for (const auto& [effect, best] : asked_for(j.fit)) add_joined(j.fit, *best.second, asked);
-      for (const Family& f : ranked_)
-        if (const Hypothesis& h = *f.best->fit.together[0]; may_join(j.fit, h))
+      for (const auto& [own, h] : asked_for(j.fit, most)) add_joined(j.fit, *h, asked);
+      for (std::size_t i = 0; i < std::min(most, ranked_.size()); ++i)
+        if (const Hypothesis& h = *ranked_[i].best->fit.together[0]; may_join(j.fit, h))
           add_joined(j.fit, h, asked);
     }
     return asked;
   }
 
-  // Of each effect the place that the residual of a set asks for, with what it would be worth.
-  std::map<std::string, std::pair<double, const Hypothesis*>>
-  asked_for(const HypothesisFit& set) const {
+  // Of each effect the place that the residual of a set asks for, with what it would be worth; the
+  // most first.
+  std::vector<std::pair<double, const Hypothesis*>> asked_for(const HypothesisFit& set,
+                                                              std::size_t most) const {
     std::map<std::string, std::pair<double, const Hypothesis*>> best;
     for (const Signature& s : all_) {
       if (s.g.norm() < silent || !may_join(set, *s.hypothesis)) continue;
@@ -184,7 +182,12 @@ private:
       auto& of_effect = best[s.hypothesis->effect];
       if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
     }
-    return best;
+    std::vector<std::pair<double, const Hypothesis*>> found;
+    for (const auto& [effect, of_effect] : best) found.push_back(of_effect);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (found.size() > most) found.resize(most);
+    return found;
   }
 
   void add_joined(const HypothesisFit& set, const Hypothesis& h, std::vector<Asked>& asked) {
@@ -239,27 +242,25 @@ private:
     return asked;
   }
 
-  // The best set with each member in turn given up for every other effect, until none is better.
+  // The best set with each member in turn given up for the effects that the rest asks for most, or
+  // that are best alone.
   void exchange(std::vector<JudgedFit>& found) {
-    constexpr int rounds = 2;
     sort(found);
-    for (int round = 0; round < rounds && !found.empty() && !settings_.stop(); ++round) {
-      const Together best = best_of(found).fit.together;
-      add(found, fitted(smaller(best_of(found).fit)));
-      std::vector<JudgedFit> rests;
-      for (const Hypothesis* out : best) {
-        Together rest = best;
-        rest.erase(std::find(rest.begin(), rest.end(), out));
-        const auto take = [&](const std::vector<JudgedFit>& fits) {
-          std::copy_if(fits.begin(), fits.end(), std::back_inserter(rests),
-                       [&](const JudgedFit& j) { return is_of(j.fit, rest); });
-        };
-        take(fits_);
-        take(found);
-      }
-      add(found, fitted(larger(rests)));
-      if (best_of(found).fit.together == best) return;
+    if (found.empty() || settings_.stop()) return;
+    const Together best = best_of(found).fit.together;
+    add(found, fitted(smaller(best_of(found).fit)));
+    std::vector<JudgedFit> rests;
+    for (const Hypothesis* out : best) {
+      Together rest = best;
+      rest.erase(std::find(rest.begin(), rest.end(), out));
+      const auto take = [&](const std::vector<JudgedFit>& fits) {
+        std::copy_if(fits.begin(), fits.end(), std::back_inserter(rests),
+                     [&](const JudgedFit& j) { return is_of(j.fit, rest); });
+      };
+      take(fits_);
+      take(found);
     }
+    add(found, fitted(larger(rests, few)));
   }
 
   // The sets that may count once more, with what their members do to each other: so far their
@@ -312,6 +313,7 @@ private:
       own[std::size_t(i)] = judged(fit_of(context_, set.together, set.start), nominal_.fit,
                                    context_, held_out_, scores_, standards_);
     });
+    context_.predictors.forget_sets(); // each was asked for once, and a search asks for hundreds
     std::erase_if(own, [](const JudgedFit& j) { return !j.fit.solved || j.too_free(); });
     sort(own);
     return own;

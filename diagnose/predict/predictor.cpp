@@ -141,8 +141,12 @@ StateFamilies::Changes StateFamilies::products(const NominalState& state, const 
 }
 
 void StateFamilies::solve_anew() {
-  const std::lock_guard lock(mutex_);
+  forget_sets();
   solves_anew_ = true;
+}
+
+void StateFamilies::forget_sets() {
+  const std::lock_guard lock(mutex_);
   std::erase_if(known_, [](const auto& known) { return known.first.second.size() > 1; });
 }
 
@@ -358,6 +362,11 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
 
 void PredictorStore::solve_anew() {
   families_->solve_anew();
+  forget_sets();
+}
+
+void PredictorStore::forget_sets() {
+  families_->forget_sets();
   const std::lock_guard lock(mutex_);
   std::erase_if(known_, [](const auto& known) { return known.first.size() > 1; });
 }

@@ -30,9 +30,10 @@ public:
   // with others.
   void keep(std::size_t state, const Together& each);
   // From here on sets hold what their members do to each other (products); a search, which has to
-  // tell thousands of sets apart, goes without. What was reduced of sets before is forgotten: no
-  // thread may be using it.
+  // tell thousands of sets apart, goes without. What was reduced of sets before is forgotten.
   void solve_anew();
+  // What was reduced of sets; no thread may be using it.
+  void forget_sets();
   // States in which something was measured that is fitted.
   std::vector<std::size_t> fitted_states(const TestReadings& test) const;
 
@@ -124,8 +125,9 @@ public:
       : nominal_(nominal), test_(test), families_(std::make_shared<StateFamilies>(nominal)) {}
   const Predictor& of(const std::vector<const Hypothesis*>& together);
   const std::shared_ptr<StateFamilies>& families() const { return families_; }
-  // StateFamilies::solve_anew; predictors of sets that were handed out are gone.
+  // As StateFamilies does; predictors of sets that were handed out are gone.
   void solve_anew();
+  void forget_sets();
 
 private:
   const Nominal& nominal_;
