@@ -313,6 +313,17 @@ TEST_F(LabFiles, time_signals_are_brought_to_SI) {
               1e-12);
 }
 
+// One response of a force, in h.mat.
+Measured test_with(const MatlabVariables& variables) {
+  Measured m;
+  m.frf.resize(1);
+  m.frf[0].file = "h.mat";
+  m.frf[0].force = "a.z";
+  m.frf[0].channels = {"a.z"};
+  m.frf[0].variables = variables;
+  return m;
+}
+
 TEST_F(LabFiles, matlab_variables_have_their_units_beside_them) {
   const auto load = [&](const std::string& unit) {
     MatlabWriter mat(folder_.path / "h.mat", "MATLAB 5.0 MAT-file");
@@ -321,12 +332,7 @@ TEST_F(LabFiles, matlab_variables_have_their_units_beside_them) {
     mat.put(matlab_text("H_unit", unit));
     return mat;
   };
-  Measured m;
-  m.frf.resize(1);
-  m.frf[0].file = "h.mat";
-  m.frf[0].force = "a.z";
-  m.frf[0].channels = {"a.z"};
-  m.frf[0].variables = {.abscissa = "f", .values = "H"};
+  const Measured m = test_with({.abscissa = "f", .values = "H"});
   { load("g/N"); }
   expect_si(load_frfs(m, folder_.path).at(0), 9.80665);
   { load("V"); }
@@ -367,12 +373,7 @@ TEST_F(LabFiles, a_matlab_structure_says_where_the_abscissa_begins_and_how_it_gr
     MatlabWriter mat(folder_.path / "h.mat", "MATLAB 5.0 MAT-file");
     mat.put(structure("FRF", std::move(frf)));
   };
-  Measured m;
-  m.frf.resize(1);
-  m.frf[0].file = "h.mat";
-  m.frf[0].force = "a.z";
-  m.frf[0].channels = {"a.z"};
-  m.frf[0].variables = {.abscissa = "FRF.x_values", .values = "FRF.y_values.values"};
+  const Measured m = test_with({.abscissa = "FRF.x_values", .values = "FRF.y_values.values"});
   save(3);
   const FrfSet set = load_frfs(m, folder_.path).at(0);
   expect_si(set, 9.80665);

@@ -43,9 +43,8 @@ public:
     keep_ledger(told, members);
     for (std::size_t i = 0; i < judgement.named.size(); ++i)
       for (NamedEffect& e : members[i])
-        if (std::none_of(result_.effects.begin(), result_.effects.end(), [&](const NamedEffect& o) {
-              return o.name == e.name && o.place == e.place;
-            }))
+        if (std::none_of(result_.effects.begin(), result_.effects.end(),
+                         [&](const NamedEffect& own) { return is_same(own, e); }))
           result_.effects.push_back(std::move(e));
     settings_.stage("report", 0.94);
     result_.where = located(scores, nominal.fit.deviation);

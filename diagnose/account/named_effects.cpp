@@ -11,13 +11,9 @@ namespace plica {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-namespace {
-
 bool is_same(const NamedEffect& a, const NamedEffect& b) {
   return a.name == b.name && a.place == b.place;
 }
-
-} // namespace
 
 std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) const {
   const Judgement& judgement = found_.judgement;

@@ -29,6 +29,9 @@ private:
   const Findings& found_;
 };
 
+// At one place, whichever way.
+bool is_same(const NamedEffect& a, const NamedEffect& b);
+
 // Of each effect of a set the number of what takes its place in another one: the same effect, the
 // same elsewhere, else another; the size of that one where none is left.
 std::vector<std::size_t> in_place_of(const std::vector<NamedEffect>& first,

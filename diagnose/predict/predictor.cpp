@@ -92,7 +92,7 @@ StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& tog
   in_parallel(int(parts.size()), [&](int h) {
     parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
   });
-  Changes all;
+  Changes behind;
   if (solves_anew_) {
     std::vector<int> first{0};
     for (const Changes& part : parts) first.push_back(first.back() + int(part.size()));
@@ -100,13 +100,12 @@ StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& tog
       for (std::size_t b = a + 1; b < parts.size(); ++b)
         for (PreparedChange& change : products(nominal_.states[s], *together[a], parts[a], first[a],
                                                *together[b], parts[b], first[b]))
-          all.push_back(std::move(change));
+          behind.push_back(std::move(change));
   }
-  Changes singles;
+  parts.push_back(std::move(behind));
+  Changes all;
   for (Changes& part : parts)
-    for (PreparedChange& change : part) singles.push_back(std::move(change));
-  all.insert(all.begin(), std::make_move_iterator(singles.begin()),
-             std::make_move_iterator(singles.end()));
+    for (PreparedChange& change : part) all.push_back(std::move(change));
   return all;
 }
 
