@@ -45,7 +45,7 @@ TEST(DiagnoseCases, finds_the_slip_of_the_bolted_lap) {
   EXPECT_GT(d.basis_error, 0);
   EXPECT_LT(d.basis_error, 2e-3); // what the uncertainty allows the model
   EXPECT_TRUE(std::any_of(d.warnings.begin(), d.warnings.end(), [](const std::string& w) {
-    return w == "joint_friction at caps.lap: its law is fitted from 1 to 10 m/s2 along z; at "
+    return w == "joint_friction at caps.lap: its law is fitted from 1 to 10 m/s2 (base z); at "
                 "30 m/s2, which is held out, the law alone speaks";
   })) << d.warnings.size();
 }

@@ -83,7 +83,11 @@ DiagnosisData sweeps_of(Case truth, double along_x, double along_z) {
       set.H.emplace_back(set.hertz.size(), 4);
       for (const std::string sensor : {"tip", "root"})
         for (int axis : {0, 2}) {
-          TestRun run{.state = "", .base = base, .sensor = sensor, .axis = axis, .peaks = {}};
+          TestRun run{.state = "",
+                      .input = {.base = base, .force = ""},
+                      .sensor = sensor,
+                      .axis = axis,
+                      .peaks = {}};
           set.H[0].col(Index(set.responses.size())) = *predict.response(VectorXd(), run, set.hertz);
           set.responses.push_back(sensor + "." + "xyz"[axis]);
         }

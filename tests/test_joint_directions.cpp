@@ -63,7 +63,7 @@ Measured swept(const Case& nominal, const std::vector<const Hypothesis*>& togeth
   for (std::size_t i = 0; i < test.readings.size(); ++i) {
     const Reading& r = test.readings[i];
     const TestRun& run = test.runs[std::size_t(r.run)];
-    MeasuredPeaks& peaks = m.peaks[run.base == 0 ? 0 : 1];
+    MeasuredPeaks& peaks = m.peaks[run.input.base == 0 ? 0 : 1];
     const auto level = std::size_t(std::find(peaks.level.begin(), peaks.level.end(), run.level) -
                                    peaks.level.begin());
     (r.kind == ReadingKind::frequency ? peaks.frequency : peaks.damping)[level] =

@@ -40,7 +40,7 @@ class AnswersOfAMass : public testing::Test {
 protected:
   AnswersOfAMass() {
     TestRun run;
-    run.base = run.axis = 2;
+    run.input.base = run.axis = 2;
     run.level = 1;
     run.sensor = "tip";
     run.peaks = {0};

@@ -261,12 +261,12 @@ private:
     struct Levels {
       double least = 1e300, most = 0, held_out = 0;
     };
-    std::map<std::pair<int, bool>, Levels> by_excitation;
+    std::map<std::pair<Input, bool>, Levels> by_excitation;
     for (const Reading& r : problem_.readings.readings) {
       if (r.run < 0) continue;
       const TestRun& run = problem_.readings.runs[std::size_t(r.run)];
       if (!(run.level > 0)) continue;
-      Levels& own = by_excitation[{run.base, run.by_force}];
+      Levels& own = by_excitation[{run.input, run.by_force}];
       if (r.held_out) {
         own.held_out = std::max(own.held_out, run.level);
         continue;
@@ -276,13 +276,13 @@ private:
     }
     for (const auto& [excitation, own] : by_excitation)
       if (own.most > 0 && own.held_out > own.most) {
-        const auto& [base, by_force] = excitation;
+        const auto& [input, by_force] = excitation;
         const char* unit = by_force ? "N" : "m/s2";
         result_.warnings.push_back(fmt::format(
             "{} at {}: its law is fitted from {:.3g} to {:.3g} {}{}; at {:.3g} {}, which is held "
             "out, the law alone speaks",
             (*slips)->effect, (*slips)->place, own.least, own.most, unit,
-            base < 0 ? "" : std::string(" along ") + axis_word(base), own.held_out, unit));
+            input.any() ? " (" + word_of(input) + ")" : "", own.held_out, unit));
       }
   }
 

@@ -36,15 +36,15 @@ TestReadings answered(const Nominal& nominal, TestReadings test) {
 
 // Runs above the lowest level of their direction go.
 void lowest_levels_only(TestReadings& test) {
-  std::map<int, double> lowest;
+  std::map<Input, double> lowest;
   for (const TestRun& run : test.runs) {
-    const auto [at, made] = lowest.try_emplace(run.base, run.level);
+    const auto [at, made] = lowest.try_emplace(run.input, run.level);
     if (!made) at->second = std::min(at->second, run.level);
   }
   std::erase_if(test.readings, [&](const Reading& r) {
     if (r.run < 0) return false;
     const TestRun& run = test.runs[std::size_t(r.run)];
-    return run.level > lowest.at(run.base);
+    return run.level > lowest.at(run.input);
   });
 }
 

@@ -29,7 +29,7 @@ std::vector<OverlaidResponse> overlays_of(GapProblem& problem, const HypothesisF
       OverlaidResponse o;
       o.name = reading->name.substr(reading->name.find(" at ") + 1);
       o.hertz = set.hertz;
-      o.measured = set.H[0].col(column - set.responses.begin()).cwiseAbs();
+      o.measured = acceleration_of(set, 0, column - set.responses.begin()).cwiseAbs();
       const auto magnitude = [&](const HypothesisFit& fit) {
         const auto H = problem.predictors->of(fit.together).response(fit.values, run, set.hertz);
         return H ? VectorXd(H->cwiseAbs()) : VectorXd();

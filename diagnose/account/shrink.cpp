@@ -187,12 +187,12 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   add("level", [&](const Reading& r) {
     const TestRun* run = run_of(r);
     if (!run || !(run->level > 0)) return std::string();
-    const std::string text = fmt::sprintf("%g m/s2", run->level);
+    const std::string text = fmt::sprintf("%g %s", run->level, run->by_force ? "N" : "m/s2");
     return std::string(text);
   });
   add("direction", [&](const Reading& r) {
     const TestRun* run = run_of(r);
-    return run && run->base >= 0 ? "base " + std::string(axis_word(run->base)) : std::string();
+    return run ? word_of(run->input) : std::string();
   });
   add("band", [&](const Reading& r) {
     return r.run >= 0 ? "peak " + std::to_string(r.peak + 1) : "static and mass";

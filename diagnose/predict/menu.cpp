@@ -14,8 +14,8 @@ public:
   Menu(const Case& data, const Measured& measured, const TestReadings& test)
       : case_(data), measured_(measured), test_(test) {
     for (const TestRun& run : test.runs) {
-      if (run.base < 0) continue;
-      done_.insert(run.base);
+      if (run.input.base < 0) continue;
+      done_.insert(run.input.base);
       lowest_ = lowest_ > 0 ? std::min(lowest_, run.level) : run.level;
       highest_ = std::max(highest_, run.level);
     }
@@ -93,7 +93,7 @@ TestReadings sweep_readings(const Case& data, int base, double level, const std:
   TestReadings t;
   t.runs.push_back(
       {.state = "",
-       .base = base,
+       .input = {.base = base, .force = ""},
        .level = level,
        .sensor = main,
        .axis = base,

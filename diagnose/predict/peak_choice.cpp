@@ -35,9 +35,9 @@ std::vector<Index> paired(const std::vector<double>& measured, const std::vector
 }
 
 std::vector<Index> strong_peaks(const VectorXd& hertz, const VectorXd& zeta, const VectorXd& height,
-                                const std::array<double, 2>& band, std::size_t wanted) {
-  constexpr double strong = 0.12; // below, it does not count as strong in a measurement either
-  constexpr double beyond = 0.2;  // of an end of the band: a model may be that far off
+                                const std::array<double, 2>& band, std::size_t wanted,
+                                double share) {
+  constexpr double beyond = 0.2; // of an end of the band: a model may be that far off
   const auto within = [&](Index i) {
     return !(band[1] > band[0]) ||
            (hertz[i] > (1 - beyond) * band[0] && hertz[i] < (1 + beyond) * band[1]);
@@ -49,7 +49,7 @@ std::vector<Index> strong_peaks(const VectorXd& hertz, const VectorXd& zeta, con
                    [&](Index a, Index b) { return height[a] > height[b]; });
   std::vector<Index> peaks;
   for (Index i : order) {
-    if (height[i] < strong * height[order.front()] && peaks.size() >= wanted) break;
+    if (height[i] < share * height[order.front()] && peaks.size() >= wanted) break;
     // Two modes within their widths show one peak.
     if (std::none_of(peaks.begin(), peaks.end(), [&](Index other) {
           return std::abs(hertz[i] - hertz[other]) <

@@ -95,7 +95,7 @@ public:
   std::vector<int> nominal_modes() const;
 
   // The response of a channel to a run, at frequencies of one's own (linear hypotheses), per unit
-  // of the base: for pictures.
+  // of the input: for pictures.
   std::optional<Eigen::VectorXcd> response(const Eigen::VectorXd& values, const TestRun& run,
                                            const Eigen::VectorXd& hertz) const;
 

@@ -59,9 +59,9 @@ int StateAnswers::nominal_mode(const Reading& reading) {
   if (reading.run < 0) return -1;
   const FamilyModes* m = linear_modes();
   const TestRun& run = test_.runs[std::size_t(reading.run)];
-  if (!m) return -1;
+  if (!m || (run.input.any() && !answers_to(run))) return -1;
   const Index own =
-      run.base < 0 ? labelled_mode(*m, reading) : peak_modes(*m, run)[std::size_t(reading.peak)];
+      run.input.any() ? peak_modes(*m, run)[std::size_t(reading.peak)] : labelled_mode(*m, reading);
   if (own < 0) return -1;
   Index nominal = 0;
   m->likeness.col(own).cwiseAbs().maxCoeff(&nominal);
@@ -71,10 +71,10 @@ int StateAnswers::nominal_mode(const Reading& reading) {
 std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const VectorXd& hertz) {
   const FamilyModes* m = linear_modes();
   const int sensor = own_.nominal->number_of(run.sensor);
-  if (!m || sensor < 0 || run.base < 0) return std::nullopt;
+  if (!m || sensor < 0 || !answers_to(run)) return std::nullopt;
   std::vector<double> omega;
   for (double f : hertz) omega.push_back(2 * std::numbers::pi * f);
-  const MatrixXcd moved = motion(*m, m->zeta, run.base, omega);
+  const MatrixXcd moved = motion(*m, m->zeta, run, omega);
   return Eigen::VectorXcd(reading_of(moved, sensor, run.axis).transpose());
 }
 
@@ -135,12 +135,32 @@ double StateAnswers::static_stiffness(const Reading& reading) {
   return value ? std::log(*value) : none;
 }
 
-// Accelerations of the places seen per unit of the commanded base, part axes: 3 rows each, a column
-// per frequency.
-MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, int base,
+// The sensor at which a force drives; -1: none is called so.
+int StateAnswers::driven_sensor(const TestRun& run) const {
+  const std::string& channel = run.input.force;
+  return own_.nominal->number_of(channel.substr(0, channel.rfind('.')));
+}
+
+// Whether the model has what drives the run.
+bool StateAnswers::answers_to(const TestRun& run) const {
+  return run.input.base >= 0 || (run.input.any() && driven_sensor(run) >= 0);
+}
+
+// What drives each mode, less its sign for a force: accelerations over it are w2 times that of a
+// table, which moves the other way.
+VectorXd StateAnswers::input_of(const FamilyModes& m, const TestRun& run) const {
+  if (run.input.base >= 0) return m.gamma * base_of(run);
+  VectorXd input(m.lambda.size());
+  for (Index i = 0; i < input.size(); ++i)
+    input[i] = -seen_at(m, i, driven_sensor(run), run.input.force.back() - 'x');
+  return input;
+}
+
+// Accelerations of the places seen per unit of the input as commanded, part axes: 3 rows each, a
+// column per frequency.
+MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, const TestRun& run,
                                const std::vector<double>& omega) const {
-  const Vector3d d = acting_.setup.base.col(base);
-  const VectorXd gamma = m.gamma * d;
+  const VectorXd gamma = input_of(m, run);
   MatrixXd real(m.lambda.size(), Index(omega.size())), imaginary = real;
   for (Index k = 0; k < real.cols(); ++k) {
     const double w = omega[std::size_t(k)], w2 = w * w;
@@ -164,7 +184,9 @@ MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, int b
   MatrixXcd u(rows.rows(), real.cols());
   u.real() = rows * real;
   u.imag() = rows * imaginary;
-  for (Index s = 0; s < seen_; ++s) u.middleRows<3>(3 * s).colwise() += d.cast<Complex>();
+  if (run.input.base >= 0)
+    for (Index s = 0; s < seen_; ++s)
+      u.middleRows<3>(3 * s).colwise() += base_of(run).cast<Complex>();
   return u;
 }
 
@@ -181,19 +203,16 @@ RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int a
 // Modes of a run's measured peaks, by how high each stands in the channel of the run.
 std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun& run) const {
   const int sensor = own_.nominal->number_of(run.sensor);
-  const Vector3d towards = run.axis == run.base ? base_of(run) : Vector3d::Unit(run.axis);
+  const VectorXd in = run.seen_along() ? input_of(m, run) : VectorXd(m.gamma.col(run.axis));
   VectorXd hertz(m.lambda.size()), height(m.lambda.size());
   for (Index i = 0; i < height.size(); ++i) {
-    const double in = m.gamma.row(i).dot(towards);
-    const double out = sensor < 0 || run.axis != run.base
-                           ? in
-                           : own_.nominal->axes[std::size_t(sensor)].row(run.axis).dot(
-                                 m.marked.block<3, 1>(6 * Index(sensor), i));
+    const double out = sensor < 0 || !run.seen_along() ? in[i] : seen_at(m, i, sensor, run.axis);
     hertz[i] = m.hertz(i);
-    height[i] = std::abs(in * out) / m.zeta[i];
+    height[i] = std::abs(in[i] * out) / m.zeta[i];
   }
   const std::vector<Index> candidates =
-      strong_peaks(hertz, m.zeta, height, band_of(run), run.planned() ? 1 : run.peaks.size());
+      strong_peaks(hertz, m.zeta, height, band_of(run), run.planned() ? 1 : run.peaks.size(),
+                   run.input.base < 0 ? strong_under_force : strong_on_table);
   std::vector<double> model;
   for (Index i : candidates) model.push_back(hertz[i]);
   std::vector<Index> result;
@@ -213,7 +232,7 @@ bool StateAnswers::find_peaks(int number) {
   } else {
     for (const auto& [other, peaks] : peaks_) { // the level is not felt
       const TestRun& like = test_.runs[std::size_t(other)];
-      if (like.base == run.base && like.sensor == run.sensor && like.axis == run.axis &&
+      if (like.input == run.input && like.sensor == run.sensor && like.axis == run.axis &&
           like.first == run.first && same_order(like, run)) {
         found = peaks;
         peaks_[number] = std::move(found);
@@ -231,7 +250,8 @@ bool StateAnswers::find_peaks(int number) {
 
 bool StateAnswers::dynamic(const Reading& reading, double& value) {
   const TestRun& run = test_.runs[std::size_t(reading.run)];
-  if (run.base < 0) return labelled(reading, value);
+  if (!run.input.any()) return labelled(reading, value);
+  if (!answers_to(run)) return true;
   if (!find_peaks(reading.run)) return false;
   Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
   if (peak.mode < 0) return true;
@@ -241,8 +261,8 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
   }
   const int sensor = own_.nominal->number_of(reading.sensor);
   if (reading.kind == ReadingKind::frequency) {
-    value = std::log(sensor < 0 || run.axis != run.base ? peak.modes->hertz(peak.mode)
-                                                        : summit(peak, sensor, reading.axis).first);
+    value = std::log(sensor < 0 || !run.seen_along() ? peak.modes->hertz(peak.mode)
+                                                     : summit(peak, sensor, reading.axis).first);
     return true;
   }
   if (sensor < 0) return true;
@@ -252,13 +272,21 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
   }
   if (reading.at_run >= 0) return cross_resonance(reading, run, sensor, value);
   if (reading.highest) {
+    value = std::log(highest(peak, run, sensor, reading.axis) /
+                         highest(peak, run, sensor, run.input.base) +
+                     cross_floor);
+    return true;
+  }
+  if (run.input.base < 0) { // where the peak is: what it is over shows no other axis
+    const int over = own_.nominal->number_of(run.sensor);
+    if (over < 0) return true;
     value =
-        std::log(highest(peak, run, sensor, reading.axis) / highest(peak, run, sensor, run.base) +
+        std::log(summit(peak, sensor, reading.axis).second / summit(peak, over, run.axis).second +
                  cross_floor);
     return true;
   }
   if (peak.around.size() == 0) respond_around(peak, run);
-  const double main = summit(peak, sensor, run.base).second;
+  const double main = summit(peak, sensor, run.input.base).second;
   const double cross = std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
                                 reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
   value = std::log(cross / main + cross_floor);
@@ -275,7 +303,7 @@ bool StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, i
     near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));
     near.push_back(peak.omega() * (1 + resonance_window * i / half_steps));
   }
-  const MatrixXcd own = motion(*peak.modes, peak.zeta, run.base, near);
+  const MatrixXcd own = motion(*peak.modes, peak.zeta, run, near);
   const double cross = reading_of(own, sensor, reading.axis).cwiseAbs().maxCoeff();
   value = std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
   return true;
@@ -289,9 +317,7 @@ double StateAnswers::highest(const Peak& peak, const TestRun& run, int sensor, i
       for (double x : {-1., -0.5, 0., 0.5, 1.})
         omega.push_back(peak.modes->omega(j) * (1 + x * peak.zeta[j]));
   if (omega.empty()) return none;
-  return reading_of(motion(*peak.modes, peak.zeta, run.base, omega), sensor, axis)
-      .cwiseAbs()
-      .maxCoeff();
+  return reading_of(motion(*peak.modes, peak.zeta, run, omega), sensor, axis).cwiseAbs().maxCoeff();
 }
 
 void StateAnswers::respond(Peak& peak, const TestRun& run) const {
@@ -299,7 +325,7 @@ void StateAnswers::respond(Peak& peak, const TestRun& run) const {
   std::vector<double> near;
   for (int i = -half_steps; i <= half_steps; ++i)
     near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));
-  peak.near = motion(*peak.modes, peak.zeta, run.base, near);
+  peak.near = motion(*peak.modes, peak.zeta, run, near);
 }
 
 void StateAnswers::respond_around(Peak& peak, const TestRun& run) const {
@@ -310,7 +336,7 @@ void StateAnswers::respond_around(Peak& peak, const TestRun& run) const {
   for (Index j = 0; j < peak.modes->lambda.size(); ++j)
     if (const double w = peak.modes->omega(j); std::abs(w / peak.omega() - 1) <= cross_window)
       for (double x : {-1., 0., 1.}) around.push_back(w * (1 + x * peak.zeta[j]));
-  peak.around = motion(*peak.modes, peak.zeta, run.base, around);
+  peak.around = motion(*peak.modes, peak.zeta, run, around);
 }
 
 // Frequency in Hz and height of the peak of a channel near its mode: a parabola through

@@ -49,7 +49,7 @@ public:
   // Number of the nominal mode that a reading is of; -1 = none.
   int nominal_mode(const Reading& reading);
 
-  // A channel of a run over frequencies of one's own, per unit of the base, nothing slipping.
+  // A channel of a run over frequencies of one's own, per unit of the input, nothing slipping.
   std::optional<Eigen::VectorXcd> response(const TestRun& run, const Eigen::VectorXd& hertz);
 
 private:
@@ -79,12 +79,17 @@ private:
 
   const FamilyModes* linear_modes();
   Eigen::VectorXd damping_of(const FamilyModes& linear) const;
-  Eigen::Vector3d base_of(const TestRun& run) const { return acting_.setup.base.col(run.base); }
+  Eigen::Vector3d base_of(const TestRun& run) const {
+    return acting_.setup.base.col(run.input.base);
+  }
   double mass() const;
   std::optional<EndStiffness> ends_at(double kept) const;
   std::optional<double> stiffness_at(StaticDirection direction, double kept);
   double static_stiffness(const Reading& reading);
-  Eigen::MatrixXcd motion(const FamilyModes& m, const Eigen::VectorXd& zeta, int base,
+  bool answers_to(const TestRun& run) const;
+  int driven_sensor(const TestRun& run) const;
+  Eigen::VectorXd input_of(const FamilyModes& m, const TestRun& run) const;
+  Eigen::MatrixXcd motion(const FamilyModes& m, const Eigen::VectorXd& zeta, const TestRun& run,
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
   std::vector<Eigen::Index> peak_modes(const FamilyModes& m, const TestRun& run) const;

@@ -16,10 +16,18 @@ namespace plica {
 
 enum class ReadingKind { mass, stiffness, frequency, damping, amplitude, cross };
 
-// One run of the table, or a list of modes: at rest, or driven by a shaker to a level.
+// What a measured response is a response to: the table along an axis, or a force in a channel.
+struct Input {
+  int base = -1;     // 0..2 = x y z; -1: no motion of the table
+  std::string force; // the channel that is driven, "mid.y"; empty: no force
+  auto operator<=>(const Input&) const = default;
+  bool any() const { return base >= 0 || !force.empty(); }
+};
+
+// Responses to an input, or a list of modes: at rest, or driven by a shaker to a level.
 struct TestRun {
   std::string state;         // empty = the specimen as it stands
-  int base = -1;             // 0..2 = x y z; -1: modes alone
+  Input input = {};          // none: modes alone
   double level = 0;          // m/s2 of the table, or at the channel that is driven; 0 = not stated
   bool by_force = false;     // the level is the force there, N
   std::string sensor;        // in whose channel along `axis` the peaks are seen; empty = not known;
@@ -29,6 +37,8 @@ struct TestRun {
   bool first = false;        // they are the first peaks of the channel, whatever comes after
   std::array<double, 2> band{}; // of a response, Hz
   bool planned() const { return !peaks.empty() && peaks.front() == 0; }
+  // Of a response: the peaks are seen where the input acts along, not across it.
+  bool seen_along() const { return input.base < 0 || axis == input.base; }
 };
 
 struct Reading {
@@ -37,6 +47,7 @@ struct Reading {
   std::string state;
   int run = -1;         // mass, stiffness: none
   int peak = 0;         // of the run
+  int mode = -1;        // that the peak is of, where forces at several places show it; numbered
   int at_run = -1;      // cross: at the first peak of that run, whose base is the axis, and over it
   bool highest = false; // cross: wherever in the band it is highest
   std::string sensor;   // amplitude, cross
@@ -67,6 +78,8 @@ struct DiagnosisData {
 // What a cross response adds to before the logarithm: below a fiftieth of the main motion it is
 // noise.
 constexpr double cross_floor = 0.02;
+// "base y", "force at mid.y"; empty for none.
+std::string word_of(const Input& input);
 // In its unit, what its logarithm stands for.
 double value_of(const Reading& reading, double log_value);
 // How far from a peak a cross response is looked for, relative.

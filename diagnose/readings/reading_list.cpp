@@ -1,5 +1,7 @@
 #include "diagnose/readings/reading_list.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -21,6 +23,11 @@ void ReadingList::add(Reading reading) {
 double value_of(const Reading& reading, double log_value) {
   const double value = std::exp(log_value);
   return reading.kind == ReadingKind::cross ? std::max(0., value - cross_floor) : value;
+}
+
+std::string word_of(const Input& input) {
+  if (input.base >= 0) return std::string("base ") + axis_word(input.base);
+  return input.force.empty() ? "" : "force at " + input.force;
 }
 
 std::string entry_name(const char* list, std::size_t i) {

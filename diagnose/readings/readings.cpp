@@ -92,7 +92,7 @@ private:
                          .peaks = {}};
     std::vector<TestRun>& runs = list_.all.runs;
     auto same = std::find_if(runs.begin(), runs.end(), [&](const TestRun& r) {
-      return r.base < 0 && r.state == driven.state && r.level == driven.level &&
+      return !r.input.any() && r.state == driven.state && r.level == driven.level &&
              r.by_force == driven.by_force && r.sensor == driven.sensor && r.axis == driven.axis;
     });
     if (same == runs.end()) same = runs.insert(same, driven);
@@ -138,7 +138,7 @@ private:
       const MeasuredMode& m = measured_.modes[i];
       if (!m.base || done[i]) continue;
       TestRun run{.state = m.state,
-                  .base = static_cast<int>(*m.base),
+                  .input = {.base = static_cast<int>(*m.base), .force = ""},
                   .level = m.level.value_or(0),
                   .sensor = m.sensor,
                   .axis = static_cast<int>(m.direction.value_or(*m.base)),
@@ -162,8 +162,8 @@ private:
       for (std::size_t k = 0; k < own.size(); ++k) {
         const MeasuredMode& mode = measured_.modes[own[k]];
         Reading reading{.kind = ReadingKind::frequency,
-                        .name = std::string("frequency in ") + axis_word(run.axis) + ", base " +
-                                axis_word(run.base) + at_level(run),
+                        .name = std::string("frequency in ") + axis_word(run.axis) + ", " +
+                                word_of(run.input) + at_level(run),
                         .unit = "Hz",
                         .entry = entry_name("modes", own[k]),
                         .state = run.state,
@@ -186,14 +186,14 @@ private:
     for (std::size_t k = 0; k < p.level.size(); ++k) {
       const std::string index = "[" + std::to_string(k) + "]";
       TestRun run{.state = p.state,
-                  .base = static_cast<int>(p.base),
+                  .input = {.base = static_cast<int>(p.base), .force = ""},
                   .level = p.level[k],
                   .sensor = p.sensor,
                   .axis = static_cast<int>(p.direction),
                   .peaks = {p.frequency[k]},
                   .first = true};
-      const std::string of = std::string(" of the first peak in ") + axis_word(run.axis) +
-                             ", base " + axis_word(run.base) + at_level(run);
+      const std::string of = std::string(" of the first peak in ") + axis_word(run.axis) + ", " +
+                             word_of(run.input) + at_level(run);
       Reading reading{.kind = ReadingKind::frequency,
                       .name = "frequency" + of,
                       .unit = "Hz",
@@ -227,10 +227,10 @@ private:
   // Without a word on it, the highest of three levels or more of one excitation is held out.
   void hold_out_by_level() {
     if (!measured_.hold_out.empty()) return;
-    std::map<std::tuple<int, std::string, int, bool>, std::set<double>> levels;
+    std::map<std::tuple<Input, std::string, int, bool>, std::set<double>> levels;
     const auto of = [&](const TestRun& run) -> std::set<double>& {
-      return run.base >= 0 ? levels[{run.base, "", 0, false}]
-                           : levels[{-1, run.sensor, run.axis, run.by_force}];
+      return run.input.any() ? levels[{run.input, "", 0, false}]
+                             : levels[{Input{}, run.sensor, run.axis, run.by_force}];
     };
     for (const TestRun& run : list_.all.runs)
       if (run.level > 0) of(run).insert(run.level);

@@ -11,11 +11,11 @@ namespace plica {
 void widen_by_repeats(TestReadings& test) {
   for (const auto& [kind, name] : {std::pair{ReadingKind::frequency, "frequency"},
                                    std::pair{ReadingKind::damping, "damping"}}) {
-    std::map<std::tuple<std::string, int, int, double, int>, std::vector<double>> groups;
+    std::map<std::tuple<std::string, Input, int, double, int>, std::vector<double>> groups;
     for (const Reading& r : test.readings) {
-      if (r.kind != kind || r.run < 0 || test.runs[std::size_t(r.run)].base < 0) continue;
+      if (r.kind != kind || r.run < 0 || !test.runs[std::size_t(r.run)].input.any()) continue;
       const TestRun& run = test.runs[std::size_t(r.run)];
-      groups[{r.state, run.base, run.axis, run.level, r.peak}].push_back(r.log_value);
+      groups[{r.state, run.input, run.axis, run.level, r.peak}].push_back(r.log_value);
     }
     double sum = 0;
     std::size_t freedom = 0;

@@ -1,6 +1,6 @@
 #include "diagnose/readings/response_readings.hpp"
 
-#include "diagnose/readings/response_peaks.hpp"
+#include "diagnose/readings/force_readings.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -24,85 +24,51 @@ public:
   void collect() {
     for (std::size_t i = 0; i < test_.responses.size(); ++i)
       for (const FrfSet& set : test_.responses[i]) responses(i, set);
+    forces_.number_modes();
     say_lost_peaks();
     cross_resonances();
     highest_along_other_axes();
   }
 
 private:
-  // Column of a channel of a set; -1 = not there.
-  static Index column(const FrfSet& set, const std::string& sensor, int axis) {
-    const std::string name = sensor + "." + axis_word(axis);
-    const auto found = std::find(set.responses.begin(), set.responses.end(), name);
-    return found == set.responses.end() ? -1 : found - set.responses.begin();
-  }
-
-  static std::vector<std::string> sensors_of(const FrfSet& set) {
-    std::vector<std::string> names;
-    for (const std::string& channel : set.responses)
-      if (const std::string name = channel.substr(0, channel.rfind('.'));
-          std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    return names;
-  }
-
-  // Relative noise of a response near its peaks, as stated; else none.
-  double stated_noise(std::size_t i, double amplitude) const {
-    const auto& sigma = measured_.frf[i].sigma;
-    return sigma ? std::hypot(sigma->relative, sigma->floor / amplitude) : 0;
-  }
-
   void responses(std::size_t i, const FrfSet& set) {
-    for (std::size_t r = 0; r < set.references.size(); ++r) {
-      if (!set.references[r].starts_with("base.")) {
-        list_.all.warnings.push_back(
-            entry_name("frf", i) +
-            ": a response to a force is not taken; identify its modes (plica "
-            "identify) and state them as modes");
-        continue;
-      }
-      response(i, set, int(r), int(set.references[r].back() - 'x'));
+    for (int r = 0; r < int(set.references.size()); ++r) {
+      const ResponseEntry entry{i, &measured_.frf[i], &set, r};
+      if (entry.input().base >= 0)
+        to_table(entry);
+      else
+        forces_.add(entry);
     }
   }
 
-  void response(std::size_t i, const FrfSet& set, int reference, int base) {
-    const Eigen::MatrixXcd& H = set.H[std::size_t(reference)];
-    const MeasuredFrf& own = measured_.frf[i];
+  void to_table(const ResponseEntry& entry) {
     std::vector<FittedPeak> peaks;
-    TestRun run{.state = own.state,
-                .base = base,
-                .level = own.level.value_or(0),
-                .sensor = "",
-                .axis = base,
-                .peaks = {},
-                .band = {set.hertz[0], set.hertz[set.hertz.size() - 1]}};
-    for (const std::string& sensor : sensors_of(set)) {
-      const Index c = column(set, sensor, base);
+    TestRun run = entry.run();
+    for (const std::string& sensor : entry.sensors()) {
+      const Index c = entry.column(sensor, run.axis);
       if (c < 0) continue;
-      const std::vector<FittedPeak> found = response_peaks(set.hertz, H.col(c), strong);
-      const auto highest = [](const std::vector<FittedPeak>& all) {
-        double value = 0;
-        for (const FittedPeak& p : all) value = std::max(value, p.amplitude);
-        return value;
-      };
-      if (highest(found) > highest(peaks)) {
+      const std::vector<FittedPeak> found =
+          response_peaks(entry.set->hertz, entry.response(c), strong);
+      if (highest_of(found) > highest_of(peaks)) {
         peaks = found;
         run.sensor = sensor;
       }
     }
     if (peaks.empty()) {
-      list_.all.warnings.push_back(entry_name("frf", i) + ": no peak along the axis of the base");
+      list_.all.warnings.push_back(entry_name("frf", entry.number) +
+                                   ": no peak along the axis of the base");
       return;
     }
     if (peaks.size() > most) peaks.resize(most);
     for (const FittedPeak& p : peaks) run.peaks.push_back(p.frequency);
-    for (std::size_t k = 0; k < peaks.size(); ++k) add_main(i, set, run, int(k), peaks[k]);
-    for (const std::string& sensor : sensors_of(set))
-      add_others(i, set, H, run, sensor, peaks.front());
+    const auto number = int(list_.all.runs.size());
+    for (std::size_t k = 0; k < peaks.size(); ++k)
+      add_peak(entry, run, number, int(k), peaks[k], list_);
+    for (const std::string& sensor : entry.sensors()) add_others(entry, run, sensor, peaks.front());
     const auto high = [](const FittedPeak& a, const FittedPeak& b) {
       return a.amplitude < b.amplitude;
     };
-    sources_.push_back({i, &set, reference, list_.all.runs.size(),
+    sources_.push_back({entry, list_.all.runs.size(),
                         std::max_element(peaks.begin(), peaks.end(), high)->frequency});
     list_.all.runs.push_back(std::move(run));
   }
@@ -116,7 +82,7 @@ private:
       const Source* next = nullptr;
       for (const Source& other : sources_) {
         const TestRun& at = list_.all.runs[other.run];
-        if (at.state != run.state || at.base != run.base || !(at.level > run.level)) continue;
+        if (at.state != run.state || at.input != run.input || !(at.level > run.level)) continue;
         if (!next || at.level < list_.all.runs[next->run].level) next = &other;
       }
       if (!next) continue;
@@ -126,10 +92,10 @@ private:
             return std::abs(std::log(hertz / own.highest)) < near;
           }))
         continue;
-      const std::string text =
-          fmt::sprintf("%s: the highest peak at %g m/s2, %.4g Hz, is not among those at %g m/s2: "
-                       "something that no reading holds changes with the level",
-                       entry_name("frf", next->entry).c_str(), run.level, own.highest, at.level);
+      const std::string text = fmt::sprintf(
+          "%s: the highest peak at %g m/s2, %.4g Hz, is not among those at %g m/s2: "
+          "something that no reading holds changes with the level",
+          entry_name("frf", next->entry.number).c_str(), run.level, own.highest, at.level);
       list_.all.warnings.emplace_back(text);
     }
   }
@@ -140,22 +106,21 @@ private:
     for (const Source& own : sources_)
       for (const Source& other : sources_) {
         const TestRun &run = list_.all.runs[own.run], &at = list_.all.runs[other.run];
-        if (run.base == at.base || run.state != at.state || run.level != at.level) continue;
-        const Index c = column(*own.set, at.sensor, at.base);
-        const Index main = column(*other.set, at.sensor, at.base);
+        if (run.input == at.input || run.state != at.state || run.level != at.level) continue;
+        const Index c = own.entry.column(at.sensor, at.axis);
+        const Index main = other.entry.column(at.sensor, at.axis);
         if (c < 0 || main < 0) continue;
-        const double height = largest_near(*other.set, other.reference, main, at.peaks.front());
-        const double ratio = largest_near(*own.set, own.reference, c, at.peaks.front()) / height;
+        const double height = other.entry.largest(main, at.peaks.front(), resonance_window);
+        const double ratio = own.entry.largest(c, at.peaks.front(), resonance_window) / height;
         if (!(height > 0 && ratio > 0)) continue;
-        const double noise = stated_noise(own.entry, ratio * height);
-        Reading reading = blank(own.entry, run, 0);
-        reading.run = int(own.run);
+        const double noise = own.entry.stated_noise(ratio * height);
+        Reading reading = own.entry.blank(run, int(own.run), 0);
         reading.at_run = int(other.run);
         reading.kind = ReadingKind::cross;
         reading.sensor = at.sensor;
-        reading.axis = at.base;
-        reading.name = std::string("share in ") + axis_word(at.base) + " at its resonance, base " +
-                       axis_word(run.base) + at_level(run);
+        reading.axis = at.axis;
+        reading.name = std::string("share in ") + axis_word(at.axis) + " at its resonance, " +
+                       word_of(run.input) + at_level(run);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
         reading.sigma = std::hypot(0.03, noise * ratio / (ratio + cross_floor));
@@ -169,97 +134,40 @@ private:
       const TestRun& run = list_.all.runs[own.run];
       for (int axis = 0; axis < 3; ++axis) {
         if (std::any_of(list_.all.runs.begin(), list_.all.runs.end(), [&](const TestRun& other) {
-              return other.base == axis && other.state == run.state;
+              return other.input.base == axis && other.state == run.state;
             }))
           continue;
-        const Index main = column(*own.set, run.sensor, run.base),
-                    c = column(*own.set, run.sensor, axis);
+        const Index main = own.entry.column(run.sensor, run.axis),
+                    c = own.entry.column(run.sensor, axis);
         if (c < 0) continue;
-        const Eigen::MatrixXcd& H = own.set->H[std::size_t(own.reference)];
-        const double height = H.col(main).cwiseAbs().maxCoeff(),
-                     ratio = H.col(c).cwiseAbs().maxCoeff() / height;
-        Reading reading = blank(own.entry, run, 0);
-        reading.run = int(own.run);
+        const double height = own.entry.response(main).cwiseAbs().maxCoeff(),
+                     ratio = own.entry.response(c).cwiseAbs().maxCoeff() / height;
+        Reading reading = own.entry.blank(run, int(own.run), 0);
         reading.kind = ReadingKind::cross;
         reading.highest = true;
         reading.axis = axis;
         reading.name = std::string("highest in ") + axis_word(axis) + " over that in " +
-                       axis_word(run.base) + at_level(run);
+                       axis_word(run.axis) + at_level(run);
         reading.value = ratio;
         reading.log_value = std::log(ratio + cross_floor);
-        const double noise = stated_noise(own.entry, ratio * height);
+        const double noise = own.entry.stated_noise(ratio * height);
         reading.sigma = std::hypot(0.03, noise * ratio / (ratio + cross_floor));
         list_.add(reading);
       }
     }
   }
 
-  static double largest_near(const FrfSet& set, int reference, Index c, double hertz) {
-    double value = 0;
-    for (Index k = 0; k < set.hertz.size(); ++k)
-      if (std::abs(set.hertz[k] / hertz - 1) <= resonance_window)
-        value = std::max(value, std::abs(set.H[std::size_t(reference)](k, c)));
-    return value;
-  }
-
-  Reading blank(std::size_t i, const TestRun& run, int peak) const {
-    return {.name = "",
-            .unit = "",
-            .entry = entry_name("frf", i),
-            .state = run.state,
-            .run = int(list_.all.runs.size()),
-            .peak = peak,
-            .sensor = run.sensor,
-            .axis = run.axis};
-  }
-
-  void add_main(std::size_t i, const FrfSet& set, const TestRun& run, int k,
-                const FittedPeak& peak) {
-    const std::string of = " of peak " + std::to_string(k + 1) + " at " + run.sensor + " in " +
-                           axis_word(run.axis) + ", base " + axis_word(run.base) + at_level(run);
-    const double step = (set.hertz[set.hertz.size() - 1] - set.hertz[0]) /
-                        double(std::max<Index>(1, set.hertz.size() - 1)) / peak.frequency;
-    // Of what a fit finds from so many lines: relative to height, half of it to width.
-    const double noise = std::max(peak.noise, stated_noise(i, peak.amplitude)) /
-                         std::sqrt(std::max(1., peak.lines / 4.));
-    Reading reading = blank(i, run, k);
-    reading.kind = ReadingKind::frequency;
-    reading.name = "frequency" + of;
-    reading.unit = "Hz";
-    reading.value = peak.frequency;
-    reading.sigma = std::max(peak.damping * noise, 0.05 * step);
-    list_.add(reading);
-    reading.kind = ReadingKind::damping;
-    reading.name = "damping" + of;
-    reading.unit = "";
-    reading.value = peak.damping;
-    reading.sigma = std::hypot(0.005, 2 * noise);
-    list_.add(reading);
-    reading.kind = ReadingKind::amplitude;
-    reading.name = "amplitude" + of;
-    reading.value = peak.amplitude;
-    reading.sigma = std::hypot(0.005, noise);
-    list_.add(reading);
-  }
-
   // Height at the first peak of the other sensors, and what all show along the other axes.
-  void add_others(std::size_t i, const FrfSet& set, const Eigen::MatrixXcd& H, const TestRun& run,
-                  const std::string& sensor, const FittedPeak& peak) {
-    const Index main = column(set, sensor, run.base);
+  void add_others(const ResponseEntry& entry, const TestRun& run, const std::string& sensor,
+                  const FittedPeak& peak) {
+    const Index main = entry.column(sensor, run.axis);
     if (main < 0) return;
-    const auto largest = [&](Index c, double window) {
-      double value = 0;
-      for (Index k = 0; k < set.hertz.size(); ++k)
-        if (std::abs(set.hertz[k] / peak.frequency - 1) <= window)
-          value = std::max(value, std::abs(H(k, c)));
-      return value;
-    };
-    const double height = largest(main, std::max(2 * peak.damping, 0.01));
+    const double height = entry.largest(main, peak.frequency, std::max(2 * peak.damping, 0.01));
     if (!(height > 0)) return;
-    const double noise = stated_noise(i, height);
-    Reading reading = blank(i, run, 0);
+    const double noise = entry.stated_noise(height);
+    Reading reading = entry.blank(run, int(list_.all.runs.size()), 0);
     reading.sensor = sensor;
-    const std::string of = " at " + sensor + ", base " + axis_word(run.base) + at_level(run);
+    const std::string of = " at " + sensor + ", " + word_of(run.input) + at_level(run);
     if (sensor != run.sensor) {
       reading.kind = ReadingKind::amplitude;
       reading.name = std::string("amplitude") + of;
@@ -268,9 +176,9 @@ private:
       list_.add(reading);
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const Index c = axis == run.base ? -1 : column(set, sensor, axis);
+      const Index c = axis == run.axis ? -1 : entry.column(sensor, axis);
       if (c < 0) continue;
-      const double ratio = largest(c, cross_window) / height;
+      const double ratio = entry.largest(c, peak.frequency, cross_window) / height;
       reading.kind = ReadingKind::cross;
       reading.axis = axis;
       reading.name = std::string("share in ") + axis_word(axis) + of;
@@ -282,9 +190,7 @@ private:
   }
 
   struct Source { // of a run from a response
-    std::size_t entry = 0;
-    const FrfSet* set = nullptr;
-    int reference = 0;
+    ResponseEntry entry;
     std::size_t run = 0;
     double highest = 0; // Hz, of its peaks
   };
@@ -292,6 +198,7 @@ private:
   const DiagnosisData& test_;
   const Measured& measured_;
   ReadingList& list_;
+  ForceReadings forces_{list_};
   std::vector<Source> sources_;
 };
 

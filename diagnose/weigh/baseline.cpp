@@ -211,10 +211,12 @@ bool same_thing(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.kind != b.kind || a.direction != b.direction || (a.run < 0) != (b.run < 0)) return false;
   if (a.run < 0) return true;
   const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
-  if (r.base != s.base || a.axis != b.axis) return false;
-  if (r.base < 0) return a.shape == b.shape && a.order == b.order;
-  return r.axis == s.axis && a.peak == b.peak && a.sensor == b.sensor &&
-         (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest;
+  const bool of_mode = a.kind == ReadingKind::frequency || a.kind == ReadingKind::damping;
+  if (of_mode && (a.mode >= 0 || b.mode >= 0)) return a.mode == b.mode;
+  if (r.input != s.input || a.axis != b.axis) return false;
+  if (!r.input.any()) return a.shape == b.shape && a.order == b.order;
+  return r.axis == s.axis && a.mode == b.mode && (a.mode >= 0 || a.peak == b.peak) &&
+         a.sensor == b.sensor && (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest;
 }
 
 Remounting remounting_of(const TestReadings& test, const Measured& measured,
@@ -272,7 +274,7 @@ void pair_like_baselines(const Nominal& nominal, const Measured& measured, TestR
   }
   // Readings know their peaks by number, so that these keep their order or stay as they are.
   for (std::size_t k = 0; k < peaks.size(); ++k)
-    if (test.runs[k].base >= 0 && std::is_sorted(peaks[k].begin(), peaks[k].end()))
+    if (test.runs[k].input.any() && std::is_sorted(peaks[k].begin(), peaks[k].end()))
       test.runs[k].peaks = std::move(peaks[k]);
 }
 

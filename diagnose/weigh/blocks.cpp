@@ -32,7 +32,7 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   }
   if (r.run < 0) return label;
   const TestRun& run = test.runs[std::size_t(r.run)];
-  if (run.base < 0) {
+  if (!run.input.any()) {
     label.band = r.name.substr(r.name.find("damping of ") == 0 ? 11 : 0);
     label.band = label.band.substr(0, label.band.find(','));
     if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
@@ -40,10 +40,16 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
     if (r.axis >= 0) label.direction = letters[std::size_t(r.axis)];
     return label;
   }
-  label.direction = letters[std::size_t(run.base)];
-  if (r.axis != run.base) label.direction += std::string(" to ") + letters[std::size_t(r.axis)];
+  if (run.input.base >= 0) {
+    label.direction = letters[std::size_t(run.input.base)];
+    if (r.axis != run.input.base)
+      label.direction += std::string(" to ") + letters[std::size_t(r.axis)];
+  } else {
+    label.direction = word_of(run.input);
+  }
   label.band = "peak " + std::to_string(r.peak + 1);
-  if (run.level > 0) label.level = run.level;
+  if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
+  if (run.level > 0 && !run.by_force) label.level = run.level;
   return label;
 }
 
@@ -167,11 +173,11 @@ std::vector<LevelTrend> level_trends(const TestReadings& test) {
     const TestRun& run = test.runs[std::size_t(r.run)];
     if (!(run.level > 0)) continue;
     const std::string mode = r.name.substr(r.name.starts_with("damping of ") ? 11 : 0);
-    const std::string name = std::string(kind_name(r.kind)) + " of " +
-                             (run.base < 0 ? mode.substr(0, mode.find(','))
-                                           : "peak " + std::to_string(r.peak + 1) + ", base " +
-                                                 letters[std::size_t(run.base)]) +
-                             (r.state.empty() ? "" : ", " + r.state);
+    const std::string name =
+        std::string(kind_name(r.kind)) + " of " +
+        (run.input.any() ? "peak " + std::to_string(r.peak + 1) + ", " + word_of(run.input)
+                         : mode.substr(0, mode.find(','))) +
+        (r.state.empty() ? "" : ", " + r.state);
     Points& p = series[name];
     p.x.push_back(std::log(run.level));
     p.y.push_back(r.log_value);

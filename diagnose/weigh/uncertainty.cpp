@@ -25,37 +25,42 @@ bool is_nuisance(const std::string& what) {
 }
 
 bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
-  if (a.run < 0 || b.run < 0 || a.peak != b.peak) return false;
+  if (a.run < 0 || b.run < 0) return false;
+  if (a.mode >= 0 || b.mode >= 0) return a.mode == b.mode;
+  if (a.peak != b.peak) return false;
   const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
-  if (r.base < 0 || s.base < 0) return r.base == s.base && a.entry == b.entry;
-  return r.base == s.base && r.axis == s.axis;
+  if (!r.input.any()) return !s.input.any() && a.entry == b.entry;
+  return r.input == s.input && r.axis == s.axis;
 }
 
 // What one sensor shows along an axis when the table moves along another, at any level.
 bool same_way(const TestReadings& test, const Reading& a, const Reading& b) {
   return a.sensor == b.sensor && a.axis == b.axis && a.state == b.state &&
          (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest &&
-         test.runs[std::size_t(a.run)].base == test.runs[std::size_t(b.run)].base;
+         test.runs[std::size_t(a.run)].input == test.runs[std::size_t(b.run)].input;
 }
 
 // Numbers of the series of readings that differ in nothing but the level.
 std::vector<int> series_of(const TestReadings& test) {
-  using Run = std::tuple<int, int, bool, std::string>;
+  using Run = std::tuple<Input, int, bool, std::string>;
   std::map<std::tuple<ReadingKind, std::string, std::string, int, Run, bool, bool, int>, int> known;
   std::vector<int> series;
   for (const Reading& r : test.readings) {
     if (r.run < 0 ||
-        (test.runs[std::size_t(r.run)].base < 0 && test.runs[std::size_t(r.run)].level == 0)) {
+        (!test.runs[std::size_t(r.run)].input.any() && test.runs[std::size_t(r.run)].level == 0)) {
       series.push_back(-1 - int(series.size())); // alone
       continue;
     }
     const TestRun& run = test.runs[std::size_t(r.run)];
-    const bool table = run.base >= 0;
-    const Run of{run.base, run.axis, run.by_force, table ? "" : run.sensor};
+    const bool response = run.input.any();
+    const Run of{run.input, run.axis, run.by_force, response ? "" : run.sensor};
     series.push_back(
         known
-            .try_emplace({r.kind, r.state, table ? r.sensor : std::to_string(int(r.shape)), r.axis,
-                          of, r.at_run >= 0, r.highest, table ? r.peak : r.order},
+            .try_emplace({r.kind, r.state, response ? r.sensor : std::to_string(int(r.shape)),
+                          r.axis, of, r.at_run >= 0, r.highest,
+                          r.mode >= 0 ? r.mode
+                          : response  ? r.peak
+                                      : r.order},
                          int(known.size()))
             .first->second);
   }
@@ -77,11 +82,13 @@ MatrixXd shared_frequency(const TestReadings& test, double sigma, Together toget
   return S;
 }
 
-// Whether the table moved alike; a mode without excitation stands for itself.
-bool same_base(const TestReadings& test, const Reading& a, const Reading& b) {
+// Whether the input was the same, which all forces are for the damping of modes; a mode without
+// excitation stands for itself.
+bool same_input(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.run < 0 || b.run < 0) return false;
   const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
-  return r.base == s.base && (r.base >= 0 || a.entry == b.entry);
+  if (!r.input.force.empty() && !s.input.force.empty()) return true;
+  return r.input == s.input && (r.input.any() || a.entry == b.entry);
 }
 
 // What the damping of every mode puts on the readings, by `weights` (damping_weights.hpp), where
@@ -178,7 +185,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   const auto at_once = [](const Reading& a, const Reading& b) { return a.run == b.run; };
   const auto by_base = [&](auto together) {
     return [&test, together](const Reading& a, const Reading& b) {
-      return same_base(test, a, b) && together(a, b);
+      return same_input(test, a, b) && together(a, b);
     };
   };
   u.reassembly = shared_frequency(test, remounting.frequency, assembled) +

@@ -2,9 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace plica {
+
+Eigen::VectorXcd acceleration_of(const FrfSet& set, int reference, Eigen::Index response) {
+  Eigen::VectorXcd H = set.H[std::size_t(reference)].col(response);
+  const std::complex<double> i_omega(0, 2 * std::numbers::pi);
+  for (int times = derivatives(set.quantity); times < 2; ++times)
+    H.array() *= i_omega * set.hertz.array();
+  return H;
+}
 
 FrfSet within(const FrfSet& set, double low, double high) {
   std::vector<int> lines;

@@ -30,6 +30,9 @@ struct FrfSet {
   std::vector<std::string> warnings;   // of the files it comes from
 };
 
+// A response as acceleration per unit of the reference: frequencies.
+Eigen::VectorXcd acceleration_of(const FrfSet& set, int reference, Eigen::Index response);
+
 // The lines between two frequencies. Throws std::invalid_argument when none is left.
 FrfSet within(const FrfSet& set, double low, double high);
 

@@ -153,7 +153,9 @@ template <class V> void fields(V& v, MeasuredFrf& f) {
   v.text(f.force, "force", {}, "channel that was driven, instead of base");
   v.choice(f.quantity, "quantity", quantity_names, optional_key,
            "what the responses are; by the base transmissibility, by a force accelerance");
-  v.quantity(f.level, "level", measured_level, "base acceleration");
+  Quantity level = measured_level;
+  if (!f.force.empty()) level.unit = Dimension::force;
+  v.quantity(f.level, "level", level, "base acceleration, or amplitude of the force (N)");
   v.object(f.sigma, "sigma", optional_key, "standard deviation");
   v.texts(f.channels, "channels",
           "sensor and axis of every column, such as mid.y; - leaves it out");
@@ -170,7 +172,9 @@ template <class V> void fields(V& v, MeasuredSignals& s) {
           "sensor and axis of every column, such as mid.y; - leaves it out");
   v.quantity(s.rate, "rate", sigma_frequency,
              "sampling rate, where the file has no time; beside times, what they must agree with");
-  v.quantity(s.level, "level", measured_level, "base acceleration");
+  Quantity level = measured_level;
+  if (!s.force.empty()) level.unit = Dimension::force;
+  v.quantity(s.level, "level", level, "base acceleration, or amplitude of the force (N)");
   v.choice(s.excitation, "excitation", {{SignalKind::random, "random"}, {SignalKind::sine, "sine"}},
            optional_key, "random noise, or a stepped or swept sine");
   v.choice(s.quantity, "quantity", quantity_names, optional_key,
