@@ -5,7 +5,10 @@
 #include "app/terminal.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/lab_files/measured_data.hpp"
+#include "io/lab_files/time_runs.hpp"
+#include "io/write/simulated_yaml.hpp"
 #include "io/write/write_identification.hpp"
+#include "lab/identification/identified_measured.hpp"
 #include "lab/identification/linearity.hpp"
 #include "lab/signals/frf_of_signals.hpp"
 
@@ -41,20 +44,47 @@ template <class F> auto told(const std::string& file, const std::string& key, F&
 
 struct Task {
   std::string title;
-  SignalFrf frf; // of a file: the set alone
+  SignalFrf frf;               // of a file: the set alone
+  std::optional<TimeRun> time; // in place of it
+  std::string state;
 };
 
 struct Tasks {
   std::vector<fs::path> inputs;
+  MeasuredFile test; // of bare files its specimen alone
   std::vector<Task> list;
   std::vector<LevelVerdict> levels;
   std::vector<Homogeneity> homogeneity;
 };
 
 Task of_file(std::string title, const FrfSet& set) {
-  Task task{.title = std::move(title), .frf = {}};
+  Task task{.title = std::move(title), .frf = {}, .time = {}, .state = {}};
   task.frf.set = set;
   return task;
+}
+
+TestOnFile on_file(const MeasuredFile& file) {
+  return {.data = file.data, .path = file.path, .lines = file.lines};
+}
+
+// A name as measured.yaml takes it.
+std::string plain_name(const std::string& text) {
+  std::string name;
+  for (const char c : text)
+    name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' ? c : '_';
+  return name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])) ? "test_" + name : name;
+}
+
+std::string in_state(const std::string& title, const std::string& state) {
+  return state.empty() ? title : title + ", " + state;
+}
+
+// Of the responses, each once, in their order.
+std::vector<std::string> states_of(const Measured& measured) {
+  std::vector<std::string> states;
+  for (const MeasuredFrf& f : measured.frf)
+    if (std::find(states.begin(), states.end(), f.state) == states.end()) states.push_back(f.state);
+  return states;
 }
 
 std::string title_of(const std::string& specimen, const FrfSet& set) {
@@ -68,12 +98,18 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
   const MeasuredFile file = read_measured_file(path);
   const Measured& measured = file.data;
   const fs::path folder = fs::path(path).parent_path();
-  Tasks tasks{.inputs = files_of(file), .list = {}, .levels = {}, .homogeneity = {}};
-  std::vector<FrfSet> sets = load_frfs(measured, folder);
-  for (const FrfSet& set : sets)
-    tasks.list.push_back(of_file(title_of(measured.specimen, set), set));
+  Tasks tasks{.inputs = files_of(file), .test = file, .list = {}, .levels = {}, .homogeneity = {}};
+  std::vector<FrfSet> sets;
+  for (const std::string& state : states_of(measured)) {
+    for (FrfSet& set : load_frfs(measured, folder, state)) {
+      tasks.list.push_back(of_file(in_state(title_of(measured.specimen, set), state), set));
+      tasks.list.back().state = state;
+      sets.push_back(std::move(set));
+    }
+  }
   for (std::size_t i = 0; i < measured.signals.size(); ++i) {
     const MeasuredSignals& entry = measured.signals[i];
+    if (!has_input(entry.excitation)) continue;
     const std::string key = "signals[" + std::to_string(i) + "]";
     const SignalSet signals = load_signals(entry, measured, folder, key);
     const FrfQuantity quantity = entry.quantity.value_or(entry.base ? FrfQuantity::transmissibility
@@ -89,7 +125,17 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
     frf.set.warnings = signals.warnings;
     if (!entry.force.empty()) frf.set.references = {entry.force};
     sets.push_back(frf.set);
-    tasks.list.push_back({title_of(measured.specimen, frf.set), std::move(frf)});
+    tasks.list.push_back({.title = in_state(title_of(measured.specimen, frf.set), entry.state),
+                          .frf = std::move(frf),
+                          .time = {},
+                          .state = entry.state});
+  }
+  for (TimeRun& time : time_runs(on_file(file))) {
+    std::string title = measured.specimen + ", " + time.records[0].name;
+    if (time.records.size() > 1) title += fmt::format(" and {} more", time.records.size() - 1);
+    if (time.level) title += fmt::format(" at {:g}", *time.level);
+    tasks.list.push_back(
+        {.title = in_state(title, time.state), .frf = {}, .time = time, .state = time.state});
   }
   tasks.levels = level_verdicts(measured, sets);
   tasks.homogeneity = homogeneity(sets);
@@ -106,11 +152,13 @@ Tasks tasks_of(const IdentifyOptions& options) {
   const fs::path first = options.files.front();
   if (first.extension() != ".yaml" && first.extension() != ".yml") {
     Tasks tasks{.inputs = {options.files.begin(), options.files.end()},
+                .test = {},
                 .list = {},
                 .levels = {},
                 .homogeneity = {}};
     const FrfSet set = load_frf_files(tasks.inputs, options.quantity);
     tasks.list.push_back(of_file(first.stem().string(), set));
+    tasks.test.data.specimen = plain_name(first.stem().string());
     return tasks;
   }
   if (options.files.size() > 1)
@@ -130,20 +178,23 @@ std::string below(const Tasks& tasks, std::size_t i) {
 std::vector<std::string> names_of(const Tasks& tasks) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < tasks.list.size(); ++i)
-    for (const std::string& name : identification_files(tasks.list[i].frf.density.size() > 0))
+    for (const std::string& name :
+         identification_files(tasks.list[i].frf.density.size() > 0, tasks.list[i].time.has_value()))
       names.push_back(below(tasks, i) + name);
+  if (!tasks.list.empty()) names.emplace_back(identified_file);
   if (!tasks.levels.empty()) names.emplace_back(levels_file);
   return names;
 }
 
-// Whether a mode was found.
-bool identify_one(const Tasks& tasks, std::size_t i, const IdentifyOptions& options,
-                  OutputFolder& out, Progress& progress) {
+Identification identify_one(const Tasks& tasks, std::size_t i, const IdentifyOptions& options,
+                            OutputFolder& out, Progress& progress) {
   const Task& task = tasks.list[i];
   progress.title(task.title);
   progress.stage("identification");
-  const Identification found =
-      told(options.files.front(), "", [&] { return identify(task.frf.set, options.settings); });
+  Identification found = told(options.files.front(), task.time ? task.time->key : "", [&] {
+    return task.time ? identified(*task.time, on_file(tasks.test), options.settings)
+                     : identify(task.frf.set, options.settings);
+  });
   const LinearityOfSet linearity{.reciprocity = reciprocity(task.frf.set),
                                  .coherence_drops =
                                      task.frf.coherence.size() > 0
@@ -158,7 +209,7 @@ bool identify_one(const Tasks& tasks, std::size_t i, const IdentifyOptions& opti
     print(fmt::format("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
                       (out.path() / (below(tasks, i) + "identification.html")).string(),
                       i + 1 < tasks.list.size() ? "\n" : ""));
-  return !found.modes.empty();
+  return found;
 }
 
 int identify_files(const IdentifyOptions& options) {
@@ -167,15 +218,27 @@ int identify_files(const IdentifyOptions& options) {
                    {.command = "identify", .inputs = tasks.inputs, .names = names_of(tasks)});
   Progress progress(options.out.quiet);
   bool found_any = tasks.list.empty();
+  std::vector<IdentifiedRun> runs;
   for (std::size_t i = 0; i < tasks.list.size(); ++i) {
     try {
-      found_any = identify_one(tasks, i, options, out, progress) || found_any;
+      runs.push_back({.title = tasks.list[i].title,
+                      .found = identify_one(tasks, i, options, out, progress),
+                      .state = tasks.list[i].state});
+      found_any = found_any || !runs.back().found.modes.empty();
     } catch (const Interrupted& stop) {
       if (i == 0) throw;
       say(fmt::format("plica: stopped before \"{}\"; {} of {} are written\n", stop.stage, i,
                       tasks.list.size()));
       return interrupted_exit();
     }
+  }
+  if (!runs.empty()) {
+    Measured measured = identified_measured(tasks.test.data, runs);
+    if (measured.source.empty()) measured.source = "plica identify";
+    out.add(identified_file, simulated_yaml(measured));
+    if (!options.out.quiet)
+      print(fmt::format("\nModes for compare, fit and diagnose: {}\n",
+                        (out.path() / identified_file).string()));
   }
   if (!tasks.levels.empty()) {
     write_levels(tasks.levels, tasks.homogeneity, out);

@@ -98,6 +98,26 @@ void check_channels(const Measured& m, const std::vector<std::string>& channels,
   }
 }
 
+// What goes with an input that was measured, and what without.
+void check_excitation(const MeasuredSignals& s, const std::string& key, ReadLog& log) {
+  if (has_input(s.excitation)) {
+    if (s.reference.empty() && log.lines.count(key + ".reference") == 0)
+      log.add(key, "names no reference",
+              "reference: channel of the input, such as base.y; without one excitation: "
+              "free_decay or output_only");
+    return;
+  }
+  const char* kind = s.excitation == SignalKind::free_decay ? "free_decay" : "output_only";
+  const auto refuse = [&](bool given, const char* name, const char* allowed) {
+    if (given) log.add(key + "." + name, std::string("does not go with ") + kind, allowed);
+  };
+  refuse(s.base.has_value(), "base", "nothing: no measured input drove the responses");
+  refuse(s.quantity.has_value(), "quantity", "nothing: the responses are over no input");
+  refuse(!s.force.empty(), "force", "nothing: no measured input drove the responses");
+  if (s.excitation == SignalKind::output_only)
+    refuse(!s.reference.empty(), "reference", "nothing, or excitation: random");
+}
+
 void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
   for (std::size_t i = 0; i < m.frf.size(); ++i) {
     const MeasuredFrf& f = m.frf[i];
@@ -124,6 +144,7 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
     if (s.base && !s.force.empty())
       log.add(key, "has a base and a driven channel",
               "base, or force for the channel that was driven");
+    check_excitation(s, key, log);
     if (!s.channels.empty() && !s.reference.empty() &&
         std::find(s.channels.begin(), s.channels.end(), s.reference) == s.channels.end())
       log.add(key + ".reference", "'" + shown(s.reference) + "' is none of the channels",
@@ -221,6 +242,7 @@ void check_states(const Measured& m, ReadLog& log) {
   check(m.modes, "modes");
   check(m.peaks, "peaks");
   check(m.frf, "frf");
+  check(m.signals, "signals");
   if (m.mass && !m.mass->state.empty() &&
       std::find(names.begin(), names.end(), m.mass->state) == names.end())
     log.add("mass.state", "there is no state '" + shown(m.mass->state) + "'",
@@ -283,7 +305,7 @@ void check_hold_out(const Measured& m, ReadLog& log) {
 
 MeasuredFile read_measured_file(const std::string& path) {
   ReadLog log{.file = path};
-  MeasuredFile file{.data = {}, .path = path, .text = {}};
+  MeasuredFile file{.data = {}, .path = path, .text = {}, .lines = {}};
   YamlFile yaml = read_yaml(path, log.problems);
   const YamlNode& root = yaml.root;
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
@@ -303,6 +325,7 @@ MeasuredFile read_measured_file(const std::string& path) {
     sort_by_line(log.problems);
     throw InputError(std::move(log.problems));
   }
+  file.lines = std::move(log.lines);
   return file;
 }
 

@@ -6,6 +6,7 @@
 #include "words/input_error.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,9 @@ namespace plica {
 
 struct MeasuredFile {
   Measured data;
-  std::filesystem::path path; // as given
-  std::string text;           // as it stood when it was read
+  std::filesystem::path path;       // as given
+  std::string text;                 // as it stood when it was read
+  std::map<std::string, int> lines; // of its keys, such as signals[0].file
 };
 
 MeasuredFile read_measured_file(const std::string& path);

@@ -106,10 +106,12 @@ bool belong_together(const FrfSet& a, const FrfSet& b) {
 
 } // namespace
 
-std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder) {
+std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder,
+                              const std::optional<std::string>& state) {
   std::vector<FrfSet> sets;
   for (std::size_t i = 0; i < measured.frf.size(); ++i) {
     const MeasuredFrf& entry = measured.frf[i];
+    if (state && entry.state != *state) continue;
     const std::string reference =
         entry.base ? std::string("base.") + word_of(*entry.base) : entry.force;
     const ChannelRequest request{.path = folder / entry.file,
@@ -151,9 +153,10 @@ SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                                .base = entry.base.has_value(),
                                .asked = entry.quantity};
   ChannelTable table = channels_of(request, &measured, "");
-  check_units(table, entry, request);
+  if (has_input(entry.excitation)) check_units(table, entry, request);
   SignalSet set{.rate = entry.rate.value_or(0),
                 .channels = table.channels,
+                .powers = table.powers,
                 .samples = table.values.real(),
                 .warnings = table.warnings};
   const Index n = table.abscissa.size();

@@ -10,6 +10,7 @@
 // io/lab_files/universal_units.hpp).
 #pragma once
 
+#include "io/lab_files/lab_units.hpp"
 #include "lab/measured/measured.hpp"
 
 #include <filesystem>
@@ -19,15 +20,18 @@ namespace plica {
 struct SignalSet {
   double rate = 0; // Hz
   std::vector<std::string> channels;
-  Eigen::MatrixXd samples; // time x channels, in SI
+  std::vector<std::optional<UnitPowers>> powers; // of each channel, where its unit is stated
+  Eigen::MatrixXd samples;                       // time x channels, in SI
   std::vector<std::string> warnings;
 };
 
 // All throw InputError: with the file and its line, or with the key of `entry` ("frf[2].channels").
 
-// Frequency responses of all entries. Entries of one quantity, level, set of lines and channels
-// that differ in what was driven become references of one set, in their order.
-std::vector<FrfSet> load_frfs(const Measured& measured, const std::filesystem::path& folder);
+// Frequency responses of all entries, or of those of one state. Entries of one quantity, level, set
+// of lines and channels that differ in what was driven become references of one set, in their
+// order.
+std::vector<FrfSet> load_frfs(const Measured& measured, const std::filesystem::path& folder,
+                              const std::optional<std::string>& state = std::nullopt);
 
 SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                        const std::filesystem::path& folder, const std::string& key);

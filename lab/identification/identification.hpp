@@ -4,6 +4,8 @@
 #include "lab/identification/stabilisation.hpp"
 #include "lab/measured/frf_set.hpp"
 
+#include <limits>
+
 namespace plica {
 
 struct IdentifiedMode {
@@ -17,18 +19,24 @@ struct IdentifiedMode {
   double rank = 0;  // second singular value of the residues / first: 0 = one mode, not two
   double share = 0; // RMS of what the mode gives to all responses / RMS of these, in the band
   int orders = 0;   // of the diagram that show it
+  double consistency = std::numeric_limits<double>::quiet_NaN(); // of decays: free_decays.hpp
   // The same mode from one response alone, that in which it is largest; NaN where that fails.
   std::string strongest;
   double peak_frequency = 0, peak_damping = 0;     // peak picking
   double circle_frequency = 0, circle_damping = 0; // circle fit
 };
 
+// What the modes come from: frequency responses, free decays, or responses to what nobody measured.
+enum class IdentifiedFrom { responses, decays, output };
+
 struct Identification {
-  FrfSet set;                                // the band that was used
-  std::vector<Eigen::MatrixXcd> synthesised; // its responses from the modes
+  IdentifiedFrom source = IdentifiedFrom::responses;
+  FrfSet set;                                // the band that was used; of decays their spectra, of
+                                             // outputs the roots of their densities, unit/sqrt(Hz)
+  std::vector<Eigen::MatrixXcd> synthesised; // its responses from the modes; of outputs empty
   std::vector<IdentifiedMode> modes;         // by frequency
   std::vector<DiagramPole> diagram;
-  Eigen::MatrixXd frac; // measured beside synthesised, responses x references
+  Eigen::MatrixXd frac; // measured beside synthesised, responses x references; of outputs empty
   Eigen::MatrixXd auto_mac;
   double misfit = 0; // RMS of the difference / RMS of the responses
   std::vector<std::string> warnings;

@@ -1,5 +1,7 @@
 #include "lab/identification/identification_warnings.hpp"
 
+#include "lab/identification/missed_peaks.hpp"
+
 #include <fmt/printf.h>
 
 #include <algorithm>
@@ -75,6 +77,13 @@ std::vector<std::string> identification_warnings(const Identification& found) {
                          "that two poles fit better",
                          a.frequency, b.frequency));
     }
+  std::string peaks;
+  for (const double f : missed_peaks(set, found.modes))
+    peaks += fmt::sprintf("%s%.5g", peaks.empty() ? "" : ", ", f);
+  if (!peaks.empty())
+    warnings.push_back("no mode was found at the peaks of " + peaks +
+                       " Hz, which stand out of the noise; identify a narrower band around them "
+                       "(--band)");
   if (found.modes.empty()) warnings.emplace_back("no mode stands out of the noise");
   if (found.misfit > 0.1)
     warnings.push_back(fmt::sprintf("the modes leave %.0f %% RMS of the responses unexplained",

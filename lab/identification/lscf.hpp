@@ -16,7 +16,7 @@ namespace plica {
 
 struct Pole {
   std::complex<double> lambda;    // 1/s, imaginary part above zero, real part below
-  Eigen::VectorXcd participation; // per reference, unit length
+  Eigen::VectorXcd participation; // per reference, unit length; of time signals the shape
   double frequency() const;       // |lambda| / 2 pi, Hz
   double damping() const;         // -Re lambda / |lambda|
 };

@@ -1,7 +1,7 @@
 #include "lab/identification/modal_fit.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include "lab/identification/pole_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
-using Poles = std::vector<Complex>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
 // Real equations: real parts of all lines above imaginary ones.
@@ -72,101 +71,6 @@ MatrixXd basis_derivatives(const Lines& l, const Poles& poles) {
   return D;
 }
 
-// Everything at one set of poles.
-struct State {
-  Poles poles;
-  MatrixXd A, C, E; // basis, coefficients, weighted residual
-  double cost = 0;
-  Eigen::HouseholderQR<MatrixXd> factor;
-  VectorXd scale; // of the columns
-};
-
-State evaluate(const Lines& l, const MatrixXd& H, const Poles& poles) {
-  State s{.poles = poles, .A = basis(l, poles), .C = {}, .E = {}, .factor = {}, .scale = {}};
-  s.scale = s.A.colwise().norm().transpose().cwiseMax(1e-300);
-  s.A = s.A * s.scale.cwiseInverse().asDiagonal();
-  s.factor.compute(s.A);
-  s.C = s.factor.solve(H);
-  s.E = H - s.A * s.C;
-  s.cost = s.E.squaredNorm();
-  return s;
-}
-
-// J'J and J'E of the poles, two parameters each, each in units of half a bandwidth.
-struct Normal {
-  MatrixXd JJ;
-  VectorXd JE;
-  MatrixXd score; // JE by line: lines x parameters
-};
-
-Normal normal_equations(const Lines& l, const State& s) {
-  const Index modes = Index(s.poles.size());
-  MatrixXd D = basis_derivatives(l, s.poles);
-  for (Index r = 0; r < modes; ++r)
-    for (Index a = 0; a < 4; ++a) D.col(4 * r + a) *= -s.poles[r].real() / s.scale[2 * r + a % 2];
-  // What of them is orthogonal to the basis.
-  const MatrixXd thin = s.factor.householderQ() * MatrixXd::Identity(s.A.rows(), s.A.cols());
-  const MatrixXd G = D - thin * (thin.transpose() * D);
-  const MatrixXd Q = G.transpose() * G, GE = G.transpose() * s.E;
-  const MatrixXd CC = s.C * s.C.transpose();
-  const Index lines = s.A.rows() / 2;
-  Normal n{.JJ = MatrixXd::Zero(2 * modes, 2 * modes),
-           .JE = VectorXd::Zero(2 * modes),
-           .score = MatrixXd::Zero(lines, 2 * modes)};
-  for (Index j = 0; j < 2 * modes; ++j)
-    for (Index a = 0; a < 2; ++a) {
-      const Index ca = 2 * (j / 2) + a;
-      n.JE[j] += GE.row(2 * j + a).dot(s.C.row(ca));
-      const VectorXd product = G.col(2 * j + a).cwiseProduct(s.E * s.C.row(ca).transpose());
-      n.score.col(j) += product.head(lines) + product.tail(lines);
-      for (Index k = 0; k < 2 * modes; ++k)
-        for (Index b = 0; b < 2; ++b)
-          n.JJ(j, k) += Q(2 * j + a, 2 * k + b) * CC(ca, 2 * (k / 2) + b);
-    }
-  return n;
-}
-
-Poles moved(const Poles& poles, const VectorXd& step) {
-  Poles result = poles;
-  for (std::size_t r = 0; r < poles.size(); ++r) {
-    const double unit = -poles[r].real();
-    const Complex d(unit * std::clamp(step[2 * r], -0.5, 0.5),
-                    unit * std::clamp(step[2 * r + 1], -1., 1.));
-    result[r] += d;
-  }
-  return result;
-}
-
-struct Search {
-  State state;
-  int iterations = 0;
-  bool converged = false;
-};
-
-Search search(const Lines& l, const MatrixXd& H, const Poles& start) {
-  Search result{.state = evaluate(l, H, start)};
-  result.converged = start.empty();
-  double damping = 1e-3;
-  for (; result.iterations < 200 && !result.converged; ++result.iterations) {
-    const Normal n = normal_equations(l, result.state);
-    MatrixXd M = n.JJ;
-    M.diagonal() += damping * n.JJ.diagonal();
-    const VectorXd step = M.ldlt().solve(n.JE);
-    if (!step.allFinite()) break;
-    State next = evaluate(l, H, moved(result.state.poles, step));
-    const double largest = step.cwiseAbs().maxCoeff();
-    const bool better = next.cost <= result.state.cost;
-    result.converged = largest < 1e-10 || (better && damping < 1e-2 && largest < 1e-7);
-    if (better) {
-      result.state = std::move(next);
-      damping = std::max(damping / 10, 1e-12);
-    } else if ((damping *= 10) > 1e12) {
-      break;
-    }
-  }
-  return result;
-}
-
 // Columns: responses of the first reference, then of the second.
 MatrixXd stacked(const FrfSet& set) {
   const Index lines = set.hertz.size(), each = Index(set.responses.size());
@@ -174,25 +78,6 @@ MatrixXd stacked(const FrfSet& set) {
   for (std::size_t i = 0; i < set.H.size(); ++i)
     H.middleCols(Index(i) * each, each) << set.H[i].real(), set.H[i].imag();
   return H;
-}
-
-// Variances of the poles in the units of normal_equations(). The larger of two: s^2 (J'J)^-1 of
-// white noise, and the sandwich (J'J)^-1 V (J'J)^-1 with V the scatter of the scores of the lines
-// and their correlation over three neighbours (Bartlett's weights). The second takes the residual
-// as it is, larger at a resonance that wanders, correlated under a window, but is too small where
-// few lines lie in a bandwidth (White, Econometrica 48 (1980); Newey and West, ibid. 55 (1987)).
-VectorXd variances_of(const Normal& n, double cost, double values, double freedom) {
-  if (n.JE.size() == 0) return {};
-  constexpr Index lags = 3;
-  MatrixXd V = n.score.transpose() * n.score;
-  for (Index lag = 1; lag <= lags && lag < n.score.rows(); ++lag) {
-    const Index common = n.score.rows() - lag;
-    const MatrixXd cross = n.score.topRows(common).transpose() * n.score.bottomRows(common);
-    V += (1 - double(lag) / (lags + 1)) * (cross + cross.transpose());
-  }
-  const MatrixXd inverse = n.JJ.ldlt().solve(MatrixXd::Identity(n.JJ.rows(), n.JJ.cols()));
-  const VectorXd white = cost / freedom * inverse.diagonal();
-  return white.cwiseMax((inverse * V * inverse).diagonal() * (values / freedom));
 }
 
 } // namespace
@@ -226,48 +111,29 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
       throw std::invalid_argument("a pole needs a negative real and a positive imaginary part");
   const Lines l = lines_of(set.hertz, set.quantity);
   const MatrixXd H = stacked(set);
-  // Weights: first the noise between the lines, then what a first fit leaves.
-  const double size = H.norm() / std::sqrt(double(H.size()));
   const MatrixXd noise_level = noise_levels(set);
-  VectorXd weight = VectorXd::Map(noise_level.data(), noise_level.size()).cwiseInverse();
-  Search found = search(l, H * weight.asDiagonal(), poles);
-  int iterations = found.iterations;
-  const VectorXd rest = (found.state.E.colwise().norm() / std::sqrt(double(H.rows()))).transpose();
-  const VectorXd noise = rest.cwiseQuotient(weight).cwiseMax(1e-12 * size);
-  weight = noise.cwiseInverse();
-  found = search(l, H * weight.asDiagonal(), found.state.poles);
-  iterations += found.iterations;
-  const State& s = found.state;
-
+  const PoleBasis pole_basis{.columns = [&](const Poles& p) { return basis(l, p); },
+                             .derivatives = [&](const Poles& p) { return basis_derivatives(l, p); },
+                             .lines = lines};
+  const PoleSearch found =
+      search_poles(pole_basis, H, VectorXd::Map(noise_level.data(), noise_level.size()), poles);
   ModalFit fit;
-  fit.iterations = iterations;
+  fit.iterations = found.iterations;
   fit.converged = found.converged;
-  const double freedom = std::max(1., double(H.size()) - double(s.C.size()) - 2. * double(modes));
-  const VectorXd variance = variances_of(normal_equations(l, s), s.cost, double(H.size()), freedom);
-  const VectorXd unit = s.scale.cwiseInverse();
-  const MatrixXd R = s.factor.matrixQR().topRows(s.A.cols()).triangularView<Eigen::Upper>();
-  const MatrixXd inverse =
-      R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(R.rows(), R.cols()));
-  const VectorXd spread = inverse.rowwise().norm().cwiseProduct(unit);
-  const auto table = [&](Index row) -> MatrixXd {
-    const VectorXd values = (s.C.row(row) * unit[row]).transpose().cwiseQuotient(weight);
+  const auto table = [&](const VectorXd& values) -> MatrixXd {
     return Eigen::Map<const MatrixXd>(values.data(), each, inputs);
   };
-  const VectorXd rms =
-      (s.E.colwise().norm() / std::sqrt(double(H.rows()))).transpose().cwiseQuotient(weight);
-  fit.noise = Eigen::Map<const MatrixXd>(rms.data(), each, inputs);
-  for (Index r = 0; r < modes; ++r) {
-    const double width = -s.poles[r].real();
-    FittedMode mode{.lambda = s.poles[r],
-                    .sigma_real = width * std::sqrt(variance[2 * r]),
-                    .sigma_imaginary = width * std::sqrt(variance[2 * r + 1]),
-                    .residue = table(2 * r).cast<Complex>() +
-                               Complex(0, 1) * table(2 * r + 1).cast<Complex>(),
-                    .sigma_residue = fit.noise * std::max(spread[2 * r], spread[2 * r + 1])};
-    fit.modes.push_back(std::move(mode));
-  }
-  fit.lower = table(2 * modes);
-  fit.upper = table(2 * modes + 1);
+  fit.noise = table(found.rms);
+  for (Index r = 0; r < modes; ++r)
+    fit.modes.push_back(
+        {.lambda = found.poles[std::size_t(r)],
+         .sigma_real = found.sigma_real[r],
+         .sigma_imaginary = found.sigma_imaginary[r],
+         .residue = table(found.C.row(2 * r)).cast<Complex>() +
+                    Complex(0, 1) * table(found.C.row(2 * r + 1)).cast<Complex>(),
+         .sigma_residue = fit.noise * std::max(found.spread[2 * r], found.spread[2 * r + 1])});
+  fit.lower = table(found.C.row(2 * modes));
+  fit.upper = table(found.C.row(2 * modes + 1));
   std::sort(fit.modes.begin(), fit.modes.end(),
             [](const FittedMode& a, const FittedMode& b) { return a.frequency() < b.frequency(); });
   fit.H = synthesise(fit, set.quantity, set.hertz);

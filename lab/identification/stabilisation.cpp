@@ -28,9 +28,9 @@ Stability against(const Pole& pole, const std::vector<Pole>& before,
   return best;
 }
 
-bool near(const Pole& a, const Pole& b) {
+bool near(const Pole& a, const Pole& b, double share) {
   const double width =
-      std::max(std::min(-a.lambda.real(), -b.lambda.real()) / 3, 2e-4 * std::abs(a.lambda));
+      std::max(share * std::min(-a.lambda.real(), -b.lambda.real()), 2e-4 * std::abs(a.lambda));
   return std::abs(a.lambda - b.lambda) < width && participation_match(a, b) > 0.8;
 }
 
@@ -41,16 +41,21 @@ double deviation(const std::vector<double>& values) {
   return values.size() < 2 ? 0 : std::sqrt(square / double(values.size() - 1));
 }
 
-StableGroup group_of(std::vector<Pole> poles, int orders) {
-  std::sort(poles.begin(), poles.end(),
-            [](const Pole& a, const Pole& b) { return a.damping() < b.damping(); });
+StableGroup group_of(std::vector<const DiagramPole*> poles, int orders) {
+  std::sort(poles.begin(), poles.end(), [](const DiagramPole* a, const DiagramPole* b) {
+    return a->pole.damping() < b->pole.damping();
+  });
   std::vector<double> frequencies, dampings;
-  for (const Pole& p : poles) {
-    frequencies.push_back(p.frequency());
-    dampings.push_back(p.damping());
+  for (const DiagramPole* p : poles) {
+    frequencies.push_back(p->pole.frequency());
+    dampings.push_back(p->pole.damping());
   }
-  return {.pole = poles[poles.size() / 2],
+  std::vector<DiagramPole> members;
+  for (const DiagramPole* p : poles) members.push_back(*p);
+  return {.pole = poles[poles.size() / 2]->pole,
+          .order = poles[poles.size() / 2]->order,
           .count = orders,
+          .members = std::move(members),
           .scatter_frequency = deviation(frequencies),
           .scatter_damping = deviation(dampings)};
 }
@@ -69,7 +74,7 @@ std::vector<DiagramPole> stabilisation(const std::vector<PolesOfOrder>& orders,
   return diagram;
 }
 
-std::vector<StableGroup> stable_groups(const std::vector<DiagramPole>& diagram) {
+std::vector<StableGroup> stable_groups(const std::vector<DiagramPole>& diagram, double width) {
   std::vector<const DiagramPole*> left;
   int highest = 0;
   for (const DiagramPole& p : diagram) {
@@ -84,7 +89,7 @@ std::vector<StableGroup> stable_groups(const std::vector<DiagramPole>& diagram) 
     for (const DiagramPole* p : left) {
       std::set<int> orders;
       for (const DiagramPole* q : left)
-        if (near(p->pole, q->pole)) orders.insert(q->order);
+        if (near(p->pole, q->pole, width)) orders.insert(q->order);
       if (orders.size() > most.size()) {
         most = orders;
         head = p;
@@ -92,11 +97,10 @@ std::vector<StableGroup> stable_groups(const std::vector<DiagramPole>& diagram) 
     }
     const int count = static_cast<int>(most.size());
     if (count < 4) break;
-    std::vector<Pole> members;
-    std::vector<const DiagramPole*> others;
+    std::vector<const DiagramPole*> members, others;
     for (const DiagramPole* q : left)
-      if (near(head->pole, q->pole))
-        members.push_back(q->pole);
+      if (near(head->pole, q->pole, width))
+        members.push_back(q);
       else
         others.push_back(q);
     if (3 * count >= highest - *most.begin() + 1) groups.push_back(group_of(members, count));

@@ -22,14 +22,17 @@ struct DiagramPole {
 std::vector<DiagramPole> stabilisation(const std::vector<PolesOfOrder>& orders,
                                        const StabilityLimits& limits = {});
 
-// A group of stable poles that lie within a third of their bandwidth of each other, in at least a
-// third of the orders above the first at which it shows and in four at least.
+// A group of stable poles that lie within `width` of half their bandwidth of each other, in at
+// least a third of the orders above the first at which it shows and in four at least.
 struct StableGroup {
-  Pole pole;                                         // the median one
-  int count = 0;                                     // orders it holds in
+  Pole pole;     // the median one in damping
+  int order = 0; // at which it was found
+  int count = 0; // orders it holds in
+  std::vector<DiagramPole> members;
   double scatter_frequency = 0, scatter_damping = 0; // standard deviations over them
 };
 
-std::vector<StableGroup> stable_groups(const std::vector<DiagramPole>& diagram);
+std::vector<StableGroup> stable_groups(const std::vector<DiagramPole>& diagram,
+                                       double width = 1. / 3);
 
 } // namespace plica

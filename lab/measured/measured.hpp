@@ -114,13 +114,20 @@ struct MeasuredFrf {
   std::string state;
 };
 
-enum class SignalKind { random, sine };
+// What drove the structure: noise or a sine that was recorded beside the responses (`reference`),
+// nothing any more behind a hit, or something that nobody measured.
+enum class SignalKind { random, sine, free_decay, output_only };
+
+constexpr bool has_input(SignalKind kind) {
+  return kind == SignalKind::random || kind == SignalKind::sine;
+}
 
 // Time signals of one run.
 struct MeasuredSignals {
   std::string file;
   std::optional<Axis> base;          // along which the table moved
-  std::string reference;             // channel of the input: "base.y" or "hammer"
+  std::string reference;             // channel of the input: "base.y" or "hammer"; of a decay
+                                     // that of the hammer, where it was recorded
   std::string force;                 // channel that the input drives, "mid.y", when it is a force
   std::vector<std::string> channels; // of the columns without the time
   std::optional<double> rate;        // Hz; where the file has no time
@@ -128,6 +135,7 @@ struct MeasuredSignals {
   SignalKind excitation = SignalKind::random;
   std::optional<FrfQuantity> quantity;
   MatlabVariables variables;
+  std::string state;
 };
 
 struct Measured {

@@ -166,7 +166,9 @@ template <class V> void fields(V& v, MeasuredFrf& f) {
 template <class V> void fields(V& v, MeasuredSignals& s) {
   v.text(s.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
   v.choice(s.base, "base", axis_names, optional_key, "axis along which the table moved");
-  v.text(s.reference, "reference", {.required = true}, "channel of the input, such as base.y");
+  v.text(s.reference, "reference", {},
+         "channel of the input, such as base.y; needed but for a free_decay, where it tells when a "
+         "hammer had left, and for output_only, which has none");
   v.text(s.force, "force", {}, "channel that the input drives, where it is a force");
   v.texts(s.channels, "channels",
           "sensor and axis of every column, such as mid.y; - leaves it out");
@@ -175,11 +177,18 @@ template <class V> void fields(V& v, MeasuredSignals& s) {
   Quantity level = measured_level;
   if (!s.force.empty()) level.unit = Dimension::force;
   v.quantity(s.level, "level", level, "base acceleration, or amplitude of the force (N)");
-  v.choice(s.excitation, "excitation", {{SignalKind::random, "random"}, {SignalKind::sine, "sine"}},
-           optional_key, "random noise, or a stepped or swept sine");
+  v.choice(s.excitation, "excitation",
+           {{SignalKind::random, "random"},
+            {SignalKind::sine, "sine"},
+            {SignalKind::free_decay, "free_decay"},
+            {SignalKind::output_only, "output_only"}},
+           optional_key,
+           "random noise, or a stepped or swept sine, recorded beside the responses; free_decay: a "
+           "hit or a release, free behind it; output_only: steady noise that nobody measured");
   v.choice(s.quantity, "quantity", quantity_names, optional_key,
            "what the responses are; by the base transmissibility, by a force accelerance");
   v.object(s.variables, "variables", optional_key, "names in a MATLAB file");
+  v.text(s.state, "state", {}, state_meaning);
 }
 
 template <class V> void fields(V& v, Measured& m) {

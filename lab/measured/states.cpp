@@ -42,15 +42,13 @@ Measured measured_in(const Measured& measured,
   keep(result.modes, "modes");
   keep(result.peaks, "peaks");
   keep(result.frf, "frf");
+  keep(result.signals, "signals");
   if (result.mass && !kept(result.mass->state)) result.mass.reset();
   std::erase_if(result.states, [&](const MeasuredState& s) { return !kept(s.name); });
   std::vector<std::string> held;
   for (const std::string& entry : result.hold_out) {
     const auto now = renamed.find(entry);
-    if (now != renamed.end())
-      held.push_back(now->second);
-    else if (entry.starts_with("signals["))
-      held.push_back(entry);
+    if (now != renamed.end()) held.push_back(now->second);
   }
   result.hold_out = std::move(held);
   return result;

@@ -11,7 +11,7 @@ bool is_baseline(const Measured& measured, const std::string& state);
 bool has_baseline(const Measured& measured);
 
 // The entries measured in states of which `kept` is true ("" = as it stands), under the names they
-// have then; what `hold_out` and `caveats` say goes along. Time signals state none and stay.
+// have then; what `hold_out` and `caveats` say goes along.
 Measured measured_in(const Measured& measured,
                      const std::function<bool(const std::string& state)>& kept);
 
