@@ -1,7 +1,11 @@
 #include "app/describe_app.hpp"
 
+#include "io/files/json_text.hpp"
+
 #include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
+#include <sstream>
 
 namespace plica {
 namespace {
@@ -63,7 +67,62 @@ std::string value_cases(CLI::App& command) {
   return cases;
 }
 
+// The words of "{m,mm}" in the type of an option; null where it has none.
+Json choices_of(const std::string& type) {
+  const std::size_t begin = type.find('{'), end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return nullptr;
+  Json words = Json::array();
+  std::istringstream list(type.substr(begin + 1, end - begin - 1));
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  return words;
+}
+
+// The bounds of "INT in [0 - 256]"; null where the type states none.
+std::pair<Json, Json> bounds_of(const std::string& type) {
+  double low = 0, high = 0;
+  const std::size_t at = type.find(" in [");
+  if (at == std::string::npos ||
+      std::sscanf(type.c_str() + at, " in [%lf - %lf]", &low, &high) != 2)
+    return {nullptr, nullptr};
+  return {low, high};
+}
+
+Json option_json(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const bool flag = option.get_items_expected_max() == 0;
+  const auto [low, high] = bounds_of(type);
+  const char delimiter = option.get_delimiter();
+  const std::string usual = option.get_default_str();
+  return {{"name", option.get_lnames().empty() ? option.get_name() : option.get_lnames().front()},
+          {"kind", flag                                                  ? "flag"
+                   : type.starts_with("INT") || type.starts_with("UINT") ? "whole"
+                   : type.starts_with("FLOAT")                           ? "number"
+                                                                         : "text"},
+          {"list", option.get_items_expected_max() > 1},
+          {"delimiter", delimiter == '\0' ? Json(nullptr) : Json(std::string(1, delimiter))},
+          {"required", option.get_required()},
+          {"choices", choices_of(type)},
+          {"min", low},
+          {"max", high},
+          {"default", usual.empty() ? Json(nullptr) : Json(usual)},
+          {"help", option.get_description()}};
+}
+
 } // namespace
+
+std::string commands_json(CLI::App& app, const std::string& version) {
+  Json all = Json::object();
+  for (CLI::App* command : commands(app)) {
+    Json positionals = Json::array(), options = Json::array();
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->check_lname("help")) continue;
+      (option->get_positional() ? positionals : options).push_back(option_json(*option));
+    }
+    all[command->get_name()] = {
+        {"help", command->get_description()}, {"positionals", positionals}, {"options", options}};
+  }
+  return Json{{"plica_version", version}, {"global", Json::array()}, {"commands", all}}.dump(1);
+}
 
 std::string manual_page(CLI::App& app, const std::string& version) {
   std::string text =

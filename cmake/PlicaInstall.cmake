@@ -67,13 +67,15 @@ install(FILES ${PROJECT_BINARY_DIR}/plica-config.cmake
   cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake
   DESTINATION ${plica_package_dir} COMPONENT development)
 
+include(cmake/PythonPackage.cmake)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME plica)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "The developers of Plica <plica@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_COMPONENTS_ALL program)
+set(CPACK_COMPONENTS_ALL program python)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME plica)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -83,7 +85,7 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
 stiffness and its modes with a proof that none is missing, the response on a
 shaker table and a superelement for a larger model, and says where and why a
 test differs from it.")
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS libopenblas0-pthread)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libopenblas0-pthread)
 set(CPACK_STRIP_FILES ON)
 include(CPack)

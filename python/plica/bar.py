@@ -1,0 +1,43 @@
+"""A bar of progress."""
+from __future__ import annotations
+
+import threading
+import time
+from typing import Any
+
+from .optional import have, need
+
+
+class Bar:
+    """A bar of tqdm where that is present, else nothing."""
+
+    def __init__(self, title: str, wanted: bool) -> None:
+        self.bar: Any = None
+        if wanted and have("tqdm"):
+            self.bar = need("tqdm.auto", "a bar").tqdm(
+                total=1.0, desc=title, leave=False,
+                bar_format="{desc}: {percentage:3.0f}% |{bar}| {elapsed} {postfix}")
+        self.shown = time.monotonic()
+        self.lock = threading.Lock()
+
+    def show(self, stage: str, share: Any) -> None:
+        with self.lock:
+            if self.bar is not None:
+                self.bar.set_postfix_str(stage, refresh=False)
+                if share is not None:
+                    self.bar.n = float(share)
+
+    def tick(self) -> None:
+        if self.bar is not None and time.monotonic() - self.shown > 0.2:
+            with self.lock:
+                self.bar.refresh()
+            self.shown = time.monotonic()
+
+    def __enter__(self) -> Bar:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        with self.lock:
+            if self.bar is not None:
+                self.bar.close()
+                self.bar = None

@@ -1,0 +1,135 @@
+"""A case file that is read, changed and run: comments and order of the file stay as they are."""
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import tempfile
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Iterator, Mapping
+
+from . import commands, yaml_edit, yaml_text
+from .errors import CaseError, Problem
+from .results import Results
+
+FILE_KEYS = ("measured", "file")  # keys whose text is a file, relative to the case
+
+
+class Case:
+    """`case["parts.bellows.profile[1].height"] = "8.5 mm"`; nothing is written until `save`.
+
+    A folder stands for the file in it that has its name, as on the command line. CaseError where
+    the file cannot be read.
+    """
+
+    def __init__(self, path: str | Path) -> None:
+        path = Path(path)
+        self.path = path / (path.resolve().name + ".yaml") if path.is_dir() else path
+        try:
+            self.original = self.path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise CaseError([Problem(str(self.path), 0, "", f"cannot be read: {error}",
+                                     "a case file (plica init my_pipe.yaml writes one)")]) \
+                from error
+        self.text = self.original
+
+    def __repr__(self) -> str:
+        return f"<case {self.path}{', changed' if self.changed else ''}>"
+
+    @property
+    def changed(self) -> bool:
+        """Was something set since the file was read?"""
+        return self.text != self.original
+
+    def __getitem__(self, path: str) -> Any:
+        """What the file says at a path, units as written; MissingData where it says nothing."""
+        return yaml_text.value_at(self.text, path)
+
+    def __setitem__(self, path: str, value: Any) -> None:
+        """A value with its unit as text ("8.5 mm"), or a number in SI; None takes the key out."""
+        self.text = yaml_edit.removed(self.text, path) if value is None \
+            else yaml_edit.replaced(self.text, path, value)
+
+    def __delitem__(self, path: str) -> None:
+        self.text = yaml_edit.removed(self.text, path)
+
+    def __contains__(self, path: object) -> bool:
+        return isinstance(path, str) and yaml_text.find(self.text, path)[1] is not None
+
+    def update(self, values: Mapping[str, Any]) -> Case:
+        """Sets several values; gives the case back."""
+        for path, value in values.items():
+            self[path] = value
+        return self
+
+    def copy(self) -> Case:
+        """The case as it is now; what is changed in one does not change the other."""
+        other = object.__new__(Case)
+        other.path, other.original, other.text = self.path, self.original, self.text
+        return other
+
+    def save(self, path: str | Path) -> Path:
+        """Writes the case as it is now; files that it names are to lie beside the new file, too."""
+        path = Path(path)
+        path.write_text(self.text, encoding="utf-8")
+        return path
+
+    @property
+    def digest(self) -> str:
+        """A name of what the case says now: twelve hexadecimal digits."""
+        return hashlib.sha256(self.text.encode()).hexdigest()[:12]
+
+    @contextmanager
+    def file(self) -> Iterator[Path]:
+        """A file with the case as it is now: the file itself, or one that goes again."""
+        if not self.changed:
+            yield self.path
+            return
+        with tempfile.TemporaryDirectory(prefix="plica-") as folder:
+            path = Path(folder) / self.path.name
+            path.write_text(self._elsewhere(), encoding="utf-8")
+            try:
+                yield path
+            except CaseError as error:
+                raise CaseError([Problem(*_renamed(p, path, self.path)) for p in error.problems],
+                                error.text.replace(str(path), str(self.path))) from None
+
+    def _elsewhere(self) -> str:
+        """The text with the files that it names as absolute paths; its lines stay."""
+        def absolute(found: re.Match[str]) -> str:
+            name = found.group(2).strip("'\"")
+            beside = (self.path.parent / name).resolve()
+            return f'{found.group(1)}"{beside}"' if beside.exists() and not os.path.isabs(name) \
+                else found.group(0)
+        return re.sub(rf"""(\b(?:{'|'.join(FILE_KEYS)}):\s+)("[^"]*"|'[^']*'|[^\s,}}]+)""",
+                      absolute, self.text)
+
+    def run(self, out: str | Path | None = None, **options: Any) -> Results:
+        """`plica run`; see plica.run."""
+        return commands.run(self, out, **options)
+
+    def check(self, **options: Any) -> commands.Check:
+        """`plica check`; see plica.check."""
+        return commands.check(self, **options)
+
+    def reduce(self, out: str | Path | None = None, **options: Any) -> Results:
+        """`plica reduce`; see plica.reduce."""
+        return commands.reduce(self, out, **options)
+
+    def write_deck(self, out: str | Path, solver: str, **options: Any) -> Path:
+        """`plica run --write-deck`; see plica.write_deck."""
+        return commands.write_deck(self, out, solver, **options)
+
+    def fit(self, out: str | Path | None = None, **options: Any) -> Results:
+        """`plica fit`; see plica.fit."""
+        return commands.fit(self, out, **options)
+
+    def diagnose(self, out: str | Path | None = None, **options: Any) -> Results:
+        """`plica diagnose`; see plica.diagnose."""
+        return commands.diagnose(self, out, **options)
+
+
+def _renamed(problem: Problem, shown: Path, meant: Path) -> tuple[str, int, str, str, str]:
+    file = str(meant) if Path(problem.file) == shown else problem.file
+    return file, problem.line, problem.key, problem.wrong, problem.allowed

@@ -1,0 +1,123 @@
+"""The commands of the program as functions.
+
+Options are keywords, those of the program itself: `plica.options("run")` lists them with their
+help, `no_variants=True` is `--no-variants`. Each function takes a Case, a file or a folder, and
+`progress=True` shows a bar. Errors: CaseError with all problems of an input, NumericalVerdict (the
+results are written), ProgramFailed, OptionError, NoExecutable.
+"""
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Union
+
+from . import arguments, child, program
+from .errors import CaseError, NumericalVerdict, OptionError, ProgramFailed
+from .messages import Said
+from .results import Results
+
+if TYPE_CHECKING:
+    from .case import Case
+    from .measured import Measured
+
+AnyCase = Union["Case", str, Path]
+AnyTest = Union["Measured", Results, str, Path]
+
+
+@dataclass(frozen=True)
+class Check:
+    """A valid case: what the program says of its size and cost, and as data where it says so."""
+
+    text: str
+    warnings: list[str] = field(default_factory=list)
+    data: dict[str, Any] = field(default_factory=dict)
+
+
+def run(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
+    """`plica run`: statics, modes, responses and report. Results in `out`."""
+    return _compute("run", [case], out, options)
+
+
+def reduce(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
+    """`plica reduce`: the case as a superelement, `results.superelement`."""
+    return _compute("reduce", [case], out, options)
+
+
+def fit(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
+    """`plica fit`: numbers of the case adjusted to its test, `results.fit`."""
+    return _compute("fit", [case], out, options)
+
+
+def diagnose(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
+    """`plica diagnose`: what the gap to the test is made of, `results.diagnosis`."""
+    return _compute("diagnose", [case], out, options)
+
+
+def compare(result: AnyTest, test: AnyTest, out: str | Path | None = None, **options: Any
+            ) -> Results:
+    """`plica compare`: simulation and test side by side, `results.correlation`."""
+    return _compute("compare", [result, test], out, options)
+
+
+def identify(files: AnyTest | list[str | Path], out: str | Path | None = None, **options: Any
+             ) -> Results:
+    """`plica identify`: modes of a measured.yaml or of files of responses."""
+    return _compute("identify", list(files) if isinstance(files, list) else [files], out, options)
+
+
+def check(case: AnyCase, **options: Any) -> Check:
+    """`plica check`: CaseError with all problems, or what the case would cost."""
+    said, _ = _call("check", [case], options)
+    return Check(said.printed, said.warnings)
+
+
+def _compute(name: str, inputs: list[Any], out: str | Path | None, options: dict[str, Any]
+             ) -> Results:
+    if options.get("write_deck"):
+        raise OptionError("write_deck writes a deck and no results; plica.write_deck(case, out, "
+                          "solver)")
+    if out is not None:
+        options = {**options, "out": Path(out)}
+    folder = Path(options.get("out") or program.options(name)["out"].default or "out")
+    said, words = _call(name, inputs, options)
+    if said.code == 2:
+        raise NumericalVerdict(f"{' '.join(words[1:3])}: {said.failure or 'a verdict failed'}; "
+                               f"the results are in {folder}", folder)
+    return Results(folder)
+
+
+def write_deck(case: AnyCase, out: str | Path, solver: str, **options: Any) -> Path:
+    """`plica run --write-deck`: the model for "abaqus" or "nastran"; the path of the deck."""
+    _call("run", [case], {**options, "out": Path(out), "write_deck": solver})
+    return Path(out) / ("model.bdf" if solver == "nastran" else "model.inp")
+
+
+def _call(name: str, inputs: list[Any], options: dict[str, Any]) -> tuple[Said, list[str]]:
+    command = program.command(name)
+    options = dict(options)
+    bar = options.pop("progress", False)
+    json_lines = "messages" in command.options
+    if json_lines:
+        options["messages"] = "json"
+    elif "quiet" in command.options:
+        options.setdefault("quiet", True)
+    with ExitStack() as stack:
+        paths = [_path(item, stack) for item in inputs]
+        words = [program.executable(), name, *paths, *arguments.words(command, options)]
+        said = child.call(words, f"plica {name}", json_lines, bool(bar))
+        if said.code == 1:
+            raise CaseError(said.problems, said.failure)
+        if said.code not in (0, 2):
+            raise ProgramFailed(f"plica {name} ended with {said.code}: {said.failure}", said.code)
+    return said, words
+
+
+def _path(item: Any, stack: ExitStack) -> str:
+    """The path that the program gets: of a changed case a file that goes again."""
+    if hasattr(item, "file") and hasattr(item, "digest"):
+        return str(stack.enter_context(item.file()))
+    path = item.path if hasattr(item, "path") else Path(item)
+    if str(path).startswith("-"):
+        raise OptionError(f"'{path}' begins like an option; ./{path}")
+    return str(path)

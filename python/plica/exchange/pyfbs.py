@@ -1,0 +1,58 @@
+"""pyFBS: responses Y (lines, channels, impacts) with a DataFrame of channels and one of impacts.
+
+Columns of both, as in its example data: Name, Description, Quantity, Grouping, Position_1..3 [m],
+Direction_1..3 (unit vector).
+"""
+from __future__ import annotations
+
+from typing import Any, Mapping, NamedTuple, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ..documents import frame_of
+from ..frf import AXES, Frf, axis_of
+
+Places = Mapping[str, Sequence[float]]
+
+
+class PyFbs(NamedTuple):
+    """What pyFBS works on: Y[k, i, j], freq [Hz], df_chn (rows i), df_imp (rows j)."""
+
+    Y: npt.NDArray[np.complex128]
+    freq: npt.NDArray[np.float64]
+    df_chn: Any
+    df_imp: Any
+
+
+def to_pyfbs(frf: Frf, places: Places | None = None,
+             grouping: Mapping[str, int] | None = None) -> PyFbs:
+    """`places`: [x, y, z] of each sensor by name, m, 0 unless given; `grouping` likewise."""
+    top, _, bottom = frf.unit.partition(" per ")
+    names = {"m/s2": "Acceleration", "m/s": "Velocity", "m": "Displacement", "N": "Force"}
+
+    def rows(channels: Sequence[str], unit: str) -> list[dict[str, Any]]:
+        result = []
+        for channel in channels:
+            name, axis = axis_of(channel)
+            place = (places or {}).get(name, (0.0, 0.0, 0.0))
+            vector = np.eye(3)[AXES.index(axis) % 3] if axis else np.zeros(3)
+            result.append({"Name": channel, "Description": name,
+                           "Quantity": names.get(unit, unit),
+                           "Grouping": (grouping or {}).get(name, 1),
+                           **{f"Position_{k + 1}": float(place[k]) for k in range(3)},
+                           **{f"Direction_{k + 1}": float(vector[k]) for k in range(3)}})
+        return result
+    return PyFbs(np.array(frf.H, dtype=complex), np.array(frf.frequency, dtype=float),
+                 frame_of(rows(frf.outputs, top)), frame_of(rows(frf.inputs, bottom)))
+
+
+def from_pyfbs(Y: npt.ArrayLike, freq: npt.ArrayLike, df_chn: Any, df_imp: Any,
+               unit: str = "m/s2 per N") -> Frf:
+    """Channels by the column Name; where the names are not unique, by their number as well."""
+    def channels(frame: Any) -> tuple[str, ...]:
+        names = [str(name) for name in frame["Name"]]
+        return tuple(name if names.count(name) == 1 else f"{name}#{k + 1}"
+                     for k, name in enumerate(names))
+    return Frf(np.asarray(freq, dtype=float), np.asarray(Y, dtype=complex), channels(df_chn),
+               channels(df_imp), unit)

@@ -1,0 +1,126 @@
+"""Measured data: `measured.yaml` read into tables and responses.
+
+Numbers with a unit ("116 Hz", "5 g") stay texts unless they are plain: the program converts units,
+this package does not (one way to do a thing). `plica.measured(...)` writes SI.
+"""
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .documents import frame_of
+from .errors import BrokenFolder, MissingData
+from .frf import Frf, axis_of
+from .tables import read_csv
+from .uff58 import read_uff58
+from .yaml_text import load
+
+Array = npt.NDArray[Any]
+
+
+class Measured:
+    """A measured.yaml; `data` is the file as it is."""
+
+    def __init__(self, path: Path, data: dict[str, Any]) -> None:
+        self.path, self.data = path, data
+
+    def __repr__(self) -> str:
+        lists = [f"{len(v)} {k}" for k, v in self.data.items() if isinstance(v, list)]
+        return f"<measured data of {self.specimen}: {', '.join(lists)}>"
+
+    @property
+    def specimen(self) -> str:
+        """The case the data belong to."""
+        return str(self.data["specimen"])
+
+    def entries(self, name: str) -> Any:
+        """DataFrame of a list: "sensors", "modes", "static", "frf", "signals", "states"."""
+        return frame_of(self.data.get(name) or [])
+
+    @property
+    def sensors(self) -> Any:
+        """DataFrame: name, at [m], axes, mass."""
+        return self.entries("sensors")
+
+    @property
+    def modes(self) -> Any:
+        """DataFrame: frequency, damping, shape, ... as the file has them."""
+        return self.entries("modes")
+
+    @property
+    def peaks(self) -> Any:
+        """DataFrame: one peak a row, levels unrolled."""
+        rows = []
+        for entry in self.data.get("peaks") or []:
+            levels = entry["level"]
+            for k, level in enumerate(levels):
+                rows.append({key: v[k] if isinstance(v, list) and len(v) == len(levels) else v
+                             for key, v in entry.items()} | {"level": level})
+        return frame_of(rows, {"level": "m/s2", "frequency": "Hz"})
+
+    @cached_property
+    def frf(self) -> list[Frf]:
+        """The responses of every entry, CSV or UFF 58; MissingData of a MATLAB file."""
+        return [self._load(entry) for entry in self.data.get("frf") or []]
+
+    def _load(self, entry: dict[str, Any]) -> Frf:
+        file = self.path.parent / entry["file"]
+        level = entry.get("level")
+        level = float(level) if isinstance(level, (int, float)) else None
+        base = entry.get("base")
+        driven = f"base.{base}" if base else str(entry.get("force", ""))
+        unit = "m/s2 per m/s2" if base else "m/s2 per N"
+        if file.suffix.lower() in (".uff", ".unv"):
+            return _of_universal_file(file, driven, level)
+        if file.suffix.lower() not in (".csv", ".txt"):
+            raise MissingData(f"{file}: is not read here; CSV or UFF 58 (`plica identify` reads it "
+                              "and writes frf.uff)")
+        frf = frf_of_csv(file, driven, unit, level)
+        names = entry.get("channels")
+        if names:
+            keep = [i for i, name in enumerate(names) if name != "-"]
+            frf = Frf(frf.frequency, frf.H[:, keep], tuple(names[i] for i in keep), frf.inputs,
+                      frf.unit, frf.level)
+        return frf
+
+
+def _of_universal_file(file: Path, driven: str, level: float | None) -> Frf:
+    from .exchange.pyuff import from_pyuff  # which needs this module
+    found = from_pyuff(read_uff58(file))
+    for frf in found:
+        if driven in frf.inputs:
+            return Frf(frf.frequency, frf.by_input(driven), frf.outputs, (driven,), frf.unit,
+                       level)
+    known = ", ".join(name for frf in found for name in frf.inputs)
+    raise MissingData(f"{file}: has no response to {driven}; to {known or 'nothing'}")
+
+
+def frf_of_csv(path: Path, driven: str, unit: str, level: float | None = None) -> Frf:
+    """A table of frequency [Hz], then real and imaginary parts of each channel."""
+    table = read_csv(path)
+    names = list(table)
+    pairs = [(a, b) for a, b in zip(names[1:-1], names[2:])
+             if a.rpartition(" real")[1] and b.rpartition(" imaginary")[1]]
+    if not pairs:
+        raise BrokenFolder(f"{path}: has no columns `mid y real`, `mid y imaginary`")
+    outputs = [".".join(axis_of(a.rpartition(" real")[0])) for a, _ in pairs]
+    H = np.stack([table[a] + 1j * table[b] for a, b in pairs], axis=1)
+    return Frf(table[names[0]], H[:, :, None], tuple(outputs), (driven,),
+               table.units.get(pairs[0][0], unit), level)
+
+
+def read_measured(path: str | Path) -> Measured:
+    """A measured.yaml, or the folder it lies in. BrokenFolder where it cannot be read."""
+    path = Path(path)
+    path = path / "measured.yaml" if path.is_dir() else path
+    try:
+        data = load(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise BrokenFolder(f"{path}: cannot be read: {error}; a measured.yaml") from error
+    if not isinstance(data, dict) or "specimen" not in data:
+        raise BrokenFolder(f"{path}: is no measured data; a map with `specimen`")
+    return Measured(path, data)

@@ -1,0 +1,144 @@
+"""The program `plica`: where it is, of which version, and what its commands take.
+
+It is looked for as named by `plica.use("/path/to/plica")`, then by the environment variable PLICA,
+then on PATH.
+"""
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+from typing import Any, Mapping
+
+from . import version
+from .errors import NoExecutable, OptionError, VersionError
+
+_named: list[str] = []
+
+
+def use(path: str | Path) -> None:
+    """Names the executable for all that follows; NoExecutable or VersionError."""
+    _named[:] = [str(path)]
+    executable()
+
+
+def executable() -> str:
+    """The program; NoExecutable says where it was looked for. Its version is checked once."""
+    named = _named[0] if _named else os.environ.get("PLICA", "")
+    found = shutil.which(named or "plica")
+    if found is None:
+        raise NoExecutable(f"'{named}' is no program that can be run; the path of plica" if named
+                           else "there is no program `plica` on PATH; install the package plica, "
+                                "set PLICA, or plica.use('/path/to/plica')")
+    _version_of(found, os.stat(found).st_mtime_ns)
+    return found
+
+
+@lru_cache(maxsize=8)
+def _version_of(path: str, changed: int) -> str:
+    """Of the first line of --version, "plica 0.1.0", as GNU's standards have it."""
+    done = _asked(path, "--version")
+    found = re.match(r"plica (\d+(?:\.\d+)+)\s", done.stdout)
+    if not found:
+        raise VersionError(f"{path}: does not say which version it is; the program plica")
+    version.check(found.group(1), path)
+    return found.group(1)
+
+
+def _asked(path: str, *words: str) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run([path, *words], capture_output=True, text=True, timeout=60,
+                              check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise NoExecutable(f"{path}: cannot be run: {error}") from error
+
+
+@dataclass(frozen=True)
+class Option:
+    """An option of a command as the program describes it.
+
+    `kind`: flag, text, number, whole or path.
+    """
+
+    name: str
+    kind: str
+    help: str
+    list: bool = False
+    delimiter: str | None = None
+    required: bool = False
+    choices: tuple[str, ...] | None = None
+    min: float | None = None
+    max: float | None = None
+    default: str | None = None
+
+    @property
+    def keyword(self) -> str:
+        """The name as a keyword of Python: `no_variants`."""
+        return self.name.replace("-", "_")
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command: its help, what stands after it in order, its options by keyword."""
+
+    name: str
+    help: str
+    positionals: tuple[Option, ...]
+    options: Mapping[str, Option]
+
+    def __str__(self) -> str:
+        lines = [f"plica {self.name}: {self.help}"]
+        for option in self.options.values():
+            what = " | ".join(option.choices) if option.choices else option.kind
+            lines.append(f"  {option.keyword} ({what}{', several' if option.list else ''}): "
+                         + option.help)
+        return "\n".join(lines)
+
+
+def command(name: str) -> Command:
+    """A command of the program that is in use; OptionError where it has none of that name."""
+    data = schema()
+    if name not in data["commands"]:
+        raise OptionError(f"there is no command '{name}'; {', '.join(data['commands'])}")
+    entry = data["commands"][name]
+    options = [_option(o) for o in [*entry["options"], *data.get("global", [])]]
+    return Command(name, entry["help"], tuple(_option(o) for o in entry["positionals"]),
+                   {o.keyword: o for o in options})
+
+
+def options(name: str) -> Mapping[str, Option]:
+    """The options of a command by keyword: `plica.options("run")`."""
+    return command(name).options
+
+
+def schema() -> dict[str, Any]:
+    """All commands: `plica schema commands`, or of a program without it what ships with this
+    package."""
+    path = executable()
+    return _schema_of(path, os.stat(path).st_mtime_ns)
+
+
+@lru_cache(maxsize=8)
+def _schema_of(path: str, changed: int) -> dict[str, Any]:
+    done = _asked(path, "schema", "commands")
+    return shipped_schema() if done.returncode != 0 else dict(json.loads(done.stdout))
+
+
+def shipped_schema() -> dict[str, Any]:
+    """The commands as this package knows them."""
+    text = resources.files(__package__).joinpath("commands.json").read_text(encoding="utf-8")
+    return dict(json.loads(text))
+
+
+def _option(entry: Mapping[str, Any]) -> Option:
+    choices = entry.get("choices")
+    return Option(entry["name"], entry["kind"], entry.get("help", ""), bool(entry.get("list")),
+                  entry.get("delimiter"), bool(entry.get("required")),
+                  tuple(choices) if choices else None, entry.get("min"), entry.get("max"),
+                  entry.get("default"))

@@ -1,0 +1,202 @@
+"""A folder of results as one object: `plica.results("out/bellow_a2")`.
+
+Nothing is read before it is asked for; what was read is kept. Every number is in SI, its unit in
+`attrs["units"]` of a DataFrame or in `attrs` of a DataArray.
+"""
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .documents import Correlation, Fit, Identification, frame_of
+from .diagnosis import Diagnosis
+from .folder import Folder
+from .levels import Levels
+from .mesh import Mesh
+from .measured import Measured, read_measured
+from .responses import Responses
+from .static import StaticStiffness
+from .superelement import Superelement
+from .superelement_files import read_superelement
+from .vtu import mode_of, read_vtu
+
+if TYPE_CHECKING:
+    from .plot import Plots
+
+Array = npt.NDArray[Any]
+MASSES = ("x", "y", "z", "rx", "ry", "rz")
+MODE_UNITS = {"frequency": "Hz", "damping": "fraction of critical", "mesh_error": "Hz",
+              **{f"effective_mass_{axis}": "kg" if len(axis) == 1 else "kg m2" for axis in MASSES}}
+
+
+class Results:
+    """What commands wrote into `path`; BrokenFolder where that is no folder of results."""
+
+    def __init__(self, path: str | Path) -> None:
+        self.folder = Folder(path)
+        self.path = self.folder.path
+
+    def __repr__(self) -> str:
+        return f"<results {self.path}: {', '.join(self.folder.tables()) or 'no tables'}>"
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """results.json as it is."""
+        return self.folder.document("results.json")
+
+    @property
+    def case(self) -> str:
+        """The name of the case."""
+        return str(self.data["case"])
+
+    @property
+    def headline(self) -> dict[str, float]:
+        """The headline numbers by name, SI."""
+        return dict(self.data["headline"])
+
+    @cached_property
+    def modes(self) -> Any:
+        """DataFrame, one mode a row from 1: frequency, damping, shape, effective masses, ..."""
+        rows = []
+        for mode in self.data["modes"]:
+            row = {k: v for k, v in mode.items() if k not in ("effective_mass", "mesh_error")}
+            row.update(zip((f"effective_mass_{a}" for a in MASSES), mode["effective_mass"]))
+            errors = [v for v in (mode.get("mesh_error") or {}).values() if v is not None]
+            row["mesh_error"] = sum(errors) if errors else np.nan
+            rows.append(row)
+        frame = frame_of(rows, MODE_UNITS)
+        frame.insert(0, "mode", np.arange(1, len(rows) + 1))
+        return frame.set_index("mode")
+
+    @property
+    def static(self) -> StaticStiffness:
+        """Stiffness between the caps; MissingData where the case asks for none."""
+        return StaticStiffness.of(self.data, self.path)
+
+    @property
+    def proved(self) -> bool:
+        """Was it proved that no mode is missing?"""
+        return bool(self.data["verification"]["made"] and self.data["verification"]["passed"])
+
+    @cached_property
+    def responses(self) -> Responses:
+        """Responses by the name of their files: "y", "force_tap"."""
+        return Responses(self.folder, self.data["responses"])
+
+    @cached_property
+    def stress(self) -> Any:
+        """DataFrame: the largest stress of each kind and where it is."""
+        return self.table("stress")
+
+    @cached_property
+    def levels(self) -> Levels:
+        """Responses over the level of excitation; MissingData where none were computed."""
+        return Levels(self.folder, self.data.get("levels"))
+
+    @property
+    def comparison(self) -> Any:
+        """DataFrame: computed beside measured."""
+        return self.table("comparison")
+
+    @property
+    def variants(self) -> Any:
+        """DataFrame: the headline numbers of the variants."""
+        return self.table("variants")
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The mesh with the shapes of the modes as its fields."""
+        return read_vtu(self.folder.require("modes.vtu"))
+
+    @cached_property
+    def stress_mesh(self) -> Mesh:
+        """The mesh with von Mises stresses [Pa] of both faces as its fields."""
+        return read_vtu(self.folder.require("stress.vtu"))
+
+    @property
+    def shapes(self) -> Array:
+        """Shapes of the modes, (modes, nodes, 3), mass-normalised translations, 1/sqrt(kg)."""
+        fields = [(mode_of(name), values) for name, values in self.mesh.point_data.items()]
+        found = sorted((mode[0], i) for i, (mode, _) in enumerate(fields) if mode)
+        return np.array([fields[i][1] for _, i in found]).reshape(
+            len(found), len(self.mesh.points), 3)
+
+    @cached_property
+    def superelement(self) -> Superelement:
+        """The superelement of `plica reduce`."""
+        return read_superelement(self.path)
+
+    @property
+    def certificate(self) -> dict[str, Any]:
+        """certificate.json as it is."""
+        return self.folder.document("certificate.json")
+
+    @cached_property
+    def simulated(self) -> Measured:
+        """The run in the form of measured data (simulated.yaml)."""
+        return read_measured(self.folder.require("simulated.yaml"))
+
+    @cached_property
+    def diagnosis(self) -> Diagnosis:
+        """The diagnosis with its ledger."""
+        return Diagnosis(self.folder)
+
+    @property
+    def pretest(self) -> dict[str, Any]:
+        """What a planned test could tell (pretest.json, as it is)."""
+        return self.folder.document("pretest.json")
+
+    @property
+    def supposed(self) -> dict[str, Any]:
+        """What supposed effects would explain (supposed.json, as it is)."""
+        return self.folder.document("supposed.json")
+
+    @cached_property
+    def correlation(self) -> Correlation:
+        """What `plica compare` found."""
+        return Correlation(self.folder)
+
+    @cached_property
+    def fit(self) -> Fit:
+        """What `plica fit` found."""
+        return Fit(self.folder)
+
+    @cached_property
+    def identification(self) -> Identification:
+        """What `plica identify` found."""
+        return Identification(self.folder)
+
+    @property
+    def sets(self) -> list[Results]:
+        """Of `plica identify` with several sets: its folders 1, 2, ..., in order."""
+        numbers = sorted(int(p.name) for p in self.path.iterdir() if p.name.isdigit())
+        return [Results(self.path / str(k)) for k in numbers]
+
+    def table(self, name: str) -> Any:
+        """Any CSV table as DataFrame: `r.table("modes")`; names are in `r.tables`."""
+        return self.folder.table(name).frame()
+
+    @property
+    def tables(self) -> list[str]:
+        """Names of all CSV tables."""
+        return self.folder.tables()
+
+    @property
+    def plot(self) -> Plots:
+        """Plots with the look of the report: `r.plot()`, `r.plot.shape(1)`, `r.plot.ledger()`."""
+        from .plot import Plots
+        return Plots(self)
+
+    def animate(self, mode: int = 1, **options: Any) -> Any:
+        """A mode in motion, matplotlib.animation.FuncAnimation; see plica.plot.shape.animate."""
+        from .plot.shape import animate
+        return animate(self, mode, **options)
+
+
+def results(path: str | Path) -> Results:
+    """The results in a folder. BrokenFolder, VersionError where they cannot be read."""
+    return Results(path)

@@ -1,0 +1,65 @@
+"""What the tests share: the program, small cases, their results made once.
+
+PLICA names the program, else it is looked for on PATH and in the build folder of the tree.
+"""
+import os
+import shutil
+from pathlib import Path
+
+import matplotlib
+import pytest
+
+import plica
+
+matplotlib.use("agg")
+HERE = Path(__file__).parent
+TREE = HERE.parent.parent
+CASES = HERE / "cases"
+SHIPPED = TREE / "cases"
+
+
+def program():
+    built = TREE / "build" / "app" / "plica"
+    return os.environ.get("PLICA") or shutil.which("plica") or (str(built) if built.is_file()
+                                                                else None)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def executable():
+    found = program()
+    if found is None:
+        pytest.skip("there is no program plica: set PLICA")
+    plica.use(found)
+    os.environ["PLICA"] = found
+    return found
+
+
+@pytest.fixture(scope="session")
+def work(tmp_path_factory):
+    return tmp_path_factory.mktemp("results")
+
+
+@pytest.fixture(scope="session")
+def beam(work):
+    return plica.run(CASES / "beam.yaml", work / "beam", threads=1)
+
+
+@pytest.fixture(scope="session")
+def bellows(work):
+    folder = work / "bellows"
+    plica.run(CASES / "bellows.yaml", folder, threads=1)
+    return plica.reduce(CASES / "bellows.yaml", folder, threads=1)
+
+
+@pytest.fixture(scope="session")
+def levels(work):
+    return plica.run(CASES / "levels.yaml", work / "levels", threads=1)
+
+
+@pytest.fixture(scope="session")
+def lap(work):
+    """The bolted lap, run, beside its test and diagnosed."""
+    folder = work / "lap"
+    plica.run(SHIPPED / "bolted_lap", folder, threads=1, no_error_bars=True)
+    plica.compare(folder, SHIPPED / "bolted_lap" / "measured.yaml", folder)
+    return plica.diagnose(SHIPPED / "bolted_lap", folder, threads=1, no_plan=True)

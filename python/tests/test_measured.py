@@ -1,0 +1,108 @@
+"""measured.yaml from arrays, read by the program."""
+import numpy as np
+import pytest
+
+import plica
+
+
+def response(f, f0, zeta):
+    w, w0 = 2 * np.pi * f, 2 * np.pi * f0
+    return (w0 ** 2 + 2j * zeta * w0 * w) / (w0 ** 2 - w ** 2 + 2j * zeta * w0 * w)
+
+
+def test_responses_from_arrays_are_identified(tmp_path):
+    f = np.arange(60.0, 200.0, 0.25)
+    frf = plica.Frf(f, response(f, 116, 0.011)[:, None, None], ("mid.y",), ("base.y",),
+                    "m/s2 per m/s2", level=10.0)
+    written = plica.measured(tmp_path / "lab", "pipe", mass=1.7096,
+                             sensors=[{"name": "mid", "at": [0, 0.091, 0.073],
+                                       "axes": ["x", "y", "z"], "mass": 0.005}],
+                             frf=frf, source='the "lab"', sigma={"relative": 0.02, "floor": 0.01})
+    np.testing.assert_array_equal(written.frf[0].H, frf.H)
+    assert written.frf[0].level == 10 and written.data["source"] == 'the "lab"'
+    found = plica.identify(written, tmp_path / "out").identification
+    assert found.modes["frequency"][0] == pytest.approx(116, rel=1e-4)
+    assert found.modes["damping"][0] == pytest.approx(0.011, rel=1e-2)
+    assert found.shapes.shape == (1, 1) and found.channels == ["mid.y"]
+    with pytest.raises(FileExistsError, match="measured.yaml"):
+        plica.measured(tmp_path / "lab", "pipe")
+
+
+@pytest.mark.parametrize("unit, power", [("m per N", 0), ("m/s per N", 1), ("m/s2 per N", 2)])
+def test_the_unit_says_what_a_response_to_a_force_is(tmp_path, unit, power):
+    f = np.arange(20.0, 60.0, 0.1)
+    w, w0 = 2 * np.pi * f, 2 * np.pi * 40
+    H = (1j * w) ** power / (w0 ** 2 - w ** 2 + 2j * 0.01 * w0 * w)
+    frf = plica.Frf(f, H[:, None, None], ("mid.z",), ("mid.z",), unit)
+    lab = plica.measured(tmp_path / "lab", "a", frf=frf, sensors=[{"name": "mid", "at": [0, 0, 0]}])
+    mode = plica.identify(lab, tmp_path / "out").identification.data["modes"][0]
+    assert mode["frequency"] == pytest.approx(40, rel=1e-6)
+    assert mode["mass_normalised"] and mode["shape"][0]["real"] == pytest.approx(1, rel=1e-3)
+    with pytest.raises(ValueError, match="in 'g per N'; SI: m/s2 per N"):
+        plica.measured(tmp_path / "b", "a", frf=plica.Frf(f, H[:, None, None], ("mid.z",),
+                                                          ("mid.z",), "g per N"))
+
+
+def test_signals_from_arrays_are_identified(tmp_path):
+    rate, n, f0, zeta = 1024.0, 65536, 116.0, 0.01
+    rng = np.random.default_rng(5)
+    base = rng.normal(size=n)
+    spectrum = np.fft.rfft(base) * response(np.fft.rfftfreq(n, 1 / rate), f0, zeta)
+    signals = plica.Signals(rate, np.column_stack([base, np.fft.irfft(spectrum, n)]),
+                            ("base.y", "mid.y"), ("m/s2", "m/s2"),
+                            {"base": "y", "reference": "base.y", "excitation": "random"})
+    plica.measured(tmp_path / "lab", "pipe", signals=signals,
+                   sensors=[{"name": "mid", "at": [0, 0, 0]}])
+    found = plica.identify(tmp_path / "lab" / "measured.yaml", tmp_path / "out", block=4096,
+                           band=[60, 200])
+    assert found.identification.modes["frequency"][0] == pytest.approx(f0, rel=2e-3)
+
+
+def test_modes_and_peaks_from_frames(tmp_path):
+    import pandas
+    modes = pandas.DataFrame({"frequency": [116.0, 178.0], "sigma": [1.0, np.nan],
+                              "shape": ["axial", "transverse"], "direction": ["y", "x"]})
+    peaks = [{"base": "y", "sensor": "mid", "direction": "y", "level": np.array([5.0, 10.0]),
+              "frequency": [198, 185]}]
+    written = plica.measured(tmp_path, "pipe", modes=modes, peaks=peaks, hold_out=["modes[1]"],
+                             sensors=[{"name": "mid", "at": (0, 0, 0)}],
+                             static=[{"direction": "axial", "value": np.float64(5.4e4)}])
+    assert "sigma" not in written.data["modes"][1]
+    assert list(written.peaks["frequency"]) == [198, 185]
+    assert list(written.modes["shape"]) == ["axial", "transverse"]
+    text = (tmp_path / "measured.yaml").read_text()
+    assert "numpy" not in text and "value: 54000.0" in text
+    with pytest.raises(ValueError, match="no number"):
+        plica.measured(tmp_path / "b", "pipe", static=[{"value": np.inf}])
+
+
+def test_comparison_of_a_run_with_itself_is_exact(bellows, tmp_path):
+    found = plica.compare(bellows, bellows, tmp_path).correlation
+    np.testing.assert_allclose(found.pairs["frequency_error"], 0, atol=1e-12)
+    assert found.mac.shape[0] == found.mac.shape[1]
+    assert found.numbers["simulated"].equals(found.numbers["measured"])
+
+
+def test_responses_of_a_universal_file_by_their_base(bellows, tmp_path):
+    file = bellows.path / "responses.uff"
+    (tmp_path / "measured.yaml").write_text(
+        f"specimen: a\nfrf:\n  - {{file: {file}, base: x, level: 5}}\n"
+        f"  - {{file: {file}, base: z}}\n")
+    data = plica.read_measured(tmp_path)
+    one = data._load(data.data["frf"][0])
+    assert one.inputs == ("base.x",) and one.level == 5
+    np.testing.assert_allclose(one.channel("mid.x"),
+                               bellows.responses["x"].frf.channel("mid.x"), rtol=1e-11)
+    with pytest.raises(plica.MissingData, match="no response to base.z; to base"):
+        data.frf
+
+
+def test_what_is_no_measured_data(tmp_path):
+    with pytest.raises(plica.BrokenFolder, match="cannot be read"):
+        plica.read_measured(tmp_path)
+    (tmp_path / "measured.yaml").write_text("case: a\n")
+    with pytest.raises(plica.BrokenFolder, match="a map with `specimen`"):
+        plica.read_measured(tmp_path)
+    (tmp_path / "measured.yaml").write_text("specimen: [\n")
+    with pytest.raises(plica.BrokenFolder):
+        plica.read_measured(tmp_path)

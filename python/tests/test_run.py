@@ -1,0 +1,232 @@
+"""Runs: options of the program, errors, progress, Ctrl-C, side by side."""
+import json
+import os
+import signal
+import stat
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from conftest import CASES, HERE
+
+import plica
+from plica import bar, child, program
+
+
+STALE = "python/plica/commands.json is not what the program says: plica schema commands > ..."
+
+
+@pytest.fixture
+def use(executable):
+    """Another program for a test."""
+    yield plica.use
+    plica.use(executable)
+
+
+@pytest.fixture
+def fake(tmp_path):
+    path = tmp_path / "plica"
+    path.write_text(f"#!{sys.executable}\n" + (HERE / "fake_plica.py").read_text())
+    path.chmod(0o755)
+    return path
+
+
+def test_options_are_those_of_the_program(executable):
+    """Of `plica schema commands`, or of the completions that the program makes for a shell."""
+    asked = subprocess.run([executable, "schema", "commands"], capture_output=True, text=True)
+    shipped = program.shipped_schema()
+    if asked.returncode == 0:
+        theirs = json.loads(asked.stdout)
+        for name in ("run", "reduce", "identify", "fit", "diagnose", "compare", "check"):
+            assert theirs["commands"][name] == shipped["commands"][name], STALE
+        assert theirs.get("global", []) == shipped["global"], STALE
+        return
+    completion = subprocess.run([executable, "completion", "bash"], capture_output=True, text=True,
+                                check=True).stdout
+    for name, command in shipped["commands"].items():
+        line = next(x for x in completion.splitlines() if x.startswith(f"    {name}) words="))
+        known = {w.strip('"')[2:] for w in line.split('"')[1].split()} - {"help"}
+        assert known == {o["name"] for o in command["options"]}, f"{name}: {STALE}"
+
+
+def test_unknown_and_wrong_options():
+    beam = CASES / "beam.yaml"
+    for options, says in [
+            ({"thread": 2}, "did you mean 'threads'"), ({"threads": -1}, "from 0 to 256"),
+            ({"threads": 1.5}, "a whole number"), ({"threads": True}, "a whole number"),
+            ({"no_variants": 3}, "True or False"),
+            ({"geometry": ["stl", "step"]}, "msh or uff"),
+            ({"threads": [1, 2]}, "a whole number"),
+            ({"write_deck": "abaqus"}, "plica.write_deck")]:
+        with pytest.raises(plica.OptionError, match=says):
+            plica.run(beam, **options)
+    with pytest.raises(plica.OptionError, match="begins like an option"):
+        plica.run("-beam.yaml")
+    assert "no_variants" in plica.options("run")
+    assert "--" not in str(program.command("run"))
+
+
+def test_options_reach_the_program(tmp_path):
+    plica.run(CASES / "beam.yaml", tmp_path / "a", geometry=["stl", "obj"], threads=1,
+              no_variants=False, model=None)
+    assert (tmp_path / "a" / "part.obj").is_file() or list((tmp_path / "a").glob("*.obj"))
+    deck = plica.write_deck(CASES / "beam.yaml", tmp_path / "b", "nastran")
+    assert deck.read_text().strip()
+    with pytest.raises(plica.CaseError, match="model"):
+        plica.run(CASES / "beam.yaml", tmp_path / "c", model="pipe")
+
+
+def test_a_case_with_errors_gives_all_of_them(tmp_path):
+    text = (CASES / "beam.yaml").read_text().replace("nu: 0.3", "nu: 3").replace("E: ", "EE: ")
+    (tmp_path / "bad.yaml").write_text(text)
+    for command in (plica.run, plica.check, plica.reduce):
+        with pytest.raises(plica.CaseError) as caught:
+            command(tmp_path / "bad.yaml")
+        problems = caught.value.problems
+        assert {p.key for p in problems} == {"materials.steel.nu", "materials.steel.EE"}
+        assert all(p.line == 4 and p.file.endswith("bad.yaml") for p in problems)
+        assert "did you mean 'E'" in "".join(p.allowed for p in problems)
+    with pytest.raises(plica.CaseError, match="nowhere.yaml: file not found") as caught:
+        plica.run("nowhere.yaml")
+    assert caught.value.problems[0].file == "nowhere.yaml"
+
+
+def test_a_check_of_a_good_case():
+    assert "valid" in plica.check(CASES / "beam.yaml").text
+    assert "valid" in plica.Case(CASES / "beam.yaml").check().text
+
+
+def test_a_verdict_that_failed_leaves_its_results(tmp_path):
+    """No mode lies in the band: exit code 2, and the files are there."""
+    pipe = plica.Case(HERE.parent / "examples" / "cases" / "pipe.yaml")
+    with pytest.raises(plica.NumericalVerdict, match="the results are in") as caught:
+        pipe.reduce(tmp_path, cutoff=4000)  # not even the first frequency of the free part is met
+    results = plica.results(caught.value.folder)
+    assert not results.certificate["passed"] and results.superelement.boundary == 12
+
+
+def test_how_a_newer_program_ends(use, fake, tmp_path):
+    use(fake)
+    for word, error, says in [("unproved", plica.NumericalVerdict, "a mode is missing"),
+                              ("broken", plica.ProgramFailed, "ended with 3: an error within")]:
+        (tmp_path / f"{word}.yaml").write_text(word)
+        with pytest.raises(error, match=says):
+            plica.run(tmp_path / f"{word}.yaml", tmp_path / word)
+
+
+def test_no_program(use, monkeypatch, tmp_path):
+    with pytest.raises(plica.NoExecutable, match="/nowhere/plica"):
+        use("/nowhere/plica")
+    program._named.clear()
+    monkeypatch.setenv("PLICA", "")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(plica.NoExecutable, match="on PATH; install"):
+        plica.run(CASES / "beam.yaml")
+
+
+def test_a_program_of_another_version(use, tmp_path):
+    for says, error in [("plica 0.7.2", "Plica 0.7.2, this package reads 0.1"),
+                        ("hello", "does not say which version")]:
+        path = tmp_path / says.replace(" ", "_")
+        path.write_text(f"#!/bin/sh\necho {says}\n")
+        path.chmod(stat.S_IRWXU)
+        with pytest.raises(plica.VersionError, match=error):
+            use(path)
+
+
+def test_side_by_side_gives_the_same_numbers(tmp_path, beam):
+    def one(k):
+        return plica.run(CASES / "beam.yaml", tmp_path / str(k), threads=1)
+    with ThreadPoolExecutor(2) as pool:
+        for results in pool.map(one, range(4)):
+            assert list(results.modes["frequency"]) == list(beam.modes["frequency"])
+
+
+def test_messages_progress_and_new_options_of_a_newer_program(use, fake, tmp_path):
+    use(fake)
+    assert "brand_new" in plica.options("run")
+    good = tmp_path / "good.yaml"
+    good.write_text("case: a\n")
+    assert plica.run(good, tmp_path / "o", brand_new=3, progress=True).case == "fake"
+    shown = []
+    shown_bar = bar.Bar("t", True)
+    shown_bar.show("modes", 0.5)
+    assert shown_bar.bar.n == 0.5
+    shown_bar.__exit__()
+    said = child.call([str(fake), "run", str(good), "--out", str(tmp_path / "p"), "--messages",
+                       "json"], "t", True, False)
+    assert said.warnings == ["a doubt"] and said.code == 0 and not shown
+    (tmp_path / "wrong.yaml").write_text("wrong\n")
+    with pytest.raises(plica.CaseError) as caught:
+        plica.run(tmp_path / "wrong.yaml", tmp_path / "q")
+    assert [(p.line, p.key) for p in caught.value.problems] == [(2, "key2"), (5, "key5")]
+
+
+INTERRUPTED = """
+import sys, plica
+plica.use(sys.argv[1])
+if sys.argv[4] == "sweep":
+    plica.sweep(sys.argv[2], {"a": [1, 2]}, sys.argv[3], collect=lambda r: {}, threads=None,
+                no_variants=None, no_error_bars=None)
+else:
+    plica.run(sys.argv[2], sys.argv[3])
+"""
+
+
+@pytest.mark.parametrize("how", ["run", "sweep"])
+def test_ctrl_c_ends_the_child_which_keeps_what_it_finished(fake, tmp_path, how):
+    (tmp_path / "slow.yaml").write_text("case: slow\na: 0\n")
+    out = tmp_path / "o"
+    text = fake.read_text().replace('{**OPTION, "name": "brand-new"', ", ".join(
+        '{**OPTION, "name": "%s", "kind": "flag"}' % name
+        for name in ("threads", "no-variants", "no-error-bars")) + ', {**OPTION, "name": "x"')
+    fake.write_text(text)
+    parent = subprocess.Popen([sys.executable, "-c", INTERRUPTED, str(fake),
+                               str(tmp_path / "slow.yaml"), str(out), how],
+                              stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": os.pathsep
+                                                           .join(sys.path)})
+    count = 1 if how == "run" else 2
+    for _ in range(200):
+        if len(list(tmp_path.glob("o/**/begun"))) == count:
+            break
+        time.sleep(0.05)
+    time.sleep(0.2)
+    parent.send_signal(signal.SIGINT)
+    said = parent.communicate(timeout=20)[1].decode()
+    assert "KeyboardInterrupt" in said
+    assert len(list(tmp_path.glob("o/**/stopped"))) == count
+
+
+def test_the_real_program_is_ended_as_well(tmp_path):
+    case = plica.Case(CASES / "bellows.yaml")
+    height = "parts.bellows.profile[1].height"
+    case["variants"] = [{"name": f"v{k}", "set": {height: 8e-3 + k * 1e-5}} for k in range(400)]
+    case.save(tmp_path / "long.yaml")
+    code = "import sys, plica; plica.run(sys.argv[1], sys.argv[2], threads=1)"
+    parent = subprocess.Popen([sys.executable, "-c", code, str(tmp_path / "long.yaml"),
+                               str(tmp_path / "o")], stderr=subprocess.DEVNULL,
+                              env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    while _seconds_of_work("plica", tmp_path) < 2:  # the run itself takes a second
+        assert parent.poll() is None
+        time.sleep(0.1)
+    parent.send_signal(signal.SIGINT)
+    assert parent.wait(timeout=60) != 0
+    assert _seconds_of_work("plica", tmp_path) == 0  # it is gone
+    results = plica.results(tmp_path / "o")  # the run itself was finished
+    assert len(results.modes) == 4 and any("stopped" in w for w in results.data["warnings"])
+
+
+def _seconds_of_work(name, folder):
+    """Of processors, of the program `name` that works on files in a folder."""
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().split(b"\0")
+            if words[0].endswith(name.encode()) and str(folder).encode() in b" ".join(words):
+                times = (process / "stat").read_text().rpartition(")")[2].split()
+                return (int(times[11]) + int(times[12])) / os.sysconf("SC_CLK_TCK")
+        except OSError:
+            continue
+    return 0
