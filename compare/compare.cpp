@@ -58,7 +58,7 @@ std::string millimetres_of(double length) {
 // Response to motion of the base along an axis; null when there is none.
 const ResponseResult* response_to(const Results& results, Axis base) {
   for (const ResponseResult& r : results.responses)
-    if (!r.is_force && r.excitation == word_of(base)) return &r;
+    if (r.source == Source::base && r.excitation == word_of(base)) return &r;
   return nullptr;
 }
 
@@ -266,7 +266,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
 
 void add_test_curves(Results& results, const std::vector<FrfSet>& measured) {
   for (ResponseResult& r : results.responses) {
-    if (r.is_force) continue;
+    if (r.source != Source::base) continue;
     const auto distance = [&](const FrfSet& set) {
       return set.level && r.level > 0 ? std::abs(std::log(*set.level / r.level)) : 0;
     };

@@ -74,7 +74,7 @@ Measured as_measured(const Results& results) {
   }
   for (const ResponseResult& r : results.responses) {
     const std::optional<Axis> base = axis_of(r.excitation);
-    if (r.is_force || !base || r.channels.empty()) continue;
+    if (r.source != Source::base || !base || r.channels.empty()) continue;
     MeasuredFrf& frf = m.frf.emplace_back();
     frf.file = "response_" + r.excitation + ".csv";
     frf.base = base;
@@ -83,18 +83,34 @@ Measured as_measured(const Results& results) {
   return m;
 }
 
+namespace {
+
+FrfSet set_of(const ResponseResult& r, FrfQuantity quantity, const std::string& reference) {
+  FrfSet set;
+  set.quantity = quantity;
+  set.hertz = r.hertz;
+  for (const auto& [sensor, axis] : r.channels) set.responses.push_back(sensor + "." + axis);
+  set.references = {reference};
+  set.H = {r.acceleration};
+  set.level = r.level;
+  return set;
+}
+
+} // namespace
+
 std::vector<FrfSet> responses_to_base(const Results& results) {
   std::vector<FrfSet> sets;
-  for (const ResponseResult& r : results.responses) {
-    if (r.is_force || r.channels.empty()) continue;
-    FrfSet& set = sets.emplace_back();
-    set.quantity = FrfQuantity::transmissibility;
-    set.hertz = r.hertz;
-    for (const auto& [sensor, axis] : r.channels) set.responses.push_back(sensor + "." + axis);
-    set.references = {"base." + r.excitation};
-    set.H = {r.acceleration};
-    set.level = r.level;
-  }
+  for (const ResponseResult& r : results.responses)
+    if (r.source == Source::base && !r.channels.empty())
+      sets.push_back(set_of(r, FrfQuantity::transmissibility, "base." + r.excitation));
+  return sets;
+}
+
+std::vector<FrfSet> responses_to_forces(const Results& results) {
+  std::vector<FrfSet> sets;
+  for (const ResponseResult& r : results.responses)
+    if (r.source == Source::force && r.unit == "N" && !r.channels.empty())
+      sets.push_back(set_of(r, FrfQuantity::accelerance, r.excitation + "." + r.direction));
   return sets;
 }
 

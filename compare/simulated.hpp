@@ -12,5 +12,7 @@ Measured as_measured(const Results& results);
 
 // The responses themselves: one set per direction of the base, transmissibilities.
 std::vector<FrfSet> responses_to_base(const Results& results);
+// One set per force in N, accelerances; the reference is named after it: "tap.y".
+std::vector<FrfSet> responses_to_forces(const Results& results);
 
 } // namespace plica

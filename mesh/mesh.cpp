@@ -83,4 +83,10 @@ std::pair<int, double> nearest_node(const Mesh& mesh, const Vector3d& point) {
   return {nearest, (mesh.nodes[nearest] - point).norm()};
 }
 
+int nearest_of(const Mesh& mesh, const std::vector<int>& nodes, const Vector3d& point) {
+  return *std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+    return (mesh.nodes[a] - point).squaredNorm() < (mesh.nodes[b] - point).squaredNorm();
+  });
+}
+
 } // namespace plica

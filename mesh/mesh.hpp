@@ -65,5 +65,7 @@ int append(Mesh& mesh, const Mesh& part, const std::string& name, int section);
 // Node of the mesh nearest to a point, and its distance in m. Throws std::invalid_argument on an
 // empty mesh.
 std::pair<int, double> nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
+// Among these nodes, at least one.
+int nearest_of(const Mesh& mesh, const std::vector<int>& nodes, const Eigen::Vector3d& point);
 
 } // namespace plica

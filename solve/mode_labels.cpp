@@ -199,13 +199,19 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
     label.shape = "rigid";
     return label;
   }
-  if (!model.mesh.rings.empty() && wall_takes_part(model, u)) return label_by_rings(model, u);
+  Index direction = 0;
+  const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);
+  const std::string most(1, "xyz"[direction]); // along which most of its mass moves
+  if (!model.mesh.rings.empty() && wall_takes_part(model, u)) {
+    constexpr double whole = 0.3; // of the mass: the rings are not what the mode is about
+    ModeLabel by_rings = label_by_rings(model, u);
+    if (fraction < whole || by_rings.direction.empty() || by_rings.direction == most)
+      return by_rings;
+  }
   if (const std::vector<int> axis = axis_line(model); !axis.empty())
     return label_on_axis(model, axis, u);
   label.shape = "mode";
-  Index direction = 0;
-  const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);
-  if (fraction > 1e-3) label.direction = std::string(1, "xyz"[direction]);
+  if (fraction > 1e-3) label.direction = most;
   return label;
 }
 

@@ -143,7 +143,7 @@ ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const Ve
 void compare_counts(ModesProof& proof, const std::string& what) {
   proof.passed = proof.inertia_count == proof.found;
   if (!proof.passed)
-    proof.reason = "below " + std::to_string(frequency(proof.sigma)) + " Hz there are " +
+    proof.reason = "below " + scientific(frequency(proof.sigma)) + " Hz there are " +
                    std::to_string(proof.inertia_count) + " " + what + ", but " +
                    std::to_string(proof.found) + " were found";
 }

@@ -1,10 +1,13 @@
 #include "solve/random_response.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 namespace plica {
 namespace {
+
+using Eigen::MatrixXcd;
 
 // Value at f of the power law through two points; the straight line where one of them is zero.
 double between(double f1, double s1, double f2, double s2, double f) {
@@ -31,17 +34,76 @@ double density_at(const SpectralDensity& input, double hertz) {
   return between(f1, s1, (*above)[0], (*above)[1], hertz);
 }
 
-Eigen::MatrixXd response_density(const SpectralDensity& input, const Eigen::VectorXd& hertz,
-                                 const Eigen::MatrixXcd& response) {
-  const Eigen::VectorXd S = hertz.unaryExpr([&](double f) { return density_at(input, f); });
-  return S.asDiagonal() * response.cwiseAbs2();
+CrossSpectrum one_input(SpectralDensity density) {
+  return {.densities = {std::move(density)}, .coherence = MatrixXcd::Ones(1, 1), .table = {}};
 }
 
-Eigen::VectorXcd cross_density(const SpectralDensity& input, const Eigen::VectorXd& hertz,
-                               const Eigen::MatrixXcd& response, int a, int b) {
-  const Eigen::VectorXd S = hertz.unaryExpr([&](double f) { return density_at(input, f); });
-  return S.cast<std::complex<double>>().cwiseProduct(
-      response.col(a).cwiseProduct(response.col(b).conjugate()));
+MatrixXcd spectrum_at(const CrossSpectrum& inputs, double hertz) {
+  if (inputs.table.empty()) {
+    const Eigen::VectorXd root =
+        Eigen::VectorXd::NullaryExpr(Eigen::Index(inputs.densities.size()), [&](Eigen::Index k) {
+          return std::sqrt(density_at(inputs.densities[std::size_t(k)], hertz));
+        });
+    return root.asDiagonal() * inputs.coherence * root.asDiagonal();
+  }
+  const auto& t = inputs.table;
+  const auto n = t.front().second.rows();
+  if (hertz < t.front().first || hertz > t.back().first) return MatrixXcd::Zero(n, n);
+  const auto above =
+      std::find_if(t.begin(), t.end(), [&](const auto& row) { return row.first >= hertz; });
+  if (above->first == hertz) return above->second;
+  const auto& [f1, S1] = *(above - 1);
+  const double share = (hertz - f1) / (above->first - f1);
+  return (1 - share) * S1 + share * above->second;
+}
+
+std::string not_a_spectrum(const MatrixXcd& S) {
+  constexpr double rounding = 1e-9;
+  const double largest = S.cwiseAbs().maxCoeff();
+  if ((S - S.adjoint()).cwiseAbs().maxCoeff() > rounding * largest)
+    return "is not Hermitian: entry (b, a) must be the conjugate of (a, b)";
+  const double lowest =
+      Eigen::SelfAdjointEigenSolver<MatrixXcd>(S, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+  if (lowest < -rounding * std::max(largest, 1e-300))
+    return "is not positive: no signals have such coherences, it has the eigenvalue " +
+           std::to_string(lowest / std::max(largest, 1e-300)) + " of its largest entry";
+  return "";
+}
+
+MatrixXcd root_of_spectrum(const MatrixXcd& S) {
+  if (S.rows() == 1) return S.cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<MatrixXcd> eigen(S);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
+Eigen::VectorXcd cross_density(const CrossSpectrum& inputs, const Eigen::VectorXd& hertz,
+                               const std::vector<MatrixXcd>& responses, int a, int b) {
+  Eigen::VectorXcd density(hertz.size());
+  const auto count = Eigen::Index(responses.size());
+  Eigen::VectorXcd of_a(count), of_b(count);
+  for (Eigen::Index i = 0; i < hertz.size(); ++i) {
+    for (Eigen::Index k = 0; k < count; ++k) {
+      of_a[k] = responses[std::size_t(k)](i, a);
+      of_b[k] = responses[std::size_t(k)](i, b);
+    }
+    density[i] = (of_a.transpose() * spectrum_at(inputs, hertz[i]) * of_b.conjugate()).value();
+  }
+  return density;
+}
+
+Eigen::MatrixXd response_density(const CrossSpectrum& inputs, const Eigen::VectorXd& hertz,
+                                 const std::vector<MatrixXcd>& responses) {
+  const auto count = Eigen::Index(responses.size());
+  const auto channels = responses.front().cols();
+  Eigen::MatrixXd density(hertz.size(), channels);
+  MatrixXcd H(count, channels);
+  for (Eigen::Index i = 0; i < hertz.size(); ++i) {
+    for (Eigen::Index k = 0; k < count; ++k) H.row(k) = responses[std::size_t(k)].row(i);
+    // S_aa = h_a' S conj(h_a) = |L^H conj(h_a)|^2
+    const MatrixXcd root = root_of_spectrum(spectrum_at(inputs, hertz[i]));
+    density.row(i) = (root.transpose() * H).cwiseAbs2().colwise().sum();
+  }
+  return density;
 }
 
 double rms(const Eigen::VectorXd& hertz, const Eigen::VectorXd& density, double low, double high) {

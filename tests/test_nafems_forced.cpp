@@ -54,8 +54,8 @@ Swept sweep(const Model& model, const VectorXd& load, int dof, double low, doubl
   const SpectralDensity white{{{low, 1}, {high, 1}}};
   return {.peak = peak,
           .stress = S.cwiseAbs().maxCoeff(),
-          .density = response_density(white, hertz, H).maxCoeff(),
-          .stress_density = response_density(white, hertz, S).maxCoeff()};
+          .density = response_density(one_input(white), hertz, {H}).maxCoeff(),
+          .stress_density = response_density(one_input(white), hertz, {S}).maxCoeff()};
 }
 
 // Deep beam of FV5, 1 MN/m, sharp resonance near 42.65 Hz: 13.45 mm, 241.9 MPa; random: 180.90

@@ -67,7 +67,7 @@ protected:
 // membrane's, (v,x - u,y)/2 = 0.
 TEST_P(Patch, passes_membrane_patch) {
   const Field field = [](double x, double y) {
-    return Motion(1e-3 * Motion(x + y / 2, y + x / 2, 0, 0, 0, 0));
+    return NodeMotion(1e-3 * NodeMotion(x + y / 2, y + x / 2, 0, 0, 0, 0));
   };
   const VectorXd u = solve_patch(model, field);
   expect_field(u, field);
@@ -81,7 +81,8 @@ TEST_P(Patch, passes_membrane_patch) {
 // Surface stress 0.6667, 0.6667, 0.2000, changing sign through the wall: m = D (1 + nu) 1e-3.
 TEST_P(Patch, passes_bending_patch) {
   const Field field = [](double x, double y) {
-    return Motion(1e-3 * Motion(0, 0, (x * x + x * y + y * y) / 2, y + x / 2, -(x + y / 2), 0));
+    return NodeMotion(1e-3 *
+                      NodeMotion(0, 0, (x * x + x * y + y * y) / 2, y + x / 2, -(x + y / 2), 0));
   };
   const VectorXd u = solve_patch(model, field);
   expect_field(u, field);
@@ -99,7 +100,7 @@ TEST_P(Patch, passes_bending_patch) {
 // w = c x y: twist alone, tau at the surface G t c.
 TEST_P(Patch, passes_twist_patch) {
   const Field field = [](double x, double y) {
-    return Motion(1e-3 * Motion(0, 0, x * y, x, -y, 0));
+    return NodeMotion(1e-3 * NodeMotion(0, 0, x * y, x, -y, 0));
   };
   const VectorXd u = solve_patch(model, field);
   expect_field(u, field);
@@ -114,7 +115,7 @@ TEST_P(Patch, passes_twist_patch) {
 // plate (it bends), so the strains are tested: exact in every distorted element, nothing else.
 TEST_P(Patch, constant_transverse_shear_is_exact_on_distorted_elements) {
   const VectorXd u = nodal_values(model.mesh, [](double x, double y) {
-    return Motion(1e-3 * Motion(0, 0, x + 0.5 * y, 0, 0, 0));
+    return NodeMotion(1e-3 * NodeMotion(0, 0, x + 0.5 * y, 0, 0, 0));
   });
   for_each_point(u, [](const Vector3d& stress, const Eigen::Vector2d& shear, double) {
     EXPECT_LE(stress.norm(), E * 1e-3 * exact);
@@ -128,8 +129,8 @@ TEST_P(Patch, passes_membrane_and_bending_patch_turned_in_space) {
   const Eigen::Matrix3d R =
       Eigen::AngleAxisd(0.8, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   Field field = [](double x, double y) {
-    return Motion(1e-3 * Motion(x + y / 2, y + x / 2, (x * x + x * y + y * y) / 2, y + x / 2,
-                                -(x + y / 2), 0));
+    return NodeMotion(1e-3 * NodeMotion(x + y / 2, y + x / 2, (x * x + x * y + y * y) / 2,
+                                        y + x / 2, -(x + y / 2), 0));
   };
   const VectorXd flat = nodal_values(model.mesh, field);
   Model turned = model;

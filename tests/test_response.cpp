@@ -195,7 +195,7 @@ TEST(RandomResponse, of_one_dof_is_that_of_miles_on_any_grid) {
       const VectorXd hertz =
           frequency_grid(0.01, high, points, VectorXd::Constant(1, f), VectorXd::Constant(1, zeta));
       const SpectralDensity white{{{1e-3, S}, {high, S}}};
-      const MatrixXd density = response_density(white, hertz, one_dof(hertz, f, zeta));
+      const MatrixXd density = response_density(one_input(white), hertz, {one_dof(hertz, f, zeta)});
       const double value = rms(hertz, density.col(0), 0.01, high);
       EXPECT_NEAR(value / std::sqrt(miles * miles - beyond), 1, 2e-3) << zeta << ", " << points;
       if (first == 0) first = value;
@@ -222,9 +222,10 @@ TEST(RandomResponse, cross_density_of_a_channel_with_itself_is_its_density) {
   MatrixXcd H(20, 2);
   H << one_dof(hertz, 50, 0.05), one_dof(hertz, 120, 0.02);
   const SpectralDensity table{{{10, 1}, {200, 3}}};
-  const MatrixXd density = response_density(table, hertz, H);
-  EXPECT_LT((cross_density(table, hertz, H, 1, 1).real() - density.col(1)).norm(), 1e-12);
-  const auto ab = cross_density(table, hertz, H, 0, 1);
+  const MatrixXd density = response_density(one_input(table), hertz, {H});
+  EXPECT_LT((cross_density(one_input(table), hertz, {H}, 1, 1).real() - density.col(1)).norm(),
+            1e-12);
+  const auto ab = cross_density(one_input(table), hertz, {H}, 0, 1);
   const VectorXd coherence =
       ab.cwiseAbs2().cwiseQuotient(density.col(0).cwiseProduct(density.col(1)));
   EXPECT_LT((coherence.array() - 1).abs().maxCoeff(), 1e-12) << "one input";

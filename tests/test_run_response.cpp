@@ -58,7 +58,7 @@ TEST(ForceResponse, tends_to_the_static_displacement_and_reads_sensor_axes) {
   const Results results = run_silently(data);
   ASSERT_EQ(results.responses.size(), 1u);
   const ResponseResult& r = results.responses[0];
-  EXPECT_TRUE(r.is_force);
+  EXPECT_EQ(r.source, Source::force);
   const double omega = 2 * pi * r.hertz[0];
   // Both springs carry the force, the one at the end a little more: the tube is a spring between.
   const double tube_stiffness = EA / L;

@@ -72,13 +72,15 @@ void expect_patch(const Field& field) {
 }
 
 TEST(ShellTriangle, passes_membrane_patch) {
-  expect_patch(
-      [](double x, double y) { return Motion(1e-3 * Motion(x + y / 2, y + x / 2, 0, 0, 0, 0)); });
+  expect_patch([](double x, double y) {
+    return NodeMotion(1e-3 * NodeMotion(x + y / 2, y + x / 2, 0, 0, 0, 0));
+  });
 }
 
 TEST(ShellTriangle, passes_bending_patch) {
   expect_patch([](double x, double y) {
-    return Motion(1e-3 * Motion(0, 0, (x * x + x * y + y * y) / 2, y + x / 2, -(x + y / 2), 0));
+    return NodeMotion(1e-3 *
+                      NodeMotion(0, 0, (x * x + x * y + y * y) / 2, y + x / 2, -(x + y / 2), 0));
   });
 }
 

@@ -143,7 +143,7 @@ TEST(ReducedCase, carries_loads_and_stresses_of_the_part) {
   const std::vector<int> inner = complement(full.map.size(), held);
   SparseFactor factor(restrict_to(full.K, inner));
   factor.factorise(restrict_to(full.K, inner));
-  const Excitations forces = excitations(*data.analyses.response, built.model);
+  const Excitations forces = excitations(*data.analyses.response, built);
   const BaseMotion base = base_motion(built.model, full, inner, {0, 0, 0});
   const Eigen::VectorXd tap = gather(full.map, forces.loads.force.col(1))(inner);
   for (const auto& [load, right] :

@@ -42,4 +42,36 @@ inline Case sprung_tube(double k) {
   return data;
 }
 
+inline Motion motion_of(const std::string& cap, int direction, double amplitude = 1,
+                        double phase = 0) {
+  Motion motion;
+  motion.move = {cap};
+  motion.direction = direction;
+  motion.amplitude = amplitude;
+  motion.phase = phase;
+  return motion;
+}
+
+inline EndMotion end_of(const Motion& motion) {
+  return motion;
+}
+
+// A mass in the middle of a massless bar between two mounts, watched there.
+inline Case mass_between(double k_left, double k_right, double mass, double zeta) {
+  Case data = tube(1e-6);
+  std::get<BeamPart>(data.parts[0].body).points = {{0, 0, 0}, {0, L / 2, 0}, {0, L, 0}};
+  data.parts.push_back({"weight", PointMass{.at = "tube.point[2]", .mass = mass}});
+  for (std::size_t i = 0; i < 2; ++i) {
+    data.mount[i].kind = MountKind::springs;
+    const double k = i == 0 ? k_left : k_right;
+    data.mount[i].stiffness = {k, k, k, k, k, k};
+  }
+  data.sensors = {{.name = "mid", .at = {0, L / 2, 0}}};
+  data.analyses.statics = false;
+  data.analyses.modes = Modes{.count = 3};
+  data.analyses.damping.modal = zeta;
+  data.analyses.error_bars = false;
+  return data;
+}
+
 } // namespace plica::test

@@ -10,6 +10,7 @@
 //   one_or_more one text, or a list of them; required
 //   choice      one word out of several; `tag`: the same, and it decides which keys follow
 //   choices     a list of words, into std::vector<int>
+//   choices_or  the same, or in place of the words one map or several, into std::vector<T>
 //   object      a nested struct; also into std::optional<T>
 //   list        std::vector<T> written as a list of maps
 //   named       std::vector<T> or std::map<std::string, T> written as a map by name
@@ -36,12 +37,17 @@ enum class Dimension {
   pressure,
   force,
   moment,
+  force_or_moment,
   stiffness,
   rotational_stiffness,
   section_stiffness, // EI, GJ
   mass_per_length,
   inertia_per_length,
+  damping,            // N s/m
+  rotational_damping, // Nm s/rad
+  time,
   frequency,
+  rotational_speed, // revolutions per second
   acceleration,
   acceleration_density,
   force_density

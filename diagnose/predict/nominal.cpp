@@ -7,6 +7,7 @@
 #include "run/analyses/damping.hpp"
 #include "solve/model_error.hpp"
 #include "solve/parallel.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,9 @@ std::vector<BuiltSensor> further_places(const Structure& s) {
 }
 
 NominalState state_of(Case data, const std::string& name, const Measured& measured) {
+  if (has_damped_springs(data))
+    input_error("caps", "or mounts have damped springs, which the diagnosis does not know yet",
+                "loss_factors in analyses.damping, or the case without damping of its springs");
   NominalState state;
   state.name = name;
   state.data = std::move(data);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -257,32 +259,75 @@ private:
     const Modes& modes = *case_.analyses.modes;
     constexpr int room = 1000; // for a band: as many as there are in it
     add("*STEP\n** CalculiX: add STORAGE=YES to *FREQUENCY when steps of motion of the base "
-        "follow.\n"
+        "or its ends follow.\n"
         "*FREQUENCY\n");
     if (modes.count > 0)
       add("{}\n", modes.count);
     else
       add("{}, {:.9e}, {:.9e}\n", room, modes.band[0], modes.band[1]);
     add("*NODE FILE\nU\n*END STEP\n");
-    const auto& response = case_.analyses.response;
-    if (!response || response->bases.empty()) return;
+    if (!case_.analyses.response) return;
+    add_base_steps(*case_.analyses.response, modes.count > 0 ? modes.count : room);
+    add_end_steps(*case_.analyses.response, modes.count > 0 ? modes.count : room);
+  }
+
+  void begin_steady_state(const Response& response, int modes) {
+    add("*STEP\n*STEADY STATE DYNAMICS\n{:.9e}, {:.9e}, 20, 3.\n", response.band[0],
+        response.band[1]);
     const Damping& damping = case_.analyses.damping;
-    add("*AMPLITUDE, NAME=BASE\n{:.9e}, {:.9e}, {:.9e}, {:.9e}\n", response->band[0],
-        response->level, response->band[1], response->level);
-    for (int direction : response->bases) {
+    if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty() ||
+        has_damped_springs(case_))
+      add("** damping by ranges, modes, loss factors and springs is left out\n");
+    add("*MODAL DAMPING\n1, {}, {:.9e}\n", modes, damping.modal);
+  }
+
+  void end_steady_state() {
+    for (const BuiltSensor& s : built_.sensors) add("*NODE PRINT, NSET={}\nU\n", upper(s.name));
+    add("*END STEP\n");
+  }
+
+  void add_base_steps(const Response& response, int modes) {
+    if (response.bases.empty()) return;
+    add("*AMPLITUDE, NAME=BASE\n{:.9e}, {:.9e}, {:.9e}, {:.9e}\n", response.band[0], response.level,
+        response.band[1], response.level);
+    for (int direction : response.bases) {
       if (direction > 2) {
         add("** turns of the base are left out\n");
         continue;
       }
-      add("*STEP\n*STEADY STATE DYNAMICS\n{:.9e}, {:.9e}, 20, 3.\n", response->band[0],
-          response->band[1]);
-      if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty())
-        add("** damping by ranges, modes and loss factors is left out\n");
-      add("*MODAL DAMPING\n1, {}, {:.9e}\n", modes.count > 0 ? modes.count : room, damping.modal);
+      begin_steady_state(response, modes);
       add("*BASE MOTION, DOF={}, AMPLITUDE=BASE\n", direction + 1);
-      for (const BuiltSensor& s : built_.sensors) add("*NODE PRINT, NSET={}\nU\n", upper(s.name));
-      add("*END STEP\n");
+      end_steady_state();
     }
+  }
+
+  // Ends that move by 1 m or 1 rad times their amplitudes: what is printed is the transmissibility.
+  void add_end_steps(const Response& response, int modes) {
+    for (const Motion& motion : response.motions) {
+      add("** motion {}: displacements, so that U is the transmissibility\n", name_of(motion));
+      begin_steady_state(response, modes);
+      std::vector<EndMotion> ends{motion};
+      ends.insert(ends.end(), motion.with.begin(), motion.with.end());
+      for (const auto& [load_case, part] : {std::pair{1, 0.}, {2, std::numbers::pi / 2}}) {
+        std::string lines;
+        for (const EndMotion& end : ends)
+          for (const std::string& cap : end.move)
+            lines += moved_end(cap, end.direction, end.amplitude * std::cos(end.phase - part));
+        if (!lines.empty()) add("*BOUNDARY, LOAD CASE={}\n{}", load_case, lines);
+      }
+      end_steady_state();
+    }
+  }
+
+  std::string moved_end(const std::string& cap, int direction, double displacement) {
+    constexpr double rounding = 1e-15;
+    if (std::abs(displacement) < rounding) return "";
+    const int node = built_.cap_nodes.at(cap);
+    if (std::find(built_.held_nodes.begin(), built_.held_nodes.end(), node) ==
+        built_.held_nodes.end())
+      return fmt::format("** the ground behind the springs of {} is left out\n", cap);
+    const Dof d = at(node, direction);
+    return fmt::format("{}, {}, {}, {:.12e}\n", d.node, d.dof, d.dof, displacement);
   }
 
   const Case& case_;

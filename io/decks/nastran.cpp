@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -60,7 +61,7 @@ private:
 
   bool responds() const {
     const auto& r = case_.analyses.response;
-    return case_.analyses.modes && r && !base_directions().empty();
+    return case_.analyses.modes && r && (!base_directions().empty() || !r->motions.empty());
   }
   // That there is an SPC1 card: a set that no card has is fatal.
   bool is_held() const { return !built_.held_nodes.empty() || has_supports(model_); }
@@ -85,9 +86,14 @@ private:
     if (!set.empty()) text_ += "SET 1 = " + set + "\n";
     text_ += "SDAMPING = 1\nFREQUENCY = 1\n";
     int subcase = 0;
-    for (int d : base_directions())
-      text_ += fmt::format("SUBCASE {}\n  LABEL = BASE {}\n  DLOAD = {}\n{}", ++subcase, "XYZ"[d],
-                           10 + d, set.empty() ? "" : "  ACCELERATION(SORT2,PHASE) = 1\n");
+    const auto add = [&](const std::string& label, int load) {
+      text_ += fmt::format("SUBCASE {}\n  LABEL = {}\n  DLOAD = {}\n{}", ++subcase, label, load,
+                           set.empty() ? "" : "  ACCELERATION(SORT2,PHASE) = 1\n");
+    };
+    for (int d : base_directions()) add(std::string("BASE ") + "XYZ"[d], 10 + d);
+    const std::vector<Motion>& motions = case_.analyses.response->motions;
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      add("MOTION " + name_of(motions[k]), 100 + int(k));
   }
 
   template <class F> void for_each_shell(F&& f) const {
@@ -220,8 +226,9 @@ private:
   void response() {
     const Response& asked = *case_.analyses.response;
     const Damping& damping = case_.analyses.damping;
-    if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty())
-      text_ += "$ damping by ranges, modes and loss factors is left out\n";
+    if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty() ||
+        has_damped_springs(case_))
+      text_ += "$ damping by ranges, modes, loss factors and springs is left out\n";
     text_ += large_card("TABDMP1", {"1", "CRIT", "", "", "", "", "", "", "0.", real(damping.modal),
                                     "100000.", real(damping.modal), "ENDT"});
     text_ += large_card("FREQ1", {"1", real(asked.band[0]),
@@ -236,6 +243,34 @@ private:
       for (int node : built_.held_nodes)
         text_ += large_card("SPCD", {number(20 + d), grid(node), number(d + 1), real(asked.level)});
     }
+    for (std::size_t k = 0; k < asked.motions.size(); ++k)
+      motion(asked.motions[k], asked.level, 100 + int(k));
+  }
+
+  // Each way in which ends move is a load of its own, with its phase.
+  void motion(const Motion& m, double level, int dload) {
+    std::vector<EndMotion> ends{m};
+    ends.insert(ends.end(), m.with.begin(), m.with.end());
+    std::vector<std::string> fields{number(dload), "1."};
+    int load = 100 * dload;
+    for (const EndMotion& end : ends)
+      for (const std::string& cap : end.move) {
+        const int node = built_.cap_nodes.at(cap);
+        if (std::find(built_.held_nodes.begin(), built_.held_nodes.end(), node) ==
+            built_.held_nodes.end()) {
+          text_ += fmt::format("$ the ground behind the springs of {} is left out\n", cap);
+          continue;
+        }
+        const std::string id = number(++load), dof = number(end.direction + 1);
+        const bool ahead = end.phase != 0;
+        text_ += large_card("RLOAD1", {id, id, "", ahead ? id : "", "1", "", "ACCE"});
+        text_ += large_card("SPCD", {id, grid(node), dof, real(level * end.amplitude)});
+        if (ahead)
+          text_ +=
+              large_card("DPHASE", {id, grid(node), dof, real(end.phase * 180 / std::numbers::pi)});
+        fields.insert(fields.end(), {"1.", id});
+      }
+    if (fields.size() > 2) text_ += large_card("DLOAD", fields);
   }
 
   const Case& case_;

@@ -3,6 +3,7 @@
 #include "io/decks/read_deck.hpp"
 #include "io/input/field_reader.hpp"
 #include "io/input/fit_input.hpp"
+#include "io/input/time_signal.hpp"
 #include "io/input/yaml_path.hpp"
 #include "model/description/case_checks.hpp"
 #include "model/description/case_fields.hpp"
@@ -72,6 +73,17 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
       surface->file = (std::filesystem::path(directory) / surface->file).string();
     if (auto* deck = std::get_if<DeckPart>(&part.body); deck && !deck->file.empty())
       read_content(*deck, directory, "parts." + part.name + ".file", log);
+  }
+  try {
+    read_signals(data, directory);
+  } catch (const InputError& error) {
+    for (InputProblem problem : error.problems()) {
+      if (problem.file.empty()) {
+        problem.file = log.file;
+        problem.line = line_of(problem.key, log.lines);
+      }
+      log.problems.push_back(std::move(problem));
+    }
   }
   CheckLog fit(data, bad_keys(log));
   if (nominal) resolve_fit(data, fit);
@@ -295,6 +307,12 @@ std::string yaml_of(const CaseFile& file, const std::map<std::string, std::strin
     for (YamlEntry& part : parts->entries)
       if (YamlNode* geometry = part.value.find("file"))
         geometry->text = from_folder(here / geometry->text);
+  if (YamlNode* analyses = root.find("analyses"))
+    if (YamlNode* transients = analyses->find("transients"))
+      for (YamlNode& transient : transients->items)
+        if (YamlNode* signal = transient.find("signal"))
+          if (YamlNode* samples = signal->find("file"))
+            samples->text = from_folder(here / samples->text);
   const YamlNode* named = root.find("measured");
   if (named || !measured.empty()) {
     YamlNode path;
@@ -313,6 +331,9 @@ std::vector<std::filesystem::path> files_of(const CaseFile& file) {
     if (deck && deck->content)
       files.insert(files.end(), deck->content->files.begin(), deck->content->files.end());
   }
+  const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
+  for (const Transient& t : file.data.analyses.transients)
+    if (t.signal) files.push_back(folder / t.signal->file);
   return files;
 }
 

@@ -7,6 +7,7 @@
 #include "model/description/case.hpp"
 #include "words/field_types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -108,6 +109,20 @@ public:
   }
   void choices(std::vector<int>& x, const char* key, const std::vector<Named<int>>& names,
                const Need& need, const char* help);
+  template <class T>
+  void choices_or(std::vector<int>& words, std::vector<T>& maps, const char* key,
+                  const std::vector<Named<int>>& names, const Need& need, const char* help) {
+    const YamlNode* node = find(key);
+    const auto is_map = [](const YamlNode& n) { return n.kind == YamlNode::Kind::map; };
+    if (node && is_map(*node)) {
+      take(key, need.required, help);
+      read(*node, at(key, 0), maps.emplace_back());
+    } else if (node && std::any_of(node->items.begin(), node->items.end(), is_map)) {
+      list(maps, key, need, help);
+    } else {
+      choices(words, key, names, need, help);
+    }
+  }
   template <class T> void object(T& x, const char* key, const Need& need, const char* help) {
     if (const YamlNode* node = take(key, need.required, help)) read(*node, at(key), x);
   }

@@ -116,6 +116,18 @@ public:
                     static_cast<int>(names.size()), help),
         need.required);
   }
+  template <class T>
+  void choices_or(std::vector<int>&, std::vector<T>&, const char* key,
+                  const std::vector<Named<int>>& names, const Need& need, const char* help) {
+    const Json map = schema_of<T>();
+    add(key,
+        {{"oneOf",
+          {list_schema(words_schema(words_of(names), ""), need.min_items,
+                       static_cast<int>(names.size()), ""),
+           map, list_schema(map, 1, 1000, "")}},
+         {"description", help}},
+        need.required);
+  }
   template <class T> void object(T&, const char* key, const Need& need, const char* help) {
     add(key, described(schema_of<T>(), help), need.required);
   }

@@ -97,13 +97,14 @@ std::string responses_section(const Correlation& c) {
   std::string html;
   for (const ComparedResponse& r : c.responses) {
     const std::vector<PlotCurve> curves{
-        {.hertz = r.hertz, .magnitude = r.measured.cwiseAbs(), .name = "test"},
-        {.hertz = r.hertz, .magnitude = r.simulated.cwiseAbs(), .name = "simulation", .dashes = 1}};
+        {.x = r.hertz, .y = r.measured.cwiseAbs(), .name = "test"},
+        {.x = r.hertz, .y = r.simulated.cwiseAbs(), .name = "simulation", .dashes = 1}};
     html += fmt::format("<h3>{} by {}{}: FRAC {}, {} with frequencies stretched by {} %</h3>\n",
                         html_escape(r.response), html_escape(r.reference),
                         r.level ? fmt::format(" at {:g}", *r.level) : "", html_fixed(r.frac, 3),
                         html_fixed(r.best_frac, 3), html_signed(100 * r.stretch, 2)) +
-            plot_figure("test and simulation", "response", curves) + plot_legend(curves);
+            plot_figure({.label = "test and simulation", .ordinate = "response"}, curves) +
+            plot_legend(curves);
   }
   for (const ComparedLines& l : c.lines)
     html += fmt::format("<p>{}: CSAC {}, CSF {} (means over the lines).</p>\n",

@@ -68,6 +68,7 @@ svg text { fill: var(--ink); font-family: inherit; }
 .pin { fill: var(--paper); stroke: var(--ink); stroke-width: 5; }
 .tag { paint-order: stroke; stroke: var(--paper); stroke-width: 10; stroke-linejoin: round; }
 .legend { max-width: 22rem; }
+.lines span { margin-right: 1.2em; white-space: nowrap; }
 figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { display: none; }
 /* A drawing is as wide as its place only after its script has seen a new width. */
 .live { position: relative; overflow: hidden; } .live canvas { display: block; }

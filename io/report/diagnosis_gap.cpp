@@ -133,11 +133,8 @@ std::vector<PlotCurve> curves_of(const OverlaidResponse& r) {
   std::vector<PlotCurve> curves;
   const auto add = [&](const Eigen::VectorXd& magnitude, const char* name, int dashes, bool faint) {
     if (magnitude.size() == r.hertz.size() && magnitude.size() > 1 && magnitude.allFinite())
-      curves.push_back({.hertz = r.hertz,
-                        .magnitude = magnitude,
-                        .name = name,
-                        .dashes = dashes,
-                        .faint = faint});
+      curves.push_back(
+          {.x = r.hertz, .y = magnitude, .name = name, .dashes = dashes, .faint = faint});
   };
   add(r.measured, "test", 0, false);
   add(r.nominal, "nominal", 2, false);
@@ -244,10 +241,11 @@ std::string overlays_html(const Diagnosis& d) {
   for (const OverlaidResponse& r : d.overlays) {
     const std::vector<PlotCurve> curves = curves_of(r);
     if (curves.empty()) continue;
-    html +=
-        "<h3>" + html_escape(r.name) + "</h3>\n" +
-        plot_figure("test and models, " + r.name, "acceleration over that of the base", curves) +
-        plot_legend(curves);
+    html += "<h3>" + html_escape(r.name) + "</h3>\n" +
+            plot_figure({.label = "test and models, " + r.name,
+                         .ordinate = "acceleration over that of the base"},
+                        curves) +
+            plot_legend(curves);
   }
   return html;
 }

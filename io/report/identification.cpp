@@ -23,8 +23,8 @@ VectorXd summed(const Eigen::MatrixXcd& H) {
 std::string diagram_html(const Identification& found) {
   std::vector<PlotCurve> curves;
   for (std::size_t i = 0; i < found.set.H.size(); ++i)
-    curves.push_back({.hertz = found.set.hertz,
-                      .magnitude = summed(found.set.H[i]),
+    curves.push_back({.x = found.set.hertz,
+                      .y = summed(found.set.H[i]),
                       .name = "all responses by " + found.set.references[i],
                       .dashes = static_cast<int>(i),
                       .faint = true});
@@ -32,12 +32,13 @@ std::string diagram_html(const Identification& found) {
   for (const DiagramPole& p : found.diagram) top = std::max(top, p.order);
   std::vector<PlotMark> marks;
   for (const DiagramPole& p : found.diagram)
-    marks.push_back({.hertz = p.pole.frequency(),
+    marks.push_back({.x = p.pole.frequency(),
                      .height = double(p.order) / top,
                      .filled = p.stability == Stability::all});
   std::vector<double> chosen;
   for (const IdentifiedMode& m : found.modes) chosen.push_back(m.frequency);
-  return plot_figure("stabilisation diagram", "response", curves, marks, top, chosen) +
+  return plot_figure({.label = "stabilisation diagram", .ordinate = "response"}, curves, marks, top,
+                     chosen) +
          plot_legend(curves) +
          "<p>Filled: stable in frequency, damping and participation against the order below; scale "
          "of "
@@ -104,24 +105,25 @@ std::string mac_table(const Identification& found) {
 
 std::string synthesis_html(const Identification& found) {
   std::string html;
-  for (std::size_t i = 0; i < found.set.H.size(); ++i) {
+  for (std::size_t i = 0; i < found.synthesised.size(); ++i) {
     // The response that is met worst, and the largest.
     Index worst = 0, largest = 0;
     found.frac.col(Index(i)).minCoeff(&worst);
     found.set.H[i].colwise().norm().maxCoeff(&largest);
     for (const Index o : {largest, worst}) {
-      const std::vector<PlotCurve> curves{{.hertz = found.set.hertz,
-                                           .magnitude = found.set.H[i].col(o).cwiseAbs(),
+      const std::vector<PlotCurve> curves{{.x = found.set.hertz,
+                                           .y = found.set.H[i].col(o).cwiseAbs(),
                                            .name = "measured",
                                            .faint = true},
-                                          {.hertz = found.set.hertz,
-                                           .magnitude = found.synthesised[i].col(o).cwiseAbs(),
+                                          {.x = found.set.hertz,
+                                           .y = found.synthesised[i].col(o).cwiseAbs(),
                                            .name = "from the modes",
                                            .dashes = 1}};
       html += fmt::format("<h3>{} by {}, FRAC {}{}</h3>\n", html_escape(found.set.responses[o]),
                           html_escape(found.set.references[i]),
                           html_fixed(found.frac(o, Index(i)), 4), o == worst ? ", met worst" : "") +
-              plot_figure("measured and synthesised response", "response", curves) +
+              plot_figure({.label = "measured and synthesised response", .ordinate = "response"},
+                          curves) +
               plot_legend(curves);
       if (worst == largest) break;
     }
@@ -142,7 +144,8 @@ std::string identification_html(const Identification& found, const std::string& 
   std::string sections = html_section("modes", "Modes", modes_table(found));
   sections += html_section("diagram", "Stabilisation diagram", diagram_html(found));
   sections += html_section("shapes", "Shapes", shapes_table(found) + mac_table(found));
-  sections += html_section("synthesis", "Measured beside synthesised", synthesis_html(found));
+  if (!found.synthesised.empty())
+    sections += html_section("synthesis", "Measured beside synthesised", synthesis_html(found));
   return report_page("Modes of " + title, lead, found.warnings, sections);
 }
 

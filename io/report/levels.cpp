@@ -28,8 +28,8 @@ std::vector<PlotCurve> curves(const LevelFamily& family) {
   for (std::size_t k = 0; k < family.curves.size(); ++k) {
     const LevelCurve& c = family.curves[k];
     if (c.hertz.size() < 2) continue;
-    list.push_back({.hertz = c.hertz,
-                    .magnitude = c.first.col(family.strongest).cwiseAbs(),
+    list.push_back({.x = c.hertz,
+                    .y = c.first.col(family.strongest).cwiseAbs(),
                     .name = fmt::format("{:g} {}", c.level, family.unit),
                     .dashes = int(k % 4),
                     .faint = k % 8 >= 4});
@@ -137,7 +137,8 @@ std::string levels_html(const Results& results) {
     const std::vector<PlotCurve> list = curves(family);
     html += fmt::format("<h3>{}</h3>\n", html_escape(levels_title(family)));
     if (!list.empty())
-      html += plot_figure(levels_title(family), "acceleration, m/s²", list) + plot_legend(list);
+      html += plot_figure({.label = levels_title(family), .ordinate = "acceleration, m/s²"}, list) +
+              plot_legend(list);
     html += fmt::format("<p>First harmonic of {} over the level; {} over {} joints and {} modes, "
                         "harmonics up to {}.</p>\n",
                         channel(family, family.strongest), family.method, family.joints,

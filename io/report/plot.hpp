@@ -1,36 +1,46 @@
-// Curves over frequency: drawn as SVG, and with their numbers beside it for the script of the page,
-// which puts a plot with a cursor in its place. The ordinate is logarithmic, lines are told apart
-// by dashes, not colour.
+// Curves: drawn as SVG, and with their numbers beside it for the script of the page, which puts a
+// plot with a cursor in its place. Curves have a colour (Okabe and Ito's, which differ in
+// lightness, too) and dashes.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace plica {
 
 struct PlotCurve {
-  Eigen::VectorXd hertz, magnitude;
+  Eigen::VectorXd x, y;
   std::string name; // in the legend; empty = not there
+  int colour = -1;  // -1: its own by its place among the curves
   int dashes = 0;   // 0 full, 1 dashed, 2 dotted, 3 dash-dotted
   bool faint = false;
 };
 
-// A mark at (Hz, share of the height from below); `filled` or open.
+// A mark at x and a share of the height from below; `filled` or open.
 struct PlotMark {
-  double hertz = 0, height = 0;
+  double x = 0, height = 0;
   bool filled = true;
+};
+
+// Plain text: quantity and unit of each axis.
+struct PlotFrame {
+  std::string label; // what the picture is
+  std::string abscissa = "frequency, Hz";
+  std::string ordinate;
+  bool linear = false;                             // the ordinate; else logarithmic
+  std::optional<std::array<double, 2>> range = {}; // of the ordinate; none = of the curves
 };
 
 // Curves, then marks with a second scale of their own at the right ("order", 0 to `mark_top`).
 // Lines dropped to the axis at `verticals`. Without curves the marks stand alone.
-// `ordinate`: what it is, plain text.
-std::string plot_figure(const std::string& label, const std::string& ordinate,
-                        const std::vector<PlotCurve>& curves,
+std::string plot_figure(const PlotFrame& frame, const std::vector<PlotCurve>& curves,
                         const std::vector<PlotMark>& marks = {}, double mark_top = 0,
                         const std::vector<double>& verticals = {});
 
-// "<p>mid y (full line), mid x (dashed)</p>"
+// The lines with their names.
 std::string plot_legend(const std::vector<PlotCurve>& curves);
 
 } // namespace plica

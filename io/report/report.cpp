@@ -8,6 +8,7 @@
 #include "io/report/response.hpp"
 #include "io/report/superelements.hpp"
 #include "io/report/tables.hpp"
+#include "io/report/time_histories.hpp"
 #include "io/report/viewer.hpp"
 #include "io/tables/text.hpp"
 
@@ -64,6 +65,8 @@ std::string report_html(const Results& results) {
   html += html_section("superelements", "Superelements", superelements_html(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
   html += html_section("response", "Response", responses_html(results));
+  html += html_section("transients", "Transients", transients_html(results));
+  html += html_section("run_ups", "Orders of the engine", run_ups_html(results));
   html += html_section("levels", "Response over the level", levels_html(results));
   html += html_section("stress", "Stress", stresses_html(results));
   html += html_section("variants", "What the assumed quantities do",

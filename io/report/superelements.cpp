@@ -33,8 +33,8 @@ std::string stiffness_html(const ReducedCase& r) {
   const double per_mm = s.units.find("mm") == std::string::npos ? 1e-3 : 1; // of N/m, or N/mm
   std::vector<PlotCurve> curves;
   const auto add = [&](int row, int column, const std::string& name) {
-    curves.push_back({.hertz = hertz,
-                      .magnitude = per_mm * dynamic_stiffness(s, row, column, hertz).cwiseAbs(),
+    curves.push_back({.x = hertz,
+                      .y = per_mm * dynamic_stiffness(s, row, column, hertz).cwiseAbs(),
                       .name = name,
                       .dashes = static_cast<int>(curves.size())});
   };
@@ -45,7 +45,8 @@ std::string stiffness_html(const ReducedCase& r) {
     add(1, last + 1, "along, " + end + " to " + s.node_names.front());
     add(0, last, "across, " + end + " to " + s.node_names.front());
   }
-  return plot_figure("dynamic stiffness", "force / displacement, N/mm", curves) +
+  return plot_figure({.label = "dynamic stiffness", .ordinate = "force / displacement, N/mm"},
+                     curves) +
          plot_legend(curves) +
          "<p>Force at a boundary node over the displacement of one, all other motions of the "
          "boundary held, undamped: up to where the certificate is good.</p>\n";

@@ -102,8 +102,25 @@ void add_complex(std::vector<std::string>& cells, std::complex<double> value) {
 
 } // namespace
 
+std::string complex_modes_csv(const Results& results) {
+  std::vector<std::string> head{"mode", "frequency [Hz]", "damping [fraction of critical]"};
+  for (const SensorResult& s : results.sensors)
+    for (const char* direction : {"x", "y", "z"})
+      for (const char* part : {"real", "imaginary"})
+        head.push_back(fmt::format("{} {} {} [1/sqrt(kg)]", s.name, direction, part));
+  std::string text = line(head);
+  for (std::size_t j = 0; j < results.complex_modes.shapes.size(); ++j) {
+    const ModeResult& mode = results.modes[j];
+    std::vector<std::string> cells{std::to_string(j + 1), csv_number(mode.damped_frequency),
+                                   csv_number(mode.damping)};
+    for (const std::complex<double> u : results.complex_modes.shapes[j]) add_complex(cells, u);
+    text += line(cells);
+  }
+  return text;
+}
+
 std::string response_csv(const ResponseResult& r) {
-  const std::string per = "[m/s2 per " + r.unit + "]";
+  const std::string per = "[" + response_unit(r, "m/s2") + "]";
   std::vector<std::string> head =
       with_frequency(channel_heads(r, {"real " + per, "imaginary " + per}));
   for (std::size_t c = 0; c < r.channels.size(); c += 3)
@@ -136,14 +153,16 @@ std::string motion_csv(const ResponseResult& r) {
 std::string random_csv(const ResponseResult& r) {
   const RandomResult& random = *r.random;
   std::vector<std::string> head = with_frequency(channel_heads(r, {"[(m/s2)2/Hz]"}));
-  head.insert(head.begin() + 1, fmt::format("input [({})2/Hz]", r.unit));
+  const bool alone = random.input.size() > 0;
+  if (alone) head.insert(head.begin() + 1, fmt::format("input [({})2/Hz]", r.unit));
   const auto name = [&](int c) { return r.channels[c].first + " " + r.channels[c].second; };
   for (const CrossDensity& cross : random.cross)
     for (const char* part : {"real", "imaginary"})
       head.push_back(fmt::format("{} with {} {} [(m/s2)2/Hz]", name(cross.a), name(cross.b), part));
   std::string text = line(head);
   for (Eigen::Index i = 0; i < r.hertz.size(); ++i) {
-    std::vector<std::string> cells{csv_number(r.hertz[i]), csv_number(random.input[i])};
+    std::vector<std::string> cells{csv_number(r.hertz[i])};
+    if (alone) cells.push_back(csv_number(random.input[i]));
     for (const double value : random.density.row(i)) cells.push_back(csv_number(value));
     for (const CrossDensity& cross : random.cross) add_complex(cells, cross.density[i]);
     text += line(cells);

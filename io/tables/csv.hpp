@@ -15,6 +15,8 @@ std::string motion_csv(const ResponseResult& response);   // amplitudes at the l
 std::string random_csv(const ResponseResult& response);   // densities; needs response.random
 std::string stress_csv(const Results& results);
 std::string error_bars_csv(const Results& results);
+// Frequency, damping and the shape at the sensors, complex; needs results.complex_modes.
+std::string complex_modes_csv(const Results& results);
 std::string static_csv(const Results& results);     // no rows without static stiffness
 std::string comparison_csv(const Results& results); // measured beside computed
 std::string variants_csv(const Results& results);   // first row: the nominal case

@@ -3,6 +3,7 @@
 #include "io/files/json_text.hpp"
 #include "io/tables/levels_json.hpp"
 #include "io/tables/text.hpp"
+#include "io/tables/time_json.hpp"
 
 #include <cmath>
 
@@ -41,6 +42,8 @@ Json json_of(const StaticStiffness& k) {
 Json json_of(const ModeResult& mode) {
   return {{"frequency", json_number(mode.frequency)},
           {"damping", json_number(mode.damping)},
+          {"damped_frequency",
+           mode.damped_frequency ? json_number(*mode.damped_frequency) : Json(nullptr)},
           {"effective_mass", numbers(mode.effective_mass)},
           {"shape", mode.shape},
           {"direction", mode.direction},
@@ -105,7 +108,20 @@ Json json_of(const RandomResult& random, const ResponseResult& r) {
                      {"value", json_number(b.rms[Eigen::Index(c)])}});
     bands.push_back({{"band", numbers(b.band)}, {"input", json_number(b.input)}, {"rms", rms}});
   }
-  return {{"file", "random_" + response_name(r) + ".csv"}, {"bands", bands}};
+  Json tones = Json::array();
+  for (const ToneResult& t : random.tones) {
+    Json channels = Json::array();
+    for (std::size_t c = 0; c < r.channels.size(); ++c)
+      channels.push_back({{"sensor", r.channels[c].first},
+                          {"direction", r.channels[c].second},
+                          {"frequency", json_number(t.frequency[Eigen::Index(c)])},
+                          {"sine", json_number(t.sine[Eigen::Index(c)])},
+                          {"rms", json_number(t.rms[Eigen::Index(c)])}});
+    tones.push_back({{"band", numbers(t.band)},
+                     {"amplitude", json_number(t.amplitude)},
+                     {"channels", channels}});
+  }
+  return {{"file", "random_" + response_name(r) + ".csv"}, {"bands", bands}, {"tones", tones}};
 }
 
 Json json_of(const ResponseResult& r) {
@@ -115,9 +131,15 @@ Json json_of(const ResponseResult& r) {
                      {"direction", r.channels[p.channel].second},
                      {"frequency", json_number(p.frequency)},
                      {"amplitude", json_number(p.amplitude)},
+                     {"phase", json_number(p.phase)},
                      {"damping", json_number(p.damping)}});
-  return {{"base", r.is_force ? Json(nullptr) : Json(r.excitation)},
-          {"force", r.is_force ? Json(r.excitation) : Json(nullptr)},
+  const auto named = [&](Source source) {
+    return r.source == source ? Json(r.excitation) : Json(nullptr);
+  };
+  return {{"base", named(Source::base)},
+          {"motion", named(Source::ends)},
+          {"force", named(Source::force)},
+          {"together", named(Source::together)},
           {"level", json_number(r.level)},
           {"file", "response_" + response_name(r) + ".csv"},
           {"motion_file", "motion_" + response_name(r) + ".csv"},
@@ -216,7 +238,16 @@ std::string results_json(const Results& r) {
   json["modes"] = list_of(r.modes);
   add_mesh_errors(json["modes"], r.error_bars.modes);
   json["verification"] = json_of(r.verification);
+  if (!r.complex_modes.shapes.empty() || !r.complex_modes.reason.empty())
+    json["complex_modes"] = {
+        {"complete", r.complex_modes.complete},
+        {"oscillating", r.complex_modes.oscillating},
+        {"overdamped", r.complex_modes.overdamped},
+        {"reason", r.complex_modes.reason},
+        {"file", r.complex_modes.shapes.empty() ? Json(nullptr) : Json("complex_modes.csv")}};
   json["responses"] = list_of(r.responses);
+  if (!r.transients.empty()) json["transients"] = transients_json(r);
+  if (!r.run_ups.empty()) json["run_ups"] = run_ups_json(r);
   if (r.slipping) json["slipping"] = slipping_json(*r.slipping);
   if (!r.families.empty()) json["levels"] = levels_json(r);
   json["stresses"] = list_of(r.stresses);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace plica {
@@ -117,14 +118,66 @@ std::string statics_table(const Results& results) {
 }
 
 std::string peaks_table(const Results& results) {
-  std::vector<Row> rows{{"", "sensor", "Hz", "amplitude", "damping %"}};
+  std::vector<Row> rows{{"", "sensor", "Hz", "amplitude", "phase deg", "damping %"}};
   for (const ResponseResult& r : results.responses)
     for (const ResponsePeak& p : r.peaks)
       rows.push_back({response_title(r),
                       r.channels[p.channel].first + " " + r.channels[p.channel].second,
                       fmt::format("{:.1f}", p.frequency), significant(p.amplitude, 3),
+                      fmt::format("{:.0f}", p.phase * 180 / std::numbers::pi),
                       significant(100 * p.damping, 3)});
-  return rows.size() == 1 ? "" : "\nPeaks of the response\n" + aligned(rows, "<<>>>");
+  return rows.size() == 1 ? "" : "\nPeaks of the response\n" + aligned(rows, "<<>>>>");
+}
+
+// The channel that a random input moves most, with its 3 sigma.
+std::string random_table(const Results& results) {
+  std::vector<Row> rows{{"", "sensor", "RMS m/s2", "3 sigma"}};
+  for (const ResponseResult& r : results.responses) {
+    if (!r.random || r.channels.empty()) continue;
+    Eigen::Index c = 0;
+    const double rms = r.random->bands[0].rms.maxCoeff(&c);
+    const auto& [sensor, axis] = r.channels[std::size_t(c)];
+    rows.push_back(
+        {response_title(r), sensor + " " + axis, significant(rms, 3), significant(3 * rms, 3)});
+  }
+  return rows.size() == 1 ? "" : "\nLargest random motion\n" + aligned(rows, "<<>>");
+}
+
+std::string stress_table(const Results& results) {
+  std::vector<Row> rows{{"", "MPa", "at x, y, z mm"}};
+  for (const StressResult& s : results.stresses) {
+    const bool beam = s.largest_beam > s.largest;
+    const auto& at = beam ? s.beam_at : s.at;
+    rows.push_back({s.name, significant(1e-6 * std::max(s.largest, s.largest_beam), 4),
+                    fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * at[0], 1e3 * at[1], 1e3 * at[2]) +
+                        (beam ? ", a beam" : "")});
+  }
+  return rows.size() == 1 ? "" : "\nLargest stress\n" + aligned(rows, "<><");
+}
+
+std::string transients_table(const Results& results) {
+  std::vector<Row> rows{{"", "input", "sensor", "peak m/s2", "at ms", "RMS m/s2"}};
+  for (const TransientResult& t : results.transients)
+    for (int c : t.shown) {
+      const auto& [sensor, axis] = t.channels[std::size_t(c)];
+      const Extreme& peak = t.extremes[std::size_t(c)];
+      rows.push_back({t.name, t.input_title, sensor + " " + axis, significant(peak.value, 4),
+                      significant(1e3 * peak.time, 4), significant(t.rms[c], 3)});
+    }
+  return rows.size() == 1 ? "" : "\nTransients\n" + aligned(rows, "<<<>>>");
+}
+
+std::string crossings_table(const Results& results) {
+  std::vector<Row> rows{{"", "rpm", "order", "mode", "Hz", "sensor", "m/s2"}};
+  for (const RunUpResult& r : results.run_ups)
+    for (const OrderCrossing& c : r.crossings) {
+      const auto& [sensor, axis] = r.channels[std::size_t(c.channel)];
+      rows.push_back({r.name, fmt::format("{:.0f}", 60 * c.speed), significant(c.order, 3),
+                      mode_label(results.modes[std::size_t(c.mode)]),
+                      fmt::format("{:.1f}", c.frequency), sensor + " " + axis,
+                      significant(c.amplitude, 3)});
+    }
+  return rows.size() == 1 ? "" : "\nOrders through modes\n" + aligned(rows, "<>><><>");
 }
 
 std::string levels_table(const Results& results) {
@@ -186,7 +239,9 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
   text += spread_table(results) + error_table(results) + statics_table(results) +
-          modes_table(results) + peaks_table(results) + levels_table(results);
+          modes_table(results) + peaks_table(results) + random_table(results) +
+          transients_table(results) + crossings_table(results) + levels_table(results) +
+          stress_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

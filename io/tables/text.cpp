@@ -70,11 +70,17 @@ std::string shares_text(const ErrorBars& errors, const ErrorBar& bar) {
 }
 
 std::string response_name(const ResponseResult& r) {
-  return (r.is_force ? "force_" : "") + r.excitation;
+  constexpr std::array prefixes{"", "motion_of_", "force_", "together_"};
+  return prefixes[std::size_t(r.source)] + r.excitation;
 }
 
 std::string response_title(const ResponseResult& r) {
-  return (r.is_force ? "Force " : "Base moved in ") + r.excitation;
+  constexpr std::array words{"Base moved in ", "Ends moved: ", "Force ", "Together: "};
+  return words[std::size_t(r.source)] + r.excitation;
+}
+
+std::string response_unit(const ResponseResult& r, const std::string& of) {
+  return r.unit.empty() ? of : of + " per " + r.unit;
 }
 
 void require_one_row_per_node(const Results& results) {

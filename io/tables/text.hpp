@@ -36,6 +36,9 @@ std::string response_name(const ResponseResult& response);
 // "Base moved in y", "Force tap"
 std::string response_title(const ResponseResult& response);
 
+// "m/s2 per N"; of several inputs together "m/s2".
+std::string response_unit(const ResponseResult& response, const std::string& of);
+
 // Lowest and highest value of a compared quantity over the nominal run and the variants.
 std::array<double, 2> spread_over_variants(const Results& results, const MeasuredComparison& row);
 

@@ -1,4 +1,5 @@
-// A run as a measured.yaml, so that `plica compare` takes simulation and test alike.
+// A test as a measured.yaml: a run, so that `plica compare` takes simulation and test alike, or
+// what `plica identify` found.
 #pragma once
 
 #include "lab/measured/measured.hpp"
@@ -7,8 +8,8 @@
 
 namespace plica {
 
-// Specimen, source, sensors, mass, static stiffnesses, modes and responses; reads back with
-// read_measured() without loss. Peaks, signals and caveats, which no run has, are not written.
+// All but time signals, single results (their scatter is the sigma) and of responses what only a
+// lab says of them; reads back with read_measured() without loss.
 std::string simulated_yaml(const Measured& measured);
 
 } // namespace plica

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace plica {
@@ -38,6 +39,7 @@ Json json_of(const Identification& found, const IdentifiedMode& m) {
       {"rank", m.rank},
       {"share", m.share},
       {"orders", m.orders},
+      {"consistency", json_number(m.consistency)},
       {"strongest", m.strongest},
       {"circle_fit",
        {{"frequency", json_number(m.circle_frequency)},
@@ -83,7 +85,9 @@ std::string linearity_text(const LinearityOfSet& linearity) {
 std::string identification_json(const Identification& found, const LinearityOfSet& linearity,
                                 const std::string& title) {
   Json json;
+  constexpr std::array sources{"responses", "free_decay", "output_only"};
   json["title"] = title;
+  json["from"] = sources[std::size_t(found.source)];
   json["band"] = {found.set.hertz[0], found.set.hertz[found.set.hertz.size() - 1]};
   json["responses"] = found.set.responses;
   json["references"] = found.set.references;
@@ -91,11 +95,11 @@ std::string identification_json(const Identification& found, const LinearityOfSe
   json["modes"] = Json::array();
   for (const IdentifiedMode& m : found.modes) json["modes"].push_back(json_of(found, m));
   json["frac"] = Json::array();
-  for (std::size_t i = 0; i < found.set.references.size(); ++i)
+  for (Index i = 0; i < found.frac.cols(); ++i)
     for (std::size_t c = 0; c < found.set.responses.size(); ++c)
       json["frac"].push_back({{"response", found.set.responses[c]},
-                              {"reference", found.set.references[i]},
-                              {"value", found.frac(Index(c), Index(i))}});
+                              {"reference", found.set.references[std::size_t(i)]},
+                              {"value", found.frac(Index(c), i)}});
   json["linearity"] = json_of(linearity);
   json["warnings"] = found.warnings;
   return json_text(json);
@@ -142,10 +146,12 @@ std::string measured_modes_yaml(const Identification& found) {
 
 std::string identification_text(const Identification& found, const LinearityOfSet& linearity,
                                 const std::string& title) {
-  std::string text = fmt::format("{}: {} responses, {} references, {} lines from {} to {} Hz\n\n",
-                                 title, found.set.responses.size(), found.set.H.size(),
-                                 found.set.hertz.size(), significant(found.set.hertz[0], 4),
-                                 significant(found.set.hertz[found.set.hertz.size() - 1], 4));
+  constexpr std::array kinds{"references", "decays", "excitation that nobody measured"};
+  std::string text =
+      fmt::format("{}: {} responses, {} {}, {} lines from {} to {} Hz\n\n", title,
+                  found.set.responses.size(), found.set.H.size(), kinds[std::size_t(found.source)],
+                  found.set.hertz.size(), significant(found.set.hertz[0], 4),
+                  significant(found.set.hertz[found.set.hertz.size() - 1], 4));
   text += "         Hz       +/-   damping %       +/-   circle fit Hz       %    peak Hz       %  "
           "share %\n";
   const auto cell = [](double x, int width, int decimals) {
@@ -159,18 +165,22 @@ std::string identification_text(const Identification& found, const LinearityOfSe
             cell(m.circle_frequency, 16, 3) + cell(100 * m.circle_damping, 8, 3) +
             cell(m.peak_frequency, 11, 3) + cell(100 * m.peak_damping, 8, 3) +
             cell(100 * m.share, 9, 2) + "\n";
-  text += fmt::format("\nThe modes leave {} % RMS of the responses unexplained; FRAC {} to {}.\n",
-                      significant(100 * found.misfit, 3), significant(found.frac.minCoeff(), 4),
-                      significant(found.frac.maxCoeff(), 4));
+  constexpr std::array whole{"responses", "decays", "correlations"};
+  text += fmt::format("\nThe modes leave {} % RMS of the {} unexplained",
+                      significant(100 * found.misfit, 3), whole[std::size_t(found.source)]);
+  if (found.frac.size() > 0)
+    text += fmt::format("; FRAC {} to {}", significant(found.frac.minCoeff(), 4),
+                        significant(found.frac.maxCoeff(), 4));
+  text += ".\n";
   text += linearity_text(linearity);
   for (const std::string& warning : found.warnings) text += "Warning: " + warning + ".\n";
   return text;
 }
 
-std::vector<std::string> identification_files(bool noise) {
-  std::vector<std::string> names{
-      "identified.csv",  "measured_modes.yaml", "shapes.uff",         "frf.uff",
-      "synthesised.uff", "identification.html", "identification.json"};
+std::vector<std::string> identification_files(bool noise, bool time) {
+  std::vector<std::string> names{"identified.csv", "measured_modes.yaml", "shapes.uff",
+                                 "identification.html", "identification.json"};
+  if (!time) names.insert(names.end(), {"frf.uff", "synthesised.uff"});
   if (noise) names.emplace_back("spectra.csv");
   return names;
 }
@@ -186,11 +196,13 @@ void write_identification(const Identification& found, const LinearityOfSet& lin
   };
   std::string shapes;
   for (const UniversalShape& s : universal_shapes(found)) shapes += universal_text(s);
-  FrfSet synthesised = found.set;
-  synthesised.H = found.synthesised;
   out.add(below + "shapes.uff", shapes);
-  out.add(below + "frf.uff", text_of(found.set));
-  out.add(below + "synthesised.uff", text_of(synthesised));
+  if (found.source == IdentifiedFrom::responses) {
+    FrfSet synthesised = found.set;
+    synthesised.H = found.synthesised;
+    out.add(below + "frf.uff", text_of(found.set));
+    out.add(below + "synthesised.uff", text_of(synthesised));
+  }
   out.add(below + "identification.html", identification_html(found, title));
   out.add(below + "identification.json", identification_json(found, linearity, title));
 }

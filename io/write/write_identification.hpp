@@ -1,7 +1,7 @@
 // What `plica identify` leaves behind: identification.json, identified.csv, measured_modes.yaml
 // (the modes as entries of a measured.yaml), shapes.uff (set 55), frf.uff and synthesised.uff (sets
-// 58, the responses that were used and those of the modes), identification.html; of noise also
-// spectra.csv.
+// 58, the responses that were used and those of the modes; of free decays and outputs alone not),
+// identification.html; of noise also spectra.csv.
 #pragma once
 
 #include "io/files/output_folder.hpp"
@@ -11,7 +11,12 @@
 
 namespace plica {
 
-std::vector<std::string> identification_files(bool noise);
+// `noise`: of noise with its input; `time`: of free decays or outputs alone, without responses.
+std::vector<std::string> identification_files(bool noise, bool time = false);
+
+// The test with the modes in place of its responses and signals, as compare, fit and diagnose read
+// it: beside the folders of several sets.
+constexpr const char* identified_file = "measured.yaml";
 
 // `below`: before every name, "" or as "2/".
 void write_identification(const Identification& found, const LinearityOfSet& linearity,

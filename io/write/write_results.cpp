@@ -6,6 +6,7 @@
 #include "io/tables/json.hpp"
 #include "io/tables/levels_csv.hpp"
 #include "io/tables/text.hpp"
+#include "io/tables/time_csv.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
 #include "io/write/simulated_yaml.hpp"
@@ -18,11 +19,11 @@
 namespace plica {
 namespace {
 
-constexpr std::array bases{"x", "y", "z", "rx", "ry", "rz"};
-
 std::string responses_uff(const Results& results) {
   std::string text;
-  for (const FrfSet& set : responses_to_base(results))
+  std::vector<FrfSet> sets = responses_to_base(results);
+  for (FrfSet& set : responses_to_forces(results)) sets.push_back(std::move(set));
+  for (const FrfSet& set : sets)
     for (const UniversalFunction& f : universal_functions(set)) text += universal_text(f);
   return text;
 }
@@ -40,13 +41,27 @@ std::vector<std::string> result_files(const Case& data) {
                                  "modes.vtu", "simulated.yaml", "report.html",    "results.json"};
   if (const auto& response = data.analyses.response) {
     for (const int base : response->bases)
-      add_response(names, bases[std::size_t(base)], response->random.has_value());
-    for (const Force& force : response->forces) add_response(names, "force_" + force.name, false);
-    if (!response->bases.empty()) names.emplace_back("responses.uff");
+      add_response(names, direction_names[std::size_t(base)], response->random.has_value());
+    for (const Motion& motion : response->motions)
+      add_response(names, "motion_of_" + name_of(motion),
+                   response->random.has_value() || motion.random.has_value());
+    for (const Force& force : response->forces)
+      add_response(names, "force_" + force.name, force.random.has_value());
+    for (const Together& together : response->together)
+      add_response(names, "together_" + together.name, true);
+    if (!response->bases.empty() || !response->forces.empty()) names.emplace_back("responses.uff");
   }
+  for (const Transient& transient : data.analyses.transients) {
+    names.push_back(transient_file(transient.name));
+    if (transient.spectrum) names.push_back(shock_file(transient.name));
+  }
+  for (const RunUp& run_up : data.analyses.run_ups) names.push_back(run_up_file(run_up.name));
+  if (!data.analyses.run_ups.empty()) names.emplace_back("crossings.csv");
+  if (has_damped_springs(data) || data.analyses.damping.coupled)
+    names.emplace_back("complex_modes.csv");
   if (const auto& levels = data.analyses.levels) {
     for (const int base : levels->bases)
-      names.push_back(std::string("levels_") + bases[std::size_t(base)] + ".csv");
+      names.push_back(std::string("levels_") + direction_names[std::size_t(base)] + ".csv");
     for (const LevelForce& force : levels->forces)
       names.push_back("levels_force_" + force.name + ".csv");
     names.insert(names.end(), {"level_peaks.csv", "level_joints.csv", "level_backbones.csv"});
@@ -67,6 +82,14 @@ void write_results(const Results& results, OutputFolder& out) {
     out.add("motion_" + response_name(r) + ".csv", motion_csv(r));
     if (r.random) out.add("random_" + response_name(r) + ".csv", random_csv(r));
   }
+  for (const TransientResult& t : results.transients) {
+    out.add(transient_file(t.name), transient_csv(t));
+    if (t.spectra) out.add(shock_file(t.name), shock_csv(t));
+  }
+  for (const RunUpResult& r : results.run_ups) out.add(run_up_file(r.name), run_up_csv(r));
+  if (!results.run_ups.empty()) out.add("crossings.csv", crossings_csv(results));
+  if (!results.complex_modes.shapes.empty())
+    out.add("complex_modes.csv", complex_modes_csv(results));
   for (const LevelFamily& family : results.families)
     out.add(levels_name(family) + ".csv", levels_csv(family));
   if (!results.families.empty()) {

@@ -1,6 +1,7 @@
 // What is asked of a case (case.hpp): modes, damping, responses, levels, stress.
 #pragma once
 
+#include "model/description/time_analyses.hpp"
 #include "solve/joint_method.hpp"
 
 #include <array>
@@ -30,12 +31,14 @@ struct LossFactor {
 };
 
 // Fractions of critical, the narrower statement before the wider: a mode by its number, a band,
-// all. Loss factors come on top, weighted by the strain energy of their component.
+// all. Loss factors come on top: weighted by the strain energy of their component in each mode, or,
+// `coupled`, as complex stiffness in the responses, with what they couple.
 struct Damping {
   double modal = 0;
   std::vector<DampingRange> ranges = {};
   std::vector<ModeDamping> modes = {};
   std::vector<LossFactor> loss_factors = {};
+  bool coupled = false;
 };
 
 // One-sided spectral density of an input, (unit)^2/Hz: a constant level, or a table of [Hz,
@@ -55,16 +58,73 @@ struct Force {
   std::optional<ForceNoise> random;
 };
 
+// Motion of some of the mounted caps, along or about an axis through each.
+struct EndMotion {
+  std::vector<std::string> move; // caps
+  int direction = 1;             // 0..5 = x y z rx ry rz
+  double amplitude = 1;          // times the level
+  double phase = 0;              // rad, ahead of the input
+};
+
+// One input that moves chosen ends, the other ones at rest or with it.
+struct Motion : EndMotion {
+  std::string name;            // empty: of the first caps and the direction, "engine_y"
+  std::vector<EndMotion> with; // move with it
+  std::optional<BaseNoise> random;
+};
+std::string name_of(const Motion& motion);
+inline constexpr std::array direction_names{"x", "y", "z", "rx", "ry", "rz"};
+
+// A sine that sweeps while the random input goes on.
+struct Tone {
+  std::string of;                            // a random input, by its name
+  std::array<double, 2> band{};              // Hz
+  std::optional<double> acceleration, force; // amplitude
+};
+
+// One of several inputs that act at once.
+struct InputShare {
+  std::string of;    // excitation by its name
+  double factor = 1; // times its own amplitude or spectral density (squared)
+  double phase = 0;  // rad, ahead of the others
+};
+
+// Of the random parts of several inputs.
+enum class InputCorrelation { none, full };
+
+struct InputCoherence { // of two inputs, in place of `correlation`
+  std::string a, b;
+  double magnitude = 1; // of the complex coherence: |S_ab| / sqrt(S_aa S_bb)
+  double phase = 0;     // rad, of a ahead of b
+};
+
+// Cross-spectral matrix of the inputs in their order, row by row, (unit_a unit_b)/Hz.
+struct SpectrumMatrix {
+  double frequency = 0;
+  std::vector<double> real, imaginary; // imaginary: empty = zero
+};
+
+struct Together {
+  std::string name;
+  std::vector<InputShare> inputs;
+  InputCorrelation correlation = InputCorrelation::none;
+  std::vector<InputCoherence> coherence;
+  std::vector<SpectrumMatrix> spectra; // in place of the densities of the inputs
+};
+
 struct CrossPair { // two channels, "sensor.direction"
   std::string a, b;
 };
 
-// Response of the sensors to motion of the base and to forces, each direction and force on its own.
+// Response of the sensors to motion of the base, of chosen ends and to forces, each on its own.
 struct Response {
-  std::vector<int> bases; // 0..5 = x y z rx ry rz; rotations about the origin
-  double level = 1;       // amplitude of the base, m/s2 or rad/s2
+  std::vector<int> bases;           // 0..5 = x y z rx ry rz; rotations about the origin
+  std::vector<Motion> motions = {}; // of chosen ends
+  double level = 1;                 // amplitude of the base, m/s2 or rad/s2
   std::optional<BaseNoise> random = {};
   std::vector<Force> forces = {};
+  std::vector<Together> together = {};
+  std::vector<Tone> tones = {};
   std::array<double, 2> band{10, 500}; // Hz
   int points = 491; // even steps; eigenfrequencies and clusters round them besides
   std::vector<std::array<double, 2>> rms_bands = {}; // Hz; beside the whole band
@@ -113,10 +173,15 @@ struct Analyses {
   std::optional<Modes> modes;
   Damping damping;
   std::optional<Response> response;
+  std::vector<Transient> transients = {};
+  std::vector<RunUp> run_ups = {};
   std::optional<Levels> levels;
   std::optional<Stress> stress;
   bool error_bars = true; // discretisation and tolerances of the headline numbers
 };
+
+// Names of what excites each on its own: "y", "engine_y", "tap".
+std::vector<std::string> excitation_names(const Response& response);
 
 // Of response and modes, Hz; 0 when neither has a band.
 double highest_frequency(const Analyses& analyses);

@@ -3,6 +3,7 @@
 
 #include "model/description/analyses.hpp"
 #include "model/description/friction_fields.hpp"
+#include "model/description/time_analyses_fields.hpp"
 #include "words/field_types.hpp"
 
 namespace plica {
@@ -42,6 +43,8 @@ template <class V> void fields(V& v, Damping& d) {
   v.list(d.modes, "modes", optional_key, "other values for single modes");
   v.list(d.loss_factors, "loss_factors", optional_key,
          "of components, on top, weighted by their strain energy in each mode");
+  v.flag(d.coupled, "coupled",
+         "loss factors as complex stiffness in the responses, with what they couple");
 }
 
 template <class V> void noise_fields(V& v, Noise& n, Dimension density) {
@@ -67,9 +70,74 @@ template <class V> void fields(V& v, Force& f) {
   v.text(f.name, "name", {.required = true, .name = true}, "name, also of its files");
   v.text(f.at, "at", {.required = true}, "node set, e.g. bellows.crown[14]; spread evenly over it");
   v.choice(f.direction, "direction", directions, required_key, "direction");
-  v.quantity(f.amplitude, "amplitude", {.min = 0, .exclusive_min = true},
+  v.quantity(f.amplitude, "amplitude",
+             {.unit = Dimension::force_or_moment, .min = 0, .exclusive_min = true},
              "in N or Nm, for stress and motion in absolute numbers");
   v.object(f.random, "random", optional_key, "spectral density of the force");
+}
+
+template <class V> void end_motion_fields(V& v, EndMotion& m) {
+  v.one_or_more(m.move, "move", "mounted caps that move; the others stay at rest");
+  v.choice(m.direction, "direction", directions, required_key,
+           "direction; rotations about the middle of each cap");
+  v.quantity(m.amplitude, "amplitude", {}, "times the level");
+  v.quantity(m.phase, "phase", {.unit = Dimension::angle}, "ahead of the input");
+}
+template <class V> void fields(V& v, EndMotion& m) {
+  end_motion_fields(v, m);
+}
+template <class V> void fields(V& v, Motion& m) {
+  v.text(m.name, "name", {.name = true}, "name, also of its files; left out: engine_y");
+  end_motion_fields(v, m);
+  v.list(m.with, "with", optional_key, "ends that move with it, each in its own way");
+  v.object(m.random, "random", optional_key,
+           "spectral density of the acceleration; left out: that of the response");
+}
+
+template <class V> void fields(V& v, Tone& t) {
+  v.text(t.of, "of", {.required = true}, "random input that it rides on, by its name");
+  v.quantities(t.band, "band", {.unit = Dimension::frequency, .required = true, .min = 0},
+               "[from, to] of the sweep");
+  v.quantity(t.acceleration, "acceleration",
+             {.unit = Dimension::acceleration, .min = 0, .exclusive_min = true},
+             "amplitude of a base or of ends, or");
+  v.quantity(t.force, "force",
+             {.unit = Dimension::force_or_moment, .min = 0, .exclusive_min = true},
+             "amplitude of a force");
+}
+
+template <class V> void fields(V& v, InputShare& i) {
+  v.text(i.of, "of", {.required = true}, "a direction of the base, a motion or a force, by name");
+  v.quantity(i.factor, "factor", {}, "times its own amplitude");
+  v.quantity(i.phase, "phase", {.unit = Dimension::angle}, "ahead of the others");
+}
+
+template <class V> void fields(V& v, InputCoherence& c) {
+  v.text(c.a, "a", {.required = true}, "one of the inputs");
+  v.text(c.b, "b", {.required = true}, "another one");
+  v.quantity(c.magnitude, "magnitude", {.unit = Dimension::ratio, .min = 0, .max = 1},
+             "of the complex coherence, |S_ab| / sqrt(S_aa S_bb)");
+  v.quantity(c.phase, "phase", {.unit = Dimension::angle}, "of a ahead of b");
+}
+
+template <class V> void fields(V& v, SpectrumMatrix& s) {
+  v.quantity(s.frequency, "frequency",
+             {.unit = Dimension::frequency, .required = true, .min = 0, .exclusive_min = true},
+             "where it holds; straight between");
+  v.quantities(s.real, "real", {.required = true},
+               "rows of the matrix one after the other, SI of the inputs per Hz");
+  v.quantities(s.imaginary, "imaginary", {}, "likewise; left out: zero");
+}
+
+template <class V> void fields(V& v, Together& t) {
+  v.text(t.name, "name", {.required = true, .name = true}, "name, also of its files");
+  v.list(t.inputs, "inputs", {.required = true, .min_items = 2}, "what acts at once");
+  v.choice(t.correlation, "correlation",
+           {{InputCorrelation::none, "none"}, {InputCorrelation::full, "full"}}, optional_key,
+           "of their random parts: independent, or one signal with the phases given");
+  v.list(t.coherence, "coherence", optional_key, "of pairs, in place of correlation");
+  v.list(t.spectra, "spectra", optional_key,
+         "cross-spectral matrix of the inputs, in place of their own densities");
 }
 
 template <class V> void fields(V& v, CrossPair& c) {
@@ -78,13 +146,15 @@ template <class V> void fields(V& v, CrossPair& c) {
 }
 
 template <class V> void fields(V& v, Response& r) {
-  v.choices(r.bases, "base", directions, {.required = false, .min_items = 1},
-            "directions in which the base moves, one by one");
+  v.choices_or(r.bases, r.motions, "base", directions, {.required = false, .min_items = 1},
+               "directions in which the base moves, one by one; or motions of chosen ends");
   v.quantity(
       r.level, "level", {.unit = Dimension::acceleration, .min = 0, .exclusive_min = true},
       "amplitude of the base acceleration; the model is linear, it scales stress and motion");
   v.object(r.random, "random", optional_key, "spectral density of the base acceleration");
   v.list(r.forces, "forces", optional_key, "forces, one by one, the base at rest");
+  v.list(r.together, "together", optional_key, "several of these at once");
+  v.list(r.tones, "tones", optional_key, "sines that sweep while a random input goes on");
   v.quantities(r.band, "band", {.unit = Dimension::frequency, .min = 0},
                "[from, to] of the frequencies");
   v.whole(r.points, "points", {.min = 2, .max = 1000000},
@@ -119,6 +189,9 @@ template <class V> void fields(V& v, Analyses& a) {
   v.object(a.damping, "damping", optional_key, "damping of the modes");
   v.object(a.response, "response", optional_key,
            "response of the sensors to motion of the base and to forces");
+  v.list(a.transients, "transients", optional_key,
+         "response of the sensors over time to a signal or a shock");
+  v.list(a.run_ups, "run_ups", optional_key, "response to the orders of an engine over its speed");
   v.object(a.levels, "levels", optional_key,
            "response at several levels with the friction of the joints");
   v.object(a.stress, "stress", optional_key,

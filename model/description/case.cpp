@@ -2,13 +2,53 @@
 
 #include "model/description/deck_model.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace plica {
 
 bool is_on_axis(const BeamPart& beam) {
   return std::all_of(beam.points.begin(), beam.points.end(),
                      [](const Triple& p) { return p[0] == 0 && p[2] == 0; });
+}
+
+double outer_radius(const BeamSection& s) {
+  switch (s.shape) {
+  case BeamShape::pipe:
+    return s.radius + s.thickness / 2;
+  case BeamShape::solid:
+    return s.radius;
+  case BeamShape::rectangle:
+    return std::hypot(s.width, s.depth) / 2;
+  case BeamShape::general:
+    return 0;
+  }
+  return 0;
+}
+
+PlaceOnAxis nearest_on_axis(const BeamPart& beam, const Triple& at) {
+  using Eigen::Vector3d;
+  PlaceOnAxis nearest;
+  nearest.distance = std::numeric_limits<double>::infinity();
+  const Vector3d x = Vector3d::Map(at.data());
+  for (std::size_t p = 1; p < beam.points.size(); ++p) {
+    const Vector3d from = Vector3d::Map(beam.points[p - 1].data());
+    const Vector3d along = Vector3d::Map(beam.points[p].data()) - from;
+    const double length = along.squaredNorm();
+    const double share = length > 0 ? std::clamp((x - from).dot(along) / length, 0., 1.) : 0;
+    if (const double d = (x - from - share * along).norm(); d < nearest.distance)
+      nearest = {p - 1, share, d};
+  }
+  return nearest;
+}
+
+std::string name_of(const Motion& motion) {
+  if (!motion.name.empty()) return motion.name;
+  std::string name;
+  for (const std::string& cap : motion.move) name += cap + "_";
+  return name + direction_names[std::size_t(motion.direction)];
 }
 
 double highest_frequency(const Analyses& analyses) {
@@ -27,6 +67,20 @@ bool held_by_deck(const Case& data) {
     const auto* deck = std::get_if<DeckPart>(&part.body);
     return deck != nullptr && deck->held && (!deck->content || !deck->content->supports.empty());
   });
+}
+
+std::vector<std::string> excitation_names(const Response& response) {
+  std::vector<std::string> names;
+  for (const int base : response.bases) names.emplace_back(direction_names[std::size_t(base)]);
+  for (const Motion& motion : response.motions) names.push_back(name_of(motion));
+  for (const Force& force : response.forces) names.push_back(force.name);
+  return names;
+}
+
+bool has_damped_springs(const Case& data) {
+  const auto damped = [](const auto& held) { return held.damping.has_value(); };
+  return std::any_of(data.caps.begin(), data.caps.end(), damped) ||
+         std::any_of(data.mount.begin(), data.mount.end(), damped);
 }
 
 bool has_friction(const Case& data) {

@@ -9,6 +9,7 @@
 #include "model/description/diagnosis_request.hpp"
 #include "model/description/fit_request.hpp"
 #include "model/description/parts.hpp"
+#include "model/description/spring_damping.hpp"
 
 #include <map>
 
@@ -22,6 +23,7 @@ struct Cap {
   std::optional<Sextuple> stiffness =
       {}; // springs between the first end and the others; none = rigid
   std::optional<JointFriction> friction = {}; // beside these springs
+  std::optional<SpringDamping> damping = {};  // of these springs
   double mass = 0;
   Sextuple inertia{}; // about its centre of mass, kg m2
   Triple offset{};    // reference node to centre of mass
@@ -34,6 +36,7 @@ struct Mount {
   MountKind kind = MountKind::rigid;
   Sextuple stiffness{};                       // springs: N/m, N/m, N/m, Nm/rad, Nm/rad, Nm/rad
   std::optional<JointFriction> friction = {}; // beside these springs
+  std::optional<SpringDamping> damping = {};  // of these springs
 };
 
 // Degrees of freedom of a set held to zero.
@@ -101,6 +104,9 @@ struct Case {
 
 // True when a part, a joint, a mount or the plies of a wall have friction or a nonlinear spring.
 bool has_friction(const Case& data);
+
+// True when springs of a joint or of a mount are damped.
+bool has_damped_springs(const Case& data);
 
 // A deck that holds some of its nodes; one that could not be read may.
 bool held_by_deck(const Case& data);

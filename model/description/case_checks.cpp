@@ -6,6 +6,7 @@
 #include "model/description/part_checks.hpp"
 #include "model/description/profile.hpp"
 #include "model/description/response_checks.hpp"
+#include "model/description/spring_damping_checks.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/units.hpp"
 
@@ -74,7 +75,8 @@ double distance(const Triple&, const DeckPart&) {
 }
 // Sections of beams along the axis are rigid: a sensor sits across it where it likes.
 double distance(const Triple& x, const BeamPart& b) {
-  return box_distance(is_on_axis(b) ? Triple{0, x[1], 0} : x, b.points);
+  if (is_on_axis(b)) return box_distance({0, x[1], 0}, b.points);
+  return std::max(0., box_distance(x, b.points) - outer_radius(b.section));
 }
 double section_distance(const Triple& x, double start, double length) {
   const double across = std::max(0.0, std::hypot(x[0], x[2]) - length); // no longer arm than that
@@ -173,6 +175,7 @@ std::vector<InputProblem> check_case(const Case& data, const std::vector<std::st
   check_sensors(data, log);
   check_analyses(data, log);
   check_friction(data, log);
+  check_spring_damping(data, log);
   check_names(data, log);
   check_measured(data, directory, log);
   return std::move(log.problems);

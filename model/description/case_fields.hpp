@@ -8,6 +8,7 @@
 #include "model/description/diagnosis_fields.hpp"
 #include "model/description/fit_fields.hpp"
 #include "model/description/parts_fields.hpp"
+#include "model/description/spring_damping_fields.hpp"
 
 namespace plica {
 
@@ -24,6 +25,7 @@ template <class V> void fields(V& v, Cap& c) {
                "of a joint between the first end and the others: [ux, uy, uz, rx, ry, rz]; left "
                "out: rigid");
   v.object(c.friction, "friction", optional_key, "of that joint, beside its stiffness");
+  v.object(c.damping, "damping", optional_key, "of the springs of that joint");
   v.quantity(c.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
   v.quantities(c.inertia, "inertia", {.unit = Dimension::inertia},
                "about its centre of mass: [xx, yy, zz, xy, yz, zx]");
@@ -42,6 +44,7 @@ template <class V> void fields(V& v, Mount& m) {
                   .tail = Dimension::rotational_stiffness},
                  "of six springs to the table: [ux, uy, uz, rx, ry, rz]");
   v.object(m.friction, "friction", optional_key, "beside these springs");
+  v.object(m.damping, "damping", optional_key, "of these springs");
 }
 
 template <class V> void fields(V& v, Support& s) {

@@ -68,6 +68,11 @@ public:
            const char*) {}
   void choices(std::vector<int>&, const char*, const std::vector<Named<int>>&, const Need&,
                const char*) {}
+  template <class T>
+  void choices_or(std::vector<int>&, std::vector<T>& maps, const char* key,
+                  const std::vector<Named<int>>&, const Need& need, const char* help) {
+    list(maps, key, need, help);
+  }
   template <class E>
   void word(E&, const std::type_identity_t<std::vector<Named<E>>>&, const std::type_identity_t<E>&,
             const char*) {}

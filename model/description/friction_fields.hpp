@@ -126,8 +126,12 @@ template <class V> void fields(V& v, LevelForce& f) {
   v.text(f.at, "at", {.required = true}, "node set, the force is spread evenly over its nodes");
   v.choice(f.direction, "direction", directions, required_key, "of the force or moment");
   v.quantities(f.levels, "levels",
-               {.required = true, .min = 0, .exclusive_min = true, .min_items = 1},
-               "amplitudes, increasing, N or Nm");
+               {.unit = Dimension::force_or_moment,
+                .required = true,
+                .min = 0,
+                .exclusive_min = true,
+                .min_items = 1},
+               "amplitudes, increasing");
 }
 
 template <class V> void fields(V& v, Levels& l) {

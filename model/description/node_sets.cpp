@@ -46,6 +46,7 @@ void add_sets(const std::string& name, const BeamPart& b, std::vector<std::strin
   for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
   for (std::size_t k = 1; k <= b.points.size(); ++k)
     sets.push_back(name + ".point[" + std::to_string(k) + "]");
+  for (const LinePlace& place : b.places) sets.push_back(name + "." + place.name);
 }
 void add_sets(const std::string&, const PointMass&, std::vector<std::string>&) {}
 void add_ends(const std::string& name, std::vector<std::string>& sets) {
@@ -79,6 +80,11 @@ std::vector<std::string> end_names(const Case& data) {
     if (std::holds_alternative<Plate>(part.body)) names = {"edge1", "edge2", "edge3", "edge4"};
     for (const char* name : names) ends.push_back(part.name + "." + name);
     std::vector<std::string> sets;
+    if (const auto* beam = std::get_if<BeamPart>(&part.body)) {
+      for (std::size_t k = 1; k <= beam->points.size(); ++k)
+        ends.push_back(part.name + ".point[" + std::to_string(k) + "]");
+      for (const LinePlace& place : beam->places) ends.push_back(part.name + "." + place.name);
+    }
     if (const auto* surface = std::get_if<SurfacePart>(&part.body))
       add_sets(part.name, *surface, sets);
     if (const auto* deck = std::get_if<DeckPart>(&part.body)) add_sets(part.name, *deck, sets);

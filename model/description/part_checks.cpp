@@ -136,6 +136,14 @@ void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog
                 " does not fit a mid-surface radius of " + millimetres(b.section.radius),
             "it must be below " + millimetres(2 * b.section.radius));
   if (!log.fine(key + ".points") || !log.fine(key + ".up")) return;
+  for (const LinePlace& place : b.places) {
+    const std::string own = key + ".places." + place.name;
+    if (const double off = nearest_on_axis(b, place.at).distance; log.fine(own) && off > 1e-3)
+      log.add(own + ".at", "is " + millimetres(off) + " off the axis of the beam",
+              "a place on the axis, within 1 mm; sensors sit on its surface");
+    if (place.name == "start" || place.name == "end" || place.name == "all")
+      log.add(own, "is a set that every beam has", "another name");
+  }
   for (std::size_t i = 1; i < b.points.size(); ++i) {
     const Triple &p = b.points[i - 1], &q = b.points[i];
     const Triple d{q[0] - p[0], q[1] - p[1], q[2] - p[2]};

@@ -159,12 +159,30 @@ struct DeckPart {
   std::shared_ptr<const DeckModel> content = {}; // read with the case
 };
 
+// A place on the axis of a beam, where the mesh has a node: the set "beam.hanger".
+struct LinePlace {
+  std::string name;
+  Triple at{};
+};
+
 struct BeamPart {
   std::vector<Triple> points; // the axis, straight between points
   int elements = 1;           // per stretch
   Triple up{0, 0, 1};         // local z lies in the plane of the axis and this vector
   BeamSection section;
+  std::vector<LinePlace> places = {};
 };
+
+// Of what of the section lies farthest from the axis, m; 0 for stiffness given as numbers.
+double outer_radius(const BeamSection& section);
+
+// Where the axis of a beam comes nearest to a point: its stretch from 0, the share of it from its
+// start, and the distance.
+struct PlaceOnAxis {
+  std::size_t stretch = 0;
+  double share = 0, distance = 0;
+};
+PlaceOnAxis nearest_on_axis(const BeamPart& beam, const Triple& at);
 
 bool is_on_axis(const BeamPart& beam); // all its points are
 

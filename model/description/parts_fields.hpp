@@ -249,12 +249,18 @@ template <class V> void fields(V& v, BeamSection& s) {
              "rotary inertia per length about the axis");
 }
 
+template <class V> void fields(V& v, LinePlace& p) {
+  v.quantities(p.at, "at", {.unit = Dimension::length, .required = true}, "[x, y, z] on the axis");
+}
+
 template <class V> void fields(V& v, BeamPart& b) {
   v.points(b.points, "points", {.unit = Dimension::length, .required = true, .min_items = 2},
            "[x, y, z] of the axis, straight between points");
   v.whole(b.elements, "elements", {.min = 1, .max = 10000}, "elements per straight stretch");
   v.quantities(b.up, "up", {}, "local z lies in the plane of the axis and this vector");
   v.object(b.section, "section", required_key, "cross-section");
+  v.named(b.places, &LinePlace::name, "places", optional_key,
+          "where caps, masses and forces may sit besides its points, as sets beam.<name>");
 }
 
 template <class V> void fields(V& v, PointMass& m) {

@@ -37,11 +37,25 @@ int add_spider(Building& b, const std::string& cap, const std::vector<int>& circ
   return node;
 }
 
+// As stated at the springs, with the loss factor that the damping of the case couples.
+void add_dampers(Building& b, const std::string& place, int node1, int node2,
+                 const Sextuple& stiffness, const std::optional<SpringDamping>& own) {
+  SpringDamping law = own.value_or(SpringDamping{});
+  if (b.data.analyses.damping.coupled)
+    for (const LossFactor& loss : b.data.analyses.damping.loss_factors)
+      if (loss.of == place) law.loss_factor += loss.value;
+  for (int dof = 0; dof < 6; ++dof)
+    if (added_stiffness(law, dof, stiffness[dof], {0, 1}) != 0. ||
+        added_stiffness(law, dof, stiffness[dof], {0, 1e3}) != 0.)
+      b.built.dampers.push_back({place, node1, node2, dof, stiffness[dof], law});
+}
+
 void add_joint(Building& b, const Cap& cap, int node, const std::vector<int>& others) {
   BushingElement joint{.node1 = node, .node2 = add_spider(b, cap.name, others), .bushing = {}};
   joint.component = b.component("caps." + cap.name);
   for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = (*cap.stiffness)[i];
   b.built.model.bushings.push_back(joint);
+  add_dampers(b, "caps." + cap.name, joint.node1, joint.node2, *cap.stiffness, cap.damping);
   if (cap.friction)
     add_joints(b.built.joints, {"caps." + cap.name, 0, joint.node1, joint.node2, joint.component},
                directional_laws(*cap.friction));
@@ -57,6 +71,26 @@ std::pair<int, double> nearest_section(const Building& b, const Vector3d& x) {
       if (const double along = std::abs(b.built.model.mesh.nodes[node].y() - x.y());
           along < nearest.second)
         nearest = {node, along};
+  return nearest;
+}
+
+// A node of a beam whose section reaches to the sensor, and what is missing along the axis and
+// beyond the section.
+std::pair<int, double> nearest_beam(const Building& b, const Sensor& sensor) {
+  std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
+  const auto& mesh = b.built.model.mesh;
+  for (const Part& part : b.data.parts) {
+    const auto* beam = std::get_if<BeamPart>(&part.body);
+    if (!beam || is_on_axis(*beam)) continue;
+    const PlaceOnAxis at = nearest_on_axis(*beam, sensor.at);
+    const Vector3d from = vector(beam->points[at.stretch]);
+    const Vector3d on_axis = from + at.share * (vector(beam->points[at.stretch + 1]) - from);
+    const int node = nearest_of(mesh, mesh.sets.at(part.name + ".all"), on_axis);
+    const double off = std::max(0., at.distance - outer_radius(beam->section));
+    if (const double missing = std::hypot(off, (mesh.nodes[node] - on_axis).norm());
+        missing < nearest.second)
+      nearest = {node, missing};
+  }
   return nearest;
 }
 
@@ -102,6 +136,7 @@ void add_mount(Building& b) {
     spring.component = b.component("mount." + mount.cap);
     for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = mount.stiffness[i];
     b.built.model.bushings.push_back(spring);
+    add_dampers(b, "mount." + mount.cap, -1, node, mount.stiffness, mount.damping);
     if (mount.friction)
       add_joints(b.built.joints, {"mount." + mount.cap, 0, -1, node, spring.component},
                  directional_laws(*mount.friction));
@@ -112,7 +147,11 @@ void place_sensors(Building& b) {
   for (std::size_t i = 0; i < b.data.sensors.size(); ++i) {
     const Sensor& sensor = b.data.sensors[i];
     auto [node, distance] = nearest_node(b.built.model.mesh, vector(sensor.at));
-    const auto [axis_node, along] = nearest_section(b, vector(sensor.at));
+    auto [axis_node, along] = nearest_section(b, vector(sensor.at));
+    if (const auto [beam_node, off] = nearest_beam(b, sensor); off < along) {
+      axis_node = beam_node;
+      along = off;
+    }
     if (distance > sensor.reach && along < distance) {
       node = add_node(b.built.model, vector(sensor.at));
       add_kinematic_coupling(b.built.model, axis_node, {node}, all_dofs,

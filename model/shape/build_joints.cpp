@@ -100,18 +100,21 @@ void add_springs(Model& model, std::vector<BuiltJoint>& joints, JointState state
     if (!spring.bushing.law.isZero(0)) model.bushings.push_back(spring);
 }
 
-VectorXd unit_force(const Model& model, const BuiltJoint& joint) {
+VectorXd unit_force(const Model& model, int node1, int node2, int dof) {
   VectorXd force = VectorXd::Zero(dof_count(model));
   const auto& x = model.mesh.nodes;
-  const Vector3d middle =
-      joint.node1 < 0 ? x[joint.node2] : Vector3d((x[joint.node1] + x[joint.node2]) / 2);
-  for (const auto& [node, sign] : {std::pair{joint.node1, -1.}, std::pair{joint.node2, 1.}}) {
+  const Vector3d middle = node1 < 0 ? x[node2] : Vector3d((x[node1] + x[node2]) / 2);
+  for (const auto& [node, sign] : {std::pair{node1, -1.}, std::pair{node2, 1.}}) {
     if (node < 0) continue;
-    force[6 * node + joint.dof] += sign;
-    if (joint.dof >= 3) continue;
-    force.segment<3>(6 * node + 3) += sign * (middle - x[node]).cross(Vector3d::Unit(joint.dof));
+    force[6 * node + dof] += sign;
+    if (dof >= 3) continue;
+    force.segment<3>(6 * node + 3) += sign * (middle - x[node]).cross(Vector3d::Unit(dof));
   }
   return force;
+}
+
+VectorXd unit_force(const Model& model, const BuiltJoint& joint) {
+  return unit_force(model, joint.node1, joint.node2, joint.dof);
 }
 
 Eigen::MatrixXd unit_forces(const Model& model, const std::vector<BuiltJoint>& joints) {

@@ -42,6 +42,18 @@ std::optional<std::vector<JointLaw>> laws_in(const Case& data,
 // slipping, with their nonlinear springs alone, which then have that slope taken off.
 void add_springs(Model& model, std::vector<BuiltJoint>& joints, JointState state);
 
+// A spring of a mount or of a joint between ends whose damping the case states.
+struct BuiltDamper {
+  std::string place;        // "mount.engine", "caps.clamp"
+  int node1 = 0, node2 = 0; // node1 = -1: the ground
+  int dof = 0;
+  double stiffness = 0; // of the spring, in the model
+  SpringDamping law;
+};
+
+// Forces over all DOFs of a unit force along `dof` between the nodes (node1 = -1: the ground), in
+// the middle of both; by them the motion of node2 against node1 is f' u.
+Eigen::VectorXd unit_force(const Model& model, int node1, int node2, int dof);
 // Forces over all DOFs of a unit force in the joint; by them its motion is f' u.
 Eigen::VectorXd unit_force(const Model& model, const BuiltJoint& joint);
 Eigen::MatrixXd unit_forces(const Model& model,

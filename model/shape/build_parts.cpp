@@ -134,16 +134,46 @@ void add(Building& b, const std::string& name, const DeckPart& deck) {
   }
 }
 
+// Shares of a stretch where it has nodes: even steps, its places, and what sensors need that sit
+// farther than their reach from a node of the even steps.
+std::vector<double> shares_of(const Building& b, const BeamPart& beam, std::size_t stretch) {
+  constexpr double same = 1e-6; // of the stretch
+  std::vector<double> shares;
+  for (int e = 0; e <= beam.elements; ++e) shares.push_back(double(e) / beam.elements);
+  const auto add = [&](double share) {
+    if (std::none_of(shares.begin(), shares.end(),
+                     [&](double other) { return std::abs(other - share) < same; }))
+      shares.push_back(share);
+  };
+  for (const LinePlace& place : beam.places)
+    if (const PlaceOnAxis at = nearest_on_axis(beam, place.at); at.stretch == stretch)
+      add(at.share);
+  const double length = (vector(beam.points[stretch + 1]) - vector(beam.points[stretch])).norm();
+  const std::size_t regular = shares.size();
+  for (const Sensor& sensor : b.data.sensors) {
+    const PlaceOnAxis at = nearest_on_axis(beam, sensor.at);
+    if (at.stretch != stretch || at.distance > outer_radius(beam.section) + sensor.reach) continue;
+    if (std::none_of(shares.begin(), shares.begin() + std::ptrdiff_t(regular), [&](double other) {
+          return std::abs(other - at.share) * length <= sensor.reach;
+        }))
+      add(at.share);
+  }
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
 void add(Building& b, const std::string& name, const BeamPart& beam) {
   const BeamProperties section = beam_properties(b, beam.section);
   const int own = b.component(name);
   const int first = add_node(b.built.model, vector(beam.points.front()));
-  b.built.model.mesh.sets[name + ".point[1]"] = {first};
+  auto& sets = b.built.model.mesh.sets;
+  sets[name + ".point[1]"] = {first};
   int previous = first;
   for (std::size_t p = 1; p < beam.points.size(); ++p) {
     const Vector3d from = vector(beam.points[p - 1]), to = vector(beam.points[p]);
-    for (int e = 1; e <= beam.elements; ++e) {
-      const int next = add_node(b.built.model, from + (to - from) * e / beam.elements);
+    const std::vector<double> shares = shares_of(b, beam, p - 1);
+    for (std::size_t e = 1; e < shares.size(); ++e) {
+      const int next = add_node(b.built.model, from + (to - from) * shares[e]);
       b.built.model.beams.push_back({.node1 = previous,
                                      .node2 = next,
                                      .section = section,
@@ -151,9 +181,12 @@ void add(Building& b, const std::string& name, const BeamPart& beam) {
                                      .component = own});
       previous = next;
     }
-    b.built.model.mesh.sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
+    sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
   }
   name_line(b, name, first, previous);
+  for (const LinePlace& place : beam.places)
+    sets[name + "." + place.name] = {
+        nearest_of(b.built.model.mesh, sets.at(name + ".all"), vector(place.at))};
   if (is_on_axis(beam)) b.rigid_sections.push_back(name);
 }
 

@@ -14,7 +14,8 @@ struct BuiltSensor {
 
 struct BuiltCase {
   Model model;
-  std::vector<BuiltJoint> joints;       // with friction or nonlinear springs
+  std::vector<BuiltJoint> joints; // with friction or nonlinear springs
+  std::vector<BuiltDamper> dampers;
   std::map<std::string, int> cap_nodes; // reference node of each cap
   std::vector<int> held_nodes;          // reference nodes of rigidly mounted caps
   std::vector<BuiltSensor> sensors;

@@ -59,7 +59,7 @@ std::vector<JointLaw> laws_of(const std::vector<BuiltJoint>& joints) {
 
 JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& route) {
   const Levels& levels = *data.analyses.levels;
-  const Excitations excited = excitations(as_response(levels), slipping.model);
+  const Excitations excited = excitations(as_response(levels), slipping);
   const Index count = Index(excited.list.size());
   // Modes beyond the band as far as the third harmonic; static answers to all forces stand for the
   // rest.

@@ -191,7 +191,7 @@ public:
       : model_(model), levels_(levels), part_(excited_part(model, excitation)) {
     const Excitation& e = model.excitations[std::size_t(excitation)];
     result_.excitation = e.name;
-    result_.is_force = e.is_force;
+    result_.is_force = e.source == Source::force;
     result_.unit = e.unit;
     result_.channels = model.channels;
     result_.joints = int(part_.joints.size());
@@ -201,7 +201,7 @@ public:
     result_.harmonics = balance ? levels.harmonics : 1;
     const auto forces =
         std::size_t(excitation) - std::min(levels.bases.size(), std::size_t(excitation));
-    values_ = e.is_force ? levels.forces[forces].levels : levels.levels;
+    values_ = e.source == Source::force ? levels.forces[forces].levels : levels.levels;
   }
 
   LevelFamily run(const StageListener& stage) {

@@ -2,14 +2,11 @@
 
 #include "model/description/connector_curve.hpp"
 #include "model/shape/doubts.hpp"
-#include "run/analyses/damping.hpp"
+#include "run/analyses/dynamics.hpp"
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
-#include "run/analyses/mode_names.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/routes/ply_slip.hpp"
-#include "solve/drilling.hpp"
-#include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
 
@@ -36,7 +33,10 @@ public:
     describe();
     if (has_friction(case_)) let_slip();
     if (case_.analyses.statics.value_or(true) && case_.caps.size() == 2) statics();
-    if (case_.analyses.modes) modes();
+    if (case_.analyses.modes) {
+      run_dynamics(case_, built_, *route_, stage_, results_);
+      watch_ = Stopwatch();
+    }
     if (case_.analyses.levels) levels();
     results_.peak_memory = peak_memory();
     return std::move(results_);
@@ -200,162 +200,6 @@ private:
                  (r.settled ? "differs by " + std::to_string(std::lround(100 * r.difference)) +
                                   " %: more harmonics or samples"
                             : "does not settle to the motion of the harmonic balance"));
-  }
-
-  void modes() {
-    const Modes& asked = *case_.analyses.modes;
-    const std::optional<Response>& response = case_.analyses.response;
-    std::optional<Excitations> excited;
-    if (response) excited = excitations(*response, built_.model);
-    std::vector<int> sensors;
-    for (const BuiltSensor& s : built_.sensors) sensors.push_back(s.node);
-    const ModalSolution solution =
-        route_->modes({.count = asked.count, .band = asked.band, .proof = asked.proof},
-                      excited ? excited->loads : Loads{}, sensors);
-    for (const auto& [name, seconds] : solution.timing) results_.timing[name] += seconds;
-    watch_ = Stopwatch();
-    stage_("labels");
-    const ModalDamping damping = modal_damping(case_.analyses.damping, built_.model,
-                                               solution.lambda, solution.u, solution.modes);
-    const DampedModes damped{solution, damping.zeta, damping.eta};
-    warn_of_what_does_nothing(damped, excited ? &*excited : nullptr);
-    add_modes(damped);
-    warn_of_drilling(solution);
-    verify(solution.proof, solution.with_mass);
-    lap("labels");
-    if (excited) respond(*response, damped, *excited);
-    if (!case_.analyses.stress) return;
-    stage_("stress");
-    for (StressResult& s : dynamic_stresses(*case_.analyses.stress, response ? &*response : nullptr,
-                                            built_.model, damped, excited ? &*excited : nullptr))
-      results_.stresses.push_back(std::move(s));
-    lap("stress");
-  }
-
-  void warn_of_what_does_nothing(const DampedModes& modes, const Excitations* excited) {
-    for (const ModeDamping& m : case_.analyses.damping.modes)
-      if (m.mode > modes.solution.modes)
-        results_.warnings.push_back("damping of mode " + std::to_string(m.mode) + ": only " +
-                                    std::to_string(modes.solution.modes) + " modes were found");
-    if (!excited) return;
-    for (std::size_t k = 0; k < excited->list.size(); ++k)
-      if (modes.solution.input.col(Eigen::Index(k)).cwiseAbs().maxCoeff() == 0)
-        results_.warnings.push_back(
-            (excited->list[k].is_force ? "force " : "motion of the base in ") +
-            excited->list[k].name + " moves nothing: what it acts on is held");
-  }
-
-  // Modes whose frequency is that of the mesh.
-  void warn_of_drilling(const ModalSolution& s) {
-    constexpr double physics = 0.05; // of the strain energy: more is no rounding of the tie
-    std::map<int, std::string> modes_at;
-    const auto shares =
-        drilling_shares(built_.model, s.u.leftCols(s.modes), s.lambda.head(s.modes));
-    for (std::size_t i = 0; i < shares.size(); ++i)
-      if (shares[i].share > physics && results_.modes[i].shape != "rigid")
-        modes_at[shares[i].node] +=
-            (modes_at[shares[i].node].empty() ? "" : ", ") + std::to_string(i + 1);
-    for (const auto& [node, modes] : modes_at) {
-      const Eigen::Vector3d& x = built_.model.mesh.nodes[std::size_t(node)];
-      const std::string at = fmt::sprintf("[%.4g, %.4g, %.4g] m", x[0], x[1], x[2]);
-      results_.warnings.push_back(
-          "mode " + modes + ": what sits on the one shell node at " + at +
-          " turns about the normal of the wall, where a shell has no stiffness: the frequency is "
-          "that of the mesh and has no limit. Put it on a set of nodes (a cap or a mass on a set "
-          "of several nodes, such as an edge), or take the lever in the plane of the wall away");
-    }
-  }
-
-  void respond(const Response& asked, const DampedModes& modes, const Excitations& excited) {
-    stage_("response");
-    results_.responses = responses(asked, built_, modes, excited);
-    const double last = frequency(modes.solution.lambda[modes.solution.modes - 1]);
-    if (last < asked.band[1])
-      results_.warnings.push_back("the modes end at " + std::to_string(std::lround(last)) +
-                                  " Hz: above, the response holds only their static part and no "
-                                  "peak is listed; ask for modes up to twice the band");
-    lap("response");
-  }
-
-  // A free body's modes that are not told from zero, by the lowest that is, or for rounding. Where
-  // all are rigid, sigma lies above them.
-  static std::vector<bool> rigid_modes(const ModalSolution& s) {
-    const double scale = std::max(s.modes > 0 ? s.lambda[s.modes - 1] : 0, s.proof.sigma);
-    double elastic = scale;
-    for (Eigen::Index i = s.modes - 1; i >= 0; --i)
-      if (s.lambda[i] > 1e-6 * scale && s.lambda[i] > s.rounding[i]) elastic = s.lambda[i];
-    std::vector<bool> rigid;
-    for (Eigen::Index i = 0; i < s.modes; ++i)
-      rigid.push_back(s.free_body && s.lambda[i] < std::max(1e-6 * elastic, s.rounding[i]));
-    return rigid;
-  }
-
-  void add_modes(const DampedModes& damped) {
-    const ModalSolution& s = damped.solution;
-    const std::vector<bool> rigid = rigid_modes(s);
-    const MatrixXd effective = s.participation.array().square();
-    for (Eigen::Index i = 0; i < s.modes; ++i) {
-      const Eigen::Matrix<double, 6, 1> m = effective.row(i).transpose();
-      const ModeLabel label = label_mode(built_.model, s.u.col(i), rigid[std::size_t(i)],
-                                         m.cwiseQuotient(s.free_mass.cwiseMax(1e-300)));
-      ModeResult mode{.frequency = frequency(s.lambda[i]),
-                      .damping = damped.zeta[i] + damped.eta[i] / 2,
-                      .effective_mass = {},
-                      .shape = label.shape,
-                      .direction = label.direction,
-                      .order = label.order,
-                      .harmonic = label.harmonic,
-                      .place = "",
-                      .residual = s.residual[i]};
-      std::copy(m.begin(), m.end(), mode.effective_mass.begin());
-      results_.modes.push_back(mode);
-      Eigen::MatrixXd shape =
-          Eigen::Map<const MatrixXd>(s.u.col(i).data(), 6, s.u.rows() / 6).transpose();
-      results_.shapes.push_back(std::move(shape));
-    }
-    tell_apart(results_.modes, built_.model, s.u);
-    std::copy(s.free_mass.begin(), s.free_mass.end(), results_.free_mass.begin());
-    const Eigen::RowVectorXd sum = effective.colwise().sum();
-    std::copy(sum.begin(), sum.end(), results_.effective_mass_sum.begin());
-  }
-
-  void warn_of_the_cutoff(const Modes& asked) {
-    const double cutoff = results_.reduced->cutoff;
-    const auto above = std::count_if(results_.modes.begin(), results_.modes.end(),
-                                     [&](const ModeResult& m) { return m.frequency > cutoff; });
-    const std::string hertz = std::to_string(std::lround(cutoff)) + " Hz";
-    if (above > 0)
-      results_.warnings.push_back(std::to_string(above) + " modes lie above the cut-off of " +
-                                  hertz +
-                                  " of analyses.reduction and are not those of the whole model");
-    if (asked.band[1] == 0 && static_cast<int>(results_.modes.size()) < asked.count)
-      results_.warnings.push_back("the reduced model has " + std::to_string(results_.modes.size()) +
-                                  " modes, fewer than asked for: raise the cut-off of " + hertz +
-                                  " of analyses.reduction");
-  }
-
-  void verify(const ModesProof& proof, int with_mass) {
-    results_.verification = {.made = proof.made,
-                             .sigma_frequency = frequency(proof.sigma),
-                             .inertia_count = proof.inertia_count,
-                             .found = proof.found,
-                             .max_residual = proof.max_residual,
-                             .orthogonality = proof.orthogonality,
-                             .rounding = proof.rounding,
-                             .passed = proof.passed,
-                             .reason = proof.reason,
-                             .of = results_.reduced ? "the reduced model" : ""};
-    const Modes& asked = *case_.analyses.modes;
-    if (results_.reduced)
-      warn_of_the_cutoff(asked);
-    else if (static_cast<int>(results_.modes.size()) < asked.count)
-      results_.warnings.push_back("there are " + std::to_string(results_.modes.size()) +
-                                  " modes, fewer than asked for: " +
-                                  (static_cast<int>(results_.modes.size()) >= with_mass
-                                       ? "no more degrees of freedom have mass"
-                                       : "the others lie so far above them that rounding hides "
-                                         "them (a mass or a stiffness is beyond 1e13 times "
-                                         "another)"));
   }
 
   const Case& case_;

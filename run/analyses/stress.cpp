@@ -50,7 +50,7 @@ StressResult column_stress(const std::string& kind, const std::string& name,
 
 // "base y, 10 m/s2" or "force tap, 1 N"
 std::string name_of(const Excitation& e) {
-  return (e.is_force ? "force " : "base ") + e.name + ", " + text(e.amplitude) + " " + e.unit;
+  return title_of(e) + (e.unit.empty() ? "" : ", " + text(e.amplitude) + " " + e.unit);
 }
 
 double largest_displacement(const MatrixXd& u, Eigen::Index column) {
@@ -69,22 +69,27 @@ StressResult harmonic(const Excitation& e, double hertz, const Eigen::VectorXcd&
                 mesh);
 }
 
-// Integral of S Re(q_j conj q_k) over the frequencies.
-MatrixXd covariance(const SpectralDensity& input, const VectorXd& hertz, const MatrixXcd& q) {
-  VectorXd weight = VectorXd::Zero(hertz.size());
-  for (Eigen::Index i = 1; i < hertz.size(); ++i) {
-    const double half = (hertz[i] - hertz[i - 1]) / 2;
-    weight[i - 1] += half * density_at(input, hertz[i - 1]);
-    weight[i] += half * density_at(input, hertz[i]);
+// Integral of Re(q_j conj q_k) over the frequencies, q = Q L of what the inputs move and a root of
+// their spectrum.
+MatrixXd covariance(const Excitation& e, const ModalResponse& response, const VectorXd& hertz) {
+  std::vector<MatrixXcd> unit;
+  for (const ExcitedColumns& input : e.random_inputs) unit.push_back(response(input, hertz));
+  const auto inputs = Eigen::Index(unit.size()), modes = unit[0].cols();
+  MatrixXcd q = MatrixXcd::Zero(hertz.size() * inputs, modes), Q(inputs, modes);
+  for (Eigen::Index i = 0; i < hertz.size(); ++i) {
+    const double before = i > 0 ? hertz[i] - hertz[i - 1] : 0;
+    const double after = i + 1 < hertz.size() ? hertz[i + 1] - hertz[i] : 0;
+    for (Eigen::Index k = 0; k < inputs; ++k) Q.row(k) = unit[std::size_t(k)].row(i);
+    q.middleRows(i * inputs, inputs) =
+        std::sqrt((before + after) / 2) *
+        (root_of_spectrum(spectrum_at(e.random, hertz[i])).transpose() * Q);
   }
-  return q.real().transpose() * weight.asDiagonal() * q.real() +
-         q.imag().transpose() * weight.asDiagonal() * q.imag();
+  return q.real().transpose() * q.real() + q.imag().transpose() * q.imag();
 }
 
 StressResult random_stress(const Excitation& e, const MatrixXd& C, const StressField& field,
                            const Mesh& mesh) {
-  const std::string name = std::string(e.is_force ? "force " : "base ") + e.name + ", RMS";
-  return result("rms", name,
+  return result("rms", title_of(e) + ", RMS",
                 stress_peaks(
                     field, nodes_of(mesh), [&](const auto& s) { return von_mises_rms(s, C); },
                     [&](const auto& s) { return std::sqrt((s * C * s.transpose()).value()); }),
@@ -118,14 +123,14 @@ std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* 
   const VectorXd at =
       VectorXd::Map(asked.frequencies.data(), Eigen::Index(asked.frequencies.size()));
   const VectorXd grid = response_grid(*response, modes);
-  for (std::size_t k = 0; k < excited->list.size(); ++k) {
-    const Excitation& e = excited->list[k];
-    const MatrixXcd q = e.amplitude * modal_coordinates(modes, int(k), at);
+  const auto columns = modes.solution.u.cols();
+  const ModalResponse response_of(modes, MatrixXd::Identity(columns, columns));
+  for (const Excitation& e : excited->list) {
+    const MatrixXcd q = e.amplitude * response_of(e.parts, at);
     for (Eigen::Index i = 0; i < at.size(); ++i)
       results.push_back(harmonic(e, at[i], q.row(i).transpose(), field, model.mesh));
-    if (e.random.table.empty()) continue;
-    const MatrixXcd unit = modal_coordinates(modes, int(k), grid);
-    results.push_back(random_stress(e, covariance(e.random, grid, unit), field, model.mesh));
+    if (!e.random_inputs.empty())
+      results.push_back(random_stress(e, covariance(e, response_of, grid), field, model.mesh));
   }
   return results;
 }

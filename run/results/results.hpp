@@ -4,6 +4,7 @@
 #include "mesh/mesh.hpp"
 #include "model/description/connector_curve.hpp"
 #include "run/results/level_results.hpp"
+#include "run/results/time_results.hpp"
 
 #include <Eigen/Core>
 #include <array>
@@ -45,6 +46,15 @@ struct ModeResult {
   int harmonic = -1;   // circumferential order; -1 = not a body of revolution
   std::string place;   // of most of its strain energy, where another mode is called the same
   double residual = 0; // ||K phi - w2 M phi|| / ||K phi||
+  std::optional<double> damped_frequency = {}; // |s| / 2 pi of the complex mode, where there is one
+};
+
+// Modes with dampers and coupled loss factors: T(s) phi = 0, in the order of the real ones.
+struct ComplexModesResult {
+  bool complete = false; // as many as the real modes
+  int oscillating = 0, overdamped = 0;
+  std::string reason;                   // why not
+  std::vector<Eigen::VectorXcd> shapes; // of the channels of the sensors, three per sensor
 };
 
 // Proof that no mode below `sigma` is missing.
@@ -79,6 +89,7 @@ struct ResponsePeak {
   int channel = 0;
   double frequency = 0, amplitude = 0;
   double damping = 0; // half power; NaN where a neighbour covers a flank
+  double phase = 0;   // rad, of the acceleration ahead of the excitation
 };
 
 struct BandRms {
@@ -92,12 +103,21 @@ struct CrossDensity {
   Eigen::VectorXcd density;
 };
 
+// A sine that sweeps beside a random input, at its worst frequency for each channel.
+struct ToneResult {
+  std::array<double, 2> band{};    // Hz
+  double amplitude = 0;            // of the input
+  Eigen::VectorXd frequency, sine; // per channel: Hz, amplitude in m/s2
+  Eigen::VectorXd rms;             // of sine and random motion together, m/s2
+};
+
 // Stationary response to a random input; one-sided densities, (m/s2)^2/Hz per channel.
 struct RandomResult {
-  Eigen::VectorXd input;      // per frequency
+  Eigen::VectorXd input;      // per frequency; empty for several inputs together
   Eigen::MatrixXd density;    // frequencies x channels
   std::vector<BandRms> bands; // the whole band first
   std::vector<CrossDensity> cross;
+  std::vector<ToneResult> tones;
 };
 
 // A measured response of one channel, beside the computed one.
@@ -107,13 +127,18 @@ struct TestCurve {
   std::optional<double> level; // of the excitation
 };
 
-// Acceleration of the sensors in their own axes: absolute and per base acceleration
-// (transmissibility), or per N (Nm) of a force with the base at rest.
+// What excites: everything that is mounted, chosen ends of it, a force, or several of these.
+enum class Source { base, ends, force, together };
+
+// Acceleration of the sensors in their own axes: absolute and per acceleration of the base or of
+// the ends that move (transmissibility), or per N (Nm) of a force with the base at rest; under
+// several inputs together as it is, in m/s2.
 struct ResponseResult {
-  std::string excitation; // base: x y z rx ry rz; or the name of the force
-  bool is_force = false;
-  double level = 1; // amplitude of the excitation
-  std::string unit; // of the excitation: m/s2 rad/s2 N Nm
+  std::string excitation; // base: x y z rx ry rz; or the name of the motion or force
+  Source source = Source::base;
+  std::string direction = {}; // of a force: x y z rx ry rz
+  double level = 1;           // amplitude of the excitation
+  std::string unit;           // of the excitation: m/s2 rad/s2 N Nm; empty for several together
   Eigen::VectorXd hertz;
   std::vector<std::pair<std::string, std::string>> channels; // sensor, axis: three per sensor
   Eigen::MatrixXcd acceleration;                             // frequencies x channels
@@ -212,6 +237,9 @@ struct Results {
   std::vector<ModeResult> modes;
   std::vector<SensorResult> sensors;
   std::vector<ResponseResult> responses;
+  ComplexModesResult complex_modes;
+  std::vector<TransientResult> transients;
+  std::vector<RunUpResult> run_ups;
   std::vector<LevelFamily> families;     // responses at several levels
   std::optional<SlippingLimit> slipping; // where joints have friction
   std::vector<StressResult> stresses;

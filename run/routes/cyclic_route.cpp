@@ -98,7 +98,7 @@ public:
       solution.with_mass +=
           (model_.is_pair(family.system.harmonic.n) ? 2 : 1) * dofs_with_mass(family.M);
     }
-    if (!loads.base.empty()) require_held(solution.free_body);
+    if (!loads.base.empty()) require_held(solution.free_body, built_);
     watch_ = Stopwatch();
     Columns columns(Eigen::Index(loads.base.size()));
     MatrixXd about_origin = MatrixXd::Zero(6, 6); // r' M r of the free part

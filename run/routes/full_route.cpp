@@ -86,7 +86,7 @@ public:
     const MatrixXd force = loads_on_free(loads);
     MatrixXd static_solutions(K_.rows(), 0);
     if (force.cols() > 0) {
-      require_held(solution.free_body);
+      require_held(solution.free_body, built_);
       static_solutions = factor.factor.solve(force);
     }
     ModeSet set = find_modes(K_, M_, request, factor);

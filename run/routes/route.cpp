@@ -1,19 +1,54 @@
 #include "run/routes/route.hpp"
 
+#include "solve/effective_mass.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 
 namespace plica {
 
-void require_held(bool free_body) {
-  if (free_body)
-    input_error("analyses",
-                "nothing holds the part, or a piece of it that nothing joins to the rest (joints "
-                "with friction count as slipping), so it has no "
-                "steady response",
-                "a mount or supports that leave no rigid motion free");
+namespace {
+
+// "along y and about y": the rigid motions of the whole part that strain nothing; empty where it is
+// a piece alone that moves.
+std::string free_motion(const BuiltCase& built) {
+  const System system = assemble(built.model);
+  const std::vector<int> free =
+      complement(system.map.size(), node_dofs(system.map, built.held_nodes));
+  const SparseMatrix K = restrict_to(system.K, free), M = restrict_to(system.M, free);
+  const FreeMass mass = free_mass(built.model, system.map, free, M);
+  const Eigen::MatrixXd strain = mass.R.transpose() * symmetric_product(K, mass.R);
+  const Eigen::VectorXd size = mass.total.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(size.asDiagonal() * strain *
+                                                             size.asDiagonal());
+  const double scale = K.diagonal().maxCoeff() / std::max(M.diagonal().maxCoeff(), 1e-300);
+  constexpr std::array names{"along x", "along y", "along z", "about x", "about y", "about z"};
+  std::string text;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    if (eigen.eigenvalues()[i] > 1e-12 * scale) continue;
+    Eigen::Index most = 0;
+    eigen.eigenvectors().col(i).cwiseAbs().maxCoeff(&most);
+    text += (text.empty() ? "" : ", ") + std::string(names[std::size_t(most)]);
+  }
+  return text;
+}
+
+} // namespace
+
+void require_held(bool free_body, const BuiltCase& built) {
+  if (!free_body) return;
+  const std::string motion = free_motion(built);
+  input_error(
+      "analyses",
+      (motion.empty()
+           ? "nothing holds a piece of the part that nothing joins to the rest (joints with "
+             "friction count as slipping)"
+           : "nothing holds the part: it is free to move " + motion) +
+          ", so it has no steady response",
+      "a mount or supports that leave no rigid motion free");
 }
 
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,

@@ -78,8 +78,8 @@ std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& anal
 // Independent DOFs of the nodes, increasing.
 std::vector<int> node_dofs(const DofMap& map, const std::vector<int>& nodes);
 
-// Throws InputError: loads need a part that is held.
-void require_held(bool free_body);
+// Throws InputError, which names the motion that is free: loads need a part that is held.
+void require_held(bool free_body, const BuiltCase& built);
 
 // The routes, for tests and benchmarks.
 std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& reason,

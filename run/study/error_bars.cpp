@@ -178,6 +178,7 @@ Case for_comparison(const Case& given) {
   if (data.analyses.response) {
     data.analyses.response->random.reset();
     data.analyses.response->forces.clear();
+    data.analyses.response->motions.clear();
     if (data.analyses.response->bases.empty()) data.analyses.response.reset();
   }
   data.sensors = given.sensors;

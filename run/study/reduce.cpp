@@ -239,19 +239,45 @@ void add_loads(Superelement& s, const Reduction& reduction, const BuiltCase& bui
         {.name = std::string("base ") + axes[d] + (d < 3 ? " per m/s2" : " per rad/s2"),
          .force = -base.col(d)});
   if (!response || response->forces.empty()) return;
-  const Excitations forces = excitations(*response, built.model);
+  Response forced = *response;
+  forced.bases.clear();
+  forced.motions.clear();
+  forced.together.clear();
+  const Excitations forces = excitations(forced, built);
   const MatrixXd identity = MatrixXd::Identity(s.K.rows(), s.K.rows());
-  for (std::size_t k = 0; k < forces.list.size(); ++k) {
-    if (!forces.list[k].is_force) continue;
-    const auto column = forces.loads.force.col(Index(k));
+  for (const Excitation& e : forces.list) {
+    const auto column = forces.loads.force.col(e.parts[0].column);
     std::vector<int> nodes;
     for (int node = 0; node < column.size() / 6; ++node)
       if (!column.segment<6>(6 * node).isZero(0)) nodes.push_back(node);
     VectorXd own(6 * Index(nodes.size()));
     for (std::size_t i = 0; i < nodes.size(); ++i)
       own.segment<6>(6 * Index(i)) = column.segment<6>(6 * nodes[i]);
-    s.loads.push_back({.name = forces.list[k].name + " per " + forces.list[k].unit,
+    s.loads.push_back({.name = e.name + " per " + e.unit,
                        .force = reduction.field_at(identity, nodes).transpose() * own});
+  }
+}
+
+// Dashpots and loss factors of the joints between ends: matrices know no other damping.
+void add_dampers(Superelement& s, const Reduction& reduction, const BuiltCase& built) {
+  const MatrixXd identity = MatrixXd::Identity(s.K.rows(), s.K.rows());
+  for (const BuiltDamper& d : built.dampers) {
+    if (!d.law.maxwell.empty() || d.law.springpot || !d.law.table.empty())
+      input_error(d.place + ".damping",
+                  "depends on frequency, which no matrix of a superelement can",
+                  "dashpot or loss_factor");
+    const VectorXd force = unit_force(built.model, d.node1, d.node2, d.dof);
+    const std::vector<int> nodes{d.node1, d.node2};
+    VectorXd own(12);
+    own << force.segment<6>(6 * d.node1), force.segment<6>(6 * d.node2);
+    const VectorXd b = reduction.field_at(identity, nodes).transpose() * own;
+    const auto add = [&](MatrixXd& matrix, double factor) {
+      if (factor == 0) return;
+      if (matrix.size() == 0) matrix = MatrixXd::Zero(s.K.rows(), s.K.rows());
+      matrix += factor * b * b.transpose();
+    };
+    add(s.C, d.law.dashpot ? (*d.law.dashpot)[std::size_t(d.dof)] : 0);
+    add(s.D, d.law.loss_factor * d.stiffness);
   }
 }
 
@@ -278,12 +304,13 @@ void complete(Superelement& s, const Reduction& reduction, const BuiltCase& buil
     s.C = MatrixXd::Zero(size, size);
     s.C.diagonal().tail(lambda.size()) = 2 * modal.zeta.cwiseProduct(lambda.cwiseSqrt());
   }
+  add_dampers(s, reduction, built);
   if (damping.loss_factors.empty()) return;
-  s.D = MatrixXd::Zero(size, size);
+  if (s.D.size() == 0) s.D = MatrixXd::Zero(size, size);
   const std::vector<MatrixXd> parts = component_stiffness(built.model, reduction.field(identity));
   for (const LossFactor& loss : damping.loss_factors)
     for (std::size_t c = 0; c < parts.size(); ++c)
-      if (built.model.components[c] == loss.of)
+      if (built.model.components[c] == loss.of && !(damping.coupled && is_springs(loss.of)))
         s.D += loss.value / 2 * (parts[c] + parts[c].transpose());
 }
 

@@ -14,8 +14,8 @@ namespace plica::test {
 
 constexpr double E = 1e6, nu = 0.25, t = 0.001;
 
-using Motion = Eigen::Matrix<double, 6, 1>;
-using Field = std::function<Motion(double x, double y)>;
+using NodeMotion = Eigen::Matrix<double, 6, 1>;
+using Field = std::function<NodeMotion(double x, double y)>;
 
 inline Mesh patch_mesh(double thickness) {
   Mesh mesh;

@@ -4,7 +4,7 @@ import 'uplot/dist/uPlot.min.css';
 
 import { element } from './element.js';
 
-// Told apart by dashes first; colours are those of Okabe and Ito, which differ in lightness too.
+// Those of Okabe and Ito, which differ in lightness too.
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const dashes = [[], [8, 5], [2, 4], [10, 4, 2, 4]];
 const height = 340;
@@ -13,8 +13,9 @@ const style = (name) => getComputedStyle(document.documentElement).getPropertyVa
 
 const digits = (value) => (value == null ? '–' : Number(value.toPrecision(4)).toString());
 
-// What the page says of a plot: { label, ordinate, grids: [[Hz]], curves: [{ name, grid, dashes,
-// faint, values }], marks: [[Hz, order, filled]], verticals: [Hz] }. A curve may turn back on itself
+// What the page says of a plot: { label, abscissa, ordinate, linear, range, grids: [[x]], curves:
+// [{ name, grid, colour, dashes, faint, values }], marks: [[x, order, filled]], verticals: [x] }.
+// A curve may turn back on itself
 // (a response that jumps), so it is drawn from its own points; the table below is for the cursor.
 function path(x, y) {
   return (plot, index) => {
@@ -51,7 +52,7 @@ function table(data) {
 function series(data) {
   return data.curves.map((curve, i) => ({
     label: curve.name || `curve ${i + 1}`,
-    stroke: curve.faint ? style('--muted') : colours[i % colours.length],
+    stroke: curve.faint ? style('--muted') : colours[curve.colour % colours.length],
     width: curve.faint ? 1 : 1.75,
     dash: dashes[curve.dashes % dashes.length],
     points: { show: false },
@@ -103,15 +104,15 @@ function options(data, width, logarithmic) {
     legend: { live: true },
     scales: {
       x: { time: false, distr: logarithmic.x ? 3 : 1 },
-      y: { distr: logarithmic.y ? 3 : 1 },
+      y: { distr: logarithmic.y ? 3 : 1, ...(data.range && { range: data.range }) },
     },
     axes: [
-      { ...axis, label: 'Hz', labelFont: axis.font, values: (_, v) => v.map((x) => digits(x)) },
+      { ...axis, label: data.abscissa, labelFont: axis.font, values: (_, v) => v.map((x) => digits(x)) },
       { ...axis, label: data.ordinate, labelFont: axis.font, size: 64,
         values: (_, v) => v.map((x) => (x == null ? '' : digits(x))) },
     ],
     hooks: { draw: [furnish(data)] },
-    series: [{ label: 'Hz', value: (_, v) => digits(v) }, ...series(data)],
+    series: [{ label: data.abscissa, value: (_, v) => digits(v) }, ...series(data)],
   };
 }
 
@@ -121,7 +122,8 @@ export function enlivenPlot(figure) {
   const data = JSON.parse(source.textContent);
   if (data.curves.length === 0) return;
   const positive = data.grids.every((grid) => grid.every((f) => f > 0));
-  const logarithmic = { x: false, y: true };
+  const logarithmic = { x: false, y: !data.linear };
+  const positiveValues = data.curves.every((c) => c.values.every((v) => v == null || v > 0));
   const values = table(data);
   const stage = element('div', { className: 'live', role: 'group', ariaLabel: data.label });
   const bar = element('div', { className: 'controls', role: 'group', ariaLabel: 'axes' });
@@ -131,7 +133,7 @@ export function enlivenPlot(figure) {
     plot = new uPlot(options(data, Math.max(300, stage.clientWidth), logarithmic), values, stage);
     figure.plot = plot;
   };
-  for (const [axis, text] of [['x', 'frequency'], ['y', 'ordinate']]) {
+  for (const [axis, text] of [['x', 'abscissa'], ['y', 'ordinate']]) {
     const button = element('button', { type: 'button', ariaPressed: String(logarithmic[axis]) },
       `${text} logarithmic`);
     button.addEventListener('click', () => {
@@ -139,7 +141,7 @@ export function enlivenPlot(figure) {
       button.ariaPressed = String(logarithmic[axis]);
       draw();
     });
-    if (axis === 'y' || positive) bar.append(button);
+    if (axis === 'y' ? !data.linear || positiveValues : positive) bar.append(button);
   }
   bar.append(element('span', {},
     'drag to zoom, double click for all, a name in the legend hides its curve'));
