@@ -84,7 +84,8 @@ std::pair<Json, Json> bounds_of(const std::string& type) {
   if (at == std::string::npos ||
       std::sscanf(type.c_str() + at, " in [%lf - %lf]", &low, &high) != 2)
     return {nullptr, nullptr};
-  return {low, high};
+  const auto whole = [&](double x) { return type.starts_with("FLOAT") ? Json(x) : Json(long(x)); };
+  return {whole(low), whole(high)};
 }
 
 Json option_json(const CLI::Option& option) {
