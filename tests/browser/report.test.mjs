@@ -129,9 +129,9 @@ test('a plot answers the cursor, zooms and changes its axes', async () => {
   assert.ok(zoomed[1] - zoomed[0] < 0.3 * (high - low));
   await plot.getByRole('button', { name: 'ordinate logarithmic' }).click();
   assert.equal((await range())[2], 1);
-  await plot.getByRole('button', { name: 'frequency logarithmic' }).click();
+  await plot.getByRole('button', { name: 'abscissa logarithmic' }).click();
   await plot.screenshot({ path: picture('plot-axes') });
-  await plot.getByRole('button', { name: 'frequency logarithmic' }).click();
+  await plot.getByRole('button', { name: 'abscissa logarithmic' }).click();
   await plot.getByRole('button', { name: 'ordinate logarithmic' }).click();
   assert.equal((await range())[2], 3);
 });
