@@ -47,7 +47,7 @@ function(plica_library name)
     target_precompile_headers(plica_solve PRIVATE ${plica_precompiled_from_solve})
   elseif(name MATCHES "^(elements|generation)$") # one without OpenMP, one with it
     target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
-  elseif(name MATCHES "^(words|mesh|lab|files|matlab|universal|lab_files)$")
+  elseif(name MATCHES "^(words|life|mesh|lab|files|matlab|universal|lab_files)$")
     target_precompile_headers(plica_${name} REUSE_FROM plica_elements)
   else()
     target_precompile_headers(plica_${name} REUSE_FROM plica_solve)
