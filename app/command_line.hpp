@@ -34,6 +34,7 @@ void add_identify_command(CommandLine& line);
 void add_fit_command(CommandLine& line);
 void add_diagnose_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
+void add_ejma_command(CommandLine& line);
 void add_check_command(CommandLine& line);
 void add_init_command(CommandLine& line);
 void add_schema_command(CommandLine& line);

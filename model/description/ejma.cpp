@@ -1,6 +1,7 @@
 #include "model/description/ejma.hpp"
 
 #include "mesh/generation/curve_mesh.hpp"
+#include "model/description/profile.hpp"
 
 #include <algorithm>
 #include <array>
@@ -127,7 +128,63 @@ double clamped_beam_root(int i) {
   return b;
 }
 
+// Why the formulas do not take a profile; empty = they do.
+std::string foreign_profile(const Bellows& bellows, const MeridianSection*& first) {
+  for (const MeridianSection& s : bellows.profile) {
+    if (s.shape == SectionShape::cuff) {
+      const double end = s.end_radius;
+      if (end > 0 && std::abs(end - bellows.root_radius) > 1e-9 * end)
+        return "a straight end is a cone";
+      continue;
+    }
+    if (s.shape != SectionShape::u) return "its convolutions are no U";
+    if (!first) first = &s;
+    if (s.height != first->height || s.pitch != first->pitch ||
+        root_arc_radius(s) != root_arc_radius(*first) ||
+        crown_arc_radius(s) != crown_arc_radius(*first))
+      return "its convolutions differ";
+  }
+  return first ? "" : "it has no convolutions";
+}
+
+double shorter_end(const Bellows& bellows) {
+  const auto length = [](const MeridianSection& s) {
+    return s.shape == SectionShape::cuff ? s.length : 0;
+  };
+  return std::min(length(bellows.profile.front()), length(bellows.profile.back()));
+}
+
 } // namespace
+
+std::variant<EjmaBellows, std::string> ejma_bellows(const Bellows& bellows,
+                                                    const Material& material) {
+  const MeridianSection* u = nullptr;
+  if (std::string why = foreign_profile(bellows, u); !why.empty()) return why;
+  const std::vector<double>& plies = bellows.wall.plies;
+  const bool one_wall = bellows.wall.bond == 1 && !bellows.wall.slip;
+  const auto [thin, thick] = std::minmax_element(plies.begin(), plies.end());
+  if (!one_wall && *thick > 1.001 * *thin) return "its plies differ in thickness";
+  const double t = total_thickness(bellows.wall);
+  return EjmaBellows{.inner_diameter = 2 * bellows.root_radius - t,
+                     .depth = u->height,
+                     .pitch = u->pitch,
+                     .torus_radius = (root_arc_radius(*u) + crown_arc_radius(*u)) / 2,
+                     .thickness = one_wall ? t : plies.front(),
+                     .plies = one_wall ? 1 : static_cast<int>(plies.size()),
+                     .convolutions = convolutions(bellows),
+                     .E = material.E,
+                     .nu = material.nu,
+                     .thinned = bellows.wall.thinning != Thinning::none,
+                     .tangent = shorter_end(bellows)};
+}
+
+double ejma_length(const EjmaBellows& b) {
+  return b.convolutions * b.pitch;
+}
+
+double ejma_metal_area(const EjmaBellows& b) {
+  return b.plies * ejma_ply(b) * (0.571 * b.pitch + 2 * b.depth);
+}
 
 double ejma_mean_diameter(const EjmaBellows& b) {
   return b.inner_diameter + b.depth + b.plies * b.thickness;
@@ -157,15 +214,40 @@ double ejma_convolution_stiffness(const EjmaBellows& b, const EjmaFactors& c) {
   return 1.7 * ejma_mean_diameter(b) * b.E * b.plies * std::pow(ejma_ply(b) / b.depth, 3) / c.Cf;
 }
 
-EjmaStress ejma_stress(const EjmaBellows& b, const EjmaFactors& c, double P, double e) {
-  const double tp = ejma_ply(b), slender = b.depth / tp;
+EjmaStress ejma_stress(const EjmaBellows& b, const EjmaFactors& c, double P, double e, double Kr) {
+  const double tp = ejma_ply(b), slender = b.depth / tp, wall = b.plies * b.thickness;
   EjmaStress s;
+  if (b.tangent > 0) s.S1 = P * (b.inner_diameter + wall) / (2 * wall);
+  s.S2 = P * b.pitch * ejma_mean_diameter(b) * Kr / (2 * ejma_metal_area(b));
   s.S3 = P * slender / (2 * b.plies);
   s.S4 = P * slender * slender * c.Cp / (2 * b.plies);
   s.S5 = b.E * tp * tp * e / (2 * std::pow(b.depth, 3) * c.Cf);
   s.S6 = 5 * b.E * tp * e / (3 * b.depth * b.depth * c.Cd);
   s.St = 0.7 * (s.S3 + s.S4) + s.S5 + s.S6;
   return s;
+}
+
+EjmaEquivalent ejma_equivalent(const EjmaBellows& b, const EjmaMovement& m) {
+  const double Dm = ejma_mean_diameter(b), N = b.convolutions, length = ejma_length(b) + m.axial;
+  if (!(length > 0))
+    throw std::invalid_argument("an axial movement of " + std::to_string(1e3 * m.axial) +
+                                " mm takes up the length of " +
+                                std::to_string(1e3 * ejma_length(b)) + " mm");
+  return {.axial = std::abs(m.axial) / N,
+          .lateral = 3 * Dm * std::abs(m.lateral) / (N * length),
+          .angular = Dm * std::abs(m.angular) / (2 * N)};
+}
+
+double ejma_column_squirm(const EjmaBellows& b, const EjmaFactors& c) {
+  return 0.34 * pi * ejma_convolution_stiffness(b, c) / (b.convolutions * ejma_length(b));
+}
+
+double ejma_in_plane_squirm(const EjmaBellows& b, const EjmaFactors& c, double yield, double Kr) {
+  const EjmaStress of_unit = ejma_stress(b, c, 1, 0, Kr);
+  const double d = of_unit.S4 / (3 * of_unit.S2), d2 = d * d;
+  const double alpha = 1 + 2 * d2 + std::sqrt(1 - 2 * d2 + 4 * d2 * d2);
+  return 1.3 * ejma_metal_area(b) * yield /
+         (Kr * ejma_mean_diameter(b) * b.pitch * std::sqrt(alpha));
 }
 
 double ejma_angular_stiffness(double K, double Dm) {

@@ -8,10 +8,13 @@
 //   S3  = P w / (2 n tp),  S4 = P / (2 n) (w / tp)^2 Cp          by pressure P
 //   S5  = E tp^2 e / (2 w^3 Cf),  S6 = 5 E tp e / (3 w^2 Cd)     by movement e per convolution
 //   St  = 0.7 (S3 + S4) + S5 + S6
+//   S1  = P (Db + n t) / (2 n t),  S2 = P q Dm Kr / (2 Ac),  Ac = n tp (0.571 q + 2 w)
 //
-// S3, S5 membrane and S4, S6 bending stress along the meridian; SI units throughout. Cp, Cf, Cd are
-// polynomials in C1 at thirteen values of C2, linear in between; valid for 0 <= C1 <= 1 and
-// 0.2 <= C2 <= 4, outside of which is an error.
+// S1 circumferential membrane stress of the straight end without a collar (that the convolutions
+// help to hold a short one is left out, on the safe side), S2 of a convolution, Kr its pitch opened
+// by movement over q; S3, S5 membrane and S4, S6 bending stress along the meridian; SI units. Cp,
+// Cf, Cd are polynomials in C1 at thirteen values of C2, linear in between; valid for 0 <= C1 <= 1
+// and 0.2 <= C2 <= 4, outside of which is an error.
 //
 // Limits. The coefficients are as cited in secondary sources, checked against two published
 // worksheets and a finite element model, not against the standard itself; Cp at C1 <= 0.3 and
@@ -21,6 +24,9 @@
 #pragma once
 
 #include "mesh/generation/meridian.hpp"
+#include "model/description/parts.hpp"
+
+#include <variant>
 
 namespace plica {
 
@@ -34,8 +40,16 @@ struct EjmaBellows {
   int convolutions = 1;      // N
   double E = 0, nu = 0.3;    // Pa
   bool thinned = true;       // false: tp = t
+  double tangent = 0;        // Lt, m, of the shorter straight end; 0 = none
 };
 
+// The bellows of a case as the formulas take it, its wall as drawn or thinned; or why they do not
+// apply. A bond other than 1 counts as plies that slip.
+std::variant<EjmaBellows, std::string> ejma_bellows(const Bellows& bellows,
+                                                    const Material& material);
+
+double ejma_length(const EjmaBellows& bellows);     // L = N q, m
+double ejma_metal_area(const EjmaBellows& bellows); // Ac of one convolution, m2
 double ejma_mean_diameter(const EjmaBellows& bellows);
 double ejma_ply(const EjmaBellows& bellows); // tp
 
@@ -51,12 +65,38 @@ EjmaFactors ejma_factors(const EjmaBellows& bellows);
 double ejma_convolution_stiffness(const EjmaBellows& bellows, const EjmaFactors& factors);
 
 struct EjmaStress {
-  double S3 = 0, S4 = 0, S5 = 0, S6 = 0, St = 0; // Pa
+  double S1 = 0, S2 = 0, S3 = 0, S4 = 0, S5 = 0, S6 = 0, St = 0; // Pa; S1 0 without straight ends
 };
 
 // `pressure` in Pa, `movement` of one convolution along the axis in m.
 EjmaStress ejma_stress(const EjmaBellows& bellows, const EjmaFactors& factors, double pressure,
-                       double movement);
+                       double movement, double Kr = 1);
+
+// Movement of one end against the other, from one end position to the other one, and what it does
+// to one convolution at its mean diameter:
+//   ex = |x| / N,   ey = 3 Dm |y| / (N (N q + x)),   et = Dm |theta| / (2 N)
+// both ends parallel for y, bent evenly by theta; e is their sum, as if all met in one place.
+struct EjmaMovement {
+  double axial = 0;   // x, m, extension > 0
+  double lateral = 0; // y, m
+  double angular = 0; // theta, rad
+};
+struct EjmaEquivalent {
+  double axial = 0, lateral = 0, angular = 0; // m per convolution
+  double sum() const { return axial + lateral + angular; }
+};
+// Throws std::invalid_argument where x takes up the whole length.
+EjmaEquivalent ejma_equivalent(const EjmaBellows& bellows, const EjmaMovement& movement);
+
+// Limiting pressures, Pa, both ends held:
+//   column    Psc = 0.34 pi Ct f / (N^2 q), Ct = 1: no rotation of the ends
+//   in plane  Psi = 1.3 Ac Sy / (Kr Dm q sqrt(a)),  a = 1 + 2 d^2 + sqrt(1 - 2 d^2 + 4 d^4),
+//             d = K4 / (3 K2), K2 = S2 / P, K4 = S4 / P, Sy the yield stress of the formed wall
+// The column formula holds for long bellows; a margin is inside: the elastic column of the same
+// stiffness buckles at 2 pi f / (N^2 q).
+double ejma_column_squirm(const EjmaBellows& bellows, const EjmaFactors& factors);
+double ejma_in_plane_squirm(const EjmaBellows& bellows, const EjmaFactors& factors, double yield,
+                            double Kr = 1);
 
 // The bellows as a beam without shear, EI = K L Dm^2 / 8. K: axial stiffness of the bellows, N/m.
 double ejma_angular_stiffness(double K, double mean_diameter);                 // K Dm^2/8, Nm/rad
