@@ -295,9 +295,18 @@ TEST(NastranReader, mpc) {
                           own);
   expect_same_frequencies(
       read_text("SPC = 1\nMPC = 9\nBEGIN BULK\nMPCADD,9,5\n" + plate() + clamped() + card), own);
-  for (const char* control : {"SPC = 1\n", "SPC = 1\nMPC = 6\n", "SPC = 2\nMPC = 5\n", "CEND\n"})
+  for (const char* control : {"SPC = 1\nMPC = 6\n", "SPC = 2\nMPC = 5\n"})
     EXPECT_THROW(read_text(control + ("BEGIN BULK\n" + plate() + clamped() + card)), InputError)
-        << control; // a set that is not chosen, or is not there
+        << control; // a set that is not there
+  const DeckModel none = read_text("CEND\nBEGIN BULK\n" + plate() + clamped() + card);
+  EXPECT_TRUE(none.supports.empty() && none.equations.empty());
+  ASSERT_EQ(none.notes.size(), 2U);
+  EXPECT_NE(none.notes[1].find("chooses no set of SPC"), std::string::npos);
+  const DeckModel two = read_text("SUBCASE 1\nSPC = 1\nSUBCASE 2\nSPC = 4\nBEGIN BULK\n" + plate() +
+                                  clamped() + spc1(deck_plate(), "edge2", "3", "4"));
+  EXPECT_EQ(two.supports.size(), 6 * deck_plate().sets.at("edge4").size());
+  ASSERT_EQ(two.notes.size(), 1U);
+  EXPECT_NE(two.notes[0].find("that of the first, 1, is in force"), std::string::npos);
 }
 
 TEST(NastranReader, springs) {
@@ -377,11 +386,14 @@ TEST(NastranReader, bars_and_beams) {
 }
 
 TEST(NastranReader, lists_on_request_what_it_leaves_out) {
-  const std::string text = plate() + clamped() + "PLOAD4,1,1,5.\nPARAM,LGDISP,1\n";
+  const std::string text = plate() + clamped() + "PLOAD4,1,1,5.\nPARAM,LGDISP,1\nGENEL,9\n";
   EXPECT_THROW(read_text(text), InputError);
   const DeckModel deck = read_text(text, UnknownCards::list);
-  ASSERT_EQ(deck.left_out.size(), 2U);
-  EXPECT_NE(deck.left_out[0].find("PLOAD4 is not known"), std::string::npos);
+  ASSERT_EQ(deck.left_out.size(), 1U);
+  EXPECT_NE(deck.left_out[0].find("GENEL is not had"), std::string::npos);
+  ASSERT_EQ(deck.notes.size(), 1U);
+  EXPECT_EQ(deck.notes[0],
+            "passed over, since they change neither stiffness nor mass: PARAM, PLOAD4");
 }
 
 } // namespace

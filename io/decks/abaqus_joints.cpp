@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <utility>
 
 namespace plica {
@@ -34,7 +35,9 @@ std::vector<int> dofs_of(const Keyword& k) {
 
 KeywordHandlers AbaqusJoints::surfaces() {
   return {{"SURFACE",
-           {[this](const Keyword& k) { surfaces_[k.word("NAME")] = k; },
+           {[this](const Keyword& k) {
+              surfaces_[{k.scope, k.word("NAME")}] = k;
+            },
             {"NAME", "TYPE", "INTERNAL"}}}};
 }
 
@@ -43,25 +46,61 @@ KeywordHandlers AbaqusJoints::handlers() {
     return [this, read](const Keyword& k) { (this->*read)(k); };
   };
   using J = AbaqusJoints;
-  return {
-      {"COUPLING",
-       {[this](const Keyword& k) {
-          finish();
-          coupling_ = k;
-        },
-        {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
-      {"KINEMATIC", {by(&J::kinematic), {}}},
-      {"DISTRIBUTING", {by(&J::distributing), {"COUPLING", "WEIGHTING METHOD"}}},
-      {"KINEMATIC COUPLING", {by(&J::kinematic_coupling), {"REF NODE"}}},
-      {"DISTRIBUTING COUPLING", {by(&J::distributing_coupling), {"ELSET"}}},
-      {"RIGID BODY", {by(&J::rigid_body), {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET"}}},
-      {"MPC", {by(&J::mpc), {}}},
-      {"EQUATION", {by(&J::equation), {}}},
-      {"STEP", {[this](const Keyword&) { kept_in_step_ = true; }, {}}},
-      {"BOUNDARY", {by(&J::boundary), {"TYPE", "OP"}}}};
+  return {{"COUPLING",
+           {[this](const Keyword& k) {
+              no_open_coupling();
+              coupling_ = k;
+            },
+            {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
+          {"KINEMATIC", {by(&J::kinematic), {}}},
+          {"DISTRIBUTING", {by(&J::distributing), {"COUPLING", "WEIGHTING METHOD"}}},
+          {"KINEMATIC COUPLING", {by(&J::kinematic_coupling), {"REF NODE"}}},
+          {"DISTRIBUTING COUPLING", {by(&J::distributing_coupling), {"ELSET"}}},
+          {"RIGID BODY",
+           {by(&J::rigid_body),
+            {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET", "POSITION", "ISOTHERMAL"}}},
+          {"MPC", {by(&J::mpc), {}}},
+          {"EQUATION", {by(&J::equation), {}}},
+          {"STEP", {[this](const Keyword&) { kept_in_step_ = true; }, {}}},
+          {"TIE", {by(&J::tie), {"NAME", "ADJUST", "POSITION TOLERANCE", "TYPE"}}},
+          {"BOUNDARY",
+           {by(&J::boundary),
+            {"TYPE", "OP", "AMPLITUDE", "LOAD CASE", "FIXED", "REGION TYPE", "TIME DELAY"}}}};
 }
 
 void AbaqusJoints::finish() const {
+  if (moved_ > 0)
+    deck_.notes.push_back(
+        std::to_string(moved_) +
+        " lines of *BOUNDARY prescribe a displacement other than zero: they hold, "
+        "motion of the base is asked for in the case");
+  no_open_coupling();
+}
+
+// Surfaces whose nodes lie in pairs at the same places, tied pair by pair.
+void AbaqusJoints::tie(const Keyword& k) {
+  for (const DataLine& line : k.data) {
+    if (line.fields.size() < 2) deck_error(line.at, "*TIE", "names one surface", "two");
+    const std::vector<int> follow = surface_nodes(k, in_capitals(line.fields[0])).nodes;
+    const std::vector<int> lead = surface_nodes(k, in_capitals(line.fields[1])).nodes;
+    for (int n : follow) {
+      const Vector3d& x = deck_.nodes[n];
+      const auto distance = [&](int m) { return (deck_.nodes[m] - x).norm(); };
+      const auto nearest = std::min_element(
+          lead.begin(), lead.end(), [&](int a, int b) { return distance(a) < distance(b); });
+      if (nearest == lead.end() || distance(*nearest) > 1e-6 * (1 + x.norm()))
+        deck_error(line.at, "*TIE", "ties meshes whose nodes do not meet", "nodes in pairs");
+      if (*nearest != n)
+        deck_.couplings.push_back({.reference = *nearest,
+                                   .nodes = {n},
+                                   .weights = {},
+                                   .dofs = all_six,
+                                   .origin = origin(k, k.word_or("NAME", ""))});
+    }
+  }
+}
+
+void AbaqusJoints::no_open_coupling() const {
   if (coupling_)
     deck_error(coupling_->at, "*COUPLING", "is neither kinematic nor distributing",
                "*KINEMATIC or *DISTRIBUTING after it");
@@ -74,7 +113,10 @@ Keyword AbaqusJoints::take_coupling(const Keyword& k) {
 
 AbaqusJoints::SurfaceNodes AbaqusJoints::surface_nodes(const Keyword& of,
                                                        const std::string& name) const {
-  const auto found = surfaces_.find(name);
+  auto found = surfaces_.find({of.scope, name});
+  if (const std::size_t dot = name.find('.'); dot != std::string::npos && found == surfaces_.end())
+    found = surfaces_.find({name.substr(0, dot), name.substr(dot + 1)});
+  if (found == surfaces_.end()) found = surfaces_.find({"", name});
   if (found == surfaces_.end())
     deck_error(of.at, "*" + of.name, "there is no surface " + name, "*SURFACE, NAME=...");
   const Keyword& k = found->second;
@@ -110,9 +152,10 @@ double AbaqusJoints::shell_area(const AbaqusElement& e) const {
   const auto& x = deck_.nodes;
   if (e.nodes.size() < 3)
     deck_error(e.at, "*SURFACE", "is on an element that is no shell", "shells or nodes");
+  const bool quad = e.nodes.size() == 4 || e.nodes.size() == 8;
   const Vector3d a = x[e.nodes[2]] - x[e.nodes[0]];
-  const Vector3d b = x[e.nodes[e.nodes.size() - 1]] - x[e.nodes[1]];
-  return a.cross(e.nodes.size() == 4 ? b : Vector3d(x[e.nodes[1]] - x[e.nodes[0]])).norm() / 2;
+  const Vector3d b = quad ? x[e.nodes[3]] - x[e.nodes[1]] : x[e.nodes[1]] - x[e.nodes[0]];
+  return a.cross(b).norm() / 2;
 }
 
 int AbaqusJoints::reference(const Keyword& k) const {
@@ -267,8 +310,6 @@ void AbaqusJoints::boundary(const Keyword& k) {
     });
     held_.clear();
   }
-  if (k.has("TYPE") && k.word("TYPE") != "DISPLACEMENT")
-    deck_error(k.at, "*BOUNDARY", "has TYPE=" + k.word("TYPE"), "displacements held to zero");
   static const std::map<std::string, std::vector<int>> words{
       {"ENCASTRE", all_six}, {"PINNED", {0, 1, 2}}, {"XSYMM", {0, 4, 5}},  {"YSYMM", {1, 3, 5}},
       {"ZSYMM", {2, 3, 4}},  {"XASYMM", {1, 2, 3}}, {"YASYMM", {0, 2, 4}}, {"ZASYMM", {0, 1, 5}}};
@@ -281,10 +322,10 @@ void AbaqusJoints::boundary(const Keyword& k) {
     if (dofs.empty()) {
       if (line.fields.size() < 2)
         deck_error(line.at, "*BOUNDARY", "holds nothing", "degrees of freedom, or ENCASTRE ...");
+      if (whole_in(k, line, 1) > 6 && whole_in(k, line, 1) != 7)
+        continue; // temperatures and the like
       dofs = dof_range(k, line, 1);
-      if (number_in(k, line, 3, 0) != 0)
-        deck_error(line.at, "*BOUNDARY", "prescribes a displacement other than zero",
-                   "zero; motion of the base is asked for in the case");
+      moved_ += number_in(k, line, 3, 0) != 0;
     }
     for (int n : nodes)
       for (int d : dofs)

@@ -14,7 +14,7 @@ public:
 
   KeywordHandlers surfaces(); // to be read before the others
   KeywordHandlers handlers();
-  void finish() const; // no coupling is left open
+  void finish() const; // no coupling is left open; notes
 
 private:
   struct SurfaceNodes {
@@ -34,14 +34,17 @@ private:
   void rigid_body(const Keyword& keyword);
   void mpc(const Keyword& keyword);
   void equation(const Keyword& keyword);
+  void tie(const Keyword& keyword);
   void boundary(const Keyword& keyword);
+  void no_open_coupling() const;
 
   DeckModel& deck_;
   AbaqusMesh& mesh_;
-  std::map<std::string, Keyword> surfaces_;
-  std::optional<Keyword> coupling_; // the one that is open
+  std::map<std::pair<std::string, std::string>, Keyword> surfaces_; // by scope and name
+  std::optional<Keyword> coupling_;                                 // the one that is open
   std::set<std::pair<int, int>> held_;
   bool kept_in_step_ = true; // no OP=NEW in this step so far
+  int moved_ = 0;            // lines of prescribed displacements
 };
 
 } // namespace plica

@@ -27,6 +27,16 @@ private:
   DeckModel& deck_;
 };
 
+// Kinds of keywords that no handler is for.
+enum class KeywordKind {
+  passed, // says what to compute, what to write, what is hot or yields: no stiffness, no mass
+  structural,
+  unknown
+};
+KeywordKind kind_of_keyword(const std::string& name);
+bool is_solid_type(const std::string& type); // of *ELEMENT: solids, plane and axisymmetric ones
+bool is_idle_type(const std::string& type);  // without stiffness and mass: dashpots, rigid surfaces
+
 const DataLine& data_line(const Keyword& keyword, std::size_t i); // InputError when there are fewer
 int dof_in(const Keyword& keyword, const DataLine& line, std::size_t field); // 0..5
 std::string origin(const Keyword& keyword, const std::string& name);         // for messages

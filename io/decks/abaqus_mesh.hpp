@@ -1,51 +1,75 @@
 // Nodes, elements and sets of an Abaqus deck, found by their numbers and names.
+//
+// A number or a name belongs to the scope of the keyword that gives it: an instance, or the
+// assembly, which is all there is of a flat deck. "PLATE-1.7" and "PLATE-1.EDGE" name what another
+// scope has; a set of the assembly that says INSTANCE= lists numbers of that instance.
 #pragma once
 
 #include "io/decks/abaqus_keywords.hpp"
+#include "io/decks/abaqus_parts.hpp"
+#include "io/decks/deck_refusal.hpp"
 
 namespace plica {
 
 struct AbaqusElement {
   DeckPosition at;
   std::string type;
-  std::string origin;     // for messages: "element 12 in line 34"
-  std::vector<int> nodes; // indices
-  int shell = -1;         // index into DeckModel::shells
+  std::string origin; // for messages: "element 12 in line 34"
+  int label = 0;
+  std::vector<int> nodes;  // indices
+  std::vector<int> shells; // indices into DeckModel::shells, more than one where it is split
 };
 
 class AbaqusMesh {
 public:
-  AbaqusMesh(DeckModel& deck, LeftOut& left_out) : deck_(deck), left_out_(left_out) {}
+  AbaqusMesh(DeckModel& deck, LeftOut& left_out, MissingCards& missing,
+             const std::map<std::string, InstancePlace>& instances)
+      : deck_(deck), left_out_(left_out), missing_(missing), instances_(instances) {}
 
   KeywordHandlers handlers();
-  void read_sets(); // after all keywords: they may name what comes later
+  KeywordHandlers axes(); // *TRANSFORM, once there are sets
+  void read_sets();       // after all keywords: they may name what comes later
 
+  Eigen::Matrix3d turn(const Keyword& keyword) const; // of the instance it belongs to
   // InputError when there is none, here and below.
   int node(const Keyword& keyword, const DataLine& line, std::size_t field) const;
   // By their number or the name of a set.
   std::vector<int> nodes(const Keyword& keyword, const DataLine& line,
                          const std::string& name) const;
   std::vector<int> elements(const Keyword& keyword, const DataLine& line,
-                            const std::string& name) const; // labels
-  AbaqusElement& element(int label) { return elements_.at(label); }
-  const AbaqusElement& element(int label) const { return elements_.at(label); }
+                            const std::string& name) const; // indices
+  AbaqusElement& element(int index) { return elements_.at(index); }
+  const AbaqusElement& element(int index) const { return elements_.at(index); }
 
   // Elements of the set that a section, mass or spring is for; each of these types, and each has
   // one section.
   std::vector<AbaqusElement*> elements_for(const Keyword& keyword,
                                            const std::set<std::string>& types);
-  void check_sections() const; // every element has what its type needs
+  void check_sections(DeckProblems& problems) const; // every element has what its type needs
 
 private:
+  using Name = std::pair<std::string, std::string>; // scope, name
+  using Label = std::pair<std::string, int>;
   void read_nodes(const Keyword& keyword);
+  void read_system(const Keyword& keyword);
   void read_elements(const Keyword& keyword);
+  void read_transform(const Keyword& keyword);
+  // A name as written by a keyword: its scope and what is left of it.
+  Name split(const Keyword& keyword, const std::string& name) const;
+  template <class Indices>
+  std::vector<int> find(const Keyword& keyword, const DataLine& line, const std::string& name,
+                        const Indices& index, const std::map<Name, std::vector<int>>& sets,
+                        const std::string& what) const;
 
   DeckModel& deck_;
   LeftOut& left_out_;
-  std::map<int, int> index_; // of nodes, by label
-  std::map<int, AbaqusElement> elements_;
-  std::map<std::string, std::vector<int>> nsets_;  // indices
-  std::map<std::string, std::vector<int>> elsets_; // labels
+  MissingCards& missing_;
+  const std::map<std::string, InstancePlace>& instances_;
+  InstancePlace system_;       // *SYSTEM in force
+  std::map<Label, int> index_; // of nodes
+  std::vector<AbaqusElement> elements_;
+  std::map<Label, int> element_index_; // -1: skipped, of a type that is not had
+  std::map<Name, std::vector<int>> nsets_, elsets_;
   std::vector<Keyword> sets_;
   std::set<std::pair<int, std::string>> given_; // element, keyword of its section
 };

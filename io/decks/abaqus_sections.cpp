@@ -1,5 +1,6 @@
 #include "io/decks/abaqus_sections.hpp"
 
+#include "io/decks/deck_panels.hpp"
 #include "io/decks/deck_sections.hpp"
 
 #include <Eigen/Geometry>
@@ -12,19 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-const std::set<std::string> shell_types{"S4", "S4R", "S4R5", "S3", "S3R"};
+const std::set<std::string> beam_types{"B31",  "B31R", "B31H",   "B33", "B33H", "PIPE31", "B32",
+                                       "B32R", "B32H", "PIPE32", "B21", "B21H", "B22",    "B23"};
 
-// Of the middle of the wall from the nodes, in thicknesses, along the normal: OFFSET is that of
-// the nodes from the middle.
-double offset(const Keyword& k) {
-  const std::string word = k.word_or("OFFSET", "0");
-  if (word == "SPOS") return -0.5;
-  if (word == "SNEG") return 0.5;
-  const DataLine line{k.at, {word}};
-  return -number_in(k, line, 0);
-}
-
-BeamProperties profile(const Keyword& k, const std::string& shape, const BeamMaterial& m) {
+TurnedSection profile(const Keyword& k, const std::string& shape, const BeamMaterial& m) {
   const DataLine& line = data_line(k, 0);
   const auto size = [&](std::size_t i) {
     const double value = number_in(k, line, i);
@@ -32,23 +24,44 @@ BeamProperties profile(const Keyword& k, const std::string& shape, const BeamMat
       deck_error(line.at, "*" + k.name, "has a size of " + line.fields[i], "above 0");
     return value;
   };
-  if (shape == "CIRC") return round_section(m, size(0));
-  if (shape == "RECT") return rectangle_section(m, size(0), size(1));
+  if (shape == "CIRC") {
+    // An ellipse of two radii is what CalculiX makes of it.
+    if (line.fields.size() > 1 && !line.fields[1].empty() && size(1) != size(0))
+      deck_error(line.at, "*" + k.name, "is an ellipse", "one radius");
+    return {round_section(m, size(0)), 0};
+  }
+  if (shape == "RECT") return {rectangle_section(m, size(0), size(1)), 0};
   if (shape == "PIPE") {
     const double radius = size(0), wall = size(1);
     if (wall >= radius)
       deck_error(line.at, "*" + k.name, "has a wall that fills the pipe",
                  "a wall below the outer radius, or SECTION=CIRC");
-    return pipe_section(m, radius - wall / 2, wall);
+    return {pipe_section(m, radius - wall / 2, wall), 0};
+  }
+  if (shape == "BOX") {
+    const double t = size(2);
+    if (size(4) != t ||
+        number_in(k, line, 3, t) != number_in(k, line, 5, number_in(k, line, 3, t)) ||
+        size(0) <= 2 * t || size(1) <= 2 * number_in(k, line, 3, t))
+      deck_error(line.at, "*" + k.name, "is a box of walls that do not fit, or uneven ones",
+                 "walls alike on both sides that leave a hole");
+    return box_section(m, size(0), size(1), t, number_in(k, line, 3, t));
+  }
+  if (shape == "I") {
+    const double h = size(1), b1 = size(2), b2 = size(3), t1 = size(4), t2 = size(5), t3 = size(6);
+    const bool even = b1 == b2 && t1 == t2 && std::abs(number_in(k, line, 0) - h / 2) < 1e-6 * h;
+    if (!even || h <= t1 + t2)
+      deck_error(line.at, "*" + k.name, "is an I with uneven flanges or beside its node line",
+                 "l = h/2, flanges alike");
+    const double at = (h - t1) / 2;
+    return rectangles_section(m, {{0, -at, b1, t1}, {0, at, b2, t2}, {0, 0, t3, h - t1 - t2}});
   }
   if (shape != "GENERAL" || k.name == "BEAM SECTION")
     deck_error(k.at, "*" + k.name, "has SECTION=" + shape,
-               "CIRC, PIPE, RECT, or GENERAL with "
+               "CIRC, PIPE, RECT, BOX, I, or GENERAL with "
                "*BEAM GENERAL SECTION");
-  if (number_in(k, line, 2, 0) != 0)
-    deck_error(line.at, "*" + k.name, "has a product of inertia I12",
-               "n1 along a principal axis, and I12 = 0");
-  return general_section(m, size(0), size(1), size(3), number_in(k, line, 4));
+  return principal_section(m, size(0), size(1), size(3), -number_in(k, line, 2, 0),
+                           number_in(k, line, 4));
 }
 
 void check_body(const Keyword& k, const RigidMass& body) {
@@ -60,9 +73,10 @@ void check_body(const Keyword& k, const RigidMass& body) {
 } // namespace
 
 KeywordHandlers AbaqusSections::materials() {
-  return {{"MATERIAL", {[this](const Keyword& k) { begin_material(k); }, {"NAME"}}},
-          {"ELASTIC", {[this](const Keyword& k) { elastic(k); }, {"TYPE"}}},
-          {"DENSITY", {[this](const Keyword& k) { density(k); }, {}}}};
+  return {
+      {"MATERIAL", {[this](const Keyword& k) { begin_material(k); }, {"NAME"}}},
+      {"ELASTIC", {[this](const Keyword& k) { elastic(k); }, {"TYPE", "MODULI", "DEPENDENCIES"}}},
+      {"DENSITY", {[this](const Keyword& k) { density(k); }, {"DEPENDENCIES"}}}};
 }
 
 KeywordHandlers AbaqusSections::handlers() {
@@ -72,15 +86,26 @@ KeywordHandlers AbaqusSections::handlers() {
   using S = AbaqusSections;
   return {
       {"SHELL SECTION",
-       {by(&S::shell_section), {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS"}}},
+       {by(&S::shell_section),
+        {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS", "COMPOSITE", "ORIENTATION",
+         "SECTION INTEGRATION", "POISSON", "TEMPERATURE", "STACK DIRECTION"}}},
+      {"SHELL GENERAL SECTION",
+       {by(&S::shell_section),
+        {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS", "COMPOSITE", "ORIENTATION",
+         "POISSON"}}},
+      {"MEMBRANE SECTION",
+       {by(&S::membrane_section), {"ELSET", "MATERIAL", "CONTROLS", "ORIENTATION"}}},
+      {"SOLID SECTION",
+       {by(&S::solid_section), {"ELSET", "MATERIAL", "CONTROLS", "ORIENTATION", "REF NODE"}}},
       {"NODAL THICKNESS", {by(&S::nodal_thickness), {}}},
       {"NORMAL", {by(&S::normal), {"TYPE"}}},
-      {"BEAM SECTION", {by(&S::beam_section), {"ELSET", "MATERIAL", "SECTION", "POISSON"}}},
+      {"BEAM SECTION",
+       {by(&S::beam_section), {"ELSET", "MATERIAL", "SECTION", "POISSON", "TEMPERATURE"}}},
       {"BEAM GENERAL SECTION", {by(&S::beam_section), {"ELSET", "SECTION", "DENSITY", "POISSON"}}},
       {"TRANSVERSE SHEAR STIFFNESS", {by(&S::transverse_shear), {}}},
       {"MASS", {by(&S::mass), {"ELSET"}}},
       {"ROTARY INERTIA", {by(&S::rotary_inertia), {"ELSET"}}},
-      {"SPRING", {by(&S::spring), {"ELSET"}}}};
+      {"SPRING", {by(&S::spring), {"ELSET", "NONLINEAR"}}}};
 }
 
 void AbaqusSections::begin_material(const Keyword& k) {
@@ -109,9 +134,9 @@ AbaqusSections::Material& AbaqusSections::open_material(const Keyword& k) {
 void AbaqusSections::elastic(const Keyword& k) {
   if (k.word_or("TYPE", "ISOTROPIC") != "ISOTROPIC" && k.word_or("TYPE", "") != "ISO")
     deck_error(k.at, "*ELASTIC", "has TYPE=" + k.word("TYPE"), "an isotropic material");
-  if (k.data.size() != 1)
-    deck_error(k.at, "*ELASTIC", "has " + std::to_string(k.data.size()) + " data lines",
-               "one: E, nu; values over temperature are not read");
+  if (k.data.size() > 1)
+    deck_.notes.push_back("of *ELASTIC in line " + std::to_string(k.at.line) +
+                          ", which depends on temperature, the first values are taken");
   Material& m = open_material(k);
   m.E = number_in(k, data_line(k, 0), 0);
   m.nu = number_in(k, data_line(k, 0), 1, 0);
@@ -123,8 +148,8 @@ void AbaqusSections::elastic(const Keyword& k) {
 void AbaqusSections::density(const Keyword& k) {
   Material& m = open_material(k);
   if (k.data.size() > 1)
-    deck_error(k.at, "*DENSITY", "has " + std::to_string(k.data.size()) + " data lines",
-               "one; values over temperature are not read");
+    deck_.notes.push_back("of *DENSITY in line " + std::to_string(k.at.line) +
+                          ", which depends on temperature, the first value is taken");
   m.rho = number_in(k, data_line(k, 0), 0);
   if (m.rho < 0) deck_error(k.data[0].at, "*DENSITY", "is below zero", "0 or more");
 }
@@ -137,46 +162,27 @@ const AbaqusSections::Material& AbaqusSections::material_of(const Keyword& k) co
   return found->second;
 }
 
-void AbaqusSections::shell_section(const Keyword& k) {
+void AbaqusSections::solid_section(const Keyword& k) {
+  const std::vector<AbaqusElement*> trusses =
+      mesh_.elements_for(k, {"T3D2", "T2D2", "T3D3", "T2D3"});
+  if (trusses.empty()) return; // of solids, which are refused or listed
   const Material& m = material_of(k);
-  const double t = number_in(k, data_line(k, 0), 0);
-  open_beams_.clear();
-  if (!(t > 0)) deck_error(k.data[0].at, "*SHELL SECTION", "has no thickness", "above 0");
-  const int section = static_cast<int>(deck_.sections.size());
-  deck_.sections.push_back({.E = m.E, .nu = m.nu, .rho = m.rho});
-  for (AbaqusElement* e : mesh_.elements_for(k, shell_types)) {
-    e->shell = static_cast<int>(deck_.shells.size());
-    deck_.shells.push_back({.nodes = e->nodes,
-                            .section = section,
-                            .thickness = std::vector(e->nodes.size(), t),
-                            .offset = offset(k) * t,
-                            .origin = e->origin,
-                            .normal = {}});
-    if (k.has("NODAL THICKNESS")) of_nodal_thickness_.push_back(e->shell);
+  const double A = k.data.empty() ? 1 : number_in(k, data_line(k, 0), 0, 1);
+  if (!(A > 0)) deck_error(k.data[0].at, "*" + k.name, "has no area", "above 0");
+  for (const AbaqusElement* e : trusses) {
+    for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i) {
+      const int a = e->nodes[i], b = e->nodes[i + 1];
+      if (!((deck_.nodes[a] - deck_.nodes[b]).norm() > 0))
+        deck_error(e->at, "*ELEMENT", "is a truss without length", "two places");
+      deck_.springs.push_back(truss({a, b}, deck_.nodes[a], deck_.nodes[b], m.E * A, 0, m.rho * A));
+    }
+    if (e->type.starts_with("T2D")) hold_in_plane(*e);
   }
 }
 
-void AbaqusSections::nodal_thickness(const Keyword& k) {
-  for (const DataLine& line : k.data)
-    for (int n : mesh_.nodes(k, line, line.fields.at(0))) thickness_[n] = number_in(k, line, 1);
-}
-
-void AbaqusSections::normal(const Keyword& k) {
-  if (k.word_or("TYPE", "ELEMENT") != "ELEMENT")
-    deck_error(k.at, "*NORMAL", "has TYPE=" + k.word("TYPE"), "TYPE=ELEMENT");
-  for (const DataLine& line : k.data)
-    for (int label : mesh_.elements(k, line, line.fields.at(0))) {
-      const AbaqusElement& e = mesh_.element(label);
-      const auto corner = std::find(e.nodes.begin(), e.nodes.end(), mesh_.node(k, line, 1));
-      const Vector3d n(number_in(k, line, 2), number_in(k, line, 3), number_in(k, line, 4));
-      if (corner == e.nodes.end() || !(n.norm() > 0))
-        deck_error(line.at, "*NORMAL", "is not a direction at a node of the element",
-                   "element, node of it, three components");
-      if (shell_types.contains(e.type))
-        normals_.push_back({label, std::size_t(corner - e.nodes.begin()), n.normalized()});
-      else
-        left_out_.note(k, "is given to a beam", "the direction n1 of its section");
-    }
+void AbaqusSections::hold_in_plane(const AbaqusElement& e) {
+  for (int n : e.nodes)
+    for (int dof : {2, 3, 4}) deck_.supports.push_back({n, dof, {}, e.origin + " in its plane"});
 }
 
 void AbaqusSections::beam_section(const Keyword& k) {
@@ -194,26 +200,35 @@ void AbaqusSections::beam_section(const Keyword& k) {
     const Material& from = material_of(k);
     m = {from.E, from.nu, from.rho};
   }
-  const BeamProperties section = profile(k, shape, m);
+  const TurnedSection section = profile(k, shape, m);
   Vector3d n1(0, 0, -1);
   if (k.data.size() > 1)
     n1 = {number_in(k, k.data[1], 0, 0), number_in(k, k.data[1], 1, 0),
           number_in(k, k.data[1], 2, -1)};
+  n1 = mesh_.turn(k) * n1;
   open_beams_.clear();
-  for (const AbaqusElement* e : mesh_.elements_for(k, {"B31", "B33"})) {
-    const Vector3d axis = deck_.nodes[e->nodes[1]] - deck_.nodes[e->nodes[0]];
-    // The local 1 is our y, so that our z is axis x n1.
-    const Vector3d up = axis.cross(n1);
-    if (!(up.norm() > 1e-6 * axis.norm() * n1.norm()))
-      deck_error(e->at, "*ELEMENT", "is a beam without length, or along the n1 of its section",
-                 "n1 across the axis");
-    open_beams_.push_back(deck_.beams.size());
-    deck_.beams.push_back(
-        {.node1 = e->nodes[0], .node2 = e->nodes[1], .section = section, .up = up.normalized()});
-    if (e->type == "B33") {
-      BeamProperties& slender = deck_.beams.back().section;
-      slender.GA_y = slender.GA_z = std::numeric_limits<double>::infinity();
+  for (const AbaqusElement* e : mesh_.elements_for(k, beam_types)) {
+    split_beams_ += e->nodes.size() > 2;
+    for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i) {
+      const Vector3d axis = deck_.nodes[e->nodes[i + 1]] - deck_.nodes[e->nodes[i]];
+      // The local 1 is our y, so that our z is axis x n1.
+      const Vector3d z = axis.cross(n1);
+      if (!(z.norm() > 1e-6 * axis.norm() * n1.norm()))
+        deck_error(e->at, "*ELEMENT", "is a beam without length, or along the n1 of its section",
+                   "n1 across the axis");
+      const Vector3d y = z.cross(axis).normalized();
+      open_beams_.push_back(deck_.beams.size());
+      deck_.beams.push_back(
+          {.node1 = e->nodes[i],
+           .node2 = e->nodes[i + 1],
+           .section = section.properties,
+           .up = std::cos(section.turn) * z.normalized() - std::sin(section.turn) * y});
+      if (e->type.find("33") != std::string::npos || e->type == "B23") {
+        BeamProperties& slender = deck_.beams.back().section;
+        slender.GA_y = slender.GA_z = std::numeric_limits<double>::infinity();
+      }
     }
+    if (e->type.starts_with("B2")) hold_in_plane(*e);
   }
 }
 
@@ -245,23 +260,35 @@ void AbaqusSections::rotary_inertia(const Keyword& k) {
                  xz = number_in(k, line, 4, 0), yz = number_in(k, line, 5, 0);
     MassElement body{.node = e->nodes[0], .body = {}};
     body.body.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    body.body.inertia = mesh_.turn(k) * body.body.inertia * mesh_.turn(k).transpose();
     check_body(k, body.body);
     deck_.masses.push_back(body);
   }
 }
 
 void AbaqusSections::spring(const Keyword& k) {
-  const DataLine& dofs = data_line(k, 0);
-  const double stiffness = number_in(k, data_line(k, 1), 0);
-  for (const AbaqusElement* e : mesh_.elements_for(k, {"SPRING1", "SPRING2"})) {
-    const int first = dof_in(k, dofs, 0);
-    MatrixElement spring{.nodes = e->nodes, .K = {}, .M = {}};
-    const auto size = static_cast<Eigen::Index>(6 * e->nodes.size());
-    Eigen::VectorXd stretch = Eigen::VectorXd::Unit(size, first);
-    if (e->nodes.size() == 2) stretch[6 + dof_in(k, dofs, 1)] -= 1;
-    spring.K = stiffness * stretch * stretch.transpose();
-    spring.M = Eigen::MatrixXd::Zero(size, size);
-    deck_.springs.push_back(std::move(spring));
+  if (k.has("NONLINEAR")) deck_error(k.at, "*SPRING", "is not linear (NONLINEAR)", "one stiffness");
+  for (const AbaqusElement* e : mesh_.elements_for(k, {"SPRING1", "SPRING2", "SPRINGA"})) {
+    // A blank line stands before the stiffness of SPRINGA, which has no degrees of freedom.
+    const bool axial = e->type == "SPRINGA" && k.data.size() == 1;
+    const double stiffness = number_in(k, data_line(k, axial ? 0 : 1), 0);
+    const auto axes = [&](int n) {
+      const auto own = deck_.axes.find(n);
+      return own == deck_.axes.end() ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : own->second;
+    };
+    if (e->type == "SPRINGA") { // along the line between its nodes
+      const Vector3d &x1 = deck_.nodes[e->nodes[0]], &x2 = deck_.nodes[e->nodes[1]];
+      if (!((x2 - x1).norm() > 0))
+        deck_error(e->at, "*ELEMENT", "is a spring without length", "two places, or SPRING2");
+      deck_.springs.push_back(truss(e->nodes, x1, x2, stiffness * (x2 - x1).norm(), 0, 0));
+      continue;
+    }
+    std::vector<SpringEnd> ends;
+    for (std::size_t i = 0; i < e->nodes.size(); ++i)
+      ends.push_back({e->nodes[i], along(axes(e->nodes[i]), dof_in(k, data_line(k, 0), i))});
+    const Eigen::MatrixXd K = spring_matrix(ends, stiffness);
+    deck_.springs.push_back(
+        {.nodes = e->nodes, .K = K, .M = Eigen::MatrixXd::Zero(K.rows(), K.cols())});
   }
 }
 
@@ -273,10 +300,22 @@ void AbaqusSections::finish() {
         shell.thickness[a] = t->second;
   }
   for (const auto& [label, corner, n] : normals_) {
-    DeckShell& shell = deck_.shells[mesh_.element(label).shell];
-    shell.normal.resize(shell.nodes.size());
-    shell.normal[corner] = n;
+    const AbaqusElement& e = mesh_.element(label);
+    for (int s : e.shells) {
+      DeckShell& shell = deck_.shells[s];
+      const auto at = std::find(shell.nodes.begin(), shell.nodes.end(), e.nodes[corner]);
+      if (at == shell.nodes.end()) continue;
+      shell.normal.resize(shell.nodes.size());
+      shell.normal[std::size_t(at - shell.nodes.begin())] = n;
+    }
   }
+  if (split_shells_ > 0)
+    deck_.notes.push_back(
+        std::to_string(split_shells_) +
+        " shells of eight or six nodes are split, each into four of four or three nodes");
+  if (split_beams_ > 0)
+    deck_.notes.push_back(std::to_string(split_beams_) +
+                          " beams of three nodes are split, each into two of two nodes");
 }
 
 } // namespace plica

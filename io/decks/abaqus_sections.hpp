@@ -13,7 +13,7 @@ public:
 
   KeywordHandlers materials(); // to be read before the others
   KeywordHandlers handlers();
-  void finish(); // thicknesses of nodes and given normals
+  void finish(); // thicknesses of nodes, given normals, notes on what is split
 
 private:
   struct Material : BeamMaterial {
@@ -32,6 +32,15 @@ private:
   void elastic(const Keyword& keyword);
   void density(const Keyword& keyword);
   void shell_section(const Keyword& keyword);
+  void membrane_section(const Keyword& keyword);
+  void solid_section(const Keyword& keyword); // of trusses
+  struct Wall {
+    ShellSection section;
+    double thickness = 0;
+  };
+  Wall composite(const Keyword& keyword) const;
+  void add_shells(AbaqusElement& element, int section, double thickness, double offset);
+  void hold_in_plane(const AbaqusElement& element); // of the elements of plane frames
   void nodal_thickness(const Keyword& keyword);
   void normal(const Keyword& keyword);
   void beam_section(const Keyword& keyword);
@@ -47,7 +56,8 @@ private:
   std::string material_; // the one that is open
   std::vector<std::size_t> open_beams_;
   std::vector<int> of_nodal_thickness_; // shells
-  std::map<int, double> thickness_;     // by node
+  int split_shells_ = 0, split_beams_ = 0;
+  std::map<int, double> thickness_; // by node
   std::vector<Normal> normals_;
 };
 

@@ -40,7 +40,7 @@ void collect(const std::filesystem::path& file, const DeckPosition& from, std::s
   for (std::string raw; std::getline(stream, raw);) {
     ++at.line;
     const std::string line = plain(raw);
-    if (trimmed(line).empty()) continue;
+    if (trimmed(line).empty() || trimmed(line) == "&") continue;
     if (!in_capitals(trimmed(line)).starts_with("INCLUDE")) {
       lines.push_back({at, line});
       continue;
@@ -100,7 +100,8 @@ LineFields fields_of(const Line& source) {
 std::string name_of(const std::string& line) {
   std::string name = first_field(line);
   std::erase(name, '*');
-  return in_capitals(trimmed(name));
+  name = trimmed(name);
+  return in_capitals(name.substr(0, name.find(' ')));
 }
 
 // All of `text` as a whole number with a sign or without.
@@ -133,27 +134,37 @@ public:
 private:
   void control(const Line& line) {
     const std::string text = in_capitals(trimmed(line.text));
+    if (text.starts_with("SUBCASE")) ++subcases_;
+    for (const char* matrix : {"K2GG", "M2GG", "K2PP", "M2PP", "K42GG"})
+      if (text.starts_with(matrix) && text.find('=') != std::string::npos)
+        data.matrices.push_back({line.at, matrix});
     for (const char* name : {"SPC", "MPC"}) {
       const std::size_t equals = text.find('=');
       if (equals == std::string::npos || trimmed(text.substr(0, equals)) != name) continue;
       const std::string number = trimmed(text.substr(equals + 1));
       const auto set = whole_number_of(number);
       if (!set) deck_error(line.at, name, "is \"" + number + "\"", "the number of a set");
-      data.chosen[name].insert(*set);
+      std::vector<int>& chosen = data.chosen[name];
+      chosen.insert(subcases_ > 1 ? chosen.end() : chosen.begin(), *set);
     }
   }
 
   void bulk(const Line& line) {
     LineFields read = fields_of(line);
+    const std::string first = first_field(line.text);
     if (is_continuation(line.text)) {
-      if (data.cards.empty()) {
-        if (line.text.size() > 1 && line.text[0] == '*' &&
-            std::isalpha(static_cast<unsigned char>(line.text[1])))
-          deck_error(line.at, "", "is a keyword of Abaqus", "the suffix .inp for such a deck");
-        deck_error(line.at, "", "continues no card", "a card before it");
-      }
-      follow(line);
-      std::vector<std::string>& all = data.cards.back().fields;
+      const std::string name = without_marks(first);
+      if (data.cards.empty()) refuse_beginning(line);
+      const auto awaited = awaited_.find(name);
+      if (!name.empty() && awaited != awaited_.end()) {
+        open_ = awaited->second;
+        awaited_.erase(awaited);
+      } else if (!name.empty() && !last_awaits_.empty())
+        deck_error(line.at, data.cards.back().name,
+                   "is continued by \"" + first + "\", the line before it by \"" + last_awaits_ +
+                       "\"",
+                   "the name of a continuation that a line of the deck ends with");
+      std::vector<std::string>& all = data.cards[open_].fields;
       if (!read.wide) all.resize((all.size() + 7) / 8 * 8);
       all.insert(all.end(), read.fields.begin(), read.fields.end());
     } else {
@@ -161,23 +172,31 @@ private:
       card.at = line.at;
       card.name = name_of(line.text);
       card.fields = std::move(read.fields);
+      open_ = data.cards.size();
       data.cards.push_back(std::move(card));
     }
-    awaited_ = read.continuation;
+    const std::string& next = read.continuation;
+    last_awaits_ = next.starts_with('+') || next.starts_with('*') ? next : "";
+    if (!without_marks(next).empty()) awaited_[without_marks(next)] = open_;
+    if (without_marks(next).empty()) last_awaits_.clear();
   }
 
-  // A line that names what it continues has to come behind the line that names it too.
-  void follow(const Line& line) const {
-    const std::string first = first_field(line.text);
-    const std::string name = first.size() > 1 ? first.substr(1) : "";
-    if (name.empty() || awaited_.size() < 2 || awaited_.substr(1) == name) return;
-    if (awaited_[0] == '+' || awaited_[0] == '*')
-      deck_error(line.at, data.cards.back().name,
-                 "is continued by \"" + first + "\", the line before it by \"" + awaited_ + "\"",
-                 "the lines of a card behind each other");
+  static std::string without_marks(const std::string& name) {
+    const std::size_t begin = name.find_first_not_of("+*");
+    return begin == std::string::npos ? "" : name.substr(begin);
   }
 
-  std::string awaited_; // name of the continuation in the line before
+  [[noreturn]] static void refuse_beginning(const Line& line) {
+    if (line.text.size() > 1 && line.text[0] == '*' &&
+        std::isalpha(static_cast<unsigned char>(line.text[1])))
+      deck_error(line.at, "", "is a keyword of Abaqus", "the suffix .inp for such a deck");
+    deck_error(line.at, "", "continues no card", "a card before it");
+  }
+
+  std::map<std::string, std::size_t> awaited_; // cards by the names of lines that continue them
+  std::string last_awaits_;                    // named by the line before
+  std::size_t open_ = 0;                       // card that a line without a name continues
+  int subcases_ = 0;
 };
 
 } // namespace
@@ -223,6 +242,7 @@ int Card::whole(std::size_t field, int otherwise) const {
 std::vector<int> Card::dofs(std::size_t field) const {
   std::vector<int> all;
   for (char c : text(field)) {
+    if (c == ' ') continue;
     if (c < '1' || c > '6')
       wrong("field " + std::to_string(field + 2) + " is \"" + text(field) + "\"",
             "degrees of freedom 1 to 6, such as 123");
@@ -246,6 +266,7 @@ std::vector<int> Card::list(std::size_t first) const {
             "a number above the first, by at most " + std::to_string(longest));
     for (int n = all.back() + 1; n <= last; ++n) all.push_back(n);
     ++i;
+    if (in_capitals(text(i + 1)) == "BY") i += 2;
   }
   return all;
 }

@@ -36,8 +36,10 @@ public:
 
 struct BulkData {
   std::vector<Card> cards;
-  bool has_control = false;                    // case control before BEGIN BULK
-  std::map<std::string, std::set<int>> chosen; // by "SPC" and "MPC": sets that it names
+  bool has_control = false; // case control before BEGIN BULK
+  std::map<std::string, std::vector<int>>
+      chosen; // by "SPC", "MPC"; that of the first subcase leads
+  std::vector<std::pair<DeckPosition, std::string>> matrices; // K2GG and its like, that it adds
 };
 
 // A file without BEGIN BULK is bulk data altogether. Throws InputError.

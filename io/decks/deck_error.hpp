@@ -23,7 +23,7 @@ class DeckProblems {
 public:
   // Runs f and keeps what it throws.
   template <class F> void collect(F&& f) {
-    constexpr std::size_t most = 50;
+    constexpr std::size_t most = 100000;
     try {
       f();
     } catch (const InputError& error) {
@@ -32,9 +32,14 @@ public:
     }
   }
 
-  // Throws InputError when there are any; to be called before what builds on these cards.
-  void raise() const {
-    if (!found_.empty()) throw InputError(found_);
+  // Throws InputError when there are any; to be called before what builds on these cards. Of a card
+  // that fails the same way again and again the first two are said, and how many more there are.
+  void raise() const;
+  std::size_t count() const { return found_.size(); }
+  // The same where there are so many that what follows would only follow from them.
+  void raise_unless_few() const {
+    constexpr std::size_t few = 50;
+    if (found_.size() > few) raise();
   }
 
 private:

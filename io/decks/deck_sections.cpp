@@ -1,6 +1,7 @@
 #include "io/decks/deck_sections.hpp"
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 namespace plica {
 
@@ -16,12 +17,54 @@ BeamProperties general_section(const BeamMaterial& m, double A, double I_y, doub
           .E = m.E};
 }
 
-BeamProperties turned(BeamProperties section) {
-  std::swap(section.EI_y, section.EI_z);
-  std::swap(section.GA_y, section.GA_z);
-  std::swap(section.inertia_y, section.inertia_z);
-  for (auto& fibre : section.fibres) std::swap(fibre[0], fibre[1]);
+// With axes turned by a from y to z: I_y' = mean + half cos 2a - I_yz sin 2a is the larger.
+TurnedSection principal_section(const BeamMaterial& m, double A, double I_y, double I_z,
+                                double I_yz, double J) {
+  const double mean = (I_y + I_z) / 2, half = (I_y - I_z) / 2;
+  if (!(std::abs(I_yz) > 1e-12 * mean)) return {general_section(m, A, I_y, I_z, J), 0};
+  const double largest = std::hypot(half, I_yz);
+  return {general_section(m, A, mean + largest, mean - largest, J), std::atan2(-I_yz, half) / 2};
+}
+
+TurnedSection rectangles_section(const BeamMaterial& m, const std::vector<ProfileRectangle>& all,
+                                 double J) {
+  double A = 0, y = 0, z = 0;
+  for (const ProfileRectangle& r : all) {
+    A += r.width * r.depth;
+    y += r.width * r.depth * r.y;
+    z += r.width * r.depth * r.z;
+  }
+  y /= A;
+  z /= A;
+  double I_y = 0, I_z = 0, I_yz = 0, open = 0;
+  for (const ProfileRectangle& r : all) {
+    const double a = r.width * r.depth, t = std::min(r.width, r.depth);
+    I_y += a * (r.depth * r.depth / 12 + (r.z - z) * (r.z - z));
+    I_z += a * (r.width * r.width / 12 + (r.y - y) * (r.y - y));
+    I_yz += a * (r.y - y) * (r.z - z);
+    open += a * t * t / 3;
+  }
+  TurnedSection section = principal_section(m, A, I_y, I_z, I_yz, J > 0 ? J : open);
+  const double c = std::cos(section.turn), s = std::sin(section.turn);
+  for (const ProfileRectangle& r : all)
+    for (double sign_y : {-0.5, 0.5})
+      for (double sign_z : {-0.5, 0.5}) {
+        const double u = r.y - y + sign_y * r.width, v = r.z - z + sign_z * r.depth;
+        section.properties.fibres.push_back({c * u + s * v, c * v - s * u});
+      }
   return section;
+}
+
+TurnedSection box_section(const BeamMaterial& m, double width, double depth, double side,
+                          double top) {
+  const double b = width - side, h = depth - top; // between the middles of the walls
+  const double J = 4 * b * b * h * h / (2 * b / top + 2 * h / side);
+  return rectangles_section(m,
+                            {{.y = -b / 2, .z = 0, .width = side, .depth = depth},
+                             {.y = b / 2, .z = 0, .width = side, .depth = depth},
+                             {.y = 0, .z = -h / 2, .width = width - 2 * side, .depth = top},
+                             {.y = 0, .z = h / 2, .width = width - 2 * side, .depth = top}},
+                            J);
 }
 
 } // namespace plica

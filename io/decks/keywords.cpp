@@ -53,8 +53,11 @@ public:
 
 private:
   void begin(const DeckPosition& at, const std::vector<std::string>& fields) {
-    Keyword keyword{
-        .at = at, .name = in_capitals(fields.front().substr(1)), .parameters = {}, .data = {}};
+    Keyword keyword{.at = at,
+                    .name = in_capitals(fields.front().substr(1)),
+                    .parameters = {},
+                    .data = {},
+                    .scope = {}};
     keyword.name = trimmed(keyword.name);
     keywords.push_back(std::move(keyword));
     add_parameters(fields, 1);

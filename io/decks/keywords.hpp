@@ -24,6 +24,7 @@ struct Keyword {
   std::string name;
   std::map<std::string, std::string> parameters; // values as written
   std::vector<DataLine> data;
+  std::string scope = {}; // instance that it belongs to; empty: the assembly, or a flat deck
 
   bool has(const std::string& parameter) const { return parameters.contains(parameter); }
   // Value in capitals; InputError when it is missing.

@@ -7,7 +7,7 @@
 namespace plica {
 namespace {
 
-const std::vector<int> all_six{0, 1, 2, 3, 4, 5};
+const std::vector<int> six_dofs{0, 1, 2, 3, 4, 5};
 
 template <class F> void for_each(const CardsByName& cards, const char* name, F&& f) {
   if (const auto found = cards.find(name); found != cards.end())
@@ -18,11 +18,18 @@ std::string origin(const Card& card) {
   return card.name + " " + card.text(0);
 }
 
-// Fields of a list that end before a real number or a word.
+// Fields of a list, "1 THRU 9" spelt out, that end before a real number or another word.
 std::vector<int> list_before_reals(const Card& card, std::size_t& field) {
   std::vector<int> labels;
   for (; field < card.fields.size(); ++field) {
     if (!card.has(field)) continue;
+    if (in_capitals(card.text(field)) == "THRU" && !labels.empty()) {
+      const int last = card.whole(++field);
+      if (last < labels.back() || last - labels.back() > 10000000)
+        card.wrong("THRU leads to " + std::to_string(last), "a number above the first");
+      for (int label = labels.back() + 1; label <= last; ++label) labels.push_back(label);
+      continue;
+    }
     if (card.is_real(field) || std::isalpha(static_cast<unsigned char>(card.text(field)[0]))) break;
     labels.push_back(card.whole(field));
   }
@@ -45,6 +52,17 @@ void rbe2(const Card& card, const NastranGrids& grids, DeckModel& deck) {
   deck.sets["RBE2[" + card.text(0) + "]"] = {reference};
 }
 
+void crigd1(const Card& card, const NastranGrids& grids, DeckModel& deck) {
+  std::size_t field = 2;
+  const std::vector<int> follow = list_before_reals(card, field);
+  if (follow.empty()) card.wrong("ties nothing", "grid points");
+  deck.couplings.push_back({.reference = grids.at(card, 1),
+                            .nodes = grids.find(card, follow),
+                            .weights = {},
+                            .dofs = six_dofs,
+                            .origin = origin(card)});
+}
+
 void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
   DeckCoupling c{.distributing = true,
                  .reference = grids.at(card, 2),
@@ -52,13 +70,15 @@ void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
                  .weights = {},
                  .dofs = card.dofs(3),
                  .origin = origin(card)};
-  if (c.dofs != all_six && c.dofs != std::vector{0, 1, 2})
+  std::sort(c.dofs.begin(), c.dofs.end());
+  if (c.dofs != six_dofs && c.dofs != std::vector{0, 1, 2})
     card.wrong("has REFC " + card.text(3), "123456 or 123");
   for (std::size_t field = 4; field < card.fields.size();) {
     if (!card.has(field)) {
       ++field;
       continue;
     }
+    if (in_capitals(card.text(field)) == "ALPHA") break; // expansion
     if (std::isalpha(static_cast<unsigned char>(card.text(field)[0])))
       card.wrong("has " + card.text(field), "weights, components 123 and grid points");
     const double weight = card.real(field++);
@@ -74,15 +94,15 @@ void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
 }
 
 void rbar(const Card& card, const NastranGrids& grids, DeckModel& deck) {
-  const bool from_a = card.dofs(3) == all_six && !card.has(4);
-  const bool from_b = card.dofs(4) == all_six && !card.has(3);
+  const bool from_a = card.dofs(3) == six_dofs && !card.has(4);
+  const bool from_b = card.dofs(4) == six_dofs && !card.has(3);
   if (!from_a && !from_b)
     card.wrong("has independent degrees of freedom at both ends", "123456 at one end");
   const std::size_t dependent = from_a ? 6 : 5;
   deck.couplings.push_back({.reference = grids.at(card, from_a ? 1 : 2),
                             .nodes = {grids.at(card, from_a ? 2 : 1)},
                             .weights = {},
-                            .dofs = card.has(dependent) ? card.dofs(dependent) : all_six,
+                            .dofs = card.has(dependent) ? card.dofs(dependent) : six_dofs,
                             .origin = origin(card)});
 }
 
@@ -91,10 +111,8 @@ void mpc(const Card& card, const NastranGrids& grids, DeckModel& deck) {
   for (std::size_t row = 0; row < card.fields.size(); row += 8)
     for (std::size_t at : {row + 1, row + 4}) {
       if (!card.has(at)) continue;
-      const std::vector<int> dofs = card.dofs(at + 1);
-      if (dofs.size() != 1)
-        card.wrong("has a term with components \"" + card.text(at + 1) + "\"", "one component");
-      terms.push_back({grids.at(card, at), dofs[0], card.real(at + 2)});
+      const int node = grids.at(card, at);
+      terms.push_back({node, grids.dof(card, node, at + 1), card.real(at + 2)});
     }
   if (terms.empty() || terms.front().factor == 0)
     card.wrong("has no first term that follows the others", "grid point, component, factor");
@@ -106,7 +124,7 @@ void mpc(const Card& card, const NastranGrids& grids, DeckModel& deck) {
 
 // Numbers of the sets that are in force, sums of sets spelt out.
 std::set<int> in_force(const CardsByName& cards, const BulkData& bulk, const std::string& kind,
-                       const std::vector<const char*>& names) {
+                       const std::vector<const char*>& names, DeckModel& deck) {
   std::set<int> there;
   const Card* any = nullptr;
   for (const char* name : names)
@@ -116,19 +134,25 @@ std::set<int> in_force(const CardsByName& cards, const BulkData& bulk, const std
     });
   if (any == nullptr) return {};
   const auto choice = bulk.chosen.find(kind);
-  std::set<int> sets = choice == bulk.chosen.end() ? std::set<int>{} : choice->second;
-  if (sets.empty() && (bulk.has_control || there.size() > 1))
+  const std::vector<int> chosen = choice == bulk.chosen.end() ? std::vector<int>{} : choice->second;
+  if (chosen.empty() && !bulk.has_control && there.size() > 1)
     any->wrong("belongs to one of " + std::to_string(there.size()) +
                    " sets, and no case control chooses one",
                kind + " = number before BEGIN BULK");
-  if (sets.empty()) return there;
-  if (sets.size() > 1)
-    any->wrong("the subcases choose different sets of " + kind, "one set for all");
+  if (chosen.empty() && bulk.has_control)
+    deck.notes.push_back("case control chooses no set of " + kind +
+                         ": none of the deck's is in force");
+  if (chosen.empty()) return bulk.has_control ? std::set<int>{} : there;
+  std::set<int> sets{chosen.front()};
+  if (std::set<int>(chosen.begin(), chosen.end()).size() > 1)
+    deck.notes.push_back("the subcases choose different sets of " + kind + ": that of the first, " +
+                         std::to_string(chosen.front()) + ", is in force");
   for_each(cards, (kind + "ADD").c_str(), [&](const Card& card) {
     if (!sets.contains(card.whole(0))) return;
     for (int set : card.list(1)) sets.insert(set);
   });
-  if (std::none_of(sets.begin(), sets.end(), [&](int set) { return there.contains(set); })) {
+  if (std::none_of(sets.begin(), sets.end(), [&](int set) { return there.contains(set); }) &&
+      chosen.front() != 0) {
     std::string known;
     for (int set : there) known += (known.empty() ? "" : ", ") + std::to_string(set);
     any->wrong("is not of set " + std::to_string(*sets.begin()) + ", which case control chooses",
@@ -139,42 +163,49 @@ std::set<int> in_force(const CardsByName& cards, const BulkData& bulk, const std
 
 } // namespace
 
-void read_rigid_elements(const CardsByName& cards, const NastranGrids& grids, DeckModel& deck) {
-  for_each(cards, "RBE2", [&](const Card& card) { rbe2(card, grids, deck); });
-  for_each(cards, "RBE3", [&](const Card& card) { rbe3(card, grids, deck); });
-  for_each(cards, "RBAR", [&](const Card& card) { rbar(card, grids, deck); });
+void read_rigid_elements(const NastranReading& r) {
+  r.each("RBE2", [&](const Card& card) { rbe2(card, r.grids, r.deck); });
+  r.each("RBE3", [&](const Card& card) { rbe3(card, r.grids, r.deck); });
+  r.each("RBAR", [&](const Card& card) { rbar(card, r.grids, r.deck); });
+  r.each("CRIGD1", [&](const Card& card) { crigd1(card, r.grids, r.deck); });
 }
 
-void read_constraints(const CardsByName& cards, const BulkData& bulk, const NastranGrids& grids,
-                      DeckModel& deck) {
-  const std::set<int> mpcs = in_force(cards, bulk, "MPC", {"MPC"});
-  for_each(cards, "MPC", [&](const Card& card) {
+void read_constraints(const NastranReading& r, const BulkData& bulk) {
+  const NastranGrids& grids = r.grids;
+  DeckModel& deck = r.deck;
+  std::set<int> mpcs, spcs;
+  r.problems.collect([&] { mpcs = in_force(r.cards, bulk, "MPC", {"MPC"}, deck); });
+  r.each("MPC", [&](const Card& card) {
     if (mpcs.contains(card.whole(0))) mpc(card, grids, deck);
   });
-  const std::set<int> spcs = in_force(cards, bulk, "SPC", {"SPC", "SPC1"});
+  r.problems.collect([&] { spcs = in_force(r.cards, bulk, "SPC", {"SPC", "SPC1"}, deck); });
   std::set<std::pair<int, int>> held;
+  std::size_t moved = 0;
   for (const Constraint& row : deck.supports) held.insert({row.node, row.dof});
-  const auto hold = [&](const Card& card, int node, const std::vector<int>& dofs) {
-    for (int dof : dofs)
+  const auto hold = [&](const Card& card, int node, std::size_t field) {
+    const bool one = deck.scalars.contains(node);
+    for (int dof : one ? std::vector{grids.dof(card, node, field)} : card.dofs(field))
       if (held.insert({node, dof}).second)
         deck.supports.push_back({node, dof, {}, "SPC " + card.text(0)});
     std::vector<int>& set = deck.sets["SPC[" + card.text(0) + "]"];
     if (std::find(set.begin(), set.end(), node) == set.end()) set.push_back(node);
   };
-  for_each(cards, "SPC", [&](const Card& card) {
+  r.each("SPC", [&](const Card& card) {
     if (!spcs.contains(card.whole(0))) return;
     for (std::size_t at : {std::size_t{1}, std::size_t{4}}) {
       if (!card.has(at)) continue;
-      if (card.real(at + 2, 0) != 0)
-        card.wrong("prescribes a displacement other than zero",
-                   "zero; motion of the base is asked for in the case");
-      hold(card, grids.at(card, at), card.dofs(at + 1));
+      moved += card.real(at + 2, 0) != 0;
+      hold(card, grids.at(card, at), at + 1);
     }
   });
-  for_each(cards, "SPC1", [&](const Card& card) {
+  r.each("SPC1", [&](const Card& card) {
     if (!spcs.contains(card.whole(0))) return;
-    for (int node : grids.find(card, card.list(2))) hold(card, node, card.dofs(1));
+    for (int node : grids.list(card, 2)) hold(card, node, 1);
   });
+  if (moved > 0)
+    deck.notes.push_back(std::to_string(moved) +
+                         " SPC prescribe a displacement other than zero: "
+                         "they hold, motion of the base is asked for in the case");
 }
 
 } // namespace plica

@@ -1,15 +1,14 @@
-// What ties and holds the grid points of a Nastran deck: RBE2, RBE3, RBAR, MPC, SPC.
+// What ties and holds the grid points of a Nastran deck: RBE2, RBE3, RBAR, CRIGD1, MPC, SPC.
 #pragma once
 
-#include "io/decks/nastran_grids.hpp"
+#include "io/decks/nastran_elements.hpp"
 
 namespace plica {
 
-void read_rigid_elements(const CardsByName& cards, const NastranGrids& grids, DeckModel& deck);
+void read_rigid_elements(const NastranReading& reading);
 
-// Of the sets that case control chooses, or, in a file without it, of the only one there is. Cards
-// that are there and not chosen, and a set that is chosen and not there, are errors.
-void read_constraints(const CardsByName& cards, const BulkData& bulk, const NastranGrids& grids,
-                      DeckModel& deck);
+// Of the sets that the first subcase chooses, or, in a file without case control, of the only one
+// there is. A set that is chosen and not there is an error; what is not chosen is noted.
+void read_constraints(const NastranReading& reading, const BulkData& bulk);
 
 } // namespace plica

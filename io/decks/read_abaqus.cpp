@@ -9,62 +9,40 @@
 namespace plica {
 namespace {
 
-// What stands in a step and does not change the structure.
-const std::set<std::string> passed_keywords{"HEADING",
-                                            "PREPRINT",
-                                            "RESTART",
-                                            "OUTPUT",
-                                            "NODE OUTPUT",
-                                            "ELEMENT OUTPUT",
-                                            "ENERGY OUTPUT",
-                                            "NODE PRINT",
-                                            "EL PRINT",
-                                            "NODE FILE",
-                                            "EL FILE",
-                                            "MODAL FILE",
-                                            "FILE FORMAT",
-                                            "MONITOR",
-                                            "STEP",
-                                            "END STEP",
-                                            "FREQUENCY",
-                                            "STEADY STATE DYNAMICS",
-                                            "MODAL DYNAMIC",
-                                            "RANDOM RESPONSE",
-                                            "MODAL DAMPING",
-                                            "SELECT EIGENMODES",
-                                            "BASE MOTION",
-                                            "AMPLITUDE",
-                                            "DAMPING",
-                                            "GLOBAL DAMPING",
-                                            "PHYSICAL CONSTANTS",
-                                            "SECTION CONTROLS",
-                                            "DIAGNOSTICS"};
+std::string near(const Keyword& k, const std::vector<KeywordHandlers>& phases) {
+  std::vector<std::string> names;
+  for (const KeywordHandlers& phase : phases)
+    for (const auto& [name, h] : phase) names.push_back(name);
+  const std::string word = nearest_word(k.name, names);
+  return word.empty() ? "" : ", did you mean *" + word + "?";
+}
 
-void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases, LeftOut& left_out) {
-  if (passed_keywords.contains(k.name)) return;
-  if (k.name == "PART" || k.name == "INSTANCE" || k.name == "ASSEMBLY")
-    deck_error(k.at, "*" + k.name, "is not read: the deck has parts and instances",
-               "a flat deck; in Abaqus/CAE, model attribute \"do not use parts and assemblies in "
-               "input files\"");
-  if (k.name == "SYSTEM" || k.name == "TRANSFORM" || (k.name == "NODE" && k.has("SYSTEM")))
-    deck_error(k.at, "*" + k.name, "gives coordinates in axes that are not followed",
-               "nodes and degrees of freedom in global axes");
+// Sorts a keyword: followed, with parameters that are known, passed over, or not had.
+void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases,
+                 MissingCards& missing, PassedCards& passed, LeftOut& left_out) {
   const KeywordHandler* handler = nullptr;
   for (const KeywordHandlers& phase : phases)
     if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;
-  if (handler == nullptr) {
-    std::vector<std::string> names;
-    for (const KeywordHandlers& phase : phases)
-      for (const auto& [name, h] : phase) names.push_back(name);
-    const std::string near = nearest_word(k.name, names);
-    left_out.note(k, "is not known",
-                  (near.empty() ? "" : "did you mean *" + near + "? ") +
-                      "keywords of docs/decks.md");
-    return;
-  }
+  const KeywordKind kind = kind_of_keyword(k.name);
+  if (kind == KeywordKind::passed) return passed.add("*" + k.name);
+  if (handler == nullptr)
+    return missing.add(
+        "*" + k.name,
+        kind == KeywordKind::structural ? "is not had" : "is not known" + near(k, phases), k.at);
   for (const auto& [name, value] : k.parameters)
     if (!handler->parameters.contains(name))
       left_out.note(k, "has a parameter " + name + " that is not known", "without it");
+}
+
+void note_what_is_taken_elastic(const std::vector<Keyword>& keywords, DeckModel& deck) {
+  const auto has = [&](const char* name) {
+    return std::any_of(keywords.begin(), keywords.end(),
+                       [&](const Keyword& k) { return k.name == name; });
+  };
+  if (has("PLASTIC") || has("CREEP") || has("VISCOELASTIC"))
+    deck.notes.push_back("materials that yield, creep or relax are taken as elastic");
+  if (has("SURFACE INTERACTION") && !has("CONTACT PAIR") && !has("CONTACT"))
+    deck.notes.push_back("laws of contact are passed over: no contact uses them");
 }
 
 } // namespace
@@ -72,32 +50,40 @@ void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases, L
 // What may be named before it is given comes first: nodes, elements and sets, then materials and
 // surfaces, then what uses them.
 DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
-  const std::vector<Keyword> keywords = read_keywords(file);
   DeckModel deck;
+  const FlatDeck flat = flatten(read_keywords(file), deck.notes);
+  const std::vector<Keyword>& keywords = flat.keywords;
   for (const Keyword& k : keywords) {
     deck.files.insert(k.at.file);
     for (const DataLine& line : k.data) deck.files.insert(line.at.file);
   }
   LeftOut left_out(unknown, deck);
-  AbaqusMesh mesh(deck, left_out);
+  MissingCards missing(unknown == UnknownCards::list);
+  PassedCards passed;
+  AbaqusMesh mesh(deck, left_out, missing, flat.instances);
   AbaqusSections sections(deck, mesh, left_out);
   AbaqusJoints joints(deck, mesh);
-  const std::vector<KeywordHandlers> phases{mesh.handlers(), sections.materials(),
-                                            joints.surfaces(), sections.handlers(),
-                                            joints.handlers()};
+  const std::vector<KeywordHandlers> phases{mesh.handlers(),     sections.materials(),
+                                            mesh.axes(),         joints.surfaces(),
+                                            sections.handlers(), joints.handlers()};
   DeckProblems problems;
-  for (const Keyword& k : keywords) problems.collect([&] { check_known(k, phases, left_out); });
+  for (const Keyword& k : keywords)
+    problems.collect([&] { check_known(k, phases, missing, passed, left_out); });
+  note_what_is_taken_elastic(keywords, deck);
+  passed.finish(deck);
   for (std::size_t p = 0; p < phases.size(); ++p) {
+    const std::size_t before = problems.count();
     for (const Keyword& k : keywords)
       if (const auto found = phases[p].find(k.name); found != phases[p].end())
         problems.collect([&] { found->second.read(k); });
-    if (p == 0) continue; // materials build on no mesh
-    problems.raise();
-    if (p == 1) mesh.read_sets();
+    if (p == 0) missing.finish(problems, deck, "keywords of docs/decks.md, or unknown_cards: list");
+    if (p == 1) problems.collect([&] { mesh.read_sets(); }); // materials build on no mesh
+    if (p > 0 && problems.count() > before) problems.raise();
   }
-  mesh.check_sections();
-  sections.finish();
-  joints.finish();
+  mesh.check_sections(problems);
+  problems.collect([&] { sections.finish(); });
+  problems.collect([&] { joints.finish(); });
+  problems.raise();
   return deck;
 }
 

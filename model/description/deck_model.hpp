@@ -28,7 +28,7 @@ struct DeckCoupling {
   int reference = 0;
   std::vector<int> nodes;
   std::vector<double> weights; // distributing; empty = equal
-  std::vector<int> dofs;       // 0..5; distributing: the first three, or else all
+  std::vector<int> dofs;       // 0..5, along DeckModel::axes; distributing: the first three, or all
   std::string origin;          // for messages: "*COUPLING SPIDER"
 };
 
@@ -41,15 +41,23 @@ struct DeckModel {
   std::vector<BeamElement> beams;
   std::vector<MassElement> masses;
   std::vector<BushingElement> bushings; // their law acts in the middle
-  std::vector<MatrixElement> springs;   // between single DOFs, wherever their nodes are
+  std::vector<MatrixElement> springs;   // and bars, masses of single DOFs: global axes
   std::vector<DeckCoupling> couplings;
   std::vector<Constraint> equations;
   std::vector<Constraint> supports;
+  // Nodes whose DOFs in couplings (where they follow), equations and supports are along the columns
+  // of a matrix in place of the global axes.
+  std::map<int, Eigen::Matrix3d> axes;
+  std::set<int> scalars; // nodes without a place, of one DOF, their first
+  // DOFs with mass and without stiffness are held, as AUTOSPC of Nastran does.
+  bool holds_what_has_no_stiffness = false;
   std::set<std::string> files;       // that it was read from
   std::vector<std::string> left_out; // cards that are not followed: "model.inp:12: *DAMPING"
+  std::vector<std::string> notes;    // what else is to be known: "passed over: 12 FORCE, LOAD"
 };
 
-// By its suffix, in any case: .inp is Abaqus, .bdf .dat .nas .fem Nastran.
+// By its suffix, in any case: .inp is Abaqus, .bdf .dat .nas .fem Nastran. A reader looks into a
+// file as well: some Nastran decks are called .inp.
 enum class DeckFormat { none, abaqus, nastran };
 DeckFormat deck_format(const std::filesystem::path& file);
 

@@ -32,6 +32,7 @@ public:
     for (const Vector3d& x : deck_.nodes)
       model_.mesh.nodes.emplace_back(turn_ * (L_ * x) + placing_.move);
     model_.mesh.sets = deck_.sets;
+    model_.scalar_nodes = deck_.scalars;
     add_shells();
     for (BeamElement beam : deck_.beams) add(beam);
     for (MassElement mass : deck_.masses) add(mass);
@@ -41,6 +42,7 @@ public:
     for (const Constraint& row : deck_.equations) add(row);
     if (placing_.held)
       for (const Constraint& row : deck_.supports) add(row);
+    solve_rows();
     drop_unused();
     hold_what_nothing_reaches();
     return std::move(model_);
@@ -169,73 +171,119 @@ private:
   }
 
   void add(MatrixElement spring) {
-    Eigen::MatrixXd R = Eigen::MatrixXd::Zero(spring.K.rows(), spring.K.rows());
-    for (Eigen::Index i = 0; i < R.rows(); i += 3) R.block<3, 3>(i, i) = turn_;
-    for (Eigen::Index i = 0; i < spring.K.rows(); ++i)
-      for (Eigen::Index j = 0; j < spring.K.cols(); ++j)
-        spring.K(i, j) = stiffness(spring.K(i, j), int(i % 6), int(j % 6));
-    spring.K = R * spring.K * R.transpose();
+    Eigen::MatrixXd R = Eigen::MatrixXd::Identity(spring.K.rows(), spring.K.rows());
+    for (Eigen::Index i = 0; i < R.rows(); i += 3)
+      if (!deck_.scalars.contains(spring.nodes[i / 6])) R.block<3, 3>(i, i) = turn_;
+    for (Eigen::MatrixXd* matrix : {&spring.K, &spring.M}) {
+      for (Eigen::Index i = 0; i < matrix->rows(); ++i)
+        for (Eigen::Index j = 0; j < matrix->cols(); ++j) // seconds stay seconds
+          (*matrix)(i, j) = stiffness((*matrix)(i, j), int(i % 6), int(j % 6));
+      *matrix = R * *matrix * R.transpose();
+    }
     model_.matrices.push_back(std::move(spring));
   }
 
+  // --- rows of constraints
+
+  // Axes of the DOFs of a node in a row of the deck.
+  Matrix3d axes_of(int node) const {
+    if (deck_.scalars.contains(node)) return Matrix3d::Identity();
+    const auto own = deck_.axes.find(node);
+    return own == deck_.axes.end() ? turn_ : Matrix3d(turn_ * own->second);
+  }
+
+  // direction . u = sum of terms, for the translations or the rotations of a node.
+  struct Row {
+    Vector3d direction;
+    std::map<std::pair<int, int>, double> terms; // by node and DOF
+    std::string origin;
+  };
+
   void add(const DeckCoupling& c) {
-    if (c.distributing) {
+    const std::size_t first = model_.constraints.size();
+    if (c.distributing)
       add_distributing_coupling(model_, c.reference, c.nodes, c.origin, c.weights);
-      std::erase_if(model_.constraints, [&](const Constraint& row) {
-        return row.node == c.reference && row.dof >= 3 && row.origin == c.origin &&
-               c.dofs.size() == 3;
-      });
+    else
+      add_kinematic_coupling(model_, c.reference, c.nodes, {0, 1, 2, 3, 4, 5}, c.origin);
+    const auto begin = model_.constraints.begin() + static_cast<std::ptrdiff_t>(first);
+    const std::vector<Constraint> all(begin, model_.constraints.end()); // six for each node
+    model_.constraints.erase(begin, model_.constraints.end());
+    for (std::size_t i = 0; i < all.size(); i += 3) add_wanted(c, &all[i]);
+  }
+
+  // Of three rows, for the translations or the rotations of a node, what a coupling wants.
+  void add_wanted(const DeckCoupling& c, const Constraint* rows) {
+    const int first = rows[0].dof;
+    std::vector<int> wanted;
+    for (int k = 0; k < 3; ++k)
+      if (std::find(c.dofs.begin(), c.dofs.end(), first + k) != c.dofs.end() ||
+          (c.distributing && c.dofs.size() != 3))
+        wanted.push_back(k);
+    if (wanted.size() == 3) {
+      model_.constraints.insert(model_.constraints.end(), rows, rows + 3);
       return;
     }
-    std::set<int> dofs;
-    for (int dof : c.dofs) dofs.insert(turned(dof).first);
-    const bool halves = std::any_of(c.dofs.begin(), c.dofs.end(), [&](int dof) {
-      const int first = dof < 3 ? 0 : 3;
-      return std::count_if(c.dofs.begin(), c.dofs.end(),
-                           [&](int other) { return other / 3 == first / 3; }) < 3;
-    });
-    if (halves && !keeps_axes(turn_)) refuse(c.origin);
-    add_kinematic_coupling(model_, c.reference, c.nodes,
-                           keeps_axes(turn_) ? std::vector(dofs.begin(), dofs.end()) : c.dofs,
-                           c.origin);
-  }
-
-  [[noreturn]] static void refuse(const std::string& origin) {
-    throw std::runtime_error(origin + " ties or holds single degrees of freedom, which a turn that "
-                                      "is no multiple of 90 degrees mixes");
-  }
-
-  // Where a DOF goes under a turn that keeps the axes, and its sign.
-  std::pair<int, double> turned(int dof) const {
-    Eigen::Index row = 0;
-    const Vector3d axis = turn_.col(dof % 3);
-    axis.cwiseAbs().maxCoeff(&row);
-    return {static_cast<int>(row) + (dof < 3 ? 0 : 3), axis[row] < 0 ? -1. : 1.};
-  }
-
-  bool holds_a_whole_triple(const Constraint& row) const {
-    const int first = row.dof < 3 ? 0 : 3;
-    int held = 0;
-    for (const Constraint& other : deck_.supports)
-      held += other.node == row.node && other.dof / 3 == first / 3;
-    return row.terms.empty() && held >= 3;
-  }
-
-  void add(Constraint row) {
-    if (!keeps_axes(turn_)) {
-      if (!holds_a_whole_triple(row)) refuse(row.origin);
-      model_.constraints.push_back(row);
-      return;
+    const Matrix3d A = axes_of(rows[0].node);
+    for (int k : wanted) {
+      Row row{A.col(k), {}, c.origin};
+      for (int d = 0; d < 3; ++d)
+        for (const ConstraintTerm& t : rows[d].terms)
+          row.terms[{t.node, t.dof}] += A(d, k) * t.factor;
+      rows_[{rows[0].node, first}].push_back(std::move(row));
     }
-    const auto [dof, sign] = turned(row.dof);
-    for (ConstraintTerm& term : row.terms) {
-      const auto [to, own_sign] = turned(term.dof);
-      term.factor *= sign * own_sign * std::pow(L_, (row.dof < 3) - (term.dof < 3));
-      term.dof = to;
-    }
-    row.dof = dof;
-    model_.constraints.push_back(std::move(row));
   }
+
+  void add(const Constraint& row) {
+    Row own{axes_of(row.node).col(row.dof % 3), {}, row.origin};
+    for (const ConstraintTerm& term : row.terms) {
+      const Vector3d direction = axes_of(term.node).col(term.dof % 3);
+      const double factor = term.factor * std::pow(L_, (row.dof < 3) - (term.dof < 3));
+      for (int d = 0; d < 3; ++d)
+        if (std::abs(direction[d]) > rounding)
+          own.terms[{term.node, term.dof / 3 * 3 + d}] += factor * direction[d];
+    }
+    rows_[{row.node, row.dof / 3 * 3}].push_back(std::move(own));
+  }
+
+  // Rows of one node along any axes as rows that each determine a DOF of their own: elimination
+  // with pivots. What determines a direction twice goes on as it is; who solves says so.
+  void solve_rows() {
+    for (auto& [at, rows] : rows_) {
+      std::vector<std::pair<int, Row>> solved; // DOF of the three, row with 1 there
+      for (const Row& given : rows) {
+        Row row = given;
+        const auto subtract = [](Row& from, const Row& what, double factor) {
+          from.direction -= factor * what.direction;
+          for (const auto& [dof, f] : what.terms) from.terms[dof] -= factor * f;
+        };
+        for (const auto& [d, known] : solved) subtract(row, known, row.direction[d]);
+        Eigen::Index pivot = 0;
+        if (!(row.direction.cwiseAbs().maxCoeff(&pivot) > rounding)) {
+          row = given;
+          row.direction.cwiseAbs().maxCoeff(&pivot);
+        }
+        const double largest = row.direction[pivot];
+        row.direction /= largest;
+        for (auto& [dof, f] : row.terms) f /= largest;
+        for (auto& [d, known] : solved)
+          if (d != pivot) subtract(known, row, known.direction[pivot]);
+        solved.emplace_back(int(pivot), std::move(row));
+      }
+      for (const auto& [d, row] : solved) add_row(at.first, at.second + d, row);
+    }
+  }
+
+  void add_row(int node, int dof, const Row& row) {
+    Constraint own{node, dof, {}, row.origin};
+    for (int d = 0; d < 3; ++d)
+      if (d != dof % 3 && std::abs(row.direction[d]) > rounding)
+        own.terms.push_back({node, dof / 3 * 3 + d, -row.direction[d]});
+    for (const auto& [at, factor] : row.terms)
+      if (factor != 0) own.terms.push_back({at.first, at.second, factor});
+    model_.constraints.push_back(std::move(own));
+  }
+
+  // --- what is left
 
   template <class F> void for_each_node_number(F&& f) {
     for (ShellQuad& q : model_.mesh.quads) std::for_each(q.nodes.begin(), q.nodes.end(), f);
@@ -248,7 +296,9 @@ private:
     }
     for (MatrixElement& m : model_.matrices) std::for_each(m.nodes.begin(), m.nodes.end(), f);
     for (Constraint& c : model_.constraints) {
-      if (c.terms.empty()) continue; // holding a node does not make use of it
+      const bool holds = std::all_of(c.terms.begin(), c.terms.end(),
+                                     [&](const ConstraintTerm& t) { return t.node == c.node; });
+      if (holds) continue; // which makes no use of a node
       f(c.node);
       for (ConstraintTerm& t : c.terms) f(t.node);
     }
@@ -258,16 +308,23 @@ private:
     std::vector<int> number(model_.mesh.nodes.size(), -1);
     for_each_node_number([&](int node) { number[node] = 0; });
     std::vector<Vector3d> kept;
+    std::set<int> scalars;
     for (std::size_t node = 0; node < number.size(); ++node)
       if (number[node] == 0) {
         number[node] = static_cast<int>(kept.size());
+        if (model_.scalar_nodes.contains(int(node))) scalars.insert(number[node]);
         kept.push_back(model_.mesh.nodes[node]);
       }
-    std::erase_if(model_.constraints,
-                  [&](const Constraint& c) { return c.terms.empty() && number[c.node] < 0; });
+    model_.scalar_nodes = std::move(scalars);
+    std::erase_if(model_.constraints, [&](const Constraint& c) { return number[c.node] < 0; });
+    std::vector<Constraint> constraints = std::move(model_.constraints);
+    model_.constraints.clear();
     for_each_node_number([&](int& node) { node = number[node]; });
-    for (Constraint& c : model_.constraints)
-      if (c.terms.empty()) c.node = number[c.node];
+    for (Constraint& c : constraints) {
+      c.node = number[c.node];
+      for (ConstraintTerm& t : c.terms) t.node = number[t.node];
+    }
+    model_.constraints = std::move(constraints);
     for (auto& [name, nodes] : model_.mesh.sets) {
       for (int& node : nodes) node = number[node];
       std::erase(nodes, -1);
@@ -276,18 +333,19 @@ private:
     model_.mesh.nodes = std::move(kept);
   }
 
-  void hold_what_nothing_reaches() {
+  // DOFs with stiffness, or, unless those without are held, with mass.
+  std::vector<bool> reached_by_elements() const {
     std::vector<bool> reached(6 * model_.mesh.nodes.size(), false);
     const auto reach = [&](int node, int first = 0, int last = 6) {
       for (int dof = first; dof < last; ++dof) reached[6 * node + dof] = true;
     };
-    for (const ShellQuad& q : model_.mesh.quads)
-      for (int node : q.nodes) reach(node);
-    for (const ShellTriangle& t : model_.mesh.triangles)
-      for (int node : t.nodes) reach(node);
+    const auto reach_by_shell = [&](const auto& shell) {
+      const ShellSection& wall = model_.shells[std::size_t(shell.section)].section;
+      for (int node : shell.nodes) reach(node, 0, wall.bending_factor > 0 ? 6 : 3);
+    };
+    for (const ShellQuad& q : model_.mesh.quads) reach_by_shell(q);
+    for (const ShellTriangle& t : model_.mesh.triangles) reach_by_shell(t);
     for (const BeamElement& b : model_.beams) reach(b.node1), reach(b.node2);
-    for (const MassElement& m : model_.masses)
-      reach(m.node, 0, m.body.inertia.isZero() && m.body.offset.isZero() ? 3 : 6);
     const auto reach_by = [&](const Eigen::MatrixXd& K, const std::vector<int>& nodes) {
       for (Eigen::Index i = 0; i < K.rows(); ++i)
         if (!K.row(i).isZero(0)) reach(nodes[i / 6], int(i % 6), int(i % 6) + 1);
@@ -295,9 +353,20 @@ private:
     for (const BushingElement& b : model_.bushings)
       reach_by(bushing_matrix(model_.mesh, b), {b.node1, b.node2});
     for (const MatrixElement& m : model_.matrices) reach_by(m.K, m.nodes);
+    if (deck_.holds_what_has_no_stiffness) return reached;
+    for (const MassElement& m : model_.masses)
+      reach(m.node, 0, m.body.inertia.isZero() && m.body.offset.isZero() ? 3 : 6);
+    for (const MatrixElement& m : model_.matrices)
+      if (m.K.isZero(0)) reach_by(m.M, m.nodes);
+    return reached;
+  }
+
+  void hold_what_nothing_reaches() {
+    std::vector<bool> reached = reached_by_elements();
     for (const Constraint& c : model_.constraints) {
-      reach(c.node, c.dof, c.dof + 1);
-      for (const ConstraintTerm& t : c.terms) reach(t.node, t.dof, t.dof + 1);
+      reached[6 * c.node + c.dof] = true;
+      for (const ConstraintTerm& t : c.terms)
+        if (t.node != c.node) reached[6 * t.node + t.dof] = true;
     }
     for (int node = 0; node < static_cast<int>(model_.mesh.nodes.size()); ++node)
       for (int dof = 0; dof < 6; ++dof)
@@ -308,16 +377,12 @@ private:
   const DeckPlacing& placing_;
   Matrix3d turn_;
   double L_, M_;
-  std::map<int, std::vector<int>> walls_; // by node of the deck
+  std::map<int, std::vector<int>> walls_;                // by node of the deck
+  std::map<std::pair<int, int>, std::vector<Row>> rows_; // by node and first of its three DOFs
   Model model_;
 };
 
 } // namespace
-
-bool keeps_axes(const Matrix3d& turn) {
-  return (turn.cwiseAbs().array() < rounding || (turn.cwiseAbs().array() - 1).abs() < rounding)
-      .all();
-}
 
 Model place(const DeckModel& deck, const DeckPlacing& placing) {
   return Placer(deck, placing).result();

@@ -22,12 +22,9 @@ struct DeckPlacing {
 
 // The deck as a model of one component. Normals that are not given are the mean of those of the
 // facets that meet at less than 20 degrees, as in Abaqus. A wall beside its nodes has nodes of its
-// own, which follow them rigidly. Nodes that nothing uses are left away; DOFs that no element
-// and no constraint reaches are held. Throws std::runtime_error for what has no such model:
-// a shell without area, DOFs one by one under a turn that is no multiple of 90 degrees.
+// own, which follow them rigidly. Single DOFs along axes that are not global become rows between
+// the DOFs of their node. Nodes that nothing uses are left away; DOFs that no element and no
+// constraint reaches are held. Throws std::runtime_error for a shell without area, or folded.
 Model place(const DeckModel& deck, const DeckPlacing& placing);
-
-// Turn of a placing: multiples of 90 degrees take DOFs to DOFs.
-bool keeps_axes(const Eigen::Matrix3d& turn);
 
 } // namespace plica

@@ -171,6 +171,7 @@ private:
   void placed(const std::string& name, const DeckPart& deck) {
     turned(name, deck.rotate);
     for (const std::string& card : deck.content->left_out) add("left out of the deck: " + card);
+    for (const std::string& note : deck.content->notes) add("parts." + name + ": " + note);
   }
 
   void placed(const std::string& name, const Bellows& bellows) {

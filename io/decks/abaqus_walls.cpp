@@ -1,0 +1,152 @@
+#include "io/decks/abaqus_sections.hpp"
+#include "io/decks/deck_panels.hpp"
+#include "io/decks/nastran_laminate.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+const std::set<std::string> shell_types{"S4", "S4R", "S4R5",   "S3",  "S3R", "STRI3",
+                                        "S6", "S8",  "STRI65", "S8R", "S8R5"};
+// Of the middle of the wall from the nodes, in thicknesses, along the normal: OFFSET is that of
+// the nodes from the middle.
+double offset(const Keyword& k) {
+  const std::string word = k.word_or("OFFSET", "0");
+  if (word == "SPOS") return -0.5;
+  if (word == "SNEG") return 0.5;
+  const DataLine line{k.at, {word}};
+  return -number_in(k, line, 0);
+}
+
+} // namespace
+
+// A wall of plies: thickness, points, material, orientation a line.
+AbaqusSections::Wall AbaqusSections::composite(const Keyword& k) const {
+  std::vector<LaminatePly> plies;
+  for (const DataLine& line : k.data) {
+    if (line.fields.size() < 3)
+      deck_error(line.at, "*" + k.name, "names no material", "thickness, points, material");
+    const auto found = materials_.find(in_capitals(line.fields[2]));
+    if (found == materials_.end() || !found->second.elastic)
+      deck_error(line.at, "*" + k.name, "there is no elastic material " + line.fields[2],
+                 "*MATERIAL with isotropic *ELASTIC");
+    const Material& m = found->second;
+    const double t = number_in(k, line, 0);
+    if (!(t > 0)) deck_error(line.at, "*" + k.name, "has a ply without thickness", "above 0");
+    plies.push_back({m.E, m.nu, m.rho, m.E / (2 * (1 + m.nu)), t});
+  }
+  if (plies.empty()) deck_error(k.at, "*" + k.name, "has no ply", "thickness, points, material");
+  const IsotropicLaminate laminate = isotropic_laminate(plies);
+  if (!laminate.refusal.empty())
+    deck_error(k.at, "*" + k.name, laminate.refusal,
+               "plies that make an isotropic, symmetric wall");
+  return {laminate.section, laminate.thickness};
+}
+
+void AbaqusSections::shell_section(const Keyword& k) {
+  open_beams_.clear();
+  Wall wall;
+  if (k.has("COMPOSITE")) {
+    wall = composite(k);
+  } else if (!k.has("MATERIAL") && k.name == "SHELL GENERAL SECTION") {
+    deck_error(k.at, "*" + k.name, "gives the stiffness of the wall as a matrix",
+               "MATERIAL= and a thickness");
+  } else {
+    const Material& m = material_of(k);
+    wall = {{.E = m.E, .nu = m.nu, .rho = m.rho}, number_in(k, data_line(k, 0), 0)};
+  }
+  if (!(wall.thickness > 0))
+    deck_error(data_line(k, 0).at, "*" + k.name, "has no thickness", "above 0");
+  const int section = static_cast<int>(deck_.sections.size());
+  deck_.sections.push_back(wall.section);
+  for (AbaqusElement* e : mesh_.elements_for(k, shell_types)) {
+    add_shells(*e, section, wall.thickness, offset(k) * wall.thickness);
+    if (k.has("NODAL THICKNESS"))
+      of_nodal_thickness_.insert(of_nodal_thickness_.end(), e->shells.begin(), e->shells.end());
+  }
+}
+
+// One of eight nodes as four around a node in its middle, one of six as four triangles.
+void AbaqusSections::add_shells(AbaqusElement& e, int section, double thickness, double offset) {
+  const std::vector<int> n = e.nodes;
+  std::vector<std::vector<int>> parts{n};
+  if (n.size() == 6)
+    parts = {{n[0], n[3], n[5]}, {n[1], n[4], n[3]}, {n[2], n[5], n[4]}, {n[3], n[4], n[5]}};
+  if (n.size() == 8) {
+    Vector3d x = Vector3d::Zero(); // of the shape functions of eight nodes
+    for (int i = 0; i < 4; ++i) x += deck_.nodes[n[i + 4]] / 2 - deck_.nodes[n[i]] / 4;
+    const int middle = static_cast<int>(deck_.nodes.size());
+    deck_.nodes.push_back(x);
+    deck_.labels.push_back(0);
+    parts = {{n[0], n[4], middle, n[7]},
+             {n[1], n[5], middle, n[4]},
+             {n[2], n[6], middle, n[5]},
+             {n[3], n[7], middle, n[6]}};
+  }
+  split_shells_ += parts.size() > 1;
+  for (const std::vector<int>& nodes : parts) {
+    e.shells.push_back(static_cast<int>(deck_.shells.size()));
+    deck_.shells.push_back({.nodes = nodes,
+                            .section = section,
+                            .thickness = std::vector(nodes.size(), thickness),
+                            .offset = offset,
+                            .origin = e.origin,
+                            .normal = {}});
+  }
+}
+
+void AbaqusSections::membrane_section(const Keyword& k) {
+  const Material& m = material_of(k);
+  const double t = number_in(k, data_line(k, 0), 0);
+  if (!(t > 0)) deck_error(k.data[0].at, "*" + k.name, "has no thickness", "above 0");
+  const ShellSection section{.E = m.E,
+                             .nu = m.nu,
+                             .rho = m.rho,
+                             .bending_factor = 0,
+                             .shear_correction = 0,
+                             .drilling = 0};
+  const int index = static_cast<int>(deck_.sections.size());
+  deck_.sections.push_back(section);
+  for (AbaqusElement* e : mesh_.elements_for(k, {"M3D3", "M3D4", "M3D4R"})) {
+    if (e->nodes.size() == 4) {
+      add_shells(*e, index, t, 0);
+      continue;
+    }
+    Eigen::Matrix3d x;
+    for (int i = 0; i < 3; ++i) x.col(i) = deck_.nodes[e->nodes[i]];
+    if (!((x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).norm() > 0))
+      deck_error(e->at, "*ELEMENT", e->origin + " has no area", "three corners");
+    deck_.springs.push_back(membrane_triangle(e->nodes, x, section, t));
+  }
+}
+
+void AbaqusSections::nodal_thickness(const Keyword& k) {
+  for (const DataLine& line : k.data)
+    for (int n : mesh_.nodes(k, line, line.fields.at(0))) thickness_[n] = number_in(k, line, 1);
+}
+
+void AbaqusSections::normal(const Keyword& k) {
+  if (k.word_or("TYPE", "ELEMENT") != "ELEMENT")
+    deck_error(k.at, "*NORMAL", "has TYPE=" + k.word("TYPE"), "TYPE=ELEMENT");
+  for (const DataLine& line : k.data)
+    for (int label : mesh_.elements(k, line, line.fields.at(0))) {
+      const AbaqusElement& e = mesh_.element(label);
+      const auto corner = std::find(e.nodes.begin(), e.nodes.end(), mesh_.node(k, line, 1));
+      const Vector3d n = mesh_.turn(k) * Vector3d(number_in(k, line, 2), number_in(k, line, 3),
+                                                  number_in(k, line, 4));
+      if (corner == e.nodes.end() || !(n.norm() > 0))
+        deck_error(line.at, "*NORMAL", "is not a direction at a node of the element",
+                   "element, node of it, three components");
+      if (shell_types.contains(e.type))
+        normals_.push_back({label, std::size_t(corner - e.nodes.begin()), n.normalized()});
+      else
+        left_out_.note(k, "is given to a beam", "the direction n1 of its section");
+    }
+}
+
+} // namespace plica

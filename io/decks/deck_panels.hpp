@@ -1,0 +1,43 @@
+// Flat elements that decks have and Model has not, as matrices: membranes and plates of three and
+// four nodes, panels in shear, trusses. Each in the units of its deck, global axes, six DOFs a
+// node.
+#pragma once
+
+#include "elements/shell_section.hpp"
+#include "solve/model.hpp"
+
+namespace plica {
+
+// Constant-strain triangle in its plane, without bending; mass of its translations alone.
+MatrixElement membrane_triangle(const std::vector<int>& nodes, const Eigen::Matrix3d& x,
+                                const ShellSection& section, double thickness);
+
+// Bending and transverse shear of a wall of three or four nodes without its membrane (columns of
+// x), as MITC3+ or MITC4 less their membrane; full mass.
+MatrixElement plate_alone(const std::vector<int>& nodes, const Eigen::MatrixXd& x,
+                          const ShellSection& section, double thickness);
+
+// A rectangle in shear of its edges, energy G t area gamma^2 / 2 with the mean strain of its
+// corners: what the panel of Garvey is on a rectangle; a quarter of the mass at each corner. Throws
+// std::invalid_argument for another shape.
+MatrixElement shear_panel(const std::vector<int>& nodes, const Eigen::Matrix<double, 3, 4>& x,
+                          double G, double thickness, double mass_per_area);
+
+// EA/L along the line between the nodes, GJ/L about it; consistent mass of the translations.
+MatrixElement truss(const std::vector<int>& nodes, const Eigen::Vector3d& x1,
+                    const Eigen::Vector3d& x2, double EA, double GJ, double mass_per_length);
+
+// A beam with released DOFs at its ends, which are condensed with the static shapes; `released` in
+// the local axes, 0..5 of node 1 and 6..11 of node 2, after the offsets.
+MatrixElement released_beam(const std::vector<Eigen::Vector3d>& nodes, const BeamElement& beam,
+                            const Eigen::Vector3d& up, const std::vector<int>& released);
+
+// k between single DOFs of nodes, along columns of their axes: k (u1 - u2)^2 / 2, or of one alone.
+struct SpringEnd {
+  int node = 0;
+  Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Zero();
+};
+Eigen::MatrixXd spring_matrix(const std::vector<SpringEnd>& ends, double k);
+Eigen::Matrix<double, 6, 1> along(const Eigen::Matrix3d& axes, int dof);
+
+} // namespace plica

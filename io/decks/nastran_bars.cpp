@@ -1,0 +1,98 @@
+#include "io/decks/deck_panels.hpp"
+#include "io/decks/keywords.hpp"
+#include "io/decks/nastran_elements.hpp"
+
+#include <Eigen/Geometry>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+// The field of an element, or of BAROR or BEAMOR where that is blank.
+const Card& given(const NastranReading& r, const Card& card, std::size_t field) {
+  const auto found = r.cards.find(card.name == "CBAR" ? "BAROR" : "BEAMOR");
+  return card.has(field) || found == r.cards.end() ? card : *found->second.front();
+}
+
+Vector3d vector(const Card& card, std::size_t first) {
+  return {card.real(first, 0), card.real(first + 1, 0), card.real(first + 2, 0)};
+}
+
+// The direction of the y of the element, by components or by a grid point.
+Vector3d orientation(const NastranReading& r, const Card& card, const BeamElement& beam,
+                     bool in_basic) {
+  const bool own = card.has(4) || card.has(5) || card.has(6);
+  const Card& from = own ? card : given(r, card, 4);
+  const bool by_grid = from.has(4) && !from.is_real(4) && !from.has(5) && !from.has(6);
+  if (by_grid) return r.deck.nodes[r.grids.at(from, 4)] - r.deck.nodes[beam.node1];
+  return in_basic ? vector(from, 4) : Vector3d(r.grids.axes(beam.node1) * vector(from, 4));
+}
+
+// Released DOFs in our local axes: the y of the element is our z, its z our -y.
+std::vector<int> released(const Card& card) {
+  static const int ours[6] = {0, 2, 1, 3, 5, 4};
+  std::vector<int> all;
+  for (std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+    if (!card.has(8 + end) || card.text(8 + end) == "0") continue;
+    for (int dof : card.dofs(8 + end)) all.push_back(ours[dof] + 6 * int(end));
+  }
+  return all;
+}
+
+void beam(const NastranReading& r, const Card& card) {
+  const Card& by = given(r, card, 1);
+  const auto section = r.properties.beam(card, by.has(1) ? by.whole(1) : card.whole(0));
+  BeamElement beam{.node1 = r.grids.at(card, 2), .node2 = r.grids.at(card, 3), .section = {}};
+  if (!section) return;
+  beam.section = section->properties;
+  const std::string axes = in_capitals(card.text(7));
+  if (!axes.empty() && axes != "GGG" && axes != "BGG" && !card.is_real(7))
+    card.wrong("has OFFT " + axes, "GGG, BGG or blank");
+  if (card.is_real(7) && card.real(7) != 0) card.wrong("has a twist BIT", "OFFT blank");
+  beam.up = orientation(r, card, beam, axes == "BGG");
+  beam.offset1 = r.grids.axes(beam.node1) * vector(card, 10);
+  beam.offset2 = r.grids.axes(beam.node2) * vector(card, 13);
+  const Vector3d axis =
+      r.deck.nodes[beam.node2] + beam.offset2 - r.deck.nodes[beam.node1] - beam.offset1;
+  if (!(axis.cross(beam.up).norm() > 1e-6 * axis.norm() * beam.up.norm()))
+    card.wrong("has no length, or an orientation along its axis", "a vector across the axis");
+  const Vector3d up = beam.up;
+  if (section->turn != 0) {
+    const Vector3d y = up.cross(axis).normalized(), z = axis.cross(y).normalized();
+    beam.up = std::cos(section->turn) * z - std::sin(section->turn) * y;
+  }
+  const std::vector<int> free = released(card);
+  if (free.empty())
+    r.deck.beams.push_back(beam);
+  else
+    r.deck.springs.push_back(
+        released_beam({r.deck.nodes[beam.node1], r.deck.nodes[beam.node2]}, beam, up, free));
+}
+
+void add_rod(const NastranReading& r, const Card& card, int node1, int node2,
+             const NastranRod& rod) {
+  const Vector3d &x1 = r.deck.nodes[node1], &x2 = r.deck.nodes[node2];
+  if (!((x2 - x1).norm() > 0)) card.wrong("has no length", "two places");
+  if (!(rod.EA >= 0 && rod.GJ >= 0 && rod.mass >= 0)) card.wrong("is below zero", "0 or more");
+  r.deck.springs.push_back(truss({node1, node2}, x1, x2, rod.EA, rod.GJ, rod.mass));
+}
+
+} // namespace
+
+void read_bars(const NastranReading& r) {
+  for (const char* name : {"CBAR", "CBEAM"}) r.each(name, [&](const Card& card) { beam(r, card); });
+  for (const char* name : {"CROD", "CTUBE"})
+    r.each(name, [&](const Card& card) {
+      const int node1 = r.grids.at(card, 2), node2 = r.grids.at(card, 3);
+      if (const auto rod = r.properties.rod(card, card.whole(1, card.whole(0))))
+        add_rod(r, card, node1, node2, *rod);
+    });
+  r.each("CONROD", [&](const Card& card) {
+    const NastranMaterial& m = r.properties.material(card, 3);
+    add_rod(r, card, r.grids.at(card, 1), r.grids.at(card, 2),
+            r.properties.rod(m, card.real(4), card.real(5, 0), card.real(7, 0)));
+  });
+}
+
+} // namespace plica

@@ -1,0 +1,25 @@
+// Shells, bars, masses and springs of a Nastran deck.
+#pragma once
+
+#include "io/decks/nastran_properties.hpp"
+
+namespace plica {
+
+struct NastranReading {
+  const CardsByName& cards;
+  NastranGrids& grids;
+  const NastranProperties& properties;
+  DeckModel& deck;
+  DeckProblems& problems;
+
+  template <class F> void each(const char* name, F&& read) const {
+    if (const auto found = cards.find(name); found != cards.end())
+      for (const Card* card : found->second) problems.collect([&] { read(*card); });
+  }
+};
+
+void read_shells(const NastranReading& reading); // and shear panels
+void read_bars(const NastranReading& reading);   // beams, rods
+void read_points(const NastranReading& reading); // masses and springs
+
+} // namespace plica

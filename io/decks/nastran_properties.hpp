@@ -1,0 +1,77 @@
+// Materials and properties of a Nastran deck, by their numbers.
+#pragma once
+
+#include "io/decks/deck_sections.hpp"
+#include "io/decks/nastran_grids.hpp"
+
+namespace plica {
+
+// E alone means nu = 0 and G = E/2 here. Of E, G and nu given together each is used where it
+// enters.
+struct NastranMaterial : BeamMaterial {
+  double G = 0;
+  int line = 0;
+  std::string not_a_wall; // why no isotropic wall is made of it; empty: one is
+  double isotropic_shear() const { return E / (2 * (1 + nu)); }
+};
+
+// What a wall resists.
+enum class WallKind { all, membrane, bending };
+
+struct NastranWall {
+  ShellSection section;
+  WallKind kind = WallKind::all;
+  double thickness = 0; // 0: of the elements
+  double offset = 0;    // nodes to the middle, along the normal
+};
+
+struct NastranRod {
+  double EA = 0, GJ = 0, mass = 0; // per length
+};
+
+class NastranProperties {
+public:
+  // What is wrong goes into `problems`; what was refused is not complained of again where it is
+  // used.
+  NastranProperties(const CardsByName& cards, double mass_factor, DeckProblems& problems,
+                    std::vector<std::string>& notes);
+
+  const NastranMaterial& material(const Card& asker, std::size_t field) const;
+  // Of a number; none where the property was refused. InputError when there is none.
+  std::optional<NastranWall> wall(const Card& asker, int number) const;
+  std::optional<TurnedSection> beam(const Card& asker, int number) const;
+  std::optional<NastranRod> rod(const Card& asker, int number) const; // of PROD or PTUBE
+  NastranRod rod(const NastranMaterial& m, double A, double J, double extra) const;
+  const Card& card(const char* name, int number, const Card& asker) const;
+  double mass_factor() const { return mass_factor_; }
+
+private:
+  void read_mat1(const Card& card);
+  void read_mat2(const Card& card);
+  void read_mat8(const Card& card);
+  void add_material(const Card& card, NastranMaterial m);
+  const NastranMaterial& wall_material(const Card& card, std::size_t field) const;
+  NastranWall pshell(const Card& card) const;
+  NastranWall pcomp(const Card& card) const;
+  NastranWall pquad2(const Card& card) const;
+  TurnedSection beam_of(const Card& card) const;
+  TurnedSection pbar(const Card& card, const NastranMaterial& m) const;
+  TurnedSection pbeam(const Card& card, const NastranMaterial& m) const;
+  double constant_along(const Card& card, std::size_t& field) const;
+  TurnedSection shaped(const Card& card, const NastranMaterial& m) const;
+
+  const CardsByName& cards_;
+  double mass_factor_;
+  std::map<int, NastranMaterial> materials_;
+  std::map<int, std::optional<NastranWall>> walls_;
+  std::map<int, std::optional<TurnedSection>> beams_;
+  std::map<std::string, std::map<int, std::optional<NastranRod>>> rods_;
+};
+
+// Profile of PBARL and PBEAML by the name and sizes of the MSC manual; the local z is the y of the
+// element. Throws InputError for one that is not had.
+TurnedSection nastran_profile(const Card& card, const NastranMaterial& material,
+                              const std::vector<double>& sizes);
+std::size_t sizes_of_profile(const Card& card); // InputError for one that is not had
+
+} // namespace plica

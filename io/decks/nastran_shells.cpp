@@ -1,0 +1,180 @@
+#include "io/decks/deck_panels.hpp"
+#include "io/decks/nastran_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace plica {
+namespace {
+
+struct ShellCard {
+  std::vector<int> nodes;
+  std::vector<double> thickness; // one per node
+};
+
+// Membranes of three nodes and plates alone have no element of their own in Model.
+void add_wall(const NastranReading& r, const Card& card, const NastranWall& wall,
+              const ShellCard& shell, double offset) {
+  DeckModel& deck = r.deck;
+  const bool triangle = shell.nodes.size() == 3;
+  Eigen::Matrix3Xd x(3, shell.nodes.size());
+  for (std::size_t i = 0; i < shell.nodes.size(); ++i)
+    x.col(Eigen::Index(i)) = deck.nodes[shell.nodes[i]];
+  if (wall.kind == WallKind::bending || (wall.kind == WallKind::membrane && triangle)) {
+    for (double t : shell.thickness)
+      if (t != shell.thickness[0])
+        card.wrong("is a membrane or a plate alone of thickness that varies", "one thickness");
+    if (offset != 0) card.wrong("is a membrane or a plate alone beside its nodes", "no offset");
+    const Eigen::Vector3d across =
+        triangle ? Eigen::Vector3d((x.col(1) - x.col(0)).eval().cross((x.col(2) - x.col(0)).eval()))
+                 : Eigen::Vector3d((x.col(2) - x.col(0)).cross(x.col(3) - x.col(1)));
+    if (!(across.norm() > 1e-9 * (x.col(1) - x.col(0)).squaredNorm()))
+      card.wrong("has no area", "corners that span one");
+    deck.springs.push_back(
+        wall.kind == WallKind::bending
+            ? plate_alone(shell.nodes, x, wall.section, shell.thickness[0])
+            : membrane_triangle(shell.nodes, x, wall.section, shell.thickness[0]));
+    return;
+  }
+  const auto same = [&](const ShellSection& s) {
+    const ShellSection& w = wall.section;
+    return s.E == w.E && s.nu == w.nu && s.rho == w.rho && s.bending_factor == w.bending_factor &&
+           s.shear_correction == w.shear_correction && s.drilling == w.drilling;
+  };
+  const auto known = std::find_if(deck.sections.begin(), deck.sections.end(), same);
+  const int section = static_cast<int>(known - deck.sections.begin());
+  if (known == deck.sections.end()) deck.sections.push_back(wall.section);
+  deck.shells.push_back(
+      {.nodes = shell.nodes,
+       .section = section,
+       .thickness = shell.thickness,
+       .offset = offset,
+       .origin = card.name + " " + card.text(0) + " in line " + std::to_string(card.at.line),
+       .normal = {}});
+}
+
+std::optional<NastranWall> wall_of(const NastranReading& r, const Card& card) {
+  return r.properties.wall(card, card.whole(1, card.whole(0)));
+}
+
+// Corners from field 2 on, thicknesses T1 ... from a field on.
+ShellCard corners(const NastranReading& r, const Card& card, const NastranWall& wall, std::size_t n,
+                  std::size_t thickness, bool relative) {
+  ShellCard shell;
+  const double t = wall.thickness;
+  for (std::size_t i = 0; i < n; ++i) {
+    shell.nodes.push_back(r.grids.at(card, 2 + i));
+    const std::size_t field = thickness + i;
+    const bool given = thickness > 0 && card.has(field);
+    shell.thickness.push_back(!given ? t : relative ? t * card.real(field) : card.real(field));
+    if (!(shell.thickness.back() > 0)) card.wrong("has no thickness", "T of PSHELL, or T1 ...");
+  }
+  return shell;
+}
+
+void shell(const NastranReading& r, const Card& card) {
+  const bool old = card.name.ends_with("2") || card.name.find("MEM") != std::string::npos;
+  const std::size_t n = card.name.starts_with("CQ") ? 4 : 3;
+  const auto wall = wall_of(r, card);
+  if (!wall) return;
+  const ShellCard shell = corners(r, card, *wall, n, old ? 0 : 10, !old && card.whole(9, 0) == 1);
+  add_wall(r, card, *wall, shell, old ? 0 : card.real(n + 3, wall->offset));
+}
+
+int add_point(const NastranReading& r, const Eigen::Vector3d& x) {
+  r.deck.nodes.push_back(x);
+  r.deck.labels.push_back(0);
+  return static_cast<int>(r.deck.nodes.size()) - 1;
+}
+
+// Of eight nodes four shells around a node in the middle, of six nodes four triangles.
+void quadratic_shell(const NastranReading& r, const Card& card) {
+  const bool quad = card.name == "CQUAD8";
+  const std::size_t n = quad ? 4 : 3;
+  const auto wall = wall_of(r, card);
+  if (!wall) return;
+  const ShellCard c =
+      corners(r, card, *wall, n, quad ? 10 : 10, card.whole(quad ? 16 : 13, 0) == 1);
+  const double offset = card.real(quad ? 15 : 9, wall->offset);
+  std::vector<int> sides;
+  std::vector<double> t;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!card.has(2 + n + i) || card.whole(2 + n + i) == 0) continue;
+    sides.push_back(r.grids.at(card, 2 + n + i));
+    t.push_back((c.thickness[i] + c.thickness[(i + 1) % n]) / 2);
+  }
+  if (sides.empty()) return add_wall(r, card, *wall, c, offset);
+  if (sides.size() < n)
+    card.wrong("lacks some of its nodes amid the sides", "all of them, or none");
+  const auto part = [&](const std::vector<int>& nodes, const std::vector<double>& thickness) {
+    add_wall(r, card, *wall, {nodes, thickness}, offset);
+  };
+  for (std::size_t i = 0; i < n && !quad; ++i)
+    part({c.nodes[i], sides[i], sides[(i + 2) % 3]}, {c.thickness[i], t[i], t[(i + 2) % 3]});
+  if (!quad) return part(sides, t);
+  Eigen::Vector3d x = Eigen::Vector3d::Zero(); // of the shape functions of eight nodes
+  double thickness = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    x += r.deck.nodes[sides[i]] / 2 - r.deck.nodes[c.nodes[i]] / 4;
+    thickness += c.thickness[i] / 4;
+  }
+  const int middle = add_point(r, x);
+  for (std::size_t i = 0; i < 4; ++i)
+    part({c.nodes[i], sides[i], middle, sides[(i + 3) % 4]},
+         {c.thickness[i], t[i], thickness, t[(i + 3) % 4]});
+}
+
+// F1, F2: shares of the panel that act as bars along its edges.
+void panel(const NastranReading& r, const Card& card) {
+  const Card& p = r.properties.card("PSHEAR", card.whole(1, card.whole(0)), card);
+  const NastranMaterial& m = r.properties.material(p, 1);
+  const double t = p.real(2);
+  std::vector<int> nodes;
+  Eigen::Matrix<double, 3, 4> x;
+  for (std::size_t i = 0; i < 4; ++i) {
+    nodes.push_back(r.grids.at(card, 2 + i));
+    x.col(Eigen::Index(i)) = r.deck.nodes[nodes[i]];
+  }
+  try {
+    r.deck.springs.push_back(
+        shear_panel(nodes, x, m.G, t, m.rho * t + r.properties.mass_factor() * p.real(3, 0)));
+  } catch (const std::invalid_argument&) {
+    card.wrong("is a shear panel that is no rectangle", "a rectangle");
+  }
+  const double sides[2] = {(x.col(1) - x.col(0)).norm(), (x.col(3) - x.col(0)).norm()};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double share = p.real(4 + k, 0);
+    if (share < 0 || share > 1.01)
+      card.wrong("has bars along its edges of F above 1.01", "F1 and F2 at most 1");
+    if (share == 0) continue;
+    const double area = share * t * sides[1 - k] / 2; // of either bar
+    const std::size_t from[2] = {0, k == 0 ? 3U : 1U}, to[2] = {k == 0 ? 1U : 3U, 2};
+    for (std::size_t bar = 0; bar < 2; ++bar) {
+      const int a = nodes[from[bar]], b = nodes[to[bar]];
+      r.deck.springs.push_back(truss({a, b}, r.deck.nodes[a], r.deck.nodes[b], m.E * area, 0, 0));
+    }
+  }
+}
+
+} // namespace
+
+void read_shells(const NastranReading& r) {
+  for (const char* name : {"CQUAD4", "CQUADR", "CTRIA3", "CTRIAR", "CQUAD2", "CTRIA2", "CQDMEM",
+                           "CQDMEM1", "CQDMEM2", "CTRMEM"})
+    r.each(name, [&](const Card& card) { shell(r, card); });
+  std::size_t split = 0;
+  for (const char* name : {"CQUAD8", "CTRIA6"}) {
+    r.each(name, [&](const Card& card) { quadratic_shell(r, card); });
+    if (const auto found = r.cards.find(name); found != r.cards.end())
+      split += found->second.size();
+  }
+  if (split > 0)
+    r.deck.notes.push_back(
+        fmt::format("{} shells of eight or six nodes (CQUAD8, CTRIA6) are split, "
+                    "each into four of four or three nodes",
+                    split));
+  r.each("CSHEAR", [&](const Card& card) { panel(r, card); });
+}
+
+} // namespace plica
