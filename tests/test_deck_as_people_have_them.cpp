@@ -95,11 +95,12 @@ TEST(PeopleDeck, grdset_holds) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(by_default[i] / by_cards[i], 1, deck_agreement) << i;
 }
 
-// One truss with consistent mass: w^2 = 3 E / (rho L^2); with a lumped mass k / (m + rho A L / 3).
+// One truss of half its mass at its end: w^2 = 2 E / (rho L^2), with a mass there k / (m + rho A L
+// / 2); of consistent mass 3 E / (rho L^2).
 TEST(PeopleDeck, rods_have_the_frequency_of_one_element) {
   const double E = 2e11, rho = 8000, A = 1e-4, L = 0.6, k = E * A / L;
-  const double alone = std::sqrt(3 * E / rho) / L / (2 * pi);
-  const double loaded = std::sqrt(k / (2 + rho * A * L / 3)) / (2 * pi);
+  const double alone = std::sqrt(2 * E / rho) / L / (2 * pi);
+  const double loaded = std::sqrt(k / (2 + rho * A * L / 2)) / (2 * pi);
   const std::string grids = "GRID,1,,0.,0.,0.,,123456\nGRID,2,,.6,0.,0.\n";
   const std::string m = "MAT1,1,2.+11,,.3,8000.\n";
   EXPECT_NEAR(hertz_of(people_deck("a.bdf", grids + m + "PROD,5,1,1.-4\nCROD,1,5,1,2\n"), 1)[0] /
@@ -109,6 +110,11 @@ TEST(PeopleDeck, rods_have_the_frequency_of_one_element) {
       hertz_of(people_deck("a.bdf", grids + m + "CONROD,1,1,2,1,1.-4\nCONM2,1,2,,2.\n"), 1)[0] /
           loaded,
       1, 1e-9);
+  EXPECT_NEAR(hertz_of(people_deck("a.bdf", "PARAM,COUPMASS,1\n" + grids + m +
+                                                "PROD,5,1,1.-4\nCROD,1,5,1,2\n"),
+                       1)[0] /
+                  (alone * std::sqrt(1.5)),
+              1, 1e-9);
   const double tube = pi / 4 * (0.02 * 0.02 - 0.016 * 0.016) * E / L;
   EXPECT_NEAR(
       hertz_of(

@@ -104,7 +104,7 @@ MatrixElement shear_panel(const std::vector<int>& nodes, const Eigen::Matrix<dou
 }
 
 MatrixElement truss(const std::vector<int>& nodes, const Vector3d& x1, const Vector3d& x2,
-                    double EA, double GJ, double mass_per_length) {
+                    double EA, double GJ, double mass_per_length, TrussMass kind) {
   const double L = (x2 - x1).norm();
   const Vector3d e = (x2 - x1) / L;
   Eigen::VectorXd stretch = Eigen::VectorXd::Zero(12), twist = stretch;
@@ -112,7 +112,9 @@ MatrixElement truss(const std::vector<int>& nodes, const Vector3d& x1, const Vec
   stretch.segment<3>(6) = twist.segment<3>(9) = e;
   MatrixElement element = empty(nodes);
   element.K = EA / L * stretch * stretch.transpose() + GJ / L * twist * twist.transpose();
-  add_translation_mass(element, mass_per_length * L / 3, mass_per_length * L / 6);
+  const double mass = mass_per_length * L;
+  const bool lumped = kind == TrussMass::lumped;
+  add_translation_mass(element, lumped ? mass / 2 : mass / 3, lumped ? 0 : mass / 6);
   return element;
 }
 

@@ -23,9 +23,12 @@ MatrixElement plate_alone(const std::vector<int>& nodes, const Eigen::MatrixXd& 
 MatrixElement shear_panel(const std::vector<int>& nodes, const Eigen::Matrix<double, 3, 4>& x,
                           double G, double thickness, double mass_per_area);
 
-// EA/L along the line between the nodes, GJ/L about it; consistent mass of the translations.
+// EA/L along the line between the nodes, GJ/L about it; the mass of the translations half at either
+// end, as Nastran and Abaqus have it, or consistent.
+enum class TrussMass { lumped, consistent };
 MatrixElement truss(const std::vector<int>& nodes, const Eigen::Vector3d& x1,
-                    const Eigen::Vector3d& x2, double EA, double GJ, double mass_per_length);
+                    const Eigen::Vector3d& x2, double EA, double GJ, double mass_per_length,
+                    TrussMass kind = TrussMass::lumped);
 
 // A beam with released DOFs at its ends, which are condensed with the static shapes; `released` in
 // the local axes, 0..5 of node 1 and 6..11 of node 2, after the offsets.

@@ -75,7 +75,8 @@ void add_rod(const NastranReading& r, const Card& card, int node1, int node2,
   const Vector3d &x1 = r.deck.nodes[node1], &x2 = r.deck.nodes[node2];
   if (!((x2 - x1).norm() > 0)) card.wrong("has no length", "two places");
   if (!(rod.EA >= 0 && rod.GJ >= 0 && rod.mass >= 0)) card.wrong("is below zero", "0 or more");
-  r.deck.springs.push_back(truss({node1, node2}, x1, x2, rod.EA, rod.GJ, rod.mass));
+  r.deck.springs.push_back(truss({node1, node2}, x1, x2, rod.EA, rod.GJ, rod.mass,
+                                 r.coupled_mass ? TrussMass::consistent : TrussMass::lumped));
 }
 
 } // namespace

@@ -11,6 +11,7 @@ struct NastranReading {
   const NastranProperties& properties;
   DeckModel& deck;
   DeckProblems& problems;
+  bool coupled_mass = false; // PARAM COUPMASS: of trusses
 
   template <class F> void each(const char* name, F&& read) const {
     if (const auto found = cards.find(name); found != cards.end())

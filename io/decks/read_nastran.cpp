@@ -87,6 +87,8 @@ private:
       wtmass_line_ = card.at.line;
       mass_factor_ = card.real(1);
       if (!(mass_factor_ > 0)) card.wrong("WTMASS is " + card.text(1), "above 0");
+    } else if (name == "COUPMASS") {
+      coupled_mass_ = card.has(1) && card.whole(1) > 0;
     } else if (name == "AUTOSPC") {
       deck.holds_what_has_no_stiffness = !in_capitals(card.text(1)).starts_with("N");
     } else if (is_structural_parameter(name) && (!card.has(1) || card.real(1) != 1))
@@ -102,7 +104,7 @@ private:
     if (!grids) problems_.raise();
     const NastranProperties properties(cards_, mass_factor_, problems_, deck.notes);
     problems_.raise();
-    const NastranReading reading{cards_, *grids, properties, deck, problems_};
+    const NastranReading reading{cards_, *grids, properties, deck, problems_, coupled_mass_};
     read_shells(reading);
     read_bars(reading);
     read_points(reading);
@@ -117,6 +119,7 @@ private:
   CardsByName cards_;
   std::map<std::pair<std::string, int>, const Card*> numbers_; // by group
   double mass_factor_ = 1;
+  bool coupled_mass_ = false;
   int wtmass_line_ = 0;
 };
 

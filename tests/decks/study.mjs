@@ -7,13 +7,13 @@
 // case, which PLICA checks with what it does by default. The halves go by a hash of the path, so
 // that one can be set apart unread. --list prints a line per deck: half, code, kinds, verdict, file.
 // --references runs what is read and has a listing of Nastran with a table of real eigenvalues, of
-// the name of the deck below that folder: each of its five lowest frequencies has to have one of
+// the name of the deck beside it, or alone of that name below that folder: each of its five lowest frequencies has to have one of
 // the twelve lowest of PLICA within 1 %.
 import { createHash } from "node:crypto";
 import { execFile } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { basename, join, relative } from "node:path";
+import { basename, dirname, join, relative } from "node:path";
 
 const [plica, folder, ...options] = process.argv.slice(2);
 const option = (name, otherwise) =>
@@ -115,18 +115,21 @@ function frequenciesOf(listing) {
   return all.filter((f) => f > 1e-3 * top).sort((a, b) => a - b);
 }
 
+// Listings by the stem of their names: the one beside the deck, or the only one of its name.
 const listings = new Map();
+const stemOf = (file) => basename(file).replace(/\.[^.]*$/, "").toLowerCase();
 if (options.includes("--references"))
   for (const file of filesBelow(option("--references")))
-    if (/\.(f06|out)$/i.test(file)) {
-      const stem = basename(file).replace(/\.[^.]*$/, "").toLowerCase();
-      if (!listings.has(stem) || statSync(file).size > statSync(listings.get(stem)).size) listings.set(stem, file);
-    }
+    if (/\.(f06|out)$/i.test(file)) listings.set(stemOf(file), [...(listings.get(stemOf(file)) ?? []), file]);
+function listingOf(deck) {
+  const all = listings.get(stemOf(deck.file)) ?? [];
+  const beside = all.filter((file) => dirname(file) === dirname(deck.file));
+  return beside[0] ?? (all.length === 1 ? all[0] : undefined);
+}
 
 const compare = (deck, number) =>
   new Promise((done) => {
-    const stem = basename(deck.file).replace(/\.[^.]*$/, "").toLowerCase();
-    const listing = listings.get(stem);
+    const listing = listingOf(deck);
     const theirs = listing ? frequenciesOf(readFileSync(listing, "latin1")).slice(0, 5) : [];
     if (deck.code_of_exit !== 0 || !deck.light || theirs.length === 0) return done();
     const name = join(scratch, `${number}.yaml`), out = join(scratch, `${number}`);
