@@ -99,6 +99,7 @@ TEST(BrokenDeck, abaqus) {
       {section + "*MATERIAL, NAME=N\n*ELASTIC\n2e11, 0.6\n", 15, "is no material"},
       {"*DENSITY\n7800.\n" + section + "*DENSITY\n8000.\n", 15,
        "material M has one already in line 11"},
+      {"8000.\n" + section, 10, "has 2 data lines and no temperatures"},
       {section + "*ELASTIC\n2e11, 0.3\n", 13, "material M has one already in line 9"},
       {section + "*MATERIAL, NAME=M\n", 13, "material M is there already in line 8"},
       {section + "*MATERIAL, NAME=N, NAME=O\n", 13, "has NAME twice, N and O"},

@@ -131,12 +131,22 @@ AbaqusSections::Material& AbaqusSections::open_material(const Keyword& k) {
   return material;
 }
 
+// Of values over temperature, `fields` a line with it, the first are taken.
+void AbaqusSections::note_first_of_many(const Keyword& k, std::size_t fields) {
+  if (k.data.size() < 2) return;
+  for (const DataLine& line : k.data)
+    if (line.fields.size() < fields || line.fields[fields - 1].empty())
+      deck_error(line.at, "*" + k.name,
+                 "has " + std::to_string(k.data.size()) + " data lines and no temperatures in them",
+                 "one line, or a temperature in each");
+  deck_.notes.push_back("of *" + k.name + " in line " + std::to_string(k.at.line) +
+                        ", which depends on temperature, the first values are taken");
+}
+
 void AbaqusSections::elastic(const Keyword& k) {
   if (k.word_or("TYPE", "ISOTROPIC") != "ISOTROPIC" && k.word_or("TYPE", "") != "ISO")
     deck_error(k.at, "*ELASTIC", "has TYPE=" + k.word("TYPE"), "an isotropic material");
-  if (k.data.size() > 1)
-    deck_.notes.push_back("of *ELASTIC in line " + std::to_string(k.at.line) +
-                          ", which depends on temperature, the first values are taken");
+  note_first_of_many(k, 3);
   Material& m = open_material(k);
   m.E = number_in(k, data_line(k, 0), 0);
   m.nu = number_in(k, data_line(k, 0), 1, 0);
@@ -147,9 +157,7 @@ void AbaqusSections::elastic(const Keyword& k) {
 
 void AbaqusSections::density(const Keyword& k) {
   Material& m = open_material(k);
-  if (k.data.size() > 1)
-    deck_.notes.push_back("of *DENSITY in line " + std::to_string(k.at.line) +
-                          ", which depends on temperature, the first value is taken");
+  note_first_of_many(k, 2);
   m.rho = number_in(k, data_line(k, 0), 0);
   if (m.rho < 0) deck_error(k.data[0].at, "*DENSITY", "is below zero", "0 or more");
 }

@@ -30,6 +30,7 @@ private:
   Material& open_material(const Keyword& keyword); // for what is given once of a material
   const Material& material_of(const Keyword& keyword) const;
   void elastic(const Keyword& keyword);
+  void note_first_of_many(const Keyword& keyword, std::size_t fields);
   void density(const Keyword& keyword);
   void shell_section(const Keyword& keyword);
   void membrane_section(const Keyword& keyword);
