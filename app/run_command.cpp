@@ -16,6 +16,7 @@
 #include "io/write/write_results.hpp"
 #include "lab/measured/states.hpp"
 #include "run/analyses/run.hpp"
+#include "run/routes/operating_state.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/refine.hpp"
 #include "solve/sparse_factor.hpp"
@@ -29,19 +30,17 @@ InputFile input_file(const std::filesystem::path& path, const std::string& text)
   return {path.filename().string(), text};
 }
 
-VariantResult run_variant(const CaseFile& file, std::size_t number,
+VariantResult run_variant(const CaseFile& file, const Case& changed, const std::string& name,
+                          std::vector<std::pair<std::string, std::string>> set,
                           const std::optional<MeasuredFile>& measured, Progress& progress) {
-  const Variant& variant = file.data.variants[number];
-  const Case& changed = file.variants[number];
-  progress.title(file.data.name + ", " + variant.name);
+  progress.title(file.data.name + ", " + name);
   const Results results = located(file, [&] {
     return run(measured ? for_comparison(changed) : for_headline(changed),
                [&](const std::string& s) { progress.stage(s); });
   });
   VariantResult result{
-      .name = variant.name, .set = {}, .headline = headline(results), .comparison = {}};
+      .name = name, .set = std::move(set), .headline = headline(results), .comparison = {}};
   if (measured) result.comparison = compare(results, measured->data);
-  result.set.assign(variant.set.begin(), variant.set.end());
   return result;
 }
 
@@ -61,7 +60,8 @@ void add_error_bars_and_variants(Results& results, const CaseFile& file, const R
   const double first = 1.5,
                of_bars = bars ? 3.5 + (tolerances > 0 ? 0.6 + 0.6 * tolerances : 0) : 0;
   const auto variants = options.variants ? file.data.variants.size() : 0;
-  const double all = first + of_bars + double(variants);
+  const bool compared_with_rest = options.variants && file.data.state;
+  const double all = first + of_bars + double(variants) + (compared_with_rest ? 1 : 0);
   if (bars) {
     double done = first;
     try {
@@ -76,20 +76,33 @@ void add_error_bars_and_variants(Results& results, const CaseFile& file, const R
       results.warnings.push_back(std::string("error bars left out: ") + error.what());
     }
   }
-  for (std::size_t i = 0; i < variants; ++i) {
-    progress.share((first + of_bars + double(i)) / all);
+  double done = first + of_bars;
+  const auto add = [&](const Case& changed, const std::string& name,
+                       std::vector<std::pair<std::string, std::string>> set) {
+    progress.share(done / all);
+    done += 1;
     try {
-      results.variants.push_back(run_variant(file, i, measured, progress));
+      results.variants.push_back(
+          run_variant(file, changed, name, std::move(set), measured, progress));
     } catch (const std::exception& error) {
-      results.warnings.push_back("variant '" + file.data.variants[i].name +
-                                 "' left out: " + error.what());
+      results.warnings.push_back("variant '" + name + "' left out: " + error.what());
     }
+  };
+  if (compared_with_rest) {
+    Case rest = file.data;
+    rest.state.reset();
+    add(rest, variant_at_rest, {{"state", "none"}});
+  }
+  for (std::size_t i = 0; i < variants; ++i) {
+    const Variant& variant = file.data.variants[i];
+    add(file.variants[i], variant.name, {variant.set.begin(), variant.set.end()});
   }
 }
 
 int write_deck(const CaseFile& file, const RunOptions& options) {
   const bool nastran = options.deck == "nastran";
   const std::string name = nastran ? "model.bdf" : "model.inp";
+  located(file, [&] { require_rest(file.data, "a deck"); });
   OutputFolder out(options.out.folder,
                    {.command = "deck", .inputs = files_of(file), .names = {name}});
   const BuiltCase built = build(file.data);

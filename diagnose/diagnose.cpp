@@ -6,6 +6,7 @@
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
+#include "run/routes/operating_state.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -273,6 +274,7 @@ private:
 } // namespace
 
 Diagnosis diagnose(const Case& data, const DiagnosisData& test, const DiagnosisSettings& settings) {
+  require_rest(data, "the diagnosis");
   return Stages(data, test, settings).diagnosis();
 }
 

@@ -17,6 +17,7 @@ struct BeamProperties {
   double GA_z = std::numeric_limits<double>::infinity(); // N
   double mass = 0;                                       // kg/m
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;    // rotary inertia per length, kg m
+  double thermal_strain = 0; // of the free beam since rest, at a state (elements/element_state.hpp)
   // Where stress is recovered: [y, z] of outermost fibres, m, and Young's modulus. None for a
   // section given by its stiffness. Of a round one 24 points, so that the largest bending stress is
   // missed by at most 0.9 %.

@@ -11,6 +11,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
+
 namespace plica {
 
 // Strains at one point from the nodal displacements, six a node in global axes.
@@ -75,6 +77,41 @@ Eigen::Matrix<double, 1, 6 * N> drilling_row(const Eigen::Vector3d& x_r, const E
   add_translation(row, -e1 / 2, d2);
   for (int i = 0; i < N; ++i) row.template segment<3>(6 * i + 3) -= shape[i] * normal.transpose();
   return row;
+}
+
+// The same of finite rotation, over increments from the shape now: (t2.x,1 - t1.x,2)/2, the
+// tangents t turning with the nodes. Its second variation is left out: the tie carries next to no
+// force.
+template <int N> struct DrillingTie {
+  Eigen::Matrix<double, 1, 6 * N> row;
+  double value = 0;
+};
+
+template <int N>
+DrillingTie<N>
+drilling_tie(const Eigen::Matrix<double, 3, N>& rest, const Eigen::Matrix<double, 3, N>& now,
+             const std::array<Eigen::Matrix3d, N>& turned, const Eigen::Matrix<double, N, 1>& shape,
+             const Eigen::Matrix<double, N, 1>& dr, const Eigen::Matrix<double, N, 1>& ds) {
+  const Eigen::Vector3d x_r = rest * dr, x_s = rest * ds;
+  const Eigen::Vector3d normal = x_r.cross(x_s).normalized();
+  const Eigen::Vector3d e1 = x_r.normalized(), e2 = normal.cross(e1);
+  const Eigen::Vector3d dual_r = x_s.cross(normal) / x_r.cross(x_s).norm();
+  const Eigen::Vector3d dual_s = normal.cross(x_r) / x_r.cross(x_s).norm();
+  const Eigen::Matrix<double, N, 1> d1 = e1.dot(dual_r) * dr + e1.dot(dual_s) * ds;
+  const Eigen::Matrix<double, N, 1> d2 = e2.dot(dual_r) * dr + e2.dot(dual_s) * ds;
+  const Eigen::Vector3d x_1 = now * d1, x_2 = now * d2;
+  Eigen::Vector3d t1 = Eigen::Vector3d::Zero(), t2 = t1;
+  for (int i = 0; i < N; ++i) {
+    t1 += shape[i] * (turned[i] * e1);
+    t2 += shape[i] * (turned[i] * e2);
+  }
+  DrillingTie<N> tie{Eigen::Matrix<double, 1, 6 * N>::Zero(), (t2.dot(x_1) - t1.dot(x_2)) / 2};
+  add_translation(tie.row, t2 / 2, d1);
+  add_translation(tie.row, -t1 / 2, d2);
+  for (int i = 0; i < N; ++i)
+    tie.row.template segment<3>(6 * i + 3) +=
+        shape[i] / 2 * ((turned[i] * e2).cross(x_1) - (turned[i] * e1).cross(x_2)).transpose();
+  return tie;
 }
 
 } // namespace plica

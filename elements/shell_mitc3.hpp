@@ -13,6 +13,7 @@
 // in its own plane or a curved wall bends without stretching; use quads where one may.
 #pragma once
 
+#include "elements/shell_geometry.hpp"
 #include "elements/shell_lamina.hpp"
 #include "elements/shell_section.hpp"
 
@@ -21,12 +22,6 @@
 namespace plica {
 
 using Matrix18 = Eigen::Matrix<double, 18, 18>;
-
-struct TriangleGeometry {
-  Eigen::Matrix3d X;         // corners in columns, counter-clockwise seen from the director tips
-  Eigen::Matrix3d directors; // unit vectors in columns
-  Eigen::Vector3d thickness; // m
-};
 
 // Integration points: six in the plane, exact to the fourth degree (Dunavant, IJNME 21 (1985)
 // 1129-1148), by two through the wall. Strains include the condensed bubble.

@@ -27,6 +27,7 @@
 #pragma once
 
 #include "elements/membrane_strain.hpp"
+#include "elements/shell_geometry.hpp"
 #include "elements/shell_lamina.hpp"
 #include "elements/shell_section.hpp"
 
@@ -36,12 +37,6 @@
 namespace plica {
 
 using Matrix24 = Eigen::Matrix<double, 24, 24>;
-
-struct ShellGeometry {
-  Eigen::Matrix<double, 3, 4> X;         // corners, counter-clockwise seen from the director tips
-  Eigen::Matrix<double, 3, 4> directors; // unit vectors
-  Eigen::Vector4d thickness;             // m
-};
 
 // e3 normal to the lamina, e1 along the middle of the element from edge r = -1 to r = 1.
 using ShellStrainMatrix = ShellStrain<24>;

@@ -17,7 +17,8 @@ struct ShellSection {
   double E = 0, nu = 0, rho = 0;
   double bending_factor = 1; // D / D_solid: 1 for one wall, 1/n^2 for n equal slipping plies
   double shear_correction = 5. / 6;
-  double drilling = 1e-4; // stiffness that ties the drilling rotation, as a fraction of G
+  double drilling = 1e-4;    // stiffness that ties the drilling rotation, as a fraction of G
+  double thermal_strain = 0; // of the free wall since rest, at a state (elements/element_state.hpp)
 };
 
 struct ShellLaw {

@@ -135,22 +135,23 @@ private:
 #pragma omp parallel for schedule(static) reduction(&& : mirrored)
     for (int k = 0; k < static_cast<int>(of_sector[0].size()); ++k) {
       const int e = of_sector[0][k];
-      view_.sector_[k] = with_matrices(belts[e], model_.mesh.quads[e]);
+      view_.sector_[k] = with_matrices(belts[e], e);
       mirrored = mirrored && is_mirrored(view_.sector_[k]);
     }
     return mirrored ? "" : "a sector is not its own mirror image";
   }
 
-  CyclicModel::Belt with_matrices(const CyclicModel::BeltPlace& place,
-                                  const ShellQuad& quad) const {
+  CyclicModel::Belt with_matrices(const CyclicModel::BeltPlace& place, int quad) const {
     CyclicModel::Belt belt{place, {}, {}};
-    const ShellProperties& p = model_.shells[quad.section];
-    const ShellGeometry g = shell_geometry(model_.mesh, quad);
     Matrix24 B = Matrix24::Zero();
     for (int a = 0; a < 4; ++a)
       B.block<6, 6>(6 * a, 6 * a) = cyclic_components(belt.side[a], view_.around_);
-    belt.K = B.transpose() * shell_mitc4_stiffness(g, p.section, p.membrane) * B;
-    belt.M = B.transpose() * shell_mitc4_mass(g, p.section) * B;
+    ElementView{model_}.visit(quad, [&](const auto&, const auto& K, const auto& M) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(K)>, Matrix24>) {
+        belt.K = B.transpose() * K * B;
+        belt.M = B.transpose() * M * B;
+      }
+    });
     return belt;
   }
 

@@ -10,9 +10,9 @@ namespace {
 // Calls f(nodes, M) for every element that has mass.
 template <class F> void for_each_mass(const Model& model, F&& f) {
   for (const ShellQuad& q : model.mesh.quads)
-    f(q.nodes, shell_mitc4_mass(shell_geometry(model.mesh, q), model.shells[q.section].section));
+    f(q.nodes, shell_mitc4_mass(mass_geometry(model, q), model.shells[q.section].section));
   for (const ShellTriangle& t : model.mesh.triangles)
-    f(t.nodes, shell_mitc3_mass(shell_geometry(model.mesh, t), model.shells[t.section].section));
+    f(t.nodes, shell_mitc3_mass(mass_geometry(model, t), model.shells[t.section].section));
   for (const BeamElement& b : model.beams)
     f(std::array{b.node1, b.node2}, beam_mass(beam_geometry(model.mesh, b), b.section));
   for (const MassElement& m : model.masses) f(std::array{m.node}, rigid_mass_matrix(m.body));

@@ -32,7 +32,9 @@ struct EndStiffness {
   double bending_x = 0, bending_z = 0, torsion = 0;     // Nm/rad
 };
 
-// From the 6x6 stiffness of the moving end. Throws std::runtime_error when it is singular.
-EndStiffness end_stiffness(const Matrix66& K);
+// From the 6x6 stiffness of the moving end. Throws std::runtime_error when it is not positive
+// definite; `loaded`, around a state, it may be: a bending stiffness below zero says that the end
+// would not stay where it is if it were free.
+EndStiffness end_stiffness(const Matrix66& K, bool loaded = false);
 
 } // namespace plica

@@ -1,5 +1,7 @@
 #include "solve/stress.hpp"
 
+#include "solve/state_elements.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -72,29 +74,25 @@ MatrixXd corner_stress(const Model& model, const ShellTriangle& triangle) {
                                  model.shells[triangle.section].section);
 }
 
-// Stress at the corners of each shell; summed in order afterwards, whatever the threads.
-template <class Shells>
-void add_corner_stresses(const Model& model, const Shells& shells, const MatrixXd& u,
-                         std::vector<MatrixXd>& corner) {
+// Stress at the corners of each shell: corners of one, whatever the threads.
+template <class Shells, class F>
+void add_corner_stresses(const Shells& shells, const F& stress_of, std::vector<MatrixXd>& corner) {
   const std::size_t first = corner.size();
   corner.resize(first + shells.size());
   const int count = static_cast<int>(shells.size());
 #pragma omp parallel for schedule(static) if (count > 64)
-  for (int e = 0; e < count; ++e) {
-    const auto& nodes = shells[e].nodes;
-    MatrixXd own(6 * nodes.size(), u.cols());
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      own.middleRows<6>(Eigen::Index(6 * a)) = u.middleRows<6>(6 * nodes[a]);
-    corner[first + e] = corner_stress(model, shells[e]) * own;
-  }
+  for (int e = 0; e < count; ++e) corner[first + e] = stress_of(shells[e]);
 }
 
-MatrixXd shell_stress(const Model& model, const Points& points, const MatrixXd& u) {
+// Means of the corners that meet in a point, summed in order.
+template <class F>
+MatrixXd shell_stress(const Model& model, const Points& points, Eigen::Index columns,
+                      const F& stress_of) {
   std::vector<MatrixXd> corner;
-  add_corner_stresses(model, model.mesh.quads, u, corner);
-  add_corner_stresses(model, model.mesh.triangles, u, corner);
+  add_corner_stresses(model.mesh.quads, stress_of, corner);
+  add_corner_stresses(model.mesh.triangles, stress_of, corner);
   const auto total = static_cast<Eigen::Index>(points.node.size());
-  MatrixXd stress = MatrixXd::Zero(12 * total, u.cols());
+  MatrixXd stress = MatrixXd::Zero(12 * total, columns);
   Eigen::VectorXd meeting = Eigen::VectorXd::Zero(total);
   for (std::size_t e = 0; e < corner.size(); ++e)
     for (int a = 0; a < corner[e].rows() / 12; ++a) {
@@ -109,27 +107,54 @@ MatrixXd shell_stress(const Model& model, const Points& points, const MatrixXd& 
 
 } // namespace
 
-StressField recover_stress(const Model& model, const MatrixXd& u) {
+namespace {
+
+// stress_of(shell): rows of its corners; beam_stress(beam): rows of its fibres.
+template <class ShellStress, class BeamStress>
+StressField recovered(const Model& model, Eigen::Index columns, const ShellStress& stress_of,
+                      const BeamStress& beam_stress) {
   Points points = stress_points(model.mesh);
-  StressField field{.shell = shell_stress(model, points, u),
+  StressField field{.shell = shell_stress(model, points, columns, stress_of),
                     .node_of_point = std::move(points.node),
                     .beam = {},
                     .node_of_row = {}};
   const std::size_t fibres =
       std::transform_reduce(model.beams.begin(), model.beams.end(), std::size_t{0}, std::plus<>(),
                             [](const BeamElement& beam) { return 2 * beam.section.fibres.size(); });
-  field.beam.resize(Eigen::Index(fibres), u.cols());
+  field.beam.resize(Eigen::Index(fibres), columns);
   for (const BeamElement& beam : model.beams) {
     const std::size_t count = beam.section.fibres.size();
     if (count == 0) continue;
-    MatrixXd own(12, u.cols());
-    own << u.middleRows<6>(6 * beam.node1), u.middleRows<6>(6 * beam.node2);
     field.beam.middleRows(Eigen::Index(field.node_of_row.size()), Eigen::Index(2 * count)) =
-        beam_end_stress(beam_geometry(model.mesh, beam), beam.section) * own;
+        beam_stress(beam);
     field.node_of_row.insert(field.node_of_row.end(), count, beam.node1);
     field.node_of_row.insert(field.node_of_row.end(), count, beam.node2);
   }
   return field;
+}
+
+} // namespace
+
+StressField recover_stress(const Model& model, const MatrixXd& u) {
+  return recovered(
+      model, u.cols(),
+      [&](const auto& shell) {
+        MatrixXd own(6 * shell.nodes.size(), u.cols());
+        for (std::size_t a = 0; a < shell.nodes.size(); ++a)
+          own.middleRows<6>(Eigen::Index(6 * a)) = u.middleRows<6>(6 * shell.nodes[a]);
+        return MatrixXd(corner_stress(model, shell) * own);
+      },
+      [&](const BeamElement& beam) {
+        MatrixXd own(12, u.cols());
+        own << u.middleRows<6>(6 * beam.node1), u.middleRows<6>(6 * beam.node2);
+        return MatrixXd(beam_end_stress(beam_geometry(model.mesh, beam), beam.section) * own);
+      });
+}
+
+StressField stress_of_state(const Model& model) {
+  return recovered(
+      model, 1, [&](const auto& shell) { return MatrixXd(state_stress(model, shell)); },
+      [&](const BeamElement& beam) { return MatrixXd(state_stress(model, beam)); });
 }
 
 double von_mises(const Eigen::Ref<const Vector6>& stress) {

@@ -29,6 +29,9 @@ struct StressField {
 // u: all DOFs x columns.
 StressField recover_stress(const Model& model, const Eigen::MatrixXd& u);
 
+// Of a model at a state: one column.
+StressField stress_of_state(const Model& model);
+
 // Von Mises stress of one tensor (xx yy zz xy yz zx).
 double von_mises(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& stress);
 

@@ -50,7 +50,8 @@ enum class Dimension {
   rotational_speed, // revolutions per second
   acceleration,
   acceleration_density,
-  force_density
+  force_density,
+  temperature // degC
 };
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();

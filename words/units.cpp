@@ -33,7 +33,13 @@ const std::vector<DimensionInfo>& table() {
       {Dimension::density, "density", {{"kg/m3", 1}, {"g/cm3", 1e3}, {"t/mm3", 1e12}}},
       {Dimension::pressure,
        "pressure",
-       {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/mm2", 1e6}}},
+       {{"Pa", 1},
+        {"kPa", 1e3},
+        {"MPa", 1e6},
+        {"GPa", 1e9},
+        {"N/mm2", 1e6},
+        {"bar", 1e5},
+        {"mbar", 1e2}}},
       {Dimension::force, "force", {{"N", 1}, {"kN", 1e3}, {"MN", 1e6}}},
       {Dimension::moment,
        "moment",
@@ -63,7 +69,8 @@ const std::vector<DimensionInfo>& table() {
       {Dimension::acceleration_density,
        "spectral density of acceleration",
        {{"(m/s2)2/Hz", 1}, {"g2/Hz", 9.80665 * 9.80665}}},
-      {Dimension::force_density, "spectral density of force", {{"N2/Hz", 1}}}};
+      {Dimension::force_density, "spectral density of force", {{"N2/Hz", 1}}},
+      {Dimension::temperature, "temperature", {{"degC", 1}, {"C", 1}}}};
   return dimensions;
 }
 

@@ -66,6 +66,7 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
   FieldReader::read(root, "", data, log);
   for (const Tolerance& t : log.tolerances) // those of other models belong to them
     if (!is_below(t.path, "models")) data.tolerances.push_back(t);
+  add_known_steels(data.parts, data.materials);
   if (root.kind != YamlNode::Kind::map) return data;
   const std::string directory = std::filesystem::path(path).parent_path().string();
   for (Part& part : data.parts) {

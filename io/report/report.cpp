@@ -6,6 +6,7 @@
 #include "io/report/picture.hpp"
 #include "io/report/profile.hpp"
 #include "io/report/response.hpp"
+#include "io/report/state.hpp"
 #include "io/report/superelements.hpp"
 #include "io/report/tables.hpp"
 #include "io/report/time_histories.hpp"
@@ -58,6 +59,7 @@ std::string report_html(const Results& results) {
   std::string html =
       html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
                    comparison_html(results));
+  html += html_section("state", "The state", state_html(results));
   html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
   html += html_section("part", "The part",

@@ -2,6 +2,7 @@
 
 #include "io/files/json_text.hpp"
 #include "io/tables/levels_json.hpp"
+#include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
 #include "io/tables/time_json.hpp"
 
@@ -230,6 +231,7 @@ std::string results_json(const Results& r) {
                    {"mesh_choice", r.mesh_choice.empty() ? Json(nullptr) : Json(r.mesh_choice)}};
   json["route"] = r.route;
   if (r.reduced) json["reduction"] = json_of(*r.reduced);
+  if (r.state) json["state"] = state_json(*r.state);
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
   if (r.statics && !r.error_bars.statics.empty())
     json["static"]["mesh_error"] = stiffness_errors(r.error_bars.statics);

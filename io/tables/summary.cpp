@@ -1,6 +1,7 @@
 #include "io/tables/summary.hpp"
 
 #include "io/tables/levels_csv.hpp"
+#include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>
@@ -73,6 +74,29 @@ std::string headline_table(const Results& results) {
     rows.push_back({quantity.name, significant(value->second * factor, 4), unit});
   }
   return "\nComputed\n" + aligned(rows, "<><");
+}
+
+// The state, and what it makes of the headline of the part at rest.
+std::string state_table(const Results& results) {
+  if (!results.state) return "";
+  std::string text = "\nThe state\n";
+  for (const auto& sentences :
+       {state_sentences(*results.state), buckling_sentences(*results.state)})
+    for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
+  const auto rest = std::find_if(results.variants.begin(), results.variants.end(),
+                                 [](const VariantResult& v) { return v.name == variant_at_rest; });
+  if (rest == results.variants.end()) return text;
+  const std::map<std::string, double> numbers = headline(results);
+  std::vector<Row> rows{{"", "unit", "at rest", "in the state", "change %"}};
+  for (const HeadlineQuantity& quantity : headline_quantities(results)) {
+    const auto now = numbers.find(quantity.key), before = rest->headline.find(quantity.key);
+    if (now == numbers.end() || before == rest->headline.end()) continue;
+    const auto [factor, unit] = shown_unit(before->second, quantity.unit);
+    rows.push_back({quantity.name, unit, significant(before->second * factor, 5),
+                    significant(now->second * factor, 5),
+                    with_sign(100 * (now->second / before->second - 1), 2)});
+  }
+  return text + aligned(rows, "<<>>>");
 }
 
 std::string error_table(const Results& results) {
@@ -238,10 +262,10 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   if (!results.mesh_choice.empty()) text += "Mesh " + results.mesh_choice + "\n";
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
-  text += spread_table(results) + error_table(results) + statics_table(results) +
-          modes_table(results) + peaks_table(results) + random_table(results) +
-          transients_table(results) + crossings_table(results) + levels_table(results) +
-          stress_table(results);
+  text += state_table(results) + spread_table(results) + error_table(results) +
+          statics_table(results) + modes_table(results) + peaks_table(results) +
+          random_table(results) + transients_table(results) + crossings_table(results) +
+          levels_table(results) + stress_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

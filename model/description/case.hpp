@@ -8,6 +8,7 @@
 #include "model/description/analyses.hpp"
 #include "model/description/diagnosis_request.hpp"
 #include "model/description/fit_request.hpp"
+#include "model/description/operating_state.hpp"
 #include "model/description/parts.hpp"
 #include "model/description/spring_damping.hpp"
 
@@ -93,6 +94,7 @@ struct Case {
   std::vector<Mount> mount;
   std::vector<Support> supports;
   std::vector<Sensor> sensors;
+  std::optional<OperatingState> state;
   Analyses analyses;
   std::vector<Variant> variants;
   std::optional<FitRequest> fit;

@@ -3,6 +3,7 @@
 #include "model/description/check_log.hpp"
 #include "model/description/friction_checks.hpp"
 #include "model/description/node_sets.hpp"
+#include "model/description/operating_state_checks.hpp"
 #include "model/description/part_checks.hpp"
 #include "model/description/profile.hpp"
 #include "model/description/response_checks.hpp"
@@ -176,6 +177,7 @@ std::vector<InputProblem> check_case(const Case& data, const std::vector<std::st
   check_analyses(data, log);
   check_friction(data, log);
   check_spring_damping(data, log);
+  check_operating_state(data, log);
   check_names(data, log);
   check_measured(data, directory, log);
   return std::move(log.problems);

@@ -7,6 +7,7 @@
 #include "model/description/case.hpp"
 #include "model/description/diagnosis_fields.hpp"
 #include "model/description/fit_fields.hpp"
+#include "model/description/operating_state_fields.hpp"
 #include "model/description/parts_fields.hpp"
 #include "model/description/spring_damping_fields.hpp"
 
@@ -90,6 +91,8 @@ template <class V> void fields(V& v, Case& c) {
           "how each cap is held by the table; a cap not named here is free");
   v.list(c.supports, "supports", optional_key, "degrees of freedom held to zero");
   v.list(c.sensors, "sensors", optional_key, "places that are watched");
+  v.object(c.state, "state", optional_key,
+           "installed, under pressure, hot: the state around which everything is computed");
   v.object(c.analyses, "analyses", optional_key, "what is computed");
   v.list(c.variants, "variants", optional_key, "the same case with some values changed");
   v.object(c.fit, "fit", optional_key, "what plica fit adjusts to the measured data");

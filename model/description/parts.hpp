@@ -22,6 +22,8 @@ struct Material {
   double E = 0;   // Young's modulus, Pa
   double nu = 0;  // Poisson's ratio
   double rho = 0; // density, kg/m3
+  // [degC, Pa] and [degC, mean expansion per K from 20 degC to there]; nothing is extrapolated.
+  std::vector<std::array<double, 2>> E_over_temperature = {}, expansion = {};
 };
 
 enum class SectionShape { cuff, u, omega, disc, points };

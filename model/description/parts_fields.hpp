@@ -17,6 +17,14 @@ template <class V> void fields(V& v, Material& m) {
       {.required = true, .min = -1, .max = 0.5, .exclusive_min = true, .exclusive_max = true},
       "Poisson's ratio");
   v.quantity(m.rho, "rho", {.unit = Dimension::density, .required = true, .min = 0}, "density");
+  v.points(
+      m.E_over_temperature, "E_over_temperature",
+      {.unit = Dimension::temperature, .tail = Dimension::pressure, .tail_from = 1, .min_items = 2},
+      "[temperature, Young's modulus], straight in between, for a state");
+  v.points(
+      m.expansion, "expansion",
+      {.unit = Dimension::temperature, .tail = Dimension::number, .tail_from = 1, .min_items = 2},
+      "[temperature, mean thermal expansion per K between 20 degC and there], for a state");
 }
 
 template <class V> void fields(V& v, MeridianSection& s) {

@@ -6,7 +6,10 @@
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
 #include "run/analyses/stress.hpp"
+#include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
+#include "solve/base_state.hpp"
+#include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
 
@@ -29,20 +32,35 @@ public:
     stage_("mesh");
     built_ = build(case_);
     lap("mesh");
+    if (case_.state) {
+      results_.state = move_into_state(case_, built_, stage_, results_.timing);
+      watch_ = Stopwatch();
+    }
     route_ = choose_route(built_, case_.analyses, stage_, results_.timing);
     describe();
     if (has_friction(case_)) let_slip();
+    if (case_.state && case_.analyses.stress)
+      results_.stresses.push_back(state_stress_result(built_.model));
     if (case_.analyses.statics.value_or(true) && case_.caps.size() == 2) statics();
-    if (case_.analyses.modes) {
-      run_dynamics(case_, built_, *route_, stage_, results_);
-      watch_ = Stopwatch();
-    }
+    if (case_.analyses.modes) dynamics();
     if (case_.analyses.levels) levels();
     results_.peak_memory = peak_memory();
     return std::move(results_);
   }
 
 private:
+  void dynamics() {
+    try {
+      run_dynamics(case_, built_, *route_, stage_, results_);
+    } catch (const ModelError& error) {
+      if (!case_.state) throw;
+      throw StateError(std::string("around the state the part is not stable, it has buckled "
+                                   "(state.buckling says at which loads): ") +
+                       error.what());
+    }
+    watch_ = Stopwatch();
+  }
+
   void lap(const std::string& name) { watch_.lap(results_.timing, name); }
 
   void describe() {
@@ -90,7 +108,11 @@ private:
       results_.warnings.push_back("static stiffness left out: a support holds a cap");
       return;
     }
-    const EndStiffness k = end_stiffness(K->bottomRightCorner<6, 6>());
+    const EndStiffness k = end_stiffness(K->bottomRightCorner<6, 6>(), case_.state.has_value());
+    if (k.bending_x < 0 || k.bending_z < 0)
+      results_.warnings.push_back(
+          "static stiffness in bending is below zero: under the loads of the state the end would "
+          "not stay where it is if it were free");
     results_.statics = {.k_axial = k.axial,
                         .k_transverse_x = k.transverse_x,
                         .k_transverse_z = k.transverse_z,
@@ -136,10 +158,10 @@ private:
 
   void static_stress(const Model& model, Route& route, const std::array<int, 2>& caps,
                      const Matrix1212& K) {
-    results_.stresses =
-        static_stresses({.u = route.follow(caps, 1e-3 * parallel_motion(K)),
-                         .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
-                        model);
+    for (StressResult& stress : static_stresses({.u = route.follow(caps, 1e-3 * parallel_motion(K)),
+                                .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
+                                                model))
+      results_.stresses.push_back(std::move(stress));
   }
 
   // Between caps that the mount holds both: what joints bear while they stick, and until they slip.

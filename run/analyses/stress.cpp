@@ -102,6 +102,10 @@ std::string mode_stress_name(int mode) {
   return "mode " + std::to_string(mode + 1) + ", 1 mm at most";
 }
 
+StressResult state_stress_result(const Model& model) {
+  return column_stress("state", "the state", stress_of_state(model), 0, 1, model.mesh);
+}
+
 std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model) {
   const StressField field = recover_stress(model, shapes.u);
   std::vector<StressResult> results;

@@ -14,6 +14,9 @@ struct StaticShapes {
 // Name of the stress of mode i, from 0.
 std::string mode_stress_name(int mode);
 
+// Of a model at a state.
+StressResult state_stress_result(const Model& model);
+
 std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model);
 
 // Of the modes, each scaled to a largest displacement of 1 mm; then, when there are excitations,

@@ -4,6 +4,7 @@
 #include "mesh/mesh.hpp"
 #include "model/description/connector_curve.hpp"
 #include "run/results/level_results.hpp"
+#include "run/results/state_results.hpp"
 #include "run/results/time_results.hpp"
 
 #include <Eigen/Core>
@@ -77,6 +78,9 @@ struct MeasuredComparison { // one measured number beside the computed one
   double measured = 0, sigma = 0, computed = 0;
   std::string entry = {}; // of the measured data: "modes[0]"
 };
+
+// Name of the variant without the state of a case that has one.
+inline constexpr const char* variant_at_rest = "at rest";
 
 struct VariantResult { // headline numbers of a variant of the case
   std::string name;
@@ -155,7 +159,7 @@ Eigen::MatrixXd vector_sum(const ResponseResult& response);
 // Von Mises stress of the shells on both faces and the axial stress of beams, with the places of
 // the largest.
 struct StressResult {
-  std::string kind; // static | mode | harmonic | rms
+  std::string kind; // state | static | mode | harmonic | rms
   std::string name; // what it is the stress of, with its amplitude
   double largest = 0;
   std::array<double, 3> at{}; // m
@@ -232,6 +236,7 @@ struct Results {
   std::string route; // how it was solved: "rotational symmetry, 38 sectors" or "full mesh: ..."
   std::string mesh_choice; // why the mesh is finer than that of a first run; empty = it is not
   std::optional<Reduced> reduced;
+  std::optional<StateResult> state;       // around which all the rest is; none: the part at rest
   std::optional<StaticStiffness> statics; // joints with friction slip, nonlinear springs at rest
   std::vector<StrokeCurve> strokes;
   std::vector<ModeResult> modes;

@@ -5,6 +5,7 @@
 #include "run/analyses/damping.hpp"
 #include "run/analyses/response.hpp"
 #include "run/routes/built_reduced.hpp"
+#include "run/routes/operating_state.hpp"
 #include "run/routes/route.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -357,6 +358,7 @@ void add_statics(PartReference& part, const BuiltCase& built, const SymmetricVie
 
 ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
                         const std::function<void(const std::string&)>& stage) {
+  require_rest(given, "a superelement");
   Case data = given;
   data.mount.clear(); // whoever takes the superelement holds it
   ReducedCase result;

@@ -1,0 +1,43 @@
+// The state around which a run was made: plain data, SI units (results.hpp).
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace plica {
+
+struct StateIterationResult {
+  double share = 0;    // of the loads
+  double residual = 0; // beside the forces that act
+  double step = 0;     // largest displacement of the increment, m
+};
+
+struct EndReaction {
+  std::string cap;
+  std::array<double, 3> force{}, moment{}; // of the part on what holds the cap, N, Nm
+};
+
+struct BucklingResult {
+  double factor = 0;   // of the loads of the state
+  double sideways = 0; // share of the motion of its nodes that is not along the axis
+};
+
+struct StateResult {
+  std::vector<std::string> loads; // in words
+  std::string route;              // "rotational symmetry" or "full mesh"
+  std::vector<StateIterationResult> iterations;
+  int load_steps = 0;
+  double largest_displacement = 0; // m
+  double linear_error = 0;         // of the displacements of a linear solution, relative
+  std::vector<EndReaction> reactions;
+  std::vector<BucklingResult> buckling;
+  bool buckling_looked_for = false;
+  bool buckling_proved = false;
+  std::string buckling_reason;  // why not proved
+  Eigen::MatrixXd displacement; // nodes x 3, m
+};
+
+} // namespace plica

@@ -1,0 +1,191 @@
+// States of cases: pressure, heat, installation, against closed forms and along both routes.
+#include "run/routes/operating_state.hpp"
+#include "solve/base_state.hpp"
+#include "tests/bellows_case.hpp"
+#include "tests/tube_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace plica;
+using namespace plica::test;
+
+namespace {
+
+// A plain cylinder between two caps, both held.
+Case cylinder(double length, double radius, double wall) {
+  Case data;
+  data.name = "cylinder";
+  data.materials["steel"] = {.E = 200e9, .nu = 0.3, .rho = 7900};
+  Bellows bellows;
+  bellows.material = "steel";
+  bellows.root_radius = radius;
+  MeridianSection cuff;
+  cuff.shape = SectionShape::cuff;
+  cuff.length = length;
+  bellows.profile = {cuff};
+  bellows.wall.plies = {wall};
+  bellows.mesh = {.around = 48, .arc = 1, .wall = 120};
+  data.parts = {{"bellows", bellows}};
+  data.caps = {{.name = "left", .of = {"bellows.left"}},
+               {.name = "right", .of = {"bellows.right"}}};
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.analyses.statics = false;
+  data.analyses.error_bars = false;
+  return data;
+}
+
+Case heated(Case data, const std::string& steel, double temperature) {
+  bellows_of(data).material = steel;
+  add_known_steels(data.parts, data.materials);
+  data.state.emplace();
+  data.state->temperature = {{.part = "bellows", .at = temperature}};
+  return data;
+}
+
+const EndReaction& reaction(const Results& results, const std::string& cap) {
+  for (const EndReaction& r : results.state->reactions)
+    if (r.cap == cap) return r;
+  throw std::out_of_range(cap);
+}
+
+} // namespace
+
+// Of a cylinder of length L whose ends cannot widen: hoop stress falls short of p r / t over 2/beta
+// of its length, beta^4 = 3 (1 - nu^2) / (r t)^2 (Timoshenko, Theory of Plates and Shells, sec.
+// 114).
+struct LongCylinder {
+  double L = 1, r = 0.05, t = 1e-3, p = 1e6, E = 200e9, nu = 0.3;
+  double edge = 2 * std::sqrt(r * t) / std::pow(3 * (1 - nu * nu), 0.25); // 2 / beta
+};
+
+// Held at both ends the wall bears nu times the mean hoop stress along its axis; the caps bear the
+// rest of the thrust p pi r^2.
+TEST(OperatingState, PressureInACylinderHeldAtBothEnds) {
+  const LongCylinder c;
+  Case data = cylinder(c.L, c.r, c.t);
+  data.state.emplace();
+  data.state->pressure = c.p;
+  const Results results = run_silently(data);
+  const double hoop = c.p * c.r / c.t, thrust = c.p * M_PI * c.r * c.r;
+  // s L = nu (hoop L - (hoop - nu s) edge)
+  const double s = c.nu * hoop * (1 - c.edge / c.L) / (1 - c.nu * c.nu * c.edge / c.L);
+  EXPECT_EQ(results.state->route, "rotational symmetry");
+  compare("cylinder under pressure", "thrust on the caps", reaction(results, "right").force[1],
+          thrust - 2 * M_PI * c.r * c.t * s, 0.01);
+  EXPECT_NEAR(reaction(results, "left").force[1], -reaction(results, "right").force[1],
+              1e-6 * thrust);
+}
+
+// A closed vessel needs nobody to hold it.
+TEST(OperatingState, PressureInAClosedVessel) {
+  const LongCylinder c;
+  Case data = cylinder(c.L, c.r, c.t);
+  data.mount.pop_back();
+  data.state.emplace();
+  data.state->pressure = c.p;
+  const Results results = run_silently(data);
+  EXPECT_NEAR(reaction(results, "left").force[1], 0, 1e-3);
+  const double along = c.p * c.r / (2 * c.t), hoop = 2 * along;
+  compare("closed vessel", "stretch", results.state->displacement.col(1).maxCoeff(),
+          (along * c.L - c.nu * (hoop * c.L - (hoop - c.nu * along) * c.edge)) / c.E, 0.01);
+}
+
+// Both ends held: the wall is pressed by E alpha dT.
+TEST(OperatingState, HeatedBetweenRigidEnds) {
+  const Results results = run_silently(heated(cylinder(1, 0.05, 1e-3), "1.4541", 100));
+  const double expected = 194e9 * 16e-6 * 80 * 2 * M_PI * 0.05 * 1e-3;
+  compare("heated cylinder", "force on the caps", reaction(results, "right").force[1], expected,
+          0.02);
+}
+
+// Free to grow: no force, alpha dT L, and frequencies by the root of E.
+TEST(OperatingState, HeatedAndFreeToGrow) {
+  Case data = verification_case("bellows_a", {.around = 24, .arc = 2, .wall = 2}, 4);
+  data.mount = {{.cap = "left"}};
+  data.analyses.statics = false;
+  data.analyses.error_bars = false;
+  const Case hot = heated(data, "1.4541", 500), cold = heated(data, "1.4541", 20);
+  const Results at_500 = run_silently(hot), at_20 = run_silently(cold);
+  // Stiffness grows with E and the length, the mass stays.
+  const double growth = 1 + 18e-6 * 480;
+  EXPECT_NEAR(at_500.modes[0].frequency / at_20.modes[0].frequency, std::sqrt(165. / 200 * growth),
+              0.002);
+  EXPECT_NEAR(reaction(at_500, "left").force[1], 0, 1e-3);
+}
+
+// Clamped at both ends a bellows of bending stiffness EI buckles as a column at
+// p A = 4 pi^2 EI / L^2 (Haringx, Philips Res. Rep. 3 (1948) 401); EI = 1.5367 N m2 of a separate
+// axisymmetric model, effective radius root + height / 2.
+TEST(OperatingState, ColumnSquirm) {
+  Case data = without_modes(verification_case("bellows_a", {.around = 32, .arc = 3, .wall = 3}));
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.analyses.statics = false;
+  data.analyses.error_bars = false;
+  data.state.emplace();
+  data.state->pressure = 1e6;
+  data.state->buckling = 2;
+  const Results results = run_silently(data);
+  ASSERT_GE(results.state->buckling.size(), 2u);
+  EXPECT_TRUE(results.state->buckling_proved) << results.state->buckling_reason;
+  const double area = M_PI * 0.0305 * 0.0305, L = 0.06;
+  compare("bellows A, both ends clamped", "column squirm", results.state->buckling[0].factor * 1e6,
+          4 * M_PI * M_PI * 1.5367 / (L * L) / area, 0.05);
+  EXPECT_GT(results.state->buckling[0].sideways, 0.3);
+}
+
+// Stretched and under pressure: by symmetry and on the full mesh the same.
+TEST(OperatingState, BothRoutesAgree) {
+  Case data = verification_case("bellows_a", {.around = 12, .arc = 2, .wall = 2}, 6);
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.analyses.error_bars = false;
+  data.state.emplace();
+  data.state->pressure = 2e5;
+  data.state->offset = {{.cap = "right", .move = {0, 2e-3, 0}}};
+  const Results symmetric = run_silently(data);
+  data.analyses.symmetry = Symmetry::off;
+  const Results full = run_silently(data);
+  EXPECT_EQ(symmetric.state->route, "rotational symmetry");
+  EXPECT_EQ(full.state->route, "full mesh");
+  for (std::size_t i = 0; i < symmetric.modes.size(); ++i)
+    EXPECT_NEAR(symmetric.modes[i].frequency / full.modes[i].frequency, 1, 1e-7);
+  EXPECT_NEAR(symmetric.statics->k_axial / full.statics->k_axial, 1, 1e-7);
+  EXPECT_NEAR(reaction(symmetric, "right").force[1] / reaction(full, "right").force[1], 1, 1e-7);
+}
+
+// Pulled by 1e-4 of its length between its ends, a bar bears EA 1e-4.
+TEST(OperatingState, InstalledStretched) {
+  Case data = tube(2);
+  data.analyses.statics = false;
+  data.state.emplace();
+  data.state->offset = {{.cap = "right", .move = {0, 1e-4 * L, 0}}};
+  const Results results = run_silently(data);
+  EXPECT_NEAR(reaction(results, "right").force[1], -EA * 1e-4, 1e-6 * EA * 1e-4);
+}
+
+// A state in which nothing acts is the part at rest.
+TEST(OperatingState, NothingActs) {
+  Case data = verification_case("bellows_a", {.around = 12, .arc = 2, .wall = 2}, 4);
+  data.analyses.error_bars = false;
+  const Results rest = run_silently(data);
+  data.state.emplace();
+  const Results still = run_silently(data);
+  for (std::size_t i = 0; i < rest.modes.size(); ++i)
+    EXPECT_NEAR(still.modes[i].frequency / rest.modes[i].frequency, 1, 1e-10);
+}
+
+// Beyond squirm there is no state, and the error says how far it came.
+TEST(OperatingState, BeyondBuckling) {
+  Case data = tube(2);
+  data.analyses.statics = false;
+  data.state.emplace();
+  const double euler = 4 * M_PI * M_PI * EI / (L * L);
+  data.state->offset = {{.cap = "right", .move = {0, -1.3 * euler / EA * L, 0}}};
+  try {
+    run_silently(data);
+    FAIL();
+  } catch (const StateError& error) {
+    EXPECT_NE(std::string(error.what()).find("loses its stability"), std::string::npos);
+  }
+}
