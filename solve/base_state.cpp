@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -243,7 +244,7 @@ private:
       const double residual = scale > 0 ? increment.residual / scale : 0;
       const double move = largest_move(increment.u);
       if (k == 0) first_move = move;
-      if (linear_.size() == 0 && share == 1 && state_.iterations.empty()) linear_ = increment.u;
+      const bool is_linear = from == 0 && share == 1 && k == 0;
       state_.iterations.push_back({.share = share, .residual = residual, .step = move});
       progress_(state_.iterations.back());
       if (k > 0 && go.norm() <= rounding * size_ &&
@@ -257,8 +258,13 @@ private:
         return false;
       }
       last = move;
-      move_by(increment.u * std::min(1., most_turn / std::max(largest_turn(increment.u), 1e-300)),
-              share);
+      if (is_linear && loads_.growth.empty()) {
+        linear_ = nodes_;
+        for (std::size_t n = 0; n < linear_.size(); ++n)
+          linear_[n] += increment.u.segment<3>(6 * Eigen::Index(n));
+      }
+      const double turn = largest_turn(increment.u);
+      move_by(turn > most_turn ? VectorXd(increment.u * most_turn / turn) : increment.u, share);
     }
     trouble_ = std::to_string(most_iterations) + " iterations were not enough";
     return false;
@@ -277,10 +283,11 @@ private:
       const Vector3d u = nodes_[n] - rest_.mesh.nodes[n];
       state_.largest_displacement = std::max(state_.largest_displacement, u.norm());
       total += u.squaredNorm();
-      if (linear_.size() > 0)
-        difference += (linear_.segment<3>(6 * Eigen::Index(n)) - u).squaredNorm();
+      if (!linear_.empty()) difference += (linear_[n] - nodes_[n]).squaredNorm();
     }
-    state_.linear_error = total > 0 ? std::sqrt(difference / total) : 0;
+    state_.linear_error = linear_.empty() ? std::numeric_limits<double>::quiet_NaN()
+                          : total > 0     ? std::sqrt(difference / total)
+                                          : 0;
   }
 
   const Model& rest_;
@@ -289,8 +296,8 @@ private:
   const std::function<void(const StateIteration&)>& progress_;
   std::vector<std::pair<int, int>> followers_;
   double size_;
-  VectorXd dead_, linear_;
-  std::vector<Vector3d> nodes_;
+  VectorXd dead_;
+  std::vector<Vector3d> nodes_, linear_; // linear_: of the first step from rest
   std::vector<Matrix3d> turned_;
   std::string trouble_;
   BaseState state_;

@@ -58,7 +58,8 @@ struct BaseState {
   std::vector<StateIteration> iterations;
   int load_steps = 0;
   double largest_displacement = 0; // m
-  // Displacements of the linear solution against those of the state: norm of the difference / norm.
+  // Displacements of the linear solution against those of the state: norm of the difference / norm;
+  // not a number where caps grow with heat.
   double linear_error = 0;
 };
 

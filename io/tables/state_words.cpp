@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace plica {
 
 Json state_json(const StateResult& s) {
@@ -38,7 +40,7 @@ std::vector<std::string> state_sentences(const StateResult& s) {
                   significant(1e3 * s.largest_displacement, 4), s.load_steps,
                   s.load_steps == 1 ? "" : "s", s.iterations.size(), s.route)};
   constexpr double good = 0.01, poor = 0.1;
-  if (s.largest_displacement > 0)
+  if (std::isfinite(s.linear_error) && s.largest_displacement > 0)
     sentences.push_back(fmt::format("a linear state would be {} % off in its displacements: {}",
                                     significant(100 * s.linear_error, 2),
                                     s.linear_error < good   ? "good enough"
