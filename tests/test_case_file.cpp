@@ -285,9 +285,9 @@ TEST(Units, what_is_no_quantity_is_refused_with_the_allowed_units) {
                            "1 mm mm", "--1", "+-1", "1 kg", "1 MM2", "1 mm/s", "1e", "1 \n2"})
     EXPECT_NE(parse_quantity(text, Dimension::length).wrong, "") << text;
   EXPECT_EQ(parse_quantity("5 kg", Dimension::length).wrong, "'5 kg' is a mass");
-  EXPECT_EQ(
-      parse_quantity("5 Mpa", Dimension::pressure).allowed,
-      "did you mean 'MPa'? allowed: a pressure in Pa, kPa, MPa, GPa or N/mm2 (plain number: Pa)");
+  EXPECT_EQ(parse_quantity("5 Mpa", Dimension::pressure).allowed,
+            "did you mean 'MPa'? allowed: a pressure in Pa, kPa, MPa, GPa, N/mm2, bar or mbar "
+            "(plain number: Pa)");
 }
 
 TEST(DidYouMean, distances_are_those_of_single_edits) {
