@@ -21,8 +21,8 @@ namespace plica {
 struct ShellProperties {
   ShellSection section;
   MembraneStrain membrane = MembraneStrain::displacement; // of quads
-  double pressure = 0; // at a state: Pa, against the wall along its directors (solve/pressure.hpp)
   int component = 0;   // index into Model::components, here and below
+  double pressure = 0; // at a state: Pa, against the wall along its directors
 };
 
 struct BeamElement {

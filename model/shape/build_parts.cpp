@@ -83,12 +83,12 @@ void add(Building& b, const std::string& name, const Bellows& bellows) {
   append(b.built.model.mesh, mesh, name, section);
   const Material& m = b.data.materials.at(bellows.material);
   b.built.model.shells.push_back(
-      {{.E = m.E,
-        .nu = m.nu,
-        .rho = m.rho,
-        .bending_factor = ply_bending_factor(bellows.wall.plies, bond(b, bellows.wall))},
-       bellows.membrane,
-       b.component(name)});
+      {.section = {.E = m.E,
+                   .nu = m.nu,
+                   .rho = m.rho,
+                   .bending_factor = ply_bending_factor(bellows.wall.plies, bond(b, bellows.wall))},
+       .membrane = bellows.membrane,
+       .component = b.component(name)});
   if (!b.built.meridian.empty() && bellows.start < b.built.meridian.back()[0] - 1e-9) return;
   for (const auto& curve : mesh_meridian(meridian))
     for (const MeridianPoint& p : curve)
@@ -105,8 +105,9 @@ void add(Building& b, const std::string& name, const Plate& plate) {
                    "deg; two plates where one is concave");
   append(b.built.model.mesh, mesh, name, section);
   const Material& m = b.data.materials.at(plate.material);
-  b.built.model.shells.push_back(
-      {{.E = m.E, .nu = m.nu, .rho = m.rho}, plate.membrane, b.component(name)});
+  b.built.model.shells.push_back({.section = {.E = m.E, .nu = m.nu, .rho = m.rho},
+                                  .membrane = plate.membrane,
+                                  .component = b.component(name)});
 }
 
 void add(Building& b, const std::string& name, const SurfacePart& surface) {
@@ -119,8 +120,9 @@ void add(Building& b, const std::string& name, const SurfacePart& surface) {
   }
   append(b.built.model.mesh, mesh, name, section);
   const Material& m = b.data.materials.at(surface.material);
-  b.built.model.shells.push_back(
-      {{.E = m.E, .nu = m.nu, .rho = m.rho}, surface.membrane, b.component(name)});
+  b.built.model.shells.push_back({.section = {.E = m.E, .nu = m.nu, .rho = m.rho},
+                                  .membrane = surface.membrane,
+                                  .component = b.component(name)});
 }
 
 void add(Building& b, const std::string& name, const DeckPart& deck) {
