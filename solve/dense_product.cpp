@@ -6,21 +6,35 @@ namespace plica {
 
 using Eigen::MatrixXd;
 
+namespace {
+
+// C = alpha op(A) B + beta C.
+void multiply(double alpha, CBLAS_TRANSPOSE op, const Eigen::Ref<const MatrixXd>& A,
+              const Eigen::Ref<const MatrixXd>& B, double beta, MatrixXd& C) {
+  if (C.size() == 0 || B.rows() == 0) return;
+  cblas_dgemm(CblasColMajor, op, CblasNoTrans, int(C.rows()), int(C.cols()), int(B.rows()), alpha,
+              A.data(), int(A.outerStride()), B.data(), int(B.outerStride()), beta, C.data(),
+              int(C.outerStride()));
+}
+
+} // namespace
+
 MatrixXd transposed_product(const Eigen::Ref<const MatrixXd>& A,
                             const Eigen::Ref<const MatrixXd>& B) {
   MatrixXd C = MatrixXd::Zero(A.cols(), B.cols());
-  if (C.size() == 0 || A.rows() == 0) return C;
-  cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, int(C.rows()), int(C.cols()), int(A.rows()),
-              1, A.data(), int(A.outerStride()), B.data(), int(B.outerStride()), 0, C.data(),
-              int(C.outerStride()));
+  multiply(1, CblasTrans, A, B, 0, C);
   return C;
 }
 
-void subtract_product(MatrixXd& C, const MatrixXd& A, const MatrixXd& B) {
-  if (C.size() == 0 || A.cols() == 0) return;
-  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, int(C.rows()), int(C.cols()),
-              int(A.cols()), -1, A.data(), int(A.outerStride()), B.data(), int(B.outerStride()), 1,
-              C.data(), int(C.outerStride()));
+MatrixXd product(const Eigen::Ref<const MatrixXd>& A, const Eigen::Ref<const MatrixXd>& B) {
+  MatrixXd C = MatrixXd::Zero(A.rows(), B.cols());
+  multiply(1, CblasNoTrans, A, B, 0, C);
+  return C;
+}
+
+void subtract_product(MatrixXd& C, const Eigen::Ref<const MatrixXd>& A,
+                      const Eigen::Ref<const MatrixXd>& B) {
+  multiply(-1, CblasNoTrans, A, B, 1, C);
 }
 
 } // namespace plica

@@ -9,8 +9,13 @@ namespace plica {
 Eigen::MatrixXd transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& A,
                                    const Eigen::Ref<const Eigen::MatrixXd>& B);
 
+// A B.
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                        const Eigen::Ref<const Eigen::MatrixXd>& B);
+
 // C -= A B.
-void subtract_product(Eigen::MatrixXd& C, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+void subtract_product(Eigen::MatrixXd& C, const Eigen::Ref<const Eigen::MatrixXd>& A,
+                      const Eigen::Ref<const Eigen::MatrixXd>& B);
 
 // Of what is symmetric but for rounding.
 inline Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) {

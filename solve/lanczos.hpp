@@ -32,4 +32,8 @@ struct LanczosSettings {
 EigenPairs lanczos(const SparseMatrix& M, const SparseFactor& factor, double sigma,
                    const LanczosSettings& settings);
 
+// One pass x = A^-1 M v, A = K - sigma M, removes what is not in the range of the operator; then
+// Rayleigh-Ritz on the span of x, whose stiffness x' A x = x' M v needs no product with A.
+void purify(EigenPairs& pairs, const SparseMatrix& M, const SparseFactor& factor, double sigma);
+
 } // namespace plica

@@ -1,5 +1,6 @@
 #include "solve/modes.hpp"
 
+#include "solve/block_lanczos.hpp"
 #include "solve/dense_modes.hpp"
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
@@ -21,7 +22,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int guard_modes = 4; // computed beyond those asked for, to find a gap
+constexpr int guard_modes = 4;       // computed beyond those asked for, to find a gap
+constexpr Index worth_blocks = 5000; // unknowns
 
 // Order of magnitude of the largest eigenvalue: the median of K_ii / M_ii, which a few stiff
 // springs do not move.
@@ -224,7 +226,9 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
       throw ModelError("the stiffness is lost in its rounding: its factor could not be made again");
     factored_at = base.sigma;
     const EigenPairs pairs = better_dense(K, M) ? dense_modes(K, M, base.sigma)
-                                                : lanczos(M, base.factor, base.sigma, settings);
+                             : K.rows() < worth_blocks
+                                 ? lanczos(M, base.factor, base.sigma, settings)
+                                 : block_lanczos(M, base.factor, base.sigma, settings);
     modes.operations += pairs.operations;
     watch.lap(modes.timing, "lanczos");
     if (!scaled && pairs.converged) {

@@ -2,6 +2,9 @@
 #define EIGEN_USE_BLAS
 #include "solve/sparse_factor.hpp"
 
+#include "solve/parallel.hpp"
+
+#include <algorithm>
 #include <cholmod.h>
 #include <cstring>
 #include <mutex>
@@ -15,19 +18,42 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace plica {
 
+namespace {
+
+// CHOLMOD's state, quiet.
+void start(cholmod_common& common) {
+  cholmod_start(&common);
+  common.print = 0;
+  common.error_handler = nullptr;
+}
+
+// What a thread needs of its own to solve beside others with one factor.
+struct Workspace {
+  cholmod_common common{};
+  cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr; // owned
+
+  Workspace() { start(common); }
+  ~Workspace() {
+    cholmod_free_dense(&x, &common);
+    cholmod_free_dense(&y, &common);
+    cholmod_free_dense(&e, &common);
+    cholmod_finish(&common);
+  }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+};
+
+} // namespace
+
 struct SparseFactor::Impl {
   mutable cholmod_common common{};
-  cholmod_factor* factor = nullptr;   // owned
-  mutable cholmod_dense* x = nullptr; // owned: workspaces of the single solve
-  mutable cholmod_dense* y = nullptr;
-  mutable cholmod_dense* e = nullptr;
+  cholmod_factor* factor = nullptr;                           // owned
+  mutable std::vector<std::unique_ptr<Workspace>> workspaces; // of threads
   Factorisation kind;
   int rows = 0;
 
   Impl(Factorisation k, int n) : kind(k), rows(n) {
-    cholmod_start(&common);
-    common.print = 0;
-    common.error_handler = nullptr;
+    start(common);
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_METIS;
     common.postorder = 1;
@@ -36,16 +62,16 @@ struct SparseFactor::Impl {
     common.quick_return_if_not_posdef = 1;
   }
   ~Impl() {
-    cholmod_free_dense(&x, &common);
-    cholmod_free_dense(&y, &common);
-    cholmod_free_dense(&e, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  void solve(int system, const double* b, double* result) const; // one vector
+  Workspace& workspace(int thread) const;
+  void solve(int system, const double* b, Eigen::Index columns, double* result,
+             Workspace& own) const;
+  Eigen::MatrixXd solve(int system, const Eigen::MatrixXd& b) const; // in groups, on all cores
 };
 
 namespace {
@@ -109,12 +135,34 @@ std::string words(int status) {
 
 } // namespace
 
-void SparseFactor::Impl::solve(int system, const double* b, double* result) const {
-  const OneOpenMpThread scope;
-  cholmod_dense B = view(b, rows, 1);
-  if (cholmod_solve2(system, factor, &B, nullptr, &x, nullptr, &y, &e, &common) == 0)
-    throw std::runtime_error("sparse solve failed: " + words(common.status));
-  std::memcpy(result, x->x, sizeof(double) * static_cast<std::size_t>(rows));
+Workspace& SparseFactor::Impl::workspace(int thread) const {
+  const auto needed = static_cast<std::size_t>(thread) + 1;
+  while (workspaces.size() < needed) workspaces.push_back(std::make_unique<Workspace>());
+  return *workspaces[needed - 1];
+}
+
+void SparseFactor::Impl::solve(int system, const double* b, Eigen::Index columns, double* result,
+                               Workspace& own) const {
+  cholmod_dense B = view(b, rows, columns);
+  if (cholmod_solve2(system, factor, &B, nullptr, &own.x, nullptr, &own.y, &own.e, &own.common) ==
+      0)
+    throw std::runtime_error("sparse solve failed: " + words(own.common.status));
+  std::memcpy(result, own.x->x, sizeof(double) * B.nrow * B.ncol);
+}
+
+Eigen::MatrixXd SparseFactor::Impl::solve(int system, const Eigen::MatrixXd& b) const {
+  constexpr Eigen::Index narrowest = 4, widest = 16; // of a group
+  Eigen::MatrixXd x(b.rows(), b.cols());
+  if (x.size() == 0) return x;
+  const Eigen::Index width = std::clamp((b.cols() + 1) / 2, narrowest, widest);
+  const auto groups = static_cast<int>((b.cols() + width - 1) / width);
+  workspace(omp_get_max_threads() - 1); // none is made inside
+  in_parallel(groups, [&](int g) {
+    const Eigen::Index first = g * width, columns = std::min(width, b.cols() - first);
+    solve(system, b.col(first).data(), columns, x.col(first).data(),
+          *workspaces[static_cast<std::size_t>(omp_get_thread_num())]);
+  });
+  return x;
 }
 
 SparseFactor::SparseFactor(const SparseMatrix& pattern, Factorisation kind)
@@ -153,45 +201,35 @@ FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
 }
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& b) const {
-  if (impl_->rows == 0) return b;
-  const OneOpenMpThread scope;
-  cholmod_dense B = view(b.data(), b.rows(), b.cols());
-  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &B, &impl_->common);
-  if (x == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
-  Eigen::MatrixXd result =
-      Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(x->x), b.rows(), b.cols());
-  cholmod_free_dense(&x, &impl_->common);
-  return result;
+  return impl_->solve(CHOLMOD_A, b);
 }
 
 Eigen::MatrixXd SparseFactor::quadratic_form(const SparseMatrix& b) const {
-  if (impl_->rows == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
-  const OneOpenMpThread scope;
-  const auto n = static_cast<std::size_t>(b.rows()), k = static_cast<std::size_t>(b.cols());
-  std::vector<int> place(n); // of a row in the order of the factor
-  for (std::size_t i = 0; i < n; ++i) place[order()[Eigen::Index(i)]] = static_cast<int>(i);
-  cholmod_dense* permuted = cholmod_zeros(n, k, CHOLMOD_REAL, &impl_->common);
-  if (permuted == nullptr) throw std::runtime_error("sparse solve: not enough memory");
+  Eigen::VectorXi place(b.rows()); // of a row in the order of the factor
+  for (int i = 0; i < impl_->rows; ++i) place[order()[i]] = i;
+  Eigen::MatrixXd permuted = Eigen::MatrixXd::Zero(b.rows(), b.cols());
   for (int j = 0; j < b.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator it(b, j); it; ++it)
-      static_cast<double*>(permuted->x)[n * static_cast<std::size_t>(j) + place[it.row()]] =
-          it.value();
-  cholmod_dense* y = cholmod_solve(CHOLMOD_L, impl_->factor, permuted, &impl_->common);
-  cholmod_free_dense(&permuted, &impl_->common);
-  if (y == nullptr) throw std::runtime_error("sparse solve failed: " + words(impl_->common.status));
-  const Eigen::Map<Eigen::MatrixXd> Y(static_cast<double*>(y->x), b.rows(), b.cols());
+    for (SparseMatrix::InnerIterator it(b, j); it; ++it) permuted(place[it.row()], j) = it.value();
+  const Eigen::MatrixXd Y = solve_lower(permuted);
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(b.cols(), b.cols());
   form.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose());
-  cholmod_free_dense(&y, &impl_->common);
   return form.selfadjointView<Eigen::Lower>();
 }
 
+Eigen::MatrixXd SparseFactor::solve_lower(const Eigen::MatrixXd& b) const {
+  return impl_->solve(CHOLMOD_L, b);
+}
+
+Eigen::MatrixXd SparseFactor::solve_upper(const Eigen::MatrixXd& b) const {
+  return impl_->solve(CHOLMOD_Lt, b);
+}
+
 void SparseFactor::solve_lower(const double* b, double* x) const {
-  impl_->solve(CHOLMOD_L, b, x);
+  impl_->solve(CHOLMOD_L, b, 1, x, impl_->workspace(0));
 }
 
 void SparseFactor::solve_upper(const double* b, double* x) const {
-  impl_->solve(CHOLMOD_Lt, b, x);
+  impl_->solve(CHOLMOD_Lt, b, 1, x, impl_->workspace(0));
 }
 
 Eigen::Map<const Eigen::VectorXi> SparseFactor::order() const {

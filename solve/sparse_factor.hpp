@@ -32,7 +32,8 @@ public:
   // Factors a matrix with the pattern analysed. Not positive definite is a status, not an error.
   FactorStatus factorise(const SparseMatrix& lower);
 
-  // A^-1 b for all columns at once. Needs a successful factorise().
+  // A^-1 b. Many columns go in groups that the cores share; a group is the same, and so is the
+  // result, for any number of threads. Needs a successful factorise().
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   // b' A^-1 b, symmetric, from one forward solve. Cholesky only.
   Eigen::MatrixXd quadratic_form(const SparseMatrix& b) const;
@@ -40,6 +41,9 @@ public:
   // factor, without allocation after the first call. Cholesky only.
   void solve_lower(const double* b, double* x) const;
   void solve_upper(const double* b, double* x) const;
+  // The same for all columns, in groups as above: sixteen cost five times one.
+  Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& b) const;
   // P: row of the factor -> row of A.
   Eigen::Map<const Eigen::VectorXi> order() const;
 
