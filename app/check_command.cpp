@@ -27,7 +27,7 @@ int check(const CheckOptions& options) {
     print(fmt::format("{}: the benchmark is valid\n", options.chosen.path));
     return 0;
   }
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  const CaseFile file = read_chosen(options.chosen);
   test_of(file);
   const BuiltCase built = located(file, [&] { return build(file.data); });
   const auto symmetry = located(file, [&] {
@@ -61,6 +61,8 @@ int check(const CheckOptions& options) {
     print(fmt::format("  full mesh: {}\n", std::get<std::string>(symmetry)));
   print(fmt::format("  estimate: {:.1f} GB, {:.0f} s a run", cost.memory / 1e9, cost.seconds));
   if (variants > 0) print(fmt::format("; {} variants about as long each", variants));
+  if (!file.data.states.empty())
+    print(fmt::format("; {} states, longer each", file.data.states.size()));
   if (file.data.analyses.error_bars)
     print(fmt::format("; error bars: 2 runs on finer meshes, {} on coarse ones",
                       limits > 0 ? limits + 2 : 0));
@@ -75,6 +77,7 @@ void add_check_command(CommandLine& line) {
   CLI::App& command = line.add("check", "validate a case and estimate its cost",
                                [options] { return check(*options); });
   add_case(command, options->chosen);
+  add_state(command, options->chosen);
   add_threads(command, options->threads);
 }
 

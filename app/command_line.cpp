@@ -68,6 +68,13 @@ void add_case(CLI::App& command, ChosenCase& chosen) {
       ->type_name("NAME");
 }
 
+void add_state(CLI::App& command, ChosenCase& chosen) {
+  command
+      .add_option("--state", chosen.state,
+                  "one of the states of the case; left out: its state, or none")
+      ->type_name("NAME");
+}
+
 void add_output(CLI::App& command, Output& output) {
   command.add_option("--out", output.folder, "folder for the results")->capture_default_str();
   command.add_flag("--quiet", output.quiet, "print errors only");

@@ -45,8 +45,10 @@ void add_manual_command(CommandLine& line);
 struct ChosenCase {
   std::string path;
   std::string model; // one of the models of the case; empty = its parts
+  std::string state; // one of its named states; empty = its `state`, or none
 };
 void add_case(CLI::App& command, ChosenCase& chosen);
+void add_state(CLI::App& command, ChosenCase& chosen); // --state
 
 // --out and --quiet.
 struct Output {

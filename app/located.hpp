@@ -1,6 +1,7 @@
 // Problems that are found after reading the case file get its name and the line of their key.
 #pragma once
 
+#include "app/command_line.hpp"
 #include "io/input/case_file.hpp"
 #include "solve/model_error.hpp"
 
@@ -29,6 +30,18 @@ template <class F> auto located(const CaseFile& file, F&& work) {
       }
     throw InputError({problem});
   }
+}
+
+// The case of the command line, in the state that was chosen; its variants too.
+inline CaseFile read_chosen(const ChosenCase& chosen) {
+  CaseFile file = read_case(chosen.path, chosen.model);
+  if (chosen.state.empty()) return file;
+  return located(file, [&] {
+    CaseFile changed = file;
+    changed.data = in_state(file.data, chosen.state);
+    for (Case& variant : changed.variants) variant = in_state(variant, chosen.state);
+    return changed;
+  });
 }
 
 } // namespace plica

@@ -27,7 +27,7 @@ struct ReduceOptions {
 
 int reduce(const ReduceOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  const CaseFile file = read_chosen(options.chosen);
   std::vector<std::string> names = superelement_files(false);
   if (options.beam)
     for (std::string& name : beam_files()) names.push_back(std::move(name));
@@ -65,6 +65,7 @@ void add_reduce_command(CommandLine& line) {
       line.add("reduce", "a case as a Craig-Bampton superelement with its certificate",
                [options] { return reduce(*options); });
   add_case(command, options->chosen);
+  add_state(command, options->chosen);
   add_output(command, options->out);
   add_threads(command, options->threads);
   command

@@ -41,6 +41,7 @@ VariantResult run_variant(const CaseFile& file, const Case& changed, const std::
   VariantResult result{
       .name = name, .set = std::move(set), .headline = headline(results), .comparison = {}};
   if (measured) result.comparison = compare(results, measured->data);
+  if (results.state && !results.state->name.empty()) result.state = results.state;
   return result;
 }
 
@@ -52,16 +53,18 @@ double work_of(const std::string& stage) {
   return stage.starts_with("tolerance of") ? 0.6 : 0.3;
 }
 
-// Shares of the work are counted in runs for the headline; the first one does more.
-void add_error_bars_and_variants(Results& results, const CaseFile& file, const RunOptions& options,
+// Shares of the work are counted in runs for the headline; the first one does more. False: a named
+// state has no equilibrium.
+bool add_error_bars_and_variants(Results& results, const CaseFile& file, const RunOptions& options,
                                  const std::optional<MeasuredFile>& measured, Progress& progress) {
   const bool bars = options.error_bars && file.data.analyses.error_bars;
   const double tolerances = double(file.data.tolerances.size());
   const double first = 1.5,
                of_bars = bars ? 3.5 + (tolerances > 0 ? 0.6 + 0.6 * tolerances : 0) : 0;
   const auto variants = options.variants ? file.data.variants.size() : 0;
+  const auto states = options.variants ? file.data.states.size() : 0;
   const bool compared_with_rest = options.variants && file.data.state;
-  const double all = first + of_bars + double(variants) + (compared_with_rest ? 1 : 0);
+  const double all = first + of_bars + double(variants + states) + (compared_with_rest ? 1 : 0);
   if (bars) {
     double done = first;
     try {
@@ -76,6 +79,7 @@ void add_error_bars_and_variants(Results& results, const CaseFile& file, const R
       results.warnings.push_back(std::string("error bars left out: ") + error.what());
     }
   }
+  bool state_found = true;
   double done = first + of_bars;
   const auto add = [&](const Case& changed, const std::string& name,
                        std::vector<std::pair<std::string, std::string>> set) {
@@ -85,18 +89,27 @@ void add_error_bars_and_variants(Results& results, const CaseFile& file, const R
       results.variants.push_back(
           run_variant(file, changed, name, std::move(set), measured, progress));
     } catch (const std::exception& error) {
-      results.warnings.push_back("variant '" + name + "' left out: " + error.what());
+      const bool is_state = changed.state && !changed.state->name.empty();
+      state_found = state_found && !is_state;
+      results.warnings.push_back((is_state ? "state '" : "variant '") + name +
+                                 "' left out: " + error.what());
     }
   };
   if (compared_with_rest) {
     Case rest = file.data;
     rest.state.reset();
+    rest.states.clear();
     add(rest, variant_at_rest, {{"state", "none"}});
+  }
+  for (std::size_t i = 0; i < states; ++i) {
+    const std::string& name = file.data.states[i].name;
+    add(in_state(file.data, name), name, {{"state", "states." + name}});
   }
   for (std::size_t i = 0; i < variants; ++i) {
     const Variant& variant = file.data.variants[i];
     add(file.variants[i], variant.name, {variant.set.begin(), variant.set.end()});
   }
+  return state_found;
 }
 
 int write_deck(const CaseFile& file, const RunOptions& options) {
@@ -164,7 +177,7 @@ void add_test(Results& results, const MeasuredFile& measured, const std::vector<
 int run_case(const RunOptions& options) {
   if (is_benchmark(options.chosen.path)) return run_benchmark(options);
   set_threads(options.threads);
-  CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  CaseFile file = read_chosen(options.chosen);
   if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
   const std::optional<MeasuredFile> measured = test_of(file);
   std::vector<FrfSet> frfs;
@@ -177,9 +190,9 @@ int run_case(const RunOptions& options) {
   results.versions = PLICA_LIBRARIES;
   results.inputs.push_back(input_file(file.path, file.text));
   if (measured) add_test(results, *measured, frfs);
-  bool interrupted = false;
+  bool interrupted = false, states_found = true;
   try {
-    add_error_bars_and_variants(results, file, options, measured, progress);
+    states_found = add_error_bars_and_variants(results, file, options, measured, progress);
   } catch (const Interrupted& stop) { // the run itself is finished
     interrupted = true;
     forget_interrupt();
@@ -201,7 +214,7 @@ int run_case(const RunOptions& options) {
     say(fmt::format("plica: the proof failed: {}\n", results.verification.reason));
     return 2;
   }
-  return 0;
+  return states_found ? 0 : 2;
 }
 
 } // namespace
@@ -211,6 +224,7 @@ void add_run_command(CommandLine& line) {
   CLI::App& command = line.add("run", "statics, modes and report of a case",
                                [options] { return run_case(*options); });
   add_case(command, options->chosen);
+  add_state(command, options->chosen);
   add_output(command, options->out);
   add_threads(command, options->threads);
   command
@@ -224,7 +238,7 @@ void add_run_command(CommandLine& line) {
       ->check(CLI::IsMember({"abaqus", "nastran"}));
   command.add_flag_callback(
       "--no-variants", [options] { options->variants = false; },
-      "leave the variants of the case out");
+      "leave the variants and the named states of the case out");
   command.add_flag_callback(
       "--no-error-bars", [options] { options->error_bars = false; },
       "leave out the runs on finer meshes and over the tolerances");

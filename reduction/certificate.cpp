@@ -138,8 +138,18 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   constexpr double zero = 1e-9;
   c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
   c.negative_stiffness = std::min(0., k[0]);
-  const int rigid = part.grounded ? 0 : 6;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
+  c.preloaded = part.preload.size() > 0;
+  const int rigid = part.grounded || c.preloaded ? 0 : 6;
+  const Index held = c.preloaded ? 6 : 0;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
+      s.K.bottomRightCorner(s.K.rows() - held, s.K.rows() - held),
+      s.M.bottomRightCorner(s.M.rows() - held, s.M.rows() - held));
+  if (c.preloaded) {
+    const MatrixXd raised = (s.K * rigid_motions(s, s.nodes.front())).topRows(s.boundary());
+    c.grounding =
+        (raised - part.preload).cwiseAbs().maxCoeff() /
+        std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff());
+  }
   if (rigid == 6) {
     const MatrixXd R = rigid_motions(s, s.nodes.front());
     c.grounding =
@@ -150,7 +160,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     c.coordinates = coordinate_error(s, scale.asDiagonal() * stiffness.eigenvectors().leftCols(6));
   }
-  if (rigid == 6) { // what is held has no rigid motion to weigh it by
+  if (!part.grounded) { // what is held has no rigid motion to weigh it by
     const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
     c.mass = std::abs(own.mass / whole.mass - 1);
     c.centre = (own.centre - whole.centre).norm();
@@ -177,7 +187,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
                 .eigenvalues();
   c.fixed = elastic(part.fixed_lambda, fixed, 0, part.left_out);
   const std::vector<FrequencyCheck> in_order = c.free; // Ritz values bound the part's in order
-  c.free = by_shape(c.free, part, s, modes.eigenvectors(), rigid);
+  if (!c.preloaded) c.free = by_shape(c.free, part, s, modes.eigenvectors(), rigid);
   for (const FrequencyCheck& f : c.free) {
     if (std::abs(f.error()) > frequency_limit) break;
     c.good_up_to = f.full;
@@ -188,10 +198,12 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   };
   require(c.asymmetry < 1e-12, "K or M is not symmetric");
   require(c.smallest_mass > 0, "M is not positive definite");
-  require(c.zero_stiffness == rigid && c.negative_stiffness > -zero,
+  require(c.preloaded || (c.zero_stiffness == rigid && c.negative_stiffness > -zero),
           "K has " + std::to_string(c.zero_stiffness) + " zero eigenvalues, not " +
               std::to_string(rigid) + ", or a negative one");
-  require(c.grounding < 1e-8, "a rigid motion raises forces");
+  require(c.grounding < (c.preloaded ? 1e-6 : 1e-8),
+          c.preloaded ? "a rigid motion raises other forces than the preload does"
+                      : "a rigid motion raises forces");
   require(c.rigid_modes < 1e-4, "the lowest modes are not the rigid motions of the geometry");
   require(c.coordinates < 1e-5, "the stiffness does not know where its nodes are");
   require(c.mass < 1e-8 && c.centre < 1e-8 && c.inertia < 1e-7, "mass, centre or inertia differ");

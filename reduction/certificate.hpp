@@ -22,6 +22,10 @@ struct PartReference {
   Eigen::VectorXd fixed_lambda; // boundary held
   int left_out = 0;             // modes left out on purpose: so many frequencies may be missing
   bool grounded = false;        // a support inside the part: no rigid motion is free
+  // Of a preloaded part: what each rigid motion about the first node raises at the boundary, as its
+  // end forces turn (boundary coordinates x 6). Empty: it is at rest. Its free frequencies are then
+  // those with the first node held, since no rotation is free.
+  Eigen::MatrixXd preload;
 };
 
 struct FrequencyCheck {
@@ -45,6 +49,7 @@ struct Certificate {
   std::vector<FrequencyCheck> free, fixed; // elastic ones
   double good_up_to = 0;                   // Hz: below, every free frequency is met within `error`
   double error = 0;
+  bool preloaded = false; // `grounding` is against what the end forces raise
   bool passed = false;
   std::vector<std::string> failures; // what did not pass, in words
 };

@@ -1,5 +1,8 @@
 // States of cases: pressure, heat, installation, against closed forms and along both routes.
+#include "io/tables/summary.hpp"
+#include "model/description/ejma.hpp"
 #include "run/routes/operating_state.hpp"
+#include "run/study/reduce.hpp"
 #include "solve/base_state.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/tube_case.hpp"
@@ -188,4 +191,128 @@ TEST(OperatingState, BeyondBuckling) {
   } catch (const StateError& error) {
     EXPECT_NE(std::string(error.what()).find("loses its stability"), std::string::npos);
   }
+}
+
+// A superelement around a state: what rigid rotations raise is what the end forces turned raise,
+// and its stiffness and frequencies are those of the part in that state.
+TEST(OperatingState, SuperelementAroundAState) {
+  Case data = verification_case("bellows_a", {.around = 12, .arc = 2, .wall = 2}, 4);
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.analyses.error_bars = false;
+  data.state.emplace();
+  data.state->pressure = 1e5;
+  data.state->offset = {{.cap = "right", .move = {0, 1e-3, 0}}};
+  for (const bool by_symmetry : {true, false}) {
+    if (!by_symmetry) {
+      data.analyses.symmetry = Symmetry::off;
+      data.state->offset[0].move = {5e-4, 1e-3, 0};
+    }
+    const ReducedCase r =
+        reduce_case(data, {.cutoff = 3000, .boundary = {}}, [](const std::string&) {});
+    EXPECT_TRUE(r.certificate.passed)
+        << (r.certificate.failures.empty() ? "" : r.certificate.failures.front());
+    EXPECT_TRUE(r.proved) << r.reason;
+    EXPECT_TRUE(r.certificate.preloaded);
+    EXPECT_LT(r.certificate.statics, 1e-7);
+    // The preload is there: a rotation raises forces, far above the rounding of the check.
+    const Eigen::MatrixXd raised = r.element.K * rigid_motions(r.element, r.element.nodes.front());
+    EXPECT_GT(raised.rightCols(3).cwiseAbs().maxCoeff(), 10);
+    // Both ends held, it has the modes of the run around the state.
+    const Results run = run_silently(data);
+    const Eigen::Index m = r.element.modal();
+    const double f = std::sqrt(r.element.K.diagonal().tail(m).minCoeff()) / (2 * M_PI);
+    EXPECT_NEAR(f / run.modes[0].frequency, 1, 1e-6);
+    EXPECT_NEAR(r.element.nodes[1].y() - r.element.nodes[0].y(), 0.06 + 1e-3, 1e-9);
+  }
+}
+
+// Weight would turn with the part, and an end held inside has its force within.
+TEST(OperatingState, SuperelementRefusesWhatActsInside) {
+  Case data = verification_case("bellows_a", {.around = 12, .arc = 1, .wall = 1}, 4);
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.state.emplace();
+  data.state->gravity = {0, 0, -9.81};
+  const auto quietly = [](const std::string&) {};
+  EXPECT_THROW(reduce_case(data, {.cutoff = 500, .boundary = {}}, quietly), InputError);
+  data.state->gravity = {};
+  EXPECT_THROW(reduce_case(data, {.cutoff = 500, .boundary = {"left"}}, quietly), InputError);
+}
+
+// EJMA's column squirm has the margin 0.34 / 2 of the same column; the shells lie beside it.
+TEST(OperatingState, SquirmBesideEjma) {
+  Case data = without_modes(verification_case("bellows_a", {.around = 24, .arc = 2, .wall = 2}));
+  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  data.analyses.statics = false;
+  data.analyses.error_bars = false;
+  data.state.emplace();
+  data.state->pressure = 1e5;
+  data.state->yield = 400e6;
+  const Results results = run_silently(data);
+  ASSERT_EQ(results.state->squirm.size(), 2u);
+  const Bellows& bellows = bellows_of(data);
+  const EjmaBellows ejma =
+      std::get<EjmaBellows>(ejma_bellows(bellows, data.materials.at(bellows.material)));
+  const EjmaFactors factors = ejma_factors(ejma);
+  EXPECT_EQ(results.state->squirm[0].kind, "column");
+  EXPECT_NEAR(results.state->squirm[0].factor, ejma_column_squirm(ejma, factors) / 1e5, 1e-9);
+  EXPECT_EQ(results.state->squirm[1].kind, "in plane");
+  EXPECT_NEAR(results.state->squirm[1].limit, ejma_in_plane_squirm(ejma, factors, 400e6), 1e-3);
+}
+
+// Named states: each is the case with that state.
+TEST(OperatingState, NamedStates) {
+  const Case data =
+      read_case(std::string(PLICA_SOURCE_DIR) + "/cases/states_a2/states_a2.yaml").data;
+  ASSERT_EQ(data.states.size(), 7u);
+  const Case hot = in_state(data, "hot");
+  ASSERT_TRUE(hot.state);
+  EXPECT_EQ(hot.state->name, "hot");
+  EXPECT_EQ(hot.state->temperature.at(0).at, 450);
+  EXPECT_TRUE(hot.states.empty());
+  try {
+    in_state(data, "hott");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'hot'"), std::string::npos)
+        << error.what();
+  }
+}
+
+// The summary puts their headline beside that at rest, with its change.
+TEST(OperatingState, StatesBesideOneAnother) {
+  Results results;
+  results.model.mass = 2;
+  results.statics.emplace();
+  results.statics->k_axial = 50e3;
+  VariantResult hot{.name = "hot",
+                    .set = {},
+                    .headline = {{"k_axial", 40e3}, {"mass", 2}},
+                    .comparison = {},
+                    .state = StateResult{}};
+  hot.state->name = "hot";
+  hot.state->loads = {"bellows at 450 degC"};
+  results.variants = {hot};
+  const std::string text = summary_text(results, {});
+  EXPECT_NE(text.find("States, their change"), std::string::npos) << text;
+  EXPECT_NE(text.find("-20.00"), std::string::npos) << text;
+  EXPECT_NE(text.find("bellows at 450 degC"), std::string::npos) << text;
+}
+
+// Poisson's ratio over the temperature: a plate that carries along one axis does not feel it, a
+// cylinder under pressure between rigid ends does: nu p r / t pulls at them.
+TEST(OperatingState, PoissonsRatioOverTemperature) {
+  const LongCylinder c;
+  Case data = cylinder(c.L, c.r, c.t);
+  Material& steel = data.materials["steel"];
+  steel.E_over_temperature = {{0, 200e9}, {600, 200e9}};
+  steel.expansion = {{0, 0}, {600, 0}};
+  steel.nu_over_temperature = {{20, 0.3}, {520, 0.2}};
+  data.state.emplace();
+  data.state->pressure = c.p;
+  data.state->temperature = {{.part = "bellows", .at = 520}};
+  const Results results = run_silently(data);
+  const double nu = 0.2, hoop = c.p * c.r / c.t, thrust = c.p * M_PI * c.r * c.r;
+  const double edge = 2 * std::sqrt(c.r * c.t) / std::pow(3 * (1 - nu * nu), 0.25);
+  const double s = nu * hoop * (1 - edge / c.L) / (1 - nu * nu * edge / c.L);
+  EXPECT_NEAR(reaction(results, "right").force[1] / (thrust - 2 * M_PI * c.r * c.t * s), 1, 0.01);
 }

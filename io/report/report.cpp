@@ -59,7 +59,7 @@ std::string report_html(const Results& results) {
   std::string html =
       html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
                    comparison_html(results));
-  html += html_section("state", "The state", state_html(results));
+  html += html_section("state", results.state ? "The state" : "States", state_html(results));
   html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
   html += html_section("part", "The part",

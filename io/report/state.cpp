@@ -8,8 +8,24 @@
 
 namespace plica {
 
+namespace {
+
+// The named states of the case: what acts in each; their numbers stand among the variants.
+std::string states_html(const Results& results) {
+  std::string html;
+  for (const VariantResult& variant : results.variants) {
+    if (!variant.state) continue;
+    std::vector<std::string> sentences = state_sentences(*variant.state);
+    for (std::string& b : buckling_sentences(*variant.state)) sentences.push_back(std::move(b));
+    html += "<h3>" + html_escape(variant.name) + "</h3>\n" + html_list(sentences);
+  }
+  return html;
+}
+
+} // namespace
+
 std::string state_html(const Results& results) {
-  if (!results.state) return "";
+  if (!results.state) return states_html(results);
   const StateResult& s = *results.state;
   std::vector<std::string> sentences = state_sentences(s);
   for (std::string& b : buckling_sentences(s)) sentences.push_back(std::move(b));
@@ -23,7 +39,8 @@ std::string state_html(const Results& results) {
          "of it.</p>\n" +
          html_list(sentences) +
          html_table("Newton's iteration",
-                    {{"loads", "%"}, {"unbalanced force", ""}, {"largest step", "mm"}}, rows);
+                    {{"loads", "%"}, {"unbalanced force", ""}, {"largest step", "mm"}}, rows) +
+         states_html(results);
 }
 
 } // namespace plica

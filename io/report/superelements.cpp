@@ -118,9 +118,11 @@ std::string certificate_report(const ReducedCase& r) {
   rows.push_back({{"zero eigenvalues of K", std::to_string(c.zero_stiffness)}, ""});
   html += html_section("checks", "Checks", html_table("", {{"", "", false}, {"", ""}}, rows));
   html += html_section("stiffness", "Dynamic stiffness", stiffness_html(r));
-  html += html_section("frequencies", "Part and superelement",
-                       frequencies_html("Boundary free; rigid motions left out.", c.free) +
-                           frequencies_html("Boundary held.", c.fixed));
+  html += html_section(
+      "frequencies", "Part and superelement",
+      frequencies_html(c.preloaded ? "First cap held." : "Boundary free; rigid motions left out.",
+                       c.free) +
+          frequencies_html("Boundary held.", c.fixed));
   return html_page(s.name + ": superelement", header, html);
 }
 

@@ -1,5 +1,6 @@
 #include "io/tables/certificate_words.hpp"
 
+#include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>
@@ -13,12 +14,20 @@ std::vector<CertificateLine> certificate_lines(const Certificate& c) {
       {"asymmetry", "asymmetry of K and M", c.asymmetry},
       {"smallest_mass", "smallest eigenvalue of M / largest", c.smallest_mass},
       {"negative_stiffness", "most negative eigenvalue of K / largest", c.negative_stiffness},
-      {"grounding", "force of a rigid motion / stiffness", c.grounding},
+      {"grounding",
+       c.preloaded ? "force of a rigid motion off that of the preload"
+                   : "force of a rigid motion / stiffness",
+       c.grounding},
       {"rigid_modes", "lowest six modes off the rigid motions", c.rigid_modes},
       {"coordinates", "coordinates found from K off the drawn ones, m", c.coordinates},
       {"mass", "mass off that of the part", c.mass},
       {"centre", "centre of mass off that of the part, m", c.centre},
       {"inertia", "inertia off that of the part", c.inertia}};
+  if (c.preloaded) // no rigid rotation is free
+    std::erase_if(lines, [](const CertificateLine& line) {
+      return line.key == std::string("rigid_modes") || line.key == std::string("coordinates") ||
+             line.key == std::string("negative_stiffness");
+    });
   if (std::isfinite(c.statics))
     lines.push_back({"statics", "static stiffness off that of the part", c.statics});
   if (c.statics_known_to > 0)
@@ -46,6 +55,11 @@ std::string certificate_text(const ReducedCase& r) {
   std::string text =
       fmt::format("Superelement {}: {} boundary nodes, {} modes up to {} Hz, {}\n", s.name,
                   s.nodes.size(), s.modal(), significant(r.cutoff, 4), r.route);
+  if (r.state) {
+    text += "Around the state" + (r.state->name.empty() ? "" : " " + r.state->name) + ": ";
+    for (const std::string& sentence : state_sentences(*r.state)) text += sentence + "\n  ";
+    text.resize(text.size() - 2);
+  }
   text += r.proved ? "Proved, no fixed-interface mode below the cut-off is missing.\n"
                    : "Not proved: " + r.reason + "\n";
   if (r.left_out.count > 0)
@@ -56,8 +70,10 @@ std::string certificate_text(const ReducedCase& r) {
                     significant(100 * r.left_out.largest, 2), significant(100 * r.left_out.sum, 2));
   for (const CertificateLine& line : certificate_lines(c))
     text += fmt::format("  {:<48} {:>9}\n", line.text, significant(line.value, 2));
-  text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
-  text += "  free-interface frequencies, Hz: part, superelement, error %\n";
+  if (!c.preloaded)
+    text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
+  text += c.preloaded ? "  frequencies with the first cap held, Hz: part, superelement, error %\n"
+                      : "  free-interface frequencies, Hz: part, superelement, error %\n";
   for (const FrequencyCheck& f : c.free)
     text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}{}\n", f.full, f.reduced,
                         with_sign(100 * f.error(), 4),

@@ -82,10 +82,12 @@ Json json_of(const VariantResult& variant) {
   for (const auto& [path, value] : variant.set) set[path] = value;
   Json comparison = Json::array();
   for (const MeasuredComparison& row : variant.comparison) comparison.push_back(json_of(row));
-  return {{"name", variant.name},
-          {"set", std::move(set)},
-          {"headline", named_numbers(variant.headline)},
-          {"comparison", comparison}};
+  Json json{{"name", variant.name},
+            {"set", std::move(set)},
+            {"headline", named_numbers(variant.headline)},
+            {"comparison", comparison}};
+  if (variant.state) json["state"] = state_json(*variant.state);
+  return json;
 }
 
 Json json_of(const SensorResult& sensor) {

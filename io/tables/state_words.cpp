@@ -18,7 +18,24 @@ Json state_json(const StateResult& s) {
     reactions.push_back({{"cap", r.cap}, {"force", r.force}, {"moment", r.moment}});
   for (const BucklingResult& b : s.buckling)
     buckling.push_back({{"factor", json_number(b.factor)}, {"across", json_number(b.sideways)}});
-  Json json{{"loads", s.loads},
+  Json heat = Json::array(), squirm = Json::array();
+  for (const HeatResult& h : s.heat)
+    heat.push_back({{"part", h.part},
+                    {"lowest", json_number(h.lowest)},
+                    {"highest", json_number(h.highest)},
+                    {"across", json_number(h.across)},
+                    {"through", json_number(h.through)}});
+  for (const SquirmResult& q : s.squirm)
+    squirm.push_back({{"bellows", q.bellows},
+                      {"kind", q.kind},
+                      {"limit", json_number(q.limit)},
+                      {"factor", json_number(q.factor)}});
+  Json json{{"name", s.name},
+            {"loads", s.loads},
+            {"sources", s.sources},
+            {"heat", heat},
+            {"squirm", squirm},
+            {"turned_at", s.turned_at > 0 ? json_number(s.turned_at) : Json(nullptr)},
             {"route", s.route},
             {"load_steps", s.load_steps},
             {"iterations", iterations},
@@ -39,6 +56,16 @@ std::vector<std::string> state_sentences(const StateResult& s) {
       fmt::format("the farthest node moves by {} mm; {} load step{}, {} iterations, {}",
                   significant(1e3 * s.largest_displacement, 4), s.load_steps,
                   s.load_steps == 1 ? "" : "s", s.iterations.size(), s.route)};
+  for (const HeatResult& h : s.heat)
+    sentences.push_back(fmt::format("the wall of {} has {} to {} degC, at most {} K between its "
+                                    "faces; {} W go through it",
+                                    h.part, significant(h.lowest, 4), significant(h.highest, 4),
+                                    significant(h.across, 2), significant(h.through, 3)));
+  for (const std::string& source : s.sources) sentences.push_back("over temperature, " + source);
+  if (s.turned_at > 0)
+    sentences.push_back(fmt::format("the loads turn back at {} of them: the part snaps through, "
+                                    "this is the state beyond",
+                                    significant(s.turned_at, 3)));
   constexpr double good = 0.01, poor = 0.1;
   if (std::isfinite(s.linear_error) && s.largest_displacement > 0)
     sentences.push_back(fmt::format("a linear state would be {} % off in its displacements: {}",
@@ -61,6 +88,10 @@ std::vector<std::string> buckling_sentences(const StateResult& s) {
     sentences.push_back(fmt::format("buckles at {} times these loads, {} % of the motion across "
                                     "the axis",
                                     significant(b.factor, 4), significant(100 * b.sideways, 2)));
+  for (const SquirmResult& q : s.squirm)
+    sentences.push_back(fmt::format("{} squirm of {} by EJMA: limit {} bar, {} times the pressure",
+                                    q.kind, q.bellows, significant(q.limit / 1e5, 4),
+                                    significant(q.factor, 4)));
   if (!s.buckling_looked_for) return sentences;
   if (s.buckling.empty()) sentences.push_back("no buckling below 1000 times these loads");
   sentences.push_back(s.buckling_proved ? "counted by inertia: none is missing"

@@ -79,24 +79,61 @@ std::string headline_table(const Results& results) {
 // The state, and what it makes of the headline of the part at rest.
 std::string state_table(const Results& results) {
   if (!results.state) return "";
-  std::string text = "\nThe state\n";
+  std::string text =
+      "\nThe state" + (results.state->name.empty() ? "" : " " + results.state->name) + "\n";
   for (const auto& sentences :
        {state_sentences(*results.state), buckling_sentences(*results.state)})
     for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
-  const auto rest = std::find_if(results.variants.begin(), results.variants.end(),
-                                 [](const VariantResult& v) { return v.name == variant_at_rest; });
-  if (rest == results.variants.end()) return text;
-  const std::map<std::string, double> numbers = headline(results);
+  const std::map<std::string, double> numbers = headline(results), rest = headline_at_rest(results);
   std::vector<Row> rows{{"", "unit", "at rest", "in the state", "change %"}};
   for (const HeadlineQuantity& quantity : headline_quantities(results)) {
-    const auto now = numbers.find(quantity.key), before = rest->headline.find(quantity.key);
-    if (now == numbers.end() || before == rest->headline.end()) continue;
+    const auto now = numbers.find(quantity.key), before = rest.find(quantity.key);
+    if (now == numbers.end() || before == rest.end()) continue;
     const auto [factor, unit] = shown_unit(before->second, quantity.unit);
     rows.push_back({quantity.name, unit, significant(before->second * factor, 5),
                     significant(now->second * factor, 5),
                     with_sign(100 * (now->second / before->second - 1), 2)});
   }
-  return text + aligned(rows, "<<>>>");
+  return rows.size() == 1 ? text : text + aligned(rows, "<<>>>");
+}
+
+// The named states of the case beside one another.
+std::string states_table(const Results& results) {
+  const std::map<std::string, double> rest = headline_at_rest(results);
+  std::vector<Row> rows{{""}};
+  std::string align = "<";
+  std::vector<HeadlineQuantity> shown;
+  for (const HeadlineQuantity& quantity : headline_quantities(results))
+    if (const auto at_rest = rest.find(quantity.key); at_rest != rest.end()) {
+      shown.push_back(quantity);
+      rows[0].push_back(quantity.name + ", " + shown_unit(at_rest->second, quantity.unit).unit);
+      rows[0].push_back("change %");
+      align += ">>";
+    }
+  const auto add = [&](const std::string& name, const std::map<std::string, double>& numbers) {
+    rows.push_back({name});
+    for (const HeadlineQuantity& quantity : shown) {
+      const auto now = numbers.find(quantity.key);
+      const double before = rest.at(quantity.key),
+                   factor = shown_unit(before, quantity.unit).factor;
+      const bool known = now != numbers.end();
+      rows.back().push_back(known ? significant(now->second * factor, 5) : "-");
+      rows.back().push_back(known ? with_sign(100 * (now->second / before - 1), 2) : "-");
+    }
+  };
+  add(variant_at_rest, rest);
+  for (const VariantResult& variant : results.variants)
+    if (variant.state) add(variant.name, variant.headline);
+  if (rows.size() == 2) return "";
+  std::string text = "\nStates, their change against the part at rest\n" + aligned(rows, align);
+  for (const VariantResult& variant : results.variants) {
+    if (!variant.state) continue;
+    text += "  " + variant.name + "\n";
+    for (const auto& sentences :
+         {state_sentences(*variant.state), buckling_sentences(*variant.state)})
+      for (const std::string& sentence : sentences) text += "    " + sentence + "\n";
+  }
+  return text;
 }
 
 std::string error_table(const Results& results) {
@@ -262,10 +299,10 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   if (!results.mesh_choice.empty()) text += "Mesh " + results.mesh_choice + "\n";
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
-  text += state_table(results) + spread_table(results) + error_table(results) +
-          statics_table(results) + modes_table(results) + peaks_table(results) +
-          random_table(results) + transients_table(results) + crossings_table(results) +
-          levels_table(results) + stress_table(results);
+  text += state_table(results) + states_table(results) + spread_table(results) +
+          error_table(results) + statics_table(results) + modes_table(results) +
+          peaks_table(results) + random_table(results) + transients_table(results) +
+          crossings_table(results) + levels_table(results) + stress_table(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

@@ -160,6 +160,13 @@ std::vector<HeadlineQuantity> headline_quantities(const Results& results) {
   return quantities;
 }
 
+std::map<std::string, double> headline_at_rest(const Results& results) {
+  if (!results.state) return headline(results);
+  for (const VariantResult& variant : results.variants)
+    if (variant.name == variant_at_rest) return variant.headline;
+  return {};
+}
+
 int decimals_of(const MeasuredComparison& row, double factor) {
   const int decimals = decimals_for(row.measured * factor, 4);
   return row.sigma > 0 ? std::max(decimals, decimals_for(row.sigma * factor, 1)) : decimals;
@@ -179,7 +186,7 @@ std::array<double, 2> spread_over_variants(const Results& results, const Measure
   std::array<double, 2> range{row.computed, row.computed};
   for (const VariantResult& variant : results.variants)
     for (const MeasuredComparison& other : variant.comparison)
-      if (other.quantity == row.quantity && other.measured == row.measured) {
+      if (!variant.state && other.quantity == row.quantity && other.measured == row.measured) {
         range[0] = std::min(range[0], other.computed);
         range[1] = std::max(range[1], other.computed);
       }

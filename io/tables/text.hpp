@@ -42,6 +42,9 @@ std::string response_unit(const ResponseResult& response, const std::string& of)
 // Lowest and highest value of a compared quantity over the nominal run and the variants.
 std::array<double, 2> spread_over_variants(const Results& results, const MeasuredComparison& row);
 
+// Headline numbers of the part without a state; empty where it was not run.
+std::map<std::string, double> headline_at_rest(const Results& results);
+
 // Throws std::invalid_argument when a mode shape has not one row of translations per mesh node.
 void require_one_row_per_node(const Results& results);
 

@@ -1,6 +1,8 @@
 #include "model/description/case.hpp"
 
 #include "model/description/deck_model.hpp"
+#include "words/did_you_mean.hpp"
+#include "words/input_error.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -8,6 +10,21 @@
 #include <limits>
 
 namespace plica {
+
+Case in_state(const Case& data, const std::string& name) {
+  const auto found = std::find_if(data.states.begin(), data.states.end(),
+                                  [&](const OperatingState& s) { return s.name == name; });
+  if (found == data.states.end()) {
+    std::vector<std::string> names;
+    for (const OperatingState& s : data.states) names.push_back(s.name);
+    input_error("states", "there is no state '" + shown(name) + "'",
+                names.empty() ? "the case has no named states" : suggestion(name, names));
+  }
+  Case changed = data;
+  changed.state = *found;
+  changed.states.clear();
+  return changed;
+}
 
 bool is_on_axis(const BeamPart& beam) {
   return std::all_of(beam.points.begin(), beam.points.end(),

@@ -95,6 +95,7 @@ struct Case {
   std::vector<Support> supports;
   std::vector<Sensor> sensors;
   std::optional<OperatingState> state;
+  std::vector<OperatingState> states; // by name, shown beside one another
   Analyses analyses;
   std::vector<Variant> variants;
   std::optional<FitRequest> fit;
@@ -103,6 +104,9 @@ struct Case {
   std::vector<Tolerance> tolerances;
   std::string measured; // path of measured.yaml beside the case file; empty = none
 };
+
+// The case in one of its states. Throws InputError when it has none of that name.
+Case in_state(const Case& data, const std::string& name);
 
 // True when a part, a joint, a mount or the plies of a wall have friction or a nonlinear spring.
 bool has_friction(const Case& data);

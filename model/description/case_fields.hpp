@@ -93,6 +93,9 @@ template <class V> void fields(V& v, Case& c) {
   v.list(c.sensors, "sensors", optional_key, "places that are watched");
   v.object(c.state, "state", optional_key,
            "installed, under pressure, hot: the state around which everything is computed");
+  v.named(c.states, &OperatingState::name, "states", optional_key,
+          "states by name, their headline numbers beside one another; plica run CASE --state NAME "
+          "for all of one");
   v.object(c.analyses, "analyses", optional_key, "what is computed");
   v.list(c.variants, "variants", optional_key, "the same case with some values changed");
   v.object(c.fit, "fit", optional_key, "what plica fit adjusts to the measured data");

@@ -16,6 +16,17 @@ double at_temperature(const std::vector<std::array<double, 2>>& table, double te
   return v0 + (v1 - v0) * (temperature - t0) / (t1 - t0);
 }
 
+std::array<double, 2> range_of(const PartTemperature& part) {
+  std::vector<double> given;
+  if (part.at) given.push_back(*part.at);
+  for (const auto& row : part.along) given.push_back(row[1]);
+  for (const HeldTemperature& h : part.held) given.push_back(h.temperature);
+  for (const std::optional<Film>& film : {part.inside, part.outside})
+    if (film) given.push_back(film->gas);
+  const auto [low, high] = std::minmax_element(given.begin(), given.end());
+  return {*low, *high};
+}
+
 double temperature_at(const PartTemperature& part, double y) {
   if (part.at) return *part.at;
   return at_temperature(part.along, std::clamp(y, part.along.front()[0], part.along.back()[0]));
@@ -36,23 +47,56 @@ const std::vector<Steel>& steels() {
   static const std::vector<std::array<double, 2>> alloy_625_expansion{
       {21, 12.8e-6},  {93, 12.8e-6},  {204, 13.1e-6}, {316, 13.3e-6}, {427, 13.7e-6},
       {538, 14.0e-6}, {649, 14.8e-6}, {760, 15.3e-6}, {871, 15.8e-6}};
-  static const char* const standard = "EN 10088-1, annex";
+  // Its thermal conductivity and Poisson's ratio, of the same publication.
+  static const std::vector<std::array<double, 2>> alloy_625_nu{
+      {21, 0.278},  {93, 0.280},  {204, 0.286}, {316, 0.290}, {427, 0.295},
+      {538, 0.305}, {649, 0.321}, {760, 0.340}, {871, 0.336}};
+  static const std::vector<std::array<double, 2>> alloy_625_conductivity{
+      {21, 9.8},   {38, 10.1},  {93, 10.8},  {204, 12.5}, {316, 14.1},
+      {427, 15.7}, {538, 17.5}, {649, 19.0}, {760, 20.8}, {871, 22.8}};
+  // EN 1993-1-2:2005, annex C.3.3: 14.6 + 0.0127 T of stainless steels, 20 to 1200 degC.
+  static const std::vector<std::array<double, 2>> stainless_conductivity{{20, 14.854},
+                                                                         {1200, 29.84}};
+  // ASME B31.3, table C-6: austenitic steels TP304 to TP310, between which 1.4828 (20 % Cr, 12 %
+  // Ni) lies; 70 to 1500 degF, 1 Msi = 6.89476 GPa.
+  static const std::vector<std::array<double, 2>> heat_resisting_E{
+      {21, 195.1e9},  {260, 177.9e9}, {316, 174.4e9}, {371, 171.0e9},
+      {427, 166.2e9}, {482, 162.0e9}, {538, 157.2e9}, {593, 152.4e9},
+      {649, 146.2e9}, {704, 139.3e9}, {760, 132.4e9}, {816, 124.8e9}};
+  // EN 10095:1999, annex: mean expansion from 20 degC, begun at 200 degC; conductivity at 20 and
+  // 500 degC.
+  static const std::vector<std::array<double, 2>> heat_resisting_expansion{
+      {20, 16.5e-6},  {200, 16.5e-6}, {400, 17.5e-6},
+      {600, 18.0e-6}, {800, 18.5e-6}, {1000, 19.5e-6}};
+  static const std::vector<std::array<double, 2>> heat_resisting_conductivity{{20, 15}, {500, 21}};
+  static const char* const standard = "EN 10088-1, annex; conductivity EN 1993-1-2, annex C";
   const auto austenitic = [](double rho) {
     return Material{.E = 200e9,
                     .nu = 0.3,
                     .rho = rho,
                     .E_over_temperature = austenitic_E,
-                    .expansion = austenitic_expansion};
+                    .expansion = austenitic_expansion,
+                    .conductivity = stainless_conductivity};
   };
   static const std::vector<Steel> all{{"1.4301", austenitic(7900), standard},
                                       {"1.4541", austenitic(7900), standard},
                                       {"1.4404", austenitic(8000), standard},
+                                      {"1.4828",
+                                       {.E = 195.1e9,
+                                        .nu = 0.3,
+                                        .rho = 7900,
+                                        .E_over_temperature = heat_resisting_E,
+                                        .expansion = heat_resisting_expansion,
+                                        .conductivity = heat_resisting_conductivity},
+                                       "EN 10095, annex; E of austenitic steels, ASME B31.3"},
                                       {"2.4856",
                                        {.E = 207.5e9,
                                         .nu = 0.278,
                                         .rho = 8440,
                                         .E_over_temperature = alloy_625_E,
-                                        .expansion = alloy_625_expansion},
+                                        .expansion = alloy_625_expansion,
+                                        .nu_over_temperature = alloy_625_nu,
+                                        .conductivity = alloy_625_conductivity},
                                        "Special Metals, SMC-063 (Inconel 625)"}};
   return all;
 }

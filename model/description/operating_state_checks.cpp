@@ -31,21 +31,23 @@ bool is_cap(const Case& data, const std::string& name) {
                      [&](const Cap& cap) { return cap.name == name; });
 }
 
-void check_offsets(const Case& data, const OperatingState& state, CheckLog& log) {
+// `at`: path of the state, "state" or "states.hot".
+void check_offsets(const Case& data, const OperatingState& state, const std::string& at,
+                   CheckLog& log) {
   for (const EndOffset& offset : state.offset) {
-    const std::string key = "state.offset." + offset.cap;
+    const std::string key = at + ".offset." + offset.cap;
     log.reference(key, "cap", offset.cap, cap_names(data));
     if (is_cap(data, offset.cap) && log.fine("mount") &&
         mount_of(data, offset.cap) == MountKind::free)
       log.add(key, "cap '" + offset.cap + "' is free: nothing moves it",
-              "a mount that holds it, or state.force." + offset.cap);
+              "a mount that holds it, or " + at + ".force." + offset.cap);
   }
   for (const EndLoad& load : state.force) {
-    const std::string key = "state.force." + load.cap;
+    const std::string key = at + ".force." + load.cap;
     log.reference(key, "cap", load.cap, cap_names(data));
     if (log.fine(key) && log.fine("mount") && mount_of(data, load.cap) == MountKind::rigid)
       log.add(key, "cap '" + load.cap + "' is held rigidly: a force there moves nothing",
-              "a cap that is free or sprung, or state.offset." + load.cap);
+              "a cap that is free or sprung, or " + at + ".offset." + load.cap);
   }
 }
 
@@ -73,40 +75,71 @@ bool check_within(const std::string& key, double temperature, const std::string&
   return true;
 }
 
-void check_temperatures(const Case& data, const OperatingState& state, CheckLog& log) {
+// How the temperature is given, and whether heat can be conducted there. True when that is fine.
+bool check_kind(const PartTemperature& t, const Part* part, const std::string& key, CheckLog& log) {
+  if (int(t.at.has_value()) + int(!t.along.empty()) + int(t.conducted()) != 1)
+    log.add(key,
+            t.at || !t.along.empty() || t.conducted() ? "is given in more than one way"
+                                                      : "has no temperature",
+            "at, or along, or held, inside and outside, between which heat is conducted");
+  else if (!increasing(t.along))
+    log.add(key + ".along", "has places that do not increase", "[y, temperature], y increasing");
+  for (std::size_t i = 0; i < t.held.size(); ++i) {
+    const std::string set = item(key + ".held", i) + ".set";
+    log.set_reference(set, t.held[i].set);
+    if (log.fine(set) && !is_below(t.held[i].set, t.part))
+      log.add(set, "is not a set of part '" + t.part + "'", "sets that begin with " + t.part + ".");
+  }
+  const bool shells = part && (std::holds_alternative<Bellows>(part->body) ||
+                               std::holds_alternative<Plate>(part->body) ||
+                               std::holds_alternative<SurfacePart>(part->body));
+  if (t.conducted() && part && !shells)
+    log.add(key, "cannot conduct heat: part '" + t.part + "' has no wall",
+            "at or along; bellows, plates and surfaces conduct");
+  return log.fine(key);
+}
+
+void check_tables(const Case& data, const OperatingState& state, const PartTemperature& t,
+                  const Part& part, const std::string& key, CheckLog& log) {
+  const std::string name = material_of(part);
+  const auto material = data.materials.find(name);
+  if (material == data.materials.end()) {
+    log.add(key, "part '" + t.part + "' is not made of a material of the case",
+            "parts with a material: bellows, plates, surfaces, beams with a section");
+    return;
+  }
+  const auto [low, high] = range_of(t);
+  const Material& m = material->second;
+  const auto check = [&](const char* what, const std::vector<std::array<double, 2>>& table,
+                         double from, double to) {
+    if (!check_within(key, to, name, what, table, log))
+      check_within(key, from, name, what, table, log);
+  };
+  const double rest = state.free_of_stress_at;
+  check("E_over_temperature", m.E_over_temperature, std::min(low, rest), std::max(high, rest));
+  check("expansion", m.expansion, std::min(low, rest), std::max(high, rest));
+  if (!m.nu_over_temperature.empty())
+    check("nu_over_temperature", m.nu_over_temperature, std::min(low, rest), std::max(high, rest));
+  if (t.conducted()) check("conductivity", m.conductivity, low, high);
+}
+
+void check_temperatures(const Case& data, const OperatingState& state, const std::string& at,
+                        CheckLog& log) {
   std::vector<std::string> names;
   for (const Part& part : data.parts) names.push_back(part.name);
   for (const PartTemperature& t : state.temperature) {
-    const std::string key = "state.temperature." + t.part;
+    const std::string key = at + ".temperature." + t.part;
     log.reference(key, "part", t.part, names);
-    if (t.at.has_value() == !t.along.empty())
-      log.add(key, t.at ? "has both at and along" : "has no temperature", "at, or along");
-    else if (!increasing(t.along))
-      log.add(key + ".along", "has places that do not increase", "[y, temperature], y increasing");
-    if (!log.fine(key) || !log.fine("parts") || !log.fine("materials")) continue;
     const auto part = std::find_if(data.parts.begin(), data.parts.end(),
                                    [&](const Part& p) { return p.name == t.part; });
-    if (part == data.parts.end()) continue;
-    const std::string name = material_of(*part);
-    const auto material = data.materials.find(name);
-    if (material == data.materials.end()) {
-      log.add(key, "part '" + t.part + "' is not made of a material of the case",
-              "parts with a material: bellows, plates, surfaces, beams with a section");
-      continue;
-    }
-    std::vector<double> reached{state.free_of_stress_at};
-    if (t.at) reached.push_back(*t.at);
-    for (const auto& row : t.along) reached.push_back(row[1]);
-    const auto [low, high] = std::minmax_element(reached.begin(), reached.end());
-    const Material& m = material->second;
-    for (const auto& [what, table] : {std::pair{"E_over_temperature", &m.E_over_temperature},
-                                      std::pair{"expansion", &m.expansion}})
-      if (!check_within(key, *high, name, what, *table, log))
-        check_within(key, *low, name, what, *table, log);
+    const bool known = part != data.parts.end();
+    if (check_kind(t, known ? &*part : nullptr, key, log) && known && log.fine("parts") &&
+        log.fine("materials"))
+      check_tables(data, state, t, *part, key, log);
   }
 }
 
-void check_pressure(const Case& data, CheckLog& log) {
+void check_pressure(const Case& data, const std::string& key, CheckLog& log) {
   std::vector<std::string> closed;
   for (const Cap& cap : data.caps) closed.insert(closed.end(), cap.of.begin(), cap.of.end());
   bool any = false;
@@ -115,35 +148,54 @@ void check_pressure(const Case& data, CheckLog& log) {
     any = true;
     for (const char* side : {".left", ".right"})
       if (std::find(closed.begin(), closed.end(), part.name + side) == closed.end())
-        log.add("state.pressure",
+        log.add(key,
                 "acts in bellows '" + part.name + "', whose end " + part.name + side + " is open",
                 "a cap on it, which bears the thrust");
   }
-  if (!any) log.add("state.pressure", "acts inside bellows, and the case has none", "a bellows");
+  if (!any) log.add(key, "acts inside bellows, and the case has none", "a bellows");
+}
+
+void check_state(const Case& data, const OperatingState& state, const std::string& at,
+                 CheckLog& log) {
+  check_offsets(data, state, at, log);
+  check_temperatures(data, state, at, log);
+  if (state.pressure != 0 && log.fine("parts") && log.fine("caps"))
+    check_pressure(data, at + ".pressure", log);
+  if (data.analyses.reduction)
+    log.add(at,
+            "and analyses.reduction are not possible together: superelements in a run are of "
+            "parts at rest",
+            "one of them; plica reduce takes the whole part in its state");
+  if (has_friction(data))
+    log.add(at, "and friction are not possible together: joints are those of the part at rest",
+            "a case without friction, nonlinear springs and slipping plies");
 }
 
 } // namespace
 
 void check_operating_state(const Case& data, CheckLog& log) {
   for (const auto& [name, material] : data.materials)
-    for (const auto& [key, table] : {std::pair{"E_over_temperature", material.E_over_temperature},
-                                     std::pair{"expansion", material.expansion}})
-      if (!increasing(table))
-        log.add("materials." + name + "." + key, "has temperatures that do not increase",
+    for (const auto& [key, table] :
+         {std::pair{"E_over_temperature", &material.E_over_temperature},
+          std::pair{"expansion", &material.expansion},
+          std::pair{"nu_over_temperature", &material.nu_over_temperature},
+          std::pair{"conductivity", &material.conductivity}}) {
+      const std::string path = "materials." + name + "." + key;
+      if (!increasing(*table))
+        log.add(path, "has temperatures that do not increase",
                 "[temperature, value], temperature increasing");
-  if (!data.state) return;
-  const OperatingState& state = *data.state;
-  check_offsets(data, state, log);
-  check_temperatures(data, state, log);
-  if (state.pressure != 0 && log.fine("parts") && log.fine("caps")) check_pressure(data, log);
-  if (data.analyses.reduction)
-    log.add("state",
-            "and analyses.reduction are not possible together: superelements are of parts "
-            "at rest",
-            "one of them");
-  if (has_friction(data))
-    log.add("state", "and friction are not possible together: joints are those of the part at rest",
-            "a case without friction, nonlinear springs and slipping plies");
+      const bool is_nu = table == &material.nu_over_temperature;
+      for (const auto& [temperature, value] : *table)
+        if (is_nu ? !(value > -1 && value < 0.5)
+                  : table == &material.conductivity && !(value > 0)) {
+          log.add(path, "has the value " + short_number(value),
+                  is_nu ? "above -1 and below 0.5" : "above 0");
+          break;
+        }
+    }
+  if (data.state) check_state(data, *data.state, "state", log);
+  for (const OperatingState& state : data.states)
+    check_state(data, state, "states." + state.name, log);
 }
 
 } // namespace plica

@@ -17,12 +17,28 @@ template <class V> void fields(V& v, EndLoad& l) {
   v.quantities(l.moment, "moment", {.unit = Dimension::moment}, "[x, y, z]");
 }
 
+template <class V> void fields(V& v, HeldTemperature& h) {
+  v.text(h.set, "set", {.required = true}, "node set, e.g. bellows.left");
+  v.quantity(h.temperature, "at",
+             {.unit = Dimension::temperature, .required = true, .min = -273.15}, "its temperature");
+}
+
+template <class V> void fields(V& v, Film& f) {
+  v.quantity(f.gas, "gas", {.unit = Dimension::temperature, .required = true, .min = -273.15},
+             "temperature of the gas");
+  v.quantity(f.coefficient, "film", {.required = true, .min = 0, .exclusive_min = true},
+             "heat that a degree of difference takes from the wall, W/(m2 K)");
+}
+
 template <class V> void fields(V& v, PartTemperature& t) {
   v.quantity(t.at, "at", {.unit = Dimension::temperature, .min = -273.15}, "everywhere; or");
   v.points(
       t.along, "along",
       {.unit = Dimension::length, .tail = Dimension::temperature, .tail_from = 1, .min_items = 2},
-      "[y, temperature] along the part, straight in between");
+      "[y, temperature] along the part, straight in between; or by conduction along its shells:");
+  v.list(t.held, "held", optional_key, "node sets of the part that are kept at a temperature");
+  v.object(t.inside, "inside", optional_key, "gas inside, against the directors of the wall");
+  v.object(t.outside, "outside", optional_key, "gas outside");
 }
 
 template <class V> void fields(V& v, OperatingState& s) {
@@ -40,6 +56,11 @@ template <class V> void fields(V& v, OperatingState& s) {
                "[x, y, z], e.g. [0, 0, -1 g]");
   v.whole(s.buckling, "buckling", {.min = 1, .max = 50},
           "number of buckling loads looked for beyond the state");
+  v.quantity(s.yield, "yield", {.unit = Dimension::pressure, .min = 0, .exclusive_min = true},
+             "yield stress of the formed wall, for EJMA's limit of in-plane squirm");
+  v.flag(s.follow, "follow",
+         "the equilibrium, by arc length, where the load turns back before all of it acts "
+         "(snap-through)");
 }
 
 } // namespace plica

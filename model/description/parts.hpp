@@ -24,6 +24,8 @@ struct Material {
   double rho = 0; // density, kg/m3
   // [degC, Pa] and [degC, mean expansion per K from 20 degC to there]; nothing is extrapolated.
   std::vector<std::array<double, 2>> E_over_temperature = {}, expansion = {};
+  // [degC, Poisson's ratio], empty: that above; [degC, W/(m K)].
+  std::vector<std::array<double, 2>> nu_over_temperature = {}, conductivity = {};
 };
 
 enum class SectionShape { cuff, u, omega, disc, points };

@@ -25,6 +25,14 @@ template <class V> void fields(V& v, Material& m) {
       m.expansion, "expansion",
       {.unit = Dimension::temperature, .tail = Dimension::number, .tail_from = 1, .min_items = 2},
       "[temperature, mean thermal expansion per K between 20 degC and there], for a state");
+  v.points(
+      m.nu_over_temperature, "nu_over_temperature",
+      {.unit = Dimension::temperature, .tail = Dimension::number, .tail_from = 1, .min_items = 2},
+      "[temperature, Poisson's ratio], for a state; left out: nu");
+  v.points(
+      m.conductivity, "conductivity",
+      {.unit = Dimension::temperature, .tail = Dimension::number, .tail_from = 1, .min_items = 2},
+      "[temperature, thermal conductivity in W/(m K)], for heat conduction of a state");
 }
 
 template <class V> void fields(V& v, MeridianSection& s) {

@@ -87,6 +87,7 @@ struct VariantResult { // headline numbers of a variant of the case
   std::vector<std::pair<std::string, std::string>> set; // path, new value
   std::map<std::string, double> headline;     // same keys in every variant, see headline()
   std::vector<MeasuredComparison> comparison; // empty when nothing was measured
+  std::optional<StateResult> state = {};      // of one of the states of the case
 };
 
 struct ResponsePeak {

@@ -25,8 +25,26 @@ struct BucklingResult {
   double sideways = 0; // share of the motion of its nodes that is not along the axis
 };
 
+// A limit of pressure by EJMA's formulas (model/description/ejma.hpp), beside the pressure.
+struct SquirmResult {
+  std::string bellows, kind; // column | in plane
+  double limit = 0;          // Pa, with the margin that the formula has
+  double factor = 0;         // limit / pressure
+};
+
+// Heat conducted along the wall of a part.
+struct HeatResult {
+  std::string part;
+  double lowest = 0, highest = 0; // degC
+  double across = 0;              // largest difference between the faces of the wall, K
+  double through = 0;             // heat that goes in where it goes in, W
+};
+
 struct StateResult {
-  std::vector<std::string> loads; // in words
+  std::string name;                 // among the states of the case; empty: its one state
+  std::vector<std::string> loads;   // in words
+  std::vector<std::string> sources; // of the materials over temperature
+  std::vector<HeatResult> heat;
   std::string route;              // "rotational symmetry" or "full mesh"
   std::vector<StateIterationResult> iterations;
   int load_steps = 0;
@@ -37,6 +55,8 @@ struct StateResult {
   bool buckling_looked_for = false;
   bool buckling_proved = false;
   std::string buckling_reason;  // why not proved
+  std::vector<SquirmResult> squirm;
+  double turned_at = 0; // share of the loads at which they first turned back; 0 = never
   Eigen::MatrixXd displacement; // nodes x 3, m
 };
 

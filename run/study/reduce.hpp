@@ -4,6 +4,7 @@
 #include "model/description/case.hpp"
 #include "reduction/certificate.hpp"
 #include "reduction/superelement.hpp"
+#include "run/results/state_results.hpp"
 
 #include <functional>
 #include <map>
@@ -29,12 +30,17 @@ struct ReducedCase {
   double cutoff = 0; // Hz
   double asked = 0;  // highest frequency that the case asks for, Hz
   ModesLeftOut left_out;
+  std::optional<StateResult> state; // around which it was reduced
   bool proved = false;
   std::string reason;
   std::map<std::string, double> timing;
   double peak_memory = 0;
 };
 
+// Around a state, that of the case on its mount, the part is taken at its place there, with the
+// stress it has; its end forces are part of what rigid rotations raise. Every cap that is held,
+// sprung or loaded must then be of the boundary, and no weight may act.
+//
 // The mount is left away, masses of caps and interlock belong to the part. Boundary: caps first,
 // then sensors. Sensors become recovery rows of motion and stress, base motions and the forces of
 // the response load vectors. With analyses.reduction the parts between caps are reduced first and

@@ -1,0 +1,223 @@
+// Equilibrium beyond points where the load turns back, and shells at large rotation, against closed
+// forms and published tables.
+#include "solve/equilibrium_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace plica;
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double pi = M_PI;
+
+struct Place {
+  Vector3d x, director;
+};
+
+// A shell over [0, 1] x [0, 1].
+template <class Map> Model mapped_shell(int along, int across, double thickness, Map map) {
+  Model model;
+  model.components = {"shell"};
+  std::vector<Vector3d> directors;
+  for (int j = 0; j <= across; ++j)
+    for (int i = 0; i <= along; ++i) {
+      const Place place = map(double(i) / along, double(j) / across);
+      add_node(model, place.x);
+      directors.push_back(place.director);
+    }
+  for (int j = 0; j < across; ++j)
+    for (int i = 0; i < along; ++i) {
+      const int n = j * (along + 1) + i;
+      ShellQuad quad;
+      quad.nodes = {n, n + 1, n + along + 2, n + along + 1};
+      for (int c = 0; c < 4; ++c) quad.directors.col(c) = directors[std::size_t(quad.nodes[c])];
+      quad.thickness.setConstant(thickness);
+      model.mesh.quads.push_back(quad);
+    }
+  return model;
+}
+
+void hold(Model& model, int node, std::initializer_list<int> dofs) {
+  for (int dof : dofs) {
+    const bool known =
+        std::any_of(model.constraints.begin(), model.constraints.end(),
+                    [&](const Constraint& c) { return c.node == node && c.dof == dof; });
+    if (!known) model.constraints.push_back({node, dof, {}, "test"});
+  }
+}
+
+struct Curve {
+  std::vector<double> share, value;
+
+  double at(double wanted) const {
+    for (std::size_t i = 1; i < share.size(); ++i)
+      if (share[i] >= wanted)
+        return value[i - 1] +
+               (value[i] - value[i - 1]) * (wanted - share[i - 1]) / (share[i] - share[i - 1]);
+    return NAN;
+  }
+};
+
+struct Enough {};
+
+} // namespace
+
+// A bar from a pin to a slider at height h, pressed down by P: P = E A (L0 - L) / L0 (h - w) / L
+// with the strain of the length (half of von Mises' truss). It snaps through, and beyond it all of
+// the load is borne.
+TEST(EquilibriumPath, SnapsThroughAsVonMisesTruss) {
+  const double b = 1, h = 0.2, EA = 1e6, L0 = std::hypot(b, h);
+  const auto force = [&](double w) {
+    const double L = std::hypot(b, h - w);
+    return EA * (L0 - L) / L0 * (h - w) / L;
+  };
+  double limit = 0;
+  for (int i = 0; i < 10000; ++i) limit = std::max(limit, force(h * i / 10000));
+  Model model;
+  model.components = {"bar"};
+  BeamProperties section = rectangle_section({.E = 1e10, .nu = 0.3, .rho = 1}, 0.01, 0.01);
+  add_node(model, {0, 0, 0});
+  add_node(model, {b, 0, h});
+  model.beams.push_back({.node1 = 0, .node2 = 1, .section = section, .up = {0, 1, 0}});
+  ASSERT_NEAR(section.EA, EA, 1e-6 * EA);
+  hold(model, 0, {0, 1, 2, 3, 5});
+  hold(model, 1, {0, 1, 3, 5});
+  StateLoads loads;
+  loads.force = VectorXd::Zero(12);
+  loads.force[6 + 2] = -1.5 * limit;
+  int unstable = 0;
+  const PathResult path =
+      follow_state(model, loads,
+                   [&](const PathPoint& point) {
+                     const double w = h - (*point.nodes)[1].z();
+                     EXPECT_NEAR(1.5 * limit * point.share, force(w), 1e-6 * limit) << w;
+                     // The slope of the force says whether it is stable.
+                     const double slope = force(w + 1e-6) - force(w - 1e-6);
+                     if (std::abs(slope) > 1e-4 * EA * 1e-6) {
+                       EXPECT_EQ(point.negative > 0, slope < 0) << w;
+                     }
+                     unstable += point.negative > 0;
+                   },
+                   {.first_share = 0.02, .most_points = 400});
+  EXPECT_GT(unstable, 3);
+  EXPECT_NEAR(path.turned_at * 1.5, 1, 0.01);
+  EXPECT_GT(h - path.state.model.mesh.nodes[1].z(), 2 * h);
+  EXPECT_NEAR(force(h - path.state.model.mesh.nodes[1].z()), 1.5 * limit, 1e-6 * limit);
+}
+
+// An arch of 215 degrees, clamped at one end and hinged at the other, under a load at its crown
+// turns back at 8.97 EI / R^2: DaDeppo & Schmidt, J. Appl. Mech. 42 (1975) 853-857.
+TEST(EquilibriumPath, DeepArch) {
+  const double R = 100, EI = 1e6;
+  const int elements = 60;
+  Model model;
+  model.components = {"arch"};
+  BeamProperties section = rectangle_section({.E = 1.2e7, .nu = 0, .rho = 1}, 1, 1);
+  ASSERT_NEAR(section.EI_y, EI, 1e-9 * EI);
+  section.GA_y = section.GA_z = std::numeric_limits<double>::infinity();
+  section.EA *= 100; // its closed form does not stretch
+  for (int i = 0; i <= elements; ++i) {
+    const double a = (215. * i / elements - 107.5) * pi / 180;
+    add_node(model, {R * std::sin(a), 0, R * std::cos(a)});
+    for (int dof : {1, 3, 5}) hold(model, i, {dof});
+  }
+  for (int i = 0; i < elements; ++i)
+    model.beams.push_back({.node1 = i, .node2 = i + 1, .section = section, .up = {0, 1, 0}});
+  hold(model, 0, {0, 2, 4});
+  hold(model, elements, {0, 2});
+  StateLoads loads;
+  loads.force = VectorXd::Zero(dof_count(model));
+  loads.force[6 * (elements / 2) + 2] = -1000;
+  double largest = 0, last = 0;
+  try {
+    follow_state(model, loads,
+                 [&](const PathPoint& point) {
+                   largest = std::max(largest, 1000 * point.share);
+                   if (1000 * point.share < last) throw Enough();
+                   last = 1000 * point.share;
+                 },
+                 {.first_share = 0.05, .most_points = 300});
+    FAIL() << "the load does not turn back";
+  } catch (const Enough&) {
+    EXPECT_NEAR(largest / 897, 1, 0.01);
+  }
+}
+
+// Pinched at four points of its edge, a hemisphere with a hole of 18 degrees: Sze, Liu & Lo, Finite
+// Elem. Anal. Des. 40 (2004) 1551-1569, sec. 3.4: R = 10, h = 0.04, E = 6.825e7, nu = 0.3,
+// P_max = 400; deflections at the points that are pulled (B) and pushed (A).
+TEST(LargeRotation, PinchedHemisphere) {
+  const int n = 20;
+  Model model = mapped_shell(n, n, 0.04, [](double u, double v) {
+    const double around = u * pi / 2, up = v * 72 * pi / 180;
+    const Vector3d normal(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
+                          std::sin(up));
+    return Place{10 * normal, normal};
+  });
+  model.shells.push_back({{.E = 6.825e7, .nu = 0.3, .rho = 1}, MembraneStrain::incompatible, 0});
+  for (int j = 0; j <= n; ++j) {
+    hold(model, j * (n + 1), {1, 3, 5});     // plane y = 0
+    hold(model, j * (n + 1) + n, {0, 4, 5}); // plane x = 0
+  }
+  hold(model, 0, {2}); // nothing else holds it along its axis
+  StateLoads loads;
+  loads.force = VectorXd::Zero(dof_count(model));
+  loads.force[0] = 200; // half of each point lies in the quarter
+  loads.force[6 * n + 1] = -200;
+  Curve out, in;
+  follow_state(model, loads,
+               [&](const PathPoint& point) {
+                 out.share.push_back(point.share);
+                 in.share.push_back(point.share);
+                 out.value.push_back((*point.nodes)[0].x() - 10);
+                 in.value.push_back(10 - (*point.nodes)[std::size_t(n)].y());
+               },
+               {.first_share = 0.02, .most_points = 200});
+  for (const auto& [share, pulled, pushed] : {std::tuple{0.1, 1.499, 1.840},
+                                              {0.25, 2.596, 3.833},
+                                              {0.5, 3.406, 5.902},
+                                              {1., 4.067, 8.178}}) {
+    EXPECT_NEAR(out.at(share) / pulled, 1, 0.015) << share;
+    EXPECT_NEAR(in.at(share) / pushed, 1, 0.015) << share;
+  }
+}
+
+// An open cylinder pulled apart at two points: Sze, Liu & Lo, sec. 3.5: R = 4.953, L = 10.35,
+// h = 0.094, E = 10.5e6, nu = 0.3125, P_max = 40000; deflection under the load.
+TEST(LargeRotation, CylinderPulledApart) {
+  const int along = 16, around = 24;
+  Model model = mapped_shell(along, around, 0.094, [](double u, double v) {
+    const double a = v * pi / 2;
+    const Vector3d normal(std::sin(a), 0, std::cos(a));
+    return Place{4.953 * normal + Vector3d(0, u * 10.35 / 2, 0), normal};
+  });
+  model.shells.push_back({{.E = 10.5e6, .nu = 0.3125, .rho = 1}, MembraneStrain::incompatible, 0});
+  const auto number = [&](int i, int j) { return j * (along + 1) + i; };
+  for (int j = 0; j <= around; ++j) hold(model, number(0, j), {1, 3, 5}); // plane y = 0
+  for (int i = 0; i <= along; ++i) {
+    hold(model, number(i, 0), {0, 4, 5});      // plane x = 0
+    hold(model, number(i, around), {2, 3, 4}); // plane z = 0
+  }
+  StateLoads loads;
+  loads.force = VectorXd::Zero(dof_count(model));
+  loads.force[2] = 10000; // a quarter of the point lies in the octant
+  Curve under;
+  follow_state(model, loads,
+               [&](const PathPoint& point) {
+                 under.share.push_back(point.share);
+                 under.value.push_back((*point.nodes)[0].z() - 4.953);
+               },
+               {.first_share = 0.01, .most_points = 300});
+  for (const auto& [share, w] : {std::pair{0.05, 1.260},
+                                 {0.1, 1.707},
+                                 {0.25, 2.180},
+                                 {0.5, 2.473},
+                                 {0.75, 2.692},
+                                 {1., 2.768}})
+    EXPECT_NEAR(under.at(share) / w, 1, 0.01) << share;
+}
