@@ -138,9 +138,9 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   constexpr double zero = 1e-9;
   c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
   c.negative_stiffness = std::min(0., k[0]);
-  const int rigid = part.grounded ? 0 : 6;
+  const int rigid = c.rigid = part.grounded ? int(part.free_motions.cols()) : 6;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K, s.M);
-  if (rigid == 6) {
+  if (!part.grounded) {
     const MatrixXd R = rigid_motions(s, s.nodes.front());
     c.grounding =
         (s.K * R).cwiseAbs().maxCoeff() /
@@ -150,7 +150,18 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     c.coordinates = coordinate_error(s, scale.asDiagonal() * stiffness.eigenvectors().leftCols(6));
   }
-  if (rigid == 6) { // what is held has no rigid motion to weigh it by
+  if (part.grounded && rigid > 0) {
+    const MatrixXd& F = part.free_motions;
+    const MatrixXd R = rigid_motions(s, Vector3d::Zero()) * F;
+    c.grounding =
+        (s.K * R).cwiseAbs().maxCoeff() /
+        std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff()) /
+        R.cwiseAbs().maxCoeff();
+    c.rigid_modes = angle_between(modes.eigenvectors().leftCols(rigid), R);
+    const MatrixXd own = R.transpose() * s.M * R, whole = F.transpose() * part.rigid_mass * F;
+    c.mass = (own - whole).norm() / whole.norm();
+  }
+  if (!part.grounded) { // what is held has no rigid motion to weigh it by
     const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
     c.mass = std::abs(own.mass / whole.mass - 1);
     c.centre = (own.centre - whole.centre).norm();
@@ -192,7 +203,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
           "K has " + std::to_string(c.zero_stiffness) + " zero eigenvalues, not " +
               std::to_string(rigid) + ", or a negative one");
   require(c.grounding < 1e-8, "a rigid motion raises forces");
-  require(c.rigid_modes < 1e-4, "the lowest modes are not the rigid motions of the geometry");
+  require(c.rigid_modes < 1e-4, "the lowest modes are not the rigid motions that nothing holds");
   require(c.coordinates < 1e-5, "the stiffness does not know where its nodes are");
   require(c.mass < 1e-8 && c.centre < 1e-8 && c.inertia < 1e-7, "mass, centre or inertia differ");
   require(!(c.statics >= std::max(1e-9, c.statics_known_to)),

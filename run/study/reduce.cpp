@@ -6,11 +6,11 @@
 #include "run/analyses/response.hpp"
 #include "run/routes/built_reduced.hpp"
 #include "run/routes/operating_state.hpp"
-#include "run/routes/route.hpp"
-#include "solve/parallel.hpp"
+#include "run/study/part_reference.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
 #include "solve/stress.hpp"
+#include "words/did_you_mean.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
@@ -22,12 +22,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-struct Boundary {
-  std::vector<std::string> names;
-  std::vector<int> nodes;
-  int caps = 0; // they come first
-};
 
 void check_boundary_names(const Case& data, const std::vector<std::string>& asked) {
   std::vector<std::string> known;
@@ -51,6 +45,14 @@ void check_boundary_names(const Case& data, const std::vector<std::string>& aske
       problem("'" + asked[i] + "' is given twice");
   }
   if (!problems.empty()) throw InputError(problems);
+}
+
+void check_recovered(const Case& data, const std::vector<std::string>& asked) {
+  std::vector<std::string> known;
+  for (const Sensor& sensor : data.sensors) known.push_back(sensor.name);
+  for (const std::string& name : asked)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      input_error("recover", "there is no sensor '" + name + "'", suggestion(name, known));
 }
 
 Boundary boundary_of(const Case& data, const BuiltCase& built,
@@ -88,101 +90,6 @@ Reduction reduce(const BuiltCase& built, const SymmetricView& view,
   } catch (const std::invalid_argument& error) {
     input_error("caps", error.what(), "caps and sensors that nothing else holds, each once");
   }
-}
-
-ModeSet modes_up_to(const SparseMatrix& K, const SparseMatrix& M, double high) {
-  BaseFactor base = factor_below_spectrum(K, M);
-  return find_modes(K, M, {.band = {0, high}, .proof = false}, base);
-}
-
-// Motion of the boundary nodes, six rows each, in modes of a family with nothing held.
-MatrixXd boundary_motion(const HarmonicSystem& system, const std::vector<int>& nodes,
-                         const MatrixXd& Phi) {
-  MatrixXd motion = MatrixXd::Zero(6 * Index(nodes.size()), Phi.cols());
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    for (const AxisUnknown& a : system.axis)
-      if (a.node == nodes[k] && a.number >= 0)
-        motion.middleRows<6>(6 * Index(k)) += a.direction * Phi.row(a.number);
-  return motion;
-}
-
-// Of the harmonics that reach the caps, pairs twice; first free, then held at the caps.
-void add_symmetric_spectra(PartReference& part, const CyclicModel& model,
-                           const std::vector<int>& caps, double high) {
-  constexpr std::array families{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
-  struct Mode {
-    double lambda = 0;
-    VectorXd motion;
-  };
-  std::array<std::vector<Mode>, 2 * families.size()> found;
-  in_parallel(int(found.size()), [&](int i) {
-    const Harmonic& harmonic = families[std::size_t(i / 2)];
-    const bool free = i % 2 == 0;
-    const CyclicFamily f = cyclic_family(model, harmonic, free ? std::vector<int>{} : caps);
-    const ModeSet modes = modes_up_to(f.K, f.M, high);
-    const auto add = [&](const HarmonicSystem& system) {
-      const MatrixXd motion = free ? boundary_motion(system, caps, modes.Phi) : MatrixXd();
-      for (Index j = 0; j < modes.lambda.size(); ++j)
-        found[std::size_t(i)].push_back(
-            {modes.lambda[j], free ? VectorXd(motion.col(j)) : VectorXd()});
-    };
-    add(f.system);
-    if (harmonic.n == 1) add(model.quarter_turned(f.system));
-  });
-  for (const bool free : {true, false}) {
-    std::vector<Mode> all;
-    for (std::size_t i = free ? 0 : 1; i < found.size(); i += 2)
-      all.insert(all.end(), found[i].begin(), found[i].end());
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Mode& a, const Mode& b) { return a.lambda < b.lambda; });
-    VectorXd& lambda = free ? part.free_lambda : part.fixed_lambda;
-    lambda.resize(Index(all.size()));
-    if (free) part.free_motion.resize(6 * Index(caps.size()), Index(all.size()));
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      lambda[Index(j)] = all[j].lambda;
-      if (free) part.free_motion.col(Index(j)) = all[j].motion;
-    }
-  }
-}
-
-PartReference symmetric_reference(const CyclicModel& model, const Boundary& boundary, double high) {
-  PartReference part;
-  part.rigid_mass.setZero();
-  for (const Harmonic& h :
-       {Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}, Harmonic{1, true}}) {
-    const HarmonicSystem s = model.system(h);
-    const MatrixXd r = model.rigid_motions(s);
-    part.rigid_mass += r.transpose() * symmetric_product(s.M, r);
-  }
-  if (boundary.caps == static_cast<int>(boundary.nodes.size())) {
-    add_symmetric_spectra(part, model, boundary.nodes, high);
-    return part;
-  }
-  // A node on the wall is reached by every harmonic; held, it would end the symmetry.
-  const CyclicModes modes = find_cyclic_modes(model, {}, {.band = {0, high}, .proof = false});
-  part.free_lambda.resize(Index(modes.modes.size()));
-  for (std::size_t i = 0; i < modes.modes.size(); ++i)
-    part.free_lambda[Index(i)] = modes.modes[i].lambda;
-  return part;
-}
-
-PartReference full_reference(const Model& model, const Boundary& boundary, double high) {
-  const System system = assemble(model);
-  PartReference part;
-  const MatrixXd r = rigid_body_motions(model, system.map, Eigen::Vector3d::Zero());
-  part.rigid_mass = r.transpose() * symmetric_product(system.M, r);
-  const std::vector<int> inner =
-      complement(system.map.size(), node_dofs(system.map, boundary.nodes));
-  const ModeSet free = modes_up_to(system.K, system.M, high);
-  part.free_lambda = free.lambda;
-  part.free_motion.resize(6 * Index(boundary.nodes.size()), free.Phi.cols());
-  for (std::size_t k = 0; k < boundary.nodes.size(); ++k)
-    for (int d = 0; d < 6; ++d)
-      part.free_motion.row(6 * Index(k) + d) =
-          free.Phi.row(system.map.independent[6 * boundary.nodes[k] + d]);
-  part.fixed_lambda =
-      modes_up_to(restrict_to(system.K, inner), restrict_to(system.M, inner), high).lambda;
-  return part;
 }
 
 // Shells that meet in a node, as a model of their own; the node's own number there.
@@ -284,13 +191,16 @@ void add_dampers(Superelement& s, const Reduction& reduction, const BuiltCase& b
 
 // Recovery rows, loads, viscous damping of the modes, structural damping of the components.
 void complete(Superelement& s, const Reduction& reduction, const BuiltCase& built,
-              const Analyses& analyses) {
+              const Analyses& analyses, const std::vector<std::string>& recover) {
   const auto size = s.K.rows();
   const MatrixXd identity = MatrixXd::Identity(size, size);
   std::vector<int> nodes;
   for (const BuiltSensor& sensor : built.sensors) nodes.push_back(sensor.node);
   const MatrixXd rows = reduction.field_at(identity, nodes);
   for (std::size_t k = 0; k < built.sensors.size(); ++k) {
+    if (!recover.empty() &&
+        std::find(recover.begin(), recover.end(), built.sensors[k].name) == recover.end())
+      continue;
     s.recovery.push_back({.name = built.sensors[k].name,
                           .place = built.model.mesh.nodes[nodes[k]],
                           .rows = rows.middleRows<6>(6 * Index(k))});
@@ -335,25 +245,6 @@ ModesLeftOut select_modes(Reduction& reduction, double least) {
   return out;
 }
 
-// By another way than the reduction.
-void add_statics(PartReference& part, const BuiltCase& built, const SymmetricView& view,
-                 const Boundary& boundary, bool nested) {
-  std::map<std::string, double> ignored;
-  const StageListener quiet = [](const std::string&) {};
-  const auto* symmetric = std::get_if<CyclicModel>(&view);
-  const auto route = symmetric ? cyclic_route(built, *symmetric, quiet, ignored)
-                               : full_route(built, "", quiet, ignored);
-  const std::array<int, 2> caps{boundary.nodes[0], boundary.nodes[1]};
-  const std::vector<Eigen::Vector3d> places{built.model.mesh.nodes[caps[0]],
-                                            built.model.mesh.nodes[caps[1]]};
-  const Matrix1212 K = *route->end_stiffness(caps);
-  // A superelement of superelements sums its parts in another order than the mesh does, and one
-  // with further boundary nodes has its rounding spread over them before it is taken out.
-  if ((nested || boundary.nodes.size() > 2) && !part.grounded)
-    part.statics_known_to = grounding(K, places);
-  part.static_stiffness = without_grounding(K, places);
-}
-
 } // namespace
 
 ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
@@ -368,6 +259,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   stage("mesh");
   const BuiltCase built = build(data);
   const Boundary boundary = boundary_of(data, built, request.boundary);
+  check_recovered(data, request.recover);
   watch.lap(result.timing, "mesh");
   stage("symmetry");
   const SymmetricView view = symmetric_view(built.model, data.analyses.symmetry);
@@ -391,10 +283,9 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   reduction.element.node_names = boundary.names;
   watch.lap(result.timing, "reduction");
   stage("certificate");
-  PartReference part = symmetric ? symmetric_reference(*symmetric, boundary, result.cutoff)
-                                 : full_reference(built.model, boundary, result.cutoff);
-  part.grounded = !data.supports.empty() || held_by_deck(data);
-  if (boundary.caps == 2) add_statics(part, built, view, boundary, nested != nullptr);
+  const bool grounded = !data.supports.empty() || held_by_deck(data);
+  PartReference part =
+      part_reference(built, view, boundary, result.cutoff, grounded, nested != nullptr);
   result.left_out = select_modes(reduction, request.least_interface_mass);
   part.left_out = result.left_out.count;
   result.certificate = certificate(reduction.element, part);
@@ -403,7 +294,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   result.element = reduction.element;
   result.proved = reduction.proved;
   result.reason = reduction.reason;
-  complete(result.element, reduction, built, data.analyses);
+  complete(result.element, reduction, built, data.analyses, request.recover);
   watch.lap(result.timing, "recovery");
   result.peak_memory = peak_memory();
   return result;
