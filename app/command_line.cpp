@@ -33,8 +33,9 @@ CommandLine::CommandLine() {
   app_.require_subcommand(1);
   for (const auto& add_command :
        {add_run_command, add_reduce_command, add_identify_command, add_fit_command,
-        add_diagnose_command, add_compare_command, add_ejma_command, add_check_command,
-        add_init_command, add_schema_command, add_completion_command, add_manual_command})
+        add_diagnose_command, add_compare_command, add_ejma_command, add_stiffness_command,
+        add_check_command, add_init_command, add_schema_command, add_completion_command,
+        add_manual_command})
     add_command(*this);
 }
 

@@ -35,6 +35,7 @@ void add_fit_command(CommandLine& line);
 void add_diagnose_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
 void add_ejma_command(CommandLine& line);
+void add_stiffness_command(CommandLine& line);
 void add_check_command(CommandLine& line);
 void add_init_command(CommandLine& line);
 void add_schema_command(CommandLine& line);

@@ -1,8 +1,10 @@
 #include "app/command_line.hpp"
 #include "app/finish.hpp"
 #include "app/terminal.hpp"
+#include "compare/sensors_by_place.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/lab_files/measured_data.hpp"
+#include "io/lab_files/universal_modes.hpp"
 #include "io/tables/correlation_words.hpp"
 #include "io/write/write_correlation.hpp"
 #include "lab/measured/states.hpp"
@@ -45,7 +47,10 @@ int compare_files(const CompareOptions& options) {
   OutputFolder out(
       options.out.folder,
       {.command = "compare", .inputs = std::move(inputs), .names = correlation_files()});
-  const TestData simulated = test_data(result), measured = test_data(test);
+  const TestData simulated = test_data(result);
+  TestData measured = test_data(test);
+  if (is_universal_file(test.path))
+    measured.data = named_by_place(std::move(measured.data), simulated.data);
   const Correlation c = correlate(simulated, measured);
   write_correlation(c, simulated, measured, out);
   hand_over(out);
@@ -63,7 +68,9 @@ void add_compare_command(CommandLine& line) {
       line.add("compare", "simulation and test side by side: modes, shapes, responses",
                [options] { return compare_files(*options); });
   command.add_option("RESULT", options->result, "folder of a run, or a measured.yaml")->required();
-  command.add_option("MEASURED", options->measured, "a measured.yaml, or a folder of a run")
+  command
+      .add_option("MEASURED", options->measured,
+                  "a measured.yaml, a universal file with modes, or a folder of a run")
       ->required();
   add_output(command, options->out);
 }

@@ -7,9 +7,11 @@
 #include "io/tables/certificate_words.hpp"
 #include "io/write/write_beam.hpp"
 #include "io/write/write_superelement.hpp"
+#include "model/shape/build_surface.hpp"
 #include "run/study/equivalent_beam.hpp"
 #include "run/study/reduce.hpp"
 #include "solve/sparse_factor.hpp"
+#include "words/units.hpp"
 
 #include <fmt/core.h>
 
@@ -21,12 +23,32 @@ struct ReduceOptions {
   Output out;
   int threads = 0;
   SuperelementRequest request;
-  Units units = Units::metres;
+  SuperelementFormat format;
+  std::vector<std::string> move, rotate;
   bool beam = false; // equivalent pipe and connectors besides
 };
 
+// Three quantities, "0mm,120mm,0mm".
+Triple triple_of(const std::vector<std::string>& texts, Dimension dimension,
+                 const std::string& option) {
+  Triple t{};
+  if (texts.empty()) return t;
+  if (texts.size() != 3)
+    input_error(option, fmt::format("has {} numbers", texts.size()), "three, along x, y and z");
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ParsedQuantity parsed = parse_quantity(texts[k], dimension);
+    if (!parsed.wrong.empty()) input_error(option, parsed.wrong, parsed.allowed);
+    t[k] = parsed.value;
+  }
+  return t;
+}
+
 int reduce(const ReduceOptions& options) {
   set_threads(options.threads);
+  SuperelementFormat format = options.format;
+  const Triple move = triple_of(options.move, Dimension::length, "--move");
+  format.labels.origin = {move[0], move[1], move[2]};
+  format.labels.axes = turn_of(triple_of(options.rotate, Dimension::angle, "--rotate"));
   const CaseFile file = read_chosen(options.chosen);
   std::vector<std::string> names = superelement_files(false);
   if (options.beam)
@@ -46,7 +68,7 @@ int reduce(const ReduceOptions& options) {
     beam = located(file, [&] {
       return equivalent_beam(file.data, [&](const std::string& s) { progress.stage(s); });
     });
-  write_superelement(reduced, options.units, out);
+  write_superelement(reduced, format, out);
   if (beam) write_beam(*beam, out);
   hand_over(out);
   progress.finish();
@@ -87,7 +109,36 @@ void add_reduce_command(CommandLine& line) {
       ->type_name("SHARE");
   command.add_flag("--beam", options->beam,
                    "also an equivalent pipe and a chain of connectors, with what they cost");
-  add_choice(command, "--units", options->units, {{"m", Units::metres}, {"mm", Units::millimetres}},
+  const auto list = [&](const std::string& name, std::vector<std::string>& into,
+                        const std::string& type, const std::string& help) {
+    command.add_option(name, into, help)->delimiter(',')->allow_extra_args(false)->type_name(type);
+  };
+  list("--recover", options->request.recover, "NAME,NAME,...",
+       "sensors whose motion and stress the files give back; left out: all");
+  list("--rotate", options->rotate, "ANGLE,ANGLE,ANGLE",
+       "places the element: turned about x, then y, then z, e.g. 0deg,0deg,90deg");
+  list("--move", options->move, "LENGTH,LENGTH,LENGTH", "and then moved, e.g. 0mm,120mm,0mm");
+  ElementLabels& labels = options->format.labels;
+  const auto number = [&](const std::string& name, int& into, const std::string& help) {
+    command.add_option(name, into, help)
+        ->check(CLI::Range(1, 99999999))
+        ->capture_default_str()
+        ->type_name("NUMBER");
+  };
+  number("--first-node", labels.first_node, "number of the first boundary node in the decks");
+  number("--first-mode", labels.first_mode, "of the first modal coordinate");
+  number("--first-point", labels.first_point, "of the first recovered point");
+  number("--element", labels.element, "of the user element, and of the MPC set of the recovery");
+  command
+      .add_option("--system", labels.system,
+                  "the decks keep the axes of the part, as a coordinate system of this number that "
+                  "--rotate and --move place; left out: all is turned into the axes of the deck")
+      ->check(CLI::Range(1, 99999999))
+      ->type_name("NUMBER");
+  command.add_option("--name", labels.name, "of sets and matrices: one to five letters and digits")
+      ->capture_default_str();
+  add_choice(command, "--units", options->format.units,
+             {{"m", Units::metres}, {"mm", Units::millimetres}},
              "of the files: m (kg, s, N) or mm (t, s, N)")
       ->type_name("m|mm");
 }

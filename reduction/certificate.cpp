@@ -139,7 +139,8 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
   c.negative_stiffness = std::min(0., k[0]);
   c.preloaded = part.preload.size() > 0;
-  const int rigid = part.grounded || c.preloaded ? 0 : 6;
+  const int rigid = c.rigid =
+      c.preloaded ? 0 : part.grounded ? int(part.free_motions.cols()) : 6;
   const Index held = c.preloaded ? 6 : 0;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
       s.K.bottomRightCorner(s.K.rows() - held, s.K.rows() - held),
@@ -150,7 +151,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
         (raised - part.preload).cwiseAbs().maxCoeff() /
         std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff());
   }
-  if (rigid == 6) {
+  if (!part.grounded && !c.preloaded) {
     const MatrixXd R = rigid_motions(s, s.nodes.front());
     c.grounding =
         (s.K * R).cwiseAbs().maxCoeff() /
@@ -159,6 +160,17 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     // Back from the balanced matrix.
     const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     c.coordinates = coordinate_error(s, scale.asDiagonal() * stiffness.eigenvectors().leftCols(6));
+  }
+  if (part.grounded && rigid > 0) {
+    const MatrixXd& F = part.free_motions;
+    const MatrixXd R = rigid_motions(s, Vector3d::Zero()) * F;
+    c.grounding =
+        (s.K * R).cwiseAbs().maxCoeff() /
+        std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff()) /
+        R.cwiseAbs().maxCoeff();
+    c.rigid_modes = angle_between(modes.eigenvectors().leftCols(rigid), R);
+    const MatrixXd own = R.transpose() * s.M * R, whole = F.transpose() * part.rigid_mass * F;
+    c.mass = (own - whole).norm() / whole.norm();
   }
   if (!part.grounded) { // what is held has no rigid motion to weigh it by
     const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
@@ -204,7 +216,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   require(c.grounding < (c.preloaded ? 1e-6 : 1e-8),
           c.preloaded ? "a rigid motion raises other forces than the preload does"
                       : "a rigid motion raises forces");
-  require(c.rigid_modes < 1e-4, "the lowest modes are not the rigid motions of the geometry");
+  require(c.rigid_modes < 1e-4, "the lowest modes are not the rigid motions that nothing holds");
   require(c.coordinates < 1e-5, "the stiffness does not know where its nodes are");
   require(c.mass < 1e-8 && c.centre < 1e-8 && c.inertia < 1e-7, "mass, centre or inertia differ");
   require(!(c.statics >= std::max(1e-9, c.statics_known_to)),

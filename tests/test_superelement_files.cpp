@@ -272,7 +272,7 @@ TEST(ReducedCase, in_millimetres_is_the_same_part) {
 TEST(SuperelementFiles, come_back_as_they_were) {
   const TemporaryFolder folder("superelement");
   const ReducedCase r = reduced(sample_case());
-  written(folder.path, [&](OutputFolder& out) { write_superelement(r, Units::metres, out); });
+  written(folder.path, [&](OutputFolder& out) { write_superelement(r, {}, out); });
   const Superelement& s = r.element;
   const Superelement own = read_hdf5(folder.path / "superelement.h5");
   EXPECT_EQ(own.name, s.name);
@@ -329,7 +329,7 @@ TEST(SuperelementFiles, come_back_as_they_were) {
 TEST(SuperelementFiles, damaged_are_refused_with_their_name_and_line) {
   const TemporaryFolder folder("superelement_damaged");
   const ReducedCase r = reduced(sample_case(), 500);
-  written(folder.path, [&](OutputFolder& out) { write_superelement(r, Units::metres, out); });
+  written(folder.path, [&](OutputFolder& out) { write_superelement(r, {}, out); });
   const auto message = [](const auto& read) -> std::string {
     try {
       read();

@@ -1,6 +1,7 @@
 #include "io/input/measured_file.hpp"
 
 #include "io/input/field_reader.hpp"
+#include "io/lab_files/universal_modes.hpp"
 #include "lab/measured/measured_fields.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "lab/measured/states.hpp"
@@ -304,6 +305,8 @@ void check_hold_out(const Measured& m, ReadLog& log) {
 } // namespace
 
 MeasuredFile read_measured_file(const std::string& path) {
+  if (is_universal_file(path))
+    return {.data = modes_of_universal(path), .path = path, .text = {}, .lines = {}};
   ReadLog log{.file = path};
   MeasuredFile file{.data = {}, .path = path, .text = {}, .lines = {}};
   YamlFile yaml = read_yaml(path, log.problems);

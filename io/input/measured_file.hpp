@@ -1,4 +1,5 @@
-// Reads measured.yaml. Strict: throws InputError with all problems of the file at once.
+// Reads measured.yaml. Strict: throws InputError with all problems of the file at once. A universal
+// file (.uff, .unv) is taken by its modes (io/lab_files/universal_modes.hpp).
 #pragma once
 
 #include "io/input/case_file.hpp"

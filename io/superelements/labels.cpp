@@ -1,15 +1,46 @@
 #include "io/superelements/labels.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <stdexcept>
 
 namespace plica {
 
 namespace fs = std::filesystem;
 
-CoordinateLabel coordinate_label(const Superelement& s, int coordinate) {
-  if (coordinate < s.boundary()) return {first_grid + coordinate / 6, coordinate % 6 + 1};
-  return {first_scalar + coordinate - s.boundary(), 0};
+CoordinateLabel coordinate_label(const Superelement& s, int coordinate,
+                                 const ElementLabels& labels) {
+  if (coordinate < s.boundary()) return {labels.first_node + coordinate / 6, coordinate % 6 + 1};
+  return {labels.first_mode + coordinate - s.boundary(), 0};
+}
+
+void check_labels(const ElementLabels& l, const Superelement& s) {
+  constexpr int largest = 99999999;
+  struct Range {
+    const char* what;
+    long first, count;
+  };
+  const std::array ranges{Range{"nodes", l.first_node, long(s.nodes.size())},
+                          Range{"modes", l.first_mode, s.modal()},
+                          Range{"points", l.first_point, long(s.recovery.size())}};
+  for (const Range& a : ranges) {
+    if (a.count > 0 && (a.first < 1 || a.first + a.count - 1 > largest))
+      throw std::invalid_argument(std::string("numbers of ") + a.what +
+                                  " must lie between 1 and 99999999");
+    for (const Range& b : ranges)
+      if (&a < &b && a.count > 0 && b.count > 0 && a.first < b.first + b.count &&
+          b.first < a.first + a.count)
+        throw std::invalid_argument(std::string("numbers of ") + a.what + " (from " +
+                                    std::to_string(a.first) + ", " + std::to_string(a.count) +
+                                    ") and of " + b.what + " (from " + std::to_string(b.first) +
+                                    ", " + std::to_string(b.count) + ") overlap");
+  }
+  const bool plain = std::all_of(l.name.begin(), l.name.end(),
+                                 [](unsigned char c) { return std::isalnum(c) != 0; });
+  if (l.name.empty() || l.name.size() > 5 || !plain ||
+      std::isalpha(static_cast<unsigned char>(l.name[0])) == 0)
+    throw std::invalid_argument("a name has one to five letters and digits, a letter first");
 }
 
 std::vector<std::string> coordinate_names(const Superelement& s) {

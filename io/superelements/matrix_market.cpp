@@ -25,6 +25,20 @@ std::string matrix_market(const MatrixXd& A, const std::string& comment) {
          entries;
 }
 
+std::string general_matrix_market(const MatrixXd& A, const std::string& comment) {
+  std::string entries;
+  int count = 0;
+  for (int j = 0; j < A.cols(); ++j)
+    for (int i = 0; i < A.rows(); ++i) {
+      if (A(i, j) == 0) continue;
+      entries += fmt::format("{} {} {:.17g}\n", i + 1, j + 1, A(i, j));
+      ++count;
+    }
+  return fmt::format("%%MatrixMarket matrix coordinate real general\n% {}\n{} {} {}\n", comment,
+                     A.rows(), A.cols(), count) +
+         entries;
+}
+
 MatrixXd read_matrix_market(const std::filesystem::path& path) {
   std::istringstream stream(read_whole(path));
   std::string line;

@@ -8,6 +8,9 @@
 
 namespace plica {
 
+// Of any shape.
+std::string general_matrix_market(const Eigen::MatrixXd& A, const std::string& comment);
+
 std::string matrix_market(const Eigen::MatrixXd& A, const std::string& comment);
 Eigen::MatrixXd read_matrix_market(const std::filesystem::path& path);
 

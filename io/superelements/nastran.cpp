@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -17,14 +18,14 @@ namespace {
 using Eigen::MatrixXd;
 
 void add_matrix(std::string& deck, const std::string& name, const Superelement& s,
-                const MatrixXd& A) {
+                const MatrixXd& A, const ElementLabels& l) {
   deck += fmt::format("DMIG    {:<8}{:>8}{:>8}{:>8}{:>8}\n", name, 0, 6, 2, 0);
   for (int j = 0; j < A.cols(); ++j) {
-    const CoordinateLabel column = coordinate_label(s, j);
+    const CoordinateLabel column = coordinate_label(s, j, l);
     std::string rows;
     for (int i = j; i < A.rows(); ++i) {
       if (A(i, j) == 0) continue;
-      const CoordinateLabel row = coordinate_label(s, i);
+      const CoordinateLabel row = coordinate_label(s, i, l);
       rows +=
           fmt::format("{:<8}{:>16}{:>16}{:>16}\n", "*", row.point, row.dof, nastran_real(A(i, j)));
     }
@@ -42,35 +43,84 @@ MatrixXd rest(const MatrixXd& A) {
   return A.unaryExpr([](double x) { return x == 0 ? 0 : x - nastran_number(nastran_real(x)); });
 }
 
+// The axes of the system, where there is one: on z, and in the plane of x and z.
+std::string cord2r(const ElementLabels& l) {
+  if (l.system == 0) return "";
+  std::vector<std::string> fields{std::to_string(l.system), "0"};
+  for (const Eigen::Vector3d& x : {l.origin, Eigen::Vector3d(l.origin + l.axes.col(2)),
+                                   Eigen::Vector3d(l.origin + l.axes.col(0))})
+    for (int i = 0; i < 3; ++i) fields.push_back(nastran_real(x[i]));
+  return large_card("CORD2R", fields);
+}
+
+std::string grid(int number, const Eigen::Vector3d& x, const ElementLabels& l) {
+  const std::string system = l.system == 0 ? "" : std::to_string(l.system);
+  return fmt::format("{:<8}{:>16}{:>16}{:>16}{:>16}\n{:<8}{:>16}{}\n", "GRID*", number, system,
+                     nastran_real(x[0]), nastran_real(x[1]), "*", nastran_real(x[2]),
+                     system.empty() ? "" : fmt::format("{:>16}", system));
+}
+
+// K, M, B, K4 with the name behind, and of what the first rounds away.
+struct MatrixNames {
+  std::string first, rest;
+};
+MatrixNames names_of(const std::string& letters, const ElementLabels& l) {
+  return {letters + l.name, (letters + l.name).substr(0, 7) + "L"};
+}
+
 } // namespace
 
-std::string nastran_deck(const Superelement& s) {
-  std::string deck = fmt::format(
-      "$ Superelement {}, units: {}\n"
-      "$ Case control: K2GG = KPLICA, KPLICAL and M2GG = MPLICA, MPLICAL{}{}\n"
-      "$ GRID: boundary nodes, SPOINT: modal coordinates\n",
-      s.name, s.units, s.C.size() > 0 ? "\n$ Viscous damping: B2GG = BPLICA, BPLICAL" : "",
-      s.D.size() > 0 ? "\n$ Structural damping: K42GG = K4PLICA, K4PLICL" : "");
-  for (std::size_t k = 0; k < s.nodes.size(); ++k) {
-    const Eigen::Vector3d& x = s.nodes[k];
-    deck += fmt::format("$ {}\n{:<8}{:>16}{:>16}{:>16}{:>16}\n{:<8}{:>16}\n", s.node_names[k],
-                        "GRID*", first_grid + k, "", nastran_real(x[0]), nastran_real(x[1]), "*",
-                        nastran_real(x[2]));
-  }
-  for (int j = 0; j < s.modal(); ++j) deck += fmt::format("SPOINT  {:>8}\n", first_scalar + j);
-  add_matrix(deck, "KPLICA", s, s.K);
-  add_matrix(deck, "KPLICAL", s, rest(s.K));
-  add_matrix(deck, "MPLICA", s, s.M);
-  add_matrix(deck, "MPLICAL", s, rest(s.M));
-  if (s.C.size() > 0) {
-    add_matrix(deck, "BPLICA", s, s.C);
-    add_matrix(deck, "BPLICAL", s, rest(s.C));
-  }
-  if (s.D.size() > 0) {
-    add_matrix(deck, "K4PLICA", s, s.D);
-    add_matrix(deck, "K4PLICL", s, rest(s.D));
+std::string nastran_deck(const Superelement& s, const ElementLabels& l) {
+  const std::array<std::pair<std::string, const MatrixXd*>, 4> matrices{
+      {{"K", &s.K}, {"M", &s.M}, {"B", &s.C}, {"K4", &s.D}}};
+  const auto both = [&](std::size_t k) {
+    const MatrixNames n = names_of(matrices[k].first, l);
+    return n.first + ", " + n.rest;
+  };
+  std::string deck =
+      fmt::format("$ Superelement {}, units: {}\n"
+                  "$ Case control: K2GG = {} and M2GG = {}{}{}\n"
+                  "$ GRID: boundary nodes, SPOINT: modal coordinates\n",
+                  s.name, s.units, both(0), both(1),
+                  s.C.size() > 0 ? "\n$ Viscous damping: B2GG = " + both(2) : "",
+                  s.D.size() > 0 ? "\n$ Structural damping: K42GG = " + both(3) : "");
+  deck += cord2r(l);
+  for (std::size_t k = 0; k < s.nodes.size(); ++k)
+    deck += "$ " + s.node_names[k] + "\n" + grid(l.first_node + int(k), s.nodes[k], l);
+  for (int j = 0; j < s.modal(); ++j) deck += fmt::format("SPOINT  {:>8}\n", l.first_mode + j);
+  for (const auto& [letters, matrix] : matrices) {
+    if (matrix->size() == 0) continue;
+    const MatrixNames n = names_of(letters, l);
+    add_matrix(deck, n.first, s, *matrix, l);
+    add_matrix(deck, n.rest, s, rest(*matrix), l);
   }
   return deck + last_line + "\n";
+}
+
+std::string nastran_recovery(const Superelement& s, const ElementLabels& l) {
+  std::string deck = fmt::format("$ Inner points of superelement {}, units: {}: they follow its "
+                                 "coordinates\n$ Case control: MPC = {}\n",
+                                 s.name, s.units, l.element);
+  for (std::size_t k = 0; k < s.recovery.size(); ++k) {
+    const RecoveryRows& r = s.recovery[k];
+    const int point = l.first_point + int(k);
+    deck += "$ " + r.name + "\n" + grid(point, r.place, l);
+    for (int d = 0; d < 6; ++d) {
+      std::vector<std::string> fields{std::to_string(l.element), std::to_string(point),
+                                      std::to_string(d + 1), "-1."};
+      int terms = 1;
+      for (int j = 0; j < r.rows.cols(); ++j) {
+        if (r.rows(d, j) == 0) continue;
+        const CoordinateLabel c = coordinate_label(s, j, l);
+        if (++terms > 2 && terms % 2 == 1) fields.insert(fields.end(), {"", ""}); // a new line
+        for (const std::string& field :
+             {std::to_string(c.point), std::to_string(c.dof), nastran_real(r.rows(d, j))})
+          fields.push_back(field);
+      }
+      if (terms > 1) deck += large_card("MPC", fields);
+    }
+  }
+  return deck;
 }
 
 Superelement read_nastran_deck(const std::filesystem::path& path) {
@@ -80,7 +130,8 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
   std::string line, matrix;
   int number = 0, column = -1, size = 0;
   Eigen::Vector3d place;
-  bool grid_open = false, whole = false;
+  bool grid_open = false, whole = false, in_system = false;
+  int last_grid = 0;
   const auto cut = [&](std::size_t at, std::size_t width) {
     return line.size() > at ? line.substr(at, width) : std::string();
   };
@@ -103,16 +154,20 @@ Superelement read_nastran_deck(const std::filesystem::path& path) {
     if (line.empty() || line[0] == '$') continue;
     try {
       const std::string card = cut(0, 8);
-      if (card.starts_with("GRID*")) {
-        coordinate[std::stoi(cut(8, 16))] = size;
+      if (card.starts_with("CORD2R") || (in_system && card.starts_with("*"))) {
+        in_system = true;
+      } else if (card.starts_with("GRID*")) {
+        last_grid = std::stoi(cut(8, 16));
+        coordinate[last_grid] = size;
         size += 6;
+        in_system = false;
         place.x() = nastran_number(cut(40, 16));
         place.y() = nastran_number(cut(56, 16));
         grid_open = true;
       } else if (card.starts_with("*") && grid_open) {
         place.z() = nastran_number(cut(8, 16));
         s.nodes.push_back(place);
-        s.node_names.push_back("grid " + std::to_string(first_grid + int(s.nodes.size()) - 1));
+        s.node_names.push_back("grid " + std::to_string(last_grid));
         grid_open = false;
       } else if (card.starts_with("SPOINT")) {
         coordinate[std::stoi(cut(8, 8))] = size++;

@@ -6,13 +6,17 @@
 // B2GG (viscous) and K42GG (structural).
 #pragma once
 
-#include "reduction/superelement.hpp"
+#include "io/superelements/labels.hpp"
 
 #include <filesystem>
 
 namespace plica {
 
-std::string nastran_deck(const Superelement& s);
+std::string nastran_deck(const Superelement& s, const ElementLabels& labels = {});
+
+// Recovered points as GRIDs that follow the coordinates by MPC, a set that has the number of the
+// element.
+std::string nastran_recovery(const Superelement& s, const ElementLabels& labels = {});
 
 // The matrices back, in the order of the file's GRIDs, then SPOINTs; nodes with their places.
 // Throws std::runtime_error with file and line.

@@ -15,12 +15,12 @@ using Eigen::MatrixXd;
 
 constexpr int per_line = 3, width = 23;
 
-std::string op4_name(char letter) {
-  return letter == 'C' ? "BPLICA" : letter == 'D' ? "K4PLICA" : std::string(1, letter) + "PLICA";
+std::string op4_name(char letter, const std::string& name) {
+  return (letter == 'C' ? "B" : letter == 'D' ? "K4" : std::string(1, letter)) + name;
 }
 
-void add_matrix(std::string& text, const std::string& name, const MatrixXd& A) {
-  text += fmt::format("{:8}{:8}{:8}{:8}{:<8}1P,{}E{}.16\n", A.cols(), A.rows(), 6, 2, name,
+void add_matrix(std::string& text, const std::string& name, const MatrixXd& A, int form = 6) {
+  text += fmt::format("{:8}{:8}{:8}{:8}{:<8}1P,{}E{}.16\n", A.cols(), A.rows(), form, 2, name,
                       per_line, width);
   for (Index j = 0; j < A.cols(); ++j) {
     Index first = 0, last = A.rows() - 1;
@@ -93,9 +93,16 @@ MatrixXd read_columns(Fields& fields, Index rows, Index columns) {
 
 } // namespace
 
-std::string op4_file(const Superelement& s) {
+std::string op4_file(const Superelement& s, const ElementLabels& labels) {
   std::string text;
-  for (const NamedMatrix& m : matrices_of(s)) add_matrix(text, op4_name(m.letter), *m.matrix);
+  for (const NamedMatrix& m : matrices_of(s))
+    add_matrix(text, op4_name(m.letter, labels.name), *m.matrix);
+  if (s.recovery.empty()) return text;
+  MatrixXd rows(6 * Index(s.recovery.size()), s.K.rows());
+  for (std::size_t k = 0; k < s.recovery.size(); ++k)
+    rows.middleRows<6>(6 * Index(k)) = s.recovery[k].rows;
+  constexpr int rectangular = 2;
+  add_matrix(text, "OTM" + labels.name, rows, rectangular);
   return text;
 }
 

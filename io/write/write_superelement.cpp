@@ -11,6 +11,7 @@
 #include "io/superelements/op4.hpp"
 #include "io/tables/certificate_words.hpp"
 #include "io/tables/text.hpp"
+#include "words/input_error.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,46 @@ Json rows_of(const Eigen::MatrixXd& A) {
     rows.push_back(row);
   }
   return rows;
+}
+
+// Entries that are rounding of their row and column are zero, not -1.5e-15.
+Eigen::MatrixXd without_rounding(const Eigen::MatrixXd& A, const Eigen::MatrixXd& scale) {
+  constexpr double rounding = 1e-14;
+  const Eigen::VectorXd size = scale.diagonal().cwiseAbs().cwiseSqrt();
+  Eigen::MatrixXd clear = A;
+  for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+      if (std::abs(A(i, j)) <= rounding * size[i] * size[j]) clear(i, j) = 0;
+  return clear;
+}
+
+Superelement without_rounding(Superelement s) {
+  double size = 0;
+  for (const Eigen::Vector3d& x : s.nodes) size = std::max(size, x.cwiseAbs().maxCoeff());
+  for (Eigen::Vector3d& x : s.nodes) x = (x.array().abs() < 1e-12 * size).select(0, x);
+  for (RecoveryRows& r : s.recovery) {
+    r.place = (r.place.array().abs() < 1e-12 * size).select(0, r.place);
+    r.rows = (r.rows.array().abs() < 1e-14 * r.rows.cwiseAbs().maxCoeff()).select(0, r.rows);
+  }
+  const Eigen::MatrixXd K = s.K;
+  s.K = without_rounding(s.K, K);
+  s.M = without_rounding(s.M, s.M);
+  if (s.C.size() > 0) s.C = without_rounding(s.C, s.C);
+  if (s.D.size() > 0) s.D = without_rounding(s.D, K);
+  return s;
+}
+
+Eigen::MatrixXd recovery_rows(const Superelement& s) {
+  Eigen::MatrixXd rows(6 * Eigen::Index(s.recovery.size()), s.K.rows());
+  for (std::size_t k = 0; k < s.recovery.size(); ++k)
+    rows.middleRows<6>(6 * Eigen::Index(k)) = s.recovery[k].rows;
+  return rows;
+}
+
+std::string recovered_names(const Superelement& s) {
+  std::string text = "six rows each of";
+  for (const RecoveryRows& r : s.recovery) text += " " + r.name;
+  return text + ", units: " + s.units;
 }
 
 // What the columns mean and whose matrices they are.
@@ -75,9 +116,11 @@ std::string certificate_json(const ReducedCase& r) {
 }
 
 std::vector<std::string> superelement_files(bool damped) {
-  std::vector<std::string> names{"superelement.h5",   "superelement.mat", "superelement.bdf",
-                                 "superelement.op4",  "superelement.inp", "superelement_user.inp",
-                                 "superelement.json", "certificate.html", "certificate.json"};
+  std::vector<std::string> names{
+      "superelement_recovery.bdf", "superelement_recovery.inp", "superelement_otm.mtx",
+      "superelement.h5",           "superelement.mat",          "superelement.bdf",
+      "superelement.op4",          "superelement.inp",          "superelement_user.inp",
+      "superelement.json",         "certificate.html",          "certificate.json"};
   for (const char letter : std::string(damped ? "KMCD" : "KM")) {
     const std::string name = abaqus_matrix_file(letter);
     names.push_back(name);
@@ -86,8 +129,20 @@ std::vector<std::string> superelement_files(bool damped) {
   return names;
 }
 
-void write_superelement(const ReducedCase& r, Units units, OutputFolder& out) {
-  const Superelement s = units == Units::millimetres ? in_millimetres(r.element) : r.element;
+void write_superelement(const ReducedCase& r, const SuperelementFormat& format, OutputFolder& out) {
+  ElementLabels labels = format.labels;
+  // In axes of its own the element stays as it is, and the deck says where these lie.
+  Superelement s = labels.system > 0 ? r.element : placed(r.element, labels.axes, labels.origin);
+  if (format.units == Units::millimetres) {
+    s = in_millimetres(s);
+    labels.origin *= 1000;
+  }
+  s = without_rounding(std::move(s));
+  try {
+    check_labels(labels, s);
+  } catch (const std::invalid_argument& error) {
+    input_error("labels", error.what(), "other numbers or another name");
+  }
   if (!s.K.allFinite() || !s.M.allFinite())
     throw std::runtime_error(
         "the superelement has numbers that are not finite; nothing is written");
@@ -96,13 +151,18 @@ void write_superelement(const ReducedCase& r, Units units, OutputFolder& out) {
     write_matlab(s, file);
     read_matlab(file); // matio says nothing of a full disk
   });
-  out.add("superelement.bdf", nastran_deck(s));
-  out.add("superelement.op4", op4_file(s));
-  out.add("superelement.inp", abaqus_deck(s));
-  out.add("superelement_user.inp", abaqus_user_element(s));
+  out.add("superelement.bdf", nastran_deck(s, labels));
+  out.add("superelement.op4", op4_file(s, labels));
+  out.add("superelement.inp", abaqus_deck(s, labels));
+  out.add("superelement_user.inp", abaqus_user_element(s, labels));
+  if (!s.recovery.empty()) {
+    out.add("superelement_recovery.bdf", nastran_recovery(s, labels));
+    out.add("superelement_recovery.inp", abaqus_recovery(s, labels));
+    out.add("superelement_otm.mtx", general_matrix_market(recovery_rows(s), recovered_names(s)));
+  }
   for (const NamedMatrix& m : matrices_of(s)) {
     const std::string name = abaqus_matrix_file(m.letter);
-    out.add(name, abaqus_matrix(s, *m.matrix));
+    out.add(name, abaqus_matrix(s, *m.matrix, labels));
     out.add(fs::path(name).replace_extension(".mtx").string(),
             matrix_market(*m.matrix, s.name + ", units: " + s.units));
   }

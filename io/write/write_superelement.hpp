@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/files/output_folder.hpp"
+#include "io/superelements/labels.hpp"
 #include "run/study/reduce.hpp"
 
 namespace plica {
@@ -11,8 +12,16 @@ enum class Units { metres, millimetres }; // m kg s N, or mm t s N
 
 std::vector<std::string> superelement_files(bool damped);
 
-// InputError with path and reason.
-void write_superelement(const ReducedCase& reduced, Units units, OutputFolder& out);
+// Numbers, names and place of the element in the files; of HDF5, MATLAB and Matrix Market the
+// place.
+struct SuperelementFormat {
+  Units units = Units::metres;
+  ElementLabels labels = {}; // origin in m
+};
+
+// InputError with path and reason, and for labels that do not fit.
+void write_superelement(const ReducedCase& reduced, const SuperelementFormat& format,
+                        OutputFolder& out);
 
 std::string certificate_json(const ReducedCase& reduced);
 

@@ -3,8 +3,10 @@
 #include "reduction/cyclic_modes.hpp"
 #include "solve/parallel.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plica {
 namespace {
@@ -120,13 +122,34 @@ PartReference full_reference(const Model& model, const Boundary& boundary, bool 
   return part;
 }
 
+// Rigid motions about the origin that strain nothing: of a part that is held in some directions.
+MatrixXd free_motions(const Model& model) {
+  const System system = assemble(model);
+  const MatrixXd r = rigid_body_motions(model, system.map, Eigen::Vector3d::Zero());
+  const MatrixXd Kr = symmetric_product(system.K, r);
+  const VectorXd size = (r.transpose() * symmetric_product(system.M, r)).diagonal();
+  const VectorXd scale = size.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const MatrixXd strain = scale.asDiagonal() * MatrixXd(r.transpose() * Kr) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((strain + strain.transpose()) / 2);
+  constexpr double rounding = 1e-12; // of the stiffness over the mass of its stiffest DOF
+  const double stiffest =
+      system.K.diagonal().maxCoeff() / std::max(1e-300, system.M.diagonal().maxCoeff());
+  int count = 0;
+  while (count < 6 && eigen.eigenvalues()[count] < rounding * stiffest) ++count;
+  return scale.asDiagonal() * eigen.eigenvectors().leftCols(count);
+}
+
 } // namespace
 
 PartReference part_reference(const BuiltCase& built, const SymmetricView& view,
-                             const Boundary& boundary, bool preloaded, double high) {
+                             const Boundary& boundary, bool grounded, bool preloaded,
+                             double high) {
   const auto* symmetric = std::get_if<CyclicModel>(&view);
-  return symmetric ? symmetric_reference(*symmetric, boundary, preloaded, high)
-                   : full_reference(built.model, boundary, preloaded, high);
+  PartReference part = symmetric ? symmetric_reference(*symmetric, boundary, preloaded, high)
+                                 : full_reference(built.model, boundary, preloaded, high);
+  part.grounded = grounded;
+  if (grounded && !preloaded) part.free_motions = free_motions(built.model);
+  return part;
 }
 
 void add_statics(PartReference& part, const BuiltCase& built, const SymmetricView& view,

@@ -4,12 +4,14 @@
 #include "run/analyses/damping.hpp"
 #include "run/analyses/response.hpp"
 #include "run/routes/built_reduced.hpp"
+#include "run/routes/operating_state.hpp"
 #include "run/routes/route.hpp"
 #include "run/study/part_reference.hpp"
 #include "run/study/reduce_state.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
 #include "solve/stress.hpp"
+#include "words/did_you_mean.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
@@ -44,6 +46,14 @@ void check_boundary_names(const Case& data, const std::vector<std::string>& aske
       problem("'" + asked[i] + "' is given twice");
   }
   if (!problems.empty()) throw InputError(problems);
+}
+
+void check_recovered(const Case& data, const std::vector<std::string>& asked) {
+  std::vector<std::string> known;
+  for (const Sensor& sensor : data.sensors) known.push_back(sensor.name);
+  for (const std::string& name : asked)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      input_error("recover", "there is no sensor '" + name + "'", suggestion(name, known));
 }
 
 Boundary boundary_of(const Case& data, const BuiltCase& built,
@@ -182,13 +192,16 @@ void add_dampers(Superelement& s, const Reduction& reduction, const BuiltCase& b
 
 // Recovery rows, loads, viscous damping of the modes, structural damping of the components.
 void complete(Superelement& s, const Reduction& reduction, const BuiltCase& built,
-              const Analyses& analyses) {
+              const Analyses& analyses, const std::vector<std::string>& recover) {
   const auto size = s.K.rows();
   const MatrixXd identity = MatrixXd::Identity(size, size);
   std::vector<int> nodes;
   for (const BuiltSensor& sensor : built.sensors) nodes.push_back(sensor.node);
   const MatrixXd rows = reduction.field_at(identity, nodes);
   for (std::size_t k = 0; k < built.sensors.size(); ++k) {
+    if (!recover.empty() &&
+        std::find(recover.begin(), recover.end(), built.sensors[k].name) == recover.end())
+      continue;
     s.recovery.push_back({.name = built.sensors[k].name,
                           .place = built.model.mesh.nodes[nodes[k]],
                           .rows = rows.middleRows<6>(6 * Index(k))});
@@ -250,6 +263,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   if (data.state) result.state = released.state;
   const Boundary boundary = boundary_of(data, built, request.boundary);
   if (data.state) check_reducible(data, boundary.names);
+  check_recovered(data, request.recover);
   watch.lap(result.timing, "mesh");
   stage("symmetry");
   const SymmetricView view = symmetric_view(built.model, data.analyses.symmetry);
@@ -274,9 +288,10 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   watch.lap(result.timing, "reduction");
   stage("certificate");
   const bool preloaded = data.state.has_value();
-  PartReference part = part_reference(built, view, boundary, preloaded, result.cutoff);
+  const bool grounded = !data.supports.empty() || held_by_deck(data);
+  PartReference part =
+      part_reference(built, view, boundary, grounded, preloaded, result.cutoff);
   if (preloaded) part.preload = forces_of_rigid_motions(data, released, boundary.nodes);
-  part.grounded = !data.supports.empty() || held_by_deck(data);
   if (boundary.caps == 2) add_statics(part, built, view, boundary, nested != nullptr);
   result.left_out = select_modes(reduction, request.least_interface_mass);
   part.left_out = result.left_out.count;
@@ -286,7 +301,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   result.element = reduction.element;
   result.proved = reduction.proved;
   result.reason = reduction.reason;
-  complete(result.element, reduction, built, data.analyses);
+  complete(result.element, reduction, built, data.analyses, request.recover);
   watch.lap(result.timing, "recovery");
   result.peak_memory = peak_memory();
   return result;

@@ -12,9 +12,10 @@
 namespace plica {
 
 struct SuperelementRequest {
-  double cutoff = 0;                 // Hz; 0 = reduction_cutoff() of the case
-  std::vector<std::string> boundary; // names of caps and sensors; none = all caps
-  double least_interface_mass = 0;   // modes with a smaller share are left out
+  double cutoff = 0;                     // Hz; 0 = reduction_cutoff() of the case
+  std::vector<std::string> boundary;     // names of caps and sensors; none = all caps
+  double least_interface_mass = 0;       // modes with a smaller share are left out
+  std::vector<std::string> recover = {}; // sensors that become recovery rows; none = all
 };
 
 struct ModesLeftOut {

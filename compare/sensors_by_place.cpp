@@ -1,0 +1,74 @@
+#include "compare/sensors_by_place.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+namespace plica {
+namespace {
+
+struct Renamed {
+  const MeasuredSensor* as;
+  std::string was;
+};
+
+// Channels of one sensor in the axes of another: new name and sign; empty name = it stays.
+std::pair<std::string, double> channel_as(const std::string& channel,
+                                          const std::vector<Renamed>& list) {
+  const auto dot = channel.rfind('.');
+  if (dot == std::string::npos || dot + 2 != channel.size()) return {"", 1};
+  for (const Renamed& r : list) {
+    if (channel.substr(0, dot) != r.was) continue;
+    const int axis = channel.back() - 'x' + 1;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(r.as->axes[k]) == axis)
+        return {r.as->name + "." + "xyz"[k], r.as->axes[k] < 0 ? -1 : 1};
+  }
+  return {"", 1};
+}
+
+} // namespace
+
+Measured named_by_place(Measured test, const Measured& simulated, double reach) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> near;
+  for (std::size_t i = 0; i < test.sensors.size(); ++i)
+    for (std::size_t j = 0; j < simulated.sensors.size(); ++j) {
+      const auto at = [](const MeasuredSensor& s) {
+        return Eigen::Map<const Eigen::Vector3d>(s.at.data());
+      };
+      const double distance = (at(test.sensors[i]) - at(simulated.sensors[j])).norm();
+      if (distance <= reach) near.emplace_back(distance, i, j);
+    }
+  std::sort(near.begin(), near.end());
+  std::vector<char> taken(test.sensors.size(), 0), given(simulated.sensors.size(), 0);
+  for (std::size_t j = 0; j < given.size(); ++j)
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (test.sensors[i].name == simulated.sensors[j].name) taken[i] = given[j] = 1;
+  std::vector<Renamed> renamed;
+  for (const auto& [distance, i, j] : near) {
+    if (taken[i] || given[j]) continue;
+    taken[i] = given[j] = 1;
+    renamed.push_back({&simulated.sensors[j], test.sensors[i].name});
+    test.sensors[i].name = simulated.sensors[j].name;
+    test.sensors[i].axes = simulated.sensors[j].axes;
+  }
+  for (MeasuredMode& mode : test.modes) {
+    if (!mode.vector) continue;
+    for (std::size_t c = 0; c < mode.vector->channels.size(); ++c) {
+      const auto [name, sign] = channel_as(mode.vector->channels[c], renamed);
+      if (name.empty()) continue;
+      mode.vector->channels[c] = name;
+      mode.vector->real[c] *= sign;
+      if (!mode.vector->imaginary.empty()) mode.vector->imaginary[c] *= sign;
+    }
+  }
+  test.caveats.push_back(std::to_string(renamed.size()) + " of " +
+                         std::to_string(test.sensors.size()) +
+                         " nodes stand within 5 mm of a sensor of the simulation, and are called "
+                         "as it");
+  return test;
+}
+
+} // namespace plica

@@ -1,0 +1,35 @@
+// Dynamic stiffness of a case between two of its ends.
+#pragma once
+
+#include "model/description/case.hpp"
+#include "reduction/dynamic_stiffness.hpp"
+
+#include <functional>
+
+namespace plica {
+
+// The first end against the second, from where the state of the case has it.
+struct EndShift {
+  int direction = 0; // 0..5 = x y z rx ry rz
+  double value = 0;  // m or rad; 0 = the state of the case itself
+};
+
+struct StiffnessRequest {
+  std::vector<std::string> ends;   // names of two caps; none = those of the case
+  Eigen::VectorXd hertz;           // increasing, >= 0
+  std::vector<MotionLevel> levels; // increasing, without that of small motion
+  std::vector<EndShift> shifts;    // none = the state of the case
+  int harmonics = 5, samples = 256;
+  double highest = 0; // Hz, beyond hertz, where the part is asked again later
+};
+
+// Both ends are held rigidly, whatever the mount of the case, and moved one coordinate at a time.
+// Modes up to three times the highest frequency, where the third harmonic of a joint is, and static
+// answers to all that acts. Small motion first, then the levels where anything in the case
+// depends on them. With friction a state moves the part with its joints slipping: their forces act
+// about it and not in it. Throws InputError for ends that are not there, further mounts, a state
+// that is not one of held ends, and shifts with springs whose force depends on where they are.
+DynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
+                                const std::function<void(const std::string&)>& stage);
+
+} // namespace plica
