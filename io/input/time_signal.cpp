@@ -55,7 +55,29 @@ void read_signal(SampledSignal& signal, const UnitPowers& wanted,
 
 } // namespace
 
+namespace {
+
+void read_histories(Life& life, const std::optional<Response>& response,
+                    const std::filesystem::path& folder) {
+  for (std::size_t h = 0; h < life.histories.size(); ++h)
+    for (std::size_t i = 0; i < life.histories[h].signals.size(); ++i) {
+      LifeSignal& s = life.histories[h].signals[i];
+      const int shift = end_shift_index(s.of);
+      if (s.signal.file.empty() || (shift < 0 && !response)) continue;
+      read_signal(s.signal,
+                  shift < 0   ? unit_of(s.of, *response)
+                  : shift < 3 ? powers::displacement
+                              : powers::angle,
+                  folder,
+                  "analyses.life.histories[" + std::to_string(h) + "].signals[" +
+                      std::to_string(i) + "]");
+    }
+}
+
+} // namespace
+
 void read_signals(Case& data, const std::filesystem::path& folder) {
+  if (data.analyses.life) read_histories(*data.analyses.life, data.analyses.response, folder);
   if (!data.analyses.response) return;
   for (std::size_t i = 0; i < data.analyses.transients.size(); ++i) {
     Transient& t = data.analyses.transients[i];
