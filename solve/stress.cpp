@@ -40,7 +40,7 @@ struct Points {
   std::vector<double> thickness;
 };
 
-Points stress_points(const Mesh& mesh) {
+Points points_of(const Mesh& mesh) {
   struct Side {
     Vector3d director;
     double thickness = 0;
@@ -156,7 +156,7 @@ namespace {
 template <class ShellStress, class BeamStress>
 StressField recovered(const Model& model, Eigen::Index columns, const ShellStress& stress_of,
                       const BeamStress& beam_stress) {
-  Points points = stress_points(model.mesh);
+  Points points = points_of(model.mesh);
   StressField field{.shell = shell_stress(model, points, columns, stress_of),
                     .node_of_point = std::move(points.node),
                     .director = std::move(points.director),
@@ -195,6 +195,24 @@ StressField recover_stress(const Model& model, const MatrixXd& u) {
         own << u.middleRows<6>(6 * beam.node1), u.middleRows<6>(6 * beam.node2);
         return MatrixXd(beam_end_stress(beam_geometry(model.mesh, beam), beam.section) * own);
       });
+}
+
+StressField stress_points(const Model& model) {
+  Points points = points_of(model.mesh);
+  return {.shell = MatrixXd(12 * Eigen::Index(points.node.size()), 0),
+          .node_of_point = std::move(points.node),
+          .director = std::move(points.director),
+          .thickness = std::move(points.thickness),
+          .section = std::move(points.section),
+          .beam = {},
+          .node_of_row = {}};
+}
+
+StressField combined(const StressField& field, const MatrixXd& Q) {
+  StressField other = field;
+  other.shell = field.shell * Q;
+  other.beam = field.beam * Q;
+  return other;
 }
 
 StressField stress_of_state(const Model& model) {

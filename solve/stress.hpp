@@ -3,8 +3,8 @@
 // Shells: in-plane stress on both faces in global axes, recovered at the corners of every element
 // turned with the normal of the facet there into the director, and averaged over those that meet in
 // a node with the same director and thickness: a kink or a step of the wall keeps a value for each
-// side. Without the turn the mean of two facets that meet at an angle a is short by 1 - cos a of the
-// stress across the edge. Beams: axial stress of the outermost fibres at both ends of every
+// side. Without the turn the mean of two facets that meet at an angle a is short by 1 - cos a of
+// the stress across the edge. Beams: axial stress of the outermost fibres at both ends of every
 // element.
 //
 // Everything is linear in the displacements, so a field of many columns serves modes, static shapes
@@ -34,6 +34,12 @@ struct StressField {
 
 // u: all DOFs x columns.
 StressField recover_stress(const Model& model, const Eigen::MatrixXd& u);
+
+// The points and fibres alone, without a column.
+StressField stress_points(const Model& model);
+
+// Of other displacements: the columns of `field` times Q.
+StressField combined(const StressField& field, const Eigen::MatrixXd& Q);
 
 // Of a model at a state: one column.
 StressField stress_of_state(const Model& model);

@@ -31,7 +31,7 @@ std::string duty_table(const Results& results) {
   return text_table(rows, 3);
 }
 
-std::string random_table(const Results& results) {
+std::string random_duties(const Results& results) {
   Rows rows{{"", "RMS MPa", "3 sigma", "expected peak", "zero crossings Hz"}};
   for (const DutyResult& d : results.life->duties) {
     if (!d.random) continue;
@@ -122,7 +122,7 @@ std::string duty_mesh_error(const Results& results, const DutyResult& duty) {
 std::string life_summary(const Results& results) {
   if (!results.life || results.life->duties.empty()) return "";
   const LifeResult& life = *results.life;
-  return "\nLife, " + life.measure + "\n" + duty_table(results) + random_table(results) +
+  return "\nLife, " + life.measure + "\n" + duty_table(results) + random_duties(results) +
          spot_table(results) + "  " + life.curve + "\n  " + life_kind(life) + " " +
          repeats_words(life) + "\n";
 }

@@ -45,21 +45,19 @@ LifeCount::LifeCount(const Case& data, const BuiltCase& built)
     : case_(data), life_(*data.analyses.life), model_(built.model),
       nodes_(int(built.model.mesh.nodes.size())), directions_(normal_directions(life_.measure)) {
   const StressField field =
-      built.model.rest ? stress_of_state(built.model)
-                       : recover_stress(built.model, MatrixXd::Zero(dof_count(built.model), 1));
+      built.model.rest ? stress_of_state(built.model) : stress_points(built.model);
   points_ = shell_points(data, built, field);
   if (points_.points.empty())
     input_error("analyses.life", "is that of shells, and the case has none",
                 "a bellows, a plate, a surface or shells of a deck");
-  MatrixXd state = plane_stress(points_, field.shell);
-  take_thickest_ply(points_, state);
-  state_ = state.col(0);
+  state_ = VectorXd::Zero(6 * Index(points_.points.size()));
+  if (built.model.rest) state_ = plane_of(field).col(0);
   for (const WallPoint& p : points_.points)
     at_.push_back(built.model.mesh.nodes[std::size_t(p.node)]);
 }
 
-MatrixXd LifeCount::plane_of(const Model& model, const MatrixXd& u) const {
-  MatrixXd plane = plane_stress(points_, recover_stress(model, u).shell);
+MatrixXd LifeCount::plane_of(const StressField& field) const {
+  MatrixXd plane = plane_stress(points_, field.shell);
   take_thickest_ply(points_, plane);
   return plane;
 }

@@ -35,8 +35,8 @@ public:
   LifeCount(const Case& data, const BuiltCase& built);
 
   // Strokes and histories of movement of the second of two caps, K their stiffness. `built`: the
-  // model of the route. Gives the shapes of the strokes.
-  StaticShapes add_movements(const BuiltCase& built, Route& route, const std::array<int, 2>& caps,
+  // model of the route. Gives the stress of the strokes.
+  StaticStress add_movements(const BuiltCase& built, Route& route, const std::array<int, 2>& caps,
                              const Matrix1212& K);
   // All that acts by excitations, without friction. Throws InputError for what has no answer.
   void add_dynamic(const DampedModes& modes, const Excitations& excited);
@@ -47,7 +47,7 @@ public:
   const std::vector<StressPlace>& places() const { return points_.places; }
 
 private:
-  Eigen::MatrixXd plane_of(const Model& model, const Eigen::MatrixXd& u) const;
+  Eigen::MatrixXd plane_of(const StressField& field) const; // of the thickest ply
   DutyMap new_duty(const std::string& kind, const std::string& name, const std::string& what,
                    double count, const std::string& unit) const;
   void add_stroke(const LifeStroke& stroke, const Eigen::MatrixXd& plane, const Eigen::VectorXd& q);

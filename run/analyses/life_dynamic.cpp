@@ -101,7 +101,8 @@ std::string sweep_words(const LifeSweep& s, const std::string& title, const std:
 void LifeCount::add_dynamic(const DampedModes& modes, const Excitations& excited) {
   if (!needs_response(life_)) return;
   const StressCoordinates coordinates(modes, &excited);
-  const auto plane = std::make_shared<const MatrixXd>(plane_of(model_, coordinates.fields()));
+  const auto plane =
+      std::make_shared<const MatrixXd>(plane_of(recover_stress(model_, coordinates.fields())));
   const auto named = [&](const std::string& of, const std::string& key) -> const Excitation& {
     return excitation_named(of, key + ".of", excited);
   };

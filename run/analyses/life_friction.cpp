@@ -81,7 +81,8 @@ void LifeCount::add_friction_sweep(const LifeSweep& asked, const BuiltCase& slip
   const std::vector<std::size_t> points = sweep_over(branch, true).points;
   const auto count_of = int(points.size());
   if (count_of < 2) throw std::runtime_error("life, sweep " + asked.name + ": no response found");
-  const MatrixXd plane = plane_of(slipping.model, jointed.shapes(Eigen::all, part.modes));
+  const MatrixXd plane =
+      plane_of(recover_stress(slipping.model, jointed.shapes(Eigen::all, part.modes)));
   std::vector<MatrixXd> q;
   MatrixXd C = MatrixXd::Zero(plane.cols(), plane.cols());
   for (const std::size_t p : points) {

@@ -51,21 +51,23 @@ std::string words_of(const EndShift& shift, bool reversed) {
 
 } // namespace
 
-StaticShapes LifeCount::add_movements(const BuiltCase& built, Route& route,
+StaticStress LifeCount::add_movements(const BuiltCase& built, Route& route,
                                       const std::array<int, 2>& caps, const Matrix1212& K) {
   MatrixXd unit = MatrixXd::Zero(12, 6);
   unit.bottomRows<6>().setIdentity();
-  const MatrixXd fields = route.follow(caps, unit), plane = plane_of(built.model, fields);
+  const StressField field = recover_stress(built.model, route.follow(caps, unit));
+  const MatrixXd plane = plane_of(field);
   const Matrix66 motions = end_motions(K);
-  StaticShapes shapes{
-      .u = MatrixXd(fields.rows(), Index(life_.strokes.size())), .names = {}, .kind = "stroke"};
+  StaticStress strokes{.field = {}, .names = {}, .kind = "stroke"};
+  MatrixXd Q(6, Index(life_.strokes.size()));
   for (const LifeStroke& stroke : life_.strokes) {
     const auto shift = stroke.shift.all();
     const VectorXd q = motions * Eigen::Matrix<double, 6, 1>::Map(shift.data());
     add_stroke(stroke, plane, q);
-    shapes.u.col(Index(shapes.names.size())) = fields * q;
-    shapes.names.push_back(stroke.name + ": " + words_of(stroke.shift, stroke.reversed));
+    Q.col(Index(strokes.names.size())) = q;
+    strokes.names.push_back(stroke.name + ": " + words_of(stroke.shift, stroke.reversed));
   }
+  strokes.field = combined(field, Q);
   for (const LifeHistory& history : life_.histories) {
     if (!moves_end(history)) continue;
     MatrixXd q = MatrixXd::Zero(history.signals[0].signal.samples.size(), 6);
@@ -77,7 +79,7 @@ StaticShapes LifeCount::add_movements(const BuiltCase& built, Route& route,
     std::replace(what.begin(), what.end(), '_', ' ');
     add_history(history, what, plane, q);
   }
-  return shapes;
+  return strokes;
 }
 
 void LifeCount::add_stroke(const LifeStroke& stroke, const MatrixXd& plane, const VectorXd& q) {

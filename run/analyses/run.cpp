@@ -179,9 +179,10 @@ private:
 
   void static_stress(const BuiltCase& built, Route& route, const std::array<int, 2>& caps,
                      const Matrix1212& K) {
-    add_static_stresses({.u = route.follow(caps, 1e-3 * parallel_motion(K)),
-                         .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
-                        case_, built, results_);
+    add_static_stresses(
+        {.field = recover_stress(built.model, route.follow(caps, 1e-3 * parallel_motion(K))),
+         .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
+        case_, built, results_);
   }
 
   // Between caps that the mount holds both: what joints bear while they stick, and until they slip.

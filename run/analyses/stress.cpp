@@ -118,11 +118,11 @@ void add_state_stress(const Case& data, const BuiltCase& built, Results& results
       .add_column("state", "the state", 0, 1);
 }
 
-void add_static_stresses(const StaticShapes& shapes, const Case& data, const BuiltCase& built,
+void add_static_stresses(StaticStress stress, const Case& data, const BuiltCase& built,
                          Results& results) {
-  StressLists lists(data, built, recover_stress(built.model, shapes.u), results);
-  for (Eigen::Index k = 0; k < shapes.u.cols(); ++k)
-    lists.add_column(shapes.kind, shapes.names[std::size_t(k)], k, 1);
+  StressLists lists(data, built, std::move(stress.field), results);
+  for (std::size_t k = 0; k < stress.names.size(); ++k)
+    lists.add_column(stress.kind, stress.names[k], Eigen::Index(k), 1);
 }
 
 void add_dynamic_stresses(const Case& data, const BuiltCase& built, const DampedModes& modes,

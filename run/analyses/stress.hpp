@@ -2,12 +2,13 @@
 #pragma once
 
 #include "run/analyses/response.hpp"
+#include "solve/stress.hpp"
 
 namespace plica {
 
-// Shapes of the static stiffness, one column each, with what was applied: "1 mm axial".
-struct StaticShapes {
-  Eigen::MatrixXd u; // all DOFs x shapes
+// Stress of static shapes, one column each, with what was applied: "1 mm axial".
+struct StaticStress {
+  StressField field;
   std::vector<std::string> names;
   std::string kind = "static";
 };
@@ -20,7 +21,7 @@ std::string mode_stress_name(int mode);
 // Of a model at a state.
 void add_state_stress(const Case& data, const BuiltCase& built, Results& results);
 
-void add_static_stresses(const StaticShapes& shapes, const Case& data, const BuiltCase& built,
+void add_static_stresses(StaticStress stress, const Case& data, const BuiltCase& built,
                          Results& results);
 
 // Of the modes, each scaled to a largest displacement of 1 mm; then, when there are excitations,

@@ -251,7 +251,8 @@ FinerRun numbers_of(const Results& fine, const Results& nominal) {
 void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fine,
                      double MeshError::*member, double share, double stress_share) {
   for (ErrorBar& bar : all.bars)
-    bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) / share;
+    bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) /
+                       (bar.key.starts_with("life_") ? stress_share : share);
   for (std::size_t i = 0; i < all.statics.size(); ++i)
     all.statics[i].*member = (fine.statics[i] - nominal.statics->all()[i]) / share;
   for (std::size_t i = 0; i < all.modes.size(); ++i)
