@@ -217,22 +217,23 @@ TEST(LifeOfCase, sweep_through_a_resonance_is_that_by_hand) {
 }
 
 // White acceleration of the base: RMS of a lightly damped oscillator is that of Miles, pi/2 f Q W
-// for its absolute acceleration; of its stretch, over omega^2. Lightly damped: narrow band, and all
-// methods within a few percent of its damage. Rainflow of a record of the same density, drawn with
-// random phases, agrees within the scatter of 600 s (about 250 independent swings, slope 4: 15 %).
+// for its absolute acceleration; of its stretch, over omega^2 (0.25 % more at 5 % of damping).
+// Lightly damped: narrow band, and all methods within a few percent of its damage. Rainflow of a
+// record of the same density, drawn with random phases, agrees within the scatter of 300 s: about
+// 780 independent swings, slope 4, so a standard deviation of sqrt(5 / 780) = 8 %.
 TEST(LifeOfCase, random_motion_is_miles_and_its_history) {
-  MassOnBellows m(0.02);
-  constexpr double W = 0.5, seconds = 600; // (m/s2)2/Hz
+  MassOnBellows m(0.05);
+  constexpr double W = 0.5, seconds = 300; // (m/s2)2/Hz
   m.data.analyses.response->random.emplace();
   m.data.analyses.response->random->level = W;
   m.data.analyses.life->random = {{.name = "road", .of = "y", .duration = seconds}};
-  const double rate = 40 * m.hertz;
+  const double rate = 20 * m.hertz;
   const auto count = Eigen::Index(seconds * rate);
   VectorXd samples = VectorXd::Zero(count);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> phase(0, 2 * pi);
-  const auto [low, high] = m.data.analyses.response->band;
-  for (double f = low; f < high; f += 1 / seconds) { // lines, by a turning phasor each
+  for (double f = 0.2 * m.hertz; f < 4 * m.hertz;
+       f += 1 / seconds) { // lines, by a turning phasor each
     std::complex<double> line = std::polar(std::sqrt(2 * W / seconds), phase(random));
     const std::complex<double> turn = std::polar(1., 2 * pi * f / rate);
     for (Eigen::Index i = 0; i < count; ++i, line *= turn) samples[i] += line.real();
@@ -257,7 +258,7 @@ TEST(LifeOfCase, random_motion_is_miles_and_its_history) {
   }
   EXPECT_NEAR(dirlik / narrow, 1, 0.1);
   EXPECT_NEAR(duty(r, "road").damage / dirlik, 1, 1e-5);
-  EXPECT_NEAR(duty(r, "record").damage / dirlik, 1, 0.3);
+  EXPECT_NEAR(duty(r, "record").damage / dirlik, 1, 0.24);
 }
 
 // A movement of the end as a history: rainflow of the stroke itself.

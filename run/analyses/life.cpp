@@ -1,6 +1,7 @@
 #include "run/analyses/life.hpp"
 
 #include "words/input_error.hpp"
+#include "words/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,9 +125,106 @@ void LifeCount::spread(DutyMap& duty) const {
   }
 }
 
+namespace {
+
+// A site in its worst direction, by damage and then by range.
+struct Worst {
+  Index site = -1, direction = 0;
+  double damage = -1, range = -1;
+  bool counted = false; // it stands for its place and face
+
+  bool operator<(const Worst& o) const {
+    const bool both_infinite = std::isinf(damage) && std::isinf(o.damage);
+    if (!both_infinite && std::abs(damage - o.damage) > 1e-6 * std::max(damage, o.damage))
+      return damage < o.damage;
+    if (std::abs(range - o.range) > 1e-6 * std::max(range, o.range)) return range < o.range;
+    return !counted && o.counted;
+  }
+};
+
+std::vector<Worst> worst_directions(const std::vector<DutyMap>& duties, Index sites,
+                                    Index directions) {
+  MatrixXd damage = MatrixXd::Zero(sites, directions), range = damage;
+  std::vector<char> counted(std::size_t(sites), 0);
+  for (const DutyMap& duty : duties) {
+    damage += duty.damage.cast<double>();
+    range = range.cwiseMax(duty.range.cast<double>());
+    for (const int site : duty.counted) counted[std::size_t(site)] = 1;
+  }
+  std::vector<Worst> worst(static_cast<std::size_t>(sites));
+  for (Index site = 0; site < sites; ++site)
+    for (Index d = 0; d < directions; ++d) {
+      const Worst here{site, d, damage(site, d), range(site, d), counted[std::size_t(site)] != 0};
+      if (worst[std::size_t(site)] < here) worst[std::size_t(site)] = here;
+    }
+  return worst;
+}
+
+// One of each place and face, the worst first.
+std::vector<Worst> worst_of_places(const ShellPoints& points, const std::vector<Worst>& sites) {
+  std::vector<std::array<Worst, 2>> worst(points.places.size());
+  for (const Worst& own : sites) {
+    const WallPoint& p = points.points[std::size_t(own.site / 2)];
+    Worst& of_place = worst[std::size_t(p.place)][std::size_t(own.site % 2)];
+    if (of_place < own) of_place = own;
+  }
+  std::vector<Worst> spots;
+  for (const auto& faces : worst)
+    for (const Worst& w : faces)
+      if (w.site >= 0) spots.push_back(w);
+  std::stable_sort(spots.begin(), spots.end(),
+                   [](const Worst& a, const Worst& b) { return b < a; });
+  return spots;
+}
+
+// A duty where it does most damage, or stresses most.
+DutyResult at_its_spot(const DutyMap& duty, std::size_t number, const std::vector<LifeSpot>& spots,
+                       const std::vector<Worst>& sites, const FatigueCurve& curve) {
+  DutyResult head = duty.head;
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    const LifeSpot &a = spots[i], &b = spots[std::size_t(head.spot)];
+    if (std::pair(a.by_duty[number], a.ranges[number]) >
+        std::pair(b.by_duty[number], b.ranges[number]))
+      head.spot = int(i);
+  }
+  const Worst& w = sites[std::size_t(head.spot)];
+  head.damage = double(duty.damage(w.site, w.direction));
+  head.range = double(duty.range(w.site, w.direction));
+  head.mean = double(duty.mean(w.site, w.direction));
+  head.at_most = duty.bounds(w.site, w.direction) & 1;
+  head.at_least = duty.bounds(w.site, w.direction) & 2;
+  if (head.kind == "stroke" || head.kind == "dwell")
+    head.life = life(curve, {head.range, head.mean});
+  if (duty.random) head.random = duty.random(int(w.site), int(w.direction));
+  return head;
+}
+
+} // namespace
+
+LifeSpot LifeCount::spot_at(Index site, Index direction, double damage) const {
+  const WallPoint& p = points_.points[std::size_t(site / 2)];
+  LifeSpot spot{.place = p.place,
+                .outer = site % 2 != 0,
+                .node = p.node,
+                .at = {},
+                .damage = damage,
+                .by_duty = {},
+                .ranges = {}};
+  Vector3d::Map(spot.at.data()) = at_[std::size_t(site / 2)];
+  spot.direction = life_.measure == StressMeasure::critical_direction
+                       ? pi * double(direction) / direction_count
+                       : std::nan("");
+  for (const DutyMap& duty : duties_) {
+    spot.by_duty.push_back(double(duty.damage(site, direction)));
+    spot.ranges.push_back(double(duty.range(site, direction)));
+    spot.at_most = spot.at_most || (duty.bounds(site, direction) & 1);
+    spot.at_least = spot.at_least || (duty.bounds(site, direction) & 2);
+  }
+  return spot;
+}
+
 LifeResult LifeCount::result() const {
-  const FatigueCurve curve = named(life_.curve);
-  LifeResult result{.curve = what_is_inside(curve),
+  LifeResult result{.curve = what_is_inside(named(life_.curve)),
                     .measure = life_.measure == StressMeasure::critical_direction
                                    ? "normal stress in the critical direction"
                                    : "von Mises stress with its sign",
@@ -136,89 +234,19 @@ LifeResult LifeCount::result() const {
                     .inner = VectorXd::Constant(nodes_, std::nan("")),
                     .outer = VectorXd::Constant(nodes_, std::nan("")),
                     .warnings = warnings_};
-  if (curve.temperature_factor != 1)
-    result.curve += ", temperature factor " + std::to_string(curve.temperature_factor).substr(0, 5);
-  const auto sites = Index(2 * points_.points.size());
-  MatrixXd total = MatrixXd::Zero(sites, directions_.rows()), range = total;
-  std::vector<char> preferred(std::size_t(sites), 0);
-  for (const DutyMap& duty : duties_) {
-    total += duty.damage.cast<double>();
-    range = range.cwiseMax(duty.range.cast<double>());
-    for (const int site : duty.counted) preferred[std::size_t(site)] = 1;
-  }
-  // Of a site: its worst direction, by damage and then by range.
-  struct Worst {
-    Index site = -1, direction = 0;
-    double damage = -1, range = -1;
-    bool preferred = false;
-    bool operator<(const Worst& o) const {
-      if (std::abs(damage - o.damage) > 1e-6 * std::max(damage, o.damage) &&
-          !(std::isinf(damage) && std::isinf(o.damage)))
-        return damage < o.damage;
-      if (std::abs(range - o.range) > 1e-6 * std::max(range, o.range)) return range < o.range;
-      return !preferred && o.preferred;
-    }
-  };
-  std::vector<std::array<Worst, 2>> worst(points_.places.size());
-  for (Index site = 0; site < sites; ++site) {
-    Worst own;
-    for (Index d = 0; d < total.cols(); ++d) {
-      const Worst here{site, d, total(site, d), range(site, d), preferred[std::size_t(site)] != 0};
-      if (own < here) own = here;
-    }
-    const WallPoint& p = points_.points[std::size_t(site / 2)];
-    double& at_node = (site % 2 ? result.outer : result.inner)[p.node];
+  if (life_.curve.temperature_factor != 1)
+    result.curve += ", temperature factor " + short_number(life_.curve.temperature_factor);
+  const std::vector<Worst> sites =
+      worst_directions(duties_, Index(2 * points_.points.size()), directions_.rows());
+  for (const Worst& own : sites) {
+    double& at_node = (own.site % 2 ? result.outer
+                                    : result.inner)[points_.points[std::size_t(own.site / 2)].node];
     at_node = std::isnan(at_node) ? own.damage : std::max(at_node, own.damage);
-    Worst& of_place = worst[std::size_t(p.place)][std::size_t(site % 2)];
-    if (of_place < own) of_place = own;
   }
-  std::vector<Worst> spots;
-  for (const auto& faces : worst)
-    for (const Worst& w : faces)
-      if (w.site >= 0) spots.push_back(w);
-  std::stable_sort(spots.begin(), spots.end(),
-                   [](const Worst& a, const Worst& b) { return b < a; });
-  for (const Worst& w : spots) {
-    const WallPoint& p = points_.points[std::size_t(w.site / 2)];
-    LifeSpot spot{.place = p.place,
-                  .outer = w.site % 2 != 0,
-                  .node = p.node,
-                  .at = {},
-                  .by_duty = {},
-                  .ranges = {}};
-    Vector3d::Map(spot.at.data()) = at_[std::size_t(w.site / 2)];
-    spot.damage = w.damage;
-    spot.direction = life_.measure == StressMeasure::critical_direction
-                         ? pi * double(w.direction) / direction_count
-                         : std::nan("");
-    for (const DutyMap& duty : duties_) {
-      spot.by_duty.push_back(double(duty.damage(w.site, w.direction)));
-      spot.ranges.push_back(double(duty.range(w.site, w.direction)));
-      spot.at_most = spot.at_most || (duty.bounds(w.site, w.direction) & 1);
-      spot.at_least = spot.at_least || (duty.bounds(w.site, w.direction) & 2);
-    }
-    result.spots.push_back(std::move(spot));
-  }
-  for (std::size_t k = 0; k < duties_.size(); ++k) {
-    const DutyMap& duty = duties_[k];
-    DutyResult head = duty.head;
-    for (std::size_t i = 0; i < spots.size(); ++i) {
-      const LifeSpot& a = result.spots[i];
-      const LifeSpot& b = result.spots[std::size_t(head.spot)];
-      if (std::pair(a.by_duty[k], a.ranges[k]) > std::pair(b.by_duty[k], b.ranges[k]))
-        head.spot = int(i);
-    }
-    const Worst& w = spots[std::size_t(head.spot)];
-    head.damage = double(duty.damage(w.site, w.direction));
-    head.range = double(duty.range(w.site, w.direction));
-    head.mean = double(duty.mean(w.site, w.direction));
-    head.at_most = duty.bounds(w.site, w.direction) & 1;
-    head.at_least = duty.bounds(w.site, w.direction) & 2;
-    if (head.kind == "stroke" || head.kind == "dwell")
-      head.life = life(life_.curve, {head.range, head.mean});
-    if (duty.random) head.random = duty.random(int(w.site), int(w.direction));
-    result.duties.push_back(std::move(head));
-  }
+  const std::vector<Worst> spots = worst_of_places(points_, sites);
+  for (const Worst& w : spots) result.spots.push_back(spot_at(w.site, w.direction, w.damage));
+  for (std::size_t k = 0; k < duties_.size(); ++k)
+    result.duties.push_back(at_its_spot(duties_[k], k, result.spots, spots, life_.curve));
   return result;
 }
 

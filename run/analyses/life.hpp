@@ -75,6 +75,7 @@ private:
   void count_amplitude(DutyMap& duty, int site, Eigen::Index direction,
                        const Eigen::Vector3cd& stress, double times) const;
   void spread(DutyMap& duty) const;
+  LifeSpot spot_at(Eigen::Index site, Eigen::Index direction, double damage) const;
 
   const Case& case_;
   const Life& life_;
