@@ -18,6 +18,7 @@
 #include "run/analyses/run.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/study/error_bars.hpp"
+#include "run/study/life_intervals.hpp"
 #include "run/study/refine.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -79,6 +80,7 @@ bool add_error_bars_and_variants(Results& results, const CaseFile& file, const R
       results.warnings.push_back(std::string("error bars left out: ") + error.what());
     }
   }
+  add_life_intervals(file.data, results);
   bool state_found = true;
   double done = first + of_bars;
   const auto add = [&](const Case& changed, const std::string& name,

@@ -36,6 +36,9 @@ struct SpectralMoments {
   double a2() const; // irregularity
 };
 
+// Weights w_i with which sum w_i G_i is the integral of f^n G, G straight between the lines.
+Eigen::VectorXd moment_weights(const Eigen::VectorXd& hertz, double n);
+
 // Exact for a density that is straight between its lines. `hertz` increasing, from 0 on; density in
 // Pa^2/Hz, >= 0. Throws std::invalid_argument.
 SpectralMoments spectral_moments(const Eigen::VectorXd& hertz, const Eigen::VectorXd& density);

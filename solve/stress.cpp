@@ -2,6 +2,8 @@
 
 #include "solve/state_elements.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +12,7 @@ namespace plica {
 namespace {
 
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 // sigma' A sigma = (von Mises)^2.
@@ -32,13 +35,16 @@ template <class F> void for_each_shell(const Mesh& mesh, F&& f) {
 // and one thickness share a point.
 struct Points {
   std::vector<std::array<int, 4>> of_shell; // quads, then triangles
-  std::vector<int> node;
+  std::vector<int> node, section;
+  std::vector<Vector3d> director;
+  std::vector<double> thickness;
 };
 
-Points stress_points(const Mesh& mesh) {
+Points points_of(const Mesh& mesh) {
   struct Side {
-    Eigen::Vector3d director;
+    Vector3d director;
     double thickness = 0;
+    int section = 0;
     std::vector<std::pair<std::size_t, int>> corners; // shell, corner
   };
   std::vector<std::vector<Side>> sides(mesh.nodes.size());
@@ -50,7 +56,7 @@ Points stress_points(const Mesh& mesh) {
       auto side = std::find_if(known.begin(), known.end(), [&](const Side& s) {
         return (s.director - V).norm() < 1e-3 && std::abs(s.thickness - t) < 1e-6 * t;
       });
-      if (side == known.end()) side = known.insert(known.end(), {V, t, {}});
+      if (side == known.end()) side = known.insert(known.end(), {V, t, shell.section, {}});
       side->corners.emplace_back(e, a);
     }
   });
@@ -61,6 +67,9 @@ Points stress_points(const Mesh& mesh) {
       for (const auto& [e, a] : side.corners)
         points.of_shell[e][a] = static_cast<int>(points.node.size());
       points.node.push_back(static_cast<int>(node));
+      points.director.push_back(side.director);
+      points.thickness.push_back(side.thickness);
+      points.section.push_back(side.section);
     }
   return points;
 }
@@ -74,14 +83,48 @@ MatrixXd corner_stress(const Model& model, const ShellTriangle& triangle) {
                                  model.shells[triangle.section].section);
 }
 
+// What a turn R does to (xx yy zz xy yz zx).
+Eigen::Matrix<double, 6, 6> turned_stress(const Eigen::Matrix3d& R) {
+  constexpr std::array<std::array<int, 2>, 6> at{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
+  Eigen::Matrix<double, 6, 6> T;
+  for (int i = 0; i < 6; ++i)
+    for (int k = 0; k < 6; ++k) {
+      const auto [a, b] = at[std::size_t(i)];
+      const auto [c, d] = at[std::size_t(k)];
+      T(i, k) = R(a, c) * R(b, d) + (k < 3 ? 0 : R(a, d) * R(b, c));
+    }
+  return T;
+}
+
+// Turns the stress at the corners of a shell from its facet into its surface.
+template <class Shell> void turn_into_surface(const Mesh& mesh, const Shell& shell, MatrixXd& s) {
+  const auto count = shell.nodes.size();
+  const auto at = [&](std::size_t a) { return mesh.nodes[std::size_t(shell.nodes[a % count])]; };
+  for (std::size_t a = 0; a < count; ++a) {
+    const Vector3d V = shell.directors.col(Eigen::Index(a));
+    const Vector3d n = (at(a + 1) - at(a)).cross(at(a + count - 1) - at(a)).normalized();
+    if (!(n.dot(V) > 0.5) || (n - V).norm() < 1e-9) continue; // a collapsed corner has no normal
+    const Eigen::Matrix<double, 6, 6> T =
+        turned_stress(Eigen::Quaterniond::FromTwoVectors(n, V).toRotationMatrix());
+    for (int face : {0, 1}) {
+      auto rows = s.middleRows<6>(Eigen::Index(12 * a + std::size_t(6 * face)));
+      rows = (T * rows).eval();
+    }
+  }
+}
+
 // Stress at the corners of each shell: corners of one, whatever the threads.
 template <class Shells, class F>
-void add_corner_stresses(const Shells& shells, const F& stress_of, std::vector<MatrixXd>& corner) {
+void add_corner_stresses(const Mesh& mesh, const Shells& shells, const F& stress_of,
+                         std::vector<MatrixXd>& corner) {
   const std::size_t first = corner.size();
   corner.resize(first + shells.size());
   const int count = static_cast<int>(shells.size());
 #pragma omp parallel for schedule(static) if (count > 64)
-  for (int e = 0; e < count; ++e) corner[first + e] = stress_of(shells[e]);
+  for (int e = 0; e < count; ++e) {
+    corner[first + e] = stress_of(shells[e]);
+    turn_into_surface(mesh, shells[e], corner[first + e]);
+  }
 }
 
 // Means of the corners that meet in a point, summed in order.
@@ -89,8 +132,8 @@ template <class F>
 MatrixXd shell_stress(const Model& model, const Points& points, Eigen::Index columns,
                       const F& stress_of) {
   std::vector<MatrixXd> corner;
-  add_corner_stresses(model.mesh.quads, stress_of, corner);
-  add_corner_stresses(model.mesh.triangles, stress_of, corner);
+  add_corner_stresses(model.mesh, model.mesh.quads, stress_of, corner);
+  add_corner_stresses(model.mesh, model.mesh.triangles, stress_of, corner);
   const auto total = static_cast<Eigen::Index>(points.node.size());
   MatrixXd stress = MatrixXd::Zero(12 * total, columns);
   Eigen::VectorXd meeting = Eigen::VectorXd::Zero(total);
@@ -113,9 +156,12 @@ namespace {
 template <class ShellStress, class BeamStress>
 StressField recovered(const Model& model, Eigen::Index columns, const ShellStress& stress_of,
                       const BeamStress& beam_stress) {
-  Points points = stress_points(model.mesh);
+  Points points = points_of(model.mesh);
   StressField field{.shell = shell_stress(model, points, columns, stress_of),
                     .node_of_point = std::move(points.node),
+                    .director = std::move(points.director),
+                    .thickness = std::move(points.thickness),
+                    .section = std::move(points.section),
                     .beam = {},
                     .node_of_row = {}};
   const std::size_t fibres =
@@ -149,6 +195,24 @@ StressField recover_stress(const Model& model, const MatrixXd& u) {
         own << u.middleRows<6>(6 * beam.node1), u.middleRows<6>(6 * beam.node2);
         return MatrixXd(beam_end_stress(beam_geometry(model.mesh, beam), beam.section) * own);
       });
+}
+
+StressField stress_points(const Model& model) {
+  Points points = points_of(model.mesh);
+  return {.shell = MatrixXd(12 * Eigen::Index(points.node.size()), 0),
+          .node_of_point = std::move(points.node),
+          .director = std::move(points.director),
+          .thickness = std::move(points.thickness),
+          .section = std::move(points.section),
+          .beam = {},
+          .node_of_row = {}};
+}
+
+StressField combined(const StressField& field, const MatrixXd& Q) {
+  StressField other = field;
+  other.shell = field.shell * Q;
+  other.beam = field.beam * Q;
+  return other;
 }
 
 StressField stress_of_state(const Model& model) {

@@ -1,9 +1,11 @@
 // Stress of shells and beams from displacements, and the measures read off it.
 //
 // Shells: in-plane stress on both faces in global axes, recovered at the corners of every element
-// and averaged over those that meet in a node with the same director and thickness: a kink or a
-// step of the wall keeps a value for each side. Beams: axial stress of
-// the outermost fibres at both ends of every element.
+// turned with the normal of the facet there into the director, and averaged over those that meet in
+// a node with the same director and thickness: a kink or a step of the wall keeps a value for each
+// side. Without the turn the mean of two facets that meet at an angle a is short by 1 - cos a of
+// the stress across the edge. Beams: axial stress of the outermost fibres at both ends of every
+// element.
 //
 // Everything is linear in the displacements, so a field of many columns serves modes, static shapes
 // and, by superposition, harmonic and random responses.
@@ -22,12 +24,22 @@ struct StressField {
   // Row 12 point + 6 face + component (xx yy zz xy yz zx), Pa. Points in the order of their nodes.
   Eigen::MatrixXd shell;
   std::vector<int> node_of_point;
+  // Of each point: unit director, thickness (m), section of the model.
+  std::vector<Eigen::Vector3d> director;
+  std::vector<double> thickness;
+  std::vector<int> section;
   Eigen::MatrixXd beam;         // row: fibre, Pa
   std::vector<int> node_of_row; // where that fibre is
 };
 
 // u: all DOFs x columns.
 StressField recover_stress(const Model& model, const Eigen::MatrixXd& u);
+
+// The points and fibres alone, without a column.
+StressField stress_points(const Model& model);
+
+// Of other displacements: the columns of `field` times Q.
+StressField combined(const StressField& field, const Eigen::MatrixXd& Q);
 
 // Of a model at a state: one column.
 StressField stress_of_state(const Model& model);

@@ -25,14 +25,14 @@ double static_acceleration(const VectorXd& f, Index i, double dt, double lambda)
   return (before - 2 * f[i] + f[i + 1]) / (dt * dt * lambda);
 }
 
-} // namespace
-
-MatrixXd transient_acceleration(const ModalModel& model, const MatrixXd& load, double dt) {
+// Of every column; none: it follows the load statically.
+std::vector<std::optional<Oscillator>> oscillators_of(const ModalModel& model, const MatrixXd& load,
+                                                      double dt) {
   if (load.rows() < 2 || load.cols() != model.input.cols() || !(dt > 0) ||
       !(model.lambda.array() > 0).all())
     throw std::invalid_argument("transient: at least two samples of every load, a step above zero "
                                 "and modes with stiffness");
-  const Index modes = model.lambda.size(), samples = load.rows();
+  const Index modes = model.lambda.size();
   const double fastest = std::numbers::pi / dt; // rad/s, half of the sampling rate
   std::vector<std::optional<Oscillator>> oscillators(static_cast<std::size_t>(modes));
   for (Index j = 0; j < modes; ++j) {
@@ -41,6 +41,29 @@ MatrixXd transient_acceleration(const ModalModel& model, const MatrixXd& load, d
       oscillators[std::size_t(j)].emplace(omega,
                                           std::min(model.zeta[j] + model.eta[j] / 2, 1 - 1e-9), dt);
   }
+  return oscillators;
+}
+
+} // namespace
+
+MatrixXd transient_coordinates(const ModalModel& model, const MatrixXd& load, double dt) {
+  std::vector<std::optional<Oscillator>> oscillators = oscillators_of(model, load, dt);
+  MatrixXd q(load.rows(), model.lambda.size());
+#pragma omp parallel for schedule(static)
+  for (Index j = 0; j < q.cols(); ++j) {
+    const VectorXd f = load * model.input.row(j).transpose();
+    std::optional<Oscillator>& o = oscillators[std::size_t(j)];
+    for (Index i = 0; i < q.rows(); ++i) {
+      if (o && i > 0) o->step(f[i - 1], f[i]);
+      q(i, j) = o ? o->q() : f[i] / model.lambda[j];
+    }
+  }
+  return q;
+}
+
+MatrixXd transient_acceleration(const ModalModel& model, const MatrixXd& load, double dt) {
+  std::vector<std::optional<Oscillator>> oscillators = oscillators_of(model, load, dt);
+  const Index modes = model.lambda.size(), samples = load.rows();
   MatrixXd channels(samples, model.output.rows());
   constexpr Index block = 4096; // samples whose modal accelerations stay in the cache
   MatrixXd acceleration(std::min(block, samples), modes);

@@ -19,4 +19,8 @@ namespace plica {
 Eigen::MatrixXd transient_acceleration(const ModalModel& model, const Eigen::MatrixXd& load,
                                        double dt);
 
+// The coordinates q of its columns in place of accelerations of channels: samples x columns.
+Eigen::MatrixXd transient_coordinates(const ModalModel& model, const Eigen::MatrixXd& load,
+                                      double dt);
+
 } // namespace plica

@@ -62,7 +62,7 @@ const std::vector<DimensionInfo>& table() {
       {Dimension::rotational_damping,
        "rotational damping coefficient",
        {{"Nm s/rad", 1}, {"kNm s/rad", 1e3}}},
-      {Dimension::time, "time", {{"s", 1}, {"ms", 1e-3}, {"min", 60}}},
+      {Dimension::time, "time", {{"s", 1}, {"ms", 1e-3}, {"min", 60}, {"h", 3600}}},
       {Dimension::frequency, "frequency", {{"Hz", 1}, {"kHz", 1e3}}},
       {Dimension::rotational_speed, "speed of rotation", {{"1/s", 1}, {"rpm", 1 / 60.}}},
       {Dimension::acceleration, "acceleration", {{"m/s2", 1}, {"mm/s2", 1e-3}, {"g", 9.80665}}},

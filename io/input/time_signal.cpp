@@ -55,14 +55,50 @@ void read_signal(SampledSignal& signal, const UnitPowers& wanted,
 
 } // namespace
 
+namespace {
+
+// Every signal with what it must be measured in and its key.
+struct WantedSignal {
+  SampledSignal& signal;
+  UnitPowers unit;
+  std::string key;
+};
+
+std::vector<WantedSignal> signals_of(Analyses& a) {
+  std::vector<WantedSignal> all;
+  for (std::size_t i = 0; a.response && i < a.transients.size(); ++i)
+    if (Transient& t = a.transients[i]; t.signal)
+      all.push_back({*t.signal, unit_of(t.of, *a.response),
+                     "analyses.transients[" + std::to_string(i) + "].signal"});
+  if (!a.life) return all;
+  for (std::size_t h = 0; h < a.life->histories.size(); ++h)
+    for (std::size_t i = 0; i < a.life->histories[h].signals.size(); ++i) {
+      LifeSignal& s = a.life->histories[h].signals[i];
+      const int shift = end_shift_index(s.of);
+      if (shift < 0 && !a.response) continue;
+      all.push_back({s.signal,
+                     shift < 0   ? unit_of(s.of, *a.response)
+                     : shift < 3 ? powers::displacement
+                                 : powers::angle,
+                     "analyses.life.histories[" + std::to_string(h) + "].signals[" +
+                         std::to_string(i) + "]"});
+    }
+  return all;
+}
+
+} // namespace
+
 void read_signals(Case& data, const std::filesystem::path& folder) {
-  if (!data.analyses.response) return;
-  for (std::size_t i = 0; i < data.analyses.transients.size(); ++i) {
-    Transient& t = data.analyses.transients[i];
-    if (t.signal && !t.signal->file.empty())
-      read_signal(*t.signal, unit_of(t.of, *data.analyses.response), folder,
-                  "analyses.transients[" + std::to_string(i) + "].signal");
+  std::vector<InputProblem> problems;
+  for (const WantedSignal& wanted : signals_of(data.analyses)) {
+    if (wanted.signal.file.empty()) continue;
+    try {
+      read_signal(wanted.signal, wanted.unit, folder, wanted.key);
+    } catch (const InputError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
   }
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 } // namespace plica

@@ -7,7 +7,7 @@
 
 namespace plica {
 
-// Fills what the transients of the case act with from the files in a folder. Throws InputError,
+// Fills what transients and histories of the case act with from the files in a folder. Throws InputError,
 // with the file or the key ("analyses.transients[0].signal.channel").
 void read_signals(Case& data, const std::filesystem::path& folder);
 

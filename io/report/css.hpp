@@ -84,6 +84,8 @@ figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { displ
   pointer-events: none; text-shadow: 0 0 3px var(--paper), 0 0 3px var(--paper); }
 .viewer .sensor::before { content: ""; position: absolute; left: -1.15em; top: 0.3em; width: 0.6em;
   height: 0.6em; border-radius: 50%; background: var(--paper); border: 2px solid var(--ink); }
+.viewer .hot::before { background: #d55e00; } .scale { display: inline-flex; align-items: center; gap: 0.4rem; color: var(--ink); }
+.scale .bar { display: inline-block; width: 9rem; height: 0.8rem; border-radius: 2px; } [hidden] { display: none !important; }
 [data-mode] { cursor: pointer; } .u-legend { text-align: left !important; }
 .u-select { background: var(--accent); opacity: 0.15; }
 pre { overflow-x: auto; background: var(--panel); padding: 0.7rem 1rem; font-size: 0.8125rem; }

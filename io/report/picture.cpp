@@ -80,7 +80,8 @@ std::string sensor_marks(const Results& results, const View& view, const Frame& 
   return svg + "</g>\n";
 }
 
-std::string legend() {
+// A colour scale with the words of its quarters.
+std::string legend(const std::array<std::string, 5>& words) {
   std::string svg = "<svg class=\"legend\" viewBox=\"0 0 352 44\" role=\"img\" aria-label=\"colour "
                     "scale\"><defs><linearGradient id=\"viridis\">";
   for (int stop = 0; stop <= 8; ++stop) {
@@ -93,7 +94,7 @@ std::string legend() {
                        tick == 0   ? "start"
                        : tick == 4 ? "end"
                                    : "middle",
-                       0.25 * tick);
+                       html_escape(words[std::size_t(tick)]));
   }
   return svg + "</g></svg>\n";
 }
@@ -144,6 +145,32 @@ std::string part_picture(const Results& results) {
          "</svg></figure>\n";
 }
 
+std::string field_picture(const Results& results, const ShownField& field) {
+  const Selection selection = select(results);
+  if (selection.used.empty()) return "";
+  const View view = view_of(selection.used);
+  const Frame frame = frame_round(view, selection.used, 0.06 * selection.size, 1780);
+  const Eigen::VectorXd& shares = field.spot_above ? field.above : field.below;
+  Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
+  scene.colour = [&](const int* corners, int count, double shade) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i) sum += shares[corners[i]];
+    return count < 4 ? steel(shade) : viridis(sum / count, 0.7 + 0.35 * shade);
+  };
+  const Eigen::Vector2d at = frame.place(view.project(Eigen::Vector3d::Map(field.at.data())));
+  const bool left = at.x() > 0.6 * frame.width; // of the mark, so that the name stays inside
+  return "<figure class=\"part\">" + svg_open(frame, field.name) + drawn(scene, view, frame) +
+         fmt::format("<g font-size=\"34\"><circle class=\"pin\" cx=\"{:.0f}\" cy=\"{:.0f}\" "
+                     "r=\"13\"/><text class=\"tag\" text-anchor=\"{}\" x=\"{:.0f}\" "
+                     "y=\"{:.0f}\">{}</text></g></svg>\n",
+                     at.x(), at.y(), left ? "end" : "start", at.x() + (left ? -24 : 24),
+                     at.y() + 12, html_escape(field.spot)) +
+         legend({field.scale[0], "", "", "", field.scale[1] + " " + field.unit}) +
+         fmt::format("<figcaption>{}, {} face. Hot spot: {}.</figcaption></figure>\n",
+                     html_escape(field.name), field.spot_above ? "outer" : "inner",
+                     html_escape(field.spot));
+}
+
 std::string mode_picture(const Results& results, std::size_t mode) {
   if (mode >= results.shapes.size()) return "";
   const Selection selection = select(results);
@@ -167,7 +194,7 @@ std::string mode_pictures(const Results& results, int most) {
     html += fmt::format("<figure data-mode=\"{}\">", mode) +
             mode_figure(results, mode, selection, view, frame);
   }
-  return html + "</div>\n<figure>" + legend() +
+  return html + "</div>\n<figure>" + legend({"0", "0.25", "0.5", "0.75", "1"}) +
          "<figcaption>Displacement / its largest value in the mode. Drawn with the largest at 5 % "
          "of the size of the part; dashed: outline at rest.</figcaption></figure>\n";
 }

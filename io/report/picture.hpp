@@ -5,7 +5,7 @@
 // flat across another axis is seen along that axis instead; the triad says which is which.
 #pragma once
 
-#include "run/results/results.hpp"
+#include "io/report/fields.hpp"
 
 #include <string>
 
@@ -13,6 +13,9 @@ namespace plica {
 
 // The undeformed part with its sensors; empty without elements.
 std::string part_picture(const Results& results);
+
+// The part coloured by a field on the face of its hot spot, which is marked, with the scale.
+std::string field_picture(const Results& results, const ShownField& field);
 
 // One mode, as mode_pictures() has them; empty where it has no shape.
 std::string mode_picture(const Results& results, std::size_t mode);

@@ -7,6 +7,7 @@
 #include "io/report/profile.hpp"
 #include "io/report/response.hpp"
 #include "io/report/state.hpp"
+#include "io/report/stress.hpp"
 #include "io/report/superelements.hpp"
 #include "io/report/tables.hpp"
 #include "io/report/time_histories.hpp"
@@ -71,6 +72,7 @@ std::string report_html(const Results& results) {
   html += html_section("run_ups", "Orders of the engine", run_ups_html(results));
   html += html_section("levels", "Response over the level", levels_html(results));
   html += html_section("stress", "Stress", stresses_html(results));
+  html += html_section("life", "Life", life_html(results));
   html += html_section("variants", "What the assumed quantities do",
                        variants_html(results) + variants_comparison_html(results));
   html += html_section("assumptions", "Assumptions", html_list(results.assumptions));

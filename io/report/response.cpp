@@ -157,33 +157,4 @@ std::string responses_html(const Results& results) {
   return html;
 }
 
-std::string stresses_html(const Results& results) {
-  if (results.stresses.empty()) return "";
-  bool beams = false;
-  for (const StressResult& s : results.stresses) beams = beams || s.largest_beam > 0;
-  std::vector<HtmlColumn> columns{
-      {"stress of", "", false}, {"von Mises", "MPa"}, {"face", "", false},
-      {"at x", "mm"},           {"y", "mm"},          {"z", "mm"}};
-  if (beams) columns.push_back({"beams, axial", "MPa"});
-  const std::vector<MeshError>& errors = results.error_bars.stresses;
-  if (!errors.empty()) columns.push_back({"mesh error", "%"});
-  std::vector<HtmlRow> rows;
-  for (const StressResult& s : results.stresses) {
-    HtmlRow row{{html_escape(s.name), html_number(s.largest / 1e6, 4), s.face}, ""};
-    for (const double x : s.at) row.cells.push_back(html_fixed(1e3 * x, 1));
-    if (beams) row.cells.push_back(html_number(s.largest_beam / 1e6, 4));
-    if (!errors.empty()) {
-      const double share = errors[rows.size()].total() / std::max(s.largest, s.largest_beam);
-      row.cells.push_back(std::isfinite(share) ? html_signed(100 * share, 1) : "–");
-    }
-    rows.push_back(std::move(row));
-  }
-  return html_table(
-      "Largest over the part. Shells on both faces (above: the side the normal points "
-      "to, outside of a pipe); harmonic: largest over a cycle. Mesh error: what the largest of the "
-      "row is estimated to change by on a converged mesh. Fields in "
-      "<code>stress.vtu</code>.",
-      columns, rows);
-}
-
 } // namespace plica

@@ -7,6 +7,5 @@ namespace plica {
 
 // Empty when the run has no response.
 std::string responses_html(const Results& results);
-std::string stresses_html(const Results& results); // table of the largest ones
 
 } // namespace plica

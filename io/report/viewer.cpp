@@ -3,6 +3,7 @@
 #include "io/files/json_text.hpp"
 #include "io/report/colour.hpp"
 #include "io/report/drawn_shapes.hpp"
+#include "io/report/fields.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/surface.hpp"
 #include "io/tables/text.hpp"
@@ -11,13 +12,14 @@
 #include <vtkBase64Utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace plica {
 namespace {
 
 constexpr int quad_budget = 7000;
-constexpr std::size_t most_modes = 12;
+constexpr std::size_t most_modes = 12, most_fields = 24;
 
 std::string base64(std::string_view bytes) {
   std::string text(4 * ((bytes.size() + 2) / 3), ' ');
@@ -62,6 +64,32 @@ std::vector<SurfaceShape> shapes_of(const Results& results, const Drawn& d) {
   return shapes;
 }
 
+// Shares as 16 bits each, little endian, in the order of the drawn nodes.
+std::string shares_of(const Eigen::VectorXd& shares, const Drawn& d) {
+  std::string bytes;
+  for (const int node : d.nodes) {
+    const double share = std::isfinite(shares[node]) ? std::clamp(shares[node], 0., 1.) : 0.;
+    const auto number = static_cast<unsigned>(std::lround(65535 * share));
+    bytes += char(number & 255u);
+    bytes += char(number >> 8u);
+  }
+  return base64(bytes);
+}
+
+nlohmann::ordered_json fields_of(const Results& results, const Drawn& d) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ShownField& f : shown_fields(results, most_fields))
+    list.push_back({{"name", f.name},
+                    {"unit", f.unit},
+                    {"scale", {f.scale[0], f.scale[1]}},
+                    {"spot", f.spot},
+                    {"at", {f.at[0], f.at[1], f.at[2]}},
+                    {"spot_above", f.spot_above},
+                    {"below", shares_of(f.below, d)},
+                    {"above", shares_of(f.above, d)}});
+  return list;
+}
+
 } // namespace
 
 std::string part_viewer(const Results& results, const std::string& drawing) {
@@ -80,6 +108,7 @@ std::string part_viewer(const Results& results, const std::string& drawing) {
       const Eigen::Vector3d& x = results.mesh.nodes[std::size_t(s.node)];
       data["sensors"].push_back({{"name", s.name}, {"at", {x.x(), x.y(), x.z()}}});
     }
+  if (const auto fields = fields_of(results, d); !fields.empty()) data["fields"] = fields;
   data["glb"] = base64(glb_of(d.surface, shapes));
   return "<figure class=\"viewer\">\n" + drawing + json_script(json_in_page(data)) + "</figure>\n";
 }

@@ -2,6 +2,7 @@
 
 #include "io/files/json_text.hpp"
 #include "io/tables/levels_json.hpp"
+#include "io/tables/life_json.hpp"
 #include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
 #include "io/tables/time_json.hpp"
@@ -256,6 +257,8 @@ std::string results_json(const Results& r) {
   if (!r.families.empty()) json["levels"] = levels_json(r);
   json["stresses"] = list_of(r.stresses);
   add_mesh_errors(json["stresses"], r.error_bars.stresses);
+  if (!r.stress_tables.empty()) json["stress_places"] = stress_places_json(r);
+  if (r.life) json["life"] = life_json(r);
   json["error_bars"] = json_of(r.error_bars);
   json["headline"] = named_numbers(headline(r));
   json["comparison"] = list_of(r.comparison);

@@ -1,6 +1,7 @@
 #include "io/tables/summary.hpp"
 
 #include "io/tables/levels_csv.hpp"
+#include "io/tables/life_words.hpp"
 #include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
 
@@ -204,18 +205,6 @@ std::string random_table(const Results& results) {
   return rows.size() == 1 ? "" : "\nLargest random motion\n" + aligned(rows, "<<>>");
 }
 
-std::string stress_table(const Results& results) {
-  std::vector<Row> rows{{"", "MPa", "at x, y, z mm"}};
-  for (const StressResult& s : results.stresses) {
-    const bool beam = s.largest_beam > s.largest;
-    const auto& at = beam ? s.beam_at : s.at;
-    rows.push_back({s.name, significant(1e-6 * std::max(s.largest, s.largest_beam), 4),
-                    fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * at[0], 1e3 * at[1], 1e3 * at[2]) +
-                        (beam ? ", a beam" : "")});
-  }
-  return rows.size() == 1 ? "" : "\nLargest stress\n" + aligned(rows, "<><");
-}
-
 std::string transients_table(const Results& results) {
   std::vector<Row> rows{{"", "input", "sensor", "peak m/s2", "at ms", "RMS m/s2"}};
   for (const TransientResult& t : results.transients)
@@ -302,7 +291,8 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   text += state_table(results) + states_table(results) + spread_table(results) +
           error_table(results) + statics_table(results) + modes_table(results) +
           peaks_table(results) + random_table(results) + transients_table(results) +
-          crossings_table(results) + levels_table(results) + stress_table(results);
+          crossings_table(results) + levels_table(results) + stress_summary(results) +
+          life_summary(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

@@ -124,6 +124,7 @@ std::string stiffness_unit(std::size_t which) {
 ShownUnit shown_unit(double value, const std::string& unit) {
   const bool is_stiffness = unit == "N/m" || unit == "Nm/rad";
   if (is_stiffness && std::abs(value) >= 1e4) return {1e-3, "k" + unit};
+  if (unit == "Pa") return {1e-6, "MPa"};
   return {1, unit};
 }
 
@@ -134,6 +135,7 @@ HeadlineQuantity quantity_of(const std::string& key) {
   std::replace(rest.begin(), rest.end(), '_', ' ');
   if (key.starts_with("k_")) return {key, rest + " stiffness", "N/m"};
   if (key.starts_with("f_")) return {key, "first " + rest + " mode", "Hz"};
+  if (key.starts_with("life_")) return {key, "stress range, " + key.substr(5), "Pa"};
   if (key == "mass") return {key, "mass", "kg"};
   return {key, key, ""};
 }
@@ -141,6 +143,7 @@ HeadlineQuantity quantity_of(const std::string& key) {
 int rank(const std::string& key) {
   static const std::map<std::string, int> ranks{
       {"k_axial", 0}, {"f_axial", 1}, {"f_transverse", 2}, {"f_torsion", 3}, {"mass", 5}};
+  if (key.starts_with("life_")) return 6;
   const auto known = ranks.find(key);
   return known == ranks.end() ? 4 : known->second;
 }

@@ -78,7 +78,7 @@ void add_shapes(vtkUnstructuredGrid& grid, const Results& results) {
   }
 }
 
-// Von Mises stress in Pa on both faces of the shells.
+// Von Mises stress in Pa on both faces of the shells, and the damage of a life.
 void add_stresses(vtkUnstructuredGrid& grid, const Results& results) {
   for (const StressResult& s : results.stresses)
     for (const auto& [face, values] :
@@ -90,6 +90,23 @@ void add_stresses(vtkUnstructuredGrid& grid, const Results& results) {
         array->SetValue(node, (*values)[node]);
       grid.GetPointData()->AddArray(array);
     }
+}
+
+void add_life(vtkUnstructuredGrid& grid, const Results& results) {
+  for (const auto& [name, values] :
+       {std::pair{"damage below", &results.life->inner}, {"damage above", &results.life->outer}}) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(values->size());
+    for (Eigen::Index node = 0; node < values->size(); ++node)
+      array->SetValue(node, (*values)[node]);
+    grid.GetPointData()->AddArray(array);
+  }
+}
+
+void add_stresses_and_life(vtkUnstructuredGrid& grid, const Results& results) {
+  add_stresses(grid, results);
+  if (results.life) add_life(grid, results);
 }
 
 // The mesh with the fields that `add` puts on it.
@@ -115,7 +132,7 @@ std::string modes_vtu(const Results& results) {
 }
 
 std::string stress_vtu(const Results& results) {
-  return vtu(results, add_stresses);
+  return vtu(results, add_stresses_and_life);
 }
 
 } // namespace plica

@@ -5,6 +5,7 @@
 #include "io/tables/csv.hpp"
 #include "io/tables/json.hpp"
 #include "io/tables/levels_csv.hpp"
+#include "io/tables/life_csv.hpp"
 #include "io/tables/text.hpp"
 #include "io/tables/time_csv.hpp"
 #include "io/universal/signals.hpp"
@@ -32,6 +33,13 @@ void add_response(std::vector<std::string>& names, const std::string& of, bool r
   names.push_back("response_" + of + ".csv");
   names.push_back("motion_" + of + ".csv");
   if (random) names.push_back("random_" + of + ".csv");
+}
+
+void add_life(const Results& results, OutputFolder& out) {
+  out.add("life.csv", life_csv(results));
+  out.add("life_duties.csv", life_duties_csv(results));
+  for (const DutyResult& duty : results.life->duties)
+    if (duty.random) out.add(life_density_file(duty.name), life_density_csv(duty));
 }
 
 } // namespace
@@ -66,7 +74,13 @@ std::vector<std::string> result_files(const Case& data) {
       names.push_back("levels_force_" + force.name + ".csv");
     names.insert(names.end(), {"level_peaks.csv", "level_joints.csv", "level_backbones.csv"});
   }
-  if (data.analyses.stress) names.insert(names.end(), {"stress.csv", "stress.vtu"});
+  if (data.analyses.stress || (data.analyses.life && !data.analyses.life->strokes.empty()))
+    names.insert(names.end(), {"stress.csv", "stress_places.csv", "stress_meridian.csv"});
+  if (data.analyses.stress || data.analyses.life) names.emplace_back("stress.vtu");
+  if (const auto& life = data.analyses.life) {
+    names.insert(names.end(), {"life.csv", "life_duties.csv"});
+    for (const LifeRandom& r : life->random) names.push_back(life_density_file(r.name));
+  }
   if (data.analyses.error_bars) names.emplace_back("error_bars.csv");
   return names;
 }
@@ -99,8 +113,11 @@ void write_results(const Results& results, OutputFolder& out) {
   }
   if (!results.stresses.empty()) {
     out.add("stress.csv", stress_csv(results));
-    out.add("stress.vtu", stress_vtu(results));
+    out.add("stress_places.csv", stress_places_csv(results));
+    out.add("stress_meridian.csv", stress_meridian_csv(results));
   }
+  if (!results.stresses.empty() || results.life) out.add("stress.vtu", stress_vtu(results));
+  if (results.life) add_life(results, out);
   if (!results.error_bars.bars.empty()) out.add("error_bars.csv", error_bars_csv(results));
   out.add("simulated.yaml", simulated_yaml(as_measured(results)));
   if (const std::string text = responses_uff(results); !text.empty())

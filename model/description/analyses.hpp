@@ -1,6 +1,7 @@
 // What is asked of a case (case.hpp): modes, damping, responses, levels, stress.
 #pragma once
 
+#include "model/description/life_request.hpp"
 #include "model/description/time_analyses.hpp"
 #include "solve/joint_method.hpp"
 
@@ -177,6 +178,7 @@ struct Analyses {
   std::vector<RunUp> run_ups = {};
   std::optional<Levels> levels;
   std::optional<Stress> stress;
+  std::optional<Life> life = {};
   bool error_bars = true; // discretisation and tolerances of the headline numbers
 };
 

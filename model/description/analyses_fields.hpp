@@ -3,6 +3,7 @@
 
 #include "model/description/analyses.hpp"
 #include "model/description/friction_fields.hpp"
+#include "model/description/life_fields.hpp"
 #include "model/description/time_analyses_fields.hpp"
 #include "words/field_types.hpp"
 
@@ -196,6 +197,7 @@ template <class V> void fields(V& v, Analyses& a) {
            "response at several levels with the friction of the joints");
   v.object(a.stress, "stress", optional_key,
            "stresses: static, of the modes, harmonic, RMS of a random response");
+  v.object(a.life, "life", optional_key, "fatigue life of the shells");
   v.flag(a.error_bars, "error_bars",
          "error of the mesh and interval from the tolerances beside the headline numbers");
 }

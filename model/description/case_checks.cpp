@@ -2,6 +2,7 @@
 
 #include "model/description/check_log.hpp"
 #include "model/description/friction_checks.hpp"
+#include "model/description/life_checks.hpp"
 #include "model/description/node_sets.hpp"
 #include "model/description/operating_state_checks.hpp"
 #include "model/description/part_checks.hpp"
@@ -175,6 +176,7 @@ std::vector<InputProblem> check_case(const Case& data, const std::vector<std::st
     log.set_reference(item("supports", i) + ".set", data.supports[i].set);
   check_sensors(data, log);
   check_analyses(data, log);
+  check_life(data, log);
   check_friction(data, log);
   check_spring_damping(data, log);
   check_operating_state(data, log);

@@ -22,8 +22,8 @@ using Eigen::MatrixXd;
 class Dynamics {
 public:
   Dynamics(const Case& data, const BuiltCase& built, Route& route, const StageListener& stage,
-           Results& results)
-      : case_(data), built_(built), route_(route), stage_(stage), results_(results) {}
+           LifeCount* life, Results& results)
+      : case_(data), built_(built), route_(route), stage_(stage), life_(life), results_(results) {}
 
   void run() {
     const Modes& asked = *case_.analyses.modes;
@@ -45,12 +45,15 @@ public:
     verify(solution.proof, solution.with_mass);
     lap("labels");
     if (excited) respond(*response, damped, *excited);
-    if (!case_.analyses.stress) return;
-    stage_("stress");
-    for (StressResult& s : dynamic_stresses(*case_.analyses.stress, response ? &*response : nullptr,
-                                            built_.model, damped, excited ? &*excited : nullptr))
-      results_.stresses.push_back(std::move(s));
-    lap("stress");
+    if (case_.analyses.stress) {
+      stage_("stress");
+      add_dynamic_stresses(case_, built_, damped, excited ? &*excited : nullptr, results_);
+      lap("stress");
+    }
+    if (!life_ || !excited) return;
+    stage_("life");
+    life_->add_dynamic(damped, *excited);
+    lap("life");
   }
 
 private:
@@ -252,6 +255,7 @@ private:
   const BuiltCase& built_;
   Route& route_;
   const StageListener& stage_;
+  LifeCount* life_;
   Results& results_;
   Stopwatch watch_;
 };
@@ -259,8 +263,8 @@ private:
 } // namespace
 
 void run_dynamics(const Case& data, const BuiltCase& built, Route& route,
-                  const StageListener& stage, Results& results) {
-  Dynamics(data, built, route, stage, results).run();
+                  const StageListener& stage, LifeCount* life, Results& results) {
+  Dynamics(data, built, route, stage, life, results).run();
 }
 
 } // namespace plica

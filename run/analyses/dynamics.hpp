@@ -1,14 +1,15 @@
 // The dynamics of a run: modes with their proof, responses, transients, run-ups, dynamic stress.
 #pragma once
 
+#include "run/analyses/life.hpp"
 #include "run/results/results.hpp"
 #include "run/routes/route.hpp"
 
 namespace plica {
 
-// What case.analyses asks for beside its modes goes into the results. Throws InputError for what
-// cannot be answered.
+// What case.analyses asks for beside its modes goes into the results, and into `life` where there
+// is one. Throws InputError for what cannot be answered.
 void run_dynamics(const Case& data, const BuiltCase& built, Route& route,
-                  const StageListener& stage, Results& results);
+                  const StageListener& stage, LifeCount* life, Results& results);
 
 } // namespace plica

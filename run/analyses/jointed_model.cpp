@@ -78,6 +78,7 @@ JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& r
   add_damping(data.analyses.damping, slipping.model, solution, model.structure);
   model.input = solution.input.leftCols(count);
   model.output = at_sensors(slipping, solution.u);
+  model.shapes = solution.u;
   model.rigid = at_sensors(slipping, excited.loads.rigid);
   for (const BuiltSensor& s : slipping.sensors)
     for (const char* axis : {"x", "y", "z"}) model.channels.emplace_back(s.name, axis);
@@ -125,6 +126,7 @@ ExcitedPart excited_part(const JointedModel& model, int excitation) {
   for (int j : part.joints) part.structure.laws.push_back(s.laws[std::size_t(j)]);
   part.output = model.output(Eigen::all, modes);
   part.rigid = model.rigid.col(excitation);
+  part.modes = std::move(modes);
   return part;
 }
 

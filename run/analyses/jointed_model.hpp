@@ -14,6 +14,7 @@ struct JointedModel {
   JointedStructure structure; // its input is that of the first excitation
   Eigen::MatrixXd input;      // modes x excitations
   Eigen::MatrixXd output;     // channels x modes: displacement
+  Eigen::MatrixXd shapes;     // all DOFs x modes
   Eigen::MatrixXd rigid;      // channels x excitations: motion of the base itself
   std::vector<std::pair<std::string, std::string>> channels; // sensor, axis
   std::vector<Excitation> excitations;
@@ -29,7 +30,7 @@ struct ExcitedPart {
   JointedStructure structure;
   Eigen::MatrixXd output; // channels x its modes
   Eigen::VectorXd rigid;
-  std::vector<int> joints; // of the whole
+  std::vector<int> joints, modes; // of the whole
 };
 ExcitedPart excited_part(const JointedModel& model, int excitation);
 

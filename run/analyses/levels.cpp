@@ -37,17 +37,6 @@ VectorXcd acceleration(const ExcitedPart& part, const std::vector<int>& orders,
   return a;
 }
 
-HarmonicSettings settings_of(const Levels& levels, JointMethod method) {
-  return {.method = method,
-          .harmonics = levels.harmonics,
-          .samples = levels.samples,
-          .tolerance = 1e-7,
-          .from = 2 * pi * levels.band[0],
-          .to = 2 * pi * levels.band[1],
-          .largest_step = 2 * pi * (levels.band[1] - levels.band[0]) / levels.points,
-          .most_points = 50 * levels.points};
-}
-
 // Height by which a maximum stands above the higher of the two valleys beside it, over its own
 // height.
 double prominence(const VectorXd& magnitude, Index top) {
@@ -207,7 +196,7 @@ public:
   LevelFamily run(const StageListener& stage) {
     stage("levels of " + result_.excitation);
     Stopwatch watch;
-    const HarmonicSettings settings = settings_of(levels_, levels_.method);
+    const HarmonicSettings settings = harmonic_settings(levels_, levels_.method);
     std::vector<LevelSweep> sweeps(values_.size());
     in_parallel(int(values_.size()), [&](int i) {
       sweeps[std::size_t(i)] = sweep(part_, values_[std::size_t(i)], settings);
@@ -255,7 +244,7 @@ private:
     std::vector<LevelSweep> fast(sweeps.size());
     in_parallel(int(sweeps.size()), [&](int i) {
       fast[std::size_t(i)] = sweep(part_, values_[std::size_t(i)],
-                                   settings_of(levels_, JointMethod::describing_function));
+                                   harmonic_settings(levels_, JointMethod::describing_function));
     });
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
       const auto full = first_peak(sweeps[i].curve.peaks_up, result_.strongest);
@@ -363,6 +352,17 @@ private:
 };
 
 } // namespace
+
+HarmonicSettings harmonic_settings(const Levels& levels, JointMethod method) {
+  return {.method = method,
+          .harmonics = levels.harmonics,
+          .samples = levels.samples,
+          .tolerance = 1e-7,
+          .from = 2 * pi * levels.band[0],
+          .to = 2 * pi * levels.band[1],
+          .largest_step = 2 * pi * (levels.band[1] - levels.band[0]) / levels.points,
+          .most_points = 50 * levels.points};
+}
 
 std::vector<LevelFamily> level_families(const JointedModel& model, const Levels& levels,
                                         const StageListener& stage) {

@@ -5,6 +5,7 @@
 #include "run/analyses/dynamics.hpp"
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
+#include "run/analyses/life.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
@@ -39,11 +40,13 @@ public:
     route_ = choose_route(built_, case_.analyses, stage_, results_.timing);
     describe();
     if (has_friction(case_)) let_slip();
-    if (case_.state && case_.analyses.stress)
-      results_.stresses.push_back(state_stress_result(built_.model));
-    if (case_.analyses.statics.value_or(true) && case_.caps.size() == 2) statics();
+    if (case_.state && case_.analyses.stress) add_state_stress(case_, built_, results_);
+    if (case_.analyses.life) life_.emplace(case_, built_);
+    const bool moved = case_.analyses.life && needs_statics(*case_.analyses.life);
+    if ((case_.analyses.statics.value_or(true) || moved) && case_.caps.size() == 2) statics();
     if (case_.analyses.modes) dynamics();
     if (case_.analyses.levels) levels();
+    if (life_) finish_life();
     results_.peak_memory = peak_memory();
     return std::move(results_);
   }
@@ -51,7 +54,7 @@ public:
 private:
   void dynamics() {
     try {
-      run_dynamics(case_, built_, *route_, stage_, results_);
+      run_dynamics(case_, built_, *route_, stage_, life_ ? &*life_ : nullptr, results_);
     } catch (const ModelError& error) {
       if (!case_.state) throw;
       throw StateError(std::string("around the state the part is not stable, it has buckled "
@@ -59,6 +62,16 @@ private:
                        error.what());
     }
     watch_ = Stopwatch();
+  }
+
+  void finish_life() {
+    if (slipping_) life_->add_friction_sweeps(*slipping_, *slipping_route_, stage_);
+    stage_("life");
+    watch_ = Stopwatch();
+    results_.life = life_->result();
+    results_.places = life_->places();
+    for (const std::string& warning : results_.life->warnings) results_.warnings.push_back(warning);
+    lap("life");
   }
 
   void lap(const std::string& name) { watch_.lap(results_.timing, name); }
@@ -104,6 +117,8 @@ private:
     const std::array<int, 2> caps{built.cap_nodes.at(case_.caps[0].name),
                                   built.cap_nodes.at(case_.caps[1].name)};
     const std::optional<Matrix1212> K = route.end_stiffness(caps);
+    if (!K && life_ && needs_statics(*case_.analyses.life))
+      input_error("analyses.life", "moves an end that a support holds", "ends that are free to");
     if (!K) {
       results_.warnings.push_back("static stiffness left out: a support holds a cap");
       return;
@@ -129,7 +144,13 @@ private:
     if (tabulated && results_.strokes.empty())
       results_.warnings.push_back("tabulated forces: with other parts beside the chain the static "
                                   "stiffness is that at rest, also where the test states a stroke");
-    if (case_.analyses.stress) static_stress(built.model, route, caps, *K);
+    if (case_.analyses.stress) static_stress(built, route, caps, *K);
+    if (life_ && needs_statics(*case_.analyses.life)) {
+      watch_ = Stopwatch();
+      stage_("life");
+      add_static_stresses(life_->add_movements(built, route, caps, *K), case_, built, results_);
+      lap("life");
+    }
   }
 
   // Of a chain with tabulated forces that has neither friction nor anything beside it but masses.
@@ -156,12 +177,12 @@ private:
     return motion;
   }
 
-  void static_stress(const Model& model, Route& route, const std::array<int, 2>& caps,
+  void static_stress(const BuiltCase& built, Route& route, const std::array<int, 2>& caps,
                      const Matrix1212& K) {
-    for (StressResult& stress : static_stresses({.u = route.follow(caps, 1e-3 * parallel_motion(K)),
-                                .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
-                                                model))
-      results_.stresses.push_back(std::move(stress));
+    add_static_stresses(
+        {.field = recover_stress(built.model, route.follow(caps, 1e-3 * parallel_motion(K))),
+         .names = {"1 mm axial", "1 mm transverse x", "1 mm transverse z"}},
+        case_, built, results_);
   }
 
   // Between caps that the mount holds both: what joints bear while they stick, and until they slip.
@@ -232,6 +253,7 @@ private:
   // With joints that slip; none: the case has no friction.
   std::optional<BuiltCase> slipping_;
   std::unique_ptr<Route> slipping_route_;
+  std::optional<LifeCount> life_;
   Results results_;
 };
 

@@ -1,5 +1,7 @@
 #include "run/analyses/stress.hpp"
 
+#include "run/analyses/place_stress.hpp"
+#include "run/analyses/stress_coordinates.hpp"
 #include "solve/stress.hpp"
 
 #include <fmt/printf.h>
@@ -8,6 +10,7 @@ namespace {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
+using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 std::string text(double value) { // four significant digits
@@ -36,18 +39,6 @@ StressResult result(const std::string& kind, const std::string& name, StressPeak
   return r;
 }
 
-// Of one column, times `scale`.
-StressResult column_stress(const std::string& kind, const std::string& name,
-                           const StressField& field, Eigen::Index column, double scale,
-                           const Mesh& mesh) {
-  return result(kind, name,
-                stress_peaks(
-                    field, nodes_of(mesh),
-                    [&](const auto& s) { return scale * von_mises(s.col(column)); },
-                    [&](const auto& s) { return scale * std::abs(s[column]); }),
-                mesh);
-}
-
 // "base y, 10 m/s2" or "force tap, 1 N"
 std::string name_of(const Excitation& e) {
   return title_of(e) + (e.unit.empty() ? "" : ", " + text(e.amplitude) + " " + e.unit);
@@ -60,41 +51,61 @@ double largest_displacement(const MatrixXd& u, Eigen::Index column) {
   return largest;
 }
 
-StressResult harmonic(const Excitation& e, double hertz, const Eigen::VectorXcd& q,
-                      const StressField& field, const Mesh& mesh) {
-  return result("harmonic", name_of(e) + ", " + text(hertz) + " Hz",
-                stress_peaks(
-                    field, nodes_of(mesh), [&](const auto& s) { return von_mises_of_cycle(s * q); },
-                    [&](const auto& s) { return std::abs((s * q).value()); }),
-                mesh);
-}
-
-// Integral of Re(q_j conj q_k) over the frequencies, q = Q L of what the inputs move and a root of
-// their spectrum.
-MatrixXd covariance(const Excitation& e, const ModalResponse& response, const VectorXd& hertz) {
-  std::vector<MatrixXcd> unit;
-  for (const ExcitedColumns& input : e.random_inputs) unit.push_back(response(input, hertz));
-  const auto inputs = Eigen::Index(unit.size()), modes = unit[0].cols();
-  MatrixXcd q = MatrixXcd::Zero(hertz.size() * inputs, modes), Q(inputs, modes);
-  for (Eigen::Index i = 0; i < hertz.size(); ++i) {
-    const double before = i > 0 ? hertz[i] - hertz[i - 1] : 0;
-    const double after = i + 1 < hertz.size() ? hertz[i + 1] - hertz[i] : 0;
-    for (Eigen::Index k = 0; k < inputs; ++k) Q.row(k) = unit[std::size_t(k)].row(i);
-    q.middleRows(i * inputs, inputs) =
-        std::sqrt((before + after) / 2) *
-        (root_of_spectrum(spectrum_at(e.random, hertz[i])).transpose() * Q);
+// Adds what follows from one field to the results.
+class StressLists {
+public:
+  StressLists(const Case& data, const BuiltCase& built, StressField field, Results& results)
+      : mesh_(built.model.mesh), field_(std::move(field)),
+        points_(shell_points(data, built, field_)), plane_(plane_stress(points_, field_.shell)),
+        results_(results) {
+    results_.places = points_.places;
   }
-  return q.real().transpose() * q.real() + q.imag().transpose() * q.imag();
-}
 
-StressResult random_stress(const Excitation& e, const MatrixXd& C, const StressField& field,
-                           const Mesh& mesh) {
-  return result("rms", title_of(e) + ", RMS",
-                stress_peaks(
-                    field, nodes_of(mesh), [&](const auto& s) { return von_mises_rms(s, C); },
-                    [&](const auto& s) { return std::sqrt((s * C * s.transpose()).value()); }),
-                mesh);
-}
+  // Of one column, times `scale`.
+  void add_column(const std::string& kind, const std::string& name, Eigen::Index column,
+                  double scale) {
+    add(result(kind, name,
+               stress_peaks(
+                   field_, nodes_of(mesh_),
+                   [&](const auto& s) { return scale * von_mises(s.col(column)); },
+                   [&](const auto& s) { return scale * std::abs(s[column]); }),
+               mesh_),
+        stress_table(points_, mesh_, kind, name, VectorXd(scale * plane_.col(column))));
+  }
+
+  void add_harmonic(const Excitation& e, double hertz, const VectorXcd& q) {
+    const std::string name = name_of(e) + ", " + text(hertz) + " Hz";
+    add(result("harmonic", name,
+               stress_peaks(
+                   field_, nodes_of(mesh_),
+                   [&](const auto& s) { return von_mises_of_cycle(s * q); },
+                   [&](const auto& s) { return std::abs((s * q).value()); }),
+               mesh_),
+        harmonic_table(points_, mesh_, name, plane_ * q));
+  }
+
+  void add_random(const Excitation& e, const MatrixXd& C) {
+    const std::string name = title_of(e) + ", RMS";
+    add(result("rms", name,
+               stress_peaks(
+                   field_, nodes_of(mesh_), [&](const auto& s) { return von_mises_rms(s, C); },
+                   [&](const auto& s) { return std::sqrt((s * C * s.transpose()).value()); }),
+               mesh_),
+        rms_table(points_, mesh_, name, plane_, C));
+  }
+
+private:
+  void add(StressResult result, StressTable table) {
+    results_.stresses.push_back(std::move(result));
+    results_.stress_tables.push_back(std::move(table));
+  }
+
+  const Mesh& mesh_;
+  StressField field_;
+  ShellPoints points_;
+  MatrixXd plane_;
+  Results& results_;
+};
 
 } // namespace
 
@@ -102,41 +113,37 @@ std::string mode_stress_name(int mode) {
   return "mode " + std::to_string(mode + 1) + ", 1 mm at most";
 }
 
-StressResult state_stress_result(const Model& model) {
-  return column_stress("state", "the state", stress_of_state(model), 0, 1, model.mesh);
+void add_state_stress(const Case& data, const BuiltCase& built, Results& results) {
+  StressLists(data, built, stress_of_state(built.model), results)
+      .add_column("state", "the state", 0, 1);
 }
 
-std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model) {
-  const StressField field = recover_stress(model, shapes.u);
-  std::vector<StressResult> results;
-  for (Eigen::Index k = 0; k < shapes.u.cols(); ++k)
-    results.push_back(column_stress("static", shapes.names[k], field, k, 1, model.mesh));
-  return results;
+void add_static_stresses(StaticStress stress, const Case& data, const BuiltCase& built,
+                         Results& results) {
+  StressLists lists(data, built, std::move(stress.field), results);
+  for (std::size_t k = 0; k < stress.names.size(); ++k)
+    lists.add_column(stress.kind, stress.names[k], Eigen::Index(k), 1);
 }
 
-std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* response,
-                                           const Model& model, const DampedModes& modes,
-                                           const Excitations* excited) {
-  const StressField field = recover_stress(model, modes.solution.u);
-  std::vector<StressResult> results;
+void add_dynamic_stresses(const Case& data, const BuiltCase& built, const DampedModes& modes,
+                          const Excitations* excited, Results& results) {
+  const Stress& asked = *data.analyses.stress;
+  const std::optional<Response>& response = data.analyses.response;
+  const StressCoordinates coordinates(modes, excited);
+  StressLists lists(data, built, recover_stress(built.model, coordinates.fields()), results);
   for (Eigen::Index j = 0; j < modes.solution.modes; ++j)
     if (const double largest = largest_displacement(modes.solution.u, j); largest > 0)
-      results.push_back(
-          column_stress("mode", mode_stress_name(int(j)), field, j, 1e-3 / largest, model.mesh));
-  if (!excited || !response) return results;
+      lists.add_column("mode", mode_stress_name(int(j)), j, 1e-3 / largest);
+  if (!excited || !response) return;
   const VectorXd at =
       VectorXd::Map(asked.frequencies.data(), Eigen::Index(asked.frequencies.size()));
   const VectorXd grid = response_grid(*response, modes);
-  const auto columns = modes.solution.u.cols();
-  const ModalResponse response_of(modes, MatrixXd::Identity(columns, columns));
   for (const Excitation& e : excited->list) {
-    const MatrixXcd q = e.amplitude * response_of(e.parts, at);
-    for (Eigen::Index i = 0; i < at.size(); ++i)
-      results.push_back(harmonic(e, at[i], q.row(i).transpose(), field, model.mesh));
+    const MatrixXcd q = e.amplitude * coordinates(e.parts, at);
+    for (Eigen::Index i = 0; i < at.size(); ++i) lists.add_harmonic(e, at[i], q.row(i).transpose());
     if (!e.random_inputs.empty())
-      results.push_back(random_stress(e, covariance(e, response_of, grid), field, model.mesh));
+      lists.add_random(e, covariance(spectral_rows(e, coordinates, grid), grid, 0));
   }
-  return results;
 }
 
 } // namespace plica

@@ -1,28 +1,32 @@
-// The stress analyses of a run.
+// The stress analyses of a run: fields, and tables by place.
 #pragma once
 
 #include "run/analyses/response.hpp"
+#include "solve/stress.hpp"
 
 namespace plica {
 
-// Shapes of the static stiffness, one column each, with what was applied: "1 mm axial".
-struct StaticShapes {
-  Eigen::MatrixXd u; // all DOFs x shapes
+// Stress of static shapes, one column each, with what was applied: "1 mm axial".
+struct StaticStress {
+  StressField field;
   std::vector<std::string> names;
+  std::string kind = "static";
 };
 
 // Name of the stress of mode i, from 0.
 std::string mode_stress_name(int mode);
 
-// Of a model at a state.
-StressResult state_stress_result(const Model& model);
+// All add to results.stresses and results.stress_tables.
 
-std::vector<StressResult> static_stresses(const StaticShapes& shapes, const Model& model);
+// Of a model at a state.
+void add_state_stress(const Case& data, const BuiltCase& built, Results& results);
+
+void add_static_stresses(StaticStress stress, const Case& data, const BuiltCase& built,
+                         Results& results);
 
 // Of the modes, each scaled to a largest displacement of 1 mm; then, when there are excitations,
 // harmonic at the frequencies asked for and RMS under their random inputs.
-std::vector<StressResult> dynamic_stresses(const Stress& asked, const Response* response,
-                                           const Model& model, const DampedModes& modes,
-                                           const Excitations* excited);
+void add_dynamic_stresses(const Case& data, const BuiltCase& built, const DampedModes& modes,
+                          const Excitations* excited, Results& results);
 
 } // namespace plica

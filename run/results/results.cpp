@@ -11,6 +11,9 @@ std::map<std::string, double> headline(const Results& results) {
     const auto [place, is_new] = numbers.try_emplace("f_" + mode.shape, mode.frequency);
     if (!is_new && mode.frequency < place->second) place->second = mode.frequency;
   }
+  if (results.life)
+    for (const DutyResult& duty : results.life->duties)
+      if (duty.range > 0) numbers["life_" + duty.name] = duty.range;
   return numbers;
 }
 

@@ -4,6 +4,7 @@
 #include "mesh/mesh.hpp"
 #include "model/description/connector_curve.hpp"
 #include "run/results/level_results.hpp"
+#include "run/results/life_results.hpp"
 #include "run/results/state_results.hpp"
 #include "run/results/time_results.hpp"
 
@@ -160,7 +161,7 @@ Eigen::MatrixXd vector_sum(const ResponseResult& response);
 // Von Mises stress of the shells on both faces and the axial stress of beams, with the places of
 // the largest.
 struct StressResult {
-  std::string kind; // state | static | mode | harmonic | rms
+  std::string kind; // state | static | stroke | mode | harmonic | rms
   std::string name; // what it is the stress of, with its amplitude
   double largest = 0;
   std::array<double, 3> at{}; // m
@@ -249,6 +250,9 @@ struct Results {
   std::vector<LevelFamily> families;     // responses at several levels
   std::optional<SlippingLimit> slipping; // where joints have friction
   std::vector<StressResult> stresses;
+  std::vector<StressPlace> places;      // of the shells
+  std::vector<StressTable> stress_tables; // of the stresses, in their order
+  std::optional<LifeResult> life;
   ErrorBars error_bars;
   std::array<double, 6>
       free_mass{}; // r' M r over the free unknowns: what effective masses add up to
@@ -268,7 +272,8 @@ struct Results {
   std::vector<std::array<double, 2>> meridian; // [y, r] along the shells of revolution
 };
 
-// Headline numbers by name: "k_axial", "f_axial", "f_transverse", "f_torsion", "mass".
+// Headline numbers by name: "k_axial", "f_axial", "f_transverse", "f_torsion", "mass"; "life_NAME",
+// the largest stress range of a duty, Pa.
 std::map<std::string, double> headline(const Results& results);
 
 } // namespace plica

@@ -28,8 +28,23 @@ Results run_silently(const Case& data) {
   return run(data, [](const std::string&) {});
 }
 
+// Also the stress ranges of the duties of a life.
+Case with_life(Case plain, const Case& data) {
+  if (!data.analyses.life) return plain;
+  plain.analyses.life = data.analyses.life;
+  std::erase_if(plain.analyses.life->sweeps, [](const LifeSweep& s) { return s.friction; });
+  if (!needs_response(*plain.analyses.life)) return plain;
+  plain.analyses.damping = data.analyses.damping;
+  plain.analyses.response = data.analyses.response;
+  plain.analyses.response->cross.clear(); // of sensors
+  plain.analyses.response->tones.clear();
+  plain.analyses.transients.clear();
+  plain.analyses.run_ups.clear();
+  return plain;
+}
+
 Headline headline_of(const Case& data) {
-  return headline(run_silently(for_headline(data)));
+  return headline(run_silently(with_life(for_headline(data), data)));
 }
 
 bool on_log_scale(const Tolerance& t) {
@@ -156,6 +171,7 @@ Case for_headline(Case data) {
   data.analyses.response.reset();
   data.analyses.levels.reset();
   data.analyses.stress.reset();
+  data.analyses.life.reset();
   data.analyses.error_bars = false;
   data.analyses.damping = {};
   if (data.analyses.modes) data.analyses.modes->proof = false;
@@ -201,7 +217,7 @@ struct FinerRun {
 
 // Also what the stresses are of, where they are asked for.
 Case for_mesh_error(const Case& data) {
-  Case fine = for_headline(data);
+  Case fine = with_life(for_headline(data), data);
   fine.analyses.stress = data.analyses.stress;
   if (!data.analyses.stress) return fine;
   fine.analyses.damping = data.analyses.damping;
@@ -235,7 +251,8 @@ FinerRun numbers_of(const Results& fine, const Results& nominal) {
 void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fine,
                      double MeshError::*member, double share, double stress_share) {
   for (ErrorBar& bar : all.bars)
-    bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) / share;
+    bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) /
+                       (bar.key.starts_with("life_") ? stress_share : share);
   for (std::size_t i = 0; i < all.statics.size(); ++i)
     all.statics[i].*member = (fine.statics[i] - nominal.statics->all()[i]) / share;
   for (std::size_t i = 0; i < all.modes.size(); ++i)

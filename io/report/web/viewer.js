@@ -50,6 +50,27 @@ function paint(objects, mode, scale) {
   }
 }
 
+// Shares 0..1 of a field, of 16 bits each.
+function sharesOf(base64) {
+  const view = new DataView(bytes(base64));
+  return Float32Array.from({ length: view.byteLength / 2 }, (_, i) => view.getUint16(2 * i, true) / 65535);
+}
+
+// Vertex colours by a field on the faces of the shells; lines stay plain.
+function paintField(objects, shares, scale) {
+  const plain = new Color('#9aa4ad');
+  const colour = new Color();
+  for (const o of objects) {
+    const colours = o.geometry.getAttribute('color');
+    const has = o.isMesh && colours.count <= shares.length;
+    for (let i = 0; i < colours.count; ++i) {
+      const c = has ? scale(shares[i], colour) : plain;
+      colours.setXYZ(i, c.r, c.g, c.b);
+    }
+    colours.needsUpdate = true;
+  }
+}
+
 function prepare(objects) {
   for (const o of objects) {
     const count = o.geometry.getAttribute('position').count;
@@ -115,16 +136,34 @@ class Viewer {
     axes.setColors('#d55e00', '#0072b2', '#009e73');
     const frame = this.part.getObjectByName('part') ?? this.part; // turns z up
     frame.updateWorldMatrix(true, false);
+    this.frame = frame;
     axes.position.copy(frame.worldToLocal(corner.clone()));
     frame.add(axes);
-    const tag = (name, at, kind) => {
-      const label = element('span', { className: `tag ${kind}` }, name);
-      this.renderer.domElement.parentElement.append(label);
-      return { label, at: frame.localToWorld(at) };
-    };
+    const tag = (name, at, kind) => this.tag(name, at, kind);
     const ends = [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['z', [0, 0, 1]]].map(([name, along]) =>
       tag(name, new Vector3(...along).multiplyScalar(1.15 * length).add(axes.position), 'axis-name'));
     return [...ends, ...sensors.map((s) => tag(s.name, new Vector3(...s.at), 'sensor'))];
+  }
+
+  tag(name, at, kind) {
+    const label = element('span', { className: `tag ${kind}` }, name);
+    this.renderer.domElement.parentElement.append(label);
+    return { label, at: this.frame.localToWorld(at) };
+  }
+
+  // A field on the face above or below, its hot spot marked where it lies on that face; null: none.
+  showField(field, above) {
+    this.spot?.label.remove();
+    this.tags = this.tags.filter((t) => t !== this.spot);
+    this.spot = undefined;
+    if (!field) return this.show(this.mode);
+    this.field = field;
+    paintField(this.objects, sharesOf(above ? field.above : field.below), this.scale);
+    if (field.spot && above === field.spot_above) {
+      this.spot = this.tag(field.spot, new Vector3(...field.at), 'sensor hot');
+      this.tags.push(this.spot);
+    }
+    this.draw();
   }
 
   resize() {
@@ -181,6 +220,36 @@ class Viewer {
   }
 }
 
+// What colours the part: its motion, or a field on one of its faces, with the scale of it.
+function fieldControls(viewer, data) {
+  const fields = element('select', { ariaLabel: 'field' }, element('option', { value: '-1' }, 'motion'));
+  data.fields.forEach((f, i) => fields.append(element('option', { value: String(i) }, f.name)));
+  const face = element('select', { ariaLabel: 'face' }, element('option', { value: 'above' }, 'outer face'),
+    element('option', { value: 'below' }, 'inner face'));
+  const low = element('span', {});
+  const high = element('span', {});
+  const bar = element('span', { className: 'bar' });
+  bar.style.background = `linear-gradient(to right, ${data.colours.join(', ')})`;
+  const scale = element('span', { className: 'scale', hidden: true }, low, bar, high);
+  const show = () => {
+    const field = data.fields[Number(fields.value)] ?? null;
+    viewer.showField(field, face.value === 'above');
+    scale.hidden = face.hidden = !field;
+    if (!field) return;
+    low.textContent = field.scale[0];
+    high.textContent = `${field.scale[1]} ${field.unit}`.trim();
+  };
+  fields.addEventListener('change', () => {
+    const field = data.fields[Number(fields.value)];
+    if (field) face.value = field.spot_above ? 'above' : 'below';
+    show();
+  });
+  face.addEventListener('change', show);
+  face.hidden = true;
+  const motion = () => { fields.value = '-1'; show(); };
+  return { parts: [element('label', {}, 'colour ', fields), face, scale], motion };
+}
+
 function controls(viewer, data) {
   const modes = element('select', { ariaLabel: 'mode' }, element('option', { value: '-1' }, 'at rest'));
   data.modes.forEach((name, i) => modes.append(element('option', { value: String(i) }, name)));
@@ -193,7 +262,9 @@ function controls(viewer, data) {
     play.textContent = viewer.playing ? 'pause' : 'play';
     play.ariaPressed = String(viewer.playing);
   };
+  const coloured = data.fields?.length > 0 ? fieldControls(viewer, data) : null;
   const choose = (mode, playing) => {
+    coloured?.motion();
     modes.value = String(mode);
     viewer.show(mode);
     setPlaying(playing && mode >= 0);
@@ -221,7 +292,7 @@ function controls(viewer, data) {
   });
   const parts = data.modes.length > 0 ? [modes, play, element('label', {}, 'amplitude ', amplitude), home]
     : [home];
-  return element('div', { className: 'controls' }, ...parts);
+  return element('div', { className: 'controls' }, ...parts, ...(coloured?.parts ?? []));
 }
 
 export function enlivenPart(figure) {

@@ -1,0 +1,154 @@
+#include "io/tables/life_words.hpp"
+
+#include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plica {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string megapascal(double stress) {
+  return significant(1e-6 * stress, 4);
+}
+
+std::string duty_table(const Results& results) {
+  const LifeResult& life = *results.life;
+  Rows rows{{"", "", "where", "count", "range MPa", "mesh %", "life", "5 to 95 %", "damage"}};
+  for (const DutyResult& d : life.duties) {
+    const LifeSpot& spot = life.spots[std::size_t(d.spot)];
+    rows.push_back({d.kind + " " + d.name, d.what,
+                    place_words(results.places[std::size_t(spot.place)], spot.outer),
+                    significant(d.count, 4) + " " + d.unit, megapascal(d.range),
+                    duty_mesh_error(results, d), d.life ? life_words(*d.life) : "-",
+                    between_words(d), bounded(significant(d.damage, 3), d.at_most, d.at_least)});
+  }
+  return text_table(rows, 3);
+}
+
+std::string random_duties(const Results& results) {
+  Rows rows{{"", "RMS MPa", "3 sigma", "expected peak", "zero crossings Hz"}};
+  for (const DutyResult& d : results.life->duties) {
+    if (!d.random) continue;
+    const RandomStress& r = *d.random;
+    if (rows.size() == 1)
+      for (const auto& [method, damage] : r.damages) rows[0].push_back(method);
+    rows.push_back({d.name, megapascal(r.rms), megapascal(3 * r.rms), megapascal(r.expected_peak),
+                    significant(r.up_crossings, 4)});
+    for (const auto& [method, damage] : r.damages) rows.back().push_back(significant(damage, 3));
+  }
+  return rows.size() == 1
+             ? ""
+             : "\nRandom stress at the hot spot, damage by each method\n" + text_table(rows, 1);
+}
+
+std::string spot_table(const Results& results) {
+  constexpr std::size_t most = 8;
+  Rows rows{{"", "at x, y, z mm", "damage"}};
+  for (const LifeSpot& s : results.life->spots) {
+    if (rows.size() > most) break;
+    rows.push_back(
+        {place_words(results.places[std::size_t(s.place)], s.outer),
+         fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * s.at[0], 1e3 * s.at[1], 1e3 * s.at[2]),
+         bounded(significant(s.damage, 3), s.at_most, s.at_least)});
+  }
+  return "\nHot spots by damage\n" + text_table(rows, 2);
+}
+
+} // namespace
+
+std::string place_words(const StressPlace& place, bool outer, int ply) {
+  const std::string on = ply > 0 ? fmt::format(", ply {}", ply) : "";
+  if (place.name.empty()) return place.part + (outer ? ", face above" : ", face below") + on;
+  return place.part + " " + place.name + (outer ? ", outer face" : ", inner face") + on;
+}
+
+const PlaceStress* hottest(const StressTable& table) {
+  const auto top = std::max_element(table.rows.begin(), table.rows.end(),
+                                    [](const PlaceStress& a, const PlaceStress& b) {
+                                      return std::abs(a.von_mises) < std::abs(b.von_mises);
+                                    });
+  return top == table.rows.end() ? nullptr : &*top;
+}
+
+std::string bounded(const std::string& number, bool at_most, bool at_least) {
+  if (at_most == at_least) return number;
+  return (at_most ? "at most " : "at least ") + number;
+}
+
+std::string life_words(const CurveLife& life) {
+  if (std::isinf(life.cycles)) return "unlimited";
+  const std::string number = life.cycles < 1e15 ? grouped(static_cast<long long>(life.cycles), " ")
+                                                : significant(life.cycles, 4);
+  return bounded(number, life.bound == Bound::at_most, life.bound == Bound::at_least);
+}
+
+std::string between_words(const DutyResult& d) {
+  if (!d.between) return "-";
+  return life_words((*d.between)[0]) + " to " + life_words((*d.between)[1]);
+}
+
+std::string life_kind(const LifeResult& life) {
+  const std::string tolerances =
+      life.with_tolerances ? "the tolerances of the case" : std::string();
+  if (!life.deviation)
+    return "Design: allowed cycles" +
+           (tolerances.empty() ? "" : ", intervals (5 to 95 %) from " + tolerances + " alone") +
+           ".";
+  return fmt::format("Mean curve: half of the parts fail before; intervals (5 to 95 %) from a "
+                     "standard deviation of {} in log10 of the cycles{}.",
+                     significant(*life.deviation, 3),
+                     tolerances.empty() ? "" : " and " + tolerances);
+}
+
+std::string repeats_words(const LifeResult& life) {
+  if (life.spots.empty() || !(life.spots[0].damage > 0)) return "";
+  const LifeSpot& s = life.spots[0];
+  return fmt::format("All of it comes to damage 1 {} times.",
+                     bounded(significant(1 / s.damage, 3), s.at_least, s.at_most));
+}
+
+std::string duty_mesh_error(const Results& results, const DutyResult& duty) {
+  for (const ErrorBar& bar : results.error_bars.bars)
+    if (bar.key == "life_" + duty.name) return mesh_error_percent(bar.value, bar.mesh);
+  return "-";
+}
+
+std::string life_summary(const Results& results) {
+  if (!results.life || results.life->duties.empty()) return "";
+  const LifeResult& life = *results.life;
+  return "\nLife, " + life.measure + "\n" + duty_table(results) + random_duties(results) +
+         spot_table(results) + "  " + life.curve + "\n  " + life_kind(life) + " " +
+         repeats_words(life) + "\n";
+}
+
+std::string stress_summary(const Results& results) {
+  Rows rows{{"", "where", "von Mises MPa", "mesh %", "membrane", "bending", "at x, y, z mm"}};
+  const std::vector<MeshError>& errors = results.error_bars.stresses;
+  for (std::size_t i = 0; i < results.stresses.size(); ++i) {
+    const StressResult& s = results.stresses[i];
+    const bool beam = s.largest_beam > s.largest;
+    const double value = std::max(s.largest, s.largest_beam);
+    const auto& at = beam ? s.beam_at : s.at;
+    const PlaceStress* top =
+        beam || i >= results.stress_tables.size() ? nullptr : hottest(results.stress_tables[i]);
+    const bool named = top && std::isfinite(top->meridional);
+    rows.push_back({s.name,
+                    top ? place_words(results.places[std::size_t(top->place)], top->outer, top->ply)
+                        : (beam ? "a beam" : "-"),
+                    megapascal(value), errors.empty() ? "-" : mesh_error_percent(value, errors[i]),
+                    named ? megapascal(top->meridional_membrane) : "-",
+                    named ? megapascal(top->meridional_bending) : "-",
+                    fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * at[0], 1e3 * at[1], 1e3 * at[2])});
+  }
+  return rows.size() == 1
+             ? ""
+             : "\nLargest stress; membrane and bending along the meridian\n" + text_table(rows, 2);
+}
+
+} // namespace plica
