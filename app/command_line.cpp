@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "app/case_in_folder.hpp"
 #include "app/describe_app.hpp"
 #include "app/terminal.hpp"
 #include "words/did_you_mean.hpp"
@@ -9,13 +10,6 @@
 
 namespace plica {
 namespace {
-
-std::string case_file_of(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) return path;
-  const std::filesystem::path folder = std::filesystem::canonical(path, ignored);
-  return (std::filesystem::path(path) / folder.filename()).string() + ".yaml";
-}
 
 // What is wrong with the first word when it is no command; empty when it is one, or an option.
 std::string unknown_command(const CLI::App& app, int argc, char** argv) {
@@ -63,7 +57,7 @@ void add_case(CLI::App& command, ChosenCase& chosen) {
   command
       .add_option_function<std::string>(
           "CASE", [&chosen](const std::string& path) { chosen.path = case_file_of(path); },
-          "case file")
+          "case file, or the folder of one")
       ->required();
   command.add_option("--model", chosen.model, "one of the models of the case; left out: its parts")
       ->type_name("NAME");

@@ -42,7 +42,7 @@ void add_schema_command(CommandLine& line);
 void add_completion_command(CommandLine& line);
 void add_manual_command(CommandLine& line);
 
-// CASE and --model. A folder stands for the file in it that has its name.
+// CASE and --model. A folder stands for the case in it (case_in_folder.hpp).
 struct ChosenCase {
   std::string path;
   std::string model; // one of the models of the case; empty = its parts

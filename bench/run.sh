@@ -5,6 +5,7 @@ cd "$(dirname "$0")/.."
 build/bench/bench_kernels --benchmark_min_time=0.2
 build/bench/bench_friction
 build/bench/bench_rainflow
+build/bench/bench_line
 build/bench/bench_solve "${LARGEST:-1e6}"
 
 work=$(mktemp -d)

@@ -64,7 +64,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/plica-config-version.cmak
 install(FILES ${PROJECT_BINARY_DIR}/plica-config.cmake
   ${PROJECT_BINARY_DIR}/plica-config-version.cmake
   cmake/FindCHOLMOD.cmake cmake/FindFftw3.cmake cmake/FindGmshSdk.cmake cmake/FindLibcsv.cmake
-  cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake
+  cmake/FindMatio.cmake cmake/FindPlainLibrary.cmake cmake/FindUMFPACK.cmake
   DESTINATION ${plica_package_dir} COMPONENT development)
 
 include(cmake/PythonPackage.cmake)

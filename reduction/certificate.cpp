@@ -139,8 +139,7 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
   c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
   c.negative_stiffness = std::min(0., k[0]);
   c.preloaded = part.preload.size() > 0;
-  const int rigid = c.rigid =
-      c.preloaded ? 0 : part.grounded ? int(part.free_motions.cols()) : 6;
+  const int rigid = c.rigid = c.preloaded ? 0 : part.grounded ? int(part.free_motions.cols()) : 6;
   const Index held = c.preloaded ? 6 : 0;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
       s.K.bottomRightCorner(s.K.rows() - held, s.K.rows() - held),

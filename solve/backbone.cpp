@@ -42,6 +42,7 @@ public:
     const double unit = omega0_ * omega0_ * a;
     Residual out{VectorXd::Zero(n), MatrixXd::Zero(n, n), VectorXd::Zero(n)};
     for (Index r = 0; r < m; ++r) add_mode(r, y, omega, zeta, out);
+    if (!s_.added.empty()) add_dampers(y, omega, out);
     // Joints: J F(a J' y) over the unit.
     for (Index j = 0; j < s_.joints.cols(); ++j) {
       VectorXd x = VectorXd::Zero(p);
@@ -119,6 +120,41 @@ private:
       out.by_motion(i + 1, n - 2) += slope.imag();
       out.by_motion(i, n - 1) += by_zeta.real();
       out.by_motion(i + 1, n - 1) += by_zeta.imag();
+    }
+  }
+
+  // B G(i W) B' q, over omega0^2.
+  void add_dampers(const VectorXd& y, double omega, Residual& out) const {
+    const Index p = basis_.size(), n = size();
+    const double unit = omega0_ * omega0_;
+    for (std::size_t k = 0; k < basis_.orders.size(); ++k) {
+      const int order = basis_.orders[k];
+      const Index at = basis_.first(k);
+      Eigen::VectorXcd q(modes());
+      for (Index r = 0; r < modes(); ++r) q[r] = amplitude(basis_, y.segment(r * p, p), k);
+      const auto coupling = [&](const Eigen::VectorXcd& added) -> Eigen::MatrixXcd {
+        return s_.dampers * (added / unit).asDiagonal() * s_.dampers.transpose();
+      };
+      const Eigen::MatrixXcd D = coupling(added_at(s_, order, omega));
+      const Eigen::VectorXcd value = D * q;
+      const Eigen::VectorXcd slope = coupling(added_slope(s_, order, omega)) * q * omega0_;
+      for (Index r = 0; r < modes(); ++r) {
+        const Index i = r * p + at;
+        out.value[i] += value[r].real();
+        out.by_motion(i, n - 2) += slope[r].real();
+        if (order > 0) {
+          out.value[i + 1] += value[r].imag();
+          out.by_motion(i + 1, n - 2) += slope[r].imag();
+        }
+        for (Index c = 0; c < modes(); ++c) {
+          const Index j = c * p + at;
+          out.by_motion(i, j) += D(r, c).real();
+          if (order == 0) continue;
+          out.by_motion(i, j + 1) -= D(r, c).imag();
+          out.by_motion(i + 1, j) += D(r, c).imag();
+          out.by_motion(i + 1, j + 1) += D(r, c).real();
+        }
+      }
     }
   }
 

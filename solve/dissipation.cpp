@@ -1,8 +1,7 @@
 #include "solve/dissipation.hpp"
 
-#include "solve/decompositions.hpp"
+#include "solve/complex_eigen.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -62,11 +61,11 @@ DissipativeResponse::DissipativeResponse(const ModalModel& model, const Dissipat
   if (!poles_) return; // nothing of what is carried is lost in a material
   if (dissipation.carried_loss.size() > 0) carried_ = i_ * dissipation.carried_loss;
   const VectorXd C = viscous(model);
-  const Eigen::ComplexEigenSolver<MatrixXcd> eigen(
+  const ComplexEigen eigen = complex_eigen(
       state_matrix(constant_stiffness(model, dissipation), C.cast<Complex>().asDiagonal()));
-  s_ = eigen.eigenvalues();
+  s_ = eigen.values;
   // (i omega - A)^-1 [0; f]: displacement rows of V (i omega - s)^-1 V^-1.
-  const MatrixXcd& V = eigen.eigenvectors();
+  const MatrixXcd& V = eigen.vectors;
   const Eigen::PartialPivLU<MatrixXcd> inverse(V);
   for (MatrixXcd* terms : {&right_, &carried_}) {
     if (terms->size() == 0) continue;
@@ -217,13 +216,13 @@ ComplexModes complex_modes(const ModalModel& model, const Dissipation& dissipati
   const Pencil pencil(model, dissipation);
   const double middle = std::sqrt(std::max(model.lambda[std::min<Index>(n - 1, count / 2)], 1.));
   const Linear linear = linearised(model, dissipation, middle);
-  const Eigen::ComplexEigenSolver<MatrixXcd> eigen(state_matrix(linear.K, linear.C));
+  const ComplexEigen eigen = complex_eigen(state_matrix(linear.K, linear.C));
   std::vector<ComplexMode> all;
   int real = 0;
   for (Index k = 0; k < 2 * n; ++k) {
-    const Complex s = eigen.eigenvalues()[k];
+    const Complex s = eigen.values[k];
     if (s.imag() > 1e-9 * std::abs(s))
-      all.push_back({s, eigen.eigenvectors().col(k).head(n), 0});
+      all.push_back({s, eigen.vectors.col(k).head(n), 0});
     else if (s.imag() > -1e-9 * std::abs(s))
       ++real;
   }

@@ -17,10 +17,12 @@
 
 namespace plica {
 
+// N/m or Nm/rad, analytic in s off the negative real axis.
+using AddedStiffness = std::function<std::complex<double>(std::complex<double> s)>;
+
 struct DampedSpring {
   int column = 0; // b_k: of ModalModel::input
-  // N/m or Nm/rad, analytic in s off the negative real axis.
-  std::function<std::complex<double>(std::complex<double> s)> added;
+  AddedStiffness added;
 };
 
 struct Dissipation {

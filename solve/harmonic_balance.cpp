@@ -23,11 +23,6 @@ std::vector<int> orders_of(const JointedStructure& s, const HarmonicSettings& se
   return orders_up_to(settings.harmonics, odd);
 }
 
-// 1 / D without the care for overflow that makes complex division slow.
-VectorXcd inverse(const VectorXcd& D) {
-  return D.unaryExpr([](const Complex& d) { return std::conj(d) / std::norm(d); });
-}
-
 // Static flexibility of each joint.
 VectorXd flexibility(const JointedStructure& s) {
   VectorXd g(s.joints.cols());
@@ -48,16 +43,6 @@ public:
   Index joints() const { return s_.joints.cols(); }
   Index unknowns() const { return joints() * basis_.size(); }
 
-  VectorXcd dynamic_stiffness(int n, double omega) const {
-    const double W = n * omega;
-    VectorXcd D(s_.lambda.size());
-    for (Index r = 0; r < D.size(); ++r)
-      D[r] = Complex(
-          s_.lambda[r] - W * W,
-          n == 0 ? 0 : s_.lambda[r] * s_.eta[r] + 2 * s_.zeta[r] * std::sqrt(s_.lambda[r]) * W);
-    return D;
-  }
-
   // x - J' D^-1 (f - J F), harmonic by harmonic; the parameter is omega, or the level.
   Residual residual(const VectorXd& scaled, double omega, double level, bool by_level) const {
     const Index p = basis_.size();
@@ -66,8 +51,8 @@ public:
     for (std::size_t k = 0; k < basis_.orders.size(); ++k) {
       const int n = basis_.orders[k];
       const Index at = basis_.first(k);
-      const VectorXcd D = dynamic_stiffness(n, omega);
-      const MatrixXcd DJ = inverse(D).asDiagonal() * J_;
+      const DynamicStiffness D(s_, n, omega);
+      const MatrixXcd DJ = D.solve(J_.cast<Complex>());
       const MatrixXcd G = J_.transpose() * DJ;
       VectorXcd load = VectorXcd::Zero(joints()), load_slope = load; // J' D^-1 of the excitation
       if (n == 1) load = DJ.transpose() * s_.input;
@@ -80,11 +65,8 @@ public:
       VectorXcd by_parameter = -load;
       if (!by_level) {
         VectorXcd modal = -(DJ * F);
-        if (n == 1) modal += level * s_.input.cast<Complex>().cwiseProduct(inverse(D));
-        VectorXcd slope(D.size());
-        for (Index r = 0; r < D.size(); ++r)
-          slope[r] = Complex(-2. * n * n * omega, 2. * n * s_.zeta[r] * std::sqrt(s_.lambda[r]));
-        by_parameter = DJ.transpose() * slope.cwiseProduct(modal) + G * F_slope;
+        if (n == 1) modal += level * D.solve(s_.input.cast<Complex>());
+        by_parameter = DJ.transpose() * D.by_omega(modal) + G * F_slope;
       }
       for (Index j = 0; j < joints(); ++j) {
         const Index row = j * p + at;
@@ -128,7 +110,7 @@ public:
         out.joints(k, j) = scale_[j] * amplitude(basis_, scaled.segment(j * p, p), std::size_t(k));
         load -= J_.col(j) * amplitude(basis_, forces[std::size_t(j)].force, std::size_t(k));
       }
-      out.modes.row(k) = load.cwiseProduct(inverse(dynamic_stiffness(n, omega))).transpose();
+      out.modes.row(k) = DynamicStiffness(s_, n, omega).solve(load).transpose();
     }
     return out;
   }
@@ -138,8 +120,7 @@ public:
     VectorXd motion = VectorXd::Zero(unknowns());
     const Index k = first_harmonic(basis_.orders);
     if (k == long(basis_.orders.size())) return motion;
-    const VectorXcd D = dynamic_stiffness(1, omega);
-    const MatrixXcd DJ = inverse(D).asDiagonal() * J_;
+    const MatrixXcd DJ = DynamicStiffness(s_, 1, omega).solve(J_.cast<Complex>());
     MatrixXcd A = J_.transpose() * DJ;
     for (Index j = 0; j < joints(); ++j)
       A.col(j) *= laws_[std::size_t(j)].stuck_stiffness() * scale_[j] * scale_[j];
@@ -365,6 +346,9 @@ double energy_damping(const JointedStructure& structure, const PeriodicPoint& po
                     (structure.eta[r] * lambda + 2 * structure.zeta[r] * std::sqrt(lambda) * W);
       if (orders[k] == 1) kinetic += W * W * a2 / 2;
     }
+    if (orders[k] == 0 || structure.added.empty()) continue;
+    const VectorXcd stretch = structure.dampers.transpose() * point.modes.row(Index(k)).transpose();
+    taken += pi * stretch.cwiseAbs2().dot(added_at(structure, orders[k], point.omega).imag());
   }
   return taken / (4 * pi * kinetic);
 }

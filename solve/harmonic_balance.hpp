@@ -2,9 +2,7 @@
 // alternating frequency and time (Krack & Gross, Harmonic Balance for Nonlinear Vibration Problems,
 // Springer 2019).
 //
-//   eta_r,n D_r(n w) = f_r,n - sum_j J_rj F_j,n(x),    x_j = sum_r J_rj eta_r,
-//   D_r(W) = lambda_r (1 + i eta_r) - W^2 + 2 i zeta_r sqrt(lambda_r) W
-//
+//   D(n w) q_n = f_n - sum_j J_j F_j,n(x),    x_j = J_j' q,    D: jointed_structure.hpp
 // Only the relative motions x of the joints are unknown; all else follows. Laws that are odd move
 // in the odd harmonics alone, so only these are taken then. The Jacobian is analytic, dry friction
 // without regularisation. Angles and lengths meet in one norm: each joint is measured in the root
@@ -14,16 +12,9 @@
 #include "solve/continuation.hpp"
 #include "solve/joint_force.hpp"
 #include "solve/joint_method.hpp"
+#include "solve/jointed_structure.hpp"
 
 namespace plica {
-
-// A structure in the coordinates of its modes, the stiffness of the joints not among them.
-struct JointedStructure {
-  Eigen::VectorXd lambda, zeta, eta; // of the modes: (rad/s)^2, fraction of critical, loss factor
-  Eigen::MatrixXd joints;            // modes x joints: motion of each joint by each mode
-  Eigen::VectorXd input;             // modal force per unit of the excitation, harmonic 1
-  std::vector<JointLaw> laws;        // one per joint
-};
 
 // Stiffness matrix over the modes with every joint stuck (of smoothed Coulomb friction: held by a
 // thousand times the structure's own stiffness there).

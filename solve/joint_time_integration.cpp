@@ -26,7 +26,8 @@ public:
         compliance_((s.lambda + 2 / h_ * damping_).array() + 4 / (h_ * h_)), q_(zero()), v_(zero()),
         a_(zero()) {
     compliance_ = compliance_.cwiseInverse().eval();
-    flexibility_ = s.joints.transpose() * compliance_.asDiagonal() * s.joints;
+    add_dampers();
+    flexibility_ = s.joints.transpose() * compliant(s.joints);
     for (const JointLaw& law : s.laws) forces_.emplace_back(law.sliders.size(), 0.);
     x_ = VectorXd::Zero(s.joints.cols());
   }
@@ -74,6 +75,25 @@ private:
     return std::clamp(held + s.stiffness * dx, -s.slip_force, s.slip_force);
   }
 
+  void add_dampers() {
+    if (s_.added.empty()) return;
+    const Eigen::VectorXcd added = added_at(s_, 1, omega_);
+    spring_ = added.real();
+    dashpot_ = added.imag() / omega_;
+    const VectorXd G = spring_ + 2 / h_ * dashpot_;
+    of_springs_ = compliance_.asDiagonal() * s_.dampers;
+    MatrixXd A = G.asDiagonal() * (s_.dampers.transpose() * of_springs_);
+    A.diagonal().array() += 1;
+    between_ = A.partialPivLu().solve(MatrixXd(G.asDiagonal()));
+  }
+
+  // Motion at the end of a step under a force there.
+  MatrixXd compliant(const MatrixXd& force) const {
+    MatrixXd motion = compliance_.asDiagonal() * force;
+    if (!s_.added.empty()) motion -= of_springs_ * (between_ * (s_.dampers.transpose() * motion));
+    return motion;
+  }
+
   // Forces of the joints at x, their tangents; v follows x within the step.
   void joint_forces(const VectorXd& x, const VectorXd& rate, VectorXd& F, VectorXd& K) const {
     for (Index j = 0; j < x.size(); ++j) {
@@ -92,9 +112,12 @@ private:
 
   void step(double t) {
     const VectorXd load = level_ * std::cos(omega_ * t) * s_.input;
-    const VectorXd history = load + (4 / (h_ * h_)) * q_ + (4 / h_) * v_ + a_ +
-                             damping_.cwiseProduct((2 / h_) * q_ + v_);
-    const VectorXd free = compliance_.cwiseProduct(history);
+    const VectorXd before = (2 / h_) * q_ + v_;
+    VectorXd history =
+        load + (4 / (h_ * h_)) * q_ + (4 / h_) * v_ + a_ + damping_.cwiseProduct(before);
+    if (!s_.added.empty())
+      history += s_.dampers * dashpot_.cwiseProduct(s_.dampers.transpose() * before);
+    const VectorXd free = compliant(history);
     const VectorXd target = s_.joints.transpose() * free;
     const VectorXd rate_before = s_.joints.transpose() * v_;
     VectorXd x = x_ + h_ * rate_before, F(x.size()), K(x.size());
@@ -106,7 +129,7 @@ private:
       A.diagonal().array() += 1;
       x -= A.partialPivLu().solve(r);
     }
-    const VectorXd q = free - compliance_.cwiseProduct(s_.joints * F);
+    const VectorXd q = free - compliant(s_.joints * F);
     const VectorXd v = 2 / h_ * (q - q_) - v_;
     a_ = 4 / (h_ * h_) * (q - q_) - 4 / h_ * v_ - a_;
     q_ = q;
@@ -139,6 +162,8 @@ private:
   int harmonics_;
   double h_;
   VectorXd damping_, compliance_;
+  VectorXd spring_, dashpot_; // of the damped springs at the excitation frequency
+  MatrixXd of_springs_, between_;
   MatrixXd flexibility_; // of the joints within a step
   VectorXd q_, v_, a_, x_;
   std::vector<std::vector<double>> forces_; // of the sliders

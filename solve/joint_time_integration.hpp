@@ -1,7 +1,8 @@
 // Steady response of a structure with joints by integration in time: the referee of the harmonic
 // balance. Average acceleration (Newmark, beta = 1/4) over the modes with Newton's method over the
-// joints; sliders carry their own state. Loss factors have no meaning in time: they act as viscous
-// damping with the same energy at the excitation frequency.
+// joints; sliders carry their own state. Loss factors have no meaning in time, nor has a table over
+// frequency: they act as viscous damping with the same energy at the excitation frequency, a damped
+// spring as the spring and dashpot that it is there.
 #pragma once
 
 #include "solve/harmonic_balance.hpp"

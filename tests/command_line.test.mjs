@@ -360,3 +360,21 @@ test('doubts about a case are said when it fails, too', () => {
   assert.notEqual(status, 0);
   assert.match(said, /warning: .* wall of 60 mm/);
 });
+
+test('a folder stands for the one case in it', () => {
+  const lab = folder('one_case');
+  mkdirSync(join(lab, 'pipe'));
+  writeFileSync(join(lab, 'pipe', 'measured.yaml'), 'specimen: plate\n');
+  const none = run(lab, 'check', 'pipe');
+  assert.equal(none.status, 1);
+  assert.match(none.said, /pipe: has no case in it; .*one case file/);
+  writeFileSync(join(lab, 'pipe', 'any_name.yaml'), plate());
+  assert.equal(run(lab, 'run', 'pipe', '--quiet', '--out', 'made').status, 0);
+  assert.ok(existsSync(join(lab, 'made', 'results.json')));
+  writeFileSync(join(lab, 'pipe', 'other.yaml'), plate());
+  const several = run(lab, 'run', 'pipe', '--quiet', '--out', 'made');
+  assert.equal(several.status, 1);
+  assert.match(several.said, /pipe: has several cases in it; .*any_name\.yaml, other\.yaml/);
+  writeFileSync(join(lab, 'pipe', 'pipe.yaml'), plate()); // the one with its name goes first
+  assert.equal(run(lab, 'run', 'pipe', '--quiet', '--out', 'made').status, 0);
+});

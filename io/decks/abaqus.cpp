@@ -302,6 +302,7 @@ private:
   }
 
   // Ends that move by 1 m or 1 rad times their amplitudes: what is printed is the transmissibility.
+  // The ground behind springs moves by the force that it exerts through them.
   void add_end_steps(const Response& response, int modes) {
     for (const Motion& motion : response.motions) {
       add("** motion {}: displacements, so that U is the transmissibility\n", name_of(motion));
@@ -309,25 +310,38 @@ private:
       std::vector<EndMotion> ends{motion};
       ends.insert(ends.end(), motion.with.begin(), motion.with.end());
       for (const auto& [load_case, part] : {std::pair{1, 0.}, {2, std::numbers::pi / 2}}) {
-        std::string lines;
+        std::string moved, pushed;
         for (const EndMotion& end : ends)
-          for (const std::string& cap : end.move)
-            lines += moved_end(cap, end.direction, end.amplitude * std::cos(end.phase - part));
-        if (!lines.empty()) add("*BOUNDARY, LOAD CASE={}\n{}", load_case, lines);
+          for (const std::string& cap : end.move) {
+            const double displacement = end.amplitude * std::cos(end.phase - part);
+            (is_held(cap) ? moved : pushed) += end_line(cap, end.direction, displacement);
+          }
+        if (!moved.empty() && load_case == 2)
+          add("** CalculiX 2.20 breaks off here: give it this part as the load case 1 of a step of "
+              "its own\n");
+        if (!moved.empty()) add("*BOUNDARY, LOAD CASE={}\n{}", load_case, moved);
+        if (!pushed.empty()) add("*CLOAD, LOAD CASE={}\n{}", load_case, pushed);
       }
       end_steady_state();
     }
   }
 
-  std::string moved_end(const std::string& cap, int direction, double displacement) {
+  bool is_held(const std::string& cap) const {
+    const int node = built_.cap_nodes.at(cap);
+    return std::find(built_.held_nodes.begin(), built_.held_nodes.end(), node) !=
+           built_.held_nodes.end();
+  }
+
+  std::string end_line(const std::string& cap, int direction, double displacement) {
     constexpr double rounding = 1e-15;
     if (std::abs(displacement) < rounding) return "";
-    const int node = built_.cap_nodes.at(cap);
-    if (std::find(built_.held_nodes.begin(), built_.held_nodes.end(), node) ==
-        built_.held_nodes.end())
-      return fmt::format("** the ground behind the springs of {} is left out\n", cap);
-    const Dof d = at(node, direction);
-    return fmt::format("{}, {}, {}, {:.12e}\n", d.node, d.dof, d.dof, displacement);
+    const Dof d = at(built_.cap_nodes.at(cap), direction);
+    if (is_held(cap))
+      return fmt::format("{}, {}, {}, {:.12e}\n", d.node, d.dof, d.dof, displacement);
+    const auto mount = std::find_if(case_.mount.begin(), case_.mount.end(),
+                                    [&](const Mount& m) { return m.cap == cap; });
+    return fmt::format("{}, {}, {:.12e}\n", d.node, d.dof,
+                       mount->stiffness[std::size_t(direction)] * displacement);
   }
 
   const Case& case_;

@@ -65,6 +65,8 @@ svg text { fill: var(--ink); font-family: inherit; }
 .axis { stroke: var(--muted); stroke-width: 1; stroke-dasharray: 12 3 2 3; }
 .ghost { fill: none; stroke: var(--muted); stroke-width: 3; stroke-dasharray: 14 12; }
 .quads { fill: currentColor; stroke: currentColor; stroke-width: 1.5; stroke-linejoin: round; }
+.symbol { fill: none; stroke: var(--ink); stroke-width: 5; stroke-linejoin: round; }
+.body { fill: var(--faint); fill-opacity: 0.75; stroke: var(--ink); stroke-width: 4; }
 .pin { fill: var(--paper); stroke: var(--ink); stroke-width: 5; }
 .tag { paint-order: stroke; stroke: var(--paper); stroke-width: 10; stroke-linejoin: round; }
 .legend { max-width: 22rem; }
@@ -86,6 +88,7 @@ figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { displ
   height: 0.6em; border-radius: 50%; background: var(--paper); border: 2px solid var(--ink); }
 .viewer .hot::before { background: #d55e00; } .scale { display: inline-flex; align-items: center; gap: 0.4rem; color: var(--ink); }
 .scale .bar { display: inline-block; width: 9rem; height: 0.8rem; border-radius: 2px; } [hidden] { display: none !important; }
+.viewer .symbol-name { margin-top: 0.45em; }
 [data-mode] { cursor: pointer; } .u-legend { text-align: left !important; }
 .u-select { background: var(--accent); opacity: 0.15; }
 pre { overflow-x: auto; background: var(--panel); padding: 0.7rem 1rem; font-size: 0.8125rem; }

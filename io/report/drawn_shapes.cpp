@@ -23,16 +23,21 @@ Surface surface_of(const Results& results) {
   return s;
 }
 
-std::vector<SurfaceShape> drawn_shapes(const Results& results) {
-  require_one_row_per_node(results);
+double drawn_scale(const Results& results, std::size_t mode) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& x : results.mesh.nodes) box.extend(x);
+  Eigen::MatrixXd u = results.shapes[mode].leftCols(3);
+  u = u.array().isFinite().select(u, 0).eval();
+  const double largest = u.rowwise().norm().maxCoeff();
+  return largest > 0 ? drawn_motion * box.diagonal().norm() / largest : 1;
+}
+
+std::vector<SurfaceShape> drawn_shapes(const Results& results) {
+  require_one_row_per_node(results);
   std::vector<SurfaceShape> shapes;
   for (std::size_t m = 0; m < shown_modes(results); ++m) {
     Eigen::MatrixXd u = results.shapes[m].leftCols(3);
-    u = u.array().isFinite().select(u, 0).eval();
-    const double largest = u.rowwise().norm().maxCoeff();
-    if (largest > 0) u *= drawn_motion * box.diagonal().norm() / largest;
+    u = drawn_scale(results, m) * u.array().isFinite().select(u, 0).eval();
     shapes.push_back({fmt::format("mode {}", m + 1), std::move(u)});
   }
   return shapes;

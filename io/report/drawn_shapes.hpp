@@ -13,6 +13,8 @@ std::size_t shown_modes(const Results& results);
 
 // Every node, quad (as two triangles) and line of the results.
 Surface surface_of(const Results& results);
+// What the displacements of a mode are multiplied by in pictures.
+double drawn_scale(const Results& results, std::size_t mode);
 // Of the modes, scaled for pictures; no row that is not finite.
 std::vector<SurfaceShape> drawn_shapes(const Results& results);
 

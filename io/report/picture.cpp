@@ -5,6 +5,8 @@
 #include "io/report/markup.hpp"
 #include "io/report/scene.hpp"
 #include "io/report/surface.hpp"
+#include "io/report/symbols.hpp"
+#include "io/report/tubes.hpp"
 #include "io/tables/text.hpp"
 
 #include <Eigen/Geometry>
@@ -21,8 +23,9 @@ constexpr int line_budget = 1000;
 
 // Elements to draw, and the points they use (for the frame and the outline).
 struct Selection {
-  std::vector<std::array<int, 4>> quads;
-  std::vector<std::array<int, 2>> lines;
+  std::vector<std::array<int, 4>> quads; // corners: nodes, and behind them the points of tubes
+  std::vector<std::array<int, 2>> lines; // beams without a section to draw
+  std::vector<DrawnPoint> round;         // points of tubes
   std::vector<Eigen::Vector3d> used;
   double size = 0; // diagonal of the box round them
 };
@@ -31,9 +34,8 @@ Selection select(const Results& results) {
   Selection selection;
   selection.quads = drawn_quads(results.mesh, quad_budget);
   const std::size_t step = 1 + results.lines.size() / line_budget;
-  for (std::size_t i = 0; i < results.lines.size(); i += step) {
-    selection.lines.push_back(results.lines[i]);
-  }
+  for (std::size_t i = 0; i < results.lines.size(); i += step)
+    if (!has_tube(results, i)) selection.lines.push_back(results.lines[i]);
   Eigen::AlignedBox3d box;
   const auto use = [&](int node) {
     selection.used.push_back(results.mesh.nodes[node]);
@@ -41,8 +43,20 @@ Selection select(const Results& results) {
   };
   for (const auto& quad : selection.quads) std::for_each(quad.begin(), quad.end(), use);
   for (const auto& line : selection.lines) std::for_each(line.begin(), line.end(), use);
+  add_tubes(results, int(results.mesh.nodes.size()), selection.round, selection.quads);
+  for (const DrawnPoint& point : selection.round) {
+    selection.used.push_back(place_of(results, point));
+    box.extend(selection.used.back());
+  }
+  for (const Symbol& symbol : results.symbols) use(symbol.node);
   if (!box.isEmpty()) selection.size = box.diagonal().norm();
   return selection;
+}
+
+std::vector<Eigen::Vector3d> points_of(const Results& results, const Selection& selection) {
+  std::vector<Eigen::Vector3d> points = results.mesh.nodes;
+  for (const DrawnPoint& point : selection.round) points.push_back(place_of(results, point));
+  return points;
 }
 
 std::string svg_open(const Frame& frame, const std::string& label) {
@@ -103,7 +117,11 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
                         const View& view, const Frame& frame) {
   const Eigen::MatrixXd& shape = results.shapes[mode];
   double largest = 0;
-  const auto size_at = [&](int node) { return shape.row(node).head<3>().norm(); };
+  const int nodes = int(results.mesh.nodes.size());
+  const Eigen::MatrixXd round = motion_of(selection.round, shape);
+  const auto size_at = [&](int point) {
+    return point < nodes ? shape.row(point).head<3>().norm() : round.row(point - nodes).norm();
+  };
   for (const auto& quad : selection.quads) {
     for (const int node : quad) largest = std::max(largest, size_at(node));
   }
@@ -111,11 +129,13 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
     for (const int node : line) largest = std::max(largest, size_at(node));
   }
   if (!(largest > 0)) largest = 1;
-  Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
+  Scene scene{points_of(results, selection), selection.quads, selection.lines, {}};
   const double scale = drawn_motion * selection.size / largest;
-  for (std::size_t node = 0; node < scene.points.size(); ++node) {
-    const Eigen::Vector3d u = shape.row(static_cast<int>(node)).head<3>().transpose();
-    if (u.allFinite()) scene.points[node] += scale * u;
+  for (int point = 0; point < static_cast<int>(scene.points.size()); ++point) {
+    const Eigen::Vector3d u = point < nodes
+                                  ? Eigen::Vector3d(shape.row(point).head<3>().transpose())
+                                  : Eigen::Vector3d(round.row(point - nodes).transpose());
+    if (u.allFinite()) scene.points[std::size_t(point)] += scale * u;
   }
   scene.colour = [&](const int* corners, int count, double shade) {
     double sum = 0;
@@ -136,13 +156,14 @@ std::string part_picture(const Results& results) {
   const Selection selection = select(results);
   if (selection.used.empty()) return "";
   const View view = view_of(selection.used);
-  Frame frame = frame_round(view, selection.used, 0.02 * selection.size, 1780);
+  const double margin = results.symbols.empty() ? 0.02 : 0.07; // for springs and names
+  Frame frame = frame_round(view, selection.used, margin * selection.size, 1780);
   frame.width += 220; // for the triad
-  Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
+  Scene scene{points_of(results, selection), selection.quads, selection.lines, {}};
   scene.colour = [](const int*, int, double shade) { return steel(0.3 + 0.8 * shade); };
   return "<figure class=\"part\">" + svg_open(frame, "the part in oblique projection") +
-         drawn(scene, view, frame) + sensor_marks(results, view, frame) + triad(view, frame) +
-         "</svg></figure>\n";
+         drawn(scene, view, frame) + symbol_marks(results, view, frame, selection.size) +
+         sensor_marks(results, view, frame) + triad(view, frame) + "</svg></figure>\n";
 }
 
 std::string field_picture(const Results& results, const ShownField& field) {

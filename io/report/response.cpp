@@ -102,6 +102,15 @@ std::string tone_html(const ToneResult& t, const ResponseResult& r) {
       {{"sensor", "", false}, {"at", "Hz"}, {"sine", "m/s²"}, {"RMS of both", "m/s²"}}, rows);
 }
 
+std::string direct_html(const ResponseResult& r) {
+  if (r.direct.empty()) return "";
+  const DirectCheck worst = farthest(r.direct);
+  return fmt::format(
+      "<p>Beside a direct solution of the whole mesh at {} frequencies: at most {} % "
+      "off, at {} Hz (<code>direct</code> in <code>results.json</code>).</p>\n",
+      r.direct.size(), html_number(100 * worst.difference, 2), html_fixed(worst.frequency, 1));
+}
+
 std::string random_html(const ResponseResult& r) {
   if (!r.random) return "";
   const bool alone = r.random->input.size() > 0;
@@ -148,7 +157,7 @@ std::string responses_html(const Results& results) {
                            .range = {{-180, 180}}},
                           phases(r, channels)) +
               plot_legend(curves(r, channels));
-    html += peaks_html(r) + random_html(r);
+    html += peaks_html(r) + direct_html(r) + random_html(r);
   }
   if (base)
     html += "<p>Absolute acceleration of the sensor in its own axes over that of the base.</p>\n";

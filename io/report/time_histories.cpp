@@ -138,6 +138,7 @@ std::string crossings_html(const RunUpResult& r, const Results& results) {
                                   {"mode", "", false},   {"frequency", "Hz"},
                                   {"sensor", "", false}, {"amplitude", "m/s²"}};
   if (hastes) columns.push_back({"sweep over the fastest that is steady", ""});
+  if (r.sweeps) columns.push_back({"in time", "m/s²"});
   std::vector<HtmlRow> rows;
   for (const OrderCrossing& c : r.crossings) {
     HtmlRow row{{html_fixed(60 * c.speed, 0), html_number(c.order, 3),
@@ -146,12 +147,42 @@ std::string crossings_html(const RunUpResult& r, const Results& results) {
                  html_number(c.amplitude, 3)},
                 ""};
     if (hastes) row.cells.push_back(c.haste ? html_number(*c.haste, 2) : "–");
+    if (r.sweeps) row.cells.push_back(html_number(*c.reached, 3));
     rows.push_back(std::move(row));
   }
   if (rows.empty()) return "<p>No order runs through a mode.</p>\n";
   return html_table("Where orders run through modes, and the sensor that moves most there. A sweep "
                     "faster than 1 (ISO 7626-2) does not reach the amplitude.",
                     columns, rows);
+}
+
+// The strongest orders of a channel while the speed runs.
+std::string sweeps_html(const RunUpResult& r, int channel) {
+  const OrderSweeps& s = *r.sweeps;
+  std::vector<PlotCurve> curves{{.x = s.time,
+                                 .y = std::sqrt(2.) * s.overall.col(channel),
+                                 .name = "all orders, √2 RMS",
+                                 .faint = true}};
+  for (const OrderCut& cut : s.orders) {
+    const int number = int(curves.size()) - 1;
+    if (curves.size() > most_curves) break;
+    curves.push_back({.x = s.time,
+                      .y = cut.acceleration.col(channel).cwiseAbs(),
+                      .name = fmt::format("order {:g}", cut.order),
+                      .colour = number,
+                      .dashes = number});
+  }
+  const std::string name = name_of(r.channels, channel);
+  return plot_figure({.label = r.name + ", orders of " + name + " in time",
+                      .abscissa = "time, s",
+                      .ordinate = "acceleration of " + name + ", m/s²",
+                      .linear = true},
+                     curves) +
+         plot_legend(curves) +
+         fmt::format(
+             "<p>While the speed runs from {} to {} rpm as given, beginning steadily: order "
+             "by order without a filter, the model being linear.</p>\n",
+             html_fixed(60 * s.speed[0], 0), html_fixed(60 * s.speed[s.speed.size() - 1], 0));
 }
 
 std::string run_up_html(const RunUpResult& r, const Results& results) {
@@ -185,7 +216,7 @@ std::string run_up_html(const RunUpResult& r, const Results& results) {
                       .abscissa = "speed, rpm",
                       .ordinate = "acceleration of " + strongest + ", m/s²"},
                      cuts) +
-         plot_legend(cuts);
+         plot_legend(cuts) + (r.sweeps ? sweeps_html(r, channels[0]) : "");
 }
 
 } // namespace

@@ -6,8 +6,11 @@
 #include "io/report/fields.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/surface.hpp"
+#include "io/report/symbols.hpp"
+#include "io/report/tubes.hpp"
 #include "io/tables/text.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
 
@@ -18,7 +21,7 @@
 namespace plica {
 namespace {
 
-constexpr int quad_budget = 7000;
+constexpr int quad_budget = 12000; // at which the crowns of thirty convolutions are round
 constexpr std::size_t most_modes = 12, most_fields = 24;
 
 std::string base64(std::string_view bytes) {
@@ -29,10 +32,10 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// The thinned mesh, its own nodes numbered anew, and which of the model's they are.
+// The thinned mesh with the tubes of beams, and what of the model its nodes are.
 struct Drawn {
   Surface surface;
-  std::vector<int> nodes;
+  std::vector<DrawnPoint> points;
 };
 
 Drawn drawn(const Results& results) {
@@ -41,8 +44,8 @@ Drawn drawn(const Results& results) {
   const auto own = [&](int node) {
     int& n = number[std::size_t(node)];
     if (n < 0) {
-      n = int(d.nodes.size());
-      d.nodes.push_back(node);
+      n = int(d.points.size());
+      d.points.push_back({node});
       d.surface.nodes.push_back(results.mesh.nodes[std::size_t(node)]);
     }
     return n;
@@ -54,21 +57,37 @@ Drawn drawn(const Results& results) {
   }
   for (const std::array<int, 2>& line : results.lines)
     d.surface.lines.push_back({own(line[0]), own(line[1])});
+  std::vector<DrawnPoint> round;
+  std::vector<std::array<int, 4>> tubes;
+  add_tubes(results, int(d.points.size()), round, tubes);
+  for (const DrawnPoint& point : round) {
+    d.points.push_back(point);
+    d.surface.nodes.push_back(place_of(results, point));
+  }
+  for (const std::array<int, 4>& q : tubes)
+    for (const std::array<int, 3>& t : halves(q)) d.surface.triangles.push_back(t);
   return d;
 }
 
+std::size_t modes_in(const Results& results) {
+  return std::min(shown_modes(results), most_modes);
+}
+
 std::vector<SurfaceShape> shapes_of(const Results& results, const Drawn& d) {
-  std::vector<SurfaceShape> shapes = drawn_shapes(results);
-  if (shapes.size() > most_modes) shapes.resize(most_modes);
-  for (SurfaceShape& s : shapes) s.displacement = s.displacement(d.nodes, Eigen::all).eval();
+  require_one_row_per_node(results);
+  std::vector<SurfaceShape> shapes;
+  for (std::size_t m = 0; m < modes_in(results); ++m)
+    shapes.push_back({fmt::format("mode {}", m + 1),
+                      drawn_scale(results, m) * motion_of(d.points, results.shapes[m])});
   return shapes;
 }
 
 // Shares as 16 bits each, little endian, in the order of the drawn nodes.
 std::string shares_of(const Eigen::VectorXd& shares, const Drawn& d) {
   std::string bytes;
-  for (const int node : d.nodes) {
-    const double share = std::isfinite(shares[node]) ? std::clamp(shares[node], 0., 1.) : 0.;
+  for (const DrawnPoint& point : d.points) {
+    const double own = shares[point.node];
+    const double share = std::isfinite(own) ? std::clamp(own, 0., 1.) : 0.;
     const auto number = static_cast<unsigned>(std::lround(65535 * share));
     bytes += char(number & 255u);
     bytes += char(number >> 8u);
@@ -87,6 +106,33 @@ nlohmann::ordered_json fields_of(const Results& results, const Drawn& d) {
                     {"spot_above", f.spot_above},
                     {"below", shares_of(f.below, d)},
                     {"above", shares_of(f.above, d)}});
+  return list;
+}
+
+nlohmann::ordered_json triple(const Eigen::Vector3d& x) {
+  return {x.x(), x.y(), x.z()};
+}
+
+// Bodies and springs: where they are, and how their ends move in each mode.
+nlohmann::ordered_json symbols_json(const Results& results, double size) {
+  constexpr std::array kinds{"mass", "spring", "ground", "held"};
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Symbol& s : results.symbols) {
+    nlohmann::ordered_json ends = nlohmann::ordered_json::array();
+    for (const int node : {s.node, s.other}) {
+      if (node < 0) continue;
+      nlohmann::ordered_json moves = nlohmann::ordered_json::array();
+      for (std::size_t m = 0; m < modes_in(results); ++m) {
+        const Eigen::MatrixXd u = drawn_scale(results, m) * motion_of({{node}}, results.shapes[m]);
+        moves.push_back(triple(u.row(0).transpose()));
+      }
+      ends.push_back({{"at", triple(results.mesh.nodes[std::size_t(node)])}, {"moves", moves}});
+    }
+    list.push_back({{"kind", kinds[std::size_t(s.kind)]},
+                    {"name", s.name},
+                    {"radius", s.kind == SymbolKind::mass ? ball_radius(s.mass, size) : 0},
+                    {"ends", ends}});
+  }
   return list;
 }
 
@@ -109,6 +155,9 @@ std::string part_viewer(const Results& results, const std::string& drawing) {
       data["sensors"].push_back({{"name", s.name}, {"at", {x.x(), x.y(), x.z()}}});
     }
   if (const auto fields = fields_of(results, d); !fields.empty()) data["fields"] = fields;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : d.surface.nodes) box.extend(x);
+  data["symbols"] = symbols_json(results, box.diagonal().norm());
   data["glb"] = base64(glb_of(d.surface, shapes));
   return "<figure class=\"viewer\">\n" + drawing + json_script(json_in_page(data)) + "</figure>\n";
 }

@@ -137,6 +137,10 @@ Json json_of(const ResponseResult& r) {
                      {"amplitude", json_number(p.amplitude)},
                      {"phase", json_number(p.phase)},
                      {"damping", json_number(p.damping)}});
+  Json direct = Json::array();
+  for (const DirectCheck& check : r.direct)
+    direct.push_back({{"frequency", json_number(check.frequency)},
+                      {"difference", json_number(check.difference)}});
   const auto named = [&](Source source) {
     return r.source == source ? Json(r.excitation) : Json(nullptr);
   };
@@ -148,6 +152,7 @@ Json json_of(const ResponseResult& r) {
           {"file", "response_" + response_name(r) + ".csv"},
           {"motion_file", "motion_" + response_name(r) + ".csv"},
           {"peaks", peaks},
+          {"direct", direct},
           {"random", r.random ? json_of(*r.random, r) : Json(nullptr)}};
 }
 

@@ -205,6 +205,19 @@ std::string random_table(const Results& results) {
   return rows.size() == 1 ? "" : "\nLargest random motion\n" + aligned(rows, "<<>>");
 }
 
+// The largest difference of each response from its direct solution.
+std::string direct_text(const Results& results) {
+  std::string text;
+  for (const ResponseResult& r : results.responses) {
+    if (r.direct.empty()) continue;
+    const DirectCheck worst = farthest(r.direct);
+    text += fmt::format("{}{}: {} % at {:.1f} Hz, of {} frequencies\n", text.empty() ? "" : "  ",
+                        response_title(r), significant(100 * worst.difference, 2), worst.frequency,
+                        r.direct.size());
+  }
+  return text.empty() ? "" : "\nLargest difference from the direct solution\n  " + text;
+}
+
 std::string transients_table(const Results& results) {
   std::vector<Row> rows{{"", "input", "sensor", "peak m/s2", "at ms", "RMS m/s2"}};
   for (const TransientResult& t : results.transients)
@@ -219,6 +232,9 @@ std::string transients_table(const Results& results) {
 
 std::string crossings_table(const Results& results) {
   std::vector<Row> rows{{"", "rpm", "order", "mode", "Hz", "sensor", "m/s2"}};
+  const bool in_time = std::any_of(results.run_ups.begin(), results.run_ups.end(),
+                                   [](const RunUpResult& r) { return r.sweeps.has_value(); });
+  if (in_time) rows[0].push_back("in time");
   for (const RunUpResult& r : results.run_ups)
     for (const OrderCrossing& c : r.crossings) {
       const auto& [sensor, axis] = r.channels[std::size_t(c.channel)];
@@ -226,8 +242,11 @@ std::string crossings_table(const Results& results) {
                       mode_label(results.modes[std::size_t(c.mode)]),
                       fmt::format("{:.1f}", c.frequency), sensor + " " + axis,
                       significant(c.amplitude, 3)});
+      if (in_time) rows.back().push_back(c.reached ? significant(*c.reached, 3) : "-");
     }
-  return rows.size() == 1 ? "" : "\nOrders through modes\n" + aligned(rows, "<>><><>");
+  return rows.size() == 1
+             ? ""
+             : "\nOrders through modes\n" + aligned(rows, in_time ? "<>><><>>" : "<>><><>");
 }
 
 std::string levels_table(const Results& results) {
@@ -290,9 +309,9 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
   text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
   text += state_table(results) + states_table(results) + spread_table(results) +
           error_table(results) + statics_table(results) + modes_table(results) +
-          peaks_table(results) + random_table(results) + transients_table(results) +
-          crossings_table(results) + levels_table(results) + stress_summary(results) +
-          life_summary(results);
+          peaks_table(results) + direct_text(results) + random_table(results) +
+          transients_table(results) + crossings_table(results) + levels_table(results) +
+          stress_summary(results) + life_summary(results);
   for (const std::string& remark : results.unanswered) text += "\nNot in this model: " + remark;
   if (!results.unanswered.empty()) text += "\n";
   for (const std::string& warning : results.warnings) text += "\nWarning: " + warning;

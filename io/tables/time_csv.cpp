@@ -33,6 +33,9 @@ std::string shock_file(const std::string& name) {
 std::string run_up_file(const std::string& name) {
   return "run_up_" + name + ".csv";
 }
+std::string run_up_time_file(const std::string& name) {
+  return "run_up_" + name + "_in_time.csv";
+}
 
 std::string transient_csv(const TransientResult& t) {
   std::string text = fmt::format("time [s],input [{}]", t.unit);
@@ -62,8 +65,9 @@ std::string shock_csv(const TransientResult& t) {
   return text;
 }
 
-std::string run_up_csv(const RunUpResult& r) {
-  std::string text = "speed [rpm]";
+namespace {
+
+void add_order_heads(std::string& text, const RunUpResult& r) {
   for (const OrderCut& cut : r.orders) {
     const std::string order = fmt::format("order {:g} ", cut.order);
     for (const auto& [sensor, direction] : r.channels)
@@ -72,29 +76,52 @@ std::string run_up_csv(const RunUpResult& r) {
   }
   add_heads(text, r.channels, "overall ", " RMS [m/s2]");
   text += '\n';
+}
+
+void add_orders(std::string& text, const std::vector<OrderCut>& orders,
+                const Eigen::MatrixXd& overall, Index i) {
+  for (const OrderCut& cut : orders)
+    for (const std::complex<double> a : cut.acceleration.row(i))
+      text +=
+          "," + csv_number(std::abs(a)) + "," + csv_number(std::arg(a) * 180 / std::numbers::pi);
+  for (const double a : overall.row(i)) text += "," + csv_number(a);
+  text += '\n';
+}
+
+} // namespace
+
+std::string run_up_csv(const RunUpResult& r) {
+  std::string text = "speed [rpm]";
+  add_order_heads(text, r);
   for (Index i = 0; i < r.speed.size(); ++i) {
     text += csv_number(60 * r.speed[i]);
-    for (const OrderCut& cut : r.orders)
-      for (const std::complex<double> a : cut.acceleration.row(i))
-        text +=
-            "," + csv_number(std::abs(a)) + "," + csv_number(std::arg(a) * 180 / std::numbers::pi);
-    for (const double a : r.overall.row(i)) text += "," + csv_number(a);
-    text += '\n';
+    add_orders(text, r.orders, r.overall, i);
+  }
+  return text;
+}
+
+std::string run_up_time_csv(const RunUpResult& r) {
+  const OrderSweeps& s = *r.sweeps;
+  std::string text = "time [s],speed [rpm]";
+  add_order_heads(text, r);
+  for (Index i = 0; i < s.time.size(); ++i) {
+    text += csv_number(s.time[i]) + "," + csv_number(60 * s.speed[i]);
+    add_orders(text, s.orders, s.overall, i);
   }
   return text;
 }
 
 std::string crossings_csv(const Results& results) {
   std::string text = "run-up,speed [rpm],order,mode,label,frequency [Hz],channel,"
-                     "amplitude [m/s2],sweep over steady limit\n";
+                     "amplitude [m/s2],sweep over steady limit,in time [m/s2]\n";
   for (const RunUpResult& r : results.run_ups)
     for (const OrderCrossing& c : r.crossings) {
       const auto& [sensor, direction] = r.channels[std::size_t(c.channel)];
-      text +=
-          fmt::format("{},{},{:g},{},{},{},{},{},{}\n", csv_cell(r.name), csv_number(60 * c.speed),
-                      c.order, c.mode + 1, csv_cell(mode_label(results.modes[std::size_t(c.mode)])),
-                      csv_number(c.frequency), csv_cell(sensor + " " + direction),
-                      csv_number(c.amplitude), csv_number(c.haste));
+      text += fmt::format("{},{},{:g},{},{},{},{},{},{},{}\n", csv_cell(r.name),
+                          csv_number(60 * c.speed), c.order, c.mode + 1,
+                          csv_cell(mode_label(results.modes[std::size_t(c.mode)])),
+                          csv_number(c.frequency), csv_cell(sensor + " " + direction),
+                          csv_number(c.amplitude), csv_number(c.haste), csv_number(c.reached));
     }
   return text;
 }

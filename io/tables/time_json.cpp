@@ -43,7 +43,8 @@ Json run_ups_json(const Results& results) {
                            {"sensor", sensor},
                            {"direction", direction},
                            {"amplitude", json_number(c.amplitude)},
-                           {"haste", c.haste ? json_number(*c.haste) : Json(nullptr)}});
+                           {"haste", c.haste ? json_number(*c.haste) : Json(nullptr)},
+                           {"reached", c.reached ? json_number(*c.reached) : Json(nullptr)}});
     }
     Json overall = Json::array();
     for (std::size_t c = 0; c < r.channels.size(); ++c) {
@@ -56,6 +57,7 @@ Json run_ups_json(const Results& results) {
     }
     list.push_back({{"name", r.name},
                     {"file", run_up_file(r.name)},
+                    {"time_file", r.sweeps ? Json(run_up_time_file(r.name)) : Json(nullptr)},
                     {"orders", orders},
                     {"largest", overall},
                     {"crossings", crossings}});

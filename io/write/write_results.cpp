@@ -63,7 +63,10 @@ std::vector<std::string> result_files(const Case& data) {
     names.push_back(transient_file(transient.name));
     if (transient.spectrum) names.push_back(shock_file(transient.name));
   }
-  for (const RunUp& run_up : data.analyses.run_ups) names.push_back(run_up_file(run_up.name));
+  for (const RunUp& run_up : data.analyses.run_ups) {
+    names.push_back(run_up_file(run_up.name));
+    if (!run_up.table.empty()) names.push_back(run_up_time_file(run_up.name));
+  }
   if (!data.analyses.run_ups.empty()) names.emplace_back("crossings.csv");
   if (has_damped_springs(data) || data.analyses.damping.coupled)
     names.emplace_back("complex_modes.csv");
@@ -100,7 +103,10 @@ void write_results(const Results& results, OutputFolder& out) {
     out.add(transient_file(t.name), transient_csv(t));
     if (t.spectra) out.add(shock_file(t.name), shock_csv(t));
   }
-  for (const RunUpResult& r : results.run_ups) out.add(run_up_file(r.name), run_up_csv(r));
+  for (const RunUpResult& r : results.run_ups) {
+    out.add(run_up_file(r.name), run_up_csv(r));
+    if (r.sweeps) out.add(run_up_time_file(r.name), run_up_time_csv(r));
+  }
   if (!results.run_ups.empty()) out.add("crossings.csv", crossings_csv(results));
   if (!results.complex_modes.shapes.empty())
     out.add("complex_modes.csv", complex_modes_csv(results));

@@ -130,6 +130,7 @@ struct Response {
   int points = 491; // even steps; eigenfrequencies and clusters round them besides
   std::vector<std::array<double, 2>> rms_bands = {}; // Hz; beside the whole band
   std::vector<CrossPair> cross = {};                 // cross densities of a random response
+  int referee = 0; // frequencies of a direct solution of the whole mesh
 };
 
 struct LevelForce {

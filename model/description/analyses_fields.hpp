@@ -163,6 +163,8 @@ template <class V> void fields(V& v, Response& r) {
   v.points(r.rms_bands, "rms_bands", {.unit = Dimension::frequency, .min = 0},
            "[from, to] of the bands of which a random response gives the RMS");
   v.list(r.cross, "cross", optional_key, "pairs of channels whose cross density is given");
+  v.whole(r.referee, "referee", {.min = 0, .max = 100},
+          "frequencies at which a direct solution of the whole mesh checks the response");
 }
 
 template <class V> void fields(V& v, Stress& s) {

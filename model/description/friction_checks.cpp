@@ -102,7 +102,8 @@ void check_levels(const Case& data, CheckLog& log) {
             "at least " + std::to_string(8 * (l.harmonics + 1)) + ", better 256");
   check_held(key, data, log);
   const Damping& d = a.damping;
-  if (d.modal <= 0 && d.ranges.empty() && d.loss_factors.empty() && log.fine("analyses.damping"))
+  if (d.modal <= 0 && d.ranges.empty() && d.loss_factors.empty() && !has_damped_springs(data) &&
+      log.fine("analyses.damping"))
     log.add(key, "without damping has no finite peak where joints stick",
             "give analyses.damping.modal, ranges or loss_factors");
   if (data.sensors.empty() && log.fine("sensors"))

@@ -41,9 +41,6 @@ void check_spring_damping(const Case& data, CheckLog& log) {
     const std::string key = "mount." + mount.cap + ".damping";
     if (mount.damping) check_law(*mount.damping, key, log);
   }
-  if (has_damped_springs(data) && data.analyses.levels && log.fine("analyses.levels"))
-    log.add("analyses.levels", "has harmonic balance for friction, not yet for damped springs",
-            "leave damping of the springs of caps and mounts out, or the levels");
 }
 
 } // namespace plica

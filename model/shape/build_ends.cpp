@@ -120,6 +120,7 @@ void add_mass(Building& b, const std::string& name, const PointMass& mass) {
     node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
     add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
   }
+  b.built.mass_nodes[name] = node;
   b.built.model.masses.push_back({node, rigid_mass(mass.mass, mass.inertia, mass.offset)});
 }
 

@@ -16,8 +16,9 @@ struct BuiltCase {
   Model model;
   std::vector<BuiltJoint> joints; // with friction or nonlinear springs
   std::vector<BuiltDamper> dampers;
-  std::map<std::string, int> cap_nodes; // reference node of each cap
-  std::vector<int> held_nodes;          // reference nodes of rigidly mounted caps
+  std::map<std::string, int> cap_nodes;  // reference node of each cap
+  std::vector<int> held_nodes;           // reference nodes of rigidly mounted caps
+  std::map<std::string, int> mass_nodes; // of each mass that is a part
   std::vector<BuiltSensor> sensors;
   std::vector<std::array<double, 2>>
       meridian; // [y, r] of the shells of revolution that follow one another

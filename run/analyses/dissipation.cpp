@@ -27,14 +27,18 @@ Loads with_dampers(Loads loads, const BuiltCase& built) {
   return loads;
 }
 
+AddedStiffness added_by(const BuiltDamper& damper) {
+  return [own = damper](std::complex<double> s) {
+    return added_stiffness(own.law, own.dof, own.stiffness, s);
+  };
+}
+
 Dissipation dissipation(const Damping& damping, const BuiltCase& built,
                         const ModalSolution& solution, const Excitations* excited) {
   Dissipation d;
   const auto first = int(solution.input.cols()) - int(built.dampers.size());
   for (std::size_t k = 0; k < built.dampers.size(); ++k)
-    d.springs.push_back({.column = first + int(k), .added = [own = built.dampers[k]](auto s) {
-                           return added_stiffness(own.law, own.dof, own.stiffness, s);
-                         }});
+    d.springs.push_back({.column = first + int(k), .added = added_by(built.dampers[k])});
   const Index columns = solution.u.cols(), loads = solution.input.cols();
   if (excited && excited->stretch.size() > 0) {
     d.stretch = MatrixXd::Zero(excited->stretch.rows(), loads);

@@ -11,6 +11,8 @@ namespace plica {
 // The loads with a unit force in every damped spring behind them.
 Loads with_dampers(Loads loads, const BuiltCase& built);
 
+AddedStiffness added_by(const BuiltDamper& damper);
+
 // Of a solution whose last loads are those; `excited`: what the others are, or null.
 Dissipation dissipation(const Damping& damping, const BuiltCase& built,
                         const ModalSolution& solution, const Excitations* excited);

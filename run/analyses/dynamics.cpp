@@ -3,6 +3,7 @@
 #include "run/analyses/damping.hpp"
 #include "run/analyses/dissipation.hpp"
 #include "run/analyses/mode_names.hpp"
+#include "run/analyses/referee.hpp"
 #include "run/analyses/run_ups.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/analyses/transients.hpp"
@@ -149,16 +150,40 @@ private:
                                   " Hz: above, the response holds only their static part and no "
                                   "peak is listed; ask for modes up to twice the band");
     lap("response");
+    if (asked.referee > 0) check_directly(asked, model, modes, excited);
     over_time(model, modes, excited);
+  }
+
+  void check_directly(const Response& asked, const SensorModel& model, const DampedModes& modes,
+                      const Excitations& excited) {
+    stage_("direct solution");
+    try {
+      hold_against_direct_solution(asked, built_, case_.analyses.damping, model, modes, excited,
+                                   results_.responses);
+    } catch (const std::runtime_error& error) { // the response itself is good
+      results_.warnings.push_back(std::string("direct solution left out: ") + error.what());
+    }
+    constexpr double far_off = 0.01;
+    for (const ResponseResult& r : results_.responses)
+      for (const DirectCheck& check : r.direct)
+        if (!(check.difference < far_off))
+          results_.warnings.push_back(
+              fmt::sprintf("response %s: the direct solution at %.4g Hz differs by %.2g %%; ask "
+                           "for more modes",
+                           r.excitation, check.frequency, 100 * check.difference));
+    lap("direct solution");
   }
 
   void over_time(const SensorModel& model, const DampedModes& modes, const Excitations& excited) {
     const Analyses& a = case_.analyses;
     if (a.transients.empty() && a.run_ups.empty()) return;
     stage_("transients and run-ups");
-    if (!a.transients.empty() && !modes.dissipation.empty())
-      results_.warnings.push_back("transients: damped springs and coupled loss factors act as "
-                                  "damping of each mode by itself");
+    const bool in_time =
+        !a.transients.empty() || std::any_of(a.run_ups.begin(), a.run_ups.end(),
+                                             [](const RunUp& r) { return !r.table.empty(); });
+    if (in_time && !modes.dissipation.empty())
+      results_.warnings.push_back("transients and run-ups in time: damped springs and coupled loss "
+                                  "factors act as damping of each mode by itself");
     for (std::size_t i = 0; i < a.transients.size(); ++i)
       results_.transients.push_back(transient(a.transients[i],
                                               "analyses.transients[" + std::to_string(i) + "]",

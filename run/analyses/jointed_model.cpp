@@ -1,6 +1,7 @@
 #include "run/analyses/jointed_model.hpp"
 
 #include "run/analyses/damping.hpp"
+#include "run/analyses/dissipation.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
@@ -60,21 +61,24 @@ std::vector<JointLaw> laws_of(const std::vector<BuiltJoint>& joints) {
 JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& route) {
   const Levels& levels = *data.analyses.levels;
   const Excitations excited = excitations(as_response(levels), slipping);
-  const Index count = Index(excited.list.size());
+  const Index count = Index(excited.list.size()), joints = Index(slipping.joints.size());
   // Modes beyond the band as far as the third harmonic; static answers to all forces stand for the
   // rest.
   const bool balance = levels.method == JointMethod::harmonic_balance;
   const double reach = balance ? std::clamp(levels.harmonics, 2, 3) : 1.5;
   const ModalSolution solution =
       route.modes({.count = 0, .band = {0, reach * levels.band[1]}, .proof = false},
-                  with_joint_forces(excited.loads, slipping), {});
+                  with_dampers(with_joint_forces(excited.loads, slipping), slipping), {});
   JointedModel model;
   model.structure = {.lambda = solution.lambda,
                      .zeta = VectorXd::Zero(solution.lambda.size()),
                      .eta = VectorXd::Zero(solution.lambda.size()),
-                     .joints = solution.input.rightCols(Index(slipping.joints.size())),
+                     .joints = solution.input.middleCols(count, joints),
                      .input = solution.input.col(0),
-                     .laws = laws_of(slipping.joints)};
+                     .laws = laws_of(slipping.joints),
+                     .dampers = solution.input.rightCols(Index(slipping.dampers.size())),
+                     .added = {}};
+  for (const BuiltDamper& d : slipping.dampers) model.structure.added.push_back(added_by(d));
   add_damping(data.analyses.damping, slipping.model, solution, model.structure);
   model.input = solution.input.leftCols(count);
   model.output = at_sensors(slipping, solution.u);
@@ -91,10 +95,14 @@ ExcitedPart excited_part(const JointedModel& model, int excitation) {
   constexpr double none = 1e-7; // of the largest: rounding, not a path
   const JointedStructure& s = model.structure;
   const VectorXd input = model.input.col(excitation);
-  // Joints in the scale of their own largest motion by a mode of unit stiffness energy.
-  const MatrixXd J = s.lambda.cwiseSqrt().cwiseInverse().asDiagonal() * s.joints;
+  // Joints and damped springs in the scale of their own largest motion by a mode of unit stiffness
+  // energy.
+  const Index joints = s.joints.cols();
+  MatrixXd J(s.joints.rows(), joints + s.dampers.cols());
+  J << s.joints, s.dampers;
+  J = s.lambda.cwiseSqrt().cwiseInverse().asDiagonal() * J;
   const VectorXd f = s.lambda.cwiseSqrt().cwiseInverse().cwiseProduct(input);
-  std::vector<char> mode(std::size_t(J.rows()), 0), joint(std::size_t(J.cols()), 0);
+  std::vector<char> mode(std::size_t(J.rows()), 0), link(std::size_t(J.cols()), 0);
   for (Index r = 0; r < f.size(); ++r)
     mode[std::size_t(r)] = std::abs(f[r]) > none * f.cwiseAbs().maxCoeff();
   for (bool grown = true; grown;) {
@@ -104,26 +112,30 @@ ExcitedPart excited_part(const JointedModel& model, int excitation) {
       for (Index r = 0; r < J.rows(); ++r) {
         if (std::abs(J(r, j)) <= none * largest) continue;
         char& m = mode[std::size_t(r)];
-        char& own = joint[std::size_t(j)];
+        char& own = link[std::size_t(j)];
         if (m == own) continue;
         m = own = 1;
         grown = true;
       }
     }
   }
-  std::vector<int> modes;
+  std::vector<int> modes, dampers;
   ExcitedPart part;
   for (Index r = 0; r < f.size(); ++r)
     if (mode[std::size_t(r)]) modes.push_back(int(r));
   for (Index j = 0; j < J.cols(); ++j)
-    if (joint[std::size_t(j)]) part.joints.push_back(int(j));
+    if (link[std::size_t(j)])
+      (j < joints ? part.joints : dampers).push_back(int(j < joints ? j : j - joints));
   part.structure = {.lambda = s.lambda(modes),
                     .zeta = s.zeta(modes),
                     .eta = s.eta(modes),
                     .joints = s.joints(modes, part.joints),
                     .input = input(modes),
-                    .laws = {}};
+                    .laws = {},
+                    .dampers = s.dampers(modes, dampers),
+                    .added = {}};
   for (int j : part.joints) part.structure.laws.push_back(s.laws[std::size_t(j)]);
+  for (int k : dampers) part.structure.added.push_back(s.added[std::size_t(k)]);
   part.output = model.output(Eigen::all, modes);
   part.rigid = model.rigid.col(excitation);
   part.modes = std::move(modes);

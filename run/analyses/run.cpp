@@ -87,6 +87,8 @@ private:
     results_.route = route_->name();
     results_.reduced = route_->reduced();
     for (const BeamElement& b : built_.model.beams) results_.lines.push_back({b.node1, b.node2});
+    results_.line_radii = drawn_radii(built_);
+    results_.symbols = symbols_of(case_, built_);
     for (const BuiltSensor& s : built_.sensors)
       results_.sensors.push_back({s.name, s.node, s.distance, s.axes});
     results_.model = {.nodes = static_cast<int>(built_.model.mesh.nodes.size()),

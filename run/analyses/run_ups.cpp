@@ -1,5 +1,6 @@
 #include "run/analyses/run_ups.hpp"
 
+#include "run/analyses/order_sweeps.hpp"
 #include "solve/frequency_grid.hpp"
 #include "solve/modes.hpp"
 
@@ -19,11 +20,6 @@ std::set<double> orders_of(const RunUp& asked) {
   std::set<double> orders;
   for (const EngineOrder& o : asked.orders) orders.insert(o.order);
   return orders;
-}
-
-double amplitude_at(const EngineOrder& order, double speed) {
-  if (!order.table.empty()) return table_at(order.table, speed);
-  return order.acceleration ? *order.acceleration : *order.force;
 }
 
 // Even steps, the crossings with their surroundings, and the corners of the tables.
@@ -121,6 +117,9 @@ RunUpResult run_up(const RunUp& asked, const std::string& key, const SensorModel
   for (Index c = 0; c < channels; ++c)
     if (highest[c] > 1e-3 * highest.maxCoeff()) r.shown.push_back(int(c));
   r.crossings = crossings(asked, r, modes);
+  if (asked.table.empty()) return r;
+  r.sweeps = order_sweeps(asked, key, model, modes, excited);
+  for (OrderCrossing& c : r.crossings) c.reached = reached(*r.sweeps, c, r.crossings);
   return r;
 }
 

@@ -1,6 +1,14 @@
 #include "run/results/results.hpp"
 
+#include <algorithm>
+
 namespace plica {
+
+DirectCheck farthest(const std::vector<DirectCheck>& checks) {
+  return *std::max_element(
+      checks.begin(), checks.end(),
+      [](const DirectCheck& a, const DirectCheck& b) { return a.difference < b.difference; });
+}
 
 std::map<std::string, double> headline(const Results& results) {
   std::map<std::string, double> numbers;

@@ -3,6 +3,7 @@
 
 #include "mesh/mesh.hpp"
 #include "model/description/connector_curve.hpp"
+#include "model/shape/symbols.hpp"
 #include "run/results/level_results.hpp"
 #include "run/results/life_results.hpp"
 #include "run/results/state_results.hpp"
@@ -139,6 +140,12 @@ enum class Source { base, ends, force, together };
 // Acceleration of the sensors in their own axes: absolute and per acceleration of the base or of
 // the ends that move (transmissibility), or per N (Nm) of a force with the base at rest; under
 // several inputs together as it is, in m/s2.
+// The response beside a direct solution of the whole mesh.
+struct DirectCheck {
+  double frequency = 0;  // Hz
+  double difference = 0; // norm over the channels, over that of the direct solution
+};
+
 struct ResponseResult {
   std::string excitation; // base: x y z rx ry rz; or the name of the motion or force
   Source source = Source::base;
@@ -152,7 +159,11 @@ struct ResponseResult {
   std::vector<ResponsePeak> peaks;
   std::optional<RandomResult> random;
   std::vector<TestCurve> test; // at the measured level that is nearest
+  std::vector<DirectCheck> direct = {};
 };
+
+// The check that differs most, of at least one.
+DirectCheck farthest(const std::vector<DirectCheck>& checks);
 
 // Largest resultant of the three axes of each sensor, frequencies x sensors: root of the sum of the
 // squared amplitudes.
@@ -268,6 +279,8 @@ struct Results {
   // mode (nodes x 6), thickness per quad in `mesh.quads`.
   Mesh mesh;
   std::vector<std::array<int, 2>> lines;
+  std::vector<double> line_radii; // of each line, m; 0: no section to draw
+  std::vector<Symbol> symbols;
   std::vector<Eigen::MatrixXd> shapes;
   std::vector<std::array<double, 2>> meridian; // [y, r] along the shells of revolution
 };

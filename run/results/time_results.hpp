@@ -39,7 +39,14 @@ struct TransientResult {
 // All inputs of one order of the engine, amplitudes and phases of the sensors.
 struct OrderCut {
   double order = 0;
-  Eigen::MatrixXcd acceleration; // speeds x channels, m/s2
+  Eigen::MatrixXcd acceleration; // speeds or times x channels, m/s2
+};
+
+// The orders while the speed runs as given over time.
+struct OrderSweeps {
+  Eigen::VectorXd time, speed; // s, revolutions per second
+  std::vector<OrderCut> orders;
+  Eigen::MatrixXd overall; // RMS of all orders together, times x channels, m/s2
 };
 
 // Where an order runs through a mode.
@@ -51,6 +58,7 @@ struct OrderCrossing {
   double amplitude = 0; // of it, m/s2
   // Speed of the sweep over the fastest that shows the whole peak (ISO 7626-2); none: not stated.
   std::optional<double> haste;
+  std::optional<double> reached = {}; // amplitude of that channel in time, m/s2
 };
 
 // Steady response at every speed of an engine.
@@ -60,8 +68,9 @@ struct RunUpResult {
   std::vector<std::pair<std::string, std::string>> channels;
   std::vector<int> shown;
   std::vector<OrderCut> orders;
-  Eigen::MatrixXd overall;              // RMS of all orders together, speeds x channels, m/s2
-  std::vector<OrderCrossing> crossings; // by speed
+  Eigen::MatrixXd overall;                // RMS of all orders together, speeds x channels, m/s2
+  std::vector<OrderCrossing> crossings;   // by speed
+  std::optional<OrderSweeps> sweeps = {}; // where the speed is given over time
 };
 
 } // namespace plica

@@ -169,6 +169,8 @@ double quantile(const Tolerance& t, double u) {
 
 Case for_headline(Case data) {
   data.analyses.response.reset();
+  data.analyses.transients.clear();
+  data.analyses.run_ups.clear();
   data.analyses.levels.reset();
   data.analyses.stress.reset();
   data.analyses.life.reset();
@@ -195,6 +197,9 @@ Case for_comparison(const Case& given) {
     data.analyses.response->random.reset();
     data.analyses.response->forces.clear();
     data.analyses.response->motions.clear();
+    data.analyses.response->together.clear();
+    data.analyses.response->tones.clear();
+    data.analyses.response->referee = 0;
     if (data.analyses.response->bases.empty()) data.analyses.response.reset();
   }
   data.sensors = given.sensors;
@@ -222,7 +227,10 @@ Case for_mesh_error(const Case& data) {
   if (!data.analyses.stress) return fine;
   fine.analyses.damping = data.analyses.damping;
   fine.analyses.response = data.analyses.response;
-  if (fine.analyses.response) fine.analyses.response->cross.clear(); // of sensors
+  if (fine.analyses.response) {
+    fine.analyses.response->cross.clear(); // of sensors
+    fine.analyses.response->referee = 0;
+  }
   return fine;
 }
 

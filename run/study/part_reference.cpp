@@ -142,8 +142,7 @@ MatrixXd free_motions(const Model& model) {
 } // namespace
 
 PartReference part_reference(const BuiltCase& built, const SymmetricView& view,
-                             const Boundary& boundary, bool grounded, bool preloaded,
-                             double high) {
+                             const Boundary& boundary, bool grounded, bool preloaded, double high) {
   const auto* symmetric = std::get_if<CyclicModel>(&view);
   PartReference part = symmetric ? symmetric_reference(*symmetric, boundary, preloaded, high)
                                  : full_reference(built.model, boundary, preloaded, high);

@@ -12,11 +12,10 @@ struct Boundary {
   int caps = 0; // they come first
 };
 
-// `grounded`: something inside holds it. `preloaded`: spectra with the first boundary node held, as no rotation of a preloaded part is
-// free. Frequencies up to `high`, Hz.
+// `grounded`: something inside holds it. `preloaded`: spectra with the first boundary node held, as
+// no rotation of a preloaded part is free. Frequencies up to `high`, Hz.
 PartReference part_reference(const BuiltCase& built, const SymmetricView& view,
-                             const Boundary& boundary, bool grounded, bool preloaded,
-                             double high);
+                             const Boundary& boundary, bool grounded, bool preloaded, double high);
 
 // Its stiffness between two caps, by another way than the reduction. `nested`: the superelement is
 // one of superelements.

@@ -289,8 +289,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   stage("certificate");
   const bool preloaded = data.state.has_value();
   const bool grounded = !data.supports.empty() || held_by_deck(data);
-  PartReference part =
-      part_reference(built, view, boundary, grounded, preloaded, result.cutoff);
+  PartReference part = part_reference(built, view, boundary, grounded, preloaded, result.cutoff);
   if (preloaded) part.preload = forces_of_rigid_motions(data, released, boundary.nodes);
   if (boundary.caps == 2) add_statics(part, built, view, boundary, nested != nullptr);
   result.left_out = select_modes(reduction, request.least_interface_mass);

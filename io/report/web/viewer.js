@@ -8,6 +8,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 import { element } from './element.js';
+import { addSymbols } from './symbols.js';
 
 const period = 1600; // ms of one swing, whatever the frequency
 const room = 24, narrowest = 96; // px: between a name and the edge, of a name in lines
@@ -102,7 +103,7 @@ class Viewer {
     this.objects = [];
     gltf.scene.traverse((o) => { if (o.isMesh || o.isLineSegments || o.isLine) this.objects.push(o); });
     prepare(this.objects);
-    this.tags = this.tagged(data.sensors);
+    this.tags = this.tagged(data.sensors, data.symbols ?? []);
     this.mode = -1;
     this.amplitude = 1;
     this.phase = 0;
@@ -128,9 +129,10 @@ class Viewer {
   }
 
   // Names at places of the part: sensors, and the ends of its axes.
-  tagged(sensors) {
+  tagged(sensors, symbols) {
     const box = new Box3().setFromObject(this.part);
-    const length = 0.16 * box.getSize(new Vector3()).length();
+    const size = box.getSize(new Vector3()).length();
+    const length = 0.16 * size;
     const corner = new Vector3(box.min.x, box.min.y, box.max.z); // glTF: y is up, z is -y of the part
     const axes = new AxesHelper(length);
     axes.setColors('#d55e00', '#0072b2', '#009e73');
@@ -139,10 +141,17 @@ class Viewer {
     this.frame = frame;
     axes.position.copy(frame.worldToLocal(corner.clone()));
     frame.add(axes);
+    this.symbols = addSymbols(symbols, frame, size);
     const tag = (name, at, kind) => this.tag(name, at, kind);
     const ends = [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['z', [0, 0, 1]]].map(([name, along]) =>
       tag(name, new Vector3(...along).multiplyScalar(1.15 * length).add(axes.position), 'axis-name'));
-    return [...ends, ...sensors.map((s) => tag(s.name, new Vector3(...s.at), 'sensor'))];
+    const told = new Set();
+    const names = this.symbols.filter(({ label, name }) => {
+      const key = `${label} ${name.toArray()}`;
+      return label && !told.has(key) && told.add(key);
+    });
+    return [...ends, ...sensors.map((s) => tag(s.name, new Vector3(...s.at), 'sensor')),
+      ...names.map((s) => tag(s.label, s.name.clone(), 'symbol-name'))];
   }
 
   tag(name, at, kind) {
@@ -189,6 +198,7 @@ class Viewer {
     const share = this.mode < 0 ? 0 : this.amplitude * (this.playing ? Math.sin(2 * Math.PI * this.phase) : 1);
     for (const o of this.objects)
       o.morphTargetInfluences?.forEach((_, i) => { o.morphTargetInfluences[i] = i === this.mode ? share : 0; });
+    for (const s of this.symbols) s.move(this.mode, share);
     this.draw();
   }
 
