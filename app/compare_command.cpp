@@ -42,16 +42,17 @@ int compare_files(const CompareOptions& options) {
   const MeasuredFile result = measured_file(options.result), test = measured_file(options.measured);
   std::vector<fs::path> inputs = files_of(result);
   for (fs::path& file : files_of(test)) inputs.push_back(std::move(file));
-  OutputFolder out(
-      options.out.folder,
-      {.command = "compare", .inputs = std::move(inputs), .names = correlation_files()});
+  OutputFolder out(options.out.folder, {.command = "compare",
+                                        .inputs = std::move(inputs),
+                                        .names = correlation_files(),
+                                        .json_only = options.out.json_only});
   const TestData simulated = test_data(result), measured = test_data(test);
   const Correlation c = correlate(simulated, measured);
   write_correlation(c, simulated, measured, out);
   hand_over(out);
   if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", correlation_text(c, simulated, measured),
-                      (out.path() / "correlation.html").string()));
+                      out.shown("correlation.html", "correlation.json").string()));
   return 0;
 }
 

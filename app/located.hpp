@@ -1,10 +1,23 @@
 // Problems that are found after reading the case file get its name and the line of their key.
 #pragma once
 
+#include "app/command_line.hpp"
 #include "io/input/case_file.hpp"
 #include "solve/model_error.hpp"
 
 namespace plica {
+
+inline CaseFile read_case(const ChosenCase& chosen) {
+  return read_case_with(chosen.path, chosen.model, chosen.set);
+}
+
+// What a run of a case with --set says of itself.
+inline std::vector<std::string> set_by_hand(const CaseFile& file) {
+  std::vector<std::string> words;
+  for (const auto& [path, value] : file.set)
+    words.push_back("Set on the command line: " + path + " = " + value);
+  return words;
+}
 
 template <class F> auto located(const CaseFile& file, F&& work) {
   try {

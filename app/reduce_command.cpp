@@ -27,12 +27,14 @@ struct ReduceOptions {
 
 int reduce(const ReduceOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  const CaseFile file = read_case(options.chosen);
   std::vector<std::string> names = superelement_files(false);
   if (options.beam)
     for (std::string& name : beam_files()) names.push_back(std::move(name));
-  OutputFolder out(options.out.folder,
-                   {.command = "reduce", .inputs = files_of(file), .names = std::move(names)});
+  OutputFolder out(options.out.folder, {.command = "reduce",
+                                        .inputs = files_of(file),
+                                        .names = std::move(names),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   progress.title(file.data.name);
   const ReducedCase reduced = with_doubts(file, [&] {
@@ -53,7 +55,7 @@ int reduce(const ReduceOptions& options) {
   if (!options.out.quiet)
     print(fmt::format("{}\n{}Report: {}\n", certificate_text(reduced),
                       beam ? beam_text(*beam) + "\n" : "",
-                      (out.path() / "certificate.html").string()));
+                      out.shown("certificate.html", "certificate.json").string()));
   return reduced.certificate.passed && reduced.proved ? 0 : 2;
 }
 

@@ -6,6 +6,7 @@ build/bench/bench_kernels --benchmark_min_time=0.2
 build/bench/bench_friction
 build/bench/bench_rainflow
 build/bench/bench_solve "${LARGEST:-1e6}"
+bench/sweep.sh 10000
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
