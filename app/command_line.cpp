@@ -20,34 +20,56 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   return "plica: there is no command '" + shown(argv[1]) + "'; " + suggestion(argv[1], names);
 }
 
+// Before the words are parsed, so that what is wrong with them is said in that way, too.
+bool asks_for_json(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--messages=json") return true;
+    if (word == "--messages" && i + 1 < argc) return std::string(argv[i + 1]) == "json";
+  }
+  return false;
+}
+
 } // namespace
 
 CommandLine::CommandLine() {
   app_.set_version_flag("--version", "plica " PLICA_VERSION "\nwith " PLICA_LIBRARIES);
   app_.require_subcommand(1);
+  app_.add_option(
+          "--messages", messages_,
+          "how progress, warnings and errors are said on standard error: as text, or as one "
+          "JSON object a line")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->type_name("")
+      ->capture_default_str();
   for (const auto& add_command :
        {add_run_command, add_reduce_command, add_identify_command, add_fit_command,
-        add_diagnose_command, add_compare_command, add_ejma_command, add_stiffness_command,
-        add_check_command, add_init_command, add_schema_command, add_completion_command,
-        add_manual_command})
+        add_sweep_command, add_diagnose_command, add_compare_command, add_ejma_command,
+        add_stiffness_command, add_check_command, add_init_command, add_schema_command,
+        add_completion_command, add_manual_command})
     add_command(*this);
 }
 
 CLI::App& CommandLine::add(const std::string& name, const std::string& help,
                            std::function<int()> work) {
-  CLI::App& command = *app_.add_subcommand(name, help);
+  CLI::App& command = *app_.add_subcommand(name, help)->fallthrough();
   command.callback([this, work = std::move(work)] { chosen_ = work; });
   return command;
 }
 
 int CommandLine::run(int argc, char** argv) {
+  if (asks_for_json(argc, argv)) speak_json();
   if (const std::string unknown = unknown_command(app_, argc, argv); !unknown.empty()) {
-    say(unknown + "\n");
+    say_failure(unknown);
     return 1;
   }
   try {
     app_.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0 && speaks_json()) {
+      say_failure(error.what());
+      return 1;
+    }
     return app_.exit(error) == 0 ? 0 : 1;
   }
   return chosen_();
@@ -61,6 +83,28 @@ void add_case(CLI::App& command, ChosenCase& chosen) {
       ->required();
   command.add_option("--model", chosen.model, "one of the models of the case; left out: its parts")
       ->type_name("NAME");
+  const auto is_change = [](std::string& text) {
+    const std::size_t equals = text.find('=');
+    return equals == std::string::npos || equals == 0 ? "'" + text + "' is not PATH=VALUE" : "";
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&chosen](const std::vector<std::string>& changes) {
+            for (const std::string& change : changes) {
+              const std::size_t equals = change.find('=');
+              chosen.set[change.substr(0, equals)] = change.substr(equals + 1);
+            }
+          },
+          "put a value into the case before it is read, e.g. caps.left.mass=0.2kg; again for more")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(is_change, ""))
+      ->type_name("PATH=VALUE");
+}
+
+void add_folder(CLI::App& command, Output& output) {
+  command.add_option("--out", output.folder, "folder for the results")->capture_default_str();
+  command.add_flag("--quiet", output.quiet, "print errors only");
 }
 
 void add_state(CLI::App& command, ChosenCase& chosen) {
@@ -71,8 +115,13 @@ void add_state(CLI::App& command, ChosenCase& chosen) {
 }
 
 void add_output(CLI::App& command, Output& output) {
-  command.add_option("--out", output.folder, "folder for the results")->capture_default_str();
-  command.add_flag("--quiet", output.quiet, "print errors only");
+  add_folder(command, output);
+  command
+      .add_option_function<std::string>(
+          "--only", [&output](const std::string&) { output.json_only = true; },
+          "write JSON alone: no tables, no report, nothing for other programs")
+      ->check(CLI::IsMember({"json"}))
+      ->type_name("");
 }
 
 void add_threads(CLI::App& command, int& threads) {

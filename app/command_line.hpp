@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace plica {
@@ -25,6 +26,7 @@ public:
 private:
   CLI::App app_{"Plica: dynamics of flexible exhaust pipes"};
   std::function<int()> chosen_;
+  std::string messages_ = "text";
 };
 
 // In the order in which the help lists them.
@@ -32,6 +34,7 @@ void add_run_command(CommandLine& line);
 void add_reduce_command(CommandLine& line);
 void add_identify_command(CommandLine& line);
 void add_fit_command(CommandLine& line);
+void add_sweep_command(CommandLine& line);
 void add_diagnose_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
 void add_ejma_command(CommandLine& line);
@@ -42,22 +45,25 @@ void add_schema_command(CommandLine& line);
 void add_completion_command(CommandLine& line);
 void add_manual_command(CommandLine& line);
 
-// CASE and --model. A folder stands for the case in it (case_in_folder.hpp).
+// CASE, --model and --set. A folder stands for the case in it (case_in_folder.hpp).
 struct ChosenCase {
   std::string path;
-  std::string model; // one of the models of the case; empty = its parts
-  std::string state; // one of its named states; empty = its `state`, or none
+  std::string model;                      // one of the models of the case; empty = its parts
+  std::string state;                      // one of its named states; empty = its `state`, or none
+  std::map<std::string, std::string> set; // path: new value, put into the case before it is read
 };
 void add_case(CLI::App& command, ChosenCase& chosen);
 void add_state(CLI::App& command, ChosenCase& chosen); // --state
 
-// --out and --quiet.
+// --out and --quiet; of commands with a report --only.
 struct Output {
   std::filesystem::path folder = "out";
   bool quiet = false;
+  bool json_only = false;
 };
-void add_output(CLI::App& command, Output& output);
-void add_threads(CLI::App& command, int& threads); // 0 = all cores
+void add_folder(CLI::App& command, Output& output);
+void add_output(CLI::App& command, Output& output); // with --only
+void add_threads(CLI::App& command, int& threads);  // 0 = all cores
 
 // A number that is finite and, by `top`, above zero (0) or from zero to `top`.
 CLI::Validator number_in(double top, const std::string& allowed);

@@ -44,9 +44,10 @@ int compare_files(const CompareOptions& options) {
   const MeasuredFile result = measured_file(options.result), test = measured_file(options.measured);
   std::vector<fs::path> inputs = files_of(result);
   for (fs::path& file : files_of(test)) inputs.push_back(std::move(file));
-  OutputFolder out(
-      options.out.folder,
-      {.command = "compare", .inputs = std::move(inputs), .names = correlation_files()});
+  OutputFolder out(options.out.folder, {.command = "compare",
+                                        .inputs = std::move(inputs),
+                                        .names = correlation_files(),
+                                        .json_only = options.out.json_only});
   const TestData simulated = test_data(result);
   TestData measured = test_data(test);
   if (is_universal_file(test.path))
@@ -56,7 +57,7 @@ int compare_files(const CompareOptions& options) {
   hand_over(out);
   if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", correlation_text(c, simulated, measured),
-                      (out.path() / "correlation.html").string()));
+                      out.shown("correlation.html", "correlation.json").string()));
   return 0;
 }
 

@@ -122,7 +122,11 @@ std::string commands_json(CLI::App& app, const std::string& version) {
     all[command->get_name()] = {
         {"help", command->get_description()}, {"positionals", positionals}, {"options", options}};
   }
-  return Json{{"plica_version", version}, {"global", Json::array()}, {"commands", all}}.dump(1);
+  Json global = Json::array();
+  for (const CLI::Option* option : app.get_options())
+    if (!option->check_lname("help") && !option->check_lname("version"))
+      global.push_back(option_json(*option));
+  return Json{{"plica_version", version}, {"global", global}, {"commands", all}}.dump(1);
 }
 
 std::string manual_page(CLI::App& app, const std::string& version) {

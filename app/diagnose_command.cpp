@@ -74,8 +74,10 @@ std::string title_of(const Case& data) {
 }
 
 int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
-  OutputFolder out(options.out.folder,
-                   {.command = "pretest", .inputs = files_of(file), .names = pretest_files()});
+  OutputFolder out(options.out.folder, {.command = "pretest",
+                                        .inputs = files_of(file),
+                                        .names = pretest_files(),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   progress.title(file.data.name);
   Pretest result;
@@ -95,7 +97,7 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
   progress.finish();
   if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", pretest_text(result),
-                      (out.path() / "pretest.html").string()));
+                      out.shown("pretest.html", "pretest.json").string()));
   return 0;
 }
 
@@ -204,7 +206,7 @@ std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis
 
 int diagnose_case(const DiagnoseOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  const CaseFile file = read_case(options.chosen);
   if (options.pretest) return plan_test(options, file);
   const Asked a = asked_for(options, file);
   Progress progress(options.out.quiet);
@@ -221,8 +223,10 @@ int diagnose_case(const DiagnoseOptions& options) {
   if (!options.supposed.empty()) return suppose_case(options, a, settings, progress);
   std::vector<std::string> names = diagnosis_files();
   if (options.add) names.emplace_back(explained_file);
-  OutputFolder out(options.out.folder,
-                   {.command = "diagnose", .inputs = a.inputs, .names = std::move(names)});
+  OutputFolder out(options.out.folder, {.command = "diagnose",
+                                        .inputs = a.inputs,
+                                        .names = std::move(names),
+                                        .json_only = options.out.json_only});
   const FittedBaseline start = adjusted(a, options.fit_baseline, settings);
   Diagnosis diagnosis = said_where(a, [&] { return diagnose(start.data, a.test, settings); });
   watch_interrupts();
@@ -234,7 +238,8 @@ int diagnose_case(const DiagnoseOptions& options) {
   hand_over(out);
   progress.finish();
   if (!options.out.quiet)
-    print(fmt::format("{}\nReport: {}\n", words, (out.path() / "diagnosis.html").string()));
+    print(fmt::format("{}\nReport: {}\n", words,
+                      out.shown("diagnosis.html", "diagnosis.json").string()));
   return search_is_ended() ? interrupted_exit() : 0;
 }
 

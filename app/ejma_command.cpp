@@ -23,9 +23,11 @@ struct EjmaOptions {
 
 int ejma(const EjmaOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
-  OutputFolder out(options.out.folder,
-                   {.command = "ejma", .inputs = files_of(file), .names = ejma_files()});
+  const CaseFile file = read_case(options.chosen);
+  OutputFolder out(options.out.folder, {.command = "ejma",
+                                        .inputs = files_of(file),
+                                        .names = ejma_files(),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   progress.title(file.data.name);
   const std::vector<EjmaSheet> sheets = with_doubts(file, [&] {
@@ -40,7 +42,8 @@ int ejma(const EjmaOptions& options) {
   if (options.json)
     print(ejma_json(sheets, file.data.name));
   else if (!options.out.quiet)
-    print(fmt::format("{}\nTables: {}\n", ejma_text(sheets), (out.path() / "ejma.csv").string()));
+    print(fmt::format("{}\nTables: {}\n", ejma_text(sheets),
+                      out.shown("ejma.csv", "ejma.json").string()));
   return 0;
 }
 

@@ -16,7 +16,7 @@ void hand_over(OutputFolder& out) {
 
 void say_doubts(const Case& data) {
   try {
-    for (const std::string& doubt : doubts(data, build(data))) say("warning: " + doubt + "\n");
+    for (const std::string& doubt : doubts(data, build(data))) say_warning(doubt);
   } catch (const std::exception&) { // nothing could be built: the failure says why
   }
 }

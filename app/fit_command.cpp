@@ -41,35 +41,47 @@ struct FitOptions {
                      .allowed = allowed}});
 }
 
+// Of the test what may be fitted: responses that are held out are not even read.
+TestData fitted_data(const MeasuredFile& file) {
+  TestData test{.data = file.data, .frfs = {}};
+  Measured fitted = test.data;
+  std::erase_if(fitted.frf, [&, i = 0](const MeasuredFrf&) mutable {
+    const auto& held = test.data.hold_out;
+    return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
+  });
+  test.frfs = load_frfs(measured_as_drawn(fitted), file.path.parent_path());
+  return test;
+}
+
 int fit(const FitOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  const CaseFile file = read_case(options.chosen);
   if (!file.data.fit)
     refuse(file,
            "is missing" +
                (options.chosen.model.empty() ? "" : " in model '" + options.chosen.model + "'"),
            "fit: {parameters: [{path: ..., bounds: [..., ...]}]}");
   const std::optional<MeasuredFile> test_file = test_of(file, options.measured);
-  if (!test_file)
+  const auto& targets = file.data.fit->targets;
+  if (!test_file && std::none_of(targets.begin(), targets.end(),
+                                 [](const FitTarget& t) { return is_goal(t.quantity); }))
     refuse(file, "has nothing to fit to",
-           "measured: measured.yaml in the case, or --measured FILE");
-  TestData test{.data = test_file->data, .frfs = {}};
-  Measured fitted = test.data;
-  std::erase_if(fitted.frf, [&, i = 0](const MeasuredFrf&) mutable {
-    const auto& held = test.data.hold_out;
-    return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
-  });
-  test.frfs = load_frfs(measured_as_drawn(fitted), test_file->path.parent_path());
+           "measured: measured.yaml in the case, --measured FILE, or targets such as k_axial = 50 "
+           "kN/m");
+  const TestData test = test_file ? fitted_data(*test_file) : TestData{};
   FitSettings settings = fit_settings(file);
   settings.search = options.search.value_or(settings.search);
   settings.evaluations = options.evaluations.value_or(settings.evaluations);
   settings.seed = options.seed;
   if (!options.restart.empty()) settings.starts = read_designs(options.restart, *file.data.fit);
   std::vector<std::filesystem::path> inputs = files_of(file);
-  for (std::filesystem::path& path : files_of(*test_file)) inputs.push_back(std::move(path));
+  if (test_file)
+    for (std::filesystem::path& path : files_of(*test_file)) inputs.push_back(std::move(path));
   if (!options.restart.empty()) inputs.emplace_back(options.restart);
-  OutputFolder out(options.out.folder,
-                   {.command = "fit", .inputs = std::move(inputs), .names = fit_files()});
+  OutputFolder out(options.out.folder, {.command = "fit",
+                                        .inputs = std::move(inputs),
+                                        .names = fit_files(),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   progress.title(file.data.name +
                  (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
@@ -103,7 +115,8 @@ int fit(const FitOptions& options) {
   hand_over(out);
   progress.finish();
   if (!options.out.quiet)
-    print(fmt::format("{}\nReport: {}\n", fit_text(fit), (out.path() / "fit.html").string()));
+    print(
+        fmt::format("{}\nReport: {}\n", fit_text(fit), out.shown("fit.html", "fit.json").string()));
   if (search_is_ended()) return interrupted_exit();
   return fit.converged ? 0 : 2;
 }
@@ -112,8 +125,9 @@ int fit(const FitOptions& options) {
 
 void add_fit_command(CommandLine& line) {
   const auto options = std::make_shared<FitOptions>();
-  CLI::App& command = line.add("fit", "adjust numbers of a case to measured data (its section fit)",
-                               [options] { return fit(*options); });
+  CLI::App& command =
+      line.add("fit", "adjust numbers of a case to measured data or to goals (its section fit)",
+               [options] { return fit(*options); });
   add_case(command, options->chosen);
   command
       .add_option("--measured", options->measured,

@@ -206,16 +206,20 @@ Identification identify_one(const Tasks& tasks, std::size_t i, const IdentifyOpt
   out.commit();
   progress.finish();
   if (!options.out.quiet)
-    print(fmt::format("{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
-                      (out.path() / (below(tasks, i) + "identification.html")).string(),
-                      i + 1 < tasks.list.size() ? "\n" : ""));
+    print(fmt::format(
+        "{}\nReport: {}\n{}", identification_text(found, linearity, task.title),
+        out.shown(below(tasks, i) + "identification.html", below(tasks, i) + "identification.json")
+            .string(),
+        i + 1 < tasks.list.size() ? "\n" : ""));
   return found;
 }
 
 int identify_files(const IdentifyOptions& options) {
   const Tasks tasks = tasks_of(options);
-  OutputFolder out(options.out.folder,
-                   {.command = "identify", .inputs = tasks.inputs, .names = names_of(tasks)});
+  OutputFolder out(options.out.folder, {.command = "identify",
+                                        .inputs = tasks.inputs,
+                                        .names = names_of(tasks),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   bool found_any = tasks.list.empty();
   std::vector<IdentifiedRun> runs;

@@ -1,6 +1,9 @@
 #include "app/interrupt.hpp"
 
+#include "app/terminal.hpp"
+
 #include <csignal>
+#include <string_view>
 #include <unistd.h>
 
 namespace plica {
@@ -18,8 +21,12 @@ void on_interrupt(int signal) {
   once = 1;
   last = signal;
   stop_workers();
-  constexpr char text[] = "\nplica: stopping after this stage; Ctrl-C again stops at once\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
+  constexpr std::string_view words =
+                                 "\nplica: stopping after this stage; Ctrl-C again stops at once\n",
+                             json = "{\"kind\":\"note\",\"text\":\"stopping after this stage; "
+                                    "Ctrl-C again stops at once\"}\n";
+  const std::string_view text = speaks_json() ? json : words;
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
 volatile std::sig_atomic_t ended = 0;

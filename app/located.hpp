@@ -7,6 +7,14 @@
 
 namespace plica {
 
+// What a run of a case with --set says of itself.
+inline std::vector<std::string> set_by_hand(const CaseFile& file) {
+  std::vector<std::string> words;
+  for (const auto& [path, value] : file.set)
+    words.push_back("Set on the command line: " + path + " = " + value);
+  return words;
+}
+
 template <class F> auto located(const CaseFile& file, F&& work) {
   try {
     return work();
@@ -33,8 +41,8 @@ template <class F> auto located(const CaseFile& file, F&& work) {
 }
 
 // The case of the command line, in the state that was chosen; its variants too.
-inline CaseFile read_chosen(const ChosenCase& chosen) {
-  CaseFile file = read_case(chosen.path, chosen.model);
+inline CaseFile read_case(const ChosenCase& chosen) {
+  CaseFile file = read_case_with(chosen.path, chosen.model, chosen.set);
   if (chosen.state.empty()) return file;
   return located(file, [&] {
     CaseFile changed = file;

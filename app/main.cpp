@@ -14,16 +14,16 @@ int run_command_line(int argc, char** argv) {
   try {
     return plica::CommandLine().run(argc, argv);
   } catch (const plica::Interrupted& stop) {
-    plica::say("plica: stopped before \"" + stop.stage + "\"; no file was written\n");
+    plica::say_failure("plica: stopped before \"" + stop.stage + "\"; no file was written");
     return plica::interrupted_exit();
   } catch (const plica::InputError& error) {
-    plica::say(std::string(error.what()) + "\n");
+    plica::say_problems(error);
     return 1;
   } catch (const std::bad_alloc&) {
-    plica::say("plica: not enough memory for this model\n");
+    plica::say_failure("plica: not enough memory for this model");
     return 3;
   } catch (const std::exception& error) {
-    plica::say(std::string("plica: ") + error.what() + "\n");
+    plica::say_failure(std::string("plica: ") + error.what());
     return 3;
   }
 }

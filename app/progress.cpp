@@ -8,7 +8,8 @@
 
 namespace plica {
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0 && !speaks_json()) {}
 
 Progress::~Progress() {
   finish();
@@ -27,6 +28,7 @@ void Progress::stage(const std::string& name) {
   if (quiet_) return;
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (speaks_json()) return say_progress(title_, name, seconds, share_);
   const std::string left = share_ > 0 ? fmt::format("{:3.0f} %, {:.0f} s left  ", 100 * share_,
                                                     seconds * (1 - share_) / share_)
                                       : "";

@@ -49,12 +49,14 @@ int reduce(const ReduceOptions& options) {
   const Triple move = triple_of(options.move, Dimension::length, "--move");
   format.labels.origin = {move[0], move[1], move[2]};
   format.labels.axes = turn_of(triple_of(options.rotate, Dimension::angle, "--rotate"));
-  const CaseFile file = read_chosen(options.chosen);
+  const CaseFile file = read_case(options.chosen);
   std::vector<std::string> names = superelement_files(false);
   if (options.beam)
     for (std::string& name : beam_files()) names.push_back(std::move(name));
-  OutputFolder out(options.out.folder,
-                   {.command = "reduce", .inputs = files_of(file), .names = std::move(names)});
+  OutputFolder out(options.out.folder, {.command = "reduce",
+                                        .inputs = files_of(file),
+                                        .names = std::move(names),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   progress.title(file.data.name);
   const ReducedCase reduced = with_doubts(file, [&] {
@@ -75,7 +77,7 @@ int reduce(const ReduceOptions& options) {
   if (!options.out.quiet)
     print(fmt::format("{}\n{}Report: {}\n", certificate_text(reduced),
                       beam ? beam_text(*beam) + "\n" : "",
-                      (out.path() / "certificate.html").string()));
+                      out.shown("certificate.html", "certificate.json").string()));
   return reduced.certificate.passed && reduced.proved ? 0 : 2;
 }
 

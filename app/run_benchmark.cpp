@@ -107,12 +107,20 @@ private:
 
 int run_benchmark(const RunOptions& options) {
   set_threads(options.threads);
+  if (!options.chosen.set.empty())
+    throw InputError({{.file = options.chosen.path,
+                       .line = 0,
+                       .key = "--set",
+                       .wrong = "is of a case, and this file is a benchmark",
+                       .allowed = "set of a column"}});
   BenchmarkResult result{.benchmark = read_benchmark(options.chosen.path), .values = {}};
   Runs runs(result.benchmark, std::filesystem::path(options.chosen.path).parent_path());
   std::vector<std::filesystem::path> inputs = runs.files();
   inputs.emplace_back(options.chosen.path);
-  OutputFolder out(options.out.folder,
-                   {.command = "run", .inputs = std::move(inputs), .names = benchmark_files()});
+  OutputFolder out(options.out.folder, {.command = "run",
+                                        .inputs = std::move(inputs),
+                                        .names = benchmark_files(),
+                                        .json_only = options.out.json_only});
   Progress progress(options.out.quiet);
   for (const BenchmarkTable& table : result.benchmark.tables) {
     BenchmarkValues values(table.rows.size(),
@@ -133,7 +141,7 @@ int run_benchmark(const RunOptions& options) {
   progress.finish();
   if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", benchmark_text(result),
-                      (out.path() / "report.html").string()));
+                      out.shown("report.html", "benchmark.json").string()));
   return 0;
 }
 

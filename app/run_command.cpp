@@ -129,7 +129,10 @@ int write_deck(const CaseFile& file, const RunOptions& options) {
 
 OutputWork work_of(const CaseFile& file, const std::optional<MeasuredFile>& measured,
                    const RunOptions& options) {
-  OutputWork work{.command = "run", .inputs = files_of(file), .names = result_files(file.data)};
+  OutputWork work{.command = "run",
+                  .inputs = files_of(file),
+                  .names = result_files(file.data),
+                  .json_only = options.out.json_only};
   if (measured)
     for (std::filesystem::path& path : files_of(*measured)) work.inputs.push_back(std::move(path));
   const auto& modes = file.data.analyses.modes;
@@ -179,7 +182,7 @@ void add_test(Results& results, const MeasuredFile& measured, const std::vector<
 int run_case(const RunOptions& options) {
   if (is_benchmark(options.chosen.path)) return run_benchmark(options);
   set_threads(options.threads);
-  CaseFile file = read_chosen(options.chosen);
+  CaseFile file = read_case(options.chosen);
   if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
   const std::optional<MeasuredFile> measured = test_of(file);
   std::vector<FrfSet> frfs;
@@ -191,6 +194,7 @@ int run_case(const RunOptions& options) {
   results.plica_version = PLICA_VERSION;
   results.versions = PLICA_LIBRARIES;
   results.inputs.push_back(input_file(file.path, file.text));
+  for (std::string& words : set_by_hand(file)) results.assumptions.push_back(std::move(words));
   if (measured) add_test(results, *measured, frfs);
   bool interrupted = false, states_found = true;
   try {
@@ -207,13 +211,15 @@ int run_case(const RunOptions& options) {
   write_results(results, out);
   hand_over(out);
   progress.finish();
-  if (!options.out.quiet) print(summary_text(results, options.out.folder / "report.html"));
+  if (!options.out.quiet) print(summary_text(results, out.shown("report.html", "results.json")));
+  if (speaks_json())
+    for (const std::string& warning : results.warnings) say_warning(warning);
   if (interrupted) {
-    say(fmt::format("plica: {}\n", results.warnings.back()));
+    say_failure(fmt::format("plica: {}", results.warnings.back()));
     return interrupted_exit();
   }
   if (results.verification.made && !results.verification.passed) {
-    say(fmt::format("plica: the proof failed: {}\n", results.verification.reason));
+    say_failure(fmt::format("plica: the proof failed: {}", results.verification.reason));
     return 2;
   }
   return states_found ? 0 : 2;

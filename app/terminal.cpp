@@ -1,8 +1,10 @@
 #include "app/terminal.hpp"
 
+#include "io/files/json_text.hpp"
 #include "words/utf8.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -14,6 +16,7 @@
 namespace plica {
 namespace {
 
+bool json_lines = false;
 int why_not_printed = 0; // errno of the first failure on standard output
 
 void write_to(int handle, std::string_view text) {
@@ -37,6 +40,20 @@ bool is_control(std::string_view letter) {
   return letter.size() == 3 && byte(0) == 0xE2 &&
          ((byte(1) == 0x80 && (byte(2) >= 0xAA && byte(2) <= 0xAE)) ||
           (byte(1) == 0x81 && (byte(2) >= 0xA6 && byte(2) <= 0xA9)));
+}
+
+// One whole line at once: a reader never sees half of one.
+void say_json(const char* kind, Json content) {
+  Json line{{"kind", kind}};
+  line.update(content);
+  write_to(STDERR_FILENO, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of("\n ");
+  return first == std::string_view::npos
+             ? ""
+             : text.substr(first, text.find_last_not_of("\n ") - first + 1);
 }
 
 } // namespace
@@ -68,8 +85,53 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+void speak_json() {
+  json_lines = true;
+}
+
+bool speaks_json() {
+  return json_lines;
+}
+
 void say(std::string_view text) {
-  write_to(STDERR_FILENO, printable(text));
+  if (json_lines)
+    say_json("note", {{"text", trimmed(text)}});
+  else
+    write_to(STDERR_FILENO, printable(text));
+}
+
+void say_warning(std::string_view text) {
+  if (json_lines)
+    say_json("warning", {{"text", text}});
+  else
+    say("warning: " + std::string(text) + "\n");
+}
+
+void say_failure(std::string_view text) {
+  if (json_lines)
+    say_json("failure", {{"text", text}});
+  else
+    say(std::string(text) + "\n");
+}
+
+void say_problems(const InputError& error) {
+  if (!json_lines) return say(std::string(error.what()) + "\n");
+  for (const InputProblem& p : error.problems())
+    say_json("error", {{"file", p.file},
+                       {"line", p.line},
+                       {"key", p.key},
+                       {"wrong", p.wrong},
+                       {"allowed", p.allowed}});
+}
+
+void say_progress(const std::string& title, const std::string& stage, double seconds,
+                  double share) {
+  const Json known = share > 0 ? Json(share) : Json(nullptr);
+  say_json("progress", {{"title", title},
+                        {"stage", stage},
+                        {"seconds", std::round(1e3 * seconds) / 1e3},
+                        {"share", known},
+                        {"left", share > 0 ? Json(seconds * (1 - share) / share) : Json(nullptr)}});
 }
 
 void say_raw(std::string_view text) {

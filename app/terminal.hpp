@@ -4,6 +4,8 @@
 // "\x1b[2J". Standard error that cannot be written, as of a terminal that is gone, stops nothing.
 #pragma once
 
+#include "words/input_error.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -13,7 +15,17 @@ namespace plica {
 // that no file of results takes their place, and a reader that has gone is no reason to die.
 void open_standard_streams();
 
-void say(std::string_view text);     // standard error
+// From here on what is said on standard error is one JSON object a line, by its `kind`: progress
+// {title, stage, seconds, share, left}, warning {text}, error {file, line, key, wrong, allowed},
+// failure {text}, note {text}.
+void speak_json();
+bool speaks_json();
+
+void say(std::string_view text); // a note, on standard error
+void say_warning(std::string_view text);
+void say_failure(std::string_view text); // why there is no result, or why it is not to be trusted
+void say_problems(const InputError& error);
+void say_progress(const std::string& title, const std::string& stage, double seconds, double share);
 void say_raw(std::string_view text); // the same, with control characters of our own
 void print(std::string_view text);   // standard output
 

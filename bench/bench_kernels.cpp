@@ -125,7 +125,7 @@ BENCHMARK(frequency_response)
 void reduced_assembly(benchmark::State& state) {
   const Case data = read_case("cases/dual_assembly/dual_assembly.yaml").data;
   const BuiltCase built = build(data);
-  const ReducedModel reduced = reduced_model(built, interface_nodes(built, true), 1500, true);
+  const ReducedModel reduced = reduced_model(built, interface_nodes(built, true), {.cutoff = 1500});
   BuiltCase frame;
   frame.model = reduced.model;
   for (int node : built.held_nodes) frame.held_nodes.push_back(reduced.number[node]);

@@ -7,6 +7,7 @@ build/bench/bench_friction
 build/bench/bench_rainflow
 build/bench/bench_line
 build/bench/bench_solve "${LARGEST:-1e6}"
+bench/sweep.sh 10000
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -10,21 +10,21 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::shared_ptr<const PartReduction> reduce(const Substructure& part, double cutoff, bool symmetry,
-                                            bool all_harmonics) {
+std::shared_ptr<const PartReduction> reduce(const Substructure& part,
+                                            const ReductionRequest& asked) {
   auto reduced = std::make_shared<PartReduction>();
-  if (symmetry) {
+  if (asked.symmetry) {
     auto view = cyclic_model(part.model);
     if (const auto* cyclic = std::get_if<CyclicModel>(&view)) {
       reduced->sectors = cyclic->around();
-      reduced->reduction = craig_bampton(*cyclic, part.boundary, cutoff, all_harmonics);
+      reduced->reduction = craig_bampton(*cyclic, part.boundary, asked.cutoff, asked.all_harmonics);
       return reduced;
     }
     reduced->because = std::get<std::string>(view);
   } else {
     reduced->because = "as the case asks";
   }
-  reduced->reduction = craig_bampton(part.model, part.boundary, cutoff);
+  reduced->reduction = craig_bampton(part.model, part.boundary, asked.cutoff);
   return reduced;
 }
 
@@ -41,7 +41,7 @@ std::vector<int> rows_of(const Instance& instance, const std::vector<int>& numbe
 } // namespace
 
 ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
-                                  double cutoff, bool symmetry, bool all_harmonics) {
+                                  const ReductionRequest& request, ReductionMemory* memory) {
   CutModel pieces = cut(model, interface_nodes);
   ReducedModel reduced{.model = std::move(pieces.frame),
                        .number = std::move(pieces.number),
@@ -57,7 +57,11 @@ ReducedModel reduce_substructures(const Model& model, const std::vector<int>& in
       if (!instance.reduced && is_copy(*other.part, *instance.part))
         instance.reduced = other.reduced;
     if (!instance.reduced) {
-      instance.reduced = reduce(*instance.part, cutoff, symmetry, all_harmonics);
+      if (memory) instance.reduced = memory->find(*instance.part, request);
+      if (!instance.reduced) {
+        instance.reduced = reduce(*instance.part, request);
+        if (memory) memory->keep(instance.part, request, instance.reduced);
+      }
       ++reduced.reductions;
     }
     const Reduction& r = instance.reduced->reduction;

@@ -6,49 +6,53 @@
 namespace plica {
 namespace {
 
-// Relative. Meshing a bellows elsewhere on the axis moves its nodes by 1e-10 of their radius and
-// turns its directors by 1e-7.
-constexpr double rounding = 1e-6;
+class Comparison {
+public:
+  explicit Comparison(double rounding) : rounding_(rounding) {}
 
-bool equal(double a, double b) { // two infinities are equal too
-  return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
-}
-template <class A, class B>
-bool equal(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() <= rounding * b.norm();
-}
-template <class T, class F> bool all_equal(const T& a, const T& b, F&& pairwise) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), pairwise);
-}
+  bool same(const Substructure& a, const Substructure& b) const;
 
-bool equal(const ShellSection& a, const ShellSection& b) {
-  return equal(a.E, b.E) && equal(a.nu, b.nu) && equal(a.rho, b.rho) &&
-         equal(a.bending_factor, b.bending_factor) &&
-         equal(a.shear_correction, b.shear_correction) && equal(a.drilling, b.drilling);
-}
+private:
+  bool equal(double a, double b) const { // two infinities are equal too
+    return a == b || std::abs(a - b) <= rounding_ * std::max(std::abs(a), std::abs(b));
+  }
+  template <class A, class B>
+  bool equal(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) const {
+    return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() <= rounding_ * b.norm();
+  }
+  template <class T, class F> bool all_equal(const T& a, const T& b, F&& pairwise) const {
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), pairwise);
+  }
 
-bool equal(const BeamProperties& a, const BeamProperties& b) {
-  for (const auto member :
-       {&BeamProperties::EA, &BeamProperties::EI_y, &BeamProperties::EI_z, &BeamProperties::GJ,
-        &BeamProperties::GA_y, &BeamProperties::GA_z, &BeamProperties::mass,
-        &BeamProperties::inertia_x, &BeamProperties::inertia_y, &BeamProperties::inertia_z})
-    if (!equal(a.*member, b.*member)) return false;
-  return true;
-}
+  bool equal(const ShellSection& a, const ShellSection& b) const {
+    return equal(a.E, b.E) && equal(a.nu, b.nu) && equal(a.rho, b.rho) &&
+           equal(a.bending_factor, b.bending_factor) &&
+           equal(a.shear_correction, b.shear_correction) && equal(a.drilling, b.drilling);
+  }
 
-// Terms of no more than rounding may be there in one and missing in the other.
-bool equal(const Constraint& a, const Constraint& b) {
-  if (a.node != b.node || a.dof != b.dof) return false;
-  std::map<std::pair<int, int>, double> difference;
-  for (const ConstraintTerm& t : a.terms) difference[{t.node, t.dof}] += t.factor;
-  for (const ConstraintTerm& t : b.terms) difference[{t.node, t.dof}] -= t.factor;
-  return std::all_of(difference.begin(), difference.end(),
-                     [](const auto& entry) { return std::abs(entry.second) <= rounding; });
-}
+  bool equal(const BeamProperties& a, const BeamProperties& b) const {
+    for (const auto member :
+         {&BeamProperties::EA, &BeamProperties::EI_y, &BeamProperties::EI_z, &BeamProperties::GJ,
+          &BeamProperties::GA_y, &BeamProperties::GA_z, &BeamProperties::mass,
+          &BeamProperties::inertia_x, &BeamProperties::inertia_y, &BeamProperties::inertia_z})
+      if (!equal(a.*member, b.*member)) return false;
+    return true;
+  }
 
-} // namespace
+  // Terms of no more than rounding may be there in one and missing in the other.
+  bool equal(const Constraint& a, const Constraint& b) const {
+    if (a.node != b.node || a.dof != b.dof) return false;
+    std::map<std::pair<int, int>, double> difference;
+    for (const ConstraintTerm& t : a.terms) difference[{t.node, t.dof}] += t.factor;
+    for (const ConstraintTerm& t : b.terms) difference[{t.node, t.dof}] -= t.factor;
+    return std::all_of(difference.begin(), difference.end(),
+                       [&](const auto& entry) { return std::abs(entry.second) <= rounding_; });
+  }
 
-bool is_copy(const Substructure& a, const Substructure& b) {
+  double rounding_;
+};
+
+bool Comparison::same(const Substructure& a, const Substructure& b) const {
   const Model &m = a.model, &n = b.model;
   if (a.boundary != b.boundary || m.mesh.nodes.size() != n.mesh.nodes.size()) return false;
   const Eigen::Vector3d shift = n.mesh.nodes.front() - m.mesh.nodes.front();
@@ -61,34 +65,40 @@ bool is_copy(const Substructure& a, const Substructure& b) {
   };
   return all_equal(m.mesh.nodes, n.mesh.nodes,
                    [&](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
-                     return (x + shift - y).norm() <= rounding * size;
+                     return (x + shift - y).norm() <= rounding_ * size;
                    }) &&
          all_equal(m.mesh.quads, n.mesh.quads, same_shell) &&
          all_equal(m.mesh.triangles, n.mesh.triangles, same_shell) &&
          all_equal(m.beams, n.beams,
-                   [](const BeamElement& p, const BeamElement& q) {
+                   [&](const BeamElement& p, const BeamElement& q) {
                      return p.node1 == q.node1 && p.node2 == q.node2 && equal(p.up, q.up) &&
                             equal(p.offset1, q.offset1) && equal(p.offset2, q.offset2) &&
                             equal(p.section, q.section);
                    }) &&
          all_equal(m.masses, n.masses,
-                   [](const MassElement& p, const MassElement& q) {
+                   [&](const MassElement& p, const MassElement& q) {
                      return p.node == q.node && equal(p.body.mass, q.body.mass) &&
                             equal(p.body.offset, q.body.offset) &&
                             equal(p.body.inertia, q.body.inertia);
                    }) &&
          all_equal(m.bushings, n.bushings,
-                   [](const BushingElement& p, const BushingElement& q) {
+                   [&](const BushingElement& p, const BushingElement& q) {
                      return p.node1 == q.node1 && p.node2 == q.node2 &&
                             equal(p.bushing.law, q.bushing.law) &&
                             equal(p.bushing.axes, q.bushing.axes);
                    }) &&
          all_equal(m.matrices, n.matrices,
-                   [](const MatrixElement& p, const MatrixElement& q) {
+                   [&](const MatrixElement& p, const MatrixElement& q) {
                      return p.nodes == q.nodes && equal(p.K, q.K) && equal(p.M, q.M);
                    }) &&
          all_equal(m.constraints, n.constraints,
-                   [](const Constraint& p, const Constraint& q) { return equal(p, q); });
+                   [&](const Constraint& p, const Constraint& q) { return equal(p, q); });
+}
+
+} // namespace
+
+bool is_copy(const Substructure& a, const Substructure& b, double rounding) {
+  return Comparison(rounding).same(a, b);
 }
 
 } // namespace plica

@@ -8,7 +8,9 @@
 
 #include "reduction/superelement.hpp"
 
+#include <deque>
 #include <memory>
+#include <mutex>
 
 namespace plica {
 
@@ -28,8 +30,9 @@ struct CutModel {
 CutModel cut(const Model& model, const std::vector<int>& interface_nodes);
 
 // True when b is a moved along: the same elements, sections and couplings between nodes at the same
-// distances.
-bool is_copy(const Substructure& a, const Substructure& b);
+// distances. `rounding` is relative: meshing a bellows elsewhere on the axis moves its nodes by
+// 1e-10 of their radius and turns its directors by 1e-7.
+bool is_copy(const Substructure& a, const Substructure& b, double rounding = 1e-6);
 
 struct PartReduction { // of one substructure; copies share one
   Reduction reduction;
@@ -69,10 +72,38 @@ std::vector<int> nodes_around_breaks(const Model& model);
 Reduction craig_bampton(const std::shared_ptr<const ReducedModel>& model,
                         const std::vector<int>& boundary, double cutoff);
 
-// By symmetry where `symmetry` allows it and the substructure has it. Modes with the interface held
-// up to `cutoff` (Hz), by symmetry those that the interface feels or `all_harmonics`. Throws as
-// cut() and craig_bampton().
+// How substructures are reduced. By symmetry where `symmetry` allows it and the substructure has
+// it. Modes with the interface held up to `cutoff` (Hz), by symmetry those that the interface feels
+// or `all_harmonics`.
+struct ReductionRequest {
+  double cutoff = 0;
+  bool symmetry = true, all_harmonics = false;
+
+  bool operator==(const ReductionRequest&) const = default;
+};
+
+// Reductions of earlier models, for substructures that come again without any change, at the same
+// place. Keeps the last few; several threads may use one.
+class ReductionMemory {
+public:
+  std::shared_ptr<const PartReduction> find(const Substructure& part,
+                                            const ReductionRequest& request);
+  void keep(std::shared_ptr<const Substructure> part, const ReductionRequest& request,
+            std::shared_ptr<const PartReduction> reduction);
+
+private:
+  struct Entry {
+    std::shared_ptr<const Substructure> part;
+    ReductionRequest request;
+    std::shared_ptr<const PartReduction> reduction;
+  };
+  std::deque<Entry> entries_; // the last used first
+  std::mutex mutex_;
+};
+
+// Throws as cut() and craig_bampton(). `memory`: what it knows is not reduced again.
 ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
-                                  double cutoff, bool symmetry, bool all_harmonics = false);
+                                  const ReductionRequest& request,
+                                  ReductionMemory* memory = nullptr);
 
 } // namespace plica

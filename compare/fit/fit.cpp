@@ -47,8 +47,10 @@ public:
     describe(start, local.best, fit);
     if (local.stopped)
       fit.warnings.push_back("no uncertainties: the search was stopped before it had converged");
-    else
+    else if (problem_.aims().empty())
       uncertainty(model, local.best, fit);
+    else
+      fit.correlation = MatrixXd::Zero(start.size(), start.size());
     warn(fit);
     fit.evaluations = problem_.evaluations();
     fit.samples = problem_.take_samples();
@@ -105,7 +107,8 @@ private:
     for (std::size_t i = 0; i < problem_.targets().size(); ++i) {
       const FitProblem::Target& t = problem_.targets()[i];
       fit.targets.push_back({t.quantity, t.unit, t.measured, t.sigma * t.measured,
-                             before->targets[Index(i)], after->targets[Index(i)], t.held_out});
+                             before->targets[Index(i)], after->targets[Index(i)], t.held_out,
+                             t.goal});
     }
     const auto decibels = [](const VectorXd& ratios) {
       return 20 / std::log(10.) * ratios.norm() / std::sqrt(double(ratios.size()));
@@ -114,6 +117,10 @@ private:
       fit.responses.push_back({problem_.curves()[i].name,
                                static_cast<int>(problem_.curves()[i].hertz.size()),
                                decibels(before->responses[i]), decibels(after->responses[i])});
+    for (std::size_t i = 0; i < problem_.aims().size(); ++i) {
+      const FitProblem::Aim& aim = problem_.aims()[i];
+      fit.aims.push_back({aim.quantity, aim.least, before->aims[Index(i)], after->aims[Index(i)]});
+    }
     for (std::size_t i = 0; i < request_.constraints.size(); ++i) {
       const FitConstraint& c = request_.constraints[i];
       fit.constraints.push_back({c.name, after->constraints[Index(i)], c.min, c.max});
@@ -206,8 +213,9 @@ private:
       if (sigmas > 2)
         fit.warnings.push_back("constraint '" + c.name + "' is broken: " + number(c.value));
       else if (sigmas > 0)
-        fit.warnings.push_back("constraint '" + c.name +
-                               "' holds the design; the uncertainties are those without it");
+        fit.warnings.push_back(
+            "constraint '" + c.name + "' holds the design" +
+            (fit.aims.empty() ? "; the uncertainties are those without it" : ""));
     }
     for (const FittedTarget& t : fit.targets)
       if (!t.held_out && std::abs(std::log(t.value / t.measured)) > 3 * t.sigma / t.measured)

@@ -28,12 +28,19 @@ struct FittedTarget {
   double measured = 0, sigma = 0; // sigma in the unit of the value
   double start = 0, value = 0;    // computed before and after
   bool held_out = false;
+  bool goal = false; // wanted, not measured
 };
 
 struct FittedResponse {
   std::string name; // "mid.y by base.y at 10 m/s2"
   int lines = 0;
   double start = 0, value = 0; // RMS of the difference in dB before and after
+};
+
+struct FittedAim { // a computed quantity that was to be least or most
+  std::string quantity;
+  bool least = true;
+  double start = 0, value = 0;
 };
 
 struct FittedConstraint {
@@ -54,6 +61,7 @@ struct FitResult {
   std::vector<std::pair<std::string, double>> ties; // path, value
   std::vector<FittedTarget> targets;
   std::vector<FittedResponse> responses;
+  std::vector<FittedAim> aims; // with any, parameters have no uncertainties: limits hold the design
   std::vector<FittedConstraint> constraints;
   Eigen::MatrixXd correlation; // of the parameters; zero rows for those at a bound
   std::vector<OpenDirection> open;

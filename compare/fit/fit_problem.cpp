@@ -4,6 +4,7 @@
 #include "compare/simulated.hpp"
 #include "model/description/case_path.hpp"
 #include "run/analyses/run.hpp"
+#include "run/results/computed_numbers.hpp"
 #include "run/study/error_bars.hpp"
 
 #include <algorithm>
@@ -185,7 +186,12 @@ void FitProblem::choose_targets() {
     if (!(row.measured > 0) || !(row.computed > 0)) continue;
     double sigma = row.sigma > 0 ? row.sigma / row.measured : request_.default_sigma;
     if (named != request_.targets.end() && named->sigma > 0) sigma = named->sigma;
-    targets_.push_back({row.quantity, row.unit, row.entry, row.measured, sigma, held_out});
+    targets_.push_back({.quantity = row.quantity,
+                        .unit = row.unit,
+                        .entry = row.entry,
+                        .measured = row.measured,
+                        .sigma = sigma,
+                        .held_out = held_out});
   }
   for (double away : request_.hold_out_levels)
     if (std::none_of(measured_.peaks.begin(), measured_.peaks.end(), [&](const MeasuredPeaks& p) {
@@ -196,17 +202,19 @@ void FitProblem::choose_targets() {
                                   std::to_string(away) + " m/s2");
   choose_responses(results, known);
   for (const FitTarget& t : request_.targets)
-    if (!is_curve(t.quantity) &&
+    if (!is_goal(t.quantity) && !is_curve(t.quantity) &&
         std::none_of(targets_.begin(), targets_.end(), [&](const Target& own) {
           return names(t, {.quantity = own.quantity, .unit = "", .entry = own.entry});
         }))
       throw std::invalid_argument("fit.targets: the model gives no '" + t.quantity +
                                   "'; there are: " + known);
-  if (curves_.empty() &&
+  choose_goals(first, results);
+  if (curves_.empty() && aims_.empty() &&
       std::all_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.held_out; }))
-    throw std::invalid_argument(
-        targets_.empty() ? "nothing to fit: the model gives none of the measured quantities"
-                         : "nothing to fit: all that was measured is held out");
+    throw std::invalid_argument(targets_.empty()
+                                    ? "nothing to fit: the model gives none of the measured "
+                                      "quantities, and there is no goal"
+                                    : "nothing to fit: all that was measured is held out");
   const bool peaks = std::any_of(targets_.begin(), targets_.end(), [](const Target& t) {
     return t.quantity.find(" of the peak") != std::string::npos;
   });
@@ -221,6 +229,37 @@ void FitProblem::choose_targets() {
   }
 }
 
+// Values to be met stand among the targets, as if they had been measured.
+void FitProblem::choose_goals(const Case& start, const Results& results) {
+  const std::map<std::string, double> numbers = computed_numbers_of(results);
+  for (const FitTarget& target : request_.targets) {
+    if (!is_goal(target.quantity)) continue;
+    const Parsed<FitGoal> goal = goal_of(target.quantity, start);
+    if (!goal.wrong.empty()) throw std::invalid_argument("fit.targets: " + goal.wrong);
+    const std::string& quantity = goal.value.quantity;
+    const auto value = number_of(quantity, numbers, start);
+    if (!value || !(*value > 0)) {
+      std::string known;
+      for (const auto& [name, number] : numbers) known += (known.empty() ? "" : ", ") + name;
+      throw std::invalid_argument("fit.targets: the model gives no '" + quantity +
+                                  "' above zero; there are: " + known);
+    }
+    if (goal.value.aim == GoalAim::value)
+      targets_.push_back({.quantity = quantity,
+                          .unit = unit_of_goal(quantity, start),
+                          .entry = "goal",
+                          .measured = goal.value.value,
+                          .sigma = target.sigma > 0 ? target.sigma : request_.default_sigma,
+                          .held_out = false,
+                          .goal = true});
+    else
+      aims_.push_back({.quantity = quantity,
+                       .least = goal.value.aim == GoalAim::least,
+                       .start = *value,
+                       .sigma = target.sigma > 0 ? target.sigma : 1});
+  }
+}
+
 // Friction has no part in mass and slipping stiffness, and all of the model in the rest.
 bool FitProblem::friction_alone() const {
   for (const FitParameter& p : request_.parameters)
@@ -230,9 +269,12 @@ bool FitProblem::friction_alone() const {
     if (!FrictionFamilies::is_friction(tie.path)) return false;
   for (const FitConstraint& c : request_.constraints)
     for (const auto& [what, factor] : c.of)
-      if (what == "f_axial" || what == "f_transverse" || what == "f_torsion") return false;
+      if (what.starts_with("f_")) return false;
+  for (const Aim& aim : aims_)
+    if (aim.quantity.starts_with("f_")) return false;
   return curves_.empty() && std::all_of(targets_.begin(), targets_.end(), [&](const Target& t) {
-           return t.entry == "mass" || level_of(measured_, t.entry) ||
+           return (t.goal && !t.quantity.starts_with("f_")) || t.entry == "mass" ||
+                  level_of(measured_, t.entry) ||
                   (t.entry.starts_with("static[") &&
                    t.quantity.find(" over ") == std::string::npos);
          });
@@ -294,13 +336,11 @@ void FitProblem::add_curve(const FrfSet& set, std::size_t r, std::size_t c,
 }
 
 void FitProblem::scale_constraints(const Case& start, const Results& results) {
-  const std::map<std::string, double> numbers = headline(results);
+  const std::map<std::string, double> numbers = computed_numbers_of(results);
   for (const FitConstraint& c : request_.constraints) {
     double scale = std::max(std::abs(c.max.value_or(0)), std::abs(c.min.value_or(0)));
     for (const auto& [what, factor] : c.of) {
-      Case copy = start;
-      const auto known = numbers.find(what);
-      const double* number = known == numbers.end() ? number_at(copy, what) : &known->second;
+      const auto number = number_of(what, numbers, start);
       if (number) scale = std::max(scale, std::abs(factor * *number));
     }
     constraint_scale_.push_back(std::max(scale, 1e-300));
@@ -326,8 +366,11 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
     return std::nullopt; // no model, or no solution, for this design
   }
   const auto rows = compare(results, measured_);
-  Outcome outcome{
-      VectorXd(Index(targets_.size())), VectorXd(Index(request_.constraints.size())), {}};
+  Outcome outcome{VectorXd(Index(targets_.size())),
+                  VectorXd(Index(aims_.size())),
+                  VectorXd(Index(request_.constraints.size())),
+                  {}};
+  const std::map<std::string, double> numbers = computed_numbers_of(results);
   const std::vector<FrfSet> simulated =
       curves_.empty() ? std::vector<FrfSet>{} : responses_to_base(results);
   for (const Curve& curve : curves_) {
@@ -336,6 +379,12 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
     outcome.responses.push_back(log_ratios(curve, own->first, own->second));
   }
   for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (targets_[i].goal) {
+      const auto value = number_of(targets_[i].quantity, numbers, design);
+      if (!value || !(*value > 0)) return std::nullopt;
+      outcome.targets[Index(i)] = *value;
+      continue;
+    }
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const MeasuredComparison& r) {
       return r.quantity == targets_[i].quantity && r.entry == targets_[i].entry;
     });
@@ -346,13 +395,15 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
     }
     outcome.targets[Index(i)] = row->computed;
   }
-  const std::map<std::string, double> numbers = headline(results);
+  for (std::size_t i = 0; i < aims_.size(); ++i) {
+    const auto value = number_of(aims_[i].quantity, numbers, design);
+    if (!value || !(*value > 0)) return std::nullopt;
+    outcome.aims[Index(i)] = *value;
+  }
   for (std::size_t i = 0; i < request_.constraints.size(); ++i) {
     double sum = 0;
     for (const auto& [what, factor] : request_.constraints[i].of) {
-      const auto known = numbers.find(what);
-      Case copy = design;
-      const double* number = known == numbers.end() ? number_at(copy, what) : &known->second;
+      const auto number = number_of(what, numbers, design);
       if (!number) return std::nullopt; // a mode that this design does not show
       sum += factor * *number;
     }
@@ -379,6 +430,10 @@ std::optional<VectorXd> FitProblem::residuals(const VectorXd& u) {
   for (std::size_t i = 0; i < request_.parameters.size(); ++i) {
     const FitParameter& p = request_.parameters[i];
     if (p.prior) r.push_back(prior_residual(p, values[Index(i)]));
+  }
+  for (std::size_t i = 0; i < aims_.size(); ++i) {
+    const double ratio = outcome->aims[Index(i)] / aims_[i].start;
+    r.push_back((aims_[i].least ? ratio : 1 / ratio) / aims_[i].sigma);
   }
   for (std::size_t i = 0; i < request_.constraints.size(); ++i)
     r.push_back(broken(i, outcome->constraints[Index(i)]));

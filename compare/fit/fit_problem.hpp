@@ -4,6 +4,7 @@
 
 #include "compare/correlate.hpp"
 #include "compare/fit/fit_bodies.hpp"
+#include "compare/fit/fit_goal.hpp"
 #include "compare/fit/friction_families.hpp"
 #include "compare/search/search.hpp"
 #include "model/description/case.hpp"
@@ -36,6 +37,12 @@ public:
     std::string quantity, unit, entry; // of the measured data: "static[0]"
     double measured = 0, sigma = 0;    // sigma relative
     bool held_out = false;
+    bool goal = false; // a computed quantity that is wanted, not measured
+  };
+  struct Aim { // a computed quantity that is to be least or most
+    std::string quantity;
+    bool least = true;
+    double start = 0, sigma = 1; // relative to the start
   };
   struct Curve { // a measured response to motion of the base
     std::string name, reference, response;
@@ -43,6 +50,7 @@ public:
   };
   struct Outcome {
     Eigen::VectorXd targets;                // computed values, all of them
+    Eigen::VectorXd aims;                   // computed values
     Eigen::VectorXd constraints;            // sums
     std::vector<Eigen::VectorXd> responses; // ln of computed over measured, per curve
   };
@@ -51,6 +59,7 @@ public:
   const Case& data() const { return case_; }
   const std::vector<Target>& targets() const { return targets_; }
   const std::vector<Curve>& curves() const { return curves_; }
+  const std::vector<Aim>& aims() const { return aims_; }
 
   // Values of the parameters by a design of the box and back, on their scales. Moments of inertia
   // that no body has become the nearest that one has (FitBodies).
@@ -79,6 +88,7 @@ private:
   void choose_responses(const Results& results, std::string& known);
   void add_curve(const FrfSet& set, std::size_t reference, std::size_t response,
                  const std::vector<FrfSet>& simulated, std::string& known);
+  void choose_goals(const Case& start, const Results& results);
   void scale_constraints(const Case& start, const Results& results);
   void remember(FitSample sample);
 
@@ -93,6 +103,7 @@ private:
   Results unchanged_;
   std::vector<Target> targets_;
   std::vector<Curve> curves_;
+  std::vector<Aim> aims_;
   std::vector<double> constraint_scale_; // size of its terms at the start
   std::vector<FitSample> samples_;       // the first 20,000
   std::atomic<int> evaluations_{0};

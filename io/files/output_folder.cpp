@@ -54,6 +54,7 @@ OutputFolder::OutputFolder(fs::path folder, OutputWork work)
     : folder_(std::move(folder)), work_(std::move(work)), lock_(made(folder_)),
       manifest_(read_manifest(folder_)) {
   remove_left(folder_, lock_.left());
+  std::erase_if(work_.names, [&](const std::string& name) { return !wants(name); });
   std::vector<InputProblem> problems;
   for (const std::string& name : work_.names) check(name, problems);
   if (problems.empty()) return;
@@ -119,12 +120,22 @@ fs::path OutputFolder::place(const std::string& name) {
   return file;
 }
 
+bool OutputFolder::wants(const std::string& name) const {
+  return !work_.json_only || name.ends_with(".json");
+}
+
+fs::path OutputFolder::shown(const std::string& page, const std::string& json) const {
+  return folder_ / (wants(page) ? page : json);
+}
+
 void OutputFolder::add(const std::string& name, const std::string& content) {
+  if (!wants(name)) return;
   write_new(place(name), content, folder_ / name);
 }
 
 void OutputFolder::add_by(const std::string& name,
                           const std::function<void(const fs::path&)>& write) {
+  if (!wants(name)) return;
   const fs::path file = place(name);
   try {
     write(file);

@@ -24,6 +24,7 @@ struct OutputWork {
   std::string command;
   std::vector<std::filesystem::path> inputs; // all it reads
   std::vector<std::string> names;            // of files it will write, as far as known beforehand
+  bool json_only = false;                    // of all files those of JSON are written
 };
 
 class OutputFolder {
@@ -36,6 +37,11 @@ public:
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
+
+  // False for a file that was not asked for: adding it does nothing.
+  bool wants(const std::string& name) const;
+  // Of a page and the JSON beside it the path of the one that is written.
+  std::filesystem::path shown(const std::string& page, const std::string& json) const;
 
   // A name may stand in one folder below: "2/modes.csv".
   void add(const std::string& name, const std::string& content);

@@ -254,16 +254,15 @@ void check_models(const YamlNode& root, const std::string& path, const ReadLog& 
   }
 }
 
-} // namespace
-
-CaseFile read_case(const std::string& path, const std::string& model,
-                   const std::map<std::string, std::string>& overrides) {
+// `whole`: with its variants, its fit, its other models.
+CaseFile read(const std::string& path, const std::string& model, const Replacements& overrides,
+              bool whole) {
   ReadLog log{.file = path};
   YamlFile yaml = read_yaml(path, log.problems);
   YamlNode& root = yaml.root;
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
-  const YamlNode whole = root;
-  if (!model.empty()) root = chosen_model(whole, model, log);
+  const YamlNode as_written = root;
+  if (!model.empty()) root = chosen_model(as_written, model, log);
   for (const auto& [where, value] : overrides) {
     const PathProblem problem = put(root, where, value, 0);
     if (!problem.wrong.empty()) log.add(0, where, problem.wrong, problem.allowed);
@@ -271,11 +270,12 @@ CaseFile read_case(const std::string& path, const std::string& model,
   CaseFile file;
   file.path = path;
   file.text = std::move(yaml.text);
-  file.data = read_tree(root, path, model, overrides.empty(), log);
+  file.set = overrides;
+  file.data = read_tree(root, path, model, whole, log);
   ReadLog changed{.file = path};
-  if (overrides.empty()) file.variants = read_variants(root, file.data, path, log, changed);
+  if (whole) file.variants = read_variants(root, file.data, path, log, changed);
   check_tolerances(root, file.data, path, log, changed);
-  if (overrides.empty() && model.empty()) check_models(root, path, log, changed);
+  if (whole && model.empty()) check_models(root, path, log, changed);
   log.problems.insert(log.problems.end(), changed.problems.begin(), changed.problems.end());
   if (!log.problems.empty()) {
     sort_by_line(log.problems);
@@ -285,12 +285,58 @@ CaseFile read_case(const std::string& path, const std::string& model,
   return file;
 }
 
+// The tree of what was read, with its model and what was put into it.
+YamlNode tree_of(const CaseFile& file, ReadLog& log) {
+  YamlNode root = parse_yaml(file.text, file.path, log.problems);
+  if (!file.data.model.empty()) root = chosen_model(root, file.data.model, log);
+  for (const auto& [where, value] : file.set) put(root, where, value, 0);
+  return root;
+}
+
+} // namespace
+
+CaseFile read_case(const std::string& path, const std::string& model,
+                   const Replacements& overrides) {
+  return read(path, model, overrides, overrides.empty());
+}
+
+CaseFile read_case_with(const std::string& path, const std::string& model,
+                        const Replacements& set) {
+  return read(path, model, set, true);
+}
+
+ChangedCases::ChangedCases(const CaseFile& file) : path_(file.path), model_(file.data.model) {
+  ReadLog log{.file = file.path};
+  root_ = std::make_unique<const YamlNode>(tree_of(file, log));
+}
+ChangedCases::~ChangedCases() = default;
+
+Case ChangedCases::with(const Replacements& changes) const {
+  YamlNode root = *root_;
+  ReadLog log{.file = path_};
+  for (const auto& [where, value] : changes)
+    if (const PathProblem problem = put(root, where, value, 0); !problem.wrong.empty())
+      log.add(0, where, problem.wrong, problem.allowed);
+  Case data = log.problems.empty() ? read_tree(root, path_, model_, false, log) : Case{};
+  if (!log.problems.empty()) throw InputError(std::move(log.problems));
+  return data;
+}
+
+void ChangedCases::check(const std::string& path) const {
+  YamlNode root = *root_;
+  if (const PathProblem problem = put(root, path, "0", 0); !problem.wrong.empty())
+    throw InputError({{.file = path_,
+                       .line = 0,
+                       .key = path,
+                       .wrong = problem.wrong,
+                       .allowed = problem.allowed}});
+}
+
 std::string yaml_of(const CaseFile& file, const std::map<std::string, std::string>& changes,
                     const std::filesystem::path& measured, const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   ReadLog log{.file = file.path};
-  YamlNode root = parse_yaml(file.text, file.path, log.problems);
-  if (!file.data.model.empty()) root = chosen_model(root, file.data.model, log);
+  YamlNode root = tree_of(file, log);
   std::erase_if(root.entries, [](const YamlEntry& e) {
     return e.key == "models" || e.key == "variants" || e.key == "fit";
   });

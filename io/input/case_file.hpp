@@ -12,9 +12,14 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace plica {
+
+struct YamlNode;
+
+using Replacements = std::map<std::string, std::string>; // path: new value, as YAML
 
 struct CaseFile {
   Case data;
@@ -22,12 +27,32 @@ struct CaseFile {
   std::string text;                 // as it stood when it was read
   std::map<std::string, int> lines; // key path -> line, e.g. "parts.bellows.wall.plies[1]"
   std::vector<Case> variants;       // data with what each of its variants sets
+  Replacements set;                 // what was put into it before it was read
 };
 
 // `model`: alternative model of the case, whose sections replace those of the case; empty = none.
-// `overrides`: path -> new value as YAML text, put into the file before it is read.
+// `overrides`: put into the file before it is read; variants and fit then are left out.
 CaseFile read_case(const std::string& path, const std::string& model = {},
-                   const std::map<std::string, std::string>& overrides = {});
+                   const Replacements& overrides = {});
+
+// The same with variants and fit, as if the file said so itself.
+CaseFile read_case_with(const std::string& path, const std::string& model, const Replacements& set);
+
+// A case that was read, with other values at some paths, many times over.
+class ChangedCases {
+public:
+  explicit ChangedCases(const CaseFile& file);
+  ~ChangedCases();
+
+  // Throws InputError with the path of what is wrong as its key. Several threads may ask.
+  Case with(const Replacements& changes) const;
+  // Throws InputError when a path of the file can be no such.
+  void check(const std::string& path) const;
+
+private:
+  std::string path_, model_;
+  std::unique_ptr<const YamlNode> root_;
+};
 
 // The case that was read as a file in a folder: with its model in place of others, without fit and
 // variants, with other values at some paths (YAML). `measured`: the test it is held against; empty

@@ -1,16 +1,15 @@
 #include "io/input/fit_input.hpp"
 
+#include "compare/fit/fit_goal.hpp"
 #include "model/description/case_path.hpp"
+#include "run/results/computed_numbers.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace plica {
 namespace {
-
-constexpr std::array results{"mass", "k_axial", "f_axial", "f_transverse", "f_torsion"};
 
 std::string text(double value) {
   return short_number(value);
@@ -31,15 +30,35 @@ public:
     for (std::size_t i = 0; i < fit.constraints.size(); ++i) {
       const std::string key = item("fit.constraints", i);
       FitConstraint& c = fit.constraints[i];
+      if (c.of_text.empty()) {
+        limit(c, key);
+        continue;
+      }
       factors(c.of_text, c.of, key + ".of", true);
       if (!c.min && !c.max && log_.fine(key))
         log_.add(key, "limits nothing", "give min, max or both");
       if (c.min && c.max && *c.min > *c.max) log_.add(key + ".max", "lies below min", "min to max");
     }
+    for (std::size_t i = 0; i < fit.targets.size(); ++i)
+      if (is_goal(fit.targets[i].quantity))
+        if (const auto goal = goal_of(fit.targets[i].quantity, data_); !goal.wrong.empty())
+          log_.add(item("fit.targets", i) + ".quantity", goal.wrong, goal.allowed);
     sort_ties(fit.ties);
   }
 
 private:
+  // A constraint whose name says it: "f_axial >= 250 Hz".
+  void limit(FitConstraint& c, const std::string& key) {
+    if (!log_.fine(key)) return;
+    const Parsed<FitLimit> limit = limit_of(c.name, data_);
+    if (!limit.wrong.empty()) return log_.add(key + ".name", limit.wrong, limit.allowed);
+    if (c.min || c.max)
+      return log_.add(key, "is limited by its name already",
+                      "a name alone, or of with min and max");
+    c.of = {{limit.value.quantity, 1.}};
+    (limit.value.least ? c.min : c.max) = limit.value.value;
+  }
+
   // A tie after those it depends on.
   void sort_ties(std::vector<FitTie>& ties) {
     std::vector<FitTie> sorted;
@@ -150,12 +169,11 @@ private:
   void factors(const std::map<std::string, std::string>& texts, std::map<std::string, double>& of,
                const std::string& key, bool with_results) {
     for (const auto& [path, factor] : texts) {
-      const bool result =
-          with_results && std::find(results.begin(), results.end(), path) != results.end();
+      const bool result = with_results && unit_of_computed(path).has_value();
       if (!result && !number_at(data_, path))
         log_.add(key, "there is no number at '" + shown(path) + "'",
-                 with_results ? "the path of a number, or mass, k_axial, f_axial, f_transverse, "
-                                "f_torsion"
+                 with_results ? "the path of a number, or mass, k_axial, k_transverse, k_bending, "
+                                "k_torsion, f_axial, f_transverse, f_torsion"
                               : "the path of a number that this file gives");
       const ParsedQuantity parsed = parse_quantity(factor, Dimension::number);
       if (!parsed.wrong.empty()) log_.add(key, parsed.wrong, "a number");

@@ -133,6 +133,12 @@ void name_columns(CsvTable& table, const Row& header) {
   }
 }
 
+void check_width(const Row& row, std::size_t width, const std::filesystem::path& path, int line) {
+  if (row.size() != width)
+    bad(path, line, "", "has " + std::to_string(row.size()) + " cells",
+        std::to_string(width) + " as in the first row");
+}
+
 bool is_numeric(const Row& row, bool decimal_comma) {
   return std::all_of(row.begin(), row.end(), [&](const std::string& cell) {
     return complex_of(cell, decimal_comma).has_value();
@@ -141,10 +147,30 @@ bool is_numeric(const Row& row, bool decimal_comma) {
 
 } // namespace
 
-CsvTable read_csv(const std::filesystem::path& path) {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     bad(path, 0, "", "is no file", "the path of a CSV file");
-  return csv_of_text(in_utf8(read_whole(path)), path);
+  return in_utf8(read_whole(path));
+}
+
+} // namespace
+
+CsvTable read_csv(const std::filesystem::path& path) {
+  return csv_of_text(text_of(path), path);
+}
+
+CsvCells read_cells(const std::filesystem::path& path) {
+  const std::vector<Line> lines = lines_of(text_of(path));
+  if (lines.size() < 2) bad(path, 1, "", "has no rows", "a header, and rows below it");
+  Parser parser(separator_of(lines));
+  CsvCells cells{.header = parser.cells(lines.front().text), .rows = {}};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    cells.rows.push_back(parser.cells(lines[i].text));
+    check_width(cells.rows.back(), cells.header.size(), path, lines[i].number);
+  }
+  return cells;
 }
 
 CsvTable csv_of_text(const std::string& text, const std::filesystem::path& path) {
@@ -175,9 +201,7 @@ CsvTable csv_of_text(const std::string& text, const std::filesystem::path& path)
   for (std::size_t r = 0; r < count; ++r) {
     const Row& row = rows[first + r];
     const int line = lines[first + r].number;
-    if (row.size() != width)
-      bad(path, line, "", "has " + std::to_string(row.size()) + " cells",
-          std::to_string(width) + " as in the first row");
+    check_width(row, width, path, line);
     for (std::size_t c = 0; c < width; ++c) {
       const auto value = complex_of(row[c], decimal_comma);
       if (!value || !std::isfinite(value->real()) || !std::isfinite(value->imag()))

@@ -28,4 +28,13 @@ CsvTable read_csv(const std::filesystem::path& path);
 // The same from memory; the name stands in errors.
 CsvTable csv_of_text(const std::string& text, const std::filesystem::path& name);
 
+// Cells as they are written, blanks around them cut off.
+struct CsvCells {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows; // as wide as the header
+};
+
+// Throws InputError as read_csv().
+CsvCells read_cells(const std::filesystem::path& path);
+
 } // namespace plica

@@ -37,15 +37,22 @@ std::string parameters_table(const FitResult& fit) {
 std::string targets_table(const FitResult& fit) {
   std::vector<HtmlRow> rows;
   for (const FittedTarget& t : fit.targets)
-    rows.push_back(
-        {{html_escape(t.quantity) + (t.held_out ? " (held out)" : ""), html_escape(t.unit),
-          html_number(t.measured, 5), html_number(t.sigma, 2), html_number(t.start, 5),
-          html_number(t.value, 5), html_signed(100 * (t.value / t.measured - 1), 2),
-          html_signed((t.value - t.measured) / t.sigma, 1)},
-         ""});
+    rows.push_back({{html_escape(t.quantity) + (t.held_out ? " (held out)"
+                                                : t.goal   ? " (goal)"
+                                                           : ""),
+                     html_escape(t.unit), html_number(t.measured, 5), html_number(t.sigma, 2),
+                     html_number(t.start, 5), html_number(t.value, 5),
+                     html_signed(100 * (t.value / t.measured - 1), 2),
+                     html_signed((t.value - t.measured) / t.sigma, 1)},
+                    ""});
   for (const FittedResponse& r : fit.responses)
     rows.push_back({{html_escape(r.name) + fmt::format(" ({} lines)", r.lines), "dB RMS", "–", "",
                      html_number(r.start, 3), html_number(r.value, 3), "", ""},
+                    ""});
+  for (const FittedAim& a : fit.aims)
+    rows.push_back({{html_escape(a.quantity) + (a.least ? " (least)" : " (most)"), "", "", "",
+                     html_number(a.start, 5), html_number(a.value, 5),
+                     html_signed(100 * (a.value / a.start - 1), 2), ""},
                     ""});
   for (const FittedConstraint& c : fit.constraints)
     rows.push_back({{html_escape(c.name) + " (limit)", "", constraint_limits(c), "", "",

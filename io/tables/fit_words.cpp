@@ -33,7 +33,10 @@ std::string fit_text(const FitResult& fit) {
       fmt::format("{:<{}}{:>12}{:>12}{:>11}\n", "parameter (SI)", width, "before", "after", "+/-");
   for (const FittedParameter& p : fit.parameters)
     text += fmt::format("{:<{}}{:>12}{:>12}{:>11}{}\n", p.path, width, significant(p.start, 5),
-                        significant(p.value, 5), p.sigma ? significant(*p.sigma, 2) : "open",
+                        significant(p.value, 5),
+                        p.sigma            ? significant(*p.sigma, 2)
+                        : fit.aims.empty() ? "open"
+                                           : "-",
                         p.at_bound ? "  at its bound" : "");
   for (const auto& [path, value] : fit.ties)
     text += fmt::format("{:<{}}{:>12}{:>12}{:>11}\n", path, width, "", significant(value, 5),
@@ -42,13 +45,20 @@ std::string fit_text(const FitResult& fit) {
                       "after", "diff %", "sigma");
   for (const FittedTarget& t : fit.targets)
     text += fmt::format("{:<{}}{:>12}{:>12}{:>12}{:>9}{:>8}\n",
-                        t.quantity + (t.held_out ? " (held out)" : ""), width,
-                        significant(t.measured, 5), significant(t.start, 5),
+                        t.quantity + (t.held_out ? " (held out)"
+                                      : t.goal   ? " (goal)"
+                                                 : ""),
+                        width, significant(t.measured, 5), significant(t.start, 5),
                         significant(t.value, 5), with_sign(100 * (t.value / t.measured - 1), 2),
                         with_sign((t.value - t.measured) / t.sigma, 1));
   for (const FittedResponse& r : fit.responses)
     text += fmt::format("{:<{}}{:>12}{:>9} dB{:>9} dB  RMS of {} lines\n", r.name, width, "",
                         significant(r.start, 3), significant(r.value, 3), r.lines);
+  for (const FittedAim& a : fit.aims)
+    text += fmt::format("{:<{}}{:>12}{:>12}{:>12}{:>9}\n",
+                        a.quantity + (a.least ? " (least)" : " (most)"), width, "",
+                        significant(a.start, 5), significant(a.value, 5),
+                        with_sign(100 * (a.value / a.start - 1), 2));
   for (const FittedConstraint& c : fit.constraints)
     text += fmt::format("{:<{}}{:>36}  ({})\n", c.name, width, significant(c.value, 5),
                         constraint_limits(c));

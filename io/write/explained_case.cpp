@@ -21,7 +21,7 @@ ExplainedCase explained_case(const CaseFile& file, const CaseEdits& fitted, cons
                              const std::filesystem::path& measured,
                              const std::filesystem::path& folder) {
   ExplainedCase explained{.data = file.data, .text = {}, .in = {}, .left_out = {}};
-  std::map<std::string, std::string> changes;
+  Replacements changes = file.set;
   const auto take = [&](const CaseEdits& edits) {
     for (const CaseEdit& edit : edits) changes[edit.path] = edit.value;
     explained.data = read_case(file.path, file.data.model, changes).data;

@@ -100,7 +100,14 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
                                {"sigma", t.sigma},
                                {"before", t.start},
                                {"after", t.value},
-                               {"held_out", t.held_out}});
+                               {"held_out", t.held_out},
+                               {"goal", t.goal}});
+  json["aims"] = Json::array();
+  for (const FittedAim& a : fit.aims)
+    json["aims"].push_back({{"quantity", a.quantity},
+                            {"aim", a.least ? "least" : "most"},
+                            {"before", a.start},
+                            {"after", a.value}});
   json["responses"] = Json::array();
   for (const FittedResponse& r : fit.responses)
     json["responses"].push_back(

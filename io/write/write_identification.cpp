@@ -48,6 +48,30 @@ Json json_of(const Identification& found, const IdentifiedMode& m) {
        {{"frequency", json_number(m.peak_frequency)}, {"damping", json_number(m.peak_damping)}}}};
 }
 
+// Poles of rising order; "stable" says what holds against the order below.
+Json diagram_json(const std::vector<DiagramPole>& diagram) {
+  constexpr std::array words{"new", "frequency", "damping", "all"};
+  Json poles = Json::array();
+  for (const DiagramPole& p : diagram)
+    poles.push_back({{"order", p.order},
+                     {"frequency", json_number(p.pole.frequency())},
+                     {"damping", json_number(p.pole.damping())},
+                     {"stable", words[std::size_t(p.stability)]}});
+  return poles;
+}
+
+// Root of the summed squares of all responses, behind the diagram.
+Json indicator_json(const FrfSet& set) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(set.hertz.size());
+  for (const Eigen::MatrixXcd& H : set.H) squares += H.rowwise().squaredNorm();
+  Json value = Json::array(), hertz = Json::array();
+  for (Index k = 0; k < set.hertz.size(); ++k) {
+    hertz.push_back(json_number(set.hertz[k]));
+    value.push_back(json_number(std::sqrt(squares[k])));
+  }
+  return {{"frequency", hertz}, {"value", value}};
+}
+
 Json json_of(const LinearityOfSet& linearity) {
   Json json{{"reciprocity", Json::array()},
             {"coherence_drops", Json::array()},
@@ -94,6 +118,8 @@ std::string identification_json(const Identification& found, const LinearityOfSe
   json["misfit"] = found.misfit;
   json["modes"] = Json::array();
   for (const IdentifiedMode& m : found.modes) json["modes"].push_back(json_of(found, m));
+  json["stabilisation"] = diagram_json(found.diagram);
+  json["indicator"] = indicator_json(found.set);
   json["frac"] = Json::array();
   for (Index i = 0; i < found.frac.cols(); ++i)
     for (std::size_t c = 0; c < found.set.responses.size(); ++c)

@@ -89,6 +89,7 @@ std::vector<std::string> result_files(const Case& data) {
 }
 
 void write_results(const Results& results, OutputFolder& out) {
+  if (!out.wants("report.html")) return out.add("results.json", results_json(results));
   out.add("modes.csv", modes_csv(results));
   out.add("static.csv", static_csv(results));
   out.add("comparison.csv", comparison_csv(results));

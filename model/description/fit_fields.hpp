@@ -23,18 +23,23 @@ template <class V> void fields(V& v, FitTie& t) {
 }
 
 template <class V> void fields(V& v, FitConstraint& c) {
-  v.text(c.name, "name", {.required = true}, "shown in the result");
-  v.replacements(c.of_text, "of", required_key,
-                 "path of a number, or mass, k_axial, f_axial, f_transverse, f_torsion: factor");
+  v.text(c.name, "name", {.required = true},
+         "shown in the result; without `of` the limit itself: f_axial >= 250 Hz, mass <= 1.75 kg");
+  v.replacements(c.of_text, "of", optional_key,
+                 "path of a number, or mass, k_axial, k_transverse, k_bending, k_torsion, f_axial, "
+                 "f_transverse, f_torsion: factor");
   v.quantity(c.min, "min", {}, "of the sum, in SI and Hz");
   v.quantity(c.max, "max", {}, "of the sum, in SI and Hz");
 }
 
 template <class V> void fields(V& v, FitTarget& t) {
   v.text(t.quantity, "quantity", {.required = true},
-         "its name in the comparison with the test, or an entry of the measured data: peaks[0]");
-  v.quantity(t.sigma, "sigma", {.unit = Dimension::ratio, .min = 0, .exclusive_min = true},
-             "standard deviation relative to the value, in place of the stated one");
+         "its name in the comparison with the test, or an entry of the measured data: peaks[0]; or "
+         "what is wanted of a computed quantity: k_axial = 50 kN/m, least mass, most f_axial");
+  v.quantity(
+      t.sigma, "sigma", {.unit = Dimension::ratio, .min = 0, .exclusive_min = true},
+      "standard deviation relative to the value, in place of the stated one; of least and most "
+      "100 % left out");
 }
 
 template <class V> void fields(V& v, FitRequest& f) {

@@ -41,7 +41,7 @@ def _words(command: str, option: Option, value: Any) -> list[str]:
         return []
     if option.delimiter:
         return [flag, option.delimiter.join(texts)]
-    return [flag, *texts]
+    return [word for text in texts for word in (flag, text)]
 
 
 def _text(command: str, option: Option, value: Any) -> str:

@@ -7,12 +7,13 @@ results are written), ProgramFailed, OptionError, NoExecutable.
 """
 from __future__ import annotations
 
+import json
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
-from . import arguments, child, program
+from . import arguments, child, program, yaml_edit
 from .errors import CaseError, NumericalVerdict, OptionError, ProgramFailed
 from .messages import Said
 from .results import Results
@@ -68,8 +69,25 @@ def identify(files: AnyTest | list[str | Path], out: str | Path | None = None, *
 
 def check(case: AnyCase, **options: Any) -> Check:
     """`plica check`: CaseError with all problems, or what the case would cost."""
-    said, _ = _call("check", [case], options)
-    return Check(said.printed, said.warnings)
+    said, _ = _call("check", [case], {**options, "json": True})
+    data = json.loads(said.printed)
+    return Check(_size_of(data), [*said.warnings, *data.get("warnings", [])], data)
+
+
+def _size_of(data: dict[str, Any]) -> str:
+    if "model" not in data:
+        return "the benchmark is valid"
+    model, cost = data["model"], data["estimate"]
+    return (f"the case is valid: {model['nodes']} nodes, {model['elements']} elements, "
+            f"{model['dofs']} degrees of freedom; estimate: {cost['memory'] / 1e9:.1f} GB, "
+            f"{cost['seconds']:.0f} s a run")
+
+
+def run_sweep(case: AnyCase, out: str | Path, **options: Any) -> Path:
+    """`plica sweep`: the table of many variants, `out`/sweep.csv and sweep.h5; plica.sweep gives
+    it as a DataFrame."""
+    _call("sweep", [case], {**options, "out": Path(out)})
+    return Path(out)
 
 
 def _compute(name: str, inputs: list[Any], out: str | Path | None, options: dict[str, Any]
@@ -96,6 +114,10 @@ def write_deck(case: AnyCase, out: str | Path, solver: str, **options: Any) -> P
 def _call(name: str, inputs: list[Any], options: dict[str, Any]) -> tuple[Said, list[str]]:
     command = program.command(name)
     options = dict(options)
+    changes: Any = options.get("set")
+    if isinstance(changes, dict):  # {path: value}
+        options["set"] = [f"{path}={value if isinstance(value, str) else yaml_edit.flow(value)}"
+                          for path, value in changes.items()]
     bar = options.pop("progress", False)
     json_lines = "messages" in command.options
     if json_lines:

@@ -41,7 +41,7 @@ def listen(stream: IO[str], said: Said, words: Sequence[str],
                                          str(message.get("allowed") or "")))
         elif message and kind == "warning":
             said.warnings.append(str(message["text"]))
-        elif message and kind == "failure":
+        elif message and kind in ("failure", "note"):
             rest.append(str(message["text"]) + "\n")
         elif words and (problem := problem_of(line, words)):
             said.problems.append(problem)

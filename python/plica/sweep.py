@@ -1,27 +1,30 @@
-"""Many runs of one case with other numbers, side by side, into one table.
+"""Many runs of one case with other numbers into one table.
 
-Headline numbers come from `variants` of the case, many in one process. With `collect` every
-variant is a run of its own in a folder of its own, and `collect(results)` says what goes into the
-table. What was run before in `out` is not run again: folders are named by what the case says.
+`plica sweep` runs them, many in one process, and keeps what it finished: what was run before in
+`out` is not run again, also after Ctrl-C. With `collect` every variant is a run of its own, in a
+folder of its own, and `collect(results)` says what goes into the table.
 """
 from __future__ import annotations
 
+import csv
 import itertools
+import math
 import os
+import re
+import tempfile
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
-from . import child
+from . import child, commands, yaml_edit
 from .case import Case
 from .documents import frame_of
-from .errors import PlicaError
+from .errors import CaseError, PlicaError
 from .optional import have, need
 from .results import Results
-from .variants import Row, batch, folder_of, run_before, run_into
+from .variants import Row, folder_of, run_before, run_into
 
 Collect = Callable[[Results], Mapping[str, Any]]
-BATCH = 25  # variants of a process
 
 
 def sweep(case: Case | str | Path, values: Any, out: str | Path, *,
@@ -30,26 +33,25 @@ def sweep(case: Case | str | Path, values: Any, out: str | Path, *,
     """DataFrame, one variant a row in the order of `values`: its values, its numbers, `error`.
 
     values: {path: list} for all combinations, or a DataFrame or list of {path: value}; a value is
-    a text with a unit or a number in SI. out: folder for the runs. collect: numbers of a run, in
-    place of the headline (first modes, stiffness, mass; SI). workers: runs side by side, as many as
-    there are cores unless given. options: those of `plica run`; threads is 1 unless given.
+    a text with a unit or a number in SI, None what the case says. out: folder for the runs.
+    workers: variants side by side, as many as there are cores unless given. options: those of
+    `plica sweep`, such as result=["modes[0].frequency"] in place of the headline (first modes,
+    stiffness, mass; SI), or set={path: value}.
+
+    collect: numbers of a run, as a function of its results; options are then those of `plica run`,
+    threads being 1 unless given. A changed input beside the case is then not seen by what was run
+    before: take another folder.
 
     A variant that fails has its message in `error` and NaN for its numbers. CaseError where the
-    case itself is wrong. A changed input beside the case (test data, geometry) is not seen by what
-    was run before: take another folder.
+    case itself is wrong.
     """
     base = case.copy() if isinstance(case, Case) else Case(case)
     rows = combinations(values)
+    if collect is None:
+        return _by_program(base, rows, Path(out), workers, progress, options)
     options = {"threads": 1, "no_error_bars": True, **options}
-    if collect is not None or options.get("model"):
-        numbers = collect or (lambda results: results.headline)
-        tasks: list[Callable[[], dict[int, Row]]] = [
-            _alone(base, rows, k, Path(out), numbers, options) for k in range(len(rows))]
-    else:
-        size = max(1, min(BATCH, -(-len(rows) // (workers or os.cpu_count() or 1))))
-        tasks = [batch(base, rows, range(k, min(k + size, len(rows))), Path(out), options)
-                 for k in range(0, len(rows), size)]
-    found = _all(tasks, workers, progress)
+    found = _all([_alone(base, rows, k, Path(out), collect, options) for k in range(len(rows))],
+                 workers, progress)
     return frame_of([{**rows[k], **found[k]} for k in range(len(rows))])
 
 
@@ -62,6 +64,50 @@ def combinations(values: Any) -> list[Row]:
     if hasattr(values, "to_dict"):
         values = values.to_dict("records")
     return [{str(path): value for path, value in row.items()} for row in values]
+
+
+def _by_program(base: Case, rows: list[Row], out: Path, workers: int | None, progress: bool,
+                options: Mapping[str, Any]) -> Any:
+    paths = list(dict.fromkeys(path for row in rows for path in row))
+    with tempfile.TemporaryDirectory() as folder:
+        table = Path(folder) / "variants.csv"
+        with table.open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(paths)
+            writer.writerows([_cell(row.get(path)) for path in paths] for row in rows)
+        try:
+            commands.run_sweep(base, out, table=table, jobs=workers or 0, progress=progress,
+                               **options)
+        except CaseError as error:
+            if error.problems or "every variant failed" not in error.text:
+                raise
+    found, units = _numbers(out / "sweep.csv", paths)
+    frame = frame_of([{**row, **numbers} for row, numbers in zip(rows, found)])
+    if hasattr(frame, "attrs"):
+        frame.attrs["units"] = units
+    return frame
+
+
+def _cell(value: Any) -> str:
+    """As YAML; empty for what the case says itself."""
+    if value is None or (isinstance(value, float) and math.isnan(value)):
+        return ""
+    return value if isinstance(value, str) else str(yaml_edit.flow(value))
+
+
+def _numbers(file: Path, paths: Sequence[str]) -> tuple[list[Row], dict[str, str]]:
+    """Results and `error` of every row of sweep.csv, and the units of its columns."""
+    with file.open(newline="", encoding="utf-8") as stream:
+        header, *lines = csv.reader(stream)
+    names = [re.sub(r" \[[^\[\]]*\]$", "", cell) for cell in header]
+    units = {name: cell[len(name) + 2:-1] for name, cell in zip(names, header) if cell != name}
+    results = range(1 + len(paths), len(header) - 2)
+    rows: list[Row] = []
+    for cells in lines:
+        row: Row = {names[k]: float(cells[k]) if cells[k] else math.nan for k in results}
+        row["error"] = cells[-1]
+        rows.append(row)
+    return rows, units
 
 
 def _all(tasks: Sequence[Callable[[], dict[int, Row]]], workers: int | None, progress: bool
@@ -89,7 +135,7 @@ def _alone(base: Case, rows: list[Row], k: int, out: Path, collect: Collect,
         try:
             case = base.copy().update(rows[k])
             folder = folder_of(out, case, options)
-            found = run_before(folder, 0) or run_into(
+            found = run_before(folder) or run_into(
                 case, folder, {"no_variants": True, **options})
             return {k: {**collect(found), "error": ""}}
         except PlicaError as error:

@@ -6,6 +6,7 @@
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
 #include "run/analyses/life.hpp"
+#include "run/analyses/static_stiffness.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
@@ -26,8 +27,9 @@ using Eigen::MatrixXd;
 
 class Run {
 public:
-  Run(const Case& data, const std::function<void(const std::string&)>& stage)
-      : case_(data), stage_(stage) {}
+  Run(const Case& data, const std::function<void(const std::string&)>& stage,
+      ReductionMemory* memory)
+      : case_(data), stage_(stage), memory_(memory) {}
 
   Results results() {
     stage_("mesh");
@@ -37,7 +39,7 @@ public:
       results_.state = move_into_state(case_, built_, stage_, results_.timing);
       watch_ = Stopwatch();
     }
-    route_ = choose_route(built_, case_.analyses, stage_, results_.timing);
+    route_ = choose_route(built_, case_.analyses, stage_, results_.timing, memory_);
     describe();
     if (has_friction(case_)) let_slip();
     if (case_.state && case_.analyses.stress) add_state_stress(case_, built_, results_);
@@ -105,7 +107,7 @@ private:
   void let_slip() {
     stage_("mesh");
     slipping_ = slipping_case(case_);
-    slipping_route_ = choose_route(*slipping_, case_.analyses, stage_, results_.timing);
+    slipping_route_ = choose_route(*slipping_, case_.analyses, stage_, results_.timing, memory_);
     results_.slipping.emplace();
     for (const BuiltJoint& j : slipping_->joints)
       if (std::vector<std::string>& all = results_.slipping->joints;
@@ -125,18 +127,11 @@ private:
       results_.warnings.push_back("static stiffness left out: a support holds a cap");
       return;
     }
-    const EndStiffness k = end_stiffness(K->bottomRightCorner<6, 6>(), case_.state.has_value());
-    if (k.bending_x < 0 || k.bending_z < 0)
+    results_.statics = static_stiffness(*K, case_.state.has_value());
+    if (results_.statics->k_bending_x < 0 || results_.statics->k_bending_z < 0)
       results_.warnings.push_back(
           "static stiffness in bending is below zero: under the loads of the state the end would "
           "not stay where it is if it were free");
-    results_.statics = {.k_axial = k.axial,
-                        .k_transverse_x = k.transverse_x,
-                        .k_transverse_z = k.transverse_z,
-                        .k_bending_x = k.bending_x,
-                        .k_bending_z = k.bending_z,
-                        .k_torsion = k.torsion,
-                        .end_stiffness = *K};
     const bool tabulated = add_strokes();
     if (slipping_) {
       results_.slipping->k_axial_stuck =
@@ -249,6 +244,7 @@ private:
 
   const Case& case_;
   const std::function<void(const std::string&)>& stage_;
+  ReductionMemory* memory_;
   Stopwatch watch_;
   BuiltCase built_;
   std::unique_ptr<Route> route_;
@@ -261,8 +257,9 @@ private:
 
 } // namespace
 
-Results run(const Case& data, const std::function<void(const std::string&)>& stage) {
-  return Run(data, stage).results();
+Results run(const Case& data, const std::function<void(const std::string&)>& stage,
+            ReductionMemory* memory) {
+  return Run(data, stage, memory).results();
 }
 
 } // namespace plica

@@ -12,7 +12,7 @@ std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry);
 
 // Throws InputError for a part that no cap joins.
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           double cutoff, bool symmetry, bool all_harmonics = false);
+                           const ReductionRequest& request, ReductionMemory* memory = nullptr);
 
 // "5 superelements of 3 reductions; rotational symmetry, 40 sectors"
 std::string route_name(const ReducedModel& reduced);

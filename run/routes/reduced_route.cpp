@@ -44,9 +44,9 @@ std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry) {
 }
 
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           double cutoff, bool symmetry, bool all_harmonics) {
+                           const ReductionRequest& request, ReductionMemory* memory) {
   try {
-    return reduce_substructures(built.model, interface_nodes, cutoff, symmetry, all_harmonics);
+    return reduce_substructures(built.model, interface_nodes, request, memory);
   } catch (const std::invalid_argument& error) {
     input_error("analyses.reduction", error.what(), "parts that are joined by caps");
   }
@@ -76,12 +76,14 @@ namespace {
 class ReducedRoute : public Route {
 public:
   ReducedRoute(const BuiltCase& built, double cutoff, Symmetry symmetry, const StageListener& stage,
-               Timing& timing)
+               Timing& timing, ReductionMemory* memory)
       : built_(built), cutoff_(cutoff), stage_(stage), timing_(timing),
         map_(eliminate(built.model)) {
     stage_("reduction");
-    reduced_ = reduced_model(built, interface_nodes(built, symmetry != Symmetry::off), cutoff,
-                             symmetry != Symmetry::off, true);
+    const bool symmetric = symmetry != Symmetry::off;
+    reduced_ =
+        reduced_model(built, interface_nodes(built, symmetric),
+                      {.cutoff = cutoff, .symmetry = symmetric, .all_harmonics = true}, memory);
     if (symmetry == Symmetry::required) require_symmetry();
     watch_.lap(timing_, "reduction");
     frame_.model = reduced_.model;
@@ -242,8 +244,9 @@ private:
 } // namespace
 
 std::unique_ptr<Route> reduced_route(const BuiltCase& built, double cutoff, Symmetry symmetry,
-                                     const StageListener& stage, Timing& timing) {
-  return std::make_unique<ReducedRoute>(built, cutoff, symmetry, stage, timing);
+                                     const StageListener& stage, Timing& timing,
+                                     ReductionMemory* memory) {
+  return std::make_unique<ReducedRoute>(built, cutoff, symmetry, stage, timing, memory);
 }
 
 } // namespace plica

@@ -52,10 +52,11 @@ void require_held(bool free_body, const BuiltCase& built) {
 }
 
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
-                                    const StageListener& stage, Timing& timing) {
+                                    const StageListener& stage, Timing& timing,
+                                    ReductionMemory* memory) {
   const Symmetry symmetry = analyses.symmetry;
   if (analyses.reduction)
-    return reduced_route(built, reduction_cutoff(analyses), symmetry, stage, timing);
+    return reduced_route(built, reduction_cutoff(analyses), symmetry, stage, timing, memory);
   if (symmetry == Symmetry::off) return full_route(built, "as the case asks", stage, timing);
   Stopwatch watch;
   stage("symmetry");

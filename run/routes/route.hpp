@@ -70,10 +70,14 @@ public:
 using StageListener = std::function<void(const std::string&)>;
 using Timing = std::map<std::string, double>;
 
-// `stage` hears what begins; times go into `timing`, which must outlive the route. Throws
-// InputError when the case asks for symmetry and the part has none, and as assemble() does.
+class ReductionMemory; // reduction/substructures.hpp
+
+// `stage` hears what begins; times go into `timing`, which must outlive the route. `memory`:
+// reductions of earlier runs. Throws InputError when the case asks for symmetry and the part has
+// none, and as assemble() does.
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
-                                    const StageListener& stage, Timing& timing);
+                                    const StageListener& stage, Timing& timing,
+                                    ReductionMemory* memory = nullptr);
 
 // Independent DOFs of the nodes, increasing.
 std::vector<int> node_dofs(const DofMap& map, const std::vector<int>& nodes);
@@ -87,6 +91,7 @@ std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& rea
 std::unique_ptr<Route> cyclic_route(const BuiltCase& built, CyclicModel model,
                                     const StageListener& stage, Timing& timing);
 std::unique_ptr<Route> reduced_route(const BuiltCase& built, double cutoff, Symmetry symmetry,
-                                     const StageListener& stage, Timing& timing);
+                                     const StageListener& stage, Timing& timing,
+                                     ReductionMemory* memory = nullptr);
 
 } // namespace plica

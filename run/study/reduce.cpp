@@ -276,7 +276,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
     std::vector<int> meeting = interface_nodes(built, by_symmetry);
     meeting.insert(meeting.end(), boundary.nodes.begin(), boundary.nodes.end());
     nested = std::make_shared<const ReducedModel>(
-        reduced_model(built, meeting, result.cutoff, by_symmetry));
+        reduced_model(built, meeting, {.cutoff = result.cutoff, .symmetry = by_symmetry}));
   }
   result.route = nested ? route_name(*nested)
                  : symmetric

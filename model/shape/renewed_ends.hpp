@@ -1,0 +1,17 @@
+// A built case whose caps and mounts are given other masses and springs, without meshing anew.
+#pragma once
+
+#include "model/shape/built_case.hpp"
+
+namespace plica {
+
+// Whether a path of the case file is mass, inertia, offset or springs of a cap, or springs of a
+// mount: what lies on the nodes of caps alone.
+bool is_of_ends(const std::string& path);
+
+// `built`, made from `before`, with the caps and mounts of `after`, where both differ in nothing
+// else. False, and nothing that could be used, where a cap or mount is of another kind: with
+// springs and without, held and free. Neither may have friction or dampers at its ends.
+bool renew_ends(BuiltCase& built, const Case& before, const Case& after);
+
+} // namespace plica

@@ -1,0 +1,37 @@
+#include "run/results/computed_numbers.hpp"
+
+#include <algorithm>
+
+namespace plica {
+
+const std::vector<ComputedNumber>& computed_numbers() {
+  static const std::vector<ComputedNumber> all{
+      {"mass", Dimension::mass},
+      {"k_axial", Dimension::stiffness},
+      {"k_transverse", Dimension::stiffness},
+      {"k_bending", Dimension::rotational_stiffness},
+      {"k_torsion", Dimension::rotational_stiffness},
+      {"f_axial", Dimension::frequency},
+      {"f_transverse", Dimension::frequency},
+      {"f_torsion", Dimension::frequency},
+  };
+  return all;
+}
+
+std::optional<Dimension> unit_of_computed(const std::string& name) {
+  for (const ComputedNumber& n : computed_numbers())
+    if (n.name == name) return n.unit;
+  return std::nullopt;
+}
+
+std::map<std::string, double> computed_numbers_of(const Results& results) {
+  std::map<std::string, double> numbers = headline(results);
+  if (const auto& k = results.statics) {
+    numbers["k_transverse"] = std::min(k->k_transverse_x, k->k_transverse_z);
+    numbers["k_bending"] = std::min(k->k_bending_x, k->k_bending_z);
+    numbers["k_torsion"] = k->k_torsion;
+  }
+  return numbers;
+}
+
+} // namespace plica
