@@ -6,14 +6,19 @@
 CalculiX has the nodes of Plica's mesh, in its quadratic shells (S8R) over two by two of Plica's
 quads: its linear ones (S4) are several percent stiffer on such a mesh. It finds the states by
 *STATIC with NLGEOM and the modes around them by *FREQUENCY with PERTURBATION. Prints a table;
-exit code 1 where they differ by more than is said below.
+exit code 1 where they differ by more than LIMIT.
+
+Shown and not judged: the small force along of the bent bellows, in which the mesh of linear quads is
+not converged (126 N on half of the quads each way, 112 N on three quarters along); the modes around
+the state under pressure: those of CalculiX change twice as much as ours, while the force that its own
+static states need for a movement aside changes as ours.
 """
+import json
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
-import json
 
 AROUND, RADIUS, WALL, LENGTH = 48, 26e-3, 0.3e-3, 24e-3
 PRESSURE = 3e5
@@ -85,7 +90,8 @@ def calculix(folder, name, text):
     with open(folder / f"{name}.log", "w") as log:
         subprocess.run(["ccx", "-i", name], cwd=folder, stdout=log, check=True)
     data = (folder / f"{name}.dat").read_text()
-    forces = re.findall(r"total force.*\n\n\s*(\S+)\s+(\S+)\s+(\S+)", data)
+    forces = re.findall(r"total force.*\n\n\s*(\S+)\s+(\S+)\s+(\S+)",
+                        data.split("E I G E N")[0])
     modes = re.findall(r"^\s+\d+\s+\S+\s+\S+\s+(\S+)\s+0\.0000000E\+00$", data.split("P A R T")[0],
                        re.M)
     return [float(f) for f in modes], [-float(f) for f in forces[-1]] if forces else [0, 0, 0]
@@ -116,15 +122,16 @@ def compare(program, folder):
     theirs = {"rest": calculix(folder, "ccx_rest", deck(nodes, ["*STEP"] + FREQUENCY)),
               "bent": calculix(folder, "ccx_bent", deck(nodes, static(*bent) + around)),
               "aside": calculix(folder, "ccx_aside", deck(nodes, static(*aside))),
-              "pressed": calculix(folder, "ccx_pressed", deck(nodes, static(*aside, *pressed)))}
+              "pressed": calculix(folder, "ccx_pressed", deck(nodes, static(*aside, *pressed))),
+              "pressure": calculix(folder, "ccx_pressure", deck(nodes, static(*pressed) + around))}
     offset = "{offset: {right: {move: [%s]}}%s}"
     ours = {"rest": plica(program, folder, "rest", ""),
             "bent": plica(program, folder, "bent", offset % ("2 mm, 1 mm, 0", "")),
             "aside": plica(program, folder, "aside", offset % ("0.05 mm, 0, 0", "")),
             "pressed": plica(program, folder, "pressed",
-                             offset % ("0.05 mm, 0, 0", ", pressure: 3 bar"))}
+                             offset % ("0.05 mm, 0, 0", ", pressure: 3 bar")),
+            "pressure": plica(program, folder, "pressure", "{pressure: 3 bar}")}
     rows = [("bent by 2 and 1 mm, force across, N", ours["bent"][1][0], theirs["bent"][1][0]),
-            ("bent by 2 and 1 mm, force along, N", ours["bent"][1][1], theirs["bent"][1][1]),
             ("aside by 0.05 mm, force, N", ours["aside"][1][0], theirs["aside"][1][0]),
             ("what 3 bar do to that force, N", ours["pressed"][1][0] - ours["aside"][1][0],
              theirs["pressed"][1][0] - theirs["aside"][1][0])]
@@ -134,15 +141,19 @@ def compare(program, folder):
     for k in range(5):
         rows.append((f"mode {k + 1}, bent over at rest", ours["bent"][0][k] / ours["rest"][0][k],
                      theirs["bent"][0][k] / theirs["rest"][0][k]))
-    print(f"| {'':<38} | Plica | CalculiX | difference % |\n|---|---|---|---|")
-    worst = 0
+    judged = len(rows)
+    rows.append(("bent by 2 and 1 mm, force along, N", ours["bent"][1][1], theirs["bent"][1][1]))
+    for k in range(5):
+        rows.append((f"mode {k + 1}, at 3 bar over at rest",
+                     ours["pressure"][0][k] / ours["rest"][0][k],
+                     theirs["pressure"][0][k] / theirs["rest"][0][k]))
+    print("| | Plica | CalculiX | difference % |\n|---|---|---|---|")
     for words, a, b in rows:
-        print(f"| {words:<38} | {a:.5g} | {b:.5g} | {100 * (a / b - 1):+.2f} |")
-        worst = max(worst, abs(a / b - 1))
-    return worst > LIMIT
+        print(f"| {words} | {a:.5g} | {b:.5g} | {100 * (a / b - 1):+.2f} |")
+    return max(abs(a / b - 1) for _, a, b in rows[:judged]) > LIMIT
 
 
-LIMIT = 0.02
+LIMIT = 0.01
 
 if __name__ == "__main__":
     sys.exit(main())
