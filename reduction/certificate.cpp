@@ -30,9 +30,10 @@ double angle_between(const MatrixXd& A, const MatrixXd& B) {
   return Eigen::JacobiSVD<MatrixXd>(Qb - Qa * (Qa.transpose() * Qb)).singularValues()[0];
 }
 
-// Rows and columns scaled to unit diagonal, so that N/m and Nm/rad count alike.
-MatrixXd balanced(const MatrixXd& K) {
-  const VectorXd s = K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+// Rows and columns scaled so that N/m and Nm/rad count alike: to unit diagonal, or, where what is
+// left free has a diagonal of rounding, by the masses.
+MatrixXd balanced(const MatrixXd& K, const VectorXd& by) {
+  const VectorXd s = by.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   return s.asDiagonal() * K * s.asDiagonal();
 }
 
@@ -132,7 +133,8 @@ std::vector<FrequencyCheck> by_shape(std::vector<FrequencyCheck> checks, const P
 Certificate certificate(const Superelement& s, const PartReference& part) {
   Certificate c;
   c.asymmetry = std::max(asymmetry(s.K), asymmetry(s.M));
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> mass(balanced(s.M)), stiffness(balanced(s.K));
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> mass(balanced(s.M, s.M.diagonal())),
+      stiffness(balanced(s.K, part.free_motions.cols() > 0 ? s.M.diagonal() : s.K.diagonal()));
   c.smallest_mass = mass.eigenvalues()[0] / mass.eigenvalues().maxCoeff();
   const VectorXd k = stiffness.eigenvalues() / std::max(1e-300, stiffness.eigenvalues().maxCoeff());
   constexpr double zero = 1e-9;

@@ -61,7 +61,6 @@ private:
       }
       if (values.size() != wanted) fail("a node has more numbers than the set says");
     }
-    if (!closed_) fail("ends early");
     const auto rows = Eigen::Index(s_.nodes.size());
     s_.real.resize(rows, per_node);
     if (parts == 2) s_.imaginary.resize(rows, per_node);
@@ -78,8 +77,7 @@ private:
     if (!std::getline(stream_, line_)) return false;
     while (!line_.empty() && (line_.back() == '\r' || line_.back() == ' ')) line_.pop_back();
     const auto first = line_.find_first_not_of(' ');
-    closed_ = first != std::string::npos && line_.substr(first) == "-1";
-    return !closed_;
+    return first == std::string::npos || line_.substr(first) != "-1";
   }
   std::vector<double> numbers(std::size_t least) {
     if (!next()) fail("ends early");
@@ -107,7 +105,6 @@ private:
 
   std::string file_, line_;
   int line_number_;
-  bool closed_ = false;
   std::istringstream stream_;
   UniversalShape s_;
 };

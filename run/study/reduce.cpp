@@ -8,6 +8,7 @@
 #include "run/routes/route.hpp"
 #include "run/study/part_reference.hpp"
 #include "run/study/reduce_state.hpp"
+#include "solve/decompositions.hpp"
 #include "solve/stopwatch.hpp"
 #include "solve/strain_energy.hpp"
 #include "solve/stress.hpp"
@@ -226,6 +227,19 @@ void complete(Superelement& s, const Reduction& reduction, const BuiltCase& buil
         s.D += loss.value / 2 * (parts[c] + parts[c].transpose());
 }
 
+// Forces that the motions left to a held part raise are rounding, as those of a free part are.
+void take_rounding_out(Superelement& s, const MatrixXd& free_motions) {
+  if (free_motions.cols() == 0) return;
+  const Index n = s.boundary();
+  const VectorXd scale = s.M.diagonal().head(n).cwiseSqrt();
+  const MatrixXd R = rigid_motions(s, Eigen::Vector3d::Zero()).topRows(n) * free_motions;
+  const MatrixXd Q = orthonormal_columns(scale.asDiagonal() * R);
+  const MatrixXd P = scale.asDiagonal() * (MatrixXd::Identity(n, n) - Q * Q.transpose()) *
+                     scale.cwiseInverse().asDiagonal();
+  const MatrixXd K = P * s.K.topLeftCorner(n, n) * P.transpose();
+  s.K.topLeftCorner(n, n) = (K + K.transpose()) / 2;
+}
+
 // Leaves out the modes that the boundary hardly feels.
 ModesLeftOut select_modes(Reduction& reduction, double least) {
   const VectorXd share = effective_interface_mass(reduction.element);
@@ -292,6 +306,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   PartReference part = part_reference(built, view, boundary, grounded, preloaded, result.cutoff);
   if (preloaded) part.preload = forces_of_rigid_motions(data, released, boundary.nodes);
   if (boundary.caps == 2) add_statics(part, built, view, boundary, nested != nullptr);
+  take_rounding_out(reduction.element, part.free_motions);
   result.left_out = select_modes(reduction, request.least_interface_mass);
   part.left_out = result.left_out.count;
   result.certificate = certificate(reduction.element, part);
