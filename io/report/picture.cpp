@@ -172,11 +172,13 @@ std::string field_picture(const Results& results, const ShownField& field) {
   const View view = view_of(selection.used);
   const Frame frame = frame_round(view, selection.used, 0.06 * selection.size, 1780);
   const Eigen::VectorXd& shares = field.spot_above ? field.above : field.below;
-  Scene scene{results.mesh.nodes, selection.quads, selection.lines, {}};
+  const int nodes = static_cast<int>(results.mesh.nodes.size());
+  Scene scene{points_of(results, selection), selection.quads, selection.lines, {}};
   scene.colour = [&](const int* corners, int count, double shade) {
+    if (count < 4 || corners[0] >= nodes) return steel(shade); // beams have no faces
     double sum = 0;
     for (int i = 0; i < count; ++i) sum += shares[corners[i]];
-    return count < 4 ? steel(shade) : viridis(sum / count, 0.7 + 0.35 * shade);
+    return viridis(sum / count, 0.7 + 0.35 * shade);
   };
   const Eigen::Vector2d at = frame.place(view.project(Eigen::Vector3d::Map(field.at.data())));
   const bool left = at.x() > 0.6 * frame.width; // of the mark, so that the name stays inside
