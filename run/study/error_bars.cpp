@@ -38,6 +38,7 @@ Case with_life(Case plain, const Case& data) {
   plain.analyses.response = data.analyses.response;
   plain.analyses.response->cross.clear(); // of sensors
   plain.analyses.response->tones.clear();
+  plain.analyses.response->referee = 0;
   plain.analyses.transients.clear();
   plain.analyses.run_ups.clear();
   return plain;
