@@ -131,9 +131,9 @@ private:
     next_look_ = size_ + std::max<Index>(block, size_ / 16);
   }
 
-  // The best Ritz vectors alone, half of the basis at most.
+  // The best Ritz vectors alone.
   void restart() {
-    const Index kept = std::min<Index>(count_ + block, V_.cols() / 2);
+    const Index kept = std::min<Index>(count_ + block, V_.cols() - 2 * block);
     V_.leftCols(kept) = product(V_.leftCols(size_), ritz_vectors_.leftCols(kept));
     T_.setZero();
     T_.diagonal().head(kept) = ritz_values_.head(kept);
@@ -159,7 +159,9 @@ EigenPairs block_lanczos(const SparseMatrix& M, const SparseFactor& factor, doub
   const int n = static_cast<int>(M.rows());
   const int count = std::min(settings.count, n - 1);
   // Wide enough for most runs to need no restart.
-  const int capacity = std::min(n, std::max(settings.subspace, 2 * count + 8 * block));
+  const int wide = 2 * count + 8 * block, narrowest = count + 3 * block;
+  const int capacity =
+      std::min(n, settings.subspace > 0 ? std::max(settings.subspace, narrowest) : wide);
   const SparseMatrix pruned = M.pruned();
   const ShiftInvert shift_invert(pruned, factor);
   BlockLanczos search(shift_invert, count, capacity, settings.seed);

@@ -25,7 +25,7 @@ struct EigenPairs {
 
 struct LanczosSettings {
   int count = 10;    // pairs wanted
-  int subspace = 0;  // 0 = 3 count + 16; never less than that or 2 count + 20
+  int subspace = 0;  // vectors kept; 0: as many as mostly suffice without a restart
   unsigned seed = 1; // of the start vector
 };
 
