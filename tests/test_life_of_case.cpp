@@ -161,7 +161,7 @@ struct MassOnBellows {
     EXPECT_NEAR(hertz, std::sqrt(r.statics->k_axial / 20.03) / (2 * pi), 0.005 * hertz);
     data.analyses.damping.modal = zeta;
     data.analyses.response =
-        Response{.bases = {1}, .level = 1, .band = {hertz / 10, 5 * hertz}, .points = 400};
+        Response{.bases = {1}, .level = 1, .band = {hertz / 10, 2 * hertz}, .points = 400};
     data.analyses.life.emplace();
     data.analyses.life->curve = power_law();
     data.analyses.life->strokes = {axial("one", 1e-3)};
