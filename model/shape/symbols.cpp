@@ -51,12 +51,16 @@ private:
             {b.node2 < 0 ? SymbolKind::ground_spring : SymbolKind::spring, name, b.node1, b.node2});
   }
 
+  // Unless they are so many that they would hide the part.
   void add_deck(const Part& part) {
+    constexpr std::size_t most = 40;
+    const std::size_t before = list_.size();
     const std::vector<int>& own = built_.model.mesh.sets.at(part.name + ".all");
     const std::set<int> nodes(own.begin(), own.end());
     for (const MassElement& m : built_.model.masses)
       if (nodes.contains(m.node)) add_mass("", m.node, m.body.mass);
     add_springs(part.name, "");
+    if (list_.size() > before + most) list_.resize(before);
   }
 
   const Case& data_;

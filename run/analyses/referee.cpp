@@ -172,7 +172,8 @@ void hold_against_direct_solution(const Response& asked, const BuiltCase& built,
       const Eigen::RowVectorXcd by_modes =
           acceleration_of(model, excited.list[e].parts, VectorXd::Constant(1, hertz)).row(0);
       const Eigen::RowVectorXcd own = exact.row(Index(e));
-      responses[e].direct.push_back({hertz, (by_modes - own).norm() / own.norm()});
+      const double size = own.norm(), apart = (by_modes - own).norm();
+      responses[e].direct.push_back({hertz, size > 0 ? apart / size : apart}); // nothing moves
     }
   }
 }
