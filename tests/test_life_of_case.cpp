@@ -232,7 +232,7 @@ TEST(LifeOfCase, random_motion_is_miles_and_its_history) {
   VectorXd samples = VectorXd::Zero(count);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> phase(0, 2 * pi);
-  for (double f = 0.2 * m.hertz; f < 4 * m.hertz;
+  for (double f = 0.1 * m.hertz; f < 2 * m.hertz;
        f += 1 / seconds) { // lines, by a turning phasor each
     std::complex<double> line = std::polar(std::sqrt(2 * W / seconds), phase(random));
     const std::complex<double> turn = std::polar(1., 2 * pi * f / rate);

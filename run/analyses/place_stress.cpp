@@ -91,7 +91,7 @@ std::optional<MeridianStress> along_meridian(const ShellPoints& points, const Me
       });
   if (worst == rows.end() || !std::isfinite(worst->meridional)) return std::nullopt;
   const std::string& part = points.places[std::size_t(worst->place)].part;
-  std::map<int, std::pair<Index, Index>> by_ring; // point, position on the ring
+  std::map<int, Index> point_of_ring;
   const double angle = std::atan2(worst->at[2], worst->at[0]);
   for (Index i = 0; i < Index(points.points.size()); ++i) {
     const WallPoint& p = points.points[std::size_t(i)];
@@ -100,20 +100,20 @@ std::optional<MeridianStress> along_meridian(const ShellPoints& points, const Me
     const double off =
         std::abs(std::remainder(std::atan2(x.z(), x.x()) - angle, 2 * std::numbers::pi));
     const double step = std::numbers::pi / double(mesh.rings[std::size_t(p.ring)].nodes.size());
-    if (off < step) by_ring.try_emplace(p.ring, i, 0);
+    if (off < step) point_of_ring.try_emplace(p.ring, i);
   }
   MeridianStress m{.part = part, .along = {}, .inner = {}, .outer = {}, .membrane = {}};
-  const auto count = Index(by_ring.size());
+  const auto count = Index(point_of_ring.size());
   if (count < 2) return std::nullopt;
   for (VectorXd* v : {&m.along, &m.inner, &m.outer, &m.membrane}) v->setZero(count);
   Index k = 0;
-  for (const auto& [ring, point] : by_ring) {
+  for (const auto& [ring, point] : point_of_ring) {
     const Ring& r = mesh.rings[std::size_t(ring)];
     if (k > 0) {
-      const Ring& before = mesh.rings[std::size_t(std::prev(by_ring.find(ring))->first)];
+      const Ring& before = mesh.rings[std::size_t(std::prev(point_of_ring.find(ring))->first)];
       m.along[k] = m.along[k - 1] + std::hypot(r.y - before.y, r.radius - before.radius);
     }
-    const Vector6 s = at(point.first);
+    const Vector6 s = at(point);
     m.inner[k] = s[0];
     m.outer[k] = s[3];
     m.membrane[k++] = (s[0] + s[3]) / 2;
