@@ -3,7 +3,7 @@
 //
 //   k_axial = 50 kN/m      least mass      most f_axial
 //
-// And limits of them, as constraints say them: f_axial >= 250 Hz, mass <= 1.75 kg.
+// And limits of them, as constraints say them: f_axial >= 250 Hz, mass <= 1.75 kg, damage <= 1.
 #pragma once
 
 #include "model/description/case.hpp"

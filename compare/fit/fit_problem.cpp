@@ -1,6 +1,7 @@
 #include "compare/fit/fit_problem.hpp"
 
 #include "compare/compare.hpp"
+#include "compare/fit/fit_curves.hpp"
 #include "compare/simulated.hpp"
 #include "model/description/case_path.hpp"
 #include "run/analyses/run.hpp"
@@ -9,9 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
 #include <limits>
-#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -20,7 +19,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr std::size_t most_samples = 20000;
-constexpr double response_sigma = 0.1; // relative, where the measured data state none
 constexpr double lines_that_count = 20;
 
 double scaled(const FitParameter& p, double value) {
@@ -34,67 +32,6 @@ double from_box(const FitParameter& p, double u) {
 double to_box(const FitParameter& p, double value) {
   const double low = scaled(p, p.bounds[0]), high = scaled(p, p.bounds[1]);
   return std::clamp((scaled(p, value) - low) / (high - low), 0., 1.);
-}
-
-bool is_held_out(const Measured& measured, const std::string& entry) {
-  return std::find(measured.hold_out.begin(), measured.hold_out.end(), entry) !=
-         measured.hold_out.end();
-}
-
-// "peaks[0]" names "peaks[0].frequency[3]", and each quantity itself.
-bool names(const FitTarget& target, const MeasuredComparison& row) {
-  const std::string& name = target.quantity;
-  return row.quantity == name || row.entry == name || row.entry.starts_with(name + ".");
-}
-
-// Level of a row of the level peaks.
-std::optional<double> level_of(const Measured& measured, const std::string& entry) {
-  for (std::size_t i = 0; i < measured.peaks.size(); ++i) {
-    const std::string own = "peaks[" + std::to_string(i) + "].";
-    const auto at = entry.find('[', own.size());
-    if (entry.starts_with(own) && at != std::string::npos)
-      return measured.peaks[i].level[std::stoul(entry.substr(at + 1))];
-  }
-  return std::nullopt;
-}
-
-// Frequencies and magnitudes of a curve in simulated responses; none where they lack it.
-std::optional<std::pair<VectorXd, VectorXd>> magnitudes(const std::vector<FrfSet>& simulated,
-                                                        const FitProblem::Curve& curve) {
-  for (const FrfSet& set : simulated)
-    for (std::size_t r = 0; r < set.references.size(); ++r)
-      for (std::size_t c = 0; c < set.responses.size(); ++c)
-        if (set.references[r] == curve.reference && set.responses[c] == curve.response) {
-          const VectorXd magnitude = set.H[r].col(Index(c)).cwiseAbs();
-          if (!(magnitude.maxCoeff() > 0)) return std::nullopt;
-          return std::pair{set.hertz, magnitude};
-        }
-  return std::nullopt;
-}
-
-// ln of computed over measured magnitude on the lines of a curve.
-VectorXd log_ratios(const FitProblem::Curve& curve, const VectorXd& hertz,
-                    const VectorXd& magnitude) {
-  VectorXd ratio(Index(curve.hertz.size()));
-  const double least = 1e-12 * magnitude.maxCoeff();
-  for (std::size_t k = 0; k < curve.hertz.size(); ++k) {
-    const auto above = std::upper_bound(hertz.begin(), hertz.end(), curve.hertz[k]);
-    const Index i = std::clamp<Index>(above - hertz.begin(), 1, hertz.size() - 1);
-    const double t = (curve.hertz[k] - hertz[i - 1]) / (hertz[i] - hertz[i - 1]);
-    const double a = std::log(std::max(least, magnitude[i - 1])),
-                 b = std::log(std::max(least, magnitude[i]));
-    ratio[Index(k)] = a + t * (b - a) - curve.log_magnitude[k];
-  }
-  return ratio;
-}
-
-// Ties that leave the range of their number, in words; empty = none.
-std::string bad_tie(Case& design, const FitRequest& request) {
-  for (const FitTie& tie : request.ties)
-    if (const auto q = quantity_at(design, tie.path);
-        q && !allows(*q, *number_at(design, tie.path)))
-      return tie.path + " = " + std::to_string(*number_at(design, tie.path));
-  return "";
 }
 
 } // namespace
@@ -115,6 +52,7 @@ FitProblem::FitProblem(const Case& data, const FitRequest& request, const TestDa
                        std::function<bool(const Case&)> refused)
     : request_(request), test_(test), measured_(test.data), whole_(data),
       case_(for_comparison(data)), refused_(std::move(refused)), bodies_(data, request) {
+  if (asks_for_life()) case_ = with_life(std::move(case_), data);
   if (case_.analyses.levels) case_.analyses.levels->method = request.level_method;
   choose_targets();
 }
@@ -160,191 +98,11 @@ double FitProblem::slope(Index i, double u) const {
   return p.log_scale ? width * from_box(p, u) : width;
 }
 
-// Rows that the model gives at the start; where targets are named, those.
-void FitProblem::choose_targets() {
-  Case first = with_design(case_, request_, values_of(start()));
-  if (const std::string bad = bad_tie(first, request_); !bad.empty())
-    throw std::invalid_argument("fit.ties: at the start they give " + bad +
-                                ", out of what the number may be");
-  const Results results = run(first, [](const std::string&) {});
-  scale_constraints(first, results);
-  std::string known;
-  for (const MeasuredComparison& row : compare(results, measured_)) {
-    known += (known.empty() ? "" : ", ") + row.quantity;
-    const bool peak = row.quantity.find(" of the peak") != std::string::npos;
-    const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
-                                    [&](const FitTarget& t) { return names(t, row); });
-    const std::optional<double> level = level_of(measured_, row.entry);
-    const auto& away = request_.hold_out_levels;
-    const bool held_level = level && std::any_of(away.begin(), away.end(), [&](double l) {
-                              return std::abs(l - *level) < 1e-6 * l;
-                            });
-    if (held_level && named == request_.targets.end() && !request_.targets.empty()) continue;
-    const bool held_out = held_level || is_held_out(measured_, row.entry);
-    if (named == request_.targets.end() && !held_out && (!request_.targets.empty() || peak))
-      continue;
-    if (!(row.measured > 0) || !(row.computed > 0)) continue;
-    double sigma = row.sigma > 0 ? row.sigma / row.measured : request_.default_sigma;
-    if (named != request_.targets.end() && named->sigma > 0) sigma = named->sigma;
-    targets_.push_back({.quantity = row.quantity,
-                        .unit = row.unit,
-                        .entry = row.entry,
-                        .measured = row.measured,
-                        .sigma = sigma,
-                        .held_out = held_out});
-  }
-  for (double away : request_.hold_out_levels)
-    if (std::none_of(measured_.peaks.begin(), measured_.peaks.end(), [&](const MeasuredPeaks& p) {
-          return std::any_of(p.level.begin(), p.level.end(),
-                             [&](double l) { return std::abs(l - away) < 1e-6 * l; });
-        }))
-      throw std::invalid_argument("fit.hold_out_levels: no peak was measured at " +
-                                  std::to_string(away) + " m/s2");
-  choose_responses(results, known);
-  for (const FitTarget& t : request_.targets)
-    if (!is_goal(t.quantity) && !is_curve(t.quantity) &&
-        std::none_of(targets_.begin(), targets_.end(), [&](const Target& own) {
-          return names(t, {.quantity = own.quantity, .unit = "", .entry = own.entry});
-        }))
-      throw std::invalid_argument("fit.targets: the model gives no '" + t.quantity +
-                                  "'; there are: " + known);
-  choose_goals(first, results);
-  if (curves_.empty() && aims_.empty() &&
-      std::all_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.held_out; }))
-    throw std::invalid_argument(targets_.empty()
-                                    ? "nothing to fit: the model gives none of the measured "
-                                      "quantities, and there is no goal"
-                                    : "nothing to fit: all that was measured is held out");
-  const bool peaks = std::any_of(targets_.begin(), targets_.end(), [](const Target& t) {
-    return t.quantity.find(" of the peak") != std::string::npos;
-  });
-  const bool levels = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
-    return level_of(measured_, t.entry).has_value();
-  });
-  if (!levels) case_.analyses.levels.reset();
-  if (!peaks && !levels && curves_.empty()) case_ = for_headline(case_);
-  if (levels && friction_alone()) {
-    families_.emplace(first);
-    unchanged_ = results;
-  }
-}
-
-// Values to be met stand among the targets, as if they had been measured.
-void FitProblem::choose_goals(const Case& start, const Results& results) {
-  const std::map<std::string, double> numbers = computed_numbers_of(results);
-  for (const FitTarget& target : request_.targets) {
-    if (!is_goal(target.quantity)) continue;
-    const Parsed<FitGoal> goal = goal_of(target.quantity, start);
-    if (!goal.wrong.empty()) throw std::invalid_argument("fit.targets: " + goal.wrong);
-    const std::string& quantity = goal.value.quantity;
-    const auto value = number_of(quantity, numbers, start);
-    if (!value || !(*value > 0)) {
-      std::string known;
-      for (const auto& [name, number] : numbers) known += (known.empty() ? "" : ", ") + name;
-      throw std::invalid_argument("fit.targets: the model gives no '" + quantity +
-                                  "' above zero; there are: " + known);
-    }
-    if (goal.value.aim == GoalAim::value)
-      targets_.push_back({.quantity = quantity,
-                          .unit = unit_of_goal(quantity, start),
-                          .entry = "goal",
-                          .measured = goal.value.value,
-                          .sigma = target.sigma > 0 ? target.sigma : request_.default_sigma,
-                          .held_out = false,
-                          .goal = true});
-    else
-      aims_.push_back({.quantity = quantity,
-                       .least = goal.value.aim == GoalAim::least,
-                       .start = *value,
-                       .sigma = target.sigma > 0 ? target.sigma : 1});
-  }
-}
-
-// Friction has no part in mass and slipping stiffness, and all of the model in the rest.
-bool FitProblem::friction_alone() const {
-  for (const FitParameter& p : request_.parameters)
-    for (const std::string& path : p.paths)
-      if (!FrictionFamilies::is_friction(path)) return false;
-  for (const FitTie& tie : request_.ties)
-    if (!FrictionFamilies::is_friction(tie.path)) return false;
-  for (const FitConstraint& c : request_.constraints)
-    for (const auto& [what, factor] : c.of)
-      if (what.starts_with("f_")) return false;
-  for (const Aim& aim : aims_)
-    if (aim.quantity.starts_with("f_")) return false;
-  return curves_.empty() && std::all_of(targets_.begin(), targets_.end(), [&](const Target& t) {
-           return (t.goal && !t.quantity.starts_with("f_")) || t.entry == "mass" ||
-                  level_of(measured_, t.entry) ||
-                  (t.entry.starts_with("static[") &&
-                   t.quantity.find(" over ") == std::string::npos);
-         });
-}
-
 Results FitProblem::results_of(const Case& design) const {
   if (!families_) return run(design, [](const std::string&) {});
   Results results = unchanged_;
   results.families = (*families_)(design);
   return results;
-}
-
-bool FitProblem::is_curve(const std::string& name) const {
-  return std::any_of(curves_.begin(), curves_.end(),
-                     [&](const Curve& c) { return c.name == name; });
-}
-
-// Measured responses to motion of the base that the model has too, on their lines in its band.
-void FitProblem::choose_responses(const Results& results, std::string& known) {
-  const std::vector<FrfSet> simulated = responses_to_base(results);
-  for (const FrfSet& set : test_.frfs)
-    for (std::size_t r = 0; r < set.references.size(); ++r)
-      for (std::size_t c = 0; c < set.responses.size(); ++c) add_curve(set, r, c, simulated, known);
-}
-
-void FitProblem::add_curve(const FrfSet& set, std::size_t r, std::size_t c,
-                           const std::vector<FrfSet>& simulated, std::string& known) {
-  Curve curve;
-  curve.reference = set.references[r];
-  curve.response = set.responses[c];
-  const auto own = magnitudes(simulated, curve);
-  constexpr double silent = 1e-6; // of the largest channel
-  if (!own ||
-      set.H[r].col(Index(c)).cwiseAbs().maxCoeff() < silent * set.H[r].cwiseAbs().maxCoeff())
-    return;
-  curve.name = curve.response + " by " + curve.reference;
-  if (set.level) {
-    const std::string level = fmt::sprintf(" at %g", *set.level);
-    curve.name += level;
-  }
-  known += ", " + curve.name;
-  const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
-                                  [&](const FitTarget& t) { return t.quantity == curve.name; });
-  if (!request_.targets.empty() && named == request_.targets.end()) return;
-  const double low = own->first[0], high = own->first[own->first.size() - 1];
-  for (Index k = 0; k < set.hertz.size(); ++k) {
-    const double magnitude = std::abs(set.H[r](k, Index(c)));
-    if (set.hertz[k] < low || set.hertz[k] > high || !(magnitude > 0)) continue;
-    double sigma = response_sigma;
-    if (named != request_.targets.end() && named->sigma > 0)
-      sigma = named->sigma;
-    else if (!set.sigma.empty())
-      sigma = std::max(1e-3, set.sigma[r](k, Index(c)) / magnitude);
-    curve.hertz.push_back(set.hertz[k]);
-    curve.log_magnitude.push_back(std::log(magnitude));
-    curve.sigma.push_back(sigma);
-  }
-  if (curve.hertz.size() >= 2) curves_.push_back(std::move(curve));
-}
-
-void FitProblem::scale_constraints(const Case& start, const Results& results) {
-  const std::map<std::string, double> numbers = computed_numbers_of(results);
-  for (const FitConstraint& c : request_.constraints) {
-    double scale = std::max(std::abs(c.max.value_or(0)), std::abs(c.min.value_or(0)));
-    for (const auto& [what, factor] : c.of) {
-      const auto number = number_of(what, numbers, start);
-      if (number) scale = std::max(scale, std::abs(factor * *number));
-    }
-    constraint_scale_.push_back(std::max(scale, 1e-300));
-  }
 }
 
 double FitProblem::broken(std::size_t constraint, double value) const {

@@ -81,6 +81,7 @@ public:
 
 private:
   void choose_targets();
+  bool asks_for_life() const;
   bool is_refused(const Eigen::VectorXd& values) const;
   bool friction_alone() const;
   Results results_of(const Case& design) const;

@@ -14,6 +14,7 @@ const std::vector<ComputedNumber>& computed_numbers() {
       {"f_axial", Dimension::frequency},
       {"f_transverse", Dimension::frequency},
       {"f_torsion", Dimension::frequency},
+      {"damage", Dimension::number},
   };
   return all;
 }
@@ -21,6 +22,7 @@ const std::vector<ComputedNumber>& computed_numbers() {
 std::optional<Dimension> unit_of_computed(const std::string& name) {
   for (const ComputedNumber& n : computed_numbers())
     if (n.name == name) return n.unit;
+  if (name.starts_with("life_")) return Dimension::pressure;
   return std::nullopt;
 }
 
@@ -31,6 +33,8 @@ std::map<std::string, double> computed_numbers_of(const Results& results) {
     numbers["k_bending"] = std::min(k->k_bending_x, k->k_bending_z);
     numbers["k_torsion"] = k->k_torsion;
   }
+  if (results.life && !results.life->spots.empty())
+    numbers["damage"] = results.life->spots.front().damage;
   return numbers;
 }
 

@@ -24,7 +24,7 @@ bool has_to_run_whole(const Case& data) {
   const Analyses& a = data.analyses;
   return !a.reduction || data.state || has_friction(data) || has_damped_springs(data) ||
          !a.damping.loss_factors.empty() || !data.supports.empty() || a.stress || a.response ||
-         a.levels || !a.transients.empty() || !a.run_ups.empty();
+         a.levels || a.life || !a.transients.empty() || !a.run_ups.empty();
 }
 
 // Nodes that labels and signs of modes are read from, increasing: of every so manieth ring, and all

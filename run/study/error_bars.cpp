@@ -28,22 +28,6 @@ Results run_silently(const Case& data) {
   return run(data, [](const std::string&) {});
 }
 
-// Also the stress ranges of the duties of a life.
-Case with_life(Case plain, const Case& data) {
-  if (!data.analyses.life) return plain;
-  plain.analyses.life = data.analyses.life;
-  std::erase_if(plain.analyses.life->sweeps, [](const LifeSweep& s) { return s.friction; });
-  if (!needs_response(*plain.analyses.life)) return plain;
-  plain.analyses.damping = data.analyses.damping;
-  plain.analyses.response = data.analyses.response;
-  plain.analyses.response->cross.clear(); // of sensors
-  plain.analyses.response->tones.clear();
-  plain.analyses.response->referee = 0;
-  plain.analyses.transients.clear();
-  plain.analyses.run_ups.clear();
-  return plain;
-}
-
 Headline headline_of(const Case& data) {
   return headline(run_silently(with_life(for_headline(data), data)));
 }
@@ -166,6 +150,21 @@ double quantile(const Tolerance& t, double u) {
   const double share = u < 0.5 ? 2 * u : 2 * u - 1;
   if (!on_log_scale(t)) return from + share * (to - from);
   return from * std::pow(to / from, share);
+}
+
+Case with_life(Case plain, const Case& data) {
+  if (!data.analyses.life) return plain;
+  plain.analyses.life = data.analyses.life;
+  std::erase_if(plain.analyses.life->sweeps, [](const LifeSweep& s) { return s.friction; });
+  if (!needs_response(*plain.analyses.life)) return plain;
+  plain.analyses.damping = data.analyses.damping;
+  plain.analyses.response = data.analyses.response;
+  plain.analyses.response->cross.clear(); // of sensors
+  plain.analyses.response->tones.clear();
+  plain.analyses.response->referee = 0;
+  plain.analyses.transients.clear();
+  plain.analyses.run_ups.clear();
+  return plain;
 }
 
 Case for_headline(Case data) {

@@ -27,7 +27,10 @@ double quantile(const Tolerance& tolerance, double u);
 
 // The case for headline numbers only: no response, no stress, no proof, no sensors without mass.
 Case for_headline(Case data);
-// The same with the motion of the base, for what stands beside measured peaks.
+// `plain`, made for headline numbers, with what the life of `data` needs: stress ranges and damage
+// of its duties.
+Case with_life(Case plain, const Case& data);
+// The same as for_headline() with the motion of the base, for what stands beside measured peaks.
 Case for_comparison(const Case& data);
 
 // `stage` is told what runs. `nominal`: results of the case as it stands, from for_headline or
