@@ -1,7 +1,6 @@
 #include "compare/fit/fit_problem.hpp"
 
 #include "compare/compare.hpp"
-#include "compare/fit/fit_curves.hpp"
 #include "compare/simulated.hpp"
 #include "model/description/case_path.hpp"
 #include "run/analyses/run.hpp"
@@ -46,6 +45,14 @@ Case with_design(Case data, const FitRequest& request, const VectorXd& values) {
     *number_at(data, tie.path) = sum;
   }
   return data;
+}
+
+std::string bad_tie(Case& design, const FitRequest& request) {
+  for (const FitTie& tie : request.ties)
+    if (const auto q = quantity_at(design, tie.path);
+        q && !allows(*q, *number_at(design, tie.path)))
+      return tie.path + " = " + std::to_string(*number_at(design, tie.path));
+  return "";
 }
 
 FitProblem::FitProblem(const Case& data, const FitRequest& request, const TestData& test,

@@ -4,6 +4,7 @@
 
 #include "compare/correlate.hpp"
 #include "compare/fit/fit_bodies.hpp"
+#include "compare/fit/fit_curves.hpp"
 #include "compare/fit/fit_goal.hpp"
 #include "compare/fit/friction_families.hpp"
 #include "compare/search/search.hpp"
@@ -18,6 +19,9 @@ namespace plica {
 
 // The case with these values of the parameters of the request, and its ties.
 Case with_design(Case data, const FitRequest& request, const Eigen::VectorXd& values);
+
+// Ties that leave the range of their number, in words; empty = none.
+std::string bad_tie(Case& design, const FitRequest& request);
 
 struct FitSample {
   Eigen::VectorXd design;  // values of the parameters
@@ -44,10 +48,7 @@ public:
     bool least = true;
     double start = 0, sigma = 1; // relative to the start
   };
-  struct Curve { // a measured response to motion of the base
-    std::string name, reference, response;
-    std::vector<double> hertz, log_magnitude, sigma; // sigma relative
-  };
+  using Curve = FitCurve;
   struct Outcome {
     Eigen::VectorXd targets;                // computed values, all of them
     Eigen::VectorXd aims;                   // computed values

@@ -1,8 +1,7 @@
 // What a fit is held against: measured rows and responses that the model gives, goals, limits.
 #include "compare/compare.hpp"
-#include "compare/fit/fit_curves.hpp"
+#include "compare/fit/fit_problem.hpp"
 #include "compare/simulated.hpp"
-#include "model/description/case_path.hpp"
 #include "run/analyses/run.hpp"
 #include "run/results/computed_numbers.hpp"
 #include "run/study/error_bars.hpp"
@@ -44,42 +43,6 @@ std::optional<double> level_of(const Measured& measured, const std::string& entr
 }
 
 } // namespace
-
-std::optional<std::pair<VectorXd, VectorXd>> magnitudes(const std::vector<FrfSet>& simulated,
-                                                        const FitProblem::Curve& curve) {
-  for (const FrfSet& set : simulated)
-    for (std::size_t r = 0; r < set.references.size(); ++r)
-      for (std::size_t c = 0; c < set.responses.size(); ++c)
-        if (set.references[r] == curve.reference && set.responses[c] == curve.response) {
-          const VectorXd magnitude = set.H[r].col(Index(c)).cwiseAbs();
-          if (!(magnitude.maxCoeff() > 0)) return std::nullopt;
-          return std::pair{set.hertz, magnitude};
-        }
-  return std::nullopt;
-}
-
-VectorXd log_ratios(const FitProblem::Curve& curve, const VectorXd& hertz,
-                    const VectorXd& magnitude) {
-  VectorXd ratio(Index(curve.hertz.size()));
-  const double least = 1e-12 * magnitude.maxCoeff();
-  for (std::size_t k = 0; k < curve.hertz.size(); ++k) {
-    const auto above = std::upper_bound(hertz.begin(), hertz.end(), curve.hertz[k]);
-    const Index i = std::clamp<Index>(above - hertz.begin(), 1, hertz.size() - 1);
-    const double t = (curve.hertz[k] - hertz[i - 1]) / (hertz[i] - hertz[i - 1]);
-    const double a = std::log(std::max(least, magnitude[i - 1])),
-                 b = std::log(std::max(least, magnitude[i]));
-    ratio[Index(k)] = a + t * (b - a) - curve.log_magnitude[k];
-  }
-  return ratio;
-}
-
-std::string bad_tie(Case& design, const FitRequest& request) {
-  for (const FitTie& tie : request.ties)
-    if (const auto q = quantity_at(design, tie.path);
-        q && !allows(*q, *number_at(design, tie.path)))
-      return tie.path + " = " + std::to_string(*number_at(design, tie.path));
-  return "";
-}
 
 bool FitProblem::asks_for_life() const {
   const auto is_life = [](const std::string& words) {
