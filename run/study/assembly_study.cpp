@@ -265,7 +265,7 @@ std::optional<Results> AssemblyStudy::run(const Case& variant, const StageListen
     if (const auto K = route.end_stiffness(
             {frame.cap_nodes.at(variant.caps[0].name), frame.cap_nodes.at(variant.caps[1].name)}))
       results.statics = static_stiffness(*K, false);
-  if (variant.analyses.modes) run_dynamics(variant, kept_->watched, route, stage, results);
+  if (variant.analyses.modes) run_dynamics(variant, kept_->watched, route, stage, nullptr, results);
   if (!kept_->not_proved.empty() && results.verification.made) {
     results.verification.passed = false;
     results.verification.reason = kept_->not_proved;
