@@ -90,10 +90,10 @@ std::vector<MotionLevel> levels_of(const StiffnessOptions& options) {
 }
 
 // "0", "y=5mm", "rx=2deg".
-std::vector<EndOffset> shifts_of(const std::vector<std::string>& texts) {
+std::vector<OffsetOfEnd> shifts_of(const std::vector<std::string>& texts) {
   const std::string option = "--offsets",
                     allowed = "0, or DIRECTION=LENGTH or ANGLE: y=5mm, rx=2deg";
-  std::vector<EndOffset> list;
+  std::vector<OffsetOfEnd> list;
   for (const std::string& text : texts) {
     if (text == "0") {
       list.emplace_back();

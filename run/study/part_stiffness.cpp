@@ -62,7 +62,7 @@ Case between_ends(const Case& data, const std::array<std::string, 2>& ends) {
   return own;
 }
 
-void shift(Case& data, const std::string& end, const EndOffset& by) {
+void shift(Case& data, const std::string& end, const OffsetOfEnd& by) {
   if (by.value == 0) return;
   if (!data.state) data.state.emplace();
   auto& offsets = data.state->offset;
@@ -72,7 +72,7 @@ void shift(Case& data, const std::string& end, const EndOffset& by) {
   (by.direction < 3 ? own->move : own->turn)[std::size_t(by.direction % 3)] += by.value;
 }
 
-std::string name_of(const Case& data, const EndOffset& by, const std::string& end) {
+std::string name_of(const Case& data, const OffsetOfEnd& by, const std::string& end) {
   if (by.value == 0) return data.state ? "the state of the case" : "at rest";
   const bool length = by.direction < 3;
   return fmt::format("{} moved by {:.6g} {} in {}", end, by.value * (length ? 1e3 : 180 / pi),
@@ -140,14 +140,14 @@ public:
       result_.notes.push_back("nothing in the case depends on the amplitude: one table is that of "
                               "every amplitude");
     }
-    const std::vector<EndOffset> at_rest{EndOffset{}};
-    for (const EndOffset& by : request_.shifts.empty() ? at_rest : request_.shifts)
+    const std::vector<OffsetOfEnd> at_rest{OffsetOfEnd{}};
+    for (const OffsetOfEnd& by : request_.shifts.empty() ? at_rest : request_.shifts)
       result_.states.push_back(at(case_, by));
     return std::move(result_);
   }
 
 private:
-  StateStiffness at(Case own, const EndOffset& by) {
+  StateStiffness at(Case own, const OffsetOfEnd& by) {
     StateStiffness state;
     state.name = name_of(own, by, ends_[0]);
     shift(own, ends_[0], by);

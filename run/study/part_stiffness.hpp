@@ -9,7 +9,7 @@
 namespace plica {
 
 // The first end against the second, from where the state of the case has it.
-struct EndOffset {
+struct OffsetOfEnd {
   int direction = 0; // 0..5 = x y z rx ry rz
   double value = 0;  // m or rad; 0 = the state of the case itself
 };
@@ -18,7 +18,7 @@ struct StiffnessRequest {
   std::vector<std::string> ends;   // names of two caps; none = those of the case
   Eigen::VectorXd hertz;           // increasing, >= 0
   std::vector<MotionLevel> levels; // increasing, without that of small motion
-  std::vector<EndOffset> shifts;   // none = the state of the case
+  std::vector<OffsetOfEnd> shifts; // none = the state of the case
   int harmonics = 5, samples = 256;
   double highest = 0; // Hz, beyond hertz, where the part is asked again later
 };
