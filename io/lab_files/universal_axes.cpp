@@ -59,11 +59,16 @@ void require_axes(const DisplacementAxes& a, const SetLines& lines) {
     lines.fail("axes of a coordinate system are not orthogonal");
 }
 
+int label_of(const std::vector<double>& head, const SetLines& lines) {
+  if (head.size() < 2 || !(head[0] >= 0 && head[0] < 1e9)) lines.fail("is no coordinate system");
+  return int(head[0]);
+}
+
 // Origin, a point on +x and one in the plane of x and z.
 void read_18(SetLines& lines, std::map<int, DisplacementAxes>& all) {
   while (lines.next()) {
     const std::vector<double> head = lines.numbers_here();
-    if (head.size() < 2) lines.fail("is no coordinate system");
+    const int label = label_of(head, lines);
     if (!lines.next()) lines.fail("ends early"); // name
     const std::vector<double> first = lines.numbers(6), second = lines.numbers(3);
     const Eigen::Vector3d origin(first[0], first[1], first[2]);
@@ -74,7 +79,7 @@ void read_18(SetLines& lines, std::map<int, DisplacementAxes>& all) {
     a.axes.row(2) = (in_plane - x * x.dot(in_plane)).normalized();
     a.axes.row(1) = Eigen::Vector3d(a.axes.row(2)).cross(x);
     require_axes(a, lines);
-    all[int(head[0])] = a;
+    all[label] = a;
   }
 }
 
@@ -84,7 +89,7 @@ void read_2420(SetLines& lines, std::map<int, DisplacementAxes>& all) {
   if (!lines.next()) lines.fail("ends early");
   while (lines.next()) {
     const std::vector<double> head = lines.numbers_here();
-    if (head.size() < 2) lines.fail("is no coordinate system");
+    const int label = label_of(head, lines);
     if (!lines.next()) lines.fail("ends early"); // name
     DisplacementAxes a{head[1] == 0, Eigen::Matrix3d()};
     for (int i = 0; i < 3; ++i) {
@@ -93,7 +98,7 @@ void read_2420(SetLines& lines, std::map<int, DisplacementAxes>& all) {
     }
     lines.numbers(3); // origin
     require_axes(a, lines);
-    all[int(head[0])] = a;
+    all[label] = a;
   }
 }
 
