@@ -129,7 +129,7 @@ int stiffness(StiffnessOptions& options) {
                    {.command = "stiffness", .inputs = inputs, .names = stiffness_files(beside)});
   Progress progress(options.out.quiet);
   progress.title(file.data.name);
-  const DynamicStiffness found = with_doubts(file, [&] {
+  const EndDynamicStiffness found = with_doubts(file, [&] {
     return located(file, [&] {
       return part_stiffness(file.data, request, [&](const std::string& s) { progress.stage(s); });
     });

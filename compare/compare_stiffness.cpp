@@ -31,7 +31,7 @@ std::complex<double> driving_point_stiffness(const Complex1212& Z, int direction
   return Z(6 * end + direction, 6 * end + direction);
 }
 
-std::vector<StiffnessComparison> compare_stiffness(const DynamicStiffness& computed,
+std::vector<StiffnessComparison> compare_stiffness(const EndDynamicStiffness& computed,
                                                    const std::vector<MeasuredStiffness>& measured,
                                                    int harmonics, int samples) {
   const PartBetweenEnds& part = computed.states.front().part;

@@ -17,7 +17,7 @@ std::complex<double> transfer_stiffness(const Complex1212& Z, int direction);
 std::complex<double> driving_point_stiffness(const Complex1212& Z, int direction, int end = 0);
 
 // At the very frequencies and amplitudes of the test, in the first state.
-std::vector<StiffnessComparison> compare_stiffness(const DynamicStiffness& computed,
+std::vector<StiffnessComparison> compare_stiffness(const EndDynamicStiffness& computed,
                                                    const std::vector<MeasuredStiffness>& measured,
                                                    int harmonics, int samples);
 

@@ -81,7 +81,7 @@ struct StateStiffness {
   int modes = 0; // without the static answers
 };
 
-struct DynamicStiffness {
+struct EndDynamicStiffness {
   std::string case_name;
   std::vector<StateStiffness> states;
   bool friction = false;

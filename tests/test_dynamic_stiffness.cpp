@@ -23,7 +23,7 @@ namespace {
 
 using std::numbers::pi;
 
-DynamicStiffness stiffness_of(const Case& data, const StiffnessRequest& request) {
+EndDynamicStiffness stiffness_of(const Case& data, const StiffnessRequest& request) {
   return part_stiffness(data, request, [](const std::string&) {});
 }
 
@@ -57,7 +57,7 @@ TEST(DynamicStiffness, of_a_rod_is_the_closed_form) {
     std::get<BeamPart>(d.parts[0].body).elements = 200;
     return d;
   }();
-  const DynamicStiffness s = stiffness_of(data, at({10, 200, 400}));
+  const EndDynamicStiffness s = stiffness_of(data, at({10, 200, 400}));
   const auto& over = s.states.at(0).over;
   for (long f = 0; f < over.hertz.size(); ++f) {
     const double k = 2 * pi * over.hertz[f] * std::sqrt(m / EA);
@@ -73,9 +73,9 @@ TEST(DynamicStiffness, of_shells_does_not_depend_on_the_route) {
   data.analyses.damping.modal = 0.01;
   StiffnessRequest request = at({0, 100, 300});
   data.analyses.symmetry = Symmetry::off;
-  const DynamicStiffness full = stiffness_of(data, request);
+  const EndDynamicStiffness full = stiffness_of(data, request);
   data.analyses.symmetry = Symmetry::required;
-  const DynamicStiffness cyclic = stiffness_of(data, request);
+  const EndDynamicStiffness cyclic = stiffness_of(data, request);
   for (std::size_t f = 0; f < 3; ++f) {
     const Complex1212 &a = full.states[0].over.at[0][f], &b = cyclic.states[0].over.at[0][f];
     const Eigen::Matrix<double, 12, 1> size = full.states[0].part.K.diagonal().cwiseSqrt();
@@ -88,7 +88,7 @@ TEST(DynamicStiffness, is_reciprocal_and_begins_as_the_static_one) {
   Case data = verification_case("bellows_a", {.around = 16, .arc = 2, .wall = 2});
   data.analyses.damping.modal = 0.02;
   data.analyses.damping.loss_factors = {{.of = "bellows", .value = 0.01}};
-  const DynamicStiffness s = stiffness_of(data, at({0, 50, 500}));
+  const EndDynamicStiffness s = stiffness_of(data, at({0, 50, 500}));
   const StateStiffness& state = s.states.at(0);
   const Eigen::Matrix<double, 12, 1> size = state.part.K.diagonal().cwiseSqrt();
   const Eigen::Matrix<double, 12, 12> scale = size * size.transpose();
@@ -110,7 +110,7 @@ TEST(DynamicStiffness, of_friction_has_the_area_of_its_loop) {
   StiffnessRequest request = at({0.01});
   request.samples = 4096;
   for (const double X : {2e-4, 1e-3, 5e-3}) request.levels.push_back({.translation = X});
-  const DynamicStiffness s = stiffness_of(sliding_chain(), request);
+  const EndDynamicStiffness s = stiffness_of(sliding_chain(), request);
   EXPECT_TRUE(s.friction);
   const StiffnessOverFrequency& over = s.states.at(0).over;
   EXPECT_EQ(over.not_found, 0);
@@ -156,7 +156,7 @@ TEST(DynamicStiffness, has_the_state_as_an_axis) {
   std::get<BeamPart>(data.parts[0].body).section.GA = 1e8; // stiff in shear, as the formula is
   StiffnessRequest request = at({0});
   request.shifts = {{}, {.direction = 1, .value = -1e-4}}; // left moved off the right: tension
-  const DynamicStiffness s = stiffness_of(data, request);
+  const EndDynamicStiffness s = stiffness_of(data, request);
   ASSERT_EQ(s.states.size(), 2);
   const double N = EA * 1e-4 / L;
   const auto across = [&](std::size_t k) {
@@ -169,7 +169,7 @@ TEST(DynamicStiffness, has_the_state_as_an_axis) {
 TEST(DynamicStiffness, stands_in_the_tables_of_other_programs) {
   Case data = tube(2);
   data.analyses.damping.loss_factors = {{.of = "tube", .value = 0.05}};
-  const DynamicStiffness s = stiffness_of(data, at({0, 50, 100}));
+  const EndDynamicStiffness s = stiffness_of(data, at({0, 50, 100}));
   std::istringstream bush(nastran_bush(s, true));
   std::map<int, std::vector<double>> tables;
   std::vector<int> K, B;
@@ -213,7 +213,7 @@ TEST(DynamicStiffness, stands_in_the_tables_of_other_programs) {
 // In the middle of a prismatic rod nothing couples bending and shear: 12 EI / L^3 with shear there,
 // EI / L about it.
 TEST(DynamicStiffness, has_its_connector_in_the_middle) {
-  const DynamicStiffness s = stiffness_of(tube(1), at({0}));
+  const EndDynamicStiffness s = stiffness_of(tube(1), at({0}));
   const StateStiffness& state = s.states[0];
   const auto k =
       connector_in_middle(state.over.at[0][0], state.part.places[0], state.part.places[1]);
@@ -249,7 +249,7 @@ TEST(DynamicStiffness, is_read_from_the_table_of_a_rig) {
 TEST(DynamicStiffness, lies_on_itself) {
   StiffnessRequest request = at({20, 40});
   request.levels = {{.translation = 1e-3}};
-  const DynamicStiffness s = stiffness_of(sliding_chain(), request);
+  const EndDynamicStiffness s = stiffness_of(sliding_chain(), request);
   std::vector<MeasuredStiffness> measured;
   for (std::size_t f = 0; f < 2; ++f) {
     const auto k = transfer_stiffness(s.states[0].over.at[1][f], 1);
@@ -305,7 +305,7 @@ TEST(DynamicStiffness, put_back_into_CalculiX_gives_the_response_of_the_system) 
   constexpr double mass = 3, hertz = 120;
   Case data = tube(2);
   data.analyses.damping.loss_factors = {{.of = "tube", .value = 0.08}};
-  const DynamicStiffness s = stiffness_of(data, at({hertz}));
+  const EndDynamicStiffness s = stiffness_of(data, at({hertz}));
   const Complex1212& Z = s.states[0].over.at[0][0];
   const std::complex<double> k = transfer_stiffness(Z, 1),
                              ground = driving_point_stiffness(Z, 1, 1) - k;

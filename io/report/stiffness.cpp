@@ -191,7 +191,7 @@ std::string beside_html(const std::vector<StiffnessComparison>& compared) {
 
 } // namespace
 
-std::string stiffness_report(const DynamicStiffness& s,
+std::string stiffness_report(const EndDynamicStiffness& s,
                              const std::vector<StiffnessComparison>& compared) {
   const PartBetweenEnds& part = s.states.front().part;
   std::string sections = html_section("test", "Beside the test", beside_html(compared));

@@ -7,7 +7,7 @@
 namespace plica {
 
 // A whole page.
-std::string stiffness_report(const DynamicStiffness& s,
+std::string stiffness_report(const EndDynamicStiffness& s,
                              const std::vector<StiffnessComparison>& compared);
 
 } // namespace plica

@@ -25,7 +25,7 @@ std::string level_title(const MotionLevel& level) {
   return fmt::format("amplitude {:g} m, {:g} rad", level.translation, level.rotation);
 }
 
-std::vector<Property> properties_of(const DynamicStiffness& s, bool millimetres) {
+std::vector<Property> properties_of(const EndDynamicStiffness& s, bool millimetres) {
   std::vector<Property> list;
   for (const StateStiffness& state : s.states)
     for (std::size_t l = 0; l < state.over.levels.size(); ++l) {
@@ -47,14 +47,14 @@ std::vector<Property> properties_of(const DynamicStiffness& s, bool millimetres)
   return list;
 }
 
-std::array<Eigen::Vector3d, 3> places_of(const DynamicStiffness& s, bool millimetres) {
+std::array<Eigen::Vector3d, 3> places_of(const EndDynamicStiffness& s, bool millimetres) {
   const auto& at = s.states.front().part.places;
   const double unit = millimetres ? 1e3 : 1;
   return {unit * at[0], unit * at[1], unit * (at[0] + at[1]) / 2};
 }
 
 // What every file says of itself.
-std::vector<std::string> head(const DynamicStiffness& s, bool millimetres) {
+std::vector<std::string> head(const EndDynamicStiffness& s, bool millimetres) {
   std::vector<std::string> lines{
       fmt::format("Dynamic stiffness of {} from {} to {} over frequency, units: {}", s.case_name,
                   s.states.front().part.names[0], s.states.front().part.names[1],
@@ -83,7 +83,7 @@ double left_off_diagonal(const StateStiffness& state) {
   return largest;
 }
 
-std::string abaqus_connector(const DynamicStiffness& s, bool millimetres) {
+std::string abaqus_connector(const EndDynamicStiffness& s, bool millimetres) {
   std::string deck;
   for (const std::string& line : head(s, millimetres)) deck += "** " + line + "\n";
   const auto places = places_of(s, millimetres);
@@ -112,7 +112,7 @@ std::string abaqus_connector(const DynamicStiffness& s, bool millimetres) {
   return deck;
 }
 
-std::string nastran_bush(const DynamicStiffness& s, bool millimetres) {
+std::string nastran_bush(const EndDynamicStiffness& s, bool millimetres) {
   std::string deck;
   for (const std::string& line : head(s, millimetres)) deck += "$ " + line + "\n";
   const auto places = places_of(s, millimetres);

@@ -15,10 +15,10 @@ double left_off_diagonal(const StateStiffness& state);
 // Nodes 1 and 2 at the ends, 3 and 4 in the middle, led by them; one connector element, and a
 // *CONNECTOR BEHAVIOR with elasticity and viscous damping over frequency for every state and level.
 // For steady-state dynamics, direct.
-std::string abaqus_connector(const DynamicStiffness& s, bool millimetres);
+std::string abaqus_connector(const EndDynamicStiffness& s, bool millimetres);
 
 // The same as CBUSH with PBUSH, PBUSHT and TABLED1 (stiffness K, force per velocity B). For direct
 // or modal frequency response.
-std::string nastran_bush(const DynamicStiffness& s, bool millimetres);
+std::string nastran_bush(const EndDynamicStiffness& s, bool millimetres);
 
 } // namespace plica

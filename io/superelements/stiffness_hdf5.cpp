@@ -37,7 +37,7 @@ std::vector<double> listed(const Eigen::VectorXd& x) {
 
 } // namespace
 
-void write_stiffness_hdf5(const DynamicStiffness& s, const std::filesystem::path& path) {
+void write_stiffness_hdf5(const EndDynamicStiffness& s, const std::filesystem::path& path) {
   H5::H5File file(path.string(), H5F_ACC_TRUNC);
   note(file, "format", "plica dynamic stiffness");
   note(file, "name", s.case_name);

@@ -17,6 +17,6 @@
 namespace plica {
 
 // Throws H5::Exception.
-void write_stiffness_hdf5(const DynamicStiffness& s, const std::filesystem::path& path);
+void write_stiffness_hdf5(const EndDynamicStiffness& s, const std::filesystem::path& path);
 
 } // namespace plica

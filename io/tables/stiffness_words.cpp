@@ -29,7 +29,7 @@ std::string unit_of(int row, int column) {
 }
 
 // The cells of state, level and frequency, for every one of them.
-template <class F> void for_each_row(const DynamicStiffness& s, F&& row) {
+template <class F> void for_each_row(const EndDynamicStiffness& s, F&& row) {
   for (const StateStiffness& state : s.states)
     for (std::size_t l = 0; l < state.over.levels.size(); ++l)
       for (Eigen::Index f = 0; f < state.over.hertz.size(); ++f) {
@@ -62,7 +62,7 @@ std::string level_name(const MotionLevel& level) {
   return text.empty() ? "small motion" : text;
 }
 
-std::vector<std::array<int, 2>> terms_of(const DynamicStiffness& s) {
+std::vector<std::array<int, 2>> terms_of(const EndDynamicStiffness& s) {
   constexpr double rounding = 1e-9; // of the root of both driving-point stiffnesses
   std::vector<std::array<int, 2>> terms;
   for (int i = 0; i < 12; ++i)
@@ -79,7 +79,7 @@ std::vector<std::array<int, 2>> terms_of(const DynamicStiffness& s) {
   return terms;
 }
 
-std::string stiffness_csv(const DynamicStiffness& s) {
+std::string stiffness_csv(const EndDynamicStiffness& s) {
   const std::vector<std::array<int, 2>> terms = terms_of(s);
   const std::vector<std::string> names = end_coordinate_names(s.states.front().part.names);
   std::string text = row_head;
@@ -100,7 +100,7 @@ std::string stiffness_csv(const DynamicStiffness& s) {
   return text;
 }
 
-std::string transfer_stiffness_csv(const DynamicStiffness& s) {
+std::string transfer_stiffness_csv(const EndDynamicStiffness& s) {
   std::string text = std::string(row_head) + ",direction,unit";
   for (const char* k : {"driving point k11", "driving point k22", "blocked transfer k21"})
     text += fmt::format(",{0} storage,{0} loss,{0} loss angle [deg]", k);
@@ -163,7 +163,7 @@ std::vector<ShownDeviation> deviations(const std::vector<StiffnessComparison>& r
   return list;
 }
 
-std::string stiffness_text(const DynamicStiffness& s,
+std::string stiffness_text(const EndDynamicStiffness& s,
                            const std::vector<StiffnessComparison>& compared) {
   std::string text;
   for (const StateStiffness& state : s.states) {

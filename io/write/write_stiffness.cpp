@@ -29,7 +29,7 @@ void set_abscissa(UniversalFunction& f, const Eigen::VectorXd& hertz) {
 }
 
 // One term of one level: force on a coordinate by the motion of another. Ends are nodes 1 and 2.
-UniversalFunction function_of(const DynamicStiffness& s, const StateStiffness& state,
+UniversalFunction function_of(const EndDynamicStiffness& s, const StateStiffness& state,
                               std::size_t level, int row, int column) {
   UniversalFunction f;
   f.ids[0] = s.case_name.substr(0, 80);
@@ -66,7 +66,7 @@ UniversalFunction function_of(const DynamicStiffness& s, const StateStiffness& s
 }
 
 // A motion that was not found has no number; its functions are left away.
-std::string universal_stiffness(const DynamicStiffness& s) {
+std::string universal_stiffness(const EndDynamicStiffness& s) {
   UniversalUnits units;
   units.description = "SI";
   std::string text = universal_text(units);
@@ -90,7 +90,7 @@ std::vector<std::string> stiffness_files(bool measured) {
   return names;
 }
 
-void write_stiffness(const DynamicStiffness& s, const std::vector<StiffnessComparison>& compared,
+void write_stiffness(const EndDynamicStiffness& s, const std::vector<StiffnessComparison>& compared,
                      bool millimetres, OutputFolder& out) {
   out.add("stiffness.csv", stiffness_csv(s));
   out.add("transfer_stiffness.csv", transfer_stiffness_csv(s));

@@ -9,7 +9,7 @@ namespace plica {
 std::vector<std::string> stiffness_files(bool measured);
 
 // InputError with path and reason.
-void write_stiffness(const DynamicStiffness& s, const std::vector<StiffnessComparison>& compared,
+void write_stiffness(const EndDynamicStiffness& s, const std::vector<StiffnessComparison>& compared,
                      bool millimetres, OutputFolder& out);
 
 } // namespace plica

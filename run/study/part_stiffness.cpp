@@ -128,7 +128,7 @@ public:
       : request_(request), stage_(stage), ends_(ends_of(data, request.ends)),
         case_(between_ends(data, ends_)), friction_(has_friction(case_)) {}
 
-  DynamicStiffness all() {
+  EndDynamicStiffness all() {
     result_.case_name = case_.name;
     result_.friction = friction_;
     reach_ = 3 * std::max({1., request_.hertz.maxCoeff(), request_.highest});
@@ -233,13 +233,13 @@ private:
   bool friction_;
   double reach_ = 0;
   std::vector<MotionLevel> levels_;
-  DynamicStiffness result_;
+  EndDynamicStiffness result_;
 };
 
 } // namespace
 
-DynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
-                                const std::function<void(const std::string&)>& stage) {
+EndDynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
+                                   const std::function<void(const std::string&)>& stage) {
   return StiffnessStudy(data, request, stage).all();
 }
 

@@ -29,7 +29,7 @@ struct StiffnessRequest {
 // depends on them. With friction a state moves the part with its joints slipping: their forces act
 // about it and not in it. Throws InputError for ends that are not there, further mounts, a state
 // that is not one of held ends, and shifts with springs whose force depends on where they are.
-DynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
-                                const std::function<void(const std::string&)>& stage);
+EndDynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
+                                   const std::function<void(const std::string&)>& stage);
 
 } // namespace plica
