@@ -7,8 +7,8 @@
 
 namespace plica {
 
-// Fills what transients and histories of the case act with from the files in a folder. Throws InputError,
-// with the file or the key ("analyses.transients[0].signal.channel").
+// Fills what transients and histories of the case act with from the files in a folder. Throws
+// InputError, with the file or the key ("analyses.transients[0].signal.channel").
 void read_signals(Case& data, const std::filesystem::path& folder);
 
 } // namespace plica
