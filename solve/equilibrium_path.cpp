@@ -69,6 +69,11 @@ public:
     translations_ = VectorXd::Zero(dof_count(at_rest));
     for (Index n = 0; n < translations_.size(); n += 6)
       if (!at_rest.scalar_nodes.contains(int(n / 6))) translations_.segment<3>(n).setOnes();
+    only_dead_ = loads.growth.empty() && at_rest.pressed_ends.empty() && at_rest.bushings.empty();
+    for (const ShellProperties& p : at_rest.shells)
+      only_dead_ = only_dead_ && p.pressure == 0 && p.section.thermal_strain == 0;
+    for (const BeamElement& b : at_rest.beams)
+      only_dead_ = only_dead_ && b.section.thermal_strain == 0;
   }
 
   PathResult follow() {
@@ -111,7 +116,9 @@ private:
   // What a change of the share does: forces, and how far the holds go.
   void by_share(VectorXd& force, VectorXd& go) const {
     constexpr double step = 1e-4;
+    force = dead_;
     go = (shape_.still_to_go(share_ + step) - shape_.still_to_go(share_)) / step;
+    if (only_dead_) return;
     StateShape later = shape_, now = shape_;
     const VectorXd nothing = VectorXd::Zero(dead_.size());
     later.move_by(nothing, share_ + step);
@@ -151,7 +158,8 @@ private:
       if (!(along > 0)) throw StateError(stopped("the loads move nothing"));
       double change = 0;
       if (k == 0) {
-        if (length_ == 0) length_ = settings_.first_share * along;
+        if (length_ == 0) first_length_ = length_ = settings_.first_share * along;
+        length_ = std::min(length_, settings_.longest * first_length_);
         double towards =
             direction_.size() > 0 ? direction_.cwiseProduct(translations_).dot(by_load) : 1;
         change = std::copysign(length_ / along, towards);
@@ -217,9 +225,10 @@ private:
   double size_;
   VectorXd dead_;
   StateShape shape_;
-  VectorXd translations_; // 1 where a DOF moves a node, else 0
-  VectorXd direction_;    // of the step before
-  double share_ = 0, length_ = 0;
+  VectorXd translations_;  // 1 where a DOF moves a node, else 0
+  VectorXd direction_;     // of the step before
+  bool only_dead_ = false; // nothing but forces of constant direction and holds
+  double share_ = 0, length_ = 0, first_length_ = 0;
   int negative_ = 0;
   PathResult result_;
 };

@@ -26,6 +26,7 @@ struct PathResult {
 struct PathSettings {
   double first_share = 0.05; // of the loads, of the first step
   int most_points = 400;
+  double longest = 1e9; // step, against the first
 };
 
 // From rest to all of the loads, in a stable state. Throws StateError when the path does not lead

@@ -135,6 +135,29 @@ Model with_stiff_drilling(Model model) {
   return model;
 }
 
+std::vector<MatrixElement> coupling_stiffness(const Model& now, const Model& at_rest,
+                                              const VectorXd& lacking, bool axisymmetric) {
+  std::map<int, Matrix3d> turning; // by the node that is followed
+  for (const auto& [follower, leader] : rigid_followers(at_rest)) {
+    const Vector3d g = lacking.segment<3>(6 * follower);
+    const Vector3d a = now.mesh.nodes[std::size_t(follower)] - now.mesh.nodes[std::size_t(leader)];
+    turning.try_emplace(leader, Matrix3d::Zero()).first->second +=
+        (g * a.transpose() + a * g.transpose()) / 2 - g.dot(a) * Matrix3d::Identity();
+  }
+  std::vector<MatrixElement> elements;
+  for (auto& [leader, H] : turning) {
+    if (axisymmetric) {
+      const double across = (H(0, 0) + H(2, 2)) / 2;
+      H = Vector3d(across, H(1, 1), across).asDiagonal();
+    }
+    MatrixElement element{.nodes = {leader}, .K = {}, .M = {}};
+    element.K = element.M = Eigen::MatrixXd::Zero(6, 6);
+    element.K.bottomRightCorner<3, 3>() = H;
+    elements.push_back(std::move(element));
+  }
+  return elements;
+}
+
 VectorXd dead_loads(const Model& at_rest, const StateLoads& loads) {
   VectorXd dead = weight(at_rest, loads.gravity);
   if (loads.force.size() > 0) dead += loads.force;

@@ -36,6 +36,13 @@ double norm_of(const Eigen::VectorXd& force, double size);
 double largest_move(const Eigen::VectorXd& u); // of a node, m
 double largest_turn(const Eigen::VectorXd& u); // rad
 
+// What follows a node rigidly is borne there by forces g at arms a, and turns about it on circles:
+// that alone makes a stiffness sum (g a' + a g') / 2 - (g . a) I of its rotation, which no element
+// has; here as elements of their own for a model at its state. `lacking`: forces over all DOFs that
+// the loads do not balance (BaseState); `axisymmetric`: it is about y, to the last digit.
+std::vector<MatrixElement> coupling_stiffness(const Model& now, const Model& at_rest,
+                                              const Eigen::VectorXd& lacking, bool axisymmetric);
+
 // Away from equilibrium the weak tie of the drilling rotation does not hold against moments that
 // are not yet balanced. A stiffer one in the matrix of a step leaves the state as it is.
 Model with_stiff_drilling(Model model);

@@ -6,6 +6,7 @@
 #include "run/routes/state_loads.hpp"
 #include "solve/equilibrium_path.hpp"
 #include "solve/state_elements.hpp"
+#include "solve/state_shape.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
 
@@ -98,6 +99,8 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
     stage("state");
   }
   BaseState state = equilibrium(*data.state, at_rest, loads, solver, stage, result);
+  for (MatrixElement& m : coupling_stiffness(state.model, at_rest, state.lacking, symmetric))
+    state.model.matrices.push_back(std::move(m));
   built.model = std::move(state.model);
   result.load_steps = state.load_steps;
   result.largest_displacement = state.largest_displacement;

@@ -3,6 +3,7 @@
 #include "model/description/ejma.hpp"
 #include "run/routes/route.hpp"
 #include "solve/buckling.hpp"
+#include "solve/state_shape.hpp"
 #include "solve/statics.hpp"
 
 #include <Eigen/Geometry>
@@ -52,7 +53,14 @@ void add_buckling(int count, const Model& at_rest, const StateLoads& acting,
   Rest by_stress = *little.model.rest;
   by_stress.part = StiffnessPart::by_stress;
   little.model.rest = std::make_shared<Rest>(std::move(by_stress));
-  const System rest = assemble(at_rest), now = assemble(little.model);
+  const System rest = assemble(at_rest);
+  System now = assemble(little.model);
+  for (const MatrixElement& m : coupling_stiffness(little.model, at_rest, little.lacking, false)) {
+    const auto first = now.map.independent.begin() + 6 * m.nodes.front();
+    const std::vector<int> turns(first + 3, first + 6);
+    if (std::all_of(turns.begin(), turns.end(), [](int number) { return number >= 0; }))
+      add_dense(now.K, turns, m.K.bottomRightCorner<3, 3>());
+  }
   std::vector<int> holds;
   for (const MovedHold& hold : acting.holds) holds.push_back(hold.node);
   const std::vector<int> free = complement(now.map.size(), node_dofs(now.map, holds));
