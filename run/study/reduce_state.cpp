@@ -75,6 +75,11 @@ void check_reducible(const Case& data, const std::vector<std::string>& boundary)
                 "and a superelement are not possible together: its stiffness would be that of the "
                 "weight too",
                 "the state without gravity");
+  if (!data.supports.empty() || held_by_deck(data))
+    input_error(path,
+                "and supports inside the superelement are not possible together: what they "
+                "bear would be inside",
+                "a case whose caps alone are held");
   const auto inside = [&](const std::string& cap) {
     return std::find(boundary.begin(), boundary.end(), cap) == boundary.end();
   };
