@@ -261,7 +261,7 @@ struct Results {
   std::vector<LevelFamily> families;     // responses at several levels
   std::optional<SlippingLimit> slipping; // where joints have friction
   std::vector<StressResult> stresses;
-  std::vector<StressPlace> places;      // of the shells
+  std::vector<StressPlace> places;        // of the shells
   std::vector<StressTable> stress_tables; // of the stresses, in their order
   std::optional<LifeResult> life;
   ErrorBars error_bars;
