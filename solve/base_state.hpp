@@ -7,26 +7,12 @@
 // strain are those of the sections of the model, which loads share.
 #pragma once
 
-#include "solve/assembly.hpp"
+#include "solve/acting_loads.hpp"
 
 #include <functional>
-#include <map>
 #include <stdexcept>
 
 namespace plica {
-
-// A node whose six DOFs are moved to a place; `turn` is a rotation vector, rad.
-struct MovedHold {
-  int node = 0;
-  Eigen::Vector3d shift{0, 0, 0}, turn{0, 0, 0};
-};
-
-struct StateLoads {
-  std::vector<MovedHold> holds;     // of nodes that are held, also those that stay where they are
-  Eigen::VectorXd force;            // over all DOFs, N and Nm, of constant direction; empty = none
-  std::map<int, double> growth;     // thermal strain of what follows a node rigidly, by that node
-  Eigen::Vector3d gravity{0, 0, 0}; // acceleration that acts on the masses at rest, m/s2
-};
 
 // One Newton step: the unbalanced forces -f of `now` over all DOFs, and how far each hold has still
 // to go (six rows each), to increments of all DOFs.
@@ -70,10 +56,5 @@ struct StateError : std::runtime_error {
 // Throws StateError with the share of the loads at which it stopped, and why.
 BaseState find_state(const Model& at_rest, const StateLoads& loads, const StateSolver& solver,
                      const std::function<void(const StateIteration&)>& progress);
-
-// The model when its nodes are there, turned so, with couplings, arms and directors following;
-// `share` of its pressure and thermal strain.
-Model model_at(const Model& at_rest, std::vector<Eigen::Vector3d> nodes,
-               std::vector<Eigen::Matrix3d> turned, double share);
 
 } // namespace plica

@@ -1,9 +1,14 @@
 // Where the nodes of a model are and how far they have turned, on the way into a state.
 #pragma once
 
-#include "solve/base_state.hpp"
+#include "solve/acting_loads.hpp"
 
 namespace plica {
+
+// The model when its nodes are there, turned so, with couplings, arms and directors following;
+// `share` of its pressure and thermal strain.
+Model model_at(const Model& at_rest, std::vector<Eigen::Vector3d> nodes,
+               std::vector<Eigen::Matrix3d> turned, double share);
 
 class StateShape {
 public:
