@@ -45,7 +45,7 @@ struct StateResult {
   std::vector<std::string> loads;   // in words
   std::vector<std::string> sources; // of the materials over temperature
   std::vector<HeatResult> heat;
-  std::string route;              // "rotational symmetry" or "full mesh"
+  std::string route; // "rotational symmetry" or "full mesh"
   std::vector<StateIterationResult> iterations;
   int load_steps = 0;
   double largest_displacement = 0; // m
@@ -54,9 +54,9 @@ struct StateResult {
   std::vector<BucklingResult> buckling;
   bool buckling_looked_for = false;
   bool buckling_proved = false;
-  std::string buckling_reason;  // why not proved
+  std::string buckling_reason; // why not proved
   std::vector<SquirmResult> squirm;
-  double turned_at = 0; // share of the loads at which they first turned back; 0 = never
+  double turned_at = 0;         // share of the loads at which they first turned back; 0 = never
   Eigen::MatrixXd displacement; // nodes x 3, m
 };
 
