@@ -13,8 +13,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double pi = M_PI;
-
 struct Place {
   Vector3d x, director;
 };
@@ -128,7 +126,7 @@ TEST(EquilibriumPath, DeepArch) {
   section.GA_y = section.GA_z = std::numeric_limits<double>::infinity();
   section.EA *= 100; // its closed form does not stretch
   for (int i = 0; i <= elements; ++i) {
-    const double a = (215. * i / elements - 107.5) * pi / 180;
+    const double a = (215. * i / elements - 107.5) * M_PI / 180;
     add_node(model, {R * std::sin(a), 0, R * std::cos(a)});
     for (int dof : {1, 3, 5}) hold(model, i, {dof});
   }
@@ -158,7 +156,7 @@ TEST(EquilibriumPath, DeepArch) {
 // it is pulled and where it is pushed; n x n quads on a quarter.
 Eigen::Vector2d pinched_hemisphere(int n, double force) {
   Model model = mapped_shell(n, n, 0.04, [](double u, double v) {
-    const double around = u * pi / 2, up = v * 72 * pi / 180;
+    const double around = u * M_PI / 2, up = v * 72 * M_PI / 180;
     const Vector3d normal(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
                           std::sin(up));
     return Place{10 * normal, normal};
@@ -193,7 +191,7 @@ TEST(LargeRotation, PinchedHemisphere) {
 TEST(LargeRotation, CylinderPulledApart) {
   const int along = 16, around = 24;
   Model model = mapped_shell(along, around, 0.094, [](double u, double v) {
-    const double a = v * pi / 2;
+    const double a = v * M_PI / 2;
     const Vector3d normal(std::sin(a), 0, std::cos(a));
     return Place{4.953 * normal - Vector3d(0, u * 10.35 / 2, 0), normal};
   });
