@@ -146,7 +146,7 @@ private:
         all[3 * i + k] = v[k];
       }
     }
-    const KindOfShape kind = kind_of(all, vector.channels, {});
+    const KindOfShape kind = plica::kind_of(all, vector.channels, {});
     mode.shape = kind.shape;
     mode.direction = kind.direction;
     if (vector.channels.size() >= 2 && all.norm() > 0) mode.vector = std::move(vector);
