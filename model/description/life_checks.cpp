@@ -179,7 +179,7 @@ private:
 } // namespace
 
 void check_life(const Case& data, CheckLog& log) {
-  if (data.analyses.life && log.fine(key)) LifeChecks(data, log).all();
+  if (data.analyses.life) LifeChecks(data, log).all();
 }
 
 } // namespace plica

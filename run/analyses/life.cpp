@@ -97,7 +97,9 @@ std::vector<int> LifeCount::worst_sites(const MatrixXd& plane, const MatrixXd& C
   for (int site = 0; site < sites; ++site) {
     const MatrixXd s = plane.middleRows<3>(3 * Index(site));
     const Eigen::Matrix3d S = s * C * s.transpose();
-    square[site] = S(0, 0) + S(1, 1) - S(0, 1) + 3 * S(2, 2);
+    square[site] = life_.measure == StressMeasure::signed_von_mises
+                       ? S(0, 0) + S(1, 1) - S(0, 1) + 3 * S(2, 2)
+                       : (directions_ * S).cwiseProduct(directions_).rowwise().sum().maxCoeff();
   }
   std::vector<std::array<int, 2>> worst(points_.places.size(), {-1, -1});
   for (int site = 0; site < sites; ++site) {

@@ -3,8 +3,9 @@
 // A site is a point of the shells on one face. Damages add up at each site and, with
 // StressMeasure::critical_direction, in each of 18 directions; the life is that of the direction
 // with most. Strokes and dwells are counted at every site. Histories, random excitations and sweeps
-// are counted where a place and face has its largest RMS of von Mises stress, and stand for all of
-// that place and face. A stress of a state is the mean to which all of it adds.
+// are counted where a place and face has its largest RMS of the stress that counts, in any
+// direction, and stand for all of that place and face. A stress of a state is the mean to which all
+// of it adds.
 //
 //   sweep    n = df / (R ln 2) cycles between two frequencies, R octaves per second
 //   random   damage per second of the spectral method (life/spectral.hpp) of the normal stress in
