@@ -115,7 +115,13 @@ TEST(LineCases, a_run_up_over_time_is_drawn_and_reaches_less_than_steadily) {
   const RunUpResult& u = r.run_ups.at(0);
   ASSERT_TRUE(u.sweeps);
   ASSERT_FALSE(u.crossings.empty());
-  for (const OrderCrossing& c : u.crossings) EXPECT_LT(*c.reached, 1.02 * c.amplitude);
+  const OrderCrossing& largest =
+      *std::max_element(u.crossings.begin(), u.crossings.end(),
+                        [](const OrderCrossing& one, const OrderCrossing& other) {
+                          return one.amplitude < other.amplitude;
+                        });
+  EXPECT_GT(*largest.haste, 2);
+  EXPECT_LT(*largest.reached, 0.9 * largest.amplitude);
   const std::string page = report_html(r);
   EXPECT_NE(page.find("Campbell"), std::string::npos);
   EXPECT_NE(page.find("in time"), std::string::npos);
@@ -188,7 +194,7 @@ TEST(LineCases, a_line_that_nothing_holds_says_how_it_is_free) {
 // 9. Friction and rubber at one hanger, over the level.
 TEST(LineCases, a_hanger_with_friction_and_rubber_has_levels) {
   const std::string text = replaced_by(
-      hung("  levels: {base: z, levels: [0.01, 5], band: [5 Hz, 60 Hz], points: 40, backbones: "
+      hung("  levels: {base: [z], levels: [0.01, 5], band: [5 Hz, 60 Hz], points: 40, backbones: "
            "0}\n"),
       "40 N/mm, 0, 0, 0]}",
       "40 N/mm, 0, 0, 0], damping: {maxwell: [{share: 0.3, time: 5 ms}]}, friction: {z: {sliders: "
