@@ -73,6 +73,7 @@ DutyMap LifeCount::new_duty(const std::string& kind, const std::string& name,
   duty.head.count = count;
   duty.head.unit = unit;
   duty.damage.setZero(sites, directions);
+  duty.certain.setZero(sites, directions);
   duty.range.setZero(sites, directions);
   duty.mean.setZero(sites, directions);
   duty.bounds.setZero(sites, directions);
@@ -83,7 +84,10 @@ void LifeCount::count(DutyMap& duty, int site, Index direction, const StressCycl
                       double times) const {
   const CurveLife N = life(life_.curve, cycle);
   duty.damage(site, direction) += float(times / N.cycles);
-  if (N.bound == Bound::at_least) duty.bounds(site, direction) |= 1;
+  if (N.bound == Bound::at_least)
+    duty.bounds(site, direction) |= 1;
+  else
+    duty.certain(site, direction) += float(times / N.cycles);
   if (N.bound == Bound::at_most) duty.bounds(site, direction) |= 2;
   if (float(cycle.range) <= duty.range(site, direction)) return;
   duty.range(site, direction) = float(cycle.range);
@@ -121,6 +125,7 @@ void LifeCount::spread(DutyMap& duty) const {
     const int from = of[std::size_t(points_.points[std::size_t(site / 2)].place)][site % 2];
     if (from == site) continue;
     duty.damage.row(site) = duty.damage.row(from);
+    duty.certain.row(site) = duty.certain.row(from);
     duty.range.row(site) = duty.range.row(from);
     duty.mean.row(site) = duty.mean.row(from);
     duty.bounds.row(site) = duty.bounds.row(from);
@@ -129,16 +134,16 @@ void LifeCount::spread(DutyMap& duty) const {
 
 namespace {
 
-// A site in its worst direction, by damage and then by range.
+// A site in its worst direction, by the damage that is certain and then by range.
 struct Worst {
   Index site = -1, direction = 0;
-  double damage = -1, range = -1;
+  double certain = -1, range = -1, damage = 0;
   bool counted = false; // it stands for its place and face
 
   bool operator<(const Worst& o) const {
-    const bool both_infinite = std::isinf(damage) && std::isinf(o.damage);
-    if (!both_infinite && std::abs(damage - o.damage) > 1e-6 * std::max(damage, o.damage))
-      return damage < o.damage;
+    const bool both_infinite = std::isinf(certain) && std::isinf(o.certain);
+    if (!both_infinite && std::abs(certain - o.certain) > 1e-6 * std::max(certain, o.certain))
+      return certain < o.certain;
     if (std::abs(range - o.range) > 1e-6 * std::max(range, o.range)) return range < o.range;
     return !counted && o.counted;
   }
@@ -146,17 +151,23 @@ struct Worst {
 
 std::vector<Worst> worst_directions(const std::vector<DutyMap>& duties, Index sites,
                                     Index directions) {
-  MatrixXd damage = MatrixXd::Zero(sites, directions), range = damage;
+  MatrixXd damage = MatrixXd::Zero(sites, directions), certain = damage, range = damage;
   std::vector<char> counted(std::size_t(sites), 0);
   for (const DutyMap& duty : duties) {
     damage += duty.damage.cast<double>();
+    certain += duty.certain.cast<double>();
     range = range.cwiseMax(duty.range.cast<double>());
     for (const int site : duty.counted) counted[std::size_t(site)] = 1;
   }
   std::vector<Worst> worst(static_cast<std::size_t>(sites));
   for (Index site = 0; site < sites; ++site)
     for (Index d = 0; d < directions; ++d) {
-      const Worst here{site, d, damage(site, d), range(site, d), counted[std::size_t(site)] != 0};
+      const Worst here{site,
+                       d,
+                       certain(site, d),
+                       range(site, d),
+                       damage(site, d),
+                       counted[std::size_t(site)] != 0};
       if (worst[std::size_t(site)] < here) worst[std::size_t(site)] = here;
     }
   return worst;
@@ -183,12 +194,11 @@ std::vector<Worst> worst_of_places(const ShellPoints& points, const std::vector<
 DutyResult at_its_spot(const DutyMap& duty, std::size_t number, const std::vector<LifeSpot>& spots,
                        const std::vector<Worst>& sites, const FatigueCurve& curve) {
   DutyResult head = duty.head;
-  for (std::size_t i = 0; i < spots.size(); ++i) {
-    const LifeSpot &a = spots[i], &b = spots[std::size_t(head.spot)];
-    if (std::pair(a.by_duty[number], a.ranges[number]) >
-        std::pair(b.by_duty[number], b.ranges[number]))
-      head.spot = int(i);
-  }
+  const auto rank = [&](std::size_t i) {
+    return std::pair(duty.certain(sites[i].site, sites[i].direction), spots[i].ranges[number]);
+  };
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    if (rank(i) > rank(std::size_t(head.spot))) head.spot = int(i);
   const Worst& w = sites[std::size_t(head.spot)];
   head.damage = double(duty.damage(w.site, w.direction));
   head.range = double(duty.range(w.site, w.direction));

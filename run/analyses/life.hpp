@@ -7,6 +7,9 @@
 // direction, and stand for all of that place and face. A stress of a state is the mean to which all
 // of it adds.
 //
+// Below its last number of cycles a curve says "at least", so that a damage is "at most": where it
+// is worst goes by what is certain, then by the range of stress.
+//
 //   sweep    n = df / (R ln 2) cycles between two frequencies, R octaves per second
 //   random   damage per second of the spectral method (life/spectral.hpp) of the normal stress in
 //            each direction, or of the von Mises stress whose density is s' A s over the densities
@@ -25,7 +28,8 @@ namespace plica {
 // Of one duty, over sites and directions.
 struct DutyMap {
   DutyResult head;
-  Eigen::MatrixXf damage, range, mean;                                 // sites x directions; Pa
+  Eigen::MatrixXf damage, range, mean; // sites x directions; Pa
+  Eigen::MatrixXf certain;             // damage without cycles that lie below the curve
   Eigen::Matrix<unsigned char, Eigen::Dynamic, Eigen::Dynamic> bounds; // 1 at most, 2 at least
   std::vector<int> counted; // sites that stand for their place and face; empty: all by themselves
   std::function<RandomStress(int site, int direction)> random = {};

@@ -179,6 +179,7 @@ void LifeCount::add_random(const LifeRandom& asked, const Excitation& e,
       if (!(m.m0 > 0)) continue;
       const SpectralDamage rate = damage_rate(asked.method, m, life_.curve);
       duty.damage(site, d) = float(rate.per_second * asked.duration);
+      if (!rate.at_most) duty.certain(site, d) = duty.damage(site, d);
       duty.bounds(site, d) = static_cast<unsigned char>(rate.at_most + 2 * rate.at_least);
       duty.range(site, d) = float(2 * three_sigma(m));
       duty.mean(site, d) = float(directions_.row(d).dot(state_.segment<3>(3 * Index(site))));
