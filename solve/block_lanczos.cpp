@@ -17,29 +17,26 @@ constexpr int block = 8;
 constexpr double tolerance = 1e-8; // residual of a Ritz pair over its theta
 
 // W = Q R with orthonormal Q, of as many columns as W has rank: by the eigenvalues of W' W, whose
-// columns are scaled first, twice, since the square loses half of the digits (Stathopoulos & Wu,
-// SIAM J. Sci. Comput. 23 (2002) 2165). `size` is what the columns were before they were made
-// orthogonal to others: what is left of rounding is no direction.
+// columns are scaled first (Stathopoulos & Wu, SIAM J. Sci. Comput. 23 (2002) 2165). The square
+// loses half of the digits: once more makes Q orthonormal to all of them. `size` is what the
+// columns were before they were made orthogonal to others: what is left of rounding is no
+// direction.
 struct Orthonormal {
   MatrixXd Q, R;
 };
 
-Orthonormal orthonormal(MatrixXd W, const VectorXd& size) {
-  constexpr double nothing = 1e-13, dependent = 1e-12; // shares of a length, of a square
-  MatrixXd R = MatrixXd::Identity(W.cols(), W.cols());
-  for (int pass = 0; pass < 2 && W.cols() > 0; ++pass) {
-    VectorXd length = W.colwise().norm();
-    if (pass == 0) length = (length.array() > nothing * size.array()).select(length, 0);
-    const VectorXd scale = length.unaryExpr([](double l) { return l > 0 ? 1 / l : 0.; });
-    const MatrixXd gram = scale.asDiagonal() * transposed_product(W, W) * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(symmetrised(gram));
-    const auto rank = (eigen.eigenvalues().array() > dependent).count();
-    const MatrixXd directions = eigen.eigenvectors().rightCols(rank);
-    const VectorXd root = eigen.eigenvalues().tail(rank).cwiseSqrt();
-    R = root.asDiagonal() * directions.transpose() * length.asDiagonal() * R;
-    W = product(W, scale.asDiagonal() * directions * root.cwiseInverse().asDiagonal());
-  }
-  return {std::move(W), std::move(R)};
+Orthonormal orthonormal(const MatrixXd& W, const VectorXd& size) {
+  constexpr double nothing = 1e-14, dependent = 1e-14; // shares of a length, of a square
+  VectorXd length = W.colwise().norm();
+  length = (length.array() > nothing * size.array()).select(length, 0);
+  const VectorXd scale = length.unaryExpr([](double l) { return l > 0 ? 1 / l : 0.; });
+  const MatrixXd gram = scale.asDiagonal() * transposed_product(W, W) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(symmetrised(gram));
+  const auto rank = (eigen.eigenvalues().array() > dependent).count();
+  const MatrixXd directions = eigen.eigenvectors().rightCols(rank);
+  const VectorXd root = eigen.eigenvalues().tail(rank).cwiseSqrt();
+  return {product(W, scale.asDiagonal() * directions * root.cwiseInverse().asDiagonal()),
+          root.asDiagonal() * directions.transpose() * length.asDiagonal()};
 }
 
 class BlockLanczos {
@@ -58,7 +55,7 @@ public:
       if (next.cols() > 0 && size_ + next.cols() <= V_.cols() && size_ < next_look_) continue;
       look();
       if (next.cols() == 0) next = new_directions(); // the space is invariant
-      if (size_ + next.cols() > V_.cols()) restart();
+      if (!converged() && size_ + next.cols() > V_.cols()) restart();
     }
   }
 
@@ -80,9 +77,7 @@ private:
     const auto columns = std::min<Index>(block, S_.rows() - size_);
     if (columns == 0) return {};
     MatrixXd W = S_.random_in_range(static_cast<int>(columns), seed_++);
-    const VectorXd size = W.colwise().norm();
-    project_out(W);
-    return orthonormal(std::move(W), size).Q;
+    return outside(W).Q;
   }
 
   void append(const MatrixXd& next) {
@@ -91,26 +86,37 @@ private:
     size_ += last_;
   }
 
-  // V' W, and W without it; twice, as the first time leaves rounding.
+  // V' W, and W without it.
   MatrixXd project_out(MatrixXd& W) const {
-    MatrixXd H = MatrixXd::Zero(size_, W.cols());
-    for (int pass = 0; pass < 2 && size_ > 0; ++pass) {
-      const MatrixXd part = transposed_product(V_.leftCols(size_), W);
-      subtract_product(W, V_.leftCols(size_), part);
-      H += part;
-    }
+    const MatrixXd H = transposed_product(V_.leftCols(size_), W);
+    subtract_product(W, V_.leftCols(size_), H);
     return H;
+  }
+
+  // Q and R of what of W lies outside of the basis, and V' W. Twice: what the first time leaves
+  // inside it grows as short directions are made unit ones.
+  struct Outside {
+    MatrixXd Q, R, H;
+  };
+  Outside outside(MatrixXd& W) const {
+    const VectorXd size = W.colwise().norm();
+    Outside o;
+    o.H = project_out(W);
+    Orthonormal first = orthonormal(W, size);
+    o.H += project_out(first.Q) * first.R;
+    Orthonormal second = orthonormal(first.Q, VectorXd::Ones(first.Q.cols()));
+    o.Q = std::move(second.Q);
+    o.R = second.R * first.R;
+    return o;
   }
 
   // T for the last block; the next block.
   MatrixXd step() {
     MatrixXd W = S_ * MatrixXd(V_.middleCols(size_ - last_, last_));
     operations_ += static_cast<int>(last_);
-    const VectorXd size = W.colwise().norm();
-    const MatrixXd H = project_out(W);
-    T_.block(0, size_ - last_, size_, last_) = H;
-    T_.block(size_ - last_, 0, last_, size_) = H.transpose();
-    Orthonormal next = orthonormal(std::move(W), size);
+    Outside next = outside(W);
+    T_.block(0, size_ - last_, size_, last_) = next.H;
+    T_.block(size_ - last_, 0, last_, size_) = next.H.transpose();
     remainder_ = std::move(next.R);
     return std::move(next.Q);
   }
@@ -136,7 +142,9 @@ private:
     const Index kept = std::min<Index>(count_ + block, V_.cols() - 2 * block);
     V_.leftCols(kept) = product(V_.leftCols(size_), ritz_vectors_.leftCols(kept));
     T_.setZero();
-    T_.diagonal().head(kept) = ritz_values_.head(kept);
+    ritz_values_ = ritz_values_.head(kept).eval();
+    ritz_vectors_ = MatrixXd::Identity(kept, kept);
+    T_.diagonal().head(kept) = ritz_values_;
     size_ = kept;
     next_look_ = count_ + 2 * block;
   }
