@@ -28,12 +28,16 @@ std::optional<ShownField> damage_field(const Results& results) {
       return std::clamp(1 + std::log10(std::max(d, 1e-300) / largest) / decades, 0., 1.);
     }));
   };
-  return ShownField{.name = "damage of all duties",
+  // Where cycles lie below the curve, the map has those on it alone.
+  const bool all_of_it = std::abs(largest / spot.damage - 1) < 1e-3;
+  return ShownField{.name = all_of_it ? "damage of all duties" : "damage of cycles on the curve",
                     .unit = "",
                     .below = shares(life.inner),
                     .above = shares(life.outer),
                     .scale = {significant(largest * std::pow(10, -decades), 2) + " and less",
-                              bounded(significant(largest, 2), spot.at_most, spot.at_least)},
+                              all_of_it
+                                  ? bounded(significant(largest, 2), spot.at_most, spot.at_least)
+                                  : significant(largest, 2)},
                     .spot = place_words(results.places[std::size_t(spot.place)], spot.outer),
                     .at = spot.at,
                     .spot_above = spot.outer};

@@ -250,10 +250,13 @@ LifeResult LifeCount::result() const {
     result.curve += ", temperature factor " + short_number(life_.curve.temperature_factor);
   const std::vector<Worst> sites =
       worst_directions(duties_, Index(2 * points_.points.size()), directions_.rows());
+  const bool certain =
+      std::any_of(sites.begin(), sites.end(), [](const Worst& own) { return own.certain > 0; });
   for (const Worst& own : sites) {
     double& at_node = (own.site % 2 ? result.outer
                                     : result.inner)[points_.points[std::size_t(own.site / 2)].node];
-    at_node = std::isnan(at_node) ? own.damage : std::max(at_node, own.damage);
+    const double damage = certain ? own.certain : own.damage;
+    at_node = std::isnan(at_node) ? damage : std::max(at_node, damage);
   }
   const std::vector<Worst> spots = worst_of_places(points_, sites);
   for (const Worst& w : spots) result.spots.push_back(spot_at(w.site, w.direction, w.damage));
