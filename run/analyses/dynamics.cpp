@@ -168,9 +168,11 @@ private:
       for (const DirectCheck& check : r.direct)
         if (!(check.difference < far_off))
           results_.warnings.push_back(
-              fmt::sprintf("response %s: the direct solution at %.4g Hz differs by %.2g %%; ask "
-                           "for more modes",
-                           r.excitation, check.frequency, 100 * check.difference));
+              fmt::sprintf("response %s: the direct solution at %.4g Hz differs by %.2g %%; %s",
+                           r.excitation, check.frequency, 100 * check.difference,
+                           results_.reduced ? "raise the cut-off of analyses.reduction, or ask for "
+                                              "more modes"
+                                            : "ask for more modes"));
     lap("direct solution");
   }
 
