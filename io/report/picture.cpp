@@ -18,7 +18,7 @@
 namespace plica {
 namespace {
 
-constexpr int quad_budget = 7500; // about half of them hidden, and not written
+constexpr int quad_budget = 5000; // about half of them hidden, and not written
 constexpr int line_budget = 1000;
 
 // Elements to draw, and the points they use (for the frame and the outline).

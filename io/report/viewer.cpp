@@ -21,7 +21,7 @@
 namespace plica {
 namespace {
 
-constexpr int quad_budget = 12000; // at which the crowns of thirty convolutions are round
+constexpr int quad_budget = 7800; // at which an arc of thirty convolutions has two elements
 constexpr std::size_t most_modes = 12, most_fields = 24;
 
 std::string base64(std::string_view bytes) {
