@@ -185,6 +185,19 @@ std::optional<MatrixXd> between(const ResidualModel& model, const VectorXd& desi
     }
     if (J.size() == 0) J.resize(a->size(), n);
     J.col(i) = (*b - *a) / width;
+    for (Eigen::Index k = 0; k < J.rows(); ++k) {
+      if (((*a)[k] == 0) == ((*b)[k] == 0)) continue;
+      // A limit that is kept on one side: its slope is that of the side where the design lies.
+      if (!middle) middle = model(design);
+      if (!middle) return std::nullopt;
+      const double own = (*middle)[k], right = high[i] - design[i], left = design[i] - low[i];
+      if (own == 0)
+        J(k, i) = 0;
+      else if ((*a)[k] == 0 && right > 0)
+        J(k, i) = ((*b)[k] - own) / right;
+      else if ((*b)[k] == 0 && left > 0)
+        J(k, i) = (own - (*a)[k]) / left;
+    }
   }
   return J;
 }

@@ -11,9 +11,10 @@ namespace plica {
 // the part.
 bool is_of_ends(const std::string& path);
 
-// `built`, made from `before`, with the caps and mounts of `after`, where both differ in nothing
-// else. False, and nothing that could be used, where a cap or mount is of another kind: with
-// springs and without, held and free. Neither may have friction or dampers at its ends.
+// `built`, made from `before`, with the caps and mounts of `after`, where both differ at such
+// paths alone. False, and nothing that could be used, where a cap or mount is of another kind
+// (held, free, on springs) or what was to be changed is not there. Neither may have friction or
+// dampers at its ends.
 bool renew_ends(BuiltCase& built, const Case& before, const Case& after);
 
 } // namespace plica

@@ -1,5 +1,5 @@
-// An assembly of superelements that is meshed and reduced once, and solved for many sets of masses
-// and springs at its ends: what lies on the nodes of caps alone changes no superelement.
+// An assembly of superelements that is meshed and reduced once, and solved for many masses of its
+// caps and springs of its mounts: what lies on the nodes of caps alone changes no superelement.
 //
 // Modes and static stiffness as run() gives them, labels by part of the rings: every mode is
 // recovered at some sixty rings, and at what is no wall. Without shapes, places, responses, doubts.
