@@ -27,7 +27,7 @@ void start(cholmod_common& common) {
   common.error_handler = nullptr;
 }
 
-// What a thread needs of its own to solve beside others with one factor.
+// What a solve needs of its own beside others with the same factor.
 struct Workspace {
   cholmod_common common{};
   cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr; // owned
@@ -47,8 +47,8 @@ struct Workspace {
 
 struct SparseFactor::Impl {
   mutable cholmod_common common{};
-  cholmod_factor* factor = nullptr;                           // owned
-  mutable std::vector<std::unique_ptr<Workspace>> workspaces; // of threads
+  cholmod_factor* factor = nullptr; // owned
+  mutable Workspace one_vector;     // of solves that do not allocate
   Factorisation kind;
   int rows = 0;
 
@@ -68,7 +68,6 @@ struct SparseFactor::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  Workspace& workspace(int thread) const;
   void solve(int system, const double* b, Eigen::Index columns, double* result,
              Workspace& own) const;
   Eigen::MatrixXd solve(int system, const Eigen::MatrixXd& b) const; // in groups, on all cores
@@ -135,12 +134,6 @@ std::string words(int status) {
 
 } // namespace
 
-Workspace& SparseFactor::Impl::workspace(int thread) const {
-  const auto needed = static_cast<std::size_t>(thread) + 1;
-  while (workspaces.size() < needed) workspaces.push_back(std::make_unique<Workspace>());
-  return *workspaces[needed - 1];
-}
-
 void SparseFactor::Impl::solve(int system, const double* b, Eigen::Index columns, double* result,
                                Workspace& own) const {
   cholmod_dense B = view(b, rows, columns);
@@ -156,11 +149,10 @@ Eigen::MatrixXd SparseFactor::Impl::solve(int system, const Eigen::MatrixXd& b) 
   if (x.size() == 0) return x;
   const Eigen::Index width = std::clamp((b.cols() + 1) / 2, narrowest, widest);
   const auto groups = static_cast<int>((b.cols() + width - 1) / width);
-  workspace(omp_get_max_threads() - 1); // none is made inside
   in_parallel(groups, [&](int g) {
     const Eigen::Index first = g * width, columns = std::min(width, b.cols() - first);
-    solve(system, b.col(first).data(), columns, x.col(first).data(),
-          *workspaces[static_cast<std::size_t>(omp_get_thread_num())]);
+    Workspace own; // whoever solves with this factor at the same time has another
+    solve(system, b.col(first).data(), columns, x.col(first).data(), own);
   });
   return x;
 }
@@ -225,11 +217,11 @@ Eigen::MatrixXd SparseFactor::solve_upper(const Eigen::MatrixXd& b) const {
 }
 
 void SparseFactor::solve_lower(const double* b, double* x) const {
-  impl_->solve(CHOLMOD_L, b, 1, x, impl_->workspace(0));
+  impl_->solve(CHOLMOD_L, b, 1, x, impl_->one_vector);
 }
 
 void SparseFactor::solve_upper(const double* b, double* x) const {
-  impl_->solve(CHOLMOD_Lt, b, 1, x, impl_->workspace(0));
+  impl_->solve(CHOLMOD_Lt, b, 1, x, impl_->one_vector);
 }
 
 Eigen::Map<const Eigen::VectorXi> SparseFactor::order() const {
