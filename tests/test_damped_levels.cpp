@@ -154,7 +154,7 @@ sensors: [{name: top, at: [0, 0.1, 0]}]
 analyses:
   modes: {count: 6}
   error_bars: false
-  levels: {base: [y], levels: [0.001, 1000], band: [10 Hz, 45 Hz], points: 60}
+  levels: {base: [y], levels: [0.001, 100000], band: [10 Hz, 45 Hz], points: 60}
 )";
 
 TEST(DampedLevels, of_a_rubber_mount_with_friction_are_between_two_complex_springs) {
