@@ -3,6 +3,7 @@
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "app/terminal.hpp"
+#include "solve/base_state.hpp"
 #include "solve/blas_kernels.hpp"
 #include "words/input_error.hpp"
 
@@ -19,6 +20,9 @@ int run_command_line(int argc, char** argv) {
   } catch (const plica::InputError& error) {
     plica::say_problems(error);
     return 1;
+  } catch (const plica::StateError& error) { // no equilibrium, or none that is stable
+    plica::say_failure(std::string("plica: ") + error.what());
+    return 2;
   } catch (const std::bad_alloc&) {
     plica::say_failure("plica: not enough memory for this model");
     return 3;
