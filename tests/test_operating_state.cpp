@@ -208,7 +208,7 @@ TEST(OperatingState, SuperelementAroundAState) {
       data.state->offset[0].move = {5e-4, 1e-3, 0};
     }
     const ReducedCase r =
-        reduce_case(data, {.cutoff = 1500, .boundary = {}}, [](const std::string&) {});
+        reduce_case(data, {.cutoff = 3000, .boundary = {}}, [](const std::string&) {});
     EXPECT_TRUE(r.certificate.passed)
         << (r.certificate.failures.empty() ? "" : r.certificate.failures.front());
     EXPECT_TRUE(r.proved) << r.reason;
