@@ -2,6 +2,8 @@
 // a spring by hand, random motion beside its history.
 #include "life/miner.hpp"
 #include "model/description/ejma.hpp"
+#include "run/study/error_bars.hpp"
+#include "run/study/life_intervals.hpp"
 #include "tests/bellows_case.hpp"
 
 #include <gtest/gtest.h>
@@ -259,6 +261,66 @@ TEST(LifeOfCase, random_motion_is_miles_and_its_history) {
   EXPECT_NEAR(dirlik / narrow, 1, 0.1);
   EXPECT_NEAR(duty(r, "road").damage / dirlik, 1, 1e-5);
   EXPECT_NEAR(duty(r, "record").damage / dirlik, 1, 0.24);
+}
+
+// A slider beside the bellows: that never slips it is a spring, and the harmonic balance gives the
+// linear sweep; that slips early it takes energy from the resonance, and with it damage.
+TEST(LifeOfCase, sweep_with_friction_between_stuck_and_slipping) {
+  const auto damage = [](double slip_force) {
+    MassOnBellows m(0.02);
+    Interlock liner{.along = "bellows",
+                    .attachment = Attachment::caps,
+                    .EA = 2e3,
+                    .EI = 1,
+                    .GJ = 0.5,
+                    .mass = 0.05,
+                    .radius = 0.02};
+    liner.friction.emplace();
+    liner.friction->axial.emplace();
+    liner.friction->axial->sliders = {{.stiffness = 1e5, .slip_force = slip_force}};
+    m.data.parts.push_back({"liner", liner});
+    m.data.analyses.life->strokes.clear();
+    for (const bool friction : {false, true})
+      m.data.analyses.life->sweeps.push_back({.name = friction ? "balanced" : "linear",
+                                              .of = "y",
+                                              .acceleration = 3,
+                                              .force = {},
+                                              .band = {m.hertz / 2, 3 * m.hertz},
+                                              .friction = friction});
+    const Results r = run_silently(m.data);
+    return std::array{duty(r, "linear").damage, duty(r, "balanced").damage};
+  };
+  const auto stuck = damage(1e6), slipping = damage(20);
+  EXPECT_NEAR(stuck[1] / stuck[0], 1, 0.01);
+  EXPECT_NEAR(slipping[0] / stuck[0], 1, 1e-6) << "linear: small motion sticks";
+  EXPECT_LT(slipping[1], 0.7 * stuck[1]);
+}
+
+// Half a millimetre of height changes stress and life; the interval of the life is that of the
+// stress through the curve, here a power law, and a deviation widens it.
+TEST(LifeOfCase, interval_of_a_life_is_that_of_its_stress) {
+  Case data = coarse_bellows();
+  data.tolerances = {
+      {.path = "parts.bellows.profile[0].height", .value = 9e-3, .low = 8.5e-3, .high = 9.5e-3}};
+  data.analyses.life->strokes = {axial("one", 1e-3)};
+  Results r = run_silently(data);
+  r.error_bars = error_bars(data, r, [](const std::string&) {});
+  add_life_intervals(data, r);
+  const ErrorBar* bar = nullptr;
+  for (const ErrorBar& b : r.error_bars.bars)
+    if (b.key == "life_one") bar = &b;
+  ASSERT_TRUE(bar && bar->interval);
+  EXPECT_LT(std::abs(bar->mesh.total() / bar->value), 0.1);
+  const DutyResult& one = duty(r, "one");
+  ASSERT_TRUE(one.between);
+  const double expected = one.life->cycles * std::pow((*bar->interval)[1] / bar->value, -slope);
+  EXPECT_NEAR((*one.between)[0].cycles / expected, 1, 1e-6);
+  EXPECT_GT((*one.between)[1].cycles, 1.1 * one.life->cycles);
+  const double tolerance = std::log10(one.life->cycles / (*one.between)[0].cycles);
+  data.analyses.life->deviation = 0.2;
+  add_life_intervals(data, r);
+  EXPECT_NEAR(std::log10(one.life->cycles / duty(r, "one").between->at(0).cycles),
+              std::hypot(tolerance, 1.6448536 * 0.2), 1e-6);
 }
 
 // A movement of the end as a history: rainflow of the stroke itself.
