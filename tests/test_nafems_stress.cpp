@@ -84,8 +84,7 @@ double le1(int n) {
 
 TEST(NafemsStress, LE1_elliptic_membrane) {
   const double fine = le1(32);
-  print_for_table("NAFEMS LE1, stress yy at D, MPa", fine / 1e6, 92.7, 0.02);
-  expect_ratio(fine, 92.7e6, 0.02, "LE1");
+  expect_ratio(fine, 92.7e6, 0.02, "stress yy at D");
   EXPECT_LT(std::abs(fine / 92.7e6 - 1), std::abs(le1(8) / 92.7e6 - 1)) << "converges";
 }
 
@@ -115,9 +114,7 @@ TEST(NafemsStress, LE2_cylindrical_shell_patch) {
     const auto s = field.shell.col(0).segment<6>(12 * node + 6);
     const double hoop = s[0] * around.x() * around.x() + s[2] * around.z() * around.z() +
                         2 * s[5] * around.x() * around.z();
-    print_for_table("NAFEMS LE2, hoop stress of the outer face, MPa, " + std::to_string(n),
-                    std::abs(hoop) / 1e6, 60, 0.02);
-    expect_ratio(std::abs(hoop), 60e6, 0.02, "LE2");
+    expect_ratio(std::abs(hoop), 60e6, 0.02, "hoop stress of the outer face");
   }
 }
 
@@ -151,8 +148,7 @@ TEST(NafemsStress, LE3_hemisphere_point_loads) {
   load[6 * a] = 2000;
   load[6 * c + 1] = -2000;
   const double u = solve_static(model, load)[6 * a];
-  print_for_table("NAFEMS LE3, displacement at A, m", u, 0.185, 0.02);
-  expect_ratio(u, 0.185, 0.02, "LE3");
+  expect_ratio(u, 0.185, 0.02, "displacement at A");
 }
 
 // LE5, cantilever of Z section: 10 long, web 2 high, flanges 1 wide, 0.1 thick, torque of 1.2 MNm
@@ -192,8 +188,7 @@ TEST(NafemsStress, LE5_z_section_cantilever) {
   const double vlasov = 1.2e6 / k * std::sinh(k * (L - x)) / std::cosh(k * L) * 0.75 / I_w;
   EXPECT_NEAR(vlasov / 108e6, 1, 0.002);
   const double coarse = le5(32, 4), fine = le5(64, 8);
-  print_for_table("NAFEMS LE5, axial stress at A, MPa", fine / 1e6, 108, 0.03);
-  expect_ratio(fine, 108e6, 0.03, "LE5");
+  expect_ratio(fine, 108e6, 0.03, "axial stress at A");
   EXPECT_NEAR(coarse / fine, 1, 0.01) << "converged";
 }
 

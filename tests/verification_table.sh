@@ -3,10 +3,10 @@
 # the code say. With a file as second argument: says where that differs, and fails.
 set -eu
 program=$1
-suites='BeamClosedForms.*:NafemsBeams.*:CylinderVibration.*:FreeTube.*:Nafems.*:NafemsForced.*'
+suites='BeamClosedForms.*:NafemsBeams.*:CylinderVibration.*:FreeTube.*:Nafems.*:NafemsForced.*:NafemsStress.*'
 suites=$suites':PlateStatics.*:ShellStatics.*:ShellTriangle.*:BeamStress.*:ShellStress.*'
 suites=$suites':*BellowsReference.*:*PipeA2.*:Cad.*:DeckCase.*:Ejma.*:EquivalentBeam.*:*BeamOf.*'
-suites=$suites':ConnectorChain.*:EquivalentPipe.*:*PipeBesideShell.*'
+suites=$suites':ConnectorChain.*:EquivalentPipe.*:*PipeBesideShell.*:LifeOfCase.*'
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
 {
