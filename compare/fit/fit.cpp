@@ -39,7 +39,11 @@ public:
     for (const VectorXd& other : settings.starts)
       if (const VectorXd u = problem_.box_of(other); cost_of(model(u)) < cost_of(model(best)))
         best = u;
-    const LocalSearch local = refined(settings, best);
+    // A limit is met sooner from outside, where it slopes, than from inside: first with softer
+    // ones.
+    if (!problem_.aims().empty() && !request_.constraints.empty())
+      best = refined(settings, best, 30).best;
+    const LocalSearch local = refined(settings, best, 1);
     fit.converged = local.converged;
     fit.stopped = local.stopped;
     fit.reason = local.reason;
@@ -58,7 +62,8 @@ public:
   }
 
 private:
-  LocalSearch refined(const FitSettings& settings, const VectorXd& from) {
+  // Standard deviations of the constraints are `soft` times theirs.
+  LocalSearch refined(const FitSettings& settings, const VectorXd& from, double soft) {
     LocalSettings local;
     if (!settings.stop()) local.stop = settings.stop; // a global one: its best is still refined
     int steps = 0;
@@ -76,6 +81,7 @@ private:
     };
     const ResidualModel model = [&](const VectorXd& u) {
       auto residuals = problem_.residuals(u);
+      if (residuals) residuals->tail(Index(request_.constraints.size())) /= soft;
       constexpr std::chrono::seconds silence{5};
       const std::lock_guard lock(mutex);
       cost = std::min(cost, cost_of(residuals));
