@@ -173,7 +173,8 @@ std::string spots_table(const Results& results) {
     rows.push_back(std::move(row));
   }
   return "<h3>Hot spots</h3>\n" +
-         html_table("The worst point of each place and face, most damage first; all of them in "
+         html_table("The worst point of each place and face, most damage first, of cycles on the "
+                    "curve before those below it; all of them in "
                     "<code>life.csv</code>.",
                     columns, rows);
 }
@@ -183,7 +184,7 @@ std::string densities(const Results& results) {
   for (const DutyResult& d : results.life->duties) {
     if (!d.random) continue;
     const RandomStress& r = *d.random;
-    const std::vector<PlotCurve> curves{{.x = r.hertz, .y = 1e-12 * r.density, .name = ""}};
+    const std::vector<PlotCurve> curves{{.x = r.hertz, .y = 1e-12 * r.density, .name = "stress"}};
     std::string methods;
     for (const auto& [method, damage] : r.damages)
       methods += (methods.empty() ? "" : ", ") + method + " " + html_number(damage, 3);
