@@ -15,7 +15,7 @@ function folder(name) {
   return path;
 }
 function run(cwd, ...args) {
-  const { status, stdout, stderr } = spawnSync(plica, args, { cwd, encoding: 'utf8', timeout: 200000 });
+  const { status, stdout, stderr } = spawnSync(plica, args, { cwd, encoding: 'utf8', timeout: 500000 });
   return { status, said: stderr, printed: stdout };
 }
 const json = (...path) => JSON.parse(readFileSync(join(...path), 'utf8'));
