@@ -256,11 +256,12 @@ TEST(WriteResults, writes_all_files_and_the_same_bytes_twice) {
   for (const auto& file : fs::directory_iterator(out)) {
     first[file.path().filename().string()] = content_of(file.path());
   }
-  EXPECT_EQ(first.size(), 16u);
-  for (const char* name : {"results.json", "simulated.yaml", "responses.uff", "modes.csv",
-                           "static.csv", "comparison.csv", "variants.csv", "modes.vtu",
-                           "report.html", "response_y.csv", "motion_y.csv", "random_y.csv",
-                           "stress.csv", "stress.vtu", "error_bars.csv", manifest_name}) {
+  EXPECT_EQ(first.size(), 18u);
+  for (const char* name :
+       {"results.json", "simulated.yaml", "responses.uff", "modes.csv", "static.csv",
+        "comparison.csv", "variants.csv", "modes.vtu", "report.html", "response_y.csv",
+        "motion_y.csv", "random_y.csv", "stress.csv", "stress_places.csv", "stress_meridian.csv",
+        "stress.vtu", "error_bars.csv", manifest_name}) {
     EXPECT_FALSE(first[name].empty()) << name;
   }
   write();
