@@ -50,7 +50,7 @@ endforeach()
 
 # Headers lie in include/plica and include each other from there: a user writes
 # #include "plica/solve/modes.hpp".
-foreach(folder words mesh elements solve reduction lab model run compare diagnose io)
+foreach(folder words life mesh elements solve reduction lab model run compare diagnose io)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plica
     COMPONENT development FILES_MATCHING PATTERN "*.hpp" PATTERN web EXCLUDE)
 endforeach()

@@ -14,8 +14,9 @@ from ..superelement import Superelement
 
 Array = npt.NDArray[Any]
 FIRST_GRID, FIRST_SCALAR = 101, 1001
-SYMMETRIC = 6  # form of a matrix: 1 square, 2 rectangular, 6 symmetric
+RECTANGULAR, SYMMETRIC = 2, 6  # forms of a matrix
 NAMES = {"K": "KPLICA", "M": "MPLICA", "C": "BPLICA", "D": "K4PLICA"}
+RECOVERY = "OTMPLICA"  # motion of recovered points by the coordinates, six rows each
 
 
 def labels(s: Superelement) -> list[tuple[int, int]]:
@@ -61,8 +62,11 @@ def from_dmig(matrix: Array, rows: Mapping[int, tuple[int, int]], wanted: Sequen
 
 
 def to_op4(s: Superelement) -> dict[str, tuple[int, Array]]:
-    """(form, matrix) by name, as `OP4.write_op4` takes matrices."""
-    return {NAMES[letter]: (SYMMETRIC, matrix.copy()) for letter, matrix in s.matrices.items()}
+    """(form, matrix) by name, as `OP4.write_op4` takes matrices; with that of recovered points."""
+    found = {NAMES[letter]: (SYMMETRIC, matrix.copy()) for letter, matrix in s.matrices.items()}
+    if s.recovery:
+        found[RECOVERY] = RECTANGULAR, np.vstack([point.rows for point in s.recovery.values()])
+    return found
 
 
 def from_op4(matrices: Mapping[str, Any]) -> dict[str, Array]:
