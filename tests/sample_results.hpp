@@ -119,7 +119,8 @@ inline ResponseResult sample_response() {
   RandomResult random{.input = Eigen::VectorXd::Ones(50),
                       .density = r.acceleration.cwiseAbs2(),
                       .bands = {{{10, 500}, 22.1, Eigen::Vector3d(1e-6, 105.5, 0)}},
-                      .cross = {{0, 1, Eigen::VectorXcd::Ones(50)}}};
+                      .cross = {{0, 1, Eigen::VectorXcd::Ones(50)}},
+                      .tones = {}};
   r.random = random;
   return r;
 }

@@ -147,7 +147,9 @@ TEST(LineCases, a_dashpot_at_a_hanger_damps_the_modes_that_move_it) {
 TEST(LineCases, modes_are_called_by_what_they_move) {
   const Results r = line_results(hung(""));
   for (const ModeResult& m : r.modes) {
-    if (m.shape == "axial") EXPECT_GT(m.effective_mass[1], m.effective_mass[2]) << m.frequency;
+    if (m.shape == "axial") {
+      EXPECT_GT(m.effective_mass[1], m.effective_mass[2]) << m.frequency;
+    }
     if (m.effective_mass[2] > 0.5 * r.free_mass[2]) {
       EXPECT_EQ(m.shape, "transverse") << m.frequency;
       EXPECT_EQ(m.direction, "z");

@@ -35,3 +35,13 @@ export function watch(page) {
   });
   return seen;
 }
+
+// A page of the size of a screen with a report on it whose part turns, and what is seen of it.
+export async function openReport(address) {
+  const browser = await launch();
+  const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
+  const seen = watch(page);
+  await page.goto(address);
+  await page.waitForSelector('.viewer.is-live canvas');
+  return { browser, page, seen };
+}

@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { launch, watch } from './chromium.mjs';
+import { openReport } from './chromium.mjs';
 
 const report = pathToFileURL(process.env.REPORT).href;
 const picture = (name) => join(process.env.PICTURES, `life-${name}.png`);
@@ -16,13 +16,7 @@ let browser;
 let page;
 let seen;
 
-before(async () => {
-  browser = await launch();
-  page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
-  seen = watch(page);
-  await page.goto(report);
-  await page.waitForSelector('.viewer.is-live canvas');
-});
+before(async () => { ({ browser, page, seen } = await openReport(report)); });
 
 after(async () => { await browser?.close(); });
 
