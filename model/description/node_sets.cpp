@@ -17,6 +17,7 @@ void add_sets(const std::string& name, const Bellows& b, std::vector<std::string
   if (b.profile.front().shape == SectionShape::cuff) sets.push_back(name + ".cuff.left");
   if (b.profile.size() > 1 && b.profile.back().shape == SectionShape::cuff)
     sets.push_back(name + ".cuff.right");
+  for (const PartPlace& place : b.places) sets.push_back(name + "." + place.name);
   const int n = std::min(convolutions(b), 5000);
   for (const char* set : {".convolution[", ".crown[", ".root["})
     for (int k = 1; k <= n; ++k) sets.push_back(name + set + std::to_string(k) + "]");
@@ -25,10 +26,11 @@ void add_sets(const std::string& name, const Bellows& b, std::vector<std::string
 void add_sets(const std::string& name, const Interlock&, std::vector<std::string>& sets) {
   for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
 }
-void add_sets(const std::string& name, const Plate&, std::vector<std::string>& sets) {
+void add_sets(const std::string& name, const Plate& p, std::vector<std::string>& sets) {
   for (const char* set : {".edge1", ".edge2", ".edge3", ".edge4", ".corner1", ".corner2",
                           ".corner3", ".corner4", ".all"})
     sets.push_back(name + set);
+  for (const PartPlace& place : p.places) sets.push_back(name + "." + place.name);
 }
 // How many free edges a file has is known when it is meshed.
 void add_sets(const std::string& name, const SurfacePart& s, std::vector<std::string>& sets) {
@@ -46,7 +48,7 @@ void add_sets(const std::string& name, const BeamPart& b, std::vector<std::strin
   for (const char* set : {".start", ".end", ".all"}) sets.push_back(name + set);
   for (std::size_t k = 1; k <= b.points.size(); ++k)
     sets.push_back(name + ".point[" + std::to_string(k) + "]");
-  for (const LinePlace& place : b.places) sets.push_back(name + "." + place.name);
+  for (const PartPlace& place : b.places) sets.push_back(name + "." + place.name);
 }
 void add_sets(const std::string&, const PointMass&, std::vector<std::string>&) {}
 void add_ends(const std::string& name, std::vector<std::string>& sets) {
@@ -83,8 +85,12 @@ std::vector<std::string> end_names(const Case& data) {
     if (const auto* beam = std::get_if<BeamPart>(&part.body)) {
       for (std::size_t k = 1; k <= beam->points.size(); ++k)
         ends.push_back(part.name + ".point[" + std::to_string(k) + "]");
-      for (const LinePlace& place : beam->places) ends.push_back(part.name + "." + place.name);
+      for (const PartPlace& place : beam->places) ends.push_back(part.name + "." + place.name);
     }
+    if (const auto* bellows = std::get_if<Bellows>(&part.body))
+      for (const PartPlace& place : bellows->places) ends.push_back(part.name + "." + place.name);
+    if (const auto* plate = std::get_if<Plate>(&part.body))
+      for (const PartPlace& place : plate->places) ends.push_back(part.name + "." + place.name);
     if (const auto* surface = std::get_if<SurfacePart>(&part.body))
       add_sets(part.name, *surface, sets);
     if (const auto* deck = std::get_if<DeckPart>(&part.body)) add_sets(part.name, *deck, sets);

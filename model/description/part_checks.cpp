@@ -3,6 +3,7 @@
 #include "mesh/generation/surface_file.hpp"
 #include "mesh/generation/surface_mesher.hpp"
 #include "model/description/deck_model.hpp"
+#include "model/description/node_sets.hpp"
 #include "model/description/pipe_model.hpp"
 #include "model/description/profile.hpp"
 #include "words/units.hpp"
@@ -30,7 +31,20 @@ void material(CheckLog& log, const Case& data, const std::string& key, const std
   log.reference(key + ".material", "material", name, names);
 }
 
+// Places of shells are sets beside those that the part has.
+template <class Shell> void check_place_names(const std::string& key, Shell part, CheckLog& log) {
+  const std::vector<PartPlace> places = std::move(part.places);
+  part.places.clear();
+  Case alone;
+  alone.parts.push_back({"part", std::move(part)});
+  const std::vector<std::string> sets = set_names(alone);
+  for (const PartPlace& place : places)
+    if (std::find(sets.begin(), sets.end(), "part." + place.name) != sets.end())
+      log.add(key + ".places." + place.name, "is a set that the part has", "another name");
+}
+
 void check(const std::string& key, const Bellows& b, const Case& data, CheckLog& log) {
+  check_place_names(key, b, log);
   material(log, data, key, b.material);
   const double t = total_thickness(b.wall);
   if (log.fine(key + ".root_radius") && log.fine(key + ".wall.plies")) {
@@ -87,6 +101,7 @@ void check(const std::string& key, const Interlock& i, const Case& data, CheckLo
 }
 
 void check(const std::string& key, const Plate& p, const Case& data, CheckLog& log) {
+  check_place_names(key, p, log);
   material(log, data, key, p.material);
   if (!log.fine(key + ".corners")) return;
   for (std::size_t i = 0; i < 4; ++i)
@@ -136,7 +151,7 @@ void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog
                 " does not fit a mid-surface radius of " + millimetres(b.section.radius),
             "it must be below " + millimetres(2 * b.section.radius));
   if (!log.fine(key + ".points") || !log.fine(key + ".up")) return;
-  for (const LinePlace& place : b.places) {
+  for (const PartPlace& place : b.places) {
     const std::string own = key + ".places." + place.name;
     if (const double off = nearest_on_axis(b, place.at).distance; log.fine(own) && off > 1e-3)
       log.add(own + ".at", "is " + millimetres(off) + " off the axis of the beam",

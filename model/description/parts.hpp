@@ -75,6 +75,13 @@ struct DentSpot {
   double depth = 0, radius = 0;
 };
 
+// A node of a part where the case wants one, as the set "pipe.hanger": on the axis of a beam a node
+// of the mesh, on a shell one that is tied by the shape functions of the element.
+struct PartPlace {
+  std::string name;
+  Triple at{};
+};
+
 struct Bellows {
   std::string material;
   double root_radius = 0; // mid-surface radius at the left end
@@ -84,6 +91,7 @@ struct Bellows {
   std::vector<DentSpot> dents;
   MeshDensity mesh;
   Membrane membrane = Membrane::incompatible;
+  std::vector<PartPlace> places = {};
 };
 
 enum class BeamShape { pipe, solid, rectangle, general };
@@ -120,9 +128,10 @@ struct Plate {
   double thickness = 0;
   std::array<int, 2> elements{}; // along 1-2 and along 2-3
   Membrane membrane = Membrane::displacement;
+  std::vector<PartPlace> places = {};
 };
 
-// Nodes of a surface near a point, as a set of their own.
+// Nodes of a surface near a point, as a set of their own; within 0: the point of the wall itself.
 struct SurfacePlace {
   std::string name;
   Triple at{};
@@ -163,18 +172,12 @@ struct DeckPart {
   std::shared_ptr<const DeckModel> content = {}; // read with the case
 };
 
-// A place on the axis of a beam, where the mesh has a node: the set "beam.hanger".
-struct LinePlace {
-  std::string name;
-  Triple at{};
-};
-
 struct BeamPart {
   std::vector<Triple> points; // the axis, straight between points
   int elements = 1;           // per stretch
   Triple up{0, 0, 1};         // local z lies in the plane of the axis and this vector
   BeamSection section;
-  std::vector<LinePlace> places = {};
+  std::vector<PartPlace> places = {};
 };
 
 // Of what of the section lies farthest from the axis, m; 0 for stiffness given as numbers.

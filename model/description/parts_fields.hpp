@@ -125,6 +125,11 @@ template <class V> void fields(V& v, DentSpot& d) {
   v.quantity(d.radius, "radius", length, "of the sphere within which the wall is moved");
 }
 
+template <class V> void fields(V& v, PartPlace& p) {
+  v.quantities(p.at, "at", {.unit = Dimension::length, .required = true},
+               "[x, y, z] on the axis of a beam, on the wall of a shell");
+}
+
 template <class V> void fields(V& v, Bellows& b) {
   v.text(b.material, "material", {.required = true}, "name of a material");
   v.quantity(b.root_radius, "root_radius",
@@ -135,6 +140,8 @@ template <class V> void fields(V& v, Bellows& b) {
   v.object(b.wall, "wall", required_key, "plies of the wall");
   v.list(b.dents, "dents", optional_key, "local damage: dents");
   v.object(b.mesh, "mesh", optional_key, "density of the mesh: counts, or one accuracy");
+  v.named(b.places, &PartPlace::name, "places", optional_key,
+          "points of the wall where caps, masses and forces may sit, as sets bellows.<name>");
   fields(v, b.membrane);
 }
 
@@ -167,14 +174,15 @@ template <class V> void fields(V& v, Plate& p) {
              "thickness");
   v.whole(p.elements, "elements", {.required = true, .min = 1, .max = 2000},
           "elements along edges 1 and 3, and along edges 2 and 4");
+  v.named(p.places, &PartPlace::name, "places", optional_key,
+          "points of the wall where caps, masses and forces may sit, as sets plate.<name>");
   fields(v, p.membrane);
 }
 
 template <class V> void fields(V& v, SurfacePlace& p) {
   v.quantities(p.at, "at", {.unit = Dimension::length, .required = true}, "[x, y, z]");
-  v.quantity(p.within, "within",
-             {.unit = Dimension::length, .required = true, .min = 0, .exclusive_min = true},
-             "nodes at most so far from it");
+  v.quantity(p.within, "within", {.unit = Dimension::length, .min = 0, .exclusive_min = true},
+             "nodes at most so far from it; left out: the point of the wall itself");
 }
 
 template <class V> void fields(V& v, SurfacePart& s) {
@@ -200,7 +208,7 @@ template <class V> void fields(V& v, SurfacePart& s) {
   v.quantities(s.rotate, "rotate", {.unit = Dimension::angle}, "about x, then y, then z");
   v.quantities(s.move, "move", {.unit = Dimension::length}, "then moved by [x, y, z]");
   v.named(s.places, &SurfacePlace::name, "places", optional_key,
-          "sets of nodes near points of the case, as part.name");
+          "points of the wall, or the nodes near them, as sets part.name");
   fields(v, s.membrane);
 }
 
@@ -225,7 +233,7 @@ template <class V> void fields(V& v, DeckPart& d) {
   v.quantities(d.rotate, "rotate", {.unit = Dimension::angle}, "about x, then y, then z");
   v.quantities(d.move, "move", {.unit = Dimension::length}, "then moved by [x, y, z]");
   v.named(d.places, &SurfacePlace::name, "places", optional_key,
-          "sets of nodes near points of the case, as part.name");
+          "points of the wall, or the nodes near them, as sets part.name");
   fields(v, d.membrane);
 }
 
@@ -265,17 +273,13 @@ template <class V> void fields(V& v, BeamSection& s) {
              "rotary inertia per length about the axis");
 }
 
-template <class V> void fields(V& v, LinePlace& p) {
-  v.quantities(p.at, "at", {.unit = Dimension::length, .required = true}, "[x, y, z] on the axis");
-}
-
 template <class V> void fields(V& v, BeamPart& b) {
   v.points(b.points, "points", {.unit = Dimension::length, .required = true, .min_items = 2},
            "[x, y, z] of the axis, straight between points");
   v.whole(b.elements, "elements", {.min = 1, .max = 10000}, "elements per straight stretch");
   v.quantities(b.up, "up", {}, "local z lies in the plane of the axis and this vector");
   v.object(b.section, "section", required_key, "cross-section");
-  v.named(b.places, &LinePlace::name, "places", optional_key,
+  v.named(b.places, &PartPlace::name, "places", optional_key,
           "where caps, masses and forces may sit besides its points, as sets beam.<name>");
 }
 

@@ -1,6 +1,7 @@
 #include "model/shape/build.hpp"
 
 #include "model/shape/building.hpp"
+#include "model/shape/wall_places.hpp"
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
 
@@ -38,6 +39,7 @@ BuiltCase built_case(const Case& data, JointState state, const PlyLaws& plies) {
                 "support of " + support.set);
   }
   add_springs(b.built.model, b.built.joints, state);
+  tie_wall_places(b);
   place_sensors(b);
   return std::move(b.built);
 }
@@ -62,6 +64,11 @@ bool Building::follows_others(int node) const {
   return std::count_if(rows.begin(), rows.end(), [&](const Constraint& row) {
            return row.node == node && !row.terms.empty();
          }) == 6;
+}
+
+bool Building::is_on_wall(int node) const {
+  return std::any_of(wall_places.begin(), wall_places.end(),
+                     [&](const PlacedOnWall& place) { return place.node == node; });
 }
 
 Eigen::Vector3d vector(const Triple& t) {

@@ -1,5 +1,6 @@
 #include "model/shape/building.hpp"
 #include "model/shape/renewed_ends.hpp"
+#include "model/shape/wall_places.hpp"
 
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
@@ -21,10 +22,10 @@ bool has_mass(double mass, const Sextuple& J) {
   return mass > 0 || std::any_of(J.begin(), J.end(), [](double v) { return v != 0; });
 }
 
-// Reference node in the middle of the circles, tied rigidly to them. One that follows others
-// cannot follow it too: it leads them.
+// Reference node in the middle of the circles, tied rigidly to them. One that follows others, or
+// may have to as places on shells do, cannot follow it too: it leads them.
 int add_spider(Building& b, const std::string& cap, const std::vector<int>& circles) {
-  const auto leads = [&](int node) { return b.follows_others(node); };
+  const auto leads = [&](int node) { return b.follows_others(node) || b.is_on_wall(node); };
   if (const auto leader = std::find_if(circles.begin(), circles.end(), leads);
       leader != circles.end() && std::none_of(leader + 1, circles.end(), leads)) {
     std::vector<int> others = circles;
@@ -202,6 +203,14 @@ void place_sensors(Building& b) {
       add_kinematic_coupling(b.built.model, axis_node, {node}, all_dofs,
                              "arm of sensor " + sensor.name);
       distance = along;
+    }
+    if (distance > sensor.reach) {
+      const WallPoint wall = nearest_on_wall(b.built.model, vector(sensor.at));
+      if (const double off = off_wall(wall); off <= sensor.reach) {
+        node = add_node(b.built.model, vector(sensor.at));
+        tie_to_wall(b.built.model, node, wall, "sensor " + sensor.name);
+        distance = off;
+      }
     }
     constexpr double rounding = 5e-6; // of what the message shows
     if (distance > sensor.reach + rounding) {

@@ -6,6 +6,7 @@
 #include "model/shape/build_deck.hpp"
 #include "model/shape/build_pipes.hpp"
 #include "model/shape/build_surface.hpp"
+#include "model/shape/wall_places.hpp"
 #include "words/input_error.hpp"
 
 #include <array>
@@ -89,6 +90,7 @@ void add(Building& b, const std::string& name, const Bellows& bellows) {
                    .bending_factor = ply_bending_factor(bellows.wall.plies, bond(b, bellows.wall))},
        .membrane = bellows.membrane,
        .component = b.component(name)});
+  add_wall_places(b, name, bellows.places, b.built.model.shells.back().component);
   if (!b.built.meridian.empty() && bellows.start < b.built.meridian.back()[0] - 1e-9) return;
   for (const auto& curve : mesh_meridian(meridian))
     for (const MeridianPoint& p : curve)
@@ -108,6 +110,15 @@ void add(Building& b, const std::string& name, const Plate& plate) {
   b.built.model.shells.push_back({.section = {.E = m.E, .nu = m.nu, .rho = m.rho},
                                   .membrane = plate.membrane,
                                   .component = b.component(name)});
+  add_wall_places(b, name, plate.places, b.built.model.shells.back().component);
+}
+
+// Those that are points of the wall rather than the nodes near them.
+std::vector<PartPlace> points_of(const std::vector<SurfacePlace>& places) {
+  std::vector<PartPlace> points;
+  for (const SurfacePlace& place : places)
+    if (place.within == 0) points.push_back({place.name, place.at});
+  return points;
 }
 
 void add(Building& b, const std::string& name, const SurfacePart& surface) {
@@ -123,6 +134,7 @@ void add(Building& b, const std::string& name, const SurfacePart& surface) {
   b.built.model.shells.push_back({.section = {.E = m.E, .nu = m.nu, .rho = m.rho},
                                   .membrane = surface.membrane,
                                   .component = b.component(name)});
+  add_wall_places(b, name, points_of(surface.places), b.built.model.shells.back().component);
 }
 
 void add(Building& b, const std::string& name, const DeckPart& deck) {
@@ -134,6 +146,7 @@ void add(Building& b, const std::string& name, const DeckPart& deck) {
   } catch (const std::exception& error) {
     input_error("parts." + name + ".file", error.what(), "a deck as docs/decks.md has it");
   }
+  add_wall_places(b, name, points_of(deck.places), own);
 }
 
 // Shares of a stretch where it has nodes: even steps, its places, and what sensors need that sit
@@ -147,7 +160,7 @@ std::vector<double> shares_of(const Building& b, const BeamPart& beam, std::size
                      [&](double other) { return std::abs(other - share) < same; }))
       shares.push_back(share);
   };
-  for (const LinePlace& place : beam.places)
+  for (const PartPlace& place : beam.places)
     if (const PlaceOnAxis at = nearest_on_axis(beam, place.at); at.stretch == stretch)
       add(at.share);
   const double length = (vector(beam.points[stretch + 1]) - vector(beam.points[stretch])).norm();
@@ -186,7 +199,7 @@ void add(Building& b, const std::string& name, const BeamPart& beam) {
     sets[name + ".point[" + std::to_string(p + 1) + "]"] = {previous};
   }
   name_line(b, name, first, previous);
-  for (const LinePlace& place : beam.places)
+  for (const PartPlace& place : beam.places)
     sets[name + "." + place.name] = {
         nearest_of(b.built.model.mesh, sets.at(name + ".all"), vector(place.at))};
   if (is_on_axis(beam)) b.rigid_sections.push_back(name);

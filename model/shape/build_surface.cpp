@@ -60,6 +60,7 @@ Eigen::Matrix3d turn_of(const Triple& rotate) {
 
 void add_places(Mesh& mesh, const std::vector<SurfacePlace>& places) {
   for (const SurfacePlace& place : places) {
+    if (place.within == 0) continue; // a point of the wall: model/shape/wall_places.hpp
     const Vector3d at(place.at[0], place.at[1], place.at[2]);
     std::vector<int>& set = mesh.sets[place.name];
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)

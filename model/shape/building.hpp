@@ -6,6 +6,12 @@
 
 namespace plica {
 
+// A node of a place on shells that is to be tied to them.
+struct PlacedOnWall {
+  int node = 0, component = 0;
+  std::string name; // "muffler.places.hanger"
+};
+
 struct Building {
   const Case& data;
   JointState state;
@@ -13,6 +19,8 @@ struct Building {
   BuiltCase built = {};
   std::map<std::string, int> cap_of_end = {};   // reference node of the cap on a set
   std::vector<std::string> rigid_sections = {}; // parts whose sections are
+
+  std::vector<PlacedOnWall> wall_places = {};
 
   // New name under which elements store their strain energy.
   int component(const std::string& name);
@@ -22,6 +30,8 @@ struct Building {
 
   // A node that follows others in all directions, such as the reference of an RBE3.
   bool follows_others(int node) const;
+
+  bool is_on_wall(int node) const; // the node of a place
 };
 
 // Shells, beams, pipes, connectors, surfaces and decks; liners and masses come later.
