@@ -55,7 +55,8 @@ Manifest read_manifest(const fs::path& folder) {
     const Json json = Json::parse(read_whole(file));
     for (const auto& [name, entry] : json.at("files").items())
       if (is_name_below(name))
-        manifest[name] = {entry.at("command"), entry.at("prints").get<std::vector<std::string>>()};
+        manifest[name] = {entry.at("command"), entry.at("prints").get<std::vector<std::string>>(),
+                          entry.value("plica_version", "")};
   } catch (const std::exception&) { // cannot be read, is no JSON, has other keys
     throw InputError({{.file = file.string(),
                        .line = 0,
@@ -69,7 +70,8 @@ Manifest read_manifest(const fs::path& folder) {
 std::string manifest_text(const Manifest& manifest) {
   Json files = Json::object();
   for (const auto& [name, file] : manifest)
-    files[name] = {{"command", file.command}, {"prints", file.prints}};
+    files[name] = {
+        {"command", file.command}, {"plica_version", file.version}, {"prints", file.prints}};
   return json_text({{"about", about}, {"files", files}});
 }
 

@@ -14,6 +14,7 @@ constexpr const char* manifest_name = "plica_files.json";
 struct WrittenFile {
   std::string command;             // that wrote it
   std::vector<std::string> prints; // fingerprints; two while a new file takes the place of an old
+  std::string version = {};        // of the program that wrote it
 };
 
 using Manifest = std::map<std::string, WrittenFile>; // by the name below the folder

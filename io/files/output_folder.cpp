@@ -177,6 +177,7 @@ void OutputFolder::commit() {
       if (prints[name].empty()) throw std::runtime_error(name + " was not written");
       WrittenFile& file = manifest_[name];
       file.command = work_.command;
+      file.version = PLICA_VERSION;
       file.prints.push_back(prints[name]);
     }
     write_manifest();

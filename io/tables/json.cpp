@@ -226,6 +226,8 @@ Json stiffness_errors(const std::vector<MeshError>& e) {
 
 } // namespace
 
+// What tables of many runs take comes first, what grows with the mesh last: a reader may stop
+// there.
 std::string results_json(const Results& r) {
   Json json;
   json["case"] = r.case_name;
@@ -238,6 +240,10 @@ std::string results_json(const Results& r) {
                    {"mass", json_number(r.model.mass)},
                    {"mesh_choice", r.mesh_choice.empty() ? Json(nullptr) : Json(r.mesh_choice)}};
   json["route"] = r.route;
+  json["headline"] = named_numbers(headline(r));
+  json["modes"] = list_of(r.modes);
+  add_mesh_errors(json["modes"], r.error_bars.modes);
+  json["verification"] = json_of(r.verification);
   if (r.reduced) json["reduction"] = json_of(*r.reduced);
   if (r.state) json["state"] = state_json(*r.state);
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
@@ -245,9 +251,6 @@ std::string results_json(const Results& r) {
     json["static"]["mesh_error"] = stiffness_errors(r.error_bars.statics);
   for (const StrokeCurve& c : r.strokes) // [m, N]
     json["static_curves"].push_back({{"direction", c.direction}, {"points", c.points}});
-  json["modes"] = list_of(r.modes);
-  add_mesh_errors(json["modes"], r.error_bars.modes);
-  json["verification"] = json_of(r.verification);
   if (!r.complex_modes.shapes.empty() || !r.complex_modes.reason.empty())
     json["complex_modes"] = {
         {"complete", r.complex_modes.complete},
@@ -262,10 +265,7 @@ std::string results_json(const Results& r) {
   if (!r.families.empty()) json["levels"] = levels_json(r);
   json["stresses"] = list_of(r.stresses);
   add_mesh_errors(json["stresses"], r.error_bars.stresses);
-  if (!r.stress_tables.empty()) json["stress_places"] = stress_places_json(r);
-  if (r.life) json["life"] = life_json(r);
   json["error_bars"] = json_of(r.error_bars);
-  json["headline"] = named_numbers(headline(r));
   json["comparison"] = list_of(r.comparison);
   json["unanswered"] = r.unanswered;
   json["variants"] = list_of(r.variants);
@@ -277,6 +277,8 @@ std::string results_json(const Results& r) {
   json["warnings"] = r.warnings;
   json["timing"] = named_numbers(r.timing);
   json["peak_memory"] = json_number(r.peak_memory);
+  if (!r.stress_tables.empty()) json["stress_places"] = stress_places_json(r);
+  if (r.life) json["life"] = life_json(r);
   return json_text(json);
 }
 
