@@ -1,5 +1,6 @@
 #include "life/curves.hpp"
 
+#include "life/published_curves.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>
@@ -51,6 +52,7 @@ public:
     negative("b", curve.b);
     negative("c", curve.c);
   }
+  void operator()(const PublishedCurve& curve) { positive("E", curve.E); }
   void operator()(const TableCurve& curve) {
     if (curve.points.size() < 2) add("points", "are fewer than two", "two or more");
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -97,6 +99,16 @@ CurveLife life_of(const TableCurve& curve, double amplitude) {
   return {N1 * std::pow(N2 / N1, share), Bound::exact};
 }
 
+CurveLife life_of(const PublishedCurve& curve, double amplitude) {
+  const PublishedTests& tests = tests_of(curve);
+  const double above = 100 * tests.scale * amplitude / curve.E - tests.limit; // percent
+  if (above <= 0) return {tests.most, Bound::at_least};
+  const double N = tests.factor * std::pow(above, -tests.exponent);
+  if (N > tests.most) return {tests.most, Bound::at_least};
+  if (N < tests.fewest) return {tests.fewest, Bound::at_most};
+  return {N, Bound::exact};
+}
+
 // The right side falls with N: log N by bisection.
 CurveLife life_of(const StrainLifeCurve& c, const StressCycle& cycle) {
   const double ea = cycle.range / (2 * c.E);
@@ -121,10 +133,11 @@ std::vector<InputProblem> check(const FatigueCurve& curve) {
   std::visit(checks, curve.law);
   checks.positive("temperature_factor", curve.temperature_factor);
   const bool by_amplitude = std::holds_alternative<StressLifeCurve>(curve.law) ||
-                            std::holds_alternative<TableCurve>(curve.law);
+                            std::holds_alternative<TableCurve>(curve.law) ||
+                            std::holds_alternative<PublishedCurve>(curve.law);
   if (curve.mean_stress != MeanStress::none && !by_amplitude)
     checks.add("mean_stress", "is chosen for a curve that has its own",
-               "none, or a stress-life curve or a table");
+               "none, or a stress-life curve, a table or a published curve");
   if (curve.mean_stress == MeanStress::goodman) checks.positive("ultimate", curve.ultimate);
   return checks.found;
 }
@@ -162,7 +175,14 @@ CurveLife life(const FatigueCurve& curve, const StressCycle& cycle) {
   if (std::isinf(amplitude)) return {0, Bound::exact};
   if (const auto* stress = std::get_if<StressLifeCurve>(&curve.law))
     return life_of(*stress, amplitude);
+  if (const auto* published = std::get_if<PublishedCurve>(&curve.law))
+    return life_of(*published, amplitude);
   return life_of(std::get<TableCurve>(curve.law), amplitude);
+}
+
+std::optional<double> deviation_of(const FatigueCurve& curve) {
+  const auto* published = std::get_if<PublishedCurve>(&curve.law);
+  return published ? std::optional(tests_of(*published).deviation) : std::nullopt;
 }
 
 std::string what_is_inside(const FatigueCurve& curve) {
@@ -173,6 +193,8 @@ std::string what_is_inside(const FatigueCurve& curve) {
            " on cycles and " + short_number(BellowsCurve::factor_on_stress) +
            " on stress are inside; Kg " + short_number(b->Kg) + ", E0/Eb " +
            short_number(b->E_ratio);
+  if (std::holds_alternative<PublishedCurve>(curve.law))
+    return text + ": no factors are inside, it is the median of the tests";
   return text + ": no factors but those of its numbers are inside";
 }
 

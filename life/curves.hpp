@@ -66,17 +66,28 @@ struct TableCurve {
   std::vector<std::array<double, 2>> points; // N increasing, amplitude in Pa decreasing
 };
 
-using FatigueLaw = std::variant<BellowsCurve, StressLifeCurve, StrainLifeCurve, TableCurve>;
+// Tests whose mean curve is at hand with its source and its scatter (life/published_curves.hpp). A
+// cycle of elastic stress counts as one of strain, amplitude / E. Outside of the range that was
+// tested a life is a bound.
+enum class PublishedSteel { pipe_304L, pipe_304L_butt_weld };
 
-// What a mean stress does to the amplitude of stress-life curves and tables, which are for zero
-// mean. Goodman: Sa / (1 - Sm / Su), Sm < 0 counts as 0; Sm >= Su: no cycle is borne. Smith, Watson
-// and Topper: sqrt(Sa (Sm + Sa)); 0 without tension.
+struct PublishedCurve {
+  PublishedSteel of = PublishedSteel::pipe_304L;
+  double E = 0; // of the wall whose stress it is, Pa
+};
+
+using FatigueLaw =
+    std::variant<BellowsCurve, StressLifeCurve, StrainLifeCurve, TableCurve, PublishedCurve>;
+
+// What a mean stress does to the amplitude of stress-life curves, tables and published curves,
+// which are for zero mean. Goodman: Sa / (1 - Sm / Su), Sm < 0 counts as 0; Sm >= Su: no cycle is
+// borne. Smith, Watson and Topper: sqrt(Sa (Sm + Sa)); 0 without tension.
 enum class MeanStress { none, goodman, smith_watson_topper };
 
 struct FatigueCurve {
   std::string name, source; // of its numbers, printed beside every life
   FatigueLaw law;
-  MeanStress mean_stress = MeanStress::none; // of stress-life curves and tables
+  MeanStress mean_stress = MeanStress::none; // of laws over the stress amplitude
   double ultimate = 0;                       // Su, Pa, for Goodman
   double temperature_factor = 1;             // strength in operation over that of the curve
 };
@@ -86,6 +97,10 @@ std::vector<InputProblem> check(const FatigueCurve& curve);
 
 // Throws std::invalid_argument for a range below zero or a number that is not finite.
 CurveLife life(const FatigueCurve& curve, const StressCycle& cycle);
+
+// Standard deviation of log10 of the cycles that comes with a published curve; none: its law has
+// none of its own.
+std::optional<double> deviation_of(const FatigueCurve& curve);
 
 // "3 on cycles and 1.25 on stress are inside", "no factors are inside, ...": with its source.
 std::string what_is_inside(const FatigueCurve& curve);

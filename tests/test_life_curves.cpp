@@ -3,6 +3,7 @@
 // Sources: ASME VIII-2 (2010) table 4.19.5 in MPa and in psi; closed forms of Basquin, Coffin and
 // Manson, and of Smith, Watson and Topper, whatever the constants of the steel.
 #include "life/curves.hpp"
+#include "life/published_curves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,33 @@ TEST(LifeCurves, everything_wrong_with_a_curve_is_said_at_once) {
   EXPECT_EQ(check(curve).size(), 2u);
   EXPECT_TRUE(check(curve_of(steel)).empty());
   EXPECT_THROW(life(curve_of(steel), {.range = -1}), std::invalid_argument);
+}
+
+// Table 1 of Hannes et al. (Fatigue Design 2017): N = 591 (e_a - 0.056 %)^-2.07 of plain pipe, e_a
+// in percent; with a butt weld 1.79 times the strain in 416 (e_a - 0.056 %)^-2.22. Bounds where
+// nothing was tested.
+TEST(LifeCurves, published_tests_have_the_constants_and_the_range_of_their_source) {
+  constexpr double E = 200e9;
+  const FatigueCurve plain = curve_of(PublishedCurve{.of = PublishedSteel::pipe_304L, .E = E});
+  const FatigueCurve weld =
+      curve_of(PublishedCurve{.of = PublishedSteel::pipe_304L_butt_weld, .E = E});
+  const auto range_of = [](double percent) { return 2 * E * percent / 100; };
+  EXPECT_NEAR(cycles_of(plain, range_of(0.2)) / (591 * std::pow(0.144, -2.07)), 1, 1e-12);
+  EXPECT_NEAR(cycles_of(plain, range_of(0.2)) / 32640, 1, 1e-3);
+  EXPECT_NEAR(cycles_of(weld, range_of(0.1)) / (416 * std::pow(0.123, -2.22)), 1, 1e-12);
+  for (const FatigueCurve& curve : {plain, weld}) {
+    const CurveLife little = life(curve, {.range = range_of(0.03)});
+    EXPECT_EQ(little.bound, Bound::at_least);
+    EXPECT_EQ(little.cycles, 1.25e6);
+    const CurveLife much = life(curve, {.range = range_of(1)});
+    EXPECT_EQ(much.bound, Bound::at_most);
+    EXPECT_EQ(much.cycles, 5400);
+    EXPECT_NEAR(*deviation_of(curve), 0.36 / std::log(10.), 1e-12);
+    EXPECT_NE(std::string(tests_of(std::get<PublishedCurve>(curve.law)).source).find("Hannes"),
+              std::string::npos);
+  }
+  EXPECT_FALSE(deviation_of(curve_of(BellowsCurve{})));
+  EXPECT_FALSE(check(curve_of(PublishedCurve{})).empty()) << "a modulus is needed";
 }
 
 } // namespace

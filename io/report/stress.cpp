@@ -101,31 +101,32 @@ std::string meridians(const Results& results) {
 }
 
 // Every place of one load case, folded.
-std::string places_table(const Results& results, const StressTable& t) {
+std::string places_table(const Results& results, std::size_t table) {
+  const StressTable& t = results.stress_tables[table];
+  const bool errors = table < results.error_bars.places.size();
+  std::vector<HtmlColumn> columns{
+      {"place", "", false}, {"von Mises", ""}, {"principal 1", ""}, {"2", ""},
+      {"meridional", ""},   {"membrane", ""},  {"bending", ""},     {"hoop", ""},
+      {"membrane", ""},     {"bending", ""}};
+  if (errors) columns.insert(columns.begin() + 2, {"mesh error", "%"});
   std::vector<HtmlRow> rows;
-  for (const PlaceStress& r : t.rows) {
+  for (std::size_t i = 0; i < t.rows.size(); ++i) {
+    const PlaceStress& r = t.rows[i];
     HtmlRow row{{html_escape(place_words(results.places[std::size_t(r.place)], r.outer, r.ply))},
                 ""};
     for (const double x :
          {r.von_mises, r.principal[0], r.principal[1], r.meridional, r.meridional_membrane,
           r.meridional_bending, r.hoop, r.hoop_membrane, r.hoop_bending})
       row.cells.push_back(number_or_dash(x));
+    if (errors)
+      row.cells.insert(row.cells.begin() + 2, html_escape(place_mesh_error(results, table, i)));
     rows.push_back(std::move(row));
   }
   return "<details><summary>By place: " + html_escape(t.name) + "</summary>\n" +
          html_table("MPa, at the point of each place and face with the largest von Mises stress, "
-                    "which has the sign of the principal stress of larger magnitude.",
-                    {{"place", "", false},
-                     {"von Mises", ""},
-                     {"principal 1", ""},
-                     {"2", ""},
-                     {"meridional", ""},
-                     {"membrane", ""},
-                     {"bending", ""},
-                     {"hoop", ""},
-                     {"membrane", ""},
-                     {"bending", ""}},
-                    rows) +
+                    "which has the sign of the principal stress of larger magnitude. Mesh error: "
+                    "what its magnitude is estimated to change by on a converged mesh.",
+                    columns, rows) +
          "</details>\n";
 }
 
@@ -139,7 +140,7 @@ std::string duties_table(const Results& results) {
           html_escape(place_words(results.places[std::size_t(spot.place)], spot.outer)),
           html_number(d.count, 4) + " " + d.unit, number_or_dash(d.range),
           html_escape(duty_mesh_error(results, d)), d.life ? html_escape(life_words(*d.life)) : "–",
-          d.between ? html_escape(between_words(d)) : "–",
+          d.between || d.damage_between ? html_escape(between_words(d)) : "–",
           bounded(html_number(d.damage, 3), d.at_most, d.at_least)},
          ""});
   }
@@ -152,7 +153,7 @@ std::string duties_table(const Results& results) {
                      {"largest range", "MPa"},
                      {"mesh error", "%"},
                      {"life", "cycles"},
-                     {"5 to 95 %", "cycles"},
+                     {"5 to 95 %", ""},
                      {"damage", ""}},
                     rows);
 }
@@ -206,8 +207,8 @@ std::string densities(const Results& results) {
 std::string stresses_html(const Results& results) {
   if (results.stresses.empty()) return "";
   std::string html = largest_table(results) + meridians(results);
-  for (const StressTable& t : results.stress_tables)
-    if (is_shown_by_place(t)) html += places_table(results, t);
+  for (std::size_t i = 0; i < results.stress_tables.size(); ++i)
+    if (is_shown_by_place(results.stress_tables[i])) html += places_table(results, i);
   return html;
 }
 

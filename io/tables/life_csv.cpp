@@ -30,12 +30,16 @@ const char* bound_word(bool at_most, bool at_least) {
 
 std::string stress_places_csv(const Results& results) {
   std::string text;
-  add_line(text, {"kind", "stress of", "part", "place", "face", "ply", "x [m]", "y [m]", "z [m]",
-                  "von Mises signed [Pa]", "principal 1 [Pa]", "principal 2 [Pa]",
-                  "meridional [Pa]", "hoop [Pa]", "meridional membrane [Pa]",
-                  "meridional bending [Pa]", "hoop membrane [Pa]", "hoop bending [Pa]"});
-  for (const StressTable& t : results.stress_tables)
-    for (const PlaceStress& r : t.rows) {
+  add_line(text,
+           {"kind", "stress of", "part", "place", "face", "ply", "x [m]", "y [m]", "z [m]",
+            "von Mises signed [Pa]", "principal 1 [Pa]", "principal 2 [Pa]", "meridional [Pa]",
+            "hoop [Pa]", "meridional membrane [Pa]", "meridional bending [Pa]",
+            "hoop membrane [Pa]", "hoop bending [Pa]", "mesh error of von Mises [Pa]"});
+  const auto& errors = results.error_bars.places;
+  for (std::size_t k = 0; k < results.stress_tables.size(); ++k) {
+    const StressTable& t = results.stress_tables[k];
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      const PlaceStress& r = t.rows[i];
       const StressPlace& place = results.places[std::size_t(r.place)];
       std::vector<std::string> cells{t.kind,
                                      t.name,
@@ -48,8 +52,10 @@ std::string stress_places_csv(const Results& results) {
            {r.von_mises, r.principal[0], r.principal[1], r.meridional, r.hoop,
             r.meridional_membrane, r.meridional_bending, r.hoop_membrane, r.hoop_bending})
         cells.push_back(csv_number(s));
+      cells.push_back(k < errors.size() ? csv_number(errors[k][i].total()) : "");
       add_line(text, cells);
     }
+  }
   return text;
 }
 
@@ -114,7 +120,9 @@ std::string life_duties_csv(const Results& results) {
                   "zero crossings [Hz]",
                   "3 sigma [Pa]",
                   "expected peak [Pa]",
-                  "factors and source"});
+                  "factors and source",
+                  "damage 5 %",
+                  "damage 95 %"});
   const auto bound_of = [](const CurveLife& n) {
     return bound_word(n.bound == Bound::at_most, n.bound == Bound::at_least);
   };
@@ -141,6 +149,8 @@ std::string life_duties_csv(const Results& results) {
           d.random ? d.random->expected_peak : std::nan("")})
       cells.push_back(csv_number(x));
     cells.push_back(life.curve);
+    for (std::size_t i : {0, 1})
+      cells.push_back(d.damage_between ? csv_number((*d.damage_between)[i]) : "");
     add_line(text, cells);
   }
   return text;

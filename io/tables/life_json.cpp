@@ -18,6 +18,11 @@ Json place_json(const Results& results, int place, bool outer, int node,
           {"at", {json_number(at[0]), json_number(at[1]), json_number(at[2])}}};
 }
 
+Json range_of(const std::optional<std::array<double, 2>>& between) {
+  if (!between) return nullptr;
+  return {json_number((*between)[0]), json_number((*between)[1])};
+}
+
 Json row_json(const Results& results, const PlaceStress& r) {
   Json row = place_json(results, r.place, r.outer, r.node, r.at);
   row["ply"] = r.ply > 0 ? Json(r.ply) : Json(nullptr);
@@ -64,7 +69,8 @@ Json duty_json(const DutyResult& d) {
             {"at_most", d.at_most},
             {"at_least", d.at_least},
             {"life", d.life ? life_of(*d.life) : Json(nullptr)},
-            {"between", Json(nullptr)}};
+            {"between", Json(nullptr)},
+            {"damage_between", range_of(d.damage_between)}};
   if (d.between) json["between"] = {life_of((*d.between)[0]), life_of((*d.between)[1])};
   if (d.cycles > 0) json["cycles"] = json_number(d.cycles);
   if (d.random) json["random"] = random_json(d);
@@ -75,9 +81,19 @@ Json duty_json(const DutyResult& d) {
 
 Json stress_places_json(const Results& results) {
   Json list = Json::array();
+  const auto& errors = results.error_bars.places;
   for (const StressTable& t : results.stress_tables) {
     Json rows = Json::array();
-    for (const PlaceStress& r : t.rows) rows.push_back(row_json(results, r));
+    const std::size_t table = list.size();
+    for (std::size_t i = 0; i < t.rows.size(); ++i) {
+      rows.push_back(row_json(results, t.rows[i]));
+      if (table < errors.size()) {
+        const MeshError& e = errors[table][i]; // of |von Mises|, Pa
+        rows.back()["mesh_error"] = {{"along", json_number(e.along)},
+                                     {"around", json_number(e.around)},
+                                     {"cutoff", json_number(e.cutoff)}};
+      }
+    }
     list.push_back({{"kind", t.kind}, {"name", t.name}, {"places", std::move(rows)}});
   }
   return list;
@@ -104,6 +120,7 @@ Json life_json(const Results& results) {
           {"kind", life.deviation ? "mean" : "design"},
           {"deviation", json_number(life.deviation)},
           {"measure", life.measure},
+          {"damage_between", range_of(life.damage_between)},
           {"duties", std::move(duties)},
           {"spots", std::move(spots)}};
 }

@@ -88,9 +88,14 @@ std::string life_words(const CurveLife& life) {
   return bounded(number, life.bound == Bound::at_most, life.bound == Bound::at_least);
 }
 
+std::string damage_words(const std::array<double, 2>& between) {
+  return significant(between[0], 3) + " to " + significant(between[1], 3);
+}
+
 std::string between_words(const DutyResult& d) {
-  if (!d.between) return "-";
-  return life_words((*d.between)[0]) + " to " + life_words((*d.between)[1]);
+  if (d.between) return life_words((*d.between)[0]) + " to " + life_words((*d.between)[1]);
+  if (!d.damage_between) return "-";
+  return "damage " + bounded(damage_words(*d.damage_between), d.at_most, d.at_least);
 }
 
 std::string life_kind(const LifeResult& life) {
@@ -109,14 +114,24 @@ std::string life_kind(const LifeResult& life) {
 std::string repeats_words(const LifeResult& life) {
   if (life.spots.empty() || !(life.spots[0].damage > 0)) return "";
   const LifeSpot& s = life.spots[0];
-  return fmt::format("All of it comes to damage 1 {} times.",
-                     bounded(significant(1 / s.damage, 3), s.at_least, s.at_most));
+  const auto& between = life.damage_between;
+  const std::string interval =
+      !between ? "" : " (5 to 95 %: " + damage_words({1 / (*between)[1], 1 / (*between)[0]}) + ")";
+  return fmt::format("All of it comes to damage 1 {} times{}.",
+                     bounded(significant(1 / s.damage, 3), s.at_least, s.at_most), interval);
 }
 
 std::string duty_mesh_error(const Results& results, const DutyResult& duty) {
   for (const ErrorBar& bar : results.error_bars.bars)
     if (bar.key == "life_" + duty.name) return mesh_error_percent(bar.value, bar.mesh);
   return "-";
+}
+
+std::string place_mesh_error(const Results& results, std::size_t table, std::size_t row) {
+  const auto& errors = results.error_bars.places;
+  if (table >= errors.size() || row >= errors[table].size()) return "-";
+  return mesh_error_percent(std::abs(results.stress_tables[table].rows[row].von_mises),
+                            errors[table][row]);
 }
 
 std::string life_summary(const Results& results) {

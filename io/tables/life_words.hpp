@@ -17,7 +17,9 @@ const PlaceStress* hottest(const StressTable& table);
 // "at most 0.0021", "0.266": damages and counts with what bounds them.
 std::string bounded(const std::string& number, bool at_most, bool at_least);
 std::string life_words(const CurveLife& life); // "5 258", "at least 1 000 000", "unlimited"
-// "3 120 to 9 870"; "-" without an interval.
+// "0.0012 to 0.0047"
+std::string damage_words(const std::array<double, 2>& between);
+// "3 120 to 9 870", of a duty of many ranges "damage 0.0012 to 0.0047"; "-" without an interval.
 std::string between_words(const DutyResult& duty);
 
 // Whether the lives are those of a design curve or have a scatter, and of what the intervals are.
@@ -28,6 +30,9 @@ std::string repeats_words(const LifeResult& life);
 
 // What the mesh still misses of the range of a duty, in percent; "-" where it is not known.
 std::string duty_mesh_error(const Results& results, const DutyResult& duty);
+
+// Likewise of the von Mises stress of a row of a stress table.
+std::string place_mesh_error(const Results& results, std::size_t table, std::size_t row);
 
 // For the terminal; empty without a life.
 std::string life_summary(const Results& results);

@@ -62,7 +62,8 @@ private:
       log_.add(std::string(key) + ".deviation",
                "is that of a mean curve; the curve of bellows is a design curve",
                "another curve, or no deviation");
-    if (!bellows && life_.curve.source.empty())
+    const bool published = std::holds_alternative<PublishedCurve>(life_.curve.law);
+    if (!bellows && !published && life_.curve.source.empty())
       log_.add(at + ".source", "is missing: a life is printed with the source of its curve",
                "where its numbers are from, in words");
   }

@@ -47,6 +47,15 @@ template <class V> void fields(V& v, TableCurve& c) {
            "[cycles, stress amplitude], straight lines in a log-log plot");
 }
 
+template <class V> void fields(V& v, PublishedCurve& c) {
+  v.choice(c.of, "of",
+           {{PublishedSteel::pipe_304L, "304L_pipe"},
+            {PublishedSteel::pipe_304L_butt_weld, "304L_pipe_butt_weld"}},
+           required_key, "whose mean curve, with its source and its deviation");
+  v.quantity(c.E, "E", required_stress,
+             "Young's modulus of the wall, which makes strain of stress");
+}
+
 template <class V> void fields(V& v, FatigueCurve& c) {
   v.text(c.name, "name", {}, "printed beside every life; left out: its type");
   v.text(c.source, "source", {}, "of its numbers, printed beside every life");
@@ -60,7 +69,8 @@ template <class V> void fields(V& v, FatigueCurve& c) {
   v.quantity(c.temperature_factor, "temperature_factor",
              {.unit = Dimension::ratio, .min = 0, .exclusive_min = true},
              "strength in operation over that of the curve");
-  v.one_of(c.law, "type", {"bellows", "stress_life", "strain_life", "table"}, "kind of curve");
+  v.one_of(c.law, "type", {"bellows", "stress_life", "strain_life", "table", "published"},
+           "kind of curve");
 }
 
 template <class V> void fields(V& v, EndShift& s) {
@@ -145,7 +155,8 @@ template <class V> void fields(V& v, Life& l) {
   v.object(l.curve, "curve", required_key, "fatigue curve");
   v.quantity(
       l.deviation, "deviation", {.min = 0, .exclusive_min = true},
-      "of a mean curve: standard deviation of log10 of the cycles; left out: a design curve");
+      "of a mean curve: standard deviation of log10 of the cycles; left out: that of a published "
+      "curve, else a design curve");
   v.choice(l.measure, "measure",
            {{StressMeasure::critical_direction, "critical_direction"},
             {StressMeasure::signed_von_mises, "signed_von_mises"}},

@@ -1,5 +1,6 @@
 #include "run/analyses/life.hpp"
 
+#include "life/published_curves.hpp"
 #include "words/input_error.hpp"
 #include "words/units.hpp"
 
@@ -31,6 +32,11 @@ MatrixXd normal_directions(StressMeasure measure) {
 }
 
 FatigueCurve named(FatigueCurve curve) {
+  if (const auto* published = std::get_if<PublishedCurve>(&curve.law)) {
+    const PublishedTests& tests = tests_of(*published);
+    if (curve.name.empty()) curve.name = tests.title;
+    if (curve.source.empty()) curve.source = tests.source;
+  }
   if (!curve.name.empty()) return curve;
   constexpr std::array names{"curve of bellows", "stress-life curve", "strain-life curve",
                              "curve of the case"};
@@ -240,7 +246,7 @@ LifeResult LifeCount::result() const {
                     .measure = life_.measure == StressMeasure::critical_direction
                                    ? "normal stress in the critical direction"
                                    : "von Mises stress with its sign",
-                    .deviation = life_.deviation,
+                    .deviation = life_.deviation ? life_.deviation : deviation_of(life_.curve),
                     .duties = {},
                     .spots = {},
                     .inner = VectorXd::Constant(nodes_, std::nan("")),

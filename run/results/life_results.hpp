@@ -69,6 +69,8 @@ struct DutyResult {
   std::optional<RandomStress> random = {};
   // 5 and 95 % by the tolerances of the case and, of a mean curve, its deviation; of `life`.
   std::optional<std::array<CurveLife, 2>> between = {};
+  // The same of `damage`, which `at_most` and `at_least` bound as they bound it.
+  std::optional<std::array<double, 2>> damage_between = {};
 };
 
 // The worst point of a place and face.
@@ -89,6 +91,8 @@ struct LifeResult {
   std::string measure; // in words
   std::optional<double> deviation;
   bool with_tolerances = false; // the intervals have those of the case inside
+  // 5 and 95 % of the damage of the first spot.
+  std::optional<std::array<double, 2>> damage_between = {};
   std::vector<DutyResult> duties;
   std::vector<LifeSpot> spots;  // most damage first
   Eigen::VectorXd inner, outer; // damage per node; not a number where there is no shell

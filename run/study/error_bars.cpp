@@ -3,8 +3,7 @@
 #include "model/description/case_path.hpp"
 #include "model/shape/mesh_choice.hpp"
 #include "run/analyses/run.hpp"
-#include "run/analyses/stress.hpp"
-#include "run/study/match_modes.hpp"
+#include "run/study/finer_run.hpp"
 #include "run/study/refine.hpp"
 
 #include <algorithm>
@@ -29,7 +28,7 @@ Results run_silently(const Case& data) {
 }
 
 Headline headline_of(const Case& data) {
-  return headline(run_silently(with_life(for_headline(data), data)));
+  return numbers_with_errors(run_silently(with_life(for_headline(data), data)));
 }
 
 bool on_log_scale(const Tolerance& t) {
@@ -136,6 +135,7 @@ void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
   }
   const Headline found = headline_of(together);
   for (const auto& [key, value] : nominal) {
+    if (key.starts_with("damage")) continue; // a high power of stress: said of its range
     const double predicted = value * std::exp(sum(tolerances, effects[key], u));
     const double deviation = std::abs(value_of(found, key) / predicted - 1);
     if (deviation > all.interaction) all.interaction = deviation;
@@ -209,16 +209,11 @@ Case for_comparison(const Case& given) {
 
 namespace {
 
-double shown(const StressResult& s) {
-  return std::max(s.largest, s.largest_beam);
+bool has_friction_sweeps(const Case& data) {
+  return data.analyses.life &&
+         std::any_of(data.analyses.life->sweeps.begin(), data.analyses.life->sweeps.end(),
+                     [](const LifeSweep& s) { return s.friction; });
 }
-
-// The numbers of a finer run beside those of the nominal one.
-struct FinerRun {
-  Headline headline;
-  std::array<double, 6> statics{};     // as StaticStiffness::all()
-  std::vector<double> modes, stresses; // Hz, Pa; not a number = not met
-};
 
 // Also what the stresses are of, where they are asked for.
 Case for_mesh_error(const Case& data) {
@@ -232,41 +227,6 @@ Case for_mesh_error(const Case& data) {
     fine.analyses.response->referee = 0;
   }
   return fine;
-}
-
-FinerRun numbers_of(const Results& fine, const Results& nominal) {
-  FinerRun run{.headline = headline(fine), .statics = {}, .modes = {}, .stresses = {}};
-  if (fine.statics) run.statics = fine.statics->all();
-  const std::vector<SameMode> same = match_modes(nominal, fine);
-  for (const SameMode& m : same) run.modes.push_back(m.index < 0 ? unknown : m.frequency);
-  const auto stress_of = [&](const std::string& kind, const std::string& name) {
-    for (const StressResult& s : fine.stresses)
-      if (s.kind == kind && s.name == name) return shown(s);
-    return unknown;
-  };
-  for (const StressResult& s : nominal.stresses) {
-    std::string name = s.name; // of a mode by its number, which may be another one
-    for (std::size_t i = 0; i < same.size(); ++i)
-      if (s.kind == "mode" && s.name == mode_stress_name(int(i)))
-        name = same[i].index < 0 ? "" : mode_stress_name(same[i].index);
-    run.stresses.push_back(stress_of(s.kind, name));
-  }
-  return run;
-}
-
-// Adds to one member of every mesh error what the finer run changes, over `share` of what is
-// missing in motions, `stress_share` in stresses.
-void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fine,
-                     double MeshError::*member, double share, double stress_share) {
-  for (ErrorBar& bar : all.bars)
-    bar.mesh.*member = (value_of(fine.headline, bar.key) - bar.value) /
-                       (bar.key.starts_with("life_") ? stress_share : share);
-  for (std::size_t i = 0; i < all.statics.size(); ++i)
-    all.statics[i].*member = (fine.statics[i] - nominal.statics->all()[i]) / share;
-  for (std::size_t i = 0; i < all.modes.size(); ++i)
-    all.modes[i].*member = (fine.modes[i] - nominal.modes[i].frequency) / share;
-  for (std::size_t i = 0; i < all.stresses.size(); ++i)
-    all.stresses[i].*member = (fine.stresses[i] - shown(nominal.stresses[i])) / stress_share;
 }
 
 // More modes in every superelement: those up to twice the cut-off, and to four times the highest
@@ -296,14 +256,9 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stag
   // Twice along: anything else would refine arcs and walls by different ratios.
   constexpr double finer_along = 2, finer_around = 1.5;
   ErrorBars all;
-  for (const auto& [key, value] : headline(nominal)) {
-    all.bars.emplace_back();
-    all.bars.back().key = key;
-    all.bars.back().value = value;
-  }
-  if (nominal.statics) all.statics.resize(nominal.statics->all().size());
-  all.modes.resize(nominal.modes.size());
-  all.stresses.resize(nominal.stresses.size());
+  prepare_mesh_errors(nominal, all);
+  if (has_friction_sweeps(data)) // which the other runs do not have
+    std::erase_if(all.bars, [](const ErrorBar& bar) { return bar.key == "damage"; });
   for (const bool along : {true, false}) {
     const Refinement factor{.along = along ? finer_along : 1, .around = along ? 1 : finer_around};
     const Refinement ratio = refinement_ratio(data, factor);
@@ -317,11 +272,7 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stag
   }
   if (data.analyses.reduction && nominal.reduced) {
     stage("cut-off");
-    FinerRun fine{.headline = {},
-                  .statics = {},
-                  .modes = std::vector<double>(all.modes.size(), unknown),
-                  .stresses = std::vector<double>(all.stresses.size(), unknown)};
-    fine.statics.fill(unknown);
+    FinerRun fine = not_met(nominal);
     if (const std::optional<Results> more = with_more_modes(data, nominal))
       fine = numbers_of(*more, nominal);
     add_differences(all, nominal, fine, &MeshError::cutoff, 1, 1);

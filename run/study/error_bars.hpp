@@ -34,7 +34,8 @@ Case with_life(Case plain, const Case& data);
 Case for_comparison(const Case& data);
 
 // `stage` is told what runs. `nominal`: results of the case as it stands, from for_headline or
-// more. Of its headline numbers, static stiffnesses, modes and stresses.
+// more. Of its headline numbers, static stiffnesses, modes, stresses at every place, and damages of
+// the life ("damage_NAME", "damage"), those of sweeps with friction left out.
 ErrorBars error_bars(const Case& data, const Results& nominal,
                      const std::function<void(const std::string&)>& stage);
 

@@ -6,9 +6,12 @@
 
 namespace plica {
 
-// 5 and 95 % of the life of every duty of one stress range: by the interval that the tolerances
-// leave its range, and by the deviation of a mean curve, 1.645 of it; both as logarithms, root of
-// the sum of their squares. None of either: no interval.
+// 5 and 95 % of the life of every duty of one stress range, by the interval that the tolerances
+// leave its range; of the damage of every other duty and of all at the worst spot, by the interval
+// that they leave the damage; and of both by the deviation of a mean curve, 1.645 of it. As
+// logarithms, root of the sum of their squares. None of either: no interval. A damage that is "at
+// most" has an interval of that bound. Sweeps with friction have none by tolerances, and where the
+// case has any, neither has the sum.
 void add_life_intervals(const Case& data, Results& results);
 
 } // namespace plica
