@@ -43,20 +43,6 @@ std::string strip(const MeasuredComparison& row, double range) {
                            place(deviation));
 }
 
-std::string headline_html(const Results& results) {
-  const std::map<std::string, double> numbers = headline(results);
-  std::vector<HtmlColumn> columns;
-  HtmlRow row;
-  for (const HeadlineQuantity& quantity : headline_quantities(results)) {
-    const auto value = numbers.find(quantity.key);
-    if (value == numbers.end()) continue;
-    const auto [factor, unit] = shown_unit(value->second, quantity.unit);
-    columns.push_back({html_escape(quantity.name), unit});
-    row.cells.push_back(html_number(value->second * factor, 4));
-  }
-  return html_table("Nothing measured stands beside these numbers.", columns, {row});
-}
-
 // In standard deviations where the test states one, else in percents.
 double farness(const MeasuredComparison& row) {
   const double off = row.sigma > 0 ? sigma_deviation(row) : 100 * relative_deviation(row);
@@ -99,8 +85,22 @@ std::string farthest_html(const Results& results) {
 
 } // namespace
 
+std::string numbers_html(const Results& results) {
+  const std::map<std::string, double> numbers = headline(results);
+  std::vector<HtmlRow> rows;
+  for (const HeadlineQuantity& quantity : headline_quantities(results)) {
+    const auto value = numbers.find(quantity.key);
+    if (value == numbers.end()) continue;
+    const auto [factor, unit] = shown_unit(value->second, quantity.unit);
+    rows.push_back(
+        {{html_escape(quantity.name), html_number(value->second * factor, 4), unit}, ""});
+  }
+  if (rows.empty()) return "";
+  return html_table("", {{"", "", false}, {"", ""}, {"", "", false}}, rows);
+}
+
 std::string comparison_html(const Results& results) {
-  if (results.comparison.empty()) return headline_html(results);
+  if (results.comparison.empty()) return "";
   const double range = strip_range(results.comparison);
   std::vector<HtmlRow> rows;
   for (const MeasuredComparison& row : results.comparison) {

@@ -57,7 +57,7 @@ figcaption b { color: var(--ink); font-weight: 600; }
 .drawings { display: grid; grid-template-columns: 2fr 1fr; gap: 1.5rem; align-items: end; }
 .modes { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.5rem 1.5rem; }
 .modes figure { margin: 0.5rem 0; min-width: 0; }
-.part { max-width: 46rem; } .pair { display: grid; grid-template-columns: auto auto 1fr; column-gap: 5rem; }
+.part { max-width: 46rem; } .pair { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 3rem; }
 svg text { fill: var(--ink); font-family: inherit; }
 .wall { fill: none; stroke: var(--ink); stroke-linejoin: round; }
 .thin { fill: none; stroke: var(--muted); stroke-width: 1; }
@@ -71,6 +71,10 @@ svg text { fill: var(--ink); font-family: inherit; }
 .tag { paint-order: stroke; stroke: var(--paper); stroke-width: 10; stroke-linejoin: round; }
 .legend { max-width: 22rem; }
 .lines span { margin-right: 1.2em; white-space: nowrap; }
+@media screen { .is-live + .lines { display: none; } }
+.u-legend .u-marker { width: 2.1em !important; height: 0 !important; border-width: 2px 0 0 0 !important; vertical-align: middle; }
+.first figure { margin: 0; } .first .warnings { margin: 1rem 0 0; } .first { margin-top: 1.25rem; }
+.pair { align-items: start; } .pair section { min-width: 0; }
 figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { display: none; }
 /* A drawing is as wide as its place only after its script has seen a new width. */
 .live { position: relative; overflow: hidden; } .live canvas { display: block; }
@@ -82,7 +86,7 @@ figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { displ
 .controls :focus-visible, [data-mode]:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 .answer { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 2rem; align-items: start; }
 .viewer .live { background: var(--panel); border-radius: 6px; touch-action: none; }
-.viewer .tag { position: absolute; left: 0; top: 0; margin: -0.7em 0 0 0.8em; font-size: 0.8125rem;
+.live > .tag { position: absolute; left: 0; top: 0; margin: -0.7em 0 0 0.8em; font-size: 0.8125rem;
   pointer-events: none; text-shadow: 0 0 3px var(--paper), 0 0 3px var(--paper); }
 .viewer .sensor::before { content: ""; position: absolute; left: -1.15em; top: 0.3em; width: 0.6em;
   height: 0.6em; border-radius: 50%; background: var(--paper); border: 2px solid var(--ink); }

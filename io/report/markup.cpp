@@ -100,6 +100,12 @@ std::string html_table(const std::string& note, const std::vector<HtmlColumn>& c
   return html + "</tbody></table></div>\n";
 }
 
+std::string html_unit(std::string unit) {
+  for (std::size_t at = 0; (at = unit.find("m/s2", at)) != std::string::npos;)
+    unit.replace(at, 4, "m/s²");
+  return html_escape(unit);
+}
+
 std::string html_section(const std::string& id, const std::string& heading,
                          const std::string& body) {
   if (body.empty()) return "";

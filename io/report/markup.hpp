@@ -14,6 +14,7 @@ std::string html_escape(const std::string& text);
 std::string html_number(double value, int digits);
 std::string html_fixed(double value, int decimals);  // 116.20
 std::string html_signed(double value, int decimals); // +3.2, with a true minus sign
+std::string html_unit(std::string unit);             // m/s2 as m/s², escaped
 
 struct HtmlColumn {
   std::string head, unit; // the unit stands below the head

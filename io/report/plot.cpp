@@ -185,6 +185,25 @@ std::string data_of(const PlotFrame& frame, const std::vector<PlotCurve>& curves
 
 } // namespace
 
+std::vector<ChannelStyle>
+channel_styles(const std::vector<std::pair<std::string, std::string>>& channels,
+               const std::vector<int>& drawn) {
+  constexpr std::array further{0, 2, 3};
+  std::vector<std::string> sensors;
+  for (const auto& channel : channels)
+    if (std::find(sensors.begin(), sensors.end(), channel.first) == sensors.end())
+      sensors.push_back(channel.first);
+  std::array<std::size_t, colours.size()> used{};
+  std::vector<ChannelStyle> styles;
+  for (const int c : drawn) {
+    const auto sensor =
+        std::find(sensors.begin(), sensors.end(), channels[std::size_t(c)].first) - sensors.begin();
+    const auto colour = std::size_t(sensor) % colours.size();
+    styles.push_back({int(colour), further[used[colour]++ % further.size()]});
+  }
+  return styles;
+}
+
 std::string plot_figure(const PlotFrame& frame, const std::vector<PlotCurve>& curves,
                         const std::vector<PlotMark>& marks, double mark_top,
                         const std::vector<double>& verticals) {

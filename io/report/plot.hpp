@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plica {
@@ -18,6 +19,16 @@ struct PlotCurve {
   int dashes = 0;   // 0 full, 1 dashed, 2 dotted, 3 dash-dotted
   bool faint = false;
 };
+
+// Colours and dashes of channels (sensor, axis) in one picture: each in the colour of its sensor,
+// which is the same in all pictures, further ones of that colour dotted and dash-dotted. Dashed are
+// tests.
+struct ChannelStyle {
+  int colour = 0, dashes = 0;
+};
+std::vector<ChannelStyle>
+channel_styles(const std::vector<std::pair<std::string, std::string>>& channels,
+               const std::vector<int>& drawn);
 
 // A mark at x and a share of the height from below; `filled` or open.
 struct PlotMark {

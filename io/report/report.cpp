@@ -37,10 +37,18 @@ std::string head_html(const Results& results) {
     html += fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;{}</b>{}</p>\n", is_good ? "" : " open",
                         is_good ? "✓" : "!", sentence.substr(0, verdict), sentence.substr(verdict));
   }
-  if (!results.warnings.empty()) {
-    html += "<div class=\"warnings\"><b>Warnings</b>\n" + html_list(results.warnings) + "</div>\n";
-  }
   return html;
+}
+
+// What is seen without scrolling: the verdict above, the part, its numbers and the warnings.
+std::string first_screen_html(const Results& results) {
+  std::string words = numbers_html(results);
+  if (!results.warnings.empty())
+    words += "<div class=\"warnings\"><b>Warnings</b>\n" + html_list(results.warnings) + "</div>\n";
+  const std::string picture = part_viewer(results, part_picture(results));
+  if (picture.empty()) return words;
+  return "<div class=\"answer first\">\n<div>" + picture + "</div>\n<div>" + words +
+         "</div>\n</div>\n";
 }
 
 // The files as they were read, folded.
@@ -56,15 +64,12 @@ std::string inputs_html(const Results& results) {
 
 std::string report_html(const Results& results) {
   const std::string title = results.title.empty() ? results.case_name : results.title;
-  const bool is_measured = !results.comparison.empty();
   std::string html =
-      html_section("comparison", is_measured ? "Computed beside measured" : "Headline",
-                   comparison_html(results));
+      html_section("comparison", "Computed beside measured", comparison_html(results));
   html += html_section("state", results.state ? "The state" : "States", state_html(results));
   html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
-  html += html_section("part", "The part",
-                       profile_drawing(results) + part_viewer(results, part_picture(results)));
+  html += html_section("part", "The profile", profile_drawing(results));
   html += html_section("superelements", "Superelements", superelements_html(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));
   html += html_section("response", "Response", responses_html(results));
@@ -83,7 +88,7 @@ std::string report_html(const Results& results) {
                       "pipe, x transverse, z vertical.</footer>\n",
                       html_escape(results.plica_version),
                       results.versions.empty() ? "" : " with " + html_escape(results.versions));
-  return html_page(title + ": Plica report", head_html(results), html);
+  return html_page(title + ": Plica report", head_html(results) + first_screen_html(results), html);
 }
 
 } // namespace plica

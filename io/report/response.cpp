@@ -18,26 +18,55 @@ std::string channel(const ResponseResult& r, int c) {
   return html_escape(r.channels[c].first) + " " + r.channels[c].second;
 }
 
-// Channels that one picture can tell apart: all, or those of two sensors each.
+// Channels that one picture can tell apart: all; where they are too many, or a test's stand beside
+// several of one sensor, those of one axis each.
 std::vector<std::vector<int>> panels(const ResponseResult& r) {
   constexpr std::size_t most = 6;
-  if (r.shown.size() <= most) return {r.shown};
+  const auto twice = [&](int c) {
+    return std::count_if(r.shown.begin(), r.shown.end(), [&](int other) {
+             return r.channels[std::size_t(other)].first == r.channels[std::size_t(c)].first;
+           }) > 1;
+  };
+  const bool repeated = std::any_of(r.shown.begin(), r.shown.end(), twice);
+  if (r.shown.size() <= most && (!repeated || r.test.empty())) return {r.shown};
+  std::vector<std::string> axes;
+  for (int c : r.shown)
+    if (const std::string& axis = r.channels[std::size_t(c)].second;
+        std::find(axes.begin(), axes.end(), axis) == axes.end())
+      axes.push_back(axis);
   std::vector<std::vector<int>> list;
-  for (int c : r.shown) {
-    if (list.empty() || list.back().front() / 6 != c / 6) list.emplace_back();
-    list.back().push_back(c);
+  for (const std::string& axis : axes) {
+    list.emplace_back();
+    for (int c : r.shown) {
+      if (r.channels[std::size_t(c)].second != axis) continue;
+      if (list.back().size() == most) list.emplace_back();
+      list.back().push_back(c);
+    }
   }
   return list;
 }
 
-// Of the model full, of the test dashed in the colour of its channel.
-std::vector<PlotCurve> curves(const ResponseResult& r, const std::vector<int>& channels) {
+// One curve per channel, in the colour of its sensor.
+template <class Values>
+std::vector<PlotCurve> drawn(const ResponseResult& r, const std::vector<int>& channels,
+                             Values&& values) {
+  const std::vector<ChannelStyle> styles = channel_styles(r.channels, channels);
   std::vector<PlotCurve> list;
-  for (int c : channels)
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    const auto& [sensor, axis] = r.channels[std::size_t(channels[k])];
     list.push_back({.x = r.hertz,
-                    .y = r.acceleration.col(c).cwiseAbs(),
-                    .name = r.channels[c].first + " " + r.channels[c].second,
-                    .colour = static_cast<int>(list.size())});
+                    .y = values(channels[k]),
+                    .name = sensor + " " + axis,
+                    .colour = styles[k].colour,
+                    .dashes = styles[k].dashes});
+  }
+  return list;
+}
+
+// Of the model full, of the test dashed in the colour of its sensor.
+std::vector<PlotCurve> curves(const ResponseResult& r, const std::vector<int>& channels) {
+  std::vector<PlotCurve> list = drawn(
+      r, channels, [&](int c) -> Eigen::VectorXd { return r.acceleration.col(c).cwiseAbs(); });
   for (const TestCurve& t : r.test)
     if (const auto own = std::find(channels.begin(), channels.end(), t.channel);
         own != channels.end())
@@ -46,30 +75,22 @@ std::vector<PlotCurve> curves(const ResponseResult& r, const std::vector<int>& c
                       .name = fmt::format(
                           "test {} {}{}", r.channels[t.channel].first, r.channels[t.channel].second,
                           t.level ? fmt::format(", {:g} {}", *t.level, r.unit) : ""),
-                      .colour = static_cast<int>(own - channels.begin()),
+                      .colour = list[std::size_t(own - channels.begin())].colour,
                       .dashes = 1});
   return list;
 }
 
 std::vector<PlotCurve> phases(const ResponseResult& r, const std::vector<int>& channels) {
-  std::vector<PlotCurve> list;
-  for (int c : channels)
-    list.push_back({.x = r.hertz,
-                    .y = r.acceleration.col(c).cwiseArg() * (180 / std::numbers::pi),
-                    .name = r.channels[c].first + " " + r.channels[c].second,
-                    .colour = static_cast<int>(list.size())});
-  return list;
+  return drawn(r, channels, [&](int c) -> Eigen::VectorXd {
+    return r.acceleration.col(c).cwiseArg() * (180 / std::numbers::pi);
+  });
 }
 
 std::vector<PlotCurve> densities(const ResponseResult& r, const std::vector<int>& channels) {
-  std::vector<PlotCurve> list;
+  std::vector<PlotCurve> list =
+      drawn(r, channels, [&](int c) -> Eigen::VectorXd { return r.random->density.col(c); });
   if (r.random->input.size() > 0 && r.random->input.maxCoeff() > 0)
-    list.push_back({.x = r.hertz, .y = r.random->input, .name = "input", .faint = true});
-  for (std::size_t k = 0; k < channels.size(); ++k)
-    list.push_back({.x = r.hertz,
-                    .y = r.random->density.col(channels[k]),
-                    .name = r.channels[channels[k]].first + " " + r.channels[channels[k]].second,
-                    .colour = static_cast<int>(k)});
+    list.insert(list.begin(), {.x = r.hertz, .y = r.random->input, .name = "input", .faint = true});
   return list;
 }
 
@@ -83,7 +104,7 @@ std::string peaks_html(const ResponseResult& r) {
   return html_table("",
                     {{"sensor", "", false},
                      {"peak", "Hz"},
-                     {"acceleration", response_unit(r, "m/s²")},
+                     {"acceleration", html_unit(response_unit(r, "m/s²"))},
                      {"phase", "°"},
                      {"half-power damping", "%"}},
                     rows);
@@ -98,7 +119,7 @@ std::string tone_html(const ToneResult& t, const ResponseResult& r) {
   return html_table(
       fmt::format("With a sine of {} {} that sweeps from {:g} to {:g} Hz, where it is "
                   "worst for each sensor.",
-                  html_number(t.amplitude, 3), r.unit, t.band[0], t.band[1]),
+                  html_number(t.amplitude, 3), html_unit(r.unit), t.band[0], t.band[1]),
       {{"sensor", "", false}, {"at", "Hz"}, {"sine", "m/s²"}, {"RMS of both", "m/s²"}}, rows);
 }
 
@@ -114,15 +135,17 @@ std::string direct_html(const ResponseResult& r) {
 std::string random_html(const ResponseResult& r) {
   if (!r.random) return "";
   const bool alone = r.random->input.size() > 0;
-  std::vector<HtmlColumn> columns{{"RMS in", "Hz", false}};
-  if (alone) columns.push_back({"input", r.unit});
+  std::vector<HtmlColumn> columns{{"in", "Hz", false}, {"", "", false}};
+  if (alone) columns.push_back({"input", html_unit(r.unit)});
   for (int c : r.shown) columns.push_back({channel(r, c), "m/s²"});
   std::vector<HtmlRow> rows;
   for (const BandRms& b : r.random->bands) {
-    HtmlRow row{{fmt::format("{:g} to {:g}", b.band[0], b.band[1])}, ""};
-    if (alone) row.cells.push_back(html_number(b.input, 3));
-    for (int c : r.shown) row.cells.push_back(html_number(b.rms[c], 3));
-    rows.push_back(std::move(row));
+    for (const auto& [times, name] : {std::pair{1, "RMS"}, {3, "3 σ"}}) {
+      HtmlRow row{{times == 1 ? fmt::format("{:g} to {:g}", b.band[0], b.band[1]) : "", name}, ""};
+      if (alone) row.cells.push_back(html_number(times * b.input, 3));
+      for (int c : r.shown) row.cells.push_back(html_number(times * b.rms[c], 3));
+      rows.push_back(std::move(row));
+    }
   }
   std::string html;
   for (const std::vector<int>& channels : panels(r))
@@ -130,10 +153,8 @@ std::string random_html(const ResponseResult& r) {
                          .ordinate = "spectral density, (m/s²)²/Hz"},
                         densities(r, channels)) +
             plot_legend(densities(r, channels));
-  html +=
-      html_table("Under the random input of the case; three times as much is passed in 0.3 % of "
-                 "the time.",
-                 columns, rows);
+  html += html_table("Under the random input of the case; 3 σ is passed in 0.3 % of the time.",
+                     columns, rows);
   for (const ToneResult& t : r.random->tones) html += tone_html(t, r);
   return html;
 }
@@ -149,7 +170,7 @@ std::string responses_html(const Results& results) {
     html += fmt::format("<h3>{}</h3>\n", html_escape(response_title(r)));
     for (const std::vector<int>& channels : panels(r))
       html += plot_figure({.label = response_title(r),
-                           .ordinate = "acceleration, " + response_unit(r, "m/s²")},
+                           .ordinate = "acceleration, " + html_unit(response_unit(r, "m/s²"))},
                           curves(r, channels)) +
               plot_figure({.label = response_title(r) + ", phase",
                            .ordinate = "phase, °",

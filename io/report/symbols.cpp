@@ -75,7 +75,11 @@ std::string symbol_marks(const Results& results, const View& view, const Frame& 
       marks += fmt::format("<path class=\"symbol\" d=\"M{:.0f} {:.0f}l14 14l-14 14l-14 -14z\"/>",
                            at.x(), at.y() - 14);
     }
-    if (!s.name.empty() && named.emplace(s.name, s.node).second)
+    const bool sensor =
+        std::any_of(results.sensors.begin(), results.sensors.end(), [&](const SensorResult& own) {
+          return own.name == s.name && own.node >= 0 && (placed(own.node) - at).norm() < 30;
+        });
+    if (!s.name.empty() && !sensor && named.emplace(s.name, s.node).second)
       names += fmt::format("<text class=\"tag\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", name.x(),
                            name.y(), html_escape(s.name));
   }

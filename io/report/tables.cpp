@@ -169,7 +169,7 @@ std::string model_html(const Results& results) {
   const ModelSize& model = results.model;
   const MeshQuality& quality = results.quality;
   std::string html = html_table(
-      "", {{"", "", false}, {"", ""}},
+      "", {{"", "", false}, {"", "", false}},
       {{{"nodes", size_of(model.nodes)}, ""},
        {{"elements", size_of(model.elements)}, ""},
        {{"mesh", results.mesh_choice.empty() ? "as the case says" : results.mesh_choice}, ""},
@@ -189,7 +189,7 @@ std::string model_html(const Results& results) {
                      html_number(1e3 * sensor.distance, 2)},
                     ""});
   }
-  return html + html_table("Sensors sit on the nearest node.",
+  return html + html_table("Sensors sit on the nearest node, or between the nodes of a shell.",
                            {{"sensor", "", false}, {"node", ""}, {"distance to it", "mm"}}, rows);
 }
 

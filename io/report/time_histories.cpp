@@ -30,7 +30,8 @@ std::vector<int> farthest(std::vector<int> channels, const VectorXd& reach) {
 }
 
 // A signal over time, thinned to the lowest and highest of each of at most 2000 stretches.
-PlotCurve thinned(const VectorXd& signal, double step, const std::string& name, int number) {
+PlotCurve thinned(const VectorXd& signal, double step, const std::string& name,
+                  const ChannelStyle& style) {
   constexpr Index stretches = 2000;
   const Index per = std::max<Index>(1, signal.size() / stretches);
   std::vector<double> time, value;
@@ -49,8 +50,8 @@ PlotCurve thinned(const VectorXd& signal, double step, const std::string& name, 
   return {.x = VectorXd::Map(time.data(), Index(time.size())),
           .y = VectorXd::Map(value.data(), Index(value.size())),
           .name = name,
-          .colour = number,
-          .dashes = number};
+          .colour = style.colour,
+          .dashes = style.dashes};
 }
 
 std::string transient_html(const TransientResult& t) {
@@ -58,9 +59,11 @@ std::string transient_html(const TransientResult& t) {
   for (std::size_t c = 0; c < t.extremes.size(); ++c)
     reach[Index(c)] = std::abs(t.extremes[c].value);
   std::vector<PlotCurve> curves;
-  for (int c : farthest(t.shown, reach))
+  const std::vector<int> drawn = farthest(t.shown, reach);
+  const std::vector<ChannelStyle> styles = channel_styles(t.channels, drawn);
+  for (std::size_t k = 0; k < drawn.size(); ++k)
     curves.push_back(
-        thinned(t.acceleration.col(c), t.step, name_of(t.channels, c), int(curves.size())));
+        thinned(t.acceleration.col(drawn[k]), t.step, name_of(t.channels, drawn[k]), styles[k]));
   std::vector<HtmlRow> rows;
   for (int c : t.shown)
     rows.push_back(
@@ -70,7 +73,7 @@ std::string transient_html(const TransientResult& t) {
   const double largest = t.input.cwiseAbs().maxCoeff();
   return fmt::format("<h3>{}</h3>\n<p>Input {}, at most {} {}, {} s followed.</p>\n",
                      html_escape(t.name), html_escape(t.input_title), html_number(largest, 4),
-                     t.unit, html_number(double(t.input.size() - 1) * t.step, 4)) +
+                     html_unit(t.unit), html_number(double(t.input.size() - 1) * t.step, 4)) +
          plot_figure({.label = t.name + " over time",
                       .abscissa = "time, s",
                       .ordinate = "acceleration, m/s²",
@@ -87,14 +90,14 @@ std::string spectra_html(const TransientResult& t) {
   if (s.input.size() > 0)
     curves.push_back({.x = s.hertz, .y = s.input, .name = "input", .faint = true});
   const VectorXd reach = s.channels.colwise().maxCoeff().transpose();
-  for (int c : farthest(t.shown, reach)) {
-    const int number = int(curves.size());
+  const std::vector<int> drawn = farthest(t.shown, reach);
+  const std::vector<ChannelStyle> styles = channel_styles(t.channels, drawn);
+  for (std::size_t k = 0; k < drawn.size(); ++k)
     curves.push_back({.x = s.hertz,
-                      .y = s.channels.col(c),
-                      .name = name_of(t.channels, c),
-                      .colour = number,
-                      .dashes = number});
-  }
+                      .y = s.channels.col(drawn[k]),
+                      .name = name_of(t.channels, drawn[k]),
+                      .colour = styles[k].colour,
+                      .dashes = styles[k].dashes});
   return plot_figure({.label = t.name + ", shock response spectra",
                       .ordinate = fmt::format("maximax acceleration, m/s², Q = {:g}", s.quality)},
                      curves) +
@@ -190,12 +193,13 @@ std::string run_up_html(const RunUpResult& r, const Results& results) {
   std::vector<PlotCurve> overall, cuts;
   const VectorXd reach = r.overall.colwise().maxCoeff().transpose();
   const std::vector<int> channels = farthest(r.shown, reach);
-  for (int c : channels)
+  const std::vector<ChannelStyle> styles = channel_styles(r.channels, channels);
+  for (std::size_t k = 0; k < channels.size(); ++k)
     overall.push_back({.x = rpm,
-                       .y = r.overall.col(c),
-                       .name = name_of(r.channels, c),
-                       .colour = int(overall.size()),
-                       .dashes = int(overall.size())});
+                       .y = r.overall.col(channels[k]),
+                       .name = name_of(r.channels, channels[k]),
+                       .colour = styles[k].colour,
+                       .dashes = styles[k].dashes});
   std::string html = fmt::format("<h3>{}</h3>\n", html_escape(r.name)) + campbell_html(r, results) +
                      crossings_html(r, results);
   if (channels.empty()) return html;

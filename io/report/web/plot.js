@@ -7,11 +7,17 @@ import { element } from './element.js';
 // Those of Okabe and Ito, which differ in lightness too.
 const colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
 const dashes = [[], [8, 5], [2, 4], [10, 4, 2, 4]];
+const borders = ['solid', 'dashed', 'dotted', 'dashed']; // of the lines in the legend
 const height = 340;
 
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 const digits = (value) => (value == null ? '–' : Number(value.toPrecision(4)).toString());
+
+// What stands beside an axis, where "0.000001" would run into its title.
+const tick = (value) => (value == null ? ''
+  : value !== 0 && Math.abs(value) < 1e-3 ? Number(value.toPrecision(4)).toExponential()
+    : digits(value));
 
 // What the page says of a plot: { label, abscissa, ordinate, linear, range, grids: [[x]], curves:
 // [{ name, grid, colour, dashes, faint, values }], marks: [[x, order, filled]], verticals: [x] }.
@@ -50,8 +56,8 @@ function table(data) {
 }
 
 function series(data) {
-  return data.curves.map((curve, i) => ({
-    label: curve.name || `curve ${i + 1}`,
+  return data.curves.map((curve) => ({
+    label: curve.name,
     stroke: curve.faint ? style('--muted') : colours[curve.colour % colours.length],
     width: curve.faint ? 1 : 1.75,
     dash: dashes[curve.dashes % dashes.length],
@@ -89,6 +95,14 @@ function furnish(data) {
   };
 }
 
+// Curves without a name are not in the legend.
+function onlyNamed(data) {
+  return (plot) => {
+    const rows = plot.root.querySelectorAll('.u-legend .u-series');
+    data.curves.forEach((curve, i) => { if (!curve.name && rows[i + 1]) rows[i + 1].hidden = true; });
+  };
+}
+
 function options(data, width, logarithmic) {
   const axis = {
     stroke: style('--ink'),
@@ -101,17 +115,19 @@ function options(data, width, logarithmic) {
     height,
     cursor: { drag: { x: true, y: false }, focus: { prox: 24 } },
     focus: { alpha: 0.45 },
-    legend: { live: true },
+    // The line of each curve, as CSS draws it from its border.
+    legend: { live: true, markers: { fill: () => 'transparent',
+      dash: (_, i) => borders[(data.curves[i - 1]?.dashes ?? 0) % borders.length] } },
     scales: {
       x: { time: false, distr: logarithmic.x ? 3 : 1 },
       y: { distr: logarithmic.y ? 3 : 1, ...(data.range && { range: data.range }) },
     },
     axes: [
-      { ...axis, label: data.abscissa, labelFont: axis.font, values: (_, v) => v.map((x) => digits(x)) },
+      { ...axis, label: data.abscissa, labelFont: axis.font, values: (_, v) => v.map((x) => tick(x)) },
       { ...axis, label: data.ordinate, labelFont: axis.font, size: 64,
-        values: (_, v) => v.map((x) => (x == null ? '' : digits(x))) },
+        values: (_, v) => v.map((x) => tick(x)) },
     ],
-    hooks: { draw: [furnish(data)] },
+    hooks: { draw: [furnish(data)], ready: [onlyNamed(data)] },
     series: [{ label: data.abscissa, value: (_, v) => digits(v) }, ...series(data)],
   };
 }

@@ -110,8 +110,8 @@ class Viewer {
     this.playing = false;
     this.orbit = new OrbitControls(this.camera, renderer.domElement);
     this.orbit.addEventListener('change', () => this.draw());
-    this.home();
     this.resize();
+    this.home();
     this.show(-1);
     new ResizeObserver(() => this.resize()).observe(renderer.domElement.parentElement);
   }
@@ -123,17 +123,32 @@ class Viewer {
     this.orbit.target.copy(centre);
     this.camera.near = size / 100;
     this.camera.far = size * 20;
-    this.camera.position.copy(centre).add(new Vector3(1.1, 0.55, 0.9).normalize().multiplyScalar(1.75 * size));
+    const towards = new Vector3(1.2, 0.55, 0.55).normalize();
+    this.camera.position.copy(centre).addScaledVector(towards, this.distance(box, centre, towards));
     this.camera.updateProjectionMatrix();
     this.orbit.update();
+  }
+
+  // How far away the box fits into the picture.
+  distance(box, centre, towards) {
+    const right = new Vector3(0, 1, 0).cross(towards).normalize();
+    const up = towards.clone().cross(right);
+    const high = 0.86 * Math.tan((Math.PI / 360) * this.camera.fov);
+    const wide = high * this.camera.aspect;
+    let far = 0;
+    for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
+      const p = new Vector3(x, y, z).sub(centre);
+      far = Math.max(far, p.dot(towards) + Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(up)) / high));
+    }
+    return far;
   }
 
   // Names at places of the part: sensors, and the ends of its axes.
   tagged(sensors, symbols) {
     const box = new Box3().setFromObject(this.part);
     const size = box.getSize(new Vector3()).length();
-    const length = 0.16 * size;
-    const corner = new Vector3(box.min.x, box.min.y, box.max.z); // glTF: y is up, z is -y of the part
+    const length = 0.11 * size;
+    const corner = new Vector3(box.min.x, box.min.y - 0.08 * size, box.max.z); // glTF: y is up, z is -y of the part
     const axes = new AxesHelper(length);
     axes.setColors('#d55e00', '#0072b2', '#009e73');
     const frame = this.part.getObjectByName('part') ?? this.part; // turns z up
@@ -148,7 +163,8 @@ class Viewer {
     const told = new Set();
     const names = this.symbols.filter(({ label, name }) => {
       const key = `${label} ${name.toArray()}`;
-      return label && !told.has(key) && told.add(key);
+      const near = (s) => s.name === label && new Vector3(...s.at).distanceTo(name) < 0.02 * size;
+      return label && !sensors.some(near) && !told.has(key) && told.add(key);
     });
     return [...ends, ...sensors.map((s) => tag(s.name, new Vector3(...s.at), 'sensor')),
       ...names.map((s) => tag(s.label, s.name.clone(), 'symbol-name'))];
