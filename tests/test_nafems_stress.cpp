@@ -179,9 +179,13 @@ double le5(int along, int across) {
   return std::abs(stress_at(model, u, node, 0, 0) + stress_at(model, u, node, 1, 0)) / 2;
 }
 
-// The reference is that of a beam of thin walls without shear (Vlasov): bimoment T / k sinh(k (L -
-// x)) / cosh(k L), k^2 = G J / E I_w, times the warping 3/4 m2 of a flange's edge over I_w = 1/24
-// m6 gives 107.9 MPa. Flanges that shear bear more: shells converge to 2.4 % above it, so 3 % here.
+// The reference is that of a beam whose section keeps its shape (Vlasov): bimoment T / k sinh(k (L
+// - x)) / cosh(k L), k^2 = G J / E I_w, times the warping 3/4 m2 of a flange's edge over I_w = 1/24
+// m6 gives 107.9 MPa. In shells the twisting moments of the flanges bend the web, so that the
+// flanges turn 14 % more than it at A and bear more: 110.94 MPa in CalculiX's S8R, 108.51 with
+// walls a thousand times stiffer across, whose section keeps its shape
+// (tests/le5_beside_calculix.py). OptiStruct publishes 110.9 of its Quad8; Abaqus 110.4 of S4 and
+// 108.1 of its beam B31OS. So 3 % of the reference, and 1 % of CalculiX.
 TEST(NafemsStress, LE5_z_section_cantilever) {
   constexpr double G = 210e9 / 2.6, J = 4 * 0.001 / 3, I_w = 1. / 24, L = 10, x = 2.5;
   const double k = std::sqrt(G * J / (210e9 * I_w));
@@ -189,6 +193,7 @@ TEST(NafemsStress, LE5_z_section_cantilever) {
   EXPECT_NEAR(vlasov / 108e6, 1, 0.002);
   const double coarse = le5(32, 4), fine = le5(64, 8);
   expect_ratio(fine, 108e6, 0.03, "axial stress at A");
+  expect_ratio(fine, 110.94e6, 0.01, "axial stress at A, CalculiX S8R");
   EXPECT_NEAR(coarse / fine, 1, 0.01) << "converged";
 }
 
