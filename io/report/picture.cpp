@@ -166,10 +166,23 @@ std::string part_picture(const Results& results) {
          sensor_marks(results, view, frame) + triad(view, frame) + "</svg></figure>\n";
 }
 
+namespace {
+
+// From the side on which the point lies.
+View view_towards(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& point) {
+  const View view = view_of(points);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(p);
+  if ((point - box.center()).dot(view.to_reader()) > -1e-6 * box.diagonal().norm()) return view;
+  return {-view.right, view.up, -view.towards};
+}
+
+} // namespace
+
 std::string field_picture(const Results& results, const ShownField& field) {
   const Selection selection = select(results);
   if (selection.used.empty()) return "";
-  const View view = view_of(selection.used);
+  const View view = view_towards(selection.used, Eigen::Vector3d::Map(field.at.data()));
   const Frame frame = frame_round(view, selection.used, 0.06 * selection.size, 1780);
   const Eigen::VectorXd& shares = field.spot_above ? field.above : field.below;
   const int nodes = static_cast<int>(results.mesh.nodes.size());
@@ -189,7 +202,8 @@ std::string field_picture(const Results& results, const ShownField& field) {
                      at.x(), at.y(), left ? "end" : "start", at.x() + (left ? -24 : 24),
                      at.y() + 12, html_escape(field.spot)) +
          legend({field.scale[0], "", "", "", field.scale[1] + " " + field.unit}) +
-         fmt::format("<figcaption>{}, {} face. Hot spot: {}.</figcaption></figure>\n",
+         fmt::format("<figcaption>{}, {} face, seen from the side of the hot spot: {}.</figcaption>"
+                     "</figure>\n",
                      html_escape(field.name), field.spot_above ? "outer" : "inner",
                      html_escape(field.spot));
 }

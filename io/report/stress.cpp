@@ -14,6 +14,10 @@
 namespace plica {
 namespace {
 
+std::string with_dash(const std::string& percent) {
+  return percent == "-" ? "–" : html_escape(percent);
+}
+
 std::string number_or_dash(double stress) {
   return std::isfinite(stress) ? html_number(1e-6 * stress, 3) : "–";
 }
@@ -119,7 +123,7 @@ std::string places_table(const Results& results, std::size_t table) {
           r.meridional_bending, r.hoop, r.hoop_membrane, r.hoop_bending})
       row.cells.push_back(number_or_dash(x));
     if (errors)
-      row.cells.insert(row.cells.begin() + 2, html_escape(place_mesh_error(results, table, i)));
+      row.cells.insert(row.cells.begin() + 2, with_dash(place_mesh_error(results, table, i)));
     rows.push_back(std::move(row));
   }
   return "<details><summary>By place: " + html_escape(t.name) + "</summary>\n" +
@@ -139,7 +143,7 @@ std::string duties_table(const Results& results) {
         {{html_escape(d.kind + " " + d.name), html_escape(d.what),
           html_escape(place_words(results.places[std::size_t(spot.place)], spot.outer)),
           html_number(d.count, 4) + " " + d.unit, number_or_dash(d.range),
-          html_escape(duty_mesh_error(results, d)), d.life ? html_escape(life_words(*d.life)) : "–",
+          with_dash(duty_mesh_error(results, d)), d.life ? html_escape(life_words(*d.life)) : "–",
           d.between || d.damage_between ? html_escape(between_words(d)) : "–",
           bounded(html_number(d.damage, 3), d.at_most, d.at_least)},
          ""});
