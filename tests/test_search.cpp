@@ -153,6 +153,51 @@ TEST(LocalSearch, takes_slopes_from_the_side_that_has_a_result) {
 }
 
 // x^2 is met by both signs of x, x itself by one of them.
+// Least side of rectangles of an area of at least 0.1: the square. Stresses come in single
+// precision.
+TEST(LimitedSearch, ends_on_a_limit_that_bends) {
+  int asked = 0;
+  const ResidualModel sides = [&](const VectorXd& u) -> std::optional<VectorXd> {
+    ++asked;
+    return VectorXd{{u[0] + u[1], (0.1 - double(float(u[0] * u[1]))) / 1e-4}};
+  };
+  const LocalSearch found = search_within(sides, 1, VectorXd{{0.9, 0.2}});
+  EXPECT_TRUE(found.converged) << found.reason;
+  EXPECT_NEAR(found.best.sum(), 2 * std::sqrt(0.1), 1e-6);
+  EXPECT_NEAR(found.best[0], std::sqrt(0.1), 2e-3); // the sum is flat along the limit
+  EXPECT_NEAR(found.best.prod(), 0.1, 1e-6);
+  EXPECT_LT(asked, 200);
+}
+
+TEST(LimitedSearch, meets_a_limit_from_either_side_in_few_evaluations) {
+  for (const double start : {0.05, 0.4, 0.95}) {
+    int asked = 0;
+    const ResidualModel stress = [&](const VectorXd& u) -> std::optional<VectorXd> {
+      ++asked;
+      const double height = 6 + 7 * u[0];
+      return VectorXd{{height / 8, (double(float(150 * std::pow(8 / height, 2.2))) - 150) / 0.15}};
+    };
+    const LocalSearch found = search_within(stress, 1, VectorXd{{start}});
+    EXPECT_TRUE(found.converged) << found.reason;
+    EXPECT_NEAR(found.best[0], 2. / 7, 1e-6) << start;
+    EXPECT_LT(asked, 50) << start;
+  }
+}
+
+TEST(LimitedSearch, keeps_bounds_and_says_what_no_design_keeps) {
+  const ResidualModel never = [](const VectorXd& u) -> std::optional<VectorXd> {
+    return VectorXd{{u[0] + u[1] + 1, (2 - u[0]) / 1e-3}};
+  };
+  const LocalSearch found = search_within(never, 1, VectorXd{{0.1, 0.5}});
+  EXPECT_TRUE(found.converged);
+  EXPECT_EQ(found.best[0], 1);
+  EXPECT_NEAR(found.best[1], 0, 1e-6);
+  EXPECT_NEAR(found.cost, (1000. * 1000 + 4) / 2, 1e-6 * found.cost);
+  EXPECT_THROW(search_within([](const VectorXd&) -> std::optional<VectorXd> { return {}; }, 0,
+                             VectorXd{{0.5}}),
+               std::invalid_argument);
+}
+
 TEST(Search, is_trapped_locally_in_a_valley_that_the_global_one_leaves) {
   const ResidualModel model = [](const VectorXd& u) -> std::optional<VectorXd> {
     const double x = 6 * u[0] - 3; // valleys near -2 (cost 0.5) and 2 (cost 0)

@@ -39,11 +39,7 @@ public:
     for (const VectorXd& other : settings.starts)
       if (const VectorXd u = problem_.box_of(other); cost_of(model(u)) < cost_of(model(best)))
         best = u;
-    // A limit is met sooner from outside, where it slopes, than from inside: first with softer
-    // ones.
-    if (!problem_.aims().empty() && !request_.constraints.empty())
-      best = refined(settings, best, 30).best;
-    const LocalSearch local = refined(settings, best, 1);
+    const LocalSearch local = refined(settings, best);
     fit.converged = local.converged;
     fit.stopped = local.stopped;
     fit.reason = local.reason;
@@ -62,8 +58,7 @@ public:
   }
 
 private:
-  // Standard deviations of the constraints are `soft` times theirs.
-  LocalSearch refined(const FitSettings& settings, const VectorXd& from, double soft) {
+  LocalSearch refined(const FitSettings& settings, const VectorXd& from) {
     LocalSettings local;
     if (!settings.stop()) local.stop = settings.stop; // a global one: its best is still refined
     int steps = 0;
@@ -79,16 +74,17 @@ private:
       steps = step;
       say();
     };
+    const bool limited = problem_.is_limited();
+    const Index limits = limited ? problem_.limits() : 0;
     const ResidualModel model = [&](const VectorXd& u) {
-      auto residuals = problem_.residuals(u);
-      if (residuals) residuals->tail(Index(request_.constraints.size())) /= soft;
+      auto rows = limited ? problem_.residuals_and_limits(u) : problem_.residuals(u);
       constexpr std::chrono::seconds silence{5};
       const std::lock_guard lock(mutex);
-      cost = std::min(cost, cost_of(residuals));
+      cost = std::min(cost, cost_of(rows, limits));
       if (std::chrono::steady_clock::now() - said > silence) say();
-      return residuals;
+      return rows;
     };
-    return search_locally(model, from, local);
+    return limited ? search_within(model, limits, from, local) : search_locally(model, from, local);
   }
 
   VectorXd global(const FitSettings& settings, const VectorXd& start, FitResult& fit) {

@@ -177,34 +177,64 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
   return outcome;
 }
 
-std::optional<VectorXd> FitProblem::residuals(const VectorXd& u) {
-  ++evaluations_;
-  const std::optional<Outcome> outcome = evaluate(u);
-  if (!outcome) return std::nullopt;
-  std::vector<double> r;
+Index FitProblem::limits() const {
+  Index count = 0;
+  for (const FitConstraint& c : request_.constraints) count += (c.max ? 1 : 0) + (c.min ? 1 : 0);
+  return count;
+}
+
+bool FitProblem::is_limited() const {
+  return !aims_.empty() ||
+         std::any_of(request_.constraints.begin(), request_.constraints.end(),
+                     [](const FitConstraint& c) {
+                       return std::any_of(c.of.begin(), c.of.end(), [](const auto& term) {
+                         return unit_of_computed(term.first).has_value();
+                       });
+                     });
+}
+
+// All but the constraints.
+void FitProblem::add_rows(const Outcome& outcome, const VectorXd& values,
+                          std::vector<double>& r) const {
   for (std::size_t i = 0; i < targets_.size(); ++i)
     if (!targets_[i].held_out)
-      r.push_back(std::log(outcome->targets[Index(i)] / targets_[i].measured) / targets_[i].sigma);
+      r.push_back(std::log(outcome.targets[Index(i)] / targets_[i].measured) / targets_[i].sigma);
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     const auto count = double(curves_[i].hertz.size());
     const double weight = std::sqrt(std::min(1., lines_that_count / count));
     for (std::size_t k = 0; k < curves_[i].hertz.size(); ++k)
-      r.push_back(weight * outcome->responses[i][Index(k)] / curves_[i].sigma[k]);
+      r.push_back(weight * outcome.responses[i][Index(k)] / curves_[i].sigma[k]);
   }
-  const VectorXd values = values_of(u);
   for (std::size_t i = 0; i < request_.parameters.size(); ++i) {
     const FitParameter& p = request_.parameters[i];
     if (p.prior) r.push_back(prior_residual(p, values[Index(i)]));
   }
   for (std::size_t i = 0; i < aims_.size(); ++i) {
-    const double ratio = outcome->aims[Index(i)] / aims_[i].start;
+    const double ratio = outcome.aims[Index(i)] / aims_[i].start;
     r.push_back((aims_[i].least ? ratio : 1 / ratio) / aims_[i].sigma);
   }
-  for (std::size_t i = 0; i < request_.constraints.size(); ++i)
-    r.push_back(broken(i, outcome->constraints[Index(i)]));
-  VectorXd all = Eigen::Map<VectorXd>(r.data(), Index(r.size()));
-  remember({values, outcome->targets, all.squaredNorm() / 2});
-  return all;
+}
+
+std::optional<VectorXd> FitProblem::rows(const VectorXd& u, bool sides) {
+  ++evaluations_;
+  const std::optional<Outcome> outcome = evaluate(u);
+  if (!outcome) return std::nullopt;
+  const VectorXd values = values_of(u);
+  std::vector<double> r;
+  add_rows(*outcome, values, r);
+  double cost = 0;
+  for (const double x : r) cost += x * x / 2;
+  for (std::size_t i = 0; i < request_.constraints.size(); ++i) {
+    const FitConstraint& c = request_.constraints[i];
+    const double value = outcome->constraints[Index(i)], past = broken(i, value);
+    cost += past * past / 2;
+    const double sigma = constraint_width * constraint_scale_[i];
+    if (sides && c.max) r.push_back((value - *c.max) / sigma);
+    if (sides && c.min) r.push_back((*c.min - value) / sigma);
+    if (!sides) r.push_back(past);
+  }
+  remember({values, outcome->targets, cost});
+  return Eigen::Map<VectorXd>(r.data(), Index(r.size()));
 }
 
 void FitProblem::remember(FitSample sample) {

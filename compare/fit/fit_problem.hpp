@@ -72,7 +72,17 @@ public:
 
   // None where the model has no result. Both may be called from several threads.
   std::optional<Outcome> evaluate(const Eigen::VectorXd& u) const;
-  std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& u);
+  std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& u) { return rows(u, false); }
+
+  // The same, the last `limits()` of them the sides of the constraints: standard deviations by
+  // which each is broken, below zero how far it is from that.
+  std::optional<Eigen::VectorXd> residuals_and_limits(const Eigen::VectorXd& u) {
+    return rows(u, true);
+  }
+  Eigen::Index limits() const;
+
+  // Is a computed quantity to be least or most, or limited?
+  bool is_limited() const;
 
   // Standard deviations by which a constraint is broken; 0 = kept.
   double broken(std::size_t constraint, double value) const;
@@ -83,6 +93,9 @@ public:
 private:
   void choose_targets();
   bool asks_for_life() const;
+  std::optional<Eigen::VectorXd> rows(const Eigen::VectorXd& u, bool sides);
+  void add_rows(const Outcome& outcome, const Eigen::VectorXd& values,
+                std::vector<double>& r) const;
   bool is_refused(const Eigen::VectorXd& values) const;
   bool friction_alone() const;
   Results results_of(const Case& design) const;

@@ -204,10 +204,11 @@ std::optional<MatrixXd> between(const ResidualModel& model, const VectorXd& desi
 
 } // namespace
 
-double cost_of(const std::optional<VectorXd>& residuals) {
+double cost_of(const std::optional<VectorXd>& residuals, Eigen::Index limits) {
   constexpr double none = 1e30;
   if (!residuals || !residuals->allFinite()) return none;
-  return std::min(none, residuals->squaredNorm() / 2);
+  const double kept = residuals->tail(limits).cwiseMin(0).squaredNorm();
+  return std::min(none, (residuals->squaredNorm() - kept) / 2);
 }
 
 std::optional<MatrixXd> residual_jacobian(const ResidualModel& model, const VectorXd& design) {

@@ -15,8 +15,9 @@ namespace plica {
 // Residuals of a design, always as many; none where the model has no result.
 using ResidualModel = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& design)>;
 
-// Half the sum of squares; 1e30 where there is no result.
-double cost_of(const std::optional<Eigen::VectorXd>& residuals);
+// Half the sum of squares; 1e30 where there is no result. The last `limits` count where they are
+// above zero.
+double cost_of(const std::optional<Eigen::VectorXd>& residuals, Eigen::Index limits = 0);
 
 // Derivatives of the residuals by central differences within the box, residuals x unknowns. None
 // where the model has no result at one of the points.
@@ -42,7 +43,15 @@ struct LocalSettings {
 LocalSearch search_locally(const ResidualModel& model, const Eigen::VectorXd& start,
                            const LocalSettings& settings = {});
 
-// The same without a box: unknowns of about unit size, and residuals that hold them back
+// The same under limits: of the rows of the model the last `limits` are those by which limits are
+// broken, below zero how far they are from it; kept ones cost nothing. A limit is known on both of
+// its sides, so that a step ends on it: least squares of the linearised rows within a box that
+// shrinks where they mislead (Fletcher, Practical Methods of Optimization, 2nd ed., 14.4), with
+// second-order correction.
+LocalSearch search_within(const ResidualModel& model, Eigen::Index limits,
+                          const Eigen::VectorXd& start, const LocalSettings& settings = {});
+
+// As search_locally, without a box: unknowns of about unit size, and residuals that hold them back
 // themselves. Cheaper, as no step has to be shortened.
 LocalSearch search_freely(const ResidualModel& model, const Eigen::VectorXd& start, int steps);
 std::optional<Eigen::MatrixXd> free_jacobian(const ResidualModel& model,
