@@ -157,6 +157,22 @@ TEST(LineCases, modes_are_called_by_what_they_move) {
   }
 }
 
+// Local maxima of what is shown, farther than 4 % from any mode.
+int maxima_away_from_modes(const Results& r) {
+  int count = 0;
+  for (const ResponseResult& response : r.responses)
+    for (int c : response.shown) {
+      const Eigen::VectorXd a = response.acceleration.col(c).cwiseAbs();
+      for (Eigen::Index i = 1; i + 1 < a.size(); ++i)
+        if (a[i] > a[i - 1] && a[i] > a[i + 1] &&
+            std::none_of(r.modes.begin(), r.modes.end(), [&](const ModeResult& m) {
+              return std::abs(m.frequency / response.hertz[i] - 1) < 0.04;
+            }))
+          ++count;
+    }
+  return count;
+}
+
 // 6. Every peak is at a mode: no plateau between antiresonances is one.
 TEST(LineCases, plateaus_are_no_peaks) {
   const Results r = line_results(hung("  response: {base: [x, y, z], band: [2 Hz, 900 Hz]}\n"));
@@ -169,6 +185,7 @@ TEST(LineCases, plateaus_are_no_peaks) {
       })) << p.frequency;
     }
   EXPECT_GT(peaks, 5);
+  EXPECT_GT(maxima_away_from_modes(r), 0) << "a line without a plateau shows nothing here";
 }
 
 // 7. Masses and sensors anywhere along a beam, a sensor on its skin: the mesh makes the nodes.
@@ -181,6 +198,22 @@ TEST(LineCases, a_muffler_sits_where_it_is_said) {
                                     [](const Symbol& s) { return s.name == "muffler"; });
   ASSERT_NE(muffler, r.symbols.end());
   EXPECT_NEAR(r.mesh.nodes[std::size_t(muffler->node)].y(), 0.437, 1e-12);
+}
+
+// Distances are judged as they are printed: none is refused as "5.00 mm, at most 5 mm".
+TEST(LineCases, a_distance_is_judged_as_it_is_printed) {
+  const auto at = [](const std::string& z) {
+    return "case: bent\nmaterials: {steel: {E: 200 GPa, nu: 0.3, rho: 7850}}\nparts:\n  pipe: "
+           "{type: "
+           "beam, points: [[0.1, 0, 0], [0.1, 1, 0]], elements: 8, section: {shape: pipe, "
+           "material: "
+           "steel, radius: 30 mm, thickness: 1.5 mm}}\ncaps: {end: {of: pipe.start}}\nmount: {end: "
+           "rigid}\nsensors: [{name: skin, at: [0.1, 0.5, " +
+           z + "]}]\nanalyses: {modes: {count: 3}, error_bars: false}\n";
+  };
+  EXPECT_EQ(complaints(at("35.754 mm")), ""); // 5.004 mm off the skin
+  const std::string said = complaints(at("35.81 mm"));
+  EXPECT_NE(said.find("5.06 mm away"), std::string::npos) << said;
 }
 
 // 8. What nothing holds is named by its free motion.
@@ -224,6 +257,22 @@ TEST(LineCases, the_starter_is_drawn_with_its_muffler_and_hangers) {
   for (const char* name : {"muffler", "hanger_front", "hanger_rear", "engine"})
     EXPECT_NE(page.find(">" + std::string(name) + "</text>"), std::string::npos) << name;
   EXPECT_NE(page.find("class=\"body\""), std::string::npos);
+}
+
+// The report begins with the verdict, the part and its numbers, then come the sections; units are
+// written in one way, and 3 sigma stands beside the RMS.
+TEST(LineCases, the_report_begins_with_picture_and_verdict) {
+  const Results r = line_results(
+      hung("  response: {base: [y, z], level: 5 m/s2, band: [2 Hz, 300 Hz], random: {level: 0.05 "
+           "(m/s2)2/Hz}}\n"));
+  const std::string page = report_html(r);
+  const auto place = [&](const char* what) { return page.find(what); };
+  EXPECT_LT(place("class=\"verdict"), place("<figure class=\"viewer"));
+  EXPECT_LT(place("<figure class=\"viewer"), place("first axial mode"));
+  EXPECT_LT(place("first axial mode"), place("<section"));
+  EXPECT_NE(place("3 σ"), std::string::npos);
+  EXPECT_NE(place("m/s² per m/s²"), std::string::npos);
+  EXPECT_EQ(place("m/s² per m/s2"), std::string::npos);
 }
 
 } // namespace
