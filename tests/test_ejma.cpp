@@ -78,9 +78,9 @@ TEST(Ejma, example_b_gives_the_printed_coefficients_and_stiffness_by_its_formula
   const EjmaFactors c = ejma_factors(example_b);
   expect_within(worksheet, ejma_mean_diameter(example_b), 5 * inch, "Dm");
   expect_within(worksheet, ejma_ply(example_b), 0.0301 * inch, "tp");
-  expect_within(worksheet, c.Cp, 0.4434, "Cp");
-  expect_within(worksheet, c.Cf, 0.7863, "Cf");
-  expect_within(worksheet, c.Cd, 1.2438, "Cd");
+  expect_within(1e-3, c.Cp, 0.4434, "Cp");
+  expect_within(1e-3, c.Cf, 0.7863, "Cf");
+  expect_within(1e-3, c.Cd, 1.2438, "Cd");
   expect_within(worksheet, ejma_convolution_stiffness(example_b, c), 2686 * lbf / inch, "f_iu");
 }
 

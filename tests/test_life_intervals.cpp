@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace plica::test {
+namespace plica::test::life_intervals { // names of its own in a file of many tests
 namespace {
 
 using Eigen::VectorXd;
@@ -246,4 +246,4 @@ TEST(LifeIntervals, of_published_tests_are_of_their_scatter) {
 }
 
 } // namespace
-} // namespace plica::test
+} // namespace plica::test::life_intervals
