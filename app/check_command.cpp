@@ -5,8 +5,10 @@
 #include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
+#include "mesh/machine_memory.hpp"
 #include "model/shape/doubts.hpp"
 #include "run/analyses/run.hpp"
+#include "run/routes/memory_need.hpp"
 #include "run/routes/route.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -25,6 +27,8 @@ struct CheckOptions {
 // What is said of a case that is valid.
 struct Checked {
   Estimate cost;
+  MemoryLimit limit;
+  std::string too_large; // what is said of a run that the machine cannot hold; empty: it can
   MeshQuality quality;
   bool has_shells = false;
   Eigen::Vector3d size; // m
@@ -47,6 +51,7 @@ Checked checked(const CaseFile& file) {
   const std::size_t limits = 2 * file.data.tolerances.size();
   Checked found{
       .cost = located(file, [&] { return estimate(built, file.data.analyses); }),
+      .limit = memory_limit(),
       .quality = mesh_quality(built.model.mesh),
       .has_shells = !built.model.shells.empty(),
       .size = box.sizes(),
@@ -57,6 +62,11 @@ Checked checked(const CaseFile& file) {
       .coarse_runs = limits > 0 ? limits + 2 : 0,
       .error_bars = file.data.analyses.error_bars,
   };
+  try {
+    require_memory_for(built, file.data.analyses);
+  } catch (const TooLarge& error) {
+    found.too_large = error.what();
+  }
   if (const auto* view = std::get_if<CyclicModel>(&symmetry))
     found.sectors = view->around();
   else if (!file.data.analyses.reduction)
@@ -79,12 +89,11 @@ std::string text_of(const Checked& c) {
     text += fmt::format("  sensor {}: {:.2f} mm from the nearest node\n", sensor.name,
                         1e3 * sensor.distance);
   if (c.sectors > 0)
-    text += fmt::format(
-        "  repeats around its axis: solved in {} sectors, in far less than the estimate\n",
-        c.sectors);
+    text += fmt::format("  repeats around its axis: solved in {} sectors\n", c.sectors);
   else if (!c.full_for.empty())
     text += fmt::format("  full mesh: {}\n", c.full_for);
-  text += fmt::format("  estimate: {:.1f} GB, {:.0f} s a run", c.cost.memory / 1e9, c.cost.seconds);
+  text += fmt::format("  estimate: {:.1f} GB of {:.1f} GB ({}), {:.0f} s a run",
+                      c.cost.memory / 1e9, c.limit.bytes / 1e9, c.limit.set_by, c.cost.seconds);
   if (c.variants > 0) text += fmt::format("; {} variants about as long each", c.variants);
   if (c.states > 0) text += fmt::format("; {} states, longer each", c.states);
   if (c.error_bars)
@@ -110,7 +119,12 @@ Json json_of(const Checked& c) {
       {"symmetry",
        {{"sectors", c.sectors > 0 ? Json(c.sectors) : Json(nullptr)},
         {"full_mesh_because", c.full_for}}},
-      {"estimate", {{"memory", c.cost.memory}, {"seconds", c.cost.seconds}}},
+      {"estimate",
+       {{"memory", c.cost.memory},
+        {"seconds", c.cost.seconds},
+        {"memory_limit", c.limit.bytes},
+        {"memory_limit_set_by", c.limit.set_by}}},
+      {"too_large", c.too_large},
       {"variants", c.variants},
       {"states", c.states},
       {"error_bars", c.error_bars}};
@@ -147,7 +161,13 @@ int check(const CheckOptions& options) {
       print(json_text(json_of(found)));
     else
       print(fmt::format("{}: the case is valid\n{}", options.chosen.path, text_of(found)));
-    return 0;
+    if (found.too_large.empty()) return 0;
+    say_failure("plica: " + found.too_large);
+    return 4;
+  } catch (const TooLarge& error) { // before there was a mesh
+    if (options.json)
+      print(json_text({{"valid", true}, {"problems", Json::array()}, {"too_large", error.what()}}));
+    throw;
   } catch (const InputError& error) {
     if (!options.json) throw;
     if (speaks_json()) say_problems(error);

@@ -1,8 +1,9 @@
 // The command line. Exit codes: 0 good, 1 user error (also an output that cannot be written), 2 a
-// numerical verdict failed, 3 internal.
+// numerical verdict failed, 3 internal, 4 too large for the memory of this machine.
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "app/terminal.hpp"
+#include "mesh/machine_memory.hpp"
 #include "solve/base_state.hpp"
 #include "solve/blas_kernels.hpp"
 #include "words/input_error.hpp"
@@ -23,9 +24,12 @@ int run_command_line(int argc, char** argv) {
   } catch (const plica::StateError& error) { // no equilibrium, or none that is stable
     plica::say_failure(std::string("plica: ") + error.what());
     return 2;
+  } catch (const plica::TooLarge& error) {
+    plica::say_failure(std::string("plica: ") + error.what());
+    return 4;
   } catch (const std::bad_alloc&) {
     plica::say_failure("plica: not enough memory for this model");
-    return 3;
+    return 4;
   } catch (const std::exception& error) {
     plica::say_failure(std::string("plica: ") + error.what());
     return 3;

@@ -1,5 +1,7 @@
 #include "mesh/plate.hpp"
 
+#include "mesh/machine_memory.hpp"
+
 #include <Eigen/Geometry>
 
 namespace plica {
@@ -40,6 +42,10 @@ void name_sets(Mesh& mesh, int along, int across) {
 } // namespace
 
 Mesh mesh_plate(const std::array<Vector3d, 4>& corners, int along, int across, double thickness) {
+  require_memory(leanest_bytes_per_node * (along + 1.) * (across + 1.),
+                 "a plate of " + std::to_string(along) + " by " + std::to_string(across) +
+                     " elements",
+                 "A coarser mesh needs less.");
   const Patch patch{corners};
   Mesh mesh;
   for (int j = 0; j <= across; ++j)

@@ -2,10 +2,10 @@
 #define EIGEN_USE_BLAS
 #include "solve/sparse_factor.hpp"
 
+#include "solve/cholmod_indices.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
-#include <cholmod.h>
 #include <cstring>
 #include <mutex>
 #include <omp.h>
@@ -21,23 +21,26 @@ namespace plica {
 namespace {
 
 // CHOLMOD's state, quiet.
-void start(cholmod_common& common) {
-  cholmod_start(&common);
+void start(const CholmodFunctions& cholmod, cholmod_common& common) {
+  cholmod.start(&common);
   common.print = 0;
   common.error_handler = nullptr;
 }
 
 // What a solve needs of its own beside others with the same factor.
 struct Workspace {
+  const CholmodFunctions& cholmod;
   cholmod_common common{};
   cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr; // owned
 
-  Workspace() { start(common); }
+  explicit Workspace(const CholmodFunctions& functions) : cholmod(functions) {
+    start(cholmod, common);
+  }
   ~Workspace() {
-    cholmod_free_dense(&x, &common);
-    cholmod_free_dense(&y, &common);
-    cholmod_free_dense(&e, &common);
-    cholmod_finish(&common);
+    cholmod.free_dense(&x, &common);
+    cholmod.free_dense(&y, &common);
+    cholmod.free_dense(&e, &common);
+    cholmod.finish(&common);
   }
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
@@ -46,14 +49,17 @@ struct Workspace {
 } // namespace
 
 struct SparseFactor::Impl {
+  const CholmodFunctions& cholmod;
   mutable cholmod_common common{};
   cholmod_factor* factor = nullptr; // owned
   mutable Workspace one_vector;     // of solves that do not allocate
+  Eigen::VectorXi order;            // row of the factor -> row of A
   Factorisation kind;
   int rows = 0;
 
-  Impl(Factorisation k, int n) : kind(k), rows(n) {
-    start(common);
+  Impl(Factorisation k, int n, IndexWidth width)
+      : cholmod(cholmod_functions(width, n)), one_vector(cholmod), kind(k), rows(n) {
+    start(cholmod, common);
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_METIS;
     common.postorder = 1;
@@ -62,8 +68,8 @@ struct SparseFactor::Impl {
     common.quick_return_if_not_posdef = 1;
   }
   ~Impl() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
+    cholmod.free_factor(&factor, &common);
+    cholmod.finish(&common);
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -88,24 +94,6 @@ private:
   int levels_;
 };
 
-// A view of an Eigen matrix; CHOLMOD does not change it.
-cholmod_sparse view(const SparseMatrix& A) {
-  cholmod_sparse v{};
-  v.nrow = static_cast<std::size_t>(A.rows());
-  v.ncol = static_cast<std::size_t>(A.cols());
-  v.nzmax = static_cast<std::size_t>(A.nonZeros());
-  v.p = const_cast<int*>(A.outerIndexPtr());
-  v.i = const_cast<int*>(A.innerIndexPtr());
-  v.x = const_cast<double*>(A.valuePtr());
-  v.stype = -1;
-  v.itype = CHOLMOD_INT;
-  v.xtype = CHOLMOD_REAL;
-  v.dtype = CHOLMOD_DOUBLE;
-  v.sorted = 1;
-  v.packed = 1;
-  return v;
-}
-
 cholmod_dense view(const double* b, Eigen::Index rows, Eigen::Index columns) {
   cholmod_dense v{};
   v.nrow = v.d = static_cast<std::size_t>(rows);
@@ -122,7 +110,7 @@ std::string words(int status) {
   case CHOLMOD_OUT_OF_MEMORY:
     return "not enough memory";
   case CHOLMOD_TOO_LARGE:
-    return "the factor is too large for 32-bit indices";
+    return "the factor has more entries than its numbers can count";
   case CHOLMOD_NOT_INSTALLED:
     return "CHOLMOD was built without this method";
   case CHOLMOD_INVALID:
@@ -137,7 +125,7 @@ std::string words(int status) {
 void SparseFactor::Impl::solve(int system, const double* b, Eigen::Index columns, double* result,
                                Workspace& own) const {
   cholmod_dense B = view(b, rows, columns);
-  if (cholmod_solve2(system, factor, &B, nullptr, &own.x, nullptr, &own.y, &own.e, &own.common) ==
+  if (cholmod.solve2(system, factor, &B, nullptr, &own.x, nullptr, &own.y, &own.e, &own.common) ==
       0)
     throw std::runtime_error("sparse solve failed: " + words(own.common.status));
   std::memcpy(result, own.x->x, sizeof(double) * B.nrow * B.ncol);
@@ -151,23 +139,28 @@ Eigen::MatrixXd SparseFactor::Impl::solve(int system, const Eigen::MatrixXd& b) 
   const auto groups = static_cast<int>((b.cols() + width - 1) / width);
   in_parallel(groups, [&](int g) {
     const Eigen::Index first = g * width, columns = std::min(width, b.cols() - first);
-    Workspace own; // whoever solves with this factor at the same time has another
+    Workspace own(cholmod); // whoever solves with this factor at the same time has another
     solve(system, b.col(first).data(), columns, x.col(first).data(), own);
   });
   return x;
 }
 
-SparseFactor::SparseFactor(const SparseMatrix& pattern, Factorisation kind)
-    : impl_(std::make_unique<Impl>(kind, static_cast<int>(pattern.rows()))) {
+SparseFactor::SparseFactor(const SparseMatrix& pattern, Factorisation kind, IndexWidth width)
+    : impl_(std::make_unique<Impl>(kind, static_cast<int>(pattern.rows()), width)) {
   if (impl_->rows == 0) return;
   // METIS draws from rand(), which threads share: one analysis at a time, or the order, and with it
   // the last digits of all that follows, differs from run to run.
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
-  cholmod_sparse A = view(pattern);
-  impl_->factor = cholmod_analyze(&A, &impl_->common);
+  CholmodView A(pattern, impl_->cholmod.index_type);
+  impl_->factor = impl_->cholmod.analyze(A.get(), &impl_->common);
   if (impl_->factor == nullptr)
     throw std::runtime_error("sparse analysis failed: " + words(impl_->common.status));
+  with_indices(impl_->factor->Perm, impl_->cholmod.index_type, [&](const auto* rows) {
+    impl_->order.resize(impl_->rows);
+    std::transform(rows, rows + impl_->rows, impl_->order.data(),
+                   [](auto row) { return static_cast<int>(row); });
+  });
 }
 
 SparseFactor::~SparseFactor() = default;
@@ -177,10 +170,10 @@ SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 FactorStatus SparseFactor::factorise(const SparseMatrix& lower) {
   if (impl_->rows == 0) return {.ok = true, .failed_column = -1, .reason = ""};
   const OneOpenMpThread scope;
-  cholmod_sparse A = view(lower);
+  CholmodView A(lower, impl_->cholmod.index_type);
   cholmod_common& c = impl_->common;
   c.status = CHOLMOD_OK;
-  const bool done = cholmod_factorize(&A, impl_->factor, &c) != 0;
+  const bool done = impl_->cholmod.factorize(A.get(), impl_->factor, &c) != 0;
   if (!done || c.status < CHOLMOD_OK)
     throw std::runtime_error("sparse factorisation failed: " + words(c.status));
   const bool cut_short = impl_->factor->minor < impl_->factor->n;
@@ -224,8 +217,8 @@ void SparseFactor::solve_upper(const double* b, double* x) const {
   impl_->solve(CHOLMOD_Lt, b, 1, x, impl_->one_vector);
 }
 
-Eigen::Map<const Eigen::VectorXi> SparseFactor::order() const {
-  return {static_cast<const int*>(impl_->factor->Perm), impl_->rows};
+const Eigen::VectorXi& SparseFactor::order() const {
+  return impl_->order;
 }
 
 int SparseFactor::rows() const {
@@ -234,11 +227,12 @@ int SparseFactor::rows() const {
 
 int SparseFactor::negative_pivots() const {
   const cholmod_factor& L = *impl_->factor;
-  const int* p = static_cast<const int*>(L.p);
   const double* x = static_cast<const double*>(L.x);
-  int count = 0;
-  for (std::size_t j = 0; j < L.n; ++j) count += x[p[j]] < 0;
-  return count;
+  return with_indices(L.p, impl_->cholmod.index_type, [&](const auto* first) {
+    int count = 0;
+    for (std::size_t j = 0; j < L.n; ++j) count += x[first[j]] < 0;
+    return count;
+  });
 }
 
 double SparseFactor::factor_entries() const {

@@ -14,6 +14,10 @@ namespace plica {
 
 enum class Factorisation { cholesky, ldlt };
 
+// Of the numbers of rows and entries in a factor: by_size takes 64 bits from four million rows on,
+// where the entries of a factor begin to outgrow 32. The numbers of a factor are the same.
+enum class IndexWidth { by_size, wide };
+
 struct FactorStatus {
   bool ok = false;
   int failed_column = -1; // Cholesky: the column whose pivot is not positive
@@ -24,7 +28,8 @@ class SparseFactor {
 public:
   // Analyses the pattern of a symmetric matrix (lower triangle); the same pattern gives the same
   // order whatever runs beside it. Throws std::runtime_error when memory is short.
-  explicit SparseFactor(const SparseMatrix& pattern, Factorisation kind = Factorisation::cholesky);
+  explicit SparseFactor(const SparseMatrix& pattern, Factorisation kind = Factorisation::cholesky,
+                        IndexWidth width = IndexWidth::by_size);
   ~SparseFactor();
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
@@ -45,7 +50,7 @@ public:
   Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& b) const;
   // P: row of the factor -> row of A.
-  Eigen::Map<const Eigen::VectorXi> order() const;
+  const Eigen::VectorXi& order() const;
 
   int rows() const;
   int negative_pivots() const; // ldlt only

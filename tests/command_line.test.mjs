@@ -66,6 +66,32 @@ test('a run into the folder of the lab deletes none of its files', () => {
   }
 });
 
+test('what the machine cannot hold is refused beforehand, with exit code 4 and what to do', () => {
+  const lab = folder('memory');
+  writeFileSync(join(lab, 'case.yaml'), plate());
+  const small = { PLICA_MEMORY: '0.05' };
+  const refused = shell(lab, '"$PLICA" run case.yaml --out made', { PLICA: plica, ...small });
+  assert.equal(refused.status, 4, refused.said);
+  assert.match(refused.said, /210 unknowns\) needs about 0\.1 GB; PLICA_MEMORY is 0\.1 GB\. .*a coarser mesh/s);
+  assert.equal(existsSync(join(lab, 'made')), false);
+  const checked = shell(lab, '"$PLICA" check case.yaml', { PLICA: plica, ...small });
+  assert.equal(checked.status, 4);
+  assert.match(checked.printed, /estimate: 0\.1 GB of 0\.1 GB \(PLICA_MEMORY\)/);
+  const json = shell(lab, '"$PLICA" check case.yaml --json', { PLICA: plica, ...small });
+  assert.equal(json.status, 4);
+  assert.match(JSON.parse(json.printed).too_large, /needs about/);
+  assert.equal(run(lab, 'reduce', 'case.yaml', '--out', 'made', '--quiet').status, 1); // no caps
+
+  writeFileSync(join(lab, 'fine.yaml'), plate().replace('[4, 6]', '[9000, 9000]'));
+  const began = Date.now();
+  const fine = shell(lab, '"$PLICA" run fine.yaml --out made', { PLICA: plica, PLICA_MEMORY: '16' });
+  assert.equal(fine.status, 4, fine.said);
+  assert.match(fine.said, /a plate of 9000 by 9000 elements needs about 301 GB; PLICA_MEMORY is 16\.0 GB/);
+  assert.ok(Date.now() - began < 20000, 'it was meshed first');
+  const odd = shell(lab, '"$PLICA" run case.yaml --out made', { PLICA: plica, PLICA_MEMORY: 'much' });
+  assert.match(odd.said, /PLICA_MEMORY is 'much', no number above 0/);
+});
+
 test('no command writes over what it reads, by whatever name', () => {
   const lab = folder('inputs');
   writeFileSync(join(lab, 'case.yaml'), plate(response));

@@ -96,5 +96,32 @@ TEST(SparseFactor, columns_in_groups_are_solved_as_columns_alone) {
   }
 }
 
+// On small models too, so that the road for four million unknowns is walked here.
+class WideIndices : public testing::TestWithParam<SmallModel> {};
+INSTANTIATE_TEST_SUITE_P(Models, WideIndices, testing::ValuesIn(small_models()),
+                         [](const auto& p) { return p.param.name; });
+
+TEST_P(WideIndices, give_the_numbers_of_narrow_ones) {
+  const System system = assemble(GetParam().make());
+  const SparseMatrix K = system.K + 1e5 * system.M;
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(K.rows(), 5);
+  SparseFactor narrow(K), wide(K, Factorisation::cholesky, IndexWidth::wide);
+  ASSERT_TRUE(narrow.factorise(K).ok && wide.factorise(K).ok);
+  const Eigen::MatrixXd x = wide.solve(b);
+  EXPECT_LT((symmetric_product(K, x) - b).norm(), 1e-6 * b.norm());
+  EXPECT_LT((x - narrow.solve(b)).norm(), 1e-6 * x.norm());
+  EXPECT_EQ(wide.factor_entries() > 0, narrow.factor_entries() > 0);
+  Eigen::VectorXi rows = wide.order();
+  std::sort(rows.begin(), rows.end());
+  EXPECT_EQ(rows, Eigen::VectorXi::LinSpaced(int(K.rows()), 0, int(K.rows()) - 1));
+
+  const double between = 1e3 * K.diagonal().minCoeff() / system.M.diagonal().maxCoeff();
+  const SparseMatrix shifted = system.K - between * system.M;
+  SparseFactor count(shifted, Factorisation::ldlt),
+      wide_count(shifted, Factorisation::ldlt, IndexWidth::wide);
+  ASSERT_TRUE(count.factorise(shifted).ok && wide_count.factorise(shifted).ok);
+  EXPECT_EQ(wide_count.negative_pivots(), count.negative_pivots());
+}
+
 } // namespace
 } // namespace plica::test

@@ -1,5 +1,7 @@
 #include "mesh/generation/revolve.hpp"
 
+#include "mesh/machine_memory.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -87,9 +89,16 @@ void name_sets(Mesh& mesh, const Meridian& meridian, const std::vector<std::size
 } // namespace
 
 Mesh revolve(const Meridian& meridian, int around, const std::function<double(double)>& thickness) {
+  const auto curves = mesh_meridian(meridian);
+  double rings = 1;
+  for (const std::vector<MeridianPoint>& curve : curves) rings += double(curve.size()) - 1;
+  require_memory(leanest_bytes_per_node * rings * around,
+                 "a mesh of " + std::to_string(long(rings)) + " rings of " +
+                     std::to_string(around) + " nodes",
+                 "A coarser mesh needs less.");
   Mesh mesh;
   std::vector<std::size_t> ring_of_end;
-  for (const std::vector<MeridianPoint>& curve : mesh_meridian(meridian)) {
+  for (const std::vector<MeridianPoint>& curve : curves) {
     if (mesh.rings.empty()) add_ring(mesh, curve.front().position, around);
     for (std::size_t i = 1; i < curve.size(); ++i) {
       add_ring(mesh, curve[i].position, around);

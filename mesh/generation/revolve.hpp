@@ -15,6 +15,7 @@
 namespace plica {
 
 // `thickness` gives the wall in m at a radius in m. `around` >= 3.
+// Throws TooLarge before it makes a mesh that no run could hold.
 Mesh revolve(const Meridian& meridian, int around, const std::function<double(double)>& thickness);
 
 } // namespace plica

@@ -1,5 +1,7 @@
 #include "mesh/generation/worker.hpp"
 
+#include "mesh/machine_memory.hpp"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -41,7 +43,7 @@ double number_of(const char* variable, double otherwise) {
 }
 
 double three_quarters_of_memory() {
-  return 0.75 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  return 0.75 * memory_limit().bytes;
 }
 
 std::string failed(const std::string& subject, const std::string& what) {

@@ -11,12 +11,14 @@ namespace plica {
 class ReductionMemory; // reduction/substructures.hpp
 
 // `stage` is told the name of each step as it begins. Throws InputError as build() does, with a
-// sentence; std::runtime_error for numerical trouble that leaves no result. A proof that failed is
+// sentence; TooLarge for what the machine's memory does not hold, before anything is assembled;
+// std::runtime_error for numerical trouble that leaves no result. A proof that failed is
 // in Results::verification. `memory`: reductions of earlier runs, none of which is repeated.
 Results run(const Case& data, const std::function<void(const std::string&)>& stage,
             ReductionMemory* memory = nullptr);
 
-// What a run would cost, without assembling: fitted to measured factorisations (docs/speed.md).
+// What a run would cost by the way it is solved, without assembling: fitted to measured runs
+// (docs/speed.md).
 struct Estimate {
   int nodes = 0, elements = 0, dofs = 0;
   double memory = 0;  // bytes

@@ -1,5 +1,6 @@
 #include "run/routes/route.hpp"
 
+#include "run/routes/memory_need.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
@@ -54,6 +55,7 @@ void require_held(bool free_body, const BuiltCase& built) {
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing,
                                     ReductionMemory* memory) {
+  require_memory_for(built, analyses);
   const Symmetry symmetry = analyses.symmetry;
   if (analyses.reduction)
     return reduced_route(built, reduction_cutoff(analyses), symmetry, stage, timing, memory);

@@ -4,6 +4,7 @@
 #include "run/analyses/damping.hpp"
 #include "run/analyses/response.hpp"
 #include "run/routes/built_reduced.hpp"
+#include "run/routes/memory_need.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/route.hpp"
 #include "run/study/part_reference.hpp"
@@ -279,6 +280,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   if (data.state) check_reducible(data, boundary.names);
   check_recovered(data, request.recover);
   watch.lap(result.timing, "mesh");
+  require_memory_for(built, data.analyses);
   stage("symmetry");
   const SymmetricView view = symmetric_view(built.model, data.analyses.symmetry);
   const auto* symmetric = std::get_if<CyclicModel>(&view);

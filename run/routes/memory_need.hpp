@@ -1,0 +1,29 @@
+// What a run needs of memory by the way it is solved, known before its matrices are assembled.
+//
+// Fitted to measured runs of bellows (docs/speed.md): within a tenth from 60 k to 900 k unknowns on
+// the full mesh and to 5 M by symmetry.
+#pragma once
+
+#include "model/shape/built_case.hpp"
+
+#include <string>
+
+namespace plica {
+
+double memory_of_full_mesh(double unknowns, int modes); // bytes
+double memory_by_symmetry(double unknowns);             // bytes
+double factor_entries_of_full_mesh(double unknowns);    // Cholesky, nested dissection
+
+struct MemoryNeed {
+  double bytes = 0;
+  std::string instead; // what would need less, a sentence
+};
+
+// By symmetry, by superelements or on the full mesh, as choose_route() takes it. Throws InputError
+// as symmetric_view() does.
+MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses);
+
+// Throws TooLarge (mesh/machine_memory.hpp) when the machine does not have it.
+void require_memory_for(const BuiltCase& built, const Analyses& analyses);
+
+} // namespace plica
