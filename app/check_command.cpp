@@ -52,11 +52,13 @@ Checked checked(const CaseFile& file) {
   Checked found{
       .cost = located(file, [&] { return estimate(built, file.data.analyses); }),
       .limit = memory_limit(),
+      .too_large = "",
       .quality = mesh_quality(built.model.mesh),
       .has_shells = !built.model.shells.empty(),
       .size = box.sizes(),
       .warnings = doubts(file.data, built),
       .sensors = built.sensors,
+      .full_for = "",
       .variants = file.data.variants.size(),
       .states = file.data.states.size(),
       .coarse_runs = limits > 0 ? limits + 2 : 0,

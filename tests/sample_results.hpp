@@ -168,6 +168,7 @@ inline Results sample(int convolutions = 3, int per = 8, int around = 24) {
                   .statics = {{.along = 200, .around = -90}, {}, {}, {}, {}, {.along = 500}},
                   .modes = {},
                   .stresses = {},
+                  .places = {},
                   .along = true,
                   .around = true,
                   .tolerances = {"parts.a<b.height", "parts.b.E"},

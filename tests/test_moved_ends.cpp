@@ -90,7 +90,7 @@ TEST(MovedEnds, are_the_same_on_every_route) {
 }
 
 // A square plate of 1 m and 5 mm in x and y, simply supported; a weight at a place of it.
-constexpr double side = 1, thin = 5e-3, weight = 20;
+constexpr double side = 1, thin = 5e-3, set_down = 20;
 constexpr std::array<double, 2> spot{0.37, 0.29};
 
 Case loaded_plate(int elements) {
@@ -102,7 +102,7 @@ Case loaded_plate(int elements) {
   Case data;
   data.name = "plate";
   data.materials["steel"] = {.E = 2e11, .nu = 0.3, .rho = 8000};
-  data.parts = {{"plate", plate}, {"weight", PointMass{.at = "plate.spot", .mass = weight}}};
+  data.parts = {{"plate", plate}, {"weight", PointMass{.at = "plate.spot", .mass = set_down}}};
   for (const char* edge : {"plate.edge1", "plate.edge3"}) // along x
     data.supports.push_back({.set = edge, .dofs = {0, 1, 2, 4}});
   for (const char* edge : {"plate.edge2", "plate.edge4"})
@@ -127,7 +127,7 @@ std::vector<double> loaded_plate_frequencies(int count) {
   const auto excess = [&](double w2) {
     double sum = 0;
     for (const auto& [own, f2] : modes) sum += f2 / (per_area * side * side / 4 * (own - w2));
-    return weight * w2 * sum - 1;
+    return set_down * w2 * sum - 1;
   };
   std::vector<double> found;
   double below = 0;
@@ -175,7 +175,7 @@ TEST(WallPlaces, at_a_node_are_the_node) {
   std::get<Plate>(place.parts[0].body).places = {{"spot", {1, 1, 0}}};
   place.supports = {{.set = "plate.edge1", .dofs = {0, 1, 2, 3, 4, 5}}};
   Case node = place;
-  node.parts[1].body = PointMass{.at = "plate.corner3", .mass = weight};
+  node.parts[1].body = PointMass{.at = "plate.corner3", .mass = set_down};
   const Results one = run_silently(place), other = run_silently(node);
   for (std::size_t j = 0; j < 4; ++j)
     EXPECT_NEAR(one.modes[j].frequency / other.modes[j].frequency, 1, 1e-9);

@@ -101,7 +101,8 @@ std::string stiffness_csv(const EndDynamicStiffness& s) {
 }
 
 std::string transfer_stiffness_csv(const EndDynamicStiffness& s) {
-  std::string text = std::string(row_head) + ",direction,unit";
+  std::string text = row_head;
+  text += ",direction,unit";
   for (const char* k : {"driving point k11", "driving point k22", "blocked transfer k21"})
     text += fmt::format(",{0} storage,{0} loss,{0} loss angle [deg]", k);
   text += ",level of k21 [dB],loss factor of k21\n";
