@@ -235,12 +235,12 @@ TEST(WallPlaces, have_the_mass_of_a_rigid_body) {
   data.supports.clear();
   data.parts[1].body = PointMass{.at = "plate.spot",
                                  .offset = {0, 0, 0.1},
-                                 .mass = weight,
+                                 .mass = set_down,
                                  .inertia = {0.1, 0.2, 0.3, 0, 0, 0}};
   const Results r = run_silently(data);
-  constexpr double plate = 8000 * thin * side * side, all = plate + weight;
+  constexpr double plate = 8000 * thin * side * side, all = plate + set_down;
   const Eigen::Vector3d own(0.5, 0.5, 0), hung(spot[0], spot[1], 0.1);
-  const Eigen::Vector3d centre = (plate * own + weight * hung) / all;
+  const Eigen::Vector3d centre = (plate * own + set_down * hung) / all;
   const auto about = [&](const Eigen::Vector3d& x, int axis) {
     return (x - centre).squaredNorm() - std::pow((x - centre)[axis], 2);
   };
@@ -250,7 +250,8 @@ TEST(WallPlaces, have_the_mass_of_a_rigid_body) {
   for (std::size_t j = 0; j < 3; ++j) {
     EXPECT_NEAR(r.free_mass[j], all, 1e-9);
     EXPECT_NEAR(r.free_mass[3 + j],
-                inertia[j] + hanging[j] + plate * about(own, int(j)) + weight * about(hung, int(j)),
+                inertia[j] + hanging[j] + plate * about(own, int(j)) +
+                    set_down * about(hung, int(j)),
                 1e-8);
   }
 }
