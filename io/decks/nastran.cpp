@@ -25,9 +25,11 @@ std::string real(double x) {
 // What a dependent node follows: one node rigidly, or several on average.
 struct Following {
   std::set<int> dofs, masters;
+  bool of_translations = true; // no term is a rotation
 
   bool rigid() const { return dofs.size() == 6 && masters.size() == 1; }
-  bool average() const { return dofs.size() == 6 && masters.size() > 2; }
+  bool average() const { return dofs.size() == 6 && masters.size() > 2 && of_translations; }
+  bool by_equations() const { return dofs.size() == 6 && masters.size() > 1 && !of_translations; }
 };
 
 class Deck {
@@ -76,6 +78,7 @@ private:
     text_ += fmt::format("$ {}; units: m kg s N rad\nSOL {}\nCEND\nTITLE = {}\n", case_.name,
                          responds() ? 111 : 103, case_.name);
     if (is_held()) text_ += "SPC = 1\n";
+    if (has_equations()) text_ += "MPC = 1\n";
     text_ += "METHOD = 1\n";
     if (!responds()) {
       text_ += "DISPLACEMENT(PLOT) = ALL\n";
@@ -182,16 +185,44 @@ private:
                                   b.node2 < 0 ? "" : grid(b.node2), "", "", "", "0"});
   }
 
-  void couplings() {
+  // A place on a shell: its row as it is, two terms a line.
+  void equation(const Constraint& c) {
+    std::vector<std::string> fields{"1", grid(c.node), number(c.dof + 1), "1."};
+    for (std::size_t i = 0; i < c.terms.size(); ++i) {
+      if (i % 2 == 1) fields.insert(fields.end(), {"", ""});
+      const ConstraintTerm& t = c.terms[i];
+      fields.insert(fields.end(), {grid(t.node), number(t.dof + 1), real(-t.factor)});
+    }
+    text_ += large_card("MPC", fields);
+  }
+
+  std::map<int, Following> followers() const {
     std::map<int, Following> following;
     for (const Constraint& c : model_.constraints) {
       if (c.terms.empty()) continue;
       Following& f = following[c.node];
       f.dofs.insert(c.dof);
-      for (const ConstraintTerm& t : c.terms) f.masters.insert(t.node);
+      for (const ConstraintTerm& t : c.terms) {
+        f.masters.insert(t.node);
+        f.of_translations = f.of_translations && t.dof < 3;
+      }
     }
+    return following;
+  }
+
+  bool has_equations() const {
+    const std::map<int, Following> following = followers();
+    return std::any_of(following.begin(), following.end(),
+                       [](const auto& entry) { return entry.second.by_equations(); });
+  }
+
+  void couplings() {
+    const std::map<int, Following> following = followers();
+    for (const Constraint& c : model_.constraints)
+      if (!c.terms.empty() && following.at(c.node).by_equations()) equation(c);
     std::map<int, std::vector<int>> bodies; // by reference node
     for (const auto& [node, f] : following) {
+      if (f.by_equations()) continue;
       if (f.rigid()) {
         bodies[*f.masters.begin()].push_back(node);
       } else if (f.average()) {
