@@ -1,8 +1,11 @@
 // Response to motion of chosen ends: closed forms, the motion of all ends together, the routes
 // against each other. Places between the nodes of shells, where ends may sit.
+#include "io/decks/nastran.hpp"
+#include "io/files/files.hpp"
 #include "model/shape/wall_places.hpp"
 #include "solve/base_motion.hpp"
 #include "solve/constraints.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tube_case.hpp"
 #include "words/input_error.hpp"
 
@@ -335,6 +338,22 @@ TEST(WallPlaces, off_the_wall_are_refused_with_the_nearest_point) {
   EXPECT_NE(said.find("parts.plate.places.spot.at: is 17.50 mm off the wall"), std::string::npos)
       << said;
   EXPECT_NE(said.find("[370.00 mm, 290.00 mm, 0.00 mm]"), std::string::npos) << said;
+}
+
+// Decks hold the place by equations: read back they have the same modes.
+TEST(WallPlaces, go_through_decks) {
+  const Case data = loaded_plate(6);
+  const TemporaryFolder folder("wall_places");
+  write_whole(folder.path / "plate.bdf", nastran_model(data, build(data)));
+  write_whole(
+      folder.path / "deck.yaml",
+      "case: deck\nparts: {plate: {type: deck, file: plate.bdf, length_unit: 1 m, mass_unit: 1 "
+      "kg}}\nanalyses: {static: false, modes: {count: 4}, error_bars: false}\n");
+  const Results own = run_silently(data);
+  const Results read = run_silently(read_case((folder.path / "deck.yaml").string()).data);
+  for (std::size_t j = 0; j < 4; ++j)
+    EXPECT_NEAR(read.modes[j].frequency / own.modes[j].frequency, 1, 1e-3) << j;
+  EXPECT_NEAR(read.model.mass, own.model.mass, 1e-6);
 }
 
 } // namespace
