@@ -133,7 +133,7 @@ class Viewer {
   distance(box, centre, towards) {
     const right = new Vector3(0, 1, 0).cross(towards).normalize();
     const up = towards.clone().cross(right);
-    const high = 0.86 * Math.tan((Math.PI / 360) * this.camera.fov);
+    const high = 0.94 * Math.tan((Math.PI / 360) * this.camera.fov);
     const wide = high * this.camera.aspect;
     let far = 0;
     for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
