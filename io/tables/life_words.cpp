@@ -17,6 +17,16 @@ std::string megapascal(double stress) {
   return significant(1e-6 * stress, 4);
 }
 
+// What is nothing beside the stress it is a part of is nothing.
+std::string part_of(double part, double whole) {
+  return megapascal(std::abs(part) < 1e-9 * std::abs(whole) ? 0 : part);
+}
+
+std::string millimetres(const std::array<double, 3>& at) {
+  const auto one = [](double x) { return std::round(1e4 * x) / 10 + 0.; }; // no "-0.0"
+  return fmt::format("{:.1f}, {:.1f}, {:.1f}", one(at[0]), one(at[1]), one(at[2]));
+}
+
 std::string duty_table(const Results& results) {
   const LifeResult& life = *results.life;
   Rows rows{{"", "", "where", "count", "range MPa", "mesh %", "life", "5 to 95 %", "damage"}};
@@ -52,10 +62,8 @@ std::string spot_table(const Results& results) {
   Rows rows{{"", "at x, y, z mm", "damage"}};
   for (const LifeSpot& s : results.life->spots) {
     if (rows.size() > most) break;
-    rows.push_back(
-        {place_words(results.places[std::size_t(s.place)], s.outer),
-         fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * s.at[0], 1e3 * s.at[1], 1e3 * s.at[2]),
-         bounded(significant(s.damage, 3), s.at_most, s.at_least)});
+    rows.push_back({place_words(results.places[std::size_t(s.place)], s.outer), millimetres(s.at),
+                    bounded(significant(s.damage, 3), s.at_most, s.at_least)});
   }
   return "\nHot spots by damage\n" + text_table(rows, 2);
 }
@@ -157,9 +165,8 @@ std::string stress_summary(const Results& results) {
                     top ? place_words(results.places[std::size_t(top->place)], top->outer, top->ply)
                         : (beam ? "a beam" : "-"),
                     megapascal(value), errors.empty() ? "-" : mesh_error_percent(value, errors[i]),
-                    named ? megapascal(top->meridional_membrane) : "-",
-                    named ? megapascal(top->meridional_bending) : "-",
-                    fmt::format("{:.1f}, {:.1f}, {:.1f}", 1e3 * at[0], 1e3 * at[1], 1e3 * at[2])});
+                    named ? part_of(top->meridional_membrane, value) : "-",
+                    named ? part_of(top->meridional_bending, value) : "-", millimetres(at)});
   }
   return rows.size() == 1
              ? ""

@@ -10,7 +10,7 @@
 namespace plica {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 using RowKey = std::tuple<std::string, std::string, bool, int>; // part, place, face, ply
 
@@ -28,7 +28,7 @@ std::vector<double> places_of(const Results& fine, const StressTable* table, con
   values.reserve(rows.rows.size());
   for (const PlaceStress& row : rows.rows) {
     const auto at = found.find(key_of(nominal, row));
-    values.push_back(at == found.end() ? unknown : at->second);
+    values.push_back(at == found.end() ? not_known : at->second);
   }
   return values;
 }
@@ -51,11 +51,11 @@ double shown_stress(const StressResult& s) {
 
 FinerRun not_met(const Results& nominal) {
   FinerRun run;
-  run.statics.fill(unknown);
-  run.modes.assign(nominal.modes.size(), unknown);
-  run.stresses.assign(nominal.stresses.size(), unknown);
+  run.statics.fill(not_known);
+  run.modes.assign(nominal.modes.size(), not_known);
+  run.stresses.assign(nominal.stresses.size(), not_known);
   for (const StressTable& t : nominal.stress_tables)
-    run.places.emplace_back(t.rows.size(), unknown);
+    run.places.emplace_back(t.rows.size(), not_known);
   return run;
 }
 
@@ -67,7 +67,7 @@ FinerRun numbers_of(const Results& fine, const Results& nominal) {
                .places = {}};
   if (fine.statics) run.statics = fine.statics->all();
   const std::vector<SameMode> same = match_modes(nominal, fine);
-  for (const SameMode& m : same) run.modes.push_back(m.index < 0 ? unknown : m.frequency);
+  for (const SameMode& m : same) run.modes.push_back(m.index < 0 ? not_known : m.frequency);
   const auto name_in_fine = [&](const std::string& kind, const std::string& name) -> std::string {
     for (std::size_t i = 0; i < same.size(); ++i) // of a mode by its number, which may be another
       if (kind == "mode" && name == mode_stress_name(int(i)))
@@ -83,7 +83,7 @@ FinerRun numbers_of(const Results& fine, const Results& nominal) {
   };
   for (const StressResult& s : nominal.stresses) {
     const StressResult* there = met(fine.stresses, s.kind, s.name);
-    run.stresses.push_back(there ? shown_stress(*there) : unknown);
+    run.stresses.push_back(there ? shown_stress(*there) : not_known);
   }
   for (const StressTable& t : nominal.stress_tables)
     run.places.push_back(places_of(fine, met(fine.stress_tables, t.kind, t.name), nominal, t));
@@ -106,7 +106,7 @@ void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fin
                      double MeshError::*member, double share, double stress_share) {
   for (ErrorBar& bar : all.bars) {
     const auto found = fine.headline.find(bar.key);
-    const double value = found == fine.headline.end() ? unknown : found->second;
+    const double value = found == fine.headline.end() ? not_known : found->second;
     const bool of_stress = bar.key.starts_with("life_") || bar.key.starts_with("damage");
     bar.mesh.*member = (value - bar.value) / (of_stress ? stress_share : share);
   }
