@@ -93,15 +93,18 @@ TEST(MovedEnds, are_the_same_on_every_route) {
 }
 
 // A square plate of 1 m and 5 mm in x and y, simply supported; a weight at a place of it.
-constexpr double side = 1, thin = 5e-3, set_down = 20;
-constexpr std::array<double, 2> spot{0.37, 0.29};
+constexpr double plate_side = 1, plate_wall = 5e-3, set_down = 20;
+constexpr std::array<double, 2> load_at{0.37, 0.29};
 
 Case loaded_plate(int elements) {
   Plate plate{.material = "steel",
-              .corners = {Triple{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}},
-              .thickness = thin,
+              .corners = {Triple{0, 0, 0},
+                          {plate_side, 0, 0},
+                          {plate_side, plate_side, 0},
+                          {0, plate_side, 0}},
+              .thickness = plate_wall,
               .elements = {elements, elements}};
-  plate.places = {{"spot", {spot[0], spot[1], 0}}};
+  plate.places = {{"spot", {load_at[0], load_at[1], 0}}};
   Case data;
   data.name = "plate";
   data.materials["steel"] = {.E = 2e11, .nu = 0.3, .rho = 8000};
@@ -120,16 +123,18 @@ Case loaded_plate(int elements) {
 // (w_ij^2 - w^2)), M a quarter of the plate (Amba-Rao, J. Appl. Mech. 31, 1964). The first root
 // above 0 and those between neighbouring w_ij, Hz.
 std::vector<double> loaded_plate_frequencies(int count) {
-  const double D = 2e11 * std::pow(thin, 3) / (12 * (1 - 0.09)), per_area = 8000 * thin;
+  const double D = 2e11 * std::pow(plate_wall, 3) / (12 * (1 - 0.09)), per_area = 8000 * plate_wall;
   std::vector<std::pair<double, double>> modes; // w^2 and f^2
   for (int i = 1; i <= 200; ++i)
     for (int j = 1; j <= 200; ++j)
-      modes.emplace_back(std::pow(pi / side, 4) * D / per_area * std::pow(i * i + j * j, 2),
-                         std::pow(std::sin(i * pi * spot[0]) * std::sin(j * pi * spot[1]), 2));
+      modes.emplace_back(
+          std::pow(pi / plate_side, 4) * D / per_area * std::pow(i * i + j * j, 2),
+          std::pow(std::sin(i * pi * load_at[0]) * std::sin(j * pi * load_at[1]), 2));
   std::sort(modes.begin(), modes.end());
   const auto excess = [&](double w2) {
     double sum = 0;
-    for (const auto& [own, f2] : modes) sum += f2 / (per_area * side * side / 4 * (own - w2));
+    for (const auto& [own, f2] : modes)
+      sum += f2 / (per_area * plate_side * plate_side / 4 * (own - w2));
     return set_down * w2 * sum - 1;
   };
   std::vector<double> found;
@@ -241,14 +246,14 @@ TEST(WallPlaces, have_the_mass_of_a_rigid_body) {
                                  .mass = set_down,
                                  .inertia = {0.1, 0.2, 0.3, 0, 0, 0}};
   const Results r = run_silently(data);
-  constexpr double plate = 8000 * thin * side * side, all = plate + set_down;
-  const Eigen::Vector3d own(0.5, 0.5, 0), hung(spot[0], spot[1], 0.1);
+  constexpr double plate = 8000 * plate_wall * plate_side * plate_side, all = plate + set_down;
+  const Eigen::Vector3d own(0.5, 0.5, 0), hung(load_at[0], load_at[1], 0.1);
   const Eigen::Vector3d centre = (plate * own + set_down * hung) / all;
   const auto about = [&](const Eigen::Vector3d& x, int axis) {
     return (x - centre).squaredNorm() - std::pow((x - centre)[axis], 2);
   };
-  const double flat = plate * (side * side + thin * thin) / 12;
-  const std::array inertia{flat, flat, 2 * plate * side * side / 12};
+  const double flat = plate * (plate_side * plate_side + plate_wall * plate_wall) / 12;
+  const std::array inertia{flat, flat, 2 * plate * plate_side * plate_side / 12};
   const std::array hanging{0.1, 0.2, 0.3};
   for (std::size_t j = 0; j < 3; ++j) {
     EXPECT_NEAR(r.free_mass[j], all, 1e-9);
@@ -287,7 +292,7 @@ TEST(WallPlaces, on_a_bellows_do_not_know_where_the_nodes_are) {
     for (std::size_t k : {1u, 2u}) EXPECT_NEAR(found[k][j] / found[0][j], 1, 0.01) << j;
 }
 
-std::string complaint(const Case& data) {
+std::string wall_complaint(const Case& data) {
   try {
     run_silently(data);
   } catch (const std::exception& error) {
@@ -327,14 +332,15 @@ TEST(WallPlaces, may_be_held_hung_and_moved) {
   EXPECT_NEAR(run_silently(held).modes[0].frequency / other, 1, 1e-6);
   held.caps = {{.name = "bolt", .of = {"plate.spot"}}};
   held.mount = {{.cap = "bolt"}};
-  EXPECT_NE(complaint(held).find("places.spot: is held, on a wall whose motion"), std::string::npos)
-      << complaint(held);
+  EXPECT_NE(wall_complaint(held).find("places.spot: is held, on a wall whose motion"),
+            std::string::npos)
+      << wall_complaint(held);
 }
 
 TEST(WallPlaces, off_the_wall_are_refused_with_the_nearest_point) {
   Case data = loaded_plate(6);
   std::get<Plate>(data.parts[0].body).places = {{"spot", {0.37, 0.29, 0.02}}};
-  const std::string said = complaint(data);
+  const std::string said = wall_complaint(data);
   EXPECT_NE(said.find("parts.plate.places.spot.at: is 17.50 mm off the wall"), std::string::npos)
       << said;
   EXPECT_NE(said.find("[370.00 mm, 290.00 mm, 0.00 mm]"), std::string::npos) << said;
