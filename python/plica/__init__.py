@@ -14,7 +14,8 @@ Files and the command line alone: no server, no text of the console. SI througho
 from . import exchange
 from .case import Case
 from .collect import collect
-from .commands import (Check, check, compare, diagnose, fit, identify, reduce, run, write_deck)
+from .commands import (Check, check, compare, diagnose, ejma, fit, identify, init, reduce, run,
+                       schema, stiffness, write_deck)
 from .diagnosis import Diagnosis
 from .errors import (BrokenFolder, CaseError, MissingData, MissingPackage, NoExecutable,
                      NumericalVerdict, OptionError, PlicaError, Problem, ProgramFailed,
@@ -36,7 +37,8 @@ __all__ = [
     "BrokenFolder", "Case", "CaseError", "Check", "Diagnosis", "Frf", "Measured", "Mesh",
     "MissingData", "MissingPackage", "NoExecutable", "NumericalVerdict", "OptionError",
     "PlicaError", "Problem", "ProgramFailed", "Results", "Signals", "Superelement",
-    "VersionError", "__version__", "check", "collect", "compare", "diagnose", "exchange",
-    "executable", "fit", "identify", "measured", "options", "read_csv", "read_measured",
-    "read_superelement", "reduce", "results", "run", "sweep", "use", "write_deck",
+    "VersionError", "__version__", "check", "collect", "compare", "diagnose", "ejma", "exchange",
+    "executable", "fit", "identify", "init", "measured", "options", "read_csv", "read_measured",
+    "read_superelement", "reduce", "results", "run", "schema", "stiffness", "sweep", "use",
+    "write_deck",
 ]

@@ -3,17 +3,26 @@ from __future__ import annotations
 
 import threading
 import time
+import warnings
 from typing import Any
 
 from .optional import have, need
 
 
+def bars() -> bool:
+    """Is tqdm here? A warning says so where it is not."""
+    if not have("tqdm"):
+        warnings.warn("no bar of progress: the package tqdm is not here; apt install python3-tqdm, "
+                      "or pip install tqdm", stacklevel=2)
+    return have("tqdm")
+
+
 class Bar:
-    """A bar of tqdm where that is present, else nothing."""
+    """A bar of tqdm where that is present, else a word that it is not."""
 
     def __init__(self, title: str, wanted: bool) -> None:
         self.bar: Any = None
-        if wanted and have("tqdm"):
+        if wanted and bars():
             self.bar = need("tqdm.auto", "a bar").tqdm(
                 total=1.0, desc=title, leave=False,
                 bar_format="{desc}: {percentage:3.0f}% |{bar}| {elapsed} {postfix}")

@@ -125,6 +125,19 @@ class Case:
         """`plica fit`; see plica.fit."""
         return commands.fit(self, out, **options)
 
+    def ejma(self, out: str | Path | None = None, **options: Any) -> Results:
+        """`plica ejma`; see plica.ejma."""
+        return commands.ejma(self, out, **options)
+
+    def stiffness(self, out: str | Path | None = None, **options: Any) -> Results:
+        """`plica stiffness`; see plica.stiffness."""
+        return commands.stiffness(self, out, **options)
+
+    def sweep(self, values: Any, out: str | Path, **options: Any) -> Any:
+        """`plica sweep`; see plica.sweep."""
+        from .sweep import sweep
+        return sweep(self, values, out, **options)
+
     def diagnose(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica diagnose`; see plica.diagnose."""
         return commands.diagnose(self, out, **options)

@@ -67,6 +67,31 @@ def identify(files: AnyTest | list[str | Path], out: str | Path | None = None, *
     return _compute("identify", list(files) if isinstance(files, list) else [files], out, options)
 
 
+def ejma(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
+    """`plica ejma`: EJMA's formulas for every bellows beside its shells, `results.ejma`."""
+    return _compute("ejma", [case], out, options)
+
+
+def stiffness(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
+    """`plica stiffness`: dynamic stiffness between two ends, `results.stiffness`."""
+    return _compute("stiffness", [case], out, options)
+
+
+def init(path: str | Path, **options: Any) -> Case:
+    """`plica init`: writes a commented case file to begin with, `kind="decoupler"` and the like;
+    the case, of `kind="measured"` that beside the test."""
+    from .case import Case
+    _call("init", [path], options)
+    return Case(path)
+
+
+def schema(kind: str = "case") -> dict[str, Any]:
+    """`plica schema`: the JSON Schema of the "case", "measured" or "benchmark" file, or the
+    "commands"."""
+    said, _ = _call("schema", [kind], {})
+    return dict(json.loads(said.printed))
+
+
 def check(case: AnyCase, **options: Any) -> Check:
     """`plica check`: CaseError with all problems, or what the case would cost."""
     said, _ = _call("check", [case], {**options, "json": True})
@@ -95,6 +120,8 @@ def _compute(name: str, inputs: list[Any], out: str | Path | None, options: dict
     if options.get("write_deck"):
         raise OptionError("write_deck writes a deck and no results; plica.write_deck(case, out, "
                           "solver)")
+    if options.get("json"):
+        raise OptionError(f"json prints and writes no results; plica.results(out).{name}")
     if out is not None:
         options = {**options, "out": Path(out)}
     folder = Path(options.get("out") or program.options(name)["out"].default or "out")

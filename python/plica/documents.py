@@ -80,6 +80,21 @@ class Fit(Document):
         return frame_of(self.data["targets"])
 
     @property
+    def aims(self) -> Any:
+        """DataFrame: what was to be least or most, before and after."""
+        return frame_of(self.data.get("aims", []))
+
+    @property
+    def constraints(self) -> Any:
+        """DataFrame: limits with the value they have."""
+        return frame_of(self.data.get("constraints", []))
+
+    @property
+    def evaluations(self) -> int:
+        """Runs of the model that it took."""
+        return int(self.data["evaluations"])
+
+    @property
     def values(self) -> dict[str, float]:
         """Fitted numbers by path, SI: `case.update(r.fit.values)`."""
         paths = {path: p["after"] for p in self.data["parameters"]
@@ -128,6 +143,11 @@ class Identification(Document):
     def _responses(self, name: str) -> list[Frf]:
         from .exchange.pyuff import from_pyuff  # which needs this module
         return from_pyuff(read_uff58(self.folder.require(name)))
+
+    @property
+    def spectra(self) -> Any:
+        """DataFrame: spectra of output-only or noisy signals (spectra.csv)."""
+        return self.folder.table("spectra").frame()
 
     @property
     def stabilisation(self) -> Any:

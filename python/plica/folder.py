@@ -2,20 +2,25 @@
 from __future__ import annotations
 
 import json
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from . import version
 from .errors import BrokenFolder, MissingData
+from .head import head_of
 from .tables import Table, read_csv
 
+LIST = "plica_files.json"  # what the program wrote there, by which command and of which version
 COMMANDS = {
     "results.json": "plica run", "certificate.json": "plica reduce",
     "superelement.json": "plica reduce", "identification.json": "plica identify",
     "correlation.json": "plica compare", "fit.json": "plica fit",
     "diagnosis.json": "plica diagnose", "pretest.json": "plica diagnose --pretest",
     "supposed.json": "plica diagnose --suppose", "levels.json": "plica identify",
-    "benchmark.json": "plica run",
+    "benchmark.json": "plica run", "sweep.json": "plica sweep", "ejma.json": "plica ejma",
+    "stiffness.csv": "plica stiffness", "stiffness.h5": "plica stiffness",
+    "transfer_stiffness.csv": "plica stiffness", "beam.csv": "plica reduce --beam",
 }
 
 
@@ -28,7 +33,7 @@ class Folder:
             raise BrokenFolder(f"{self.path}: is not there; a folder that plica has written")
         if not self.path.is_dir():
             raise BrokenFolder(f"{self.path}: is a file; the folder of results it lies in")
-        if not any((self.path / name).is_file() for name in COMMANDS):
+        if not any((self.path / name).is_file() for name in (*COMMANDS, LIST)):
             raise BrokenFolder(f"{self.path}: has no results; one of {', '.join(COMMANDS)}")
         self._documents: dict[str, Any] = {}
         self._tables: dict[str, Table] = {}
@@ -38,13 +43,33 @@ class Folder:
         return (self.path / name).is_file()
 
     def require(self, name: str) -> Path:
-        """The path of a file; MissingData says which command writes it."""
+        """The path of a file; MissingData says which command writes it, VersionError where it is
+        of another version."""
         if not self.has(name):
             by = COMMANDS.get(name)
             have = ", ".join(sorted(p.name for p in self.path.iterdir() if p.is_file()))
             raise MissingData(f"{self.path}: has no {name}; "
                               + (f"`{by} --out {self.path}` writes it" if by else f"it has {have}"))
+        entry = self._written.get(name)
+        if isinstance(entry, dict):
+            version.check(entry.get("plica_version") or None, str(self.path / name))
         return self.path / name
+
+    @cached_property
+    def _written(self) -> dict[str, Any]:
+        """What the list of files says; of a folder of `plica identify` below that of the test the
+        list lies there. Empty where there is none."""
+        for folder, below in ((self.path, ""), (self.path.parent, f"{self.path.name}/")):
+            try:
+                files = json.loads((folder / LIST).read_text(encoding="utf-8"))["files"]
+                return {name[len(below):]: entry for name, entry in files.items()
+                        if name.startswith(below)}
+            except FileNotFoundError:
+                continue
+            except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+                raise BrokenFolder(f"{folder / LIST}: is damaged: {error}; run the command anew") \
+                    from error
+        return {}
 
     def document(self, name: str) -> dict[str, Any]:
         """A JSON file; BrokenFolder where it is damaged, VersionError where of another version."""
@@ -59,6 +84,22 @@ class Folder:
             version.check(data.get("plica_version"), str(path))
             self._documents[name] = data
         return dict(self._documents[name])
+
+    def head(self, name: str, keys: set[str]) -> dict[str, Any]:
+        """These keys of a JSON file, which is read as far as the last of them; what is behind is
+        not looked at. Errors as of `document`."""
+        if name in self._documents:
+            return {k: v for k, v in self._documents[name].items() if k in keys}
+        path = self.path / name  # of results.json, which says its version itself
+        try:
+            data = head_of(path, keys)
+        except FileNotFoundError:
+            data = {}
+            self.require(name)
+        except (OSError, ValueError) as error:
+            raise BrokenFolder(f"{path}: is damaged: {error}; run the command anew") from error
+        version.check(data.get("plica_version"), str(path))
+        return data
 
     def table(self, name: str) -> Table:
         """A CSV table by name, with or without `.csv`."""

@@ -17,13 +17,15 @@ Array = npt.NDArray[Any]
 class Response:
     """The response of all sensors to one excitation. Its numbers are read when asked for.
 
-    `source`: "base", "motion" (ends) or "force"; `name`: "y", or the name of the force;
-    `level`: amplitude of the excitation; `peaks`: a list of dicts, as in results.json.
+    `source`: "base", "motion" (of ends), "force" or "together" (several at once); `name`: "y", or
+    the name of the force; `level`: amplitude of the excitation; `peaks`: a list of dicts, as in
+    results.json.
     """
 
     def __init__(self, folder: Folder, entry: Mapping[str, Any]) -> None:
         self._folder = folder
-        self.source = next((s for s in ("base", "motion", "force") if entry.get(s)), "base")
+        kinds = ("base", "motion", "force", "together")
+        self.source = next((kind for kind in kinds if entry.get(kind)), "base")
         self.name = str(entry.get(self.source))
         self.key = str(entry["file"])[len("response_"):-len(".csv")]
         self.level = entry.get("level")

@@ -7,18 +7,22 @@ from __future__ import annotations
 
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
 from .documents import Correlation, Fit, Identification, frame_of
 from .diagnosis import Diagnosis
+from .dynamic_stiffness import DynamicStiffness, read_stiffness
+from .errors import MissingData
 from .folder import Folder
 from .levels import Levels
+from .life import Life, Tables
 from .mesh import Mesh
 from .measured import Measured, read_measured
 from .responses import Responses
+from .states import frame_of_states
 from .static import StaticStiffness
 from .superelement import Superelement
 from .superelement_files import read_superelement
@@ -90,12 +94,82 @@ class Results:
     @cached_property
     def stress(self) -> Any:
         """DataFrame: the largest stress of each kind and where it is."""
-        return self.table("stress")
+        return self._asked("stress", "analyses.stress")
 
     @cached_property
     def levels(self) -> Levels:
         """Responses over the level of excitation; MissingData where none were computed."""
         return Levels(self.folder, self.data.get("levels"))
+
+    @property
+    def stress_places(self) -> Any:
+        """DataFrame: stress by load case, place, face and ply."""
+        return self._asked("stress_places", "analyses.stress")
+
+    @property
+    def stress_meridian(self) -> Any:
+        """DataFrame: stress along the meridian of every bellows."""
+        return self._asked("stress_meridian", "analyses.stress")
+
+    @cached_property
+    def life(self) -> Life:
+        """Duties, damage, hot spots; MissingData where no life was asked for."""
+        return Life(self.folder, self.data.get("life"))
+
+    @property
+    def error_bars(self) -> Any:
+        """DataFrame: what mesh and tolerances make of the headline numbers."""
+        return self._asked("error_bars", "analyses.error_bars")
+
+    @property
+    def complex_modes(self) -> Any:
+        """DataFrame: modes with dashpots and coupled loss factors, complex shapes at sensors."""
+        return self._asked("complex_modes", "a damped mount or joint, or damping.coupled")
+
+    @property
+    def transients(self) -> Mapping[str, Any]:
+        """DataFrames by name: motion of the sensors over time."""
+        return self._tables("transients", "file", "analyses.transients")
+
+    @property
+    def shocks(self) -> Mapping[str, Any]:
+        """DataFrames by name of the transient: shock response spectra."""
+        return self._tables("transients", "shock_file", "analyses.transients[].spectrum")
+
+    @property
+    def run_ups(self) -> Mapping[str, Any]:
+        """DataFrames by name: orders of an engine over its speed, steady at each."""
+        return self._tables("run_ups", "file", "analyses.run_ups")
+
+    @property
+    def run_ups_in_time(self) -> Mapping[str, Any]:
+        """DataFrames by name: the same as the speed changes."""
+        return self._tables("run_ups", "time_file", "analyses.run_ups[].table")
+
+    @property
+    def crossings(self) -> Any:
+        """DataFrame: where orders cross modes."""
+        return self._asked("crossings", "analyses.run_ups")
+
+    @property
+    def state(self) -> dict[str, Any]:
+        """The state that all is around, as in results.json; empty at rest."""
+        return dict(self.data.get("state") or {})
+
+    @cached_property
+    def states(self) -> Any:
+        """DataFrame: the states of the case beside the part at rest."""
+        return frame_of_states(self.folder, self.data)
+
+    def _tables(self, name: str, file: str, key: str) -> Mapping[str, Any]:
+        return Tables(self.folder, {str(e["name"]): str(e[file])
+                                    for e in self.data.get(name) or [] if e.get(file)}, key)
+
+    def _asked(self, name: str, key: str) -> Any:
+        if not self.folder.has(name + ".csv"):
+            raise MissingData(f"{self.path}: has no {name}.csv; {key} in the case"
+                              + ("" if self.tables else ", run without only=\"json\""))
+        return self.table(name)
 
     @property
     def comparison(self) -> Any:
@@ -128,12 +202,40 @@ class Results:
     @cached_property
     def superelement(self) -> Superelement:
         """The superelement of `plica reduce`."""
+        for name in ("superelement.h5", "superelement.json"):
+            if self.folder.has(name):
+                self.folder.require(name)
         return read_superelement(self.path)
 
     @property
     def certificate(self) -> dict[str, Any]:
         """certificate.json as it is."""
         return self.folder.document("certificate.json")
+
+    @property
+    def beam(self) -> Any:
+        """DataFrame: the equivalent pipe of `plica reduce --beam` beside the shells (beam.csv)."""
+        return self.table("beam")
+
+    @cached_property
+    def stiffness(self) -> DynamicStiffness:
+        """The dynamic stiffness of `plica stiffness`."""
+        return read_stiffness(self.folder)
+
+    @property
+    def ejma(self) -> Any:
+        """DataFrame: the sheet of `plica ejma`, each row with its unit."""
+        return self.table("ejma")
+
+    @property
+    def sweep(self) -> Any:
+        """DataFrame: the table of `plica sweep`, one variant a row."""
+        return self.table("sweep")
+
+    @property
+    def benchmark(self) -> Any:
+        """DataFrame: what the run of a benchmark found beside its sources."""
+        return self.table("benchmark")
 
     @cached_property
     def simulated(self) -> Measured:

@@ -17,10 +17,11 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import child, commands, yaml_edit
+from .bar import bars
 from .case import Case
 from .documents import frame_of
-from .errors import CaseError, PlicaError
-from .optional import have, need
+from .errors import CaseError, OptionError, PlicaError
+from .optional import need
 from .results import Results
 from .variants import Row, folder_of, run_before, run_into
 
@@ -33,7 +34,9 @@ def sweep(case: Case | str | Path, values: Any, out: str | Path, *,
     """DataFrame, one variant a row in the order of `values`: its values, its numbers, `error`.
 
     values: {path: list} for all combinations, or a DataFrame or list of {path: value}; a value is
-    a text with a unit or a number in SI, None what the case says. out: folder for the runs.
+    a text with a unit or a number in SI, None what the case says. values None: the options say
+    what varies, such as vary="parts.tip.mass=0.1kg:0.4kg", design="sobol", count=100; the table is
+    then that of the program, with status and reason. out: folder for the runs.
     workers: variants side by side, as many as there are cores unless given. options: those of
     `plica sweep`, such as result=["modes[0].frequency"] in place of the headline (first modes,
     stiffness, mass; SI), or set={path: value}.
@@ -46,6 +49,11 @@ def sweep(case: Case | str | Path, values: Any, out: str | Path, *,
     case itself is wrong.
     """
     base = case.copy() if isinstance(case, Case) else Case(case)
+    if values is None:
+        if collect is not None:
+            raise OptionError("collect goes with values; result=[...] with vary")
+        commands.run_sweep(base, out, jobs=workers or 0, progress=progress, **options)
+        return Results(out).sweep
     rows = combinations(values)
     if collect is None:
         return _by_program(base, rows, Path(out), workers, progress, options)
@@ -116,7 +124,7 @@ def _all(tasks: Sequence[Callable[[], dict[int, Row]]], workers: int | None, pro
     with ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
         futures: list[Future[dict[int, Row]]] = [pool.submit(task) for task in tasks]
         done: Any = as_completed(futures)
-        if progress and have("tqdm"):
+        if progress and bars():
             done = need("tqdm.auto", "a bar").tqdm(done, total=len(futures), desc="plica sweep")
         try:
             for future in done:

@@ -85,15 +85,36 @@ def test_mac_and_correlation_of_parameters(bellows, tmp_path):
     drawn(matrix.correlation(Fit(folder)), tmp_path)
 
 
-def test_the_stability_diagram_of_a_program_that_writes_it(tmp_path):
-    poles = [{"order": n, "frequency": 116 + 0.1 * (n % 2), "damping": 0.01, "stable": word}
-             for n, word in enumerate(["new", "frequency", "damping", "all", "all"], 2)]
-    document = {"title": "a test", "modes": [{"frequency": 116.0}], "stabilisation": poles,
-                "indicator": {"frequency": [100, 116, 130], "value": [1, 10, 1]}}
-    (tmp_path / "identification.json").write_text(json.dumps(document))
-    axes = drawn(stability.draw(Identification(Folder(tmp_path))), tmp_path)
-    assert [t.get_text() for t in axes.get_legend().get_texts()][-1] == "stable"
-    del document["stabilisation"]
-    (tmp_path / "identification.json").write_text(json.dumps(document))
+def test_the_stability_diagram_of_an_identification(tmp_path):
+    """Of the bolted lap at its lowest level, end to end: what the program writes is what is drawn,
+    and every mode that was found stands on a column of stable poles."""
+    found = plica.identify(SHIPPED / "bolted_lap" / "measured.yaml", tmp_path / "out").sets[0]
+    identification = found.identification
+    poles, modes = identification.stabilisation, identification.modes
+    assert set(poles["stable"]) <= {"new", "frequency", "damping", "all"} and len(modes) >= 1
+    assert poles.attrs["units"]["frequency"] == "Hz" and len(poles) > 50
+    axes = drawn(found.plot.stability(), tmp_path)
+    marks = {line.get_label(): line for line in axes.lines if not line.get_label().startswith("_")}
+    assert list(marks) == ["new", "frequency stable", "damping stable", "stable"]
+    stable = poles[poles["stable"] == "all"]
+    np.testing.assert_array_equal(marks["stable"].get_xdata(), stable["frequency"])
+    np.testing.assert_array_equal(marks["stable"].get_ydata(), stable["order"])
+    assert sum(len(line.get_xdata()) for line in marks.values()) == len(poles)
+    for frequency in modes["frequency"]:
+        near = stable[abs(stable["frequency"] / frequency - 1) < 0.01]
+        assert near["order"].nunique() >= 5
+    bands = [line for line in axes.lines if line.get_label().startswith("_")]
+    assert [line.get_xdata()[0] for line in bands] == list(modes["frequency"])
+    indicator = identification.data["indicator"]
+    [curve] = axes.figure.axes[1].lines  # behind the poles
+    assert axes.figure.axes[1].get_yscale() == "log"
+    np.testing.assert_array_equal(curve.get_xdata(), indicator["frequency"])
+    assert axes.get_xlabel() == "frequency in Hz" and axes.get_ylabel() == "order"
+    own = pyplot.figure().add_subplot()
+    assert found.plot.stability(ax=own) is own
+
+
+def test_an_identification_without_the_diagram_says_so(tmp_path):
+    (tmp_path / "identification.json").write_text(json.dumps({"title": "a test", "modes": []}))
     with pytest.raises(plica.MissingData, match="has no stabilisation diagram"):
         stability.draw(Identification(Folder(tmp_path)))

@@ -13,7 +13,7 @@ import pytest
 from conftest import CASES, HERE
 
 import plica
-from plica import bar, child, program
+from plica import arguments, bar, child, program
 
 
 STALE = "python/plica/commands.json is not what the program says: plica schema commands > ..."
@@ -40,8 +40,7 @@ def test_options_are_those_of_the_program(executable):
     shipped = program.shipped_schema()
     if asked.returncode == 0:
         theirs = json.loads(asked.stdout)
-        for name in ("run", "reduce", "identify", "fit", "diagnose", "compare", "check"):
-            assert theirs["commands"][name] == shipped["commands"][name], STALE
+        assert theirs["commands"] == shipped["commands"], STALE
         assert theirs.get("global", []) == shipped["global"], STALE
         return
     completion = subprocess.run([executable, "completion", "bash"], capture_output=True, text=True,
@@ -50,6 +49,36 @@ def test_options_are_those_of_the_program(executable):
         line = next(x for x in completion.splitlines() if x.startswith(f"    {name}) words="))
         known = {w.strip('"')[2:] for w in line.split('"')[1].split()} - {"help"}
         assert known == {o["name"] for o in command["options"]}, f"{name}: {STALE}"
+
+
+FOR_SHELLS = {"completion", "manual"}  # what a terminal asks for
+
+
+def test_every_command_of_the_program_is_a_function(executable):
+    """And every option of it reaches the program: a flag, a choice, a number, a text."""
+    for name in set(program.schema()["commands"]) - FOR_SHELLS:
+        assert callable(getattr(plica, name)) and name in plica.__all__, name
+        command = program.command(name)
+        for keyword, option in command.options.items():
+            number = 3 if option.min is None else int(option.min)
+            value = {"flag": True, "whole": number, "number": float(number)}.get(option.kind, "a")
+            value = option.choices[0] if option.choices else value
+            found = arguments.words(command, {keyword: value})
+            assert found[0] == f"--{option.name}" and found[1:] in ([], [str(value)]), keyword
+
+
+def test_starter_files_and_schemas(tmp_path):
+    for kind in plica.options("init")["kind"].choices:
+        if kind != "measured":
+            case = plica.init(tmp_path / kind / f"{kind}.yaml", kind=kind) \
+                if (tmp_path / kind).mkdir() is None else None
+            assert "valid" in case.check().text
+    with pytest.raises(plica.OptionError, match="kind='hose'; bellows or decoupler"):
+        plica.init(tmp_path / "a.yaml", kind="hose")
+    with pytest.raises(plica.CaseError, match="decoupler.yaml"):
+        plica.init(tmp_path / "decoupler" / "decoupler.yaml")  # is there
+    assert "parts" in plica.schema()["properties"]
+    assert plica.schema("commands") == program.schema()
 
 
 def test_unknown_and_wrong_options():
@@ -63,6 +92,9 @@ def test_unknown_and_wrong_options():
             ({"write_deck": "abaqus"}, "plica.write_deck")]:
         with pytest.raises(plica.OptionError, match=says):
             plica.run(beam, **options)
+    with pytest.raises(plica.OptionError, match=r"json prints and writes no results; plica.results"
+                                                r"\(out\).ejma"):
+        plica.ejma(beam, json=True)
     with pytest.raises(plica.OptionError, match="begins like an option"):
         plica.run("-beam.yaml")
     assert "no_variants" in plica.options("run")
@@ -135,6 +167,23 @@ def test_a_program_of_another_version(use, tmp_path):
         path.chmod(stat.S_IRWXU)
         with pytest.raises(plica.VersionError, match=error):
             use(path)
+
+
+def test_what_is_no_program(use, tmp_path):
+    """A folder, a file that may not be run, one that is none: each with what would be right."""
+    (tmp_path / "text").write_text("words\n")
+    for path in (tmp_path, tmp_path / "text"):
+        with pytest.raises(plica.NoExecutable, match="is no program that can be run; the path of "):
+            use(path)
+    (tmp_path / "text").chmod(stat.S_IRWXU)
+    with pytest.raises(plica.NoExecutable, match="text: cannot be run: "):
+        use(tmp_path / "text")
+
+
+def test_a_bar_without_tqdm_is_a_word(monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm", None)
+    with pytest.warns(UserWarning, match="no bar of progress: .*apt install python3-tqdm"):
+        assert bar.Bar("t", True).bar is None
 
 
 def test_side_by_side_gives_the_same_numbers(tmp_path, beam):

@@ -45,6 +45,18 @@ def test_a_row_that_fails_says_why_and_the_others_are_there(tmp_path):
     assert "out of range" in none["error"][0]
 
 
+def test_what_varies_by_the_options_of_the_program(tmp_path):
+    table = plica.sweep(CASES / "beam.yaml", None, tmp_path / "s", design="sobol", count=5,
+                        vary=["parts.tip.mass=0.1kg:0.4kg", "parts.beam.section.depth=5mm:8mm"])
+    assert len(table) == 5 and (table["status"] == "ok").all()
+    assert table["parts.tip.mass"].between(0.1, 0.4).all()
+    assert table.attrs["units"]["parts.beam.section.depth"] == "m"
+    assert plica.Case(CASES / "beam.yaml").sweep({"parts.tip.mass": [0.1]}, tmp_path / "t")[
+        "mass"][0] == pytest.approx(0.6652)
+    with pytest.raises(plica.OptionError, match="collect goes with values"):
+        plica.sweep(CASES / "beam.yaml", None, tmp_path / "s", collect=dict)
+
+
 def test_a_case_that_is_wrong_itself_is_an_error(tmp_path):
     case = plica.Case(CASES / "beam.yaml")
     case["materials.steel.nu"] = 3

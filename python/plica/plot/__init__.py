@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ..errors import MissingData
+
 if TYPE_CHECKING:
     from ..results import Results
 
@@ -26,7 +28,13 @@ class Plots:
             return self.mac(**options)
         if has("identification.json"):
             return self.synthesis(**options)
-        return r.sets[0].plot(**options) if r.sets else self.correlation(**options)
+        if has("stiffness.h5") or has("stiffness.csv"):
+            return self.stiffness(**options)
+        if has("fit.json"):
+            return self.correlation(**options)
+        if r.sets:
+            return r.sets[0].plot(**options)
+        raise MissingData(f"{r.path}: has nothing that is drawn as a whole; r.tables, r.table(...)")
 
     def response(self, name: str | None = None, **options: Any) -> Any:
         """Magnitude of the sensors over frequency, over a test; see plica.plot.response.draw."""
@@ -62,6 +70,11 @@ class Plots:
         """How fitted parameters go together; see plica.plot.matrix.correlation."""
         from .matrix import correlation
         return correlation(self._results.fit, **options)
+
+    def stiffness(self, **options: Any) -> Any:
+        """Dynamic stiffness between two ends; see plica.plot.stiffness.draw."""
+        from .stiffness import draw
+        return draw(self._results.stiffness, **options)
 
     def levels(self, **options: Any) -> Any:
         """Peaks over the level of excitation; see plica.plot.levels.draw."""

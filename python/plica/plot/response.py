@@ -69,5 +69,6 @@ def _tests(measured: Measured | str | Path, driven: str) -> list[Frf]:
 
 
 def _title(results: Results, source: str, name: str) -> str:
-    words = {"base": "base moved in", "force": "force", "motion": "ends moved:"}
+    words = {"base": "base moved in", "force": "force", "motion": "ends moved:",
+             "together": "together:"}
     return f"{results.case}, {words[source]} {name}"

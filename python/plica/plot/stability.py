@@ -27,7 +27,7 @@ def draw(identification: Identification, *, ax: Any = None) -> Any:
                       label={"all": "stable", "new": "new"}.get(word, f"{word} stable"))
         _indicator(identification.data.get("indicator"), axes)
         axes.set(xlabel="frequency in Hz", ylabel="order", title=identification.data["title"])
-        axes.legend(ncol=4, loc="lower center")
+        axes.legend(ncol=4, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.2)
     return axes
 
 
@@ -37,5 +37,4 @@ def _indicator(indicator: Any, axes: Any) -> None:
     twin = axes.twinx()
     twin.semilogy(indicator["frequency"], np.abs(indicator["value"]), color=MUTED, linewidth=0.8,
                   zorder=1)
-    twin.set_yticks([])
-    twin.grid(False)
+    twin.yaxis.set_visible(False)
