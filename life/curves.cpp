@@ -1,6 +1,5 @@
 #include "life/curves.hpp"
 
-#include "life/published_curves.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>
@@ -100,7 +99,7 @@ CurveLife life_of(const TableCurve& curve, double amplitude) {
 }
 
 CurveLife life_of(const PublishedCurve& curve, double amplitude) {
-  const PublishedTests& tests = tests_of(curve);
+  const PublishedTests& tests = tests_of(curve.of);
   const double above = 100 * tests.scale * amplitude / curve.E - tests.limit; // percent
   if (above <= 0) return {tests.most, Bound::at_least};
   const double N = tests.factor * std::pow(above, -tests.exponent);
@@ -182,7 +181,7 @@ CurveLife life(const FatigueCurve& curve, const StressCycle& cycle) {
 
 std::optional<double> deviation_of(const FatigueCurve& curve) {
   const auto* published = std::get_if<PublishedCurve>(&curve.law);
-  return published ? std::optional(tests_of(*published).deviation) : std::nullopt;
+  return published ? std::optional(tests_of(published->of).deviation) : std::nullopt;
 }
 
 std::string what_is_inside(const FatigueCurve& curve) {

@@ -4,6 +4,7 @@
 // "at most" the smallest number of cycles of the curve, and says so.
 #pragma once
 
+#include "life/published_curves.hpp"
 #include "words/input_error.hpp"
 
 #include <array>
@@ -69,8 +70,6 @@ struct TableCurve {
 // Tests whose mean curve is at hand with its source and its scatter (life/published_curves.hpp). A
 // cycle of elastic stress counts as one of strain, amplitude / E. Outside of the range that was
 // tested a life is a bound.
-enum class PublishedSteel { pipe_304L, pipe_304L_butt_weld };
-
 struct PublishedCurve {
   PublishedSteel of = PublishedSteel::pipe_304L;
   double E = 0; // of the wall whose stress it is, Pa

@@ -46,8 +46,8 @@ const std::vector<PublishedTests>& published_tests() {
   return all;
 }
 
-const PublishedTests& tests_of(const PublishedCurve& curve) {
-  return published_tests()[std::size_t(curve.of)];
+const PublishedTests& tests_of(PublishedSteel steel) {
+  return published_tests()[std::size_t(steel)];
 }
 
 } // namespace plica

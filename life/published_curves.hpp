@@ -5,8 +5,6 @@
 // that is printed with it.
 #pragma once
 
-#include "life/curves.hpp"
-
 #include <vector>
 
 namespace plica {
@@ -22,8 +20,9 @@ struct PublishedTests {
   double deviation = 0;        // standard deviation of log10 of the cycles
 };
 
-// In the order of PublishedSteel.
-const std::vector<PublishedTests>& published_tests();
-const PublishedTests& tests_of(const PublishedCurve& curve);
+enum class PublishedSteel { pipe_304L, pipe_304L_butt_weld };
+
+const std::vector<PublishedTests>& published_tests(); // in the order of PublishedSteel
+const PublishedTests& tests_of(PublishedSteel steel);
 
 } // namespace plica

@@ -1,6 +1,5 @@
 // Intervals of lives by tolerances, mesh errors by place, and the stress of ends that move at
 // random, against closed forms.
-#include "life/published_curves.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/life_intervals.hpp"
 #include "run/study/refine.hpp"

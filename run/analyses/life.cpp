@@ -1,6 +1,5 @@
 #include "run/analyses/life.hpp"
 
-#include "life/published_curves.hpp"
 #include "words/input_error.hpp"
 #include "words/units.hpp"
 
@@ -33,7 +32,7 @@ MatrixXd normal_directions(StressMeasure measure) {
 
 FatigueCurve named(FatigueCurve curve) {
   if (const auto* published = std::get_if<PublishedCurve>(&curve.law)) {
-    const PublishedTests& tests = tests_of(*published);
+    const PublishedTests& tests = tests_of(published->of);
     if (curve.name.empty()) curve.name = tests.title;
     if (curve.source.empty()) curve.source = tests.source;
   }
