@@ -180,16 +180,15 @@ private:
     const Analyses& a = case_.analyses;
     if (a.transients.empty() && a.run_ups.empty()) return;
     stage_("transients and run-ups");
-    const bool in_time =
-        !a.transients.empty() || std::any_of(a.run_ups.begin(), a.run_ups.end(),
-                                             [](const RunUp& r) { return !r.table.empty(); });
+    const bool in_time = std::any_of(a.run_ups.begin(), a.run_ups.end(),
+                                     [](const RunUp& r) { return !r.table.empty(); });
     if (in_time && !modes.dissipation.empty())
-      results_.warnings.push_back("transients and run-ups in time: damped springs and coupled loss "
-                                  "factors act as damping of each mode by itself");
+      results_.warnings.push_back("run-ups in time: damped springs and coupled loss factors act as "
+                                  "damping of each mode by itself");
     for (std::size_t i = 0; i < a.transients.size(); ++i)
       results_.transients.push_back(transient(a.transients[i],
                                               "analyses.transients[" + std::to_string(i) + "]",
-                                              model, modes, excited));
+                                              model, modes, excited, results_.warnings));
     for (std::size_t i = 0; i < a.run_ups.size(); ++i)
       results_.run_ups.push_back(run_up(a.run_ups[i], "analyses.run_ups[" + std::to_string(i) + "]",
                                         model, modes, excited));
