@@ -188,7 +188,6 @@ TEST(Tones, ride_on_a_random_input_where_they_are_worst) {
   EXPECT_NEAR(tone.rms[1], std::hypot(random.bands[0].rms[1], tone.sine[1] / std::sqrt(2)), 1e-9);
 }
 
-// A half sine of the base.
 Transient drop(double peak, double duration) {
   Transient t;
   t.name = "drop";
@@ -216,8 +215,7 @@ TEST(Transients, of_a_shock_are_the_shock_response_of_the_mass) {
   EXPECT_LT(t.spectra->input.maxCoeff(), 50 * 1.77);
 }
 
-// A Maxwell branch at one mount in series with half of the bar: z against the base, F of the
-// branch, by Runge-Kutta under the half sine.
+// Maxwell's branch at one mount and half of the bar in a row: z against the base, F of the branch.
 Eigen::VectorXd by_runge_kutta(double g, double tau, double peak, double duration, double step,
                                Index count) {
   const double right = in_a_row(k_right).real(), both = k_left + half_bar;
@@ -235,10 +233,9 @@ Eigen::VectorXd by_runge_kutta(double g, double tau, double peak, double duratio
   Eigen::VectorXd absolute(count);
   const double h = step / 4;
   for (Index i = 0; i < count; ++i) {
-    const double t0 = double(i) * step;
-    absolute[i] = acceleration(y, t0) + base(t0);
+    absolute[i] = acceleration(y, double(i) * step) + base(double(i) * step);
     for (int k = 0; k < 4; ++k) {
-      const double t = t0 + k * h;
+      const double t = double(i) * step + k * h;
       const Eigen::Vector3d a = rate(y, t), b = rate(y + h / 2 * a, t + h / 2),
                             c = rate(y + h / 2 * b, t + h / 2), d = rate(y + h * c, t + h);
       y += h / 6 * (a + 2 * b + 2 * c + d);
