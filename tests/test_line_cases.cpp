@@ -253,6 +253,12 @@ TEST(LineCases, the_starter_is_drawn_with_its_muffler_and_hangers) {
   data.analyses.error_bars = false;
   const Results r = run(data, [](const std::string&) {});
   for (std::size_t i = 0; i < r.lines.size(); ++i) EXPECT_GT(r.line_radii.at(i), 0.03);
+  for (const ModeResult& m : r.modes) // the bellows moves along, the line is what they are about
+    for (std::size_t d = 0; d < 3; ++d)
+      if (m.effective_mass[d] > 0.5 * r.free_mass[d]) {
+        EXPECT_EQ(m.direction, std::string(1, "xyz"[d])) << m.frequency;
+        EXPECT_EQ(m.shape, d == 1 ? "axial" : "transverse") << m.frequency;
+      }
   const std::string page = report_html(r);
   for (const char* name : {"muffler", "hanger_front", "hanger_rear", "engine"})
     EXPECT_NE(page.find(">" + std::string(name) + "</text>"), std::string::npos) << name;
