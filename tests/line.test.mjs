@@ -57,6 +57,16 @@ fit:
   assert.ok(JSON.stringify(gap).includes('33.7'), 'the identified mode is none of its readings');
 });
 
+test('the commands that a starter names run as they stand there', () => {
+  const at = folder('starters');
+  good(at, 'init', 'beam.yaml', '--kind', 'measured');
+  const named = ['beam.yaml', 'measured.yaml'].flatMap((name) =>
+    [...readFileSync(join(at, name), 'utf8').matchAll(/^# +plica (\S.*?)(?: {2,}.*)?$/gm)]);
+  assert.ok(named.length >= 4, String(named));
+  for (const [, command] of named)
+    if (!command.startsWith('fit ')) good(at, ...command.split(' ')); // the starter has no `fit`
+});
+
 test('what ends and inputs cannot be is refused with its place and what would be right', () => {
   const at = folder('bad');
   good(at, 'init', 'line.yaml', '--kind', 'line');

@@ -256,9 +256,10 @@ analyses:
 constexpr const char* measurements =
     R"(# What was measured on NAME.yaml; plica schema measured says every key.
 #
-#   plica compare NAME.yaml --measured measured.yaml   computed beside measured
-#   plica fit NAME.yaml                                the case fitted to it, where the case has `fit`
-#   plica diagnose NAME.yaml                           where a gap lies, and what may cause it
+#   plica run NAME.yaml --out out     computed beside measured, in the report
+#   plica compare out measured.yaml   modes paired by their shapes
+#   plica diagnose NAME.yaml          where a gap lies, and what may cause it
+#   plica fit NAME.yaml               the case fitted to it, where the case has `fit`
 specimen: NAME
 source: made up by `plica init`; say here who measured what, and how
 
