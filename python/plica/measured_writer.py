@@ -25,13 +25,14 @@ def measured(folder: str | Path, specimen: str, *, mass: float | Mapping[str, An
     """Writes measured.yaml with its tables into `folder` and gives it back, read.
 
     Numbers are in SI. Rows are DataFrames or dicts with the keys of `plica schema measured`; NaN
-    and None are left out. `frf`: one table each (frf_1.csv, ...); the input `base.y` is a motion
+    and None are left out. `frf`: one table an input (frf_1.csv, ...); the input `base.y` is a motion
     of the table, any other (`mid.y`) a force, and `unit` says what the response is; `sigma`
     {"relative": 0.02, "floor": 0.01} goes to all of them. ValueError where a unit is not SI or a
     number none; FileExistsError names a file that is there already. Reading back needs PyYAML.
     """
     folder = Path(folder)
-    frfs = [frf] if isinstance(frf, Frf) else list(frf)
+    frfs = [Frf(f.frequency, f.by_input(driven), f.outputs, (driven,), f.unit, f.level)
+            for f in ([frf] if isinstance(frf, Frf) else frf) for driven in f.inputs]
     records = [signals] if isinstance(signals, Signals) else list(signals)
     files: dict[str, str] = {}
     entries: dict[str, Any] = {
@@ -90,9 +91,6 @@ def _flow(value: Any) -> str:
 
 def _frf_entry(frf: Frf, name: str, sigma: Mapping[str, float] | None,
                files: dict[str, str]) -> dict[str, Any]:
-    if len(frf.inputs) != 1:
-        raise ValueError(f"{name}: has {len(frf.inputs)} inputs; one Frf each, measured together "
-                         "by their channels")
     heads = ["frequency [Hz]"] + [f"{c.replace('.', ' ')} {part}" for c in frf.outputs
                                   for part in ("real", "imaginary")]
     H = frf.H[:, :, 0]

@@ -28,6 +28,26 @@ def test_responses_from_arrays_are_identified(tmp_path):
         plica.measured(tmp_path / "lab", "pipe")
 
 
+def test_several_inputs_of_one_test_are_identified_together(tmp_path):
+    """Two masses between three springs, driven at each: frequencies, damping and shapes."""
+    f, k, zeta = np.arange(4.0, 20.0, 0.02), 1000.0, 0.01
+    shapes = np.array([[1, 1], [1, -1]]) / np.sqrt(2)
+    hertz = np.sqrt(np.array([k, 3 * k])) / (2 * np.pi)
+    w, w0 = 2 * np.pi * f[:, None], 2 * np.pi * hertz
+    H = np.einsum("km,im,jm->kij", -w ** 2 / (w0 ** 2 - w ** 2 + 2j * zeta * w0 * w), shapes,
+                  shapes)
+    channels = ("a.x", "b.x")
+    lab = plica.measured(tmp_path / "lab", "two", frf=plica.Frf(f, H, channels, channels,
+                                                                "m/s2 per N"),
+                         sensors=[{"name": "a", "at": [0, 0, 0]}, {"name": "b", "at": [0, 1, 0]}])
+    assert [one.inputs for one in lab.frf] == [("a.x",), ("b.x",)]
+    np.testing.assert_array_equal(lab.frf[1].H[:, :, 0], H[:, :, 1])
+    found = plica.identify(lab, tmp_path / "out")
+    np.testing.assert_allclose(found.identification.modes["frequency"], hertz, rtol=1e-4)
+    np.testing.assert_allclose(found.identification.modes["damping"], zeta, rtol=2e-2)
+    assert len(found.plot.stability().lines) >= 6
+
+
 @pytest.mark.parametrize("unit, power", [("m per N", 0), ("m/s per N", 1), ("m/s2 per N", 2)])
 def test_the_unit_says_what_a_response_to_a_force_is(tmp_path, unit, power):
     f = np.arange(20.0, 60.0, 0.1)
