@@ -2,12 +2,15 @@
 // forms.
 #include "model/description/spring_damping.hpp"
 #include "solve/dissipation.hpp"
+#include "solve/transient_response.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace plica {
@@ -242,6 +245,55 @@ TEST(SpringDamping, laws_at_a_frequency) {
   d = {};
   d.maxwell = {{0.5, 1e6}}; // hardly relaxes: a spring of half the stiffness beside
   EXPECT_LT(std::abs(added_stiffness(d, 0, 1000, imag_unit * w) - 500.), 1e-4);
+}
+
+// Sixty modes, twenty channels, as on a line up to 500 Hz (bench/bench_line.cpp).
+ModalModel many_modes() {
+  ModalModel m{VectorXd(60), VectorXd::Constant(60, 0.01), VectorXd::Zero(60), MatrixXd(20, 60),
+               MatrixXd(60, 1)};
+  for (Index j = 0; j < 60; ++j) {
+    m.lambda[j] = std::pow(2 * std::numbers::pi * (8 + 9. * double(j)), 2);
+    m.input(j, 0) = std::sin(1.3 * double(j));
+    for (Index c = 0; c < 20; ++c) m.output(c, j) = std::cos(0.7 * double(j * c + 1));
+  }
+  return m;
+}
+
+double best_seconds(int times, const std::function<void()>& work) {
+  double best = 1e9;
+  for (int i = 0; i < times; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    best = std::min(
+        best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return best;
+}
+
+TEST(LineSpeedSlow, complex_stiffness_takes_fifty_milliseconds) {
+  const ModalModel m = many_modes();
+  MatrixXd B(60, 30);
+  for (Index i = 0; i < 60; ++i)
+    for (Index k = 0; k < 30; ++k) B(i, k) = std::sin(2.1 * double(i * k + i + k));
+  const VectorXd w = m.lambda.cwiseSqrt();
+  Dissipation coupled;
+  coupled.loss = 0.01 * w.asDiagonal() * (B * B.transpose()) * w.asDiagonal();
+  const VectorXd omega = 2 * std::numbers::pi * VectorXd::LinSpaced(4901, 10, 500);
+  EXPECT_LT(
+      best_seconds(20,
+                   [&] {
+                     ASSERT_TRUE(DissipativeResponse(m, coupled)({{0, 1}}, omega).allFinite());
+                   }),
+      0.05);
+}
+
+TEST(LineSpeedSlow, a_transient_of_100_seconds_at_5_kilohertz_takes_one) {
+  const ModalModel m = many_modes();
+  MatrixXd signal(500'000, 1);
+  for (Index i = 0; i < signal.rows(); ++i) signal(i, 0) = std::sin(0.37 * double(i % 7919));
+  EXPECT_LT(
+      best_seconds(3, [&] { ASSERT_TRUE(transient_acceleration(m, signal, 2e-4).allFinite()); }),
+      1.);
 }
 
 } // namespace
