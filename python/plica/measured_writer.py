@@ -25,7 +25,7 @@ def measured(folder: str | Path, specimen: str, *, mass: float | Mapping[str, An
     """Writes measured.yaml with its tables into `folder` and gives it back, read.
 
     Numbers are in SI. Rows are DataFrames or dicts with the keys of `plica schema measured`; NaN
-    and None are left out. `frf`: one table an input (frf_1.csv, ...); the input `base.y` is a motion
+    and None are left out. `frf`: one table an input, frf_1.csv and so on; `base.y` is a motion
     of the table, any other (`mid.y`) a force, and `unit` says what the response is; `sigma`
     {"relative": 0.02, "floor": 0.01} goes to all of them. ValueError where a unit is not SI or a
     number none; FileExistsError names a file that is there already. Reading back needs PyYAML.

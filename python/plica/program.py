@@ -24,7 +24,8 @@ _named: list[str] = []
 
 def use(path: str | Path) -> None:
     """Names the executable for all that follows; NoExecutable or VersionError."""
-    _named[:] = [str(path)]
+    named = str(path)  # a path stays that of the folder of now
+    _named[:] = [os.path.abspath(named) if os.sep in named else named]
     executable()
 
 

@@ -27,7 +27,7 @@ def draw(identification: Identification, *, ax: Any = None) -> Any:
                       label={"all": "stable", "new": "new"}.get(word, f"{word} stable"))
         _indicator(identification.data.get("indicator"), axes)
         axes.set(xlabel="frequency in Hz", ylabel="order", title=identification.data["title"])
-        axes.legend(ncol=4, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.2)
+        axes.legend(ncol=4, loc="upper center", bbox_to_anchor=(0.5, -0.14))
     return axes
 
 
