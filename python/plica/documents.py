@@ -117,7 +117,9 @@ class Identification(Document):
         """DataFrame: frequency, damping, their standard deviations, share, collinearity."""
         keep = [{k: v for k, v in mode.items() if not isinstance(v, (list, dict))}
                 for mode in self.data["modes"]]
-        return frame_of(keep, {"frequency": "Hz", "sigma_frequency": "Hz"})
+        return frame_of(keep, {"frequency": "Hz", "sigma_frequency": "Hz",
+                               "damping": "fraction of critical",
+                               "sigma_damping": "fraction of critical"})
 
     @property
     def shapes(self) -> Array:
