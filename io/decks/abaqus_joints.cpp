@@ -46,29 +46,34 @@ KeywordHandlers AbaqusJoints::handlers() {
     return [this, read](const Keyword& k) { (this->*read)(k); };
   };
   using J = AbaqusJoints;
-  return {{"COUPLING",
-           {[this](const Keyword& k) {
-              no_open_coupling();
-              coupling_ = k;
-            },
-            {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
-          {"KINEMATIC", {by(&J::kinematic), {}}},
-          {"DISTRIBUTING", {by(&J::distributing), {"COUPLING", "WEIGHTING METHOD"}}},
-          {"KINEMATIC COUPLING", {by(&J::kinematic_coupling), {"REF NODE"}}},
-          {"DISTRIBUTING COUPLING", {by(&J::distributing_coupling), {"ELSET"}}},
-          {"RIGID BODY",
-           {by(&J::rigid_body),
-            {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET", "POSITION", "ISOTHERMAL"}}},
-          {"MPC", {by(&J::mpc), {}}},
-          {"EQUATION", {by(&J::equation), {}}},
-          {"STEP", {[this](const Keyword&) { kept_in_step_ = true; }, {}}},
-          {"TIE", {by(&J::tie), {"NAME", "ADJUST", "POSITION TOLERANCE", "TYPE"}}},
-          {"BOUNDARY",
-           {by(&J::boundary),
-            {"TYPE", "OP", "AMPLITUDE", "LOAD CASE", "FIXED", "REGION TYPE", "TIME DELAY"}}}};
+  return {
+      {"COUPLING",
+       {[this](const Keyword& k) {
+          no_open_coupling();
+          coupling_ = k;
+        },
+        {"CONSTRAINT NAME", "REF NODE", "SURFACE"}}},
+      {"KINEMATIC", {by(&J::kinematic), {}}},
+      {"DISTRIBUTING", {by(&J::distributing), {"COUPLING", "WEIGHTING METHOD"}}},
+      {"KINEMATIC COUPLING", {by(&J::kinematic_coupling), {"REF NODE"}}},
+      {"DISTRIBUTING COUPLING", {by(&J::distributing_coupling), {"ELSET"}}},
+      {"RIGID BODY",
+       {by(&J::rigid_body),
+        {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET", "POSITION", "ISOTHERMAL"}}},
+      {"MPC", {by(&J::mpc), {}}},
+      {"EQUATION", {by(&J::equation), {}}},
+      {"MATRIX INPUT", {by(&J::matrix_input), {"NAME", "INPUT", "TYPE"}}},
+      {"MATRIX ASSEMBLE",
+       {by(&J::matrix_assemble), {"STIFFNESS", "MASS", "VISCOUS DAMPING", "STRUCTURAL DAMPING"}}},
+      {"STEP", {[this](const Keyword&) { kept_in_step_ = true; }, {}}},
+      {"TIE", {by(&J::tie), {"NAME", "ADJUST", "POSITION TOLERANCE", "TYPE"}}},
+      {"BOUNDARY",
+       {by(&J::boundary),
+        {"TYPE", "OP", "AMPLITUDE", "LOAD CASE", "FIXED", "REGION TYPE", "TIME DELAY"}}}};
 }
 
-void AbaqusJoints::finish() const {
+void AbaqusJoints::finish() {
+  find_modal_points();
   if (moved_ > 0)
     deck_.notes.push_back(
         std::to_string(moved_) +

@@ -14,7 +14,7 @@ public:
 
   KeywordHandlers surfaces(); // to be read before the others
   KeywordHandlers handlers();
-  void finish() const; // no coupling is left open; notes
+  void finish(); // no coupling is left open; modal points; notes
 
 private:
   struct SurfaceNodes {
@@ -37,10 +37,15 @@ private:
   void tie(const Keyword& keyword);
   void boundary(const Keyword& keyword);
   void no_open_coupling() const;
+  void matrix_input(const Keyword& keyword);
+  void matrix_assemble(const Keyword& keyword);
+  void find_modal_points();
 
   DeckModel& deck_;
   AbaqusMesh& mesh_;
   std::map<std::pair<std::string, std::string>, Keyword> surfaces_; // by scope and name
+  std::set<std::size_t> assembled_;                                 // of DeckModel::springs
+  std::map<std::string, Keyword> matrices_;                         // of *MATRIX INPUT
   std::optional<Keyword> coupling_;                                 // the one that is open
   std::set<std::pair<int, int>> held_;
   bool kept_in_step_ = true; // no OP=NEW in this step so far

@@ -43,8 +43,8 @@ const std::set<std::string> passed_keywords{
     "PERMEABILITY", "HEAT GENERATION", "DEPVAR", "USER OUTPUT VARIABLES", "VALUES AT INFINITY",
     "GAP CONDUCTANCE", "GAP HEAT GENERATION", "NO COMPRESSION",
     // sets, axes and laws that act through what uses them
-    "ORIENTATION", "DISTRIBUTION", "DISTRIBUTION TABLE", "SURFACE INTERACTION", "SURFACE BEHAVIOR",
-    "FRICTION", "CONTACT CONTROLS", "CONTACT DAMPING", "FUNCTION"};
+    "DISTRIBUTION", "DISTRIBUTION TABLE", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "FRICTION",
+    "CONTACT CONTROLS", "CONTACT DAMPING", "FUNCTION"};
 
 // These change stiffness, mass or supports: never left away without a word.
 const std::set<std::string> keywords_not_had{"CONTACT PAIR",
@@ -62,8 +62,6 @@ const std::set<std::string> keywords_not_had{"CONTACT PAIR",
                                              "USER MATERIAL",
                                              "HYPERELASTIC",
                                              "HYPERFOAM",
-                                             "MATRIX INPUT",
-                                             "MATRIX ASSEMBLE",
                                              "SUBSTRUCTURE PROPERTY",
                                              "SHELL TO SOLID COUPLING",
                                              "EMBEDDED ELEMENT",

@@ -117,6 +117,11 @@ KeywordHandlers AbaqusMesh::axes() {
   return {{"TRANSFORM", {[this](const Keyword& k) { read_transform(k); }, {"NSET", "TYPE"}}}};
 }
 
+Vector3d AbaqusMesh::place(const Keyword& k, const Vector3d& point) const {
+  const auto own = instances_.find(k.scope);
+  return own == instances_.end() ? point : Vector3d(own->second.turn * point + own->second.move);
+}
+
 Matrix3d AbaqusMesh::turn(const Keyword& k) const {
   const auto found = instances_.find(k.scope);
   return found == instances_.end() ? Matrix3d(Matrix3d::Identity()) : found->second.turn;

@@ -31,6 +31,7 @@ public:
   void read_sets();       // after all keywords: they may name what comes later
 
   Eigen::Matrix3d turn(const Keyword& keyword) const; // of the instance it belongs to
+  Eigen::Vector3d place(const Keyword& keyword, const Eigen::Vector3d& point) const; // of that
   // InputError when there is none, here and below.
   int node(const Keyword& keyword, const DataLine& line, std::size_t field) const;
   // By their number or the name of a set.

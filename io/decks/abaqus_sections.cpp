@@ -76,6 +76,9 @@ KeywordHandlers AbaqusSections::materials() {
   return {
       {"MATERIAL", {[this](const Keyword& k) { begin_material(k); }, {"NAME"}}},
       {"ELASTIC", {[this](const Keyword& k) { elastic(k); }, {"TYPE", "MODULI", "DEPENDENCIES"}}},
+      {"ORIENTATION",
+       {[this](const Keyword& k) { orientation(k); },
+        {"NAME", "SYSTEM", "DEFINITION", "LOCAL DIRECTIONS"}}},
       {"DENSITY", {[this](const Keyword& k) { density(k); }, {"DEPENDENCIES"}}}};
 }
 
@@ -88,11 +91,12 @@ KeywordHandlers AbaqusSections::handlers() {
       {"SHELL SECTION",
        {by(&S::shell_section),
         {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS", "COMPOSITE", "ORIENTATION",
-         "SECTION INTEGRATION", "POISSON", "TEMPERATURE", "STACK DIRECTION"}}},
+         "SECTION INTEGRATION", "POISSON", "TEMPERATURE", "STACK DIRECTION", "SYMMETRIC",
+         "LAYUP"}}},
       {"SHELL GENERAL SECTION",
        {by(&S::shell_section),
         {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS", "COMPOSITE", "ORIENTATION",
-         "POISSON"}}},
+         "POISSON", "DENSITY", "SYMMETRIC", "LAYUP"}}},
       {"MEMBRANE SECTION",
        {by(&S::membrane_section), {"ELSET", "MATERIAL", "CONTROLS", "ORIENTATION"}}},
       {"SOLID SECTION",
@@ -144,8 +148,18 @@ void AbaqusSections::note_first_of_many(const Keyword& k, std::size_t fields) {
 }
 
 void AbaqusSections::elastic(const Keyword& k) {
-  if (k.word_or("TYPE", "ISOTROPIC") != "ISOTROPIC" && k.word_or("TYPE", "") != "ISO")
-    deck_error(k.at, "*ELASTIC", "has TYPE=" + k.word("TYPE"), "an isotropic material");
+  std::string type = k.word_or("TYPE", "ISOTROPIC");
+  if (type == "ENGINEERINGCONSTANTS") type = "ENGINEERING CONSTANTS";
+  if (type == "ORTHO") type = "ORTHOTROPIC";
+  if (type == "LAMINA" || type == "ENGINEERING CONSTANTS" || type == "ORTHOTROPIC") {
+    Material& m = open_material(k);
+    elastic_ply(k, m, type);
+    m.elastic = true;
+    return;
+  }
+  if (type != "ISOTROPIC" && type != "ISO")
+    deck_error(k.at, "*ELASTIC", "has TYPE=" + k.word("TYPE"),
+               "ISOTROPIC, LAMINA, ENGINEERING CONSTANTS or ORTHOTROPIC");
   note_first_of_many(k, 3);
   Material& m = open_material(k);
   m.E = number_in(k, data_line(k, 0), 0);
@@ -170,11 +184,19 @@ const AbaqusSections::Material& AbaqusSections::material_of(const Keyword& k) co
   return found->second;
 }
 
+const AbaqusSections::Material& AbaqusSections::isotropic_material_of(const Keyword& k) const {
+  const Material& m = material_of(k);
+  if (m.ply)
+    deck_error(k.at, "*" + k.name, "is of material " + k.word("MATERIAL") + ", not isotropic",
+               "an isotropic material, or *SHELL SECTION");
+  return m;
+}
+
 void AbaqusSections::solid_section(const Keyword& k) {
   const std::vector<AbaqusElement*> trusses =
       mesh_.elements_for(k, {"T3D2", "T2D2", "T3D3", "T2D3"});
   if (trusses.empty()) return; // of solids, which are refused or listed
-  const Material& m = material_of(k);
+  const Material& m = isotropic_material_of(k);
   const double A = k.data.empty() ? 1 : number_in(k, data_line(k, 0), 0, 1);
   if (!(A > 0)) deck_error(k.data[0].at, "*" + k.name, "has no area", "above 0");
   for (const AbaqusElement* e : trusses) {
@@ -205,9 +227,10 @@ void AbaqusSections::beam_section(const Keyword& k) {
     m.nu = m.E / (2 * G) - 1;
     m.rho = k.has("DENSITY") ? number_in(k, {k.at, {k.word("DENSITY")}}, 0) : 0;
   } else {
-    const Material& from = material_of(k);
+    const Material& from = isotropic_material_of(k);
     m = {from.E, from.nu, from.rho};
   }
+  open_thickness_ = 0;
   const TurnedSection section = profile(k, shape, m);
   Vector3d n1(0, 0, -1);
   if (k.data.size() > 1)
@@ -241,8 +264,10 @@ void AbaqusSections::beam_section(const Keyword& k) {
 }
 
 void AbaqusSections::transverse_shear(const Keyword& k) {
+  if (open_beams_.empty() && open_thickness_ > 0) return wall_shear(k);
   if (open_beams_.empty())
-    deck_error(k.at, "*" + k.name, "follows no section of a beam", "after *BEAM SECTION");
+    deck_error(k.at, "*" + k.name, "follows no section",
+               "after *BEAM SECTION, *SHELL SECTION or *SHELL GENERAL SECTION");
   const double K23 = number_in(k, data_line(k, 0), 0);
   const double K13 = number_in(k, data_line(k, 0), 1, K23);
   if (!(K23 > 0 && K13 > 0))
@@ -301,6 +326,7 @@ void AbaqusSections::spring(const Keyword& k) {
 }
 
 void AbaqusSections::finish() {
+  note_laminates(deck_);
   for (int s : of_nodal_thickness_) {
     DeckShell& shell = deck_.shells[s];
     for (std::size_t a = 0; a < shell.nodes.size(); ++a)

@@ -1,6 +1,5 @@
 #include "io/decks/abaqus_sections.hpp"
 #include "io/decks/deck_panels.hpp"
-#include "io/decks/nastran_laminate.hpp"
 
 #include <Eigen/Geometry>
 
@@ -25,54 +24,76 @@ double offset(const Keyword& k) {
 
 } // namespace
 
-// A wall of plies: thickness, points, material, orientation a line.
-AbaqusSections::Wall AbaqusSections::composite(const Keyword& k) const {
-  std::vector<LaminatePly> plies;
-  for (const DataLine& line : k.data) {
-    if (line.fields.size() < 3)
-      deck_error(line.at, "*" + k.name, "names no material", "thickness, points, material");
-    const auto found = materials_.find(in_capitals(line.fields[2]));
-    if (found == materials_.end() || !found->second.elastic)
-      deck_error(line.at, "*" + k.name, "there is no elastic material " + line.fields[2],
-                 "*MATERIAL with isotropic *ELASTIC");
-    const Material& m = found->second;
-    const double t = number_in(k, line, 0);
-    if (!(t > 0)) deck_error(line.at, "*" + k.name, "has a ply without thickness", "above 0");
-    plies.push_back({m.E, m.nu, m.rho, m.E / (2 * (1 + m.nu)), t});
+void AbaqusSections::isotropic_wall(const Keyword& k, const ShellSection& section,
+                                    double thickness) {
+  open_thickness_ = thickness;
+  open_section_ = static_cast<int>(deck_.sections.size());
+  first_of_section_ = deck_.laminates.size();
+  deck_.sections.push_back(section);
+  for (AbaqusElement* e : mesh_.elements_for(k, shell_types))
+    add_shells(*e,
+               {.section = open_section_, .thickness = thickness, .offset = offset(k) * thickness});
+}
+
+// Of plies, of a material that is not isotropic, or of a given matrix.
+void AbaqusSections::laminated_section(const Keyword& k) {
+  open_section_ = -1;
+  first_of_section_ = deck_.laminates.size();
+  const bool given = !k.has("COMPOSITE") && !k.has("MATERIAL");
+  std::vector<Ply> plies;
+  if (k.has("COMPOSITE"))
+    plies = plies_of(k);
+  else if (!given)
+    plies = {{&material_of(k), number_in(k, data_line(k, 0), 0), 0, nullptr}};
+  double t = 0;
+  for (const Ply& ply : plies) t += ply.thickness;
+  std::optional<ShellLaminate> matrix;
+  if (given) matrix = given_matrix(k, t);
+  if (!(t > 0)) deck_error(data_line(k, 0).at, "*" + k.name, "has no thickness", "above 0");
+  open_thickness_ = t;
+  const Keyword* axes = k.has("ORIENTATION") ? find_orientation(k, k.word("ORIENTATION")) : nullptr;
+  for (AbaqusElement* e : mesh_.elements_for(k, shell_types)) {
+    const Vector3d along = first_axis(*e, axes);
+    add_shells(*e, {.laminate = add_laminate(matrix ? *matrix : laminate_of(plies, *e, along)),
+                    .thickness = t,
+                    .offset = offset(k) * t,
+                    .along = along});
   }
-  if (plies.empty()) deck_error(k.at, "*" + k.name, "has no ply", "thickness, points, material");
-  const IsotropicLaminate laminate = isotropic_laminate(plies);
-  if (!laminate.refusal.empty())
-    deck_error(k.at, "*" + k.name, laminate.refusal,
-               "plies that make an isotropic, symmetric wall");
-  return {laminate.section, laminate.thickness};
 }
 
 void AbaqusSections::shell_section(const Keyword& k) {
   open_beams_.clear();
-  Wall wall;
+  const std::size_t before = deck_.shells.size();
   if (k.has("COMPOSITE")) {
-    wall = composite(k);
-  } else if (!k.has("MATERIAL") && k.name == "SHELL GENERAL SECTION") {
-    deck_error(k.at, "*" + k.name, "gives the stiffness of the wall as a matrix",
-               "MATERIAL= and a thickness");
+    std::vector<LaminatePly> plies;
+    bool isotropic = true;
+    for (const Ply& ply : plies_of(k)) {
+      const Material& m = *ply.material;
+      isotropic = isotropic && !m.ply;
+      plies.push_back({m.E, m.nu, m.rho, m.E / (2 * (1 + m.nu)), ply.thickness});
+    }
+    const IsotropicLaminate laminate = isotropic
+                                           ? isotropic_laminate(plies)
+                                           : IsotropicLaminate{.section = {}, .refusal = "is not"};
+    if (laminate.refusal.empty())
+      isotropic_wall(k, laminate.section, laminate.thickness);
+    else
+      laminated_section(k);
+  } else if ((!k.has("MATERIAL") && k.name == "SHELL GENERAL SECTION") || material_of(k).ply) {
+    laminated_section(k);
   } else {
     const Material& m = material_of(k);
-    wall = {{.E = m.E, .nu = m.nu, .rho = m.rho}, number_in(k, data_line(k, 0), 0)};
+    const double t = number_in(k, data_line(k, 0), 0);
+    if (!(t > 0)) deck_error(data_line(k, 0).at, "*" + k.name, "has no thickness", "above 0");
+    isotropic_wall(k, {.E = m.E, .nu = m.nu, .rho = m.rho}, t);
   }
-  if (!(wall.thickness > 0))
-    deck_error(data_line(k, 0).at, "*" + k.name, "has no thickness", "above 0");
-  const int section = static_cast<int>(deck_.sections.size());
-  deck_.sections.push_back(wall.section);
-  for (AbaqusElement* e : mesh_.elements_for(k, shell_types)) {
-    add_shells(*e, section, wall.thickness, offset(k) * wall.thickness);
-    if (k.has("NODAL THICKNESS"))
-      of_nodal_thickness_.insert(of_nodal_thickness_.end(), e->shells.begin(), e->shells.end());
-  }
+  if (k.has("NODAL THICKNESS"))
+    for (std::size_t i = before; i < deck_.shells.size(); ++i)
+      of_nodal_thickness_.push_back(static_cast<int>(i));
 }
 
 // One of eight nodes as four around a node in its middle, one of six as four triangles.
-void AbaqusSections::add_shells(AbaqusElement& e, int section, double thickness, double offset) {
+void AbaqusSections::add_shells(AbaqusElement& e, const ShellWall& wall) {
   const std::vector<int> n = e.nodes;
   std::vector<std::vector<int>> parts{n};
   if (n.size() == 6)
@@ -92,16 +113,18 @@ void AbaqusSections::add_shells(AbaqusElement& e, int section, double thickness,
   for (const std::vector<int>& nodes : parts) {
     e.shells.push_back(static_cast<int>(deck_.shells.size()));
     deck_.shells.push_back({.nodes = nodes,
-                            .section = section,
-                            .thickness = std::vector(nodes.size(), thickness),
-                            .offset = offset,
+                            .section = wall.section,
+                            .thickness = std::vector(nodes.size(), wall.thickness),
+                            .offset = wall.offset,
                             .origin = e.origin,
-                            .normal = {}});
+                            .normal = {},
+                            .laminate = wall.laminate,
+                            .along = wall.along});
   }
 }
 
 void AbaqusSections::membrane_section(const Keyword& k) {
-  const Material& m = material_of(k);
+  const Material& m = isotropic_material_of(k);
   const double t = number_in(k, data_line(k, 0), 0);
   if (!(t > 0)) deck_error(k.data[0].at, "*" + k.name, "has no thickness", "above 0");
   const ShellSection section{.E = m.E,
@@ -114,7 +137,7 @@ void AbaqusSections::membrane_section(const Keyword& k) {
   deck_.sections.push_back(section);
   for (AbaqusElement* e : mesh_.elements_for(k, {"M3D3", "M3D4", "M3D4R"})) {
     if (e->nodes.size() == 4) {
-      add_shells(*e, index, t, 0);
+      add_shells(*e, {.section = index, .thickness = t});
       continue;
     }
     Eigen::Matrix3d x;

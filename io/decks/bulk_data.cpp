@@ -12,6 +12,7 @@ namespace plica {
 namespace {
 
 constexpr std::size_t small_width = 8, large_width = 16;
+constexpr int most_replicas = 100000; // of a line
 
 struct Line {
   DeckPosition at;
@@ -32,10 +33,25 @@ std::string plain(const std::string& raw) {
   return text;
 }
 
+// Number of the line CEND, with which the executive control ends; 0 without.
+int executive_lines(const std::string& text) {
+  std::istringstream stream(text);
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    const std::string word = in_capitals(trimmed(plain(line)));
+    if (word == "CEND") return number;
+    if (word.starts_with("BEGIN") || word.starts_with("GRID")) return 0;
+  }
+  return 0;
+}
+
 // All lines of the deck and its includes.
 void collect(const std::filesystem::path& file, const DeckPosition& from, std::size_t depth,
-             std::size_t& files, std::vector<Line>& lines) {
-  std::istringstream stream(included_text(file, from, "INCLUDE", depth, ++files));
+             std::size_t& files, std::vector<Line>& lines, std::vector<std::string>& notes) {
+  const std::string whole = included_text(file, from, "INCLUDE", depth, ++files);
+  const int executive = executive_lines(whole);
+  std::istringstream stream(whole);
   DeckPosition at{file.string(), 0};
   for (std::string raw; std::getline(stream, raw);) {
     ++at.line;
@@ -45,10 +61,15 @@ void collect(const std::filesystem::path& file, const DeckPosition& from, std::s
       lines.push_back({at, line});
       continue;
     }
+    if (at.line < executive) {
+      notes.push_back("INCLUDE of the executive control in line " + std::to_string(at.line) +
+                      " is passed over: alterations of the solution (DMAP) are not followed");
+      continue;
+    }
     std::string name = trimmed(trimmed(line).substr(7));
     std::erase(name, '\'');
     std::erase(name, '"');
-    collect(file.parent_path() / name, at, depth + 1, files, lines);
+    collect(file.parent_path() / name, at, depth + 1, files, lines, notes);
   }
 }
 
@@ -113,6 +134,45 @@ std::optional<int> whole_number_of(std::string_view text) {
   return value;
 }
 
+// Behind the equals sign: names, or factor*name.
+std::vector<std::pair<double, std::string>> chosen_matrices(const DeckPosition& at,
+                                                            const std::string& text) {
+  std::vector<std::pair<double, std::string>> all;
+  std::string list = text.substr(text.find('=') + 1);
+  for (char& c : list)
+    if (c == '(' || c == ')' || c == ',') c = ' ';
+  std::istringstream words(list);
+  for (std::string word; words >> word;) {
+    const std::size_t star = word.find('*');
+    double factor = 1;
+    try {
+      if (star != std::string::npos) factor = nastran_number(word.substr(0, star));
+    } catch (const std::logic_error&) {
+      deck_error(at, "K2GG", "has the factor \"" + word + "\"", "a number * a name");
+    }
+    all.emplace_back(factor, star == std::string::npos ? word : word.substr(star + 1));
+  }
+  return all;
+}
+
+// Replication: "=" as the card before, "==" so from here on, "*(x)" that of the card before and x.
+// The first field of a card that is replicated is "="; "=(n)" repeats the last one n times.
+bool replicates(const std::string& first) {
+  return first.starts_with("=");
+}
+
+std::string increased(const DeckPosition& at, const std::string& before, std::string by) {
+  std::erase_if(by, [](char c) { return c == '*' || c == '(' || c == ')'; });
+  const auto whole = whole_number_of(before), step = whole_number_of(by);
+  if (whole && step) return std::to_string(long(*whole) + *step);
+  try {
+    const double sum = nastran_number(before) + nastran_number(by);
+    return nastran_real(std::abs(sum) < 1e-12 * std::abs(nastran_number(by)) ? 0 : sum);
+  } catch (const std::logic_error&) {
+    deck_error(at, "=", "adds \"" + by + "\" to \"" + before + "\"", "numbers of one kind");
+  }
+}
+
 class CardReader {
 public:
   explicit CardReader(const std::vector<Line>& lines) {
@@ -137,7 +197,7 @@ private:
     if (text.starts_with("SUBCASE")) ++subcases_;
     for (const char* matrix : {"K2GG", "M2GG", "K2PP", "M2PP", "K42GG"})
       if (text.starts_with(matrix) && text.find('=') != std::string::npos)
-        data.matrices.push_back({line.at, matrix});
+        data.matrices.push_back({line.at, matrix, chosen_matrices(line.at, text)});
     for (const char* name : {"SPC", "MPC"}) {
       const std::size_t equals = text.find('=');
       if (equals == std::string::npos || trimmed(text.substr(0, equals)) != name) continue;
@@ -152,6 +212,7 @@ private:
   void bulk(const Line& line) {
     LineFields read = fields_of(line);
     const std::string first = first_field(line.text);
+    if (replicates(first)) return replicate(line, first, read);
     if (is_continuation(line.text)) {
       const std::string name = without_marks(first);
       if (data.cards.empty()) refuse_beginning(line);
@@ -173,12 +234,48 @@ private:
       card.name = name_of(line.text);
       card.fields = std::move(read.fields);
       open_ = data.cards.size();
+      rules_.clear();
       data.cards.push_back(std::move(card));
     }
     const std::string& next = read.continuation;
     last_awaits_ = next.starts_with('+') || next.starts_with('*') ? next : "";
     if (!without_marks(next).empty()) awaited_[without_marks(next)] = open_;
     if (without_marks(next).empty()) last_awaits_.clear();
+  }
+
+  void replicate(const Line& line, const std::string& first, const LineFields& read) {
+    if (data.cards.empty()) refuse_beginning(line);
+    int times = 1;
+    if (first != "=") {
+      std::string number = first.substr(1);
+      std::erase_if(number, [](char c) { return c == '(' || c == ')'; });
+      const auto count = whole_number_of(number);
+      if (!count || *count < 1 || *count > most_replicas ||
+          data.cards.size() > 30 * std::size_t(most_replicas))
+        deck_error(line.at, first, "is no number of replicas", "= or =(n)");
+      times = *count;
+    }
+    const bool has_rules = std::any_of(read.fields.begin(), read.fields.end(),
+                                       [](const std::string& f) { return !f.empty(); });
+    if (has_rules) rules_ = read.fields;
+    if (rules_.empty())
+      deck_error(line.at, first, "replicates nothing", "=, *(x) or == in its fields");
+    for (int i = 0; i < times; ++i) {
+      Card next = data.cards.back();
+      if (next.fields.size() > read.fields.size() && next.fields.size() > 8)
+        deck_error(line.at, first, "replicates a card of several lines", "cards of one line");
+      next.at = line.at;
+      for (std::size_t f = 0; f < rules_.size() && rules_[f] != "=="; ++f) {
+        if (f >= next.fields.size()) next.fields.resize(f + 1);
+        if (rules_[f].starts_with('*'))
+          next.fields[f] = increased(line.at, next.fields[f], rules_[f]);
+        else if (rules_[f] != "=")
+          next.fields[f] = rules_[f];
+      }
+      data.cards.push_back(std::move(next));
+    }
+    open_ = data.cards.size() - 1;
+    last_awaits_.clear();
   }
 
   static std::string without_marks(const std::string& name) {
@@ -195,6 +292,7 @@ private:
 
   std::map<std::string, std::size_t> awaited_; // cards by the names of lines that continue them
   std::string last_awaits_;                    // named by the line before
+  std::vector<std::string> rules_;             // of the last replica
   std::size_t open_ = 0;                       // card that a line without a name continues
   int subcases_ = 0;
 };
@@ -274,8 +372,10 @@ std::vector<int> Card::list(std::size_t first) const {
 BulkData read_bulk_data(const std::filesystem::path& file) {
   std::vector<Line> lines;
   std::size_t files = 0;
-  collect(file, {file.string(), 0}, 0, files, lines);
+  std::vector<std::string> notes;
+  collect(file, {file.string(), 0}, 0, files, lines, notes);
   BulkData data = CardReader(lines).data;
+  data.notes = std::move(notes);
   if (data.cards.empty()) deck_error({file.string(), 0}, "", "has no card", "a Nastran deck");
   return data;
 }

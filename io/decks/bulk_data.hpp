@@ -34,12 +34,20 @@ public:
   [[noreturn]] void wrong(const std::string& what, const std::string& allowed) const;
 };
 
+// K2GG = KAAX, 2.0*KBODY: matrices that case control adds, each with a factor.
+struct DirectMatrices {
+  DeckPosition at;
+  std::string card; // K2GG and its like
+  std::vector<std::pair<double, std::string>> chosen;
+};
+
 struct BulkData {
   std::vector<Card> cards;
   bool has_control = false; // case control before BEGIN BULK
   std::map<std::string, std::vector<int>>
       chosen; // by "SPC", "MPC"; that of the first subcase leads
-  std::vector<std::pair<DeckPosition, std::string>> matrices; // K2GG and its like, that it adds
+  std::vector<DirectMatrices> matrices;
+  std::vector<std::string> notes;
 };
 
 // A file without BEGIN BULK is bulk data altogether. Throws InputError.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace plica {
@@ -148,6 +149,15 @@ MatrixElement released_beam(const std::vector<Vector3d>& nodes, const BeamElemen
   return {.nodes = {beam.node1, beam.node2},
           .K = whole.transpose() * K * whole,
           .M = whole.transpose() * M * whole};
+}
+
+void note_laminates(DeckModel& deck) {
+  const auto all = std::count_if(deck.shells.begin(), deck.shells.end(),
+                                 [](const DeckShell& shell) { return shell.laminate >= 0; });
+  if (all > 0)
+    deck.notes.push_back(std::to_string(all) +
+                         " shells have a wall that is not isotropic: they are solved by their "
+                         "matrices, and neither drawn nor part of stresses");
 }
 
 MatrixXd spring_matrix(const std::vector<SpringEnd>& ends, double k) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "elements/shell_section.hpp"
+#include "model/description/deck_model.hpp"
 #include "solve/model.hpp"
 
 namespace plica {
@@ -34,6 +35,9 @@ MatrixElement truss(const std::vector<int>& nodes, const Eigen::Vector3d& x1,
 // the local axes, 0..5 of node 1 and 6..11 of node 2, after the offsets.
 MatrixElement released_beam(const std::vector<Eigen::Vector3d>& nodes, const BeamElement& beam,
                             const Eigen::Vector3d& up, const std::vector<int>& released);
+
+// Says how many shells have walls that are not isotropic, and what that means.
+void note_laminates(DeckModel& deck);
 
 // k between single DOFs of nodes, along columns of their axes: k (u1 - u2)^2 / 2, or of one alone.
 struct SpringEnd {

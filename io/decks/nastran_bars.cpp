@@ -47,7 +47,8 @@ void beam(const NastranReading& r, const Card& card) {
   if (!section) return;
   beam.section = section->properties;
   const std::string axes = in_capitals(card.text(7));
-  if (!axes.empty() && axes != "GGG" && axes != "BGG" && !card.is_real(7))
+  if (!axes.empty() && axes != "GGG" && axes != "BGG" && axes != "1" && axes != "2" &&
+      !card.is_real(7)) // 1, 2 in old decks: a vector, a grid point
     card.wrong("has OFFT " + axes, "GGG, BGG or blank");
   if (card.is_real(7) && card.real(7) != 0) card.wrong("has a twist BIT", "OFFT blank");
   beam.up = orientation(r, card, beam, axes == "BGG");

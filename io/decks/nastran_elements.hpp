@@ -22,5 +22,7 @@ struct NastranReading {
 void read_shells(const NastranReading& reading); // and shear panels
 void read_bars(const NastranReading& reading);   // beams, rods
 void read_points(const NastranReading& reading); // masses and springs
+// DMIG that case control adds by K2GG and M2GG, as elements.
+void read_matrices(const NastranReading& reading, const BulkData& bulk);
 
 } // namespace plica

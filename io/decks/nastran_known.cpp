@@ -6,14 +6,15 @@ namespace plica {
 namespace {
 
 const std::set<std::string> followed{
-    "GRID",    "GRDSET", "SPOINT", "CORD1R",  "CORD1C",  "CORD1S", "CORD2R", "CORD2C", "CORD2S",
-    "MAT1",    "MAT2",   "MAT8",   "PSHELL",  "PCOMP",   "PCOMPG", "CQUAD4", "CQUADR", "CTRIA3",
-    "CTRIAR",  "CQUAD8", "CTRIA6", "CQUAD2",  "CTRIA2",  "PQUAD2", "PTRIA2", "CQDMEM", "CQDMEM1",
-    "CQDMEM2", "CTRMEM", "PQDMEM", "PQDMEM1", "PQDMEM2", "PTRMEM", "CSHEAR", "PSHEAR", "PBAR",
-    "PBARL",   "PBEAM",  "PBEAML", "CBAR",    "CBEAM",   "BAROR",  "BEAMOR", "PROD",   "CROD",
-    "CONROD",  "PTUBE",  "CTUBE",  "CONM1",   "CONM2",   "PMASS",  "CMASS1", "CMASS2", "CMASS3",
-    "CMASS4",  "PBUSH",  "CBUSH",  "PELAS",   "CELAS1",  "CELAS2", "CELAS3", "CELAS4", "RBE2",
-    "RBE3",    "RBAR",   "CRIGD1", "MPC",     "MPCADD",  "SPC",    "SPC1",   "SPCADD", "PARAM"};
+    "DMIG",    "GRID",    "GRDSET", "SPOINT", "CORD1R",  "CORD1C",  "CORD1S", "CORD2R", "CORD2C",
+    "CORD2S",  "MAT1",    "MAT2",   "MAT8",   "PSHELL",  "PCOMP",   "PCOMPG", "CQUAD4", "CQUADR",
+    "CTRIA3",  "CTRIAR",  "CQUAD8", "CTRIA6", "CQUAD2",  "CTRIA2",  "PQUAD2", "PTRIA2", "CQDMEM",
+    "CQDMEM1", "CQDMEM2", "CTRMEM", "PQDMEM", "PQDMEM1", "PQDMEM2", "PTRMEM", "CSHEAR", "PSHEAR",
+    "PBAR",    "PBARL",   "PBEAM",  "PBEAML", "CBAR",    "CBEAM",   "BAROR",  "BEAMOR", "PROD",
+    "CROD",    "CONROD",  "PTUBE",  "CTUBE",  "CONM1",   "CONM2",   "PMASS",  "CMASS1", "CMASS2",
+    "CMASS3",  "CMASS4",  "PBUSH",  "CBUSH",  "PELAS",   "CELAS1",  "CELAS2", "CELAS3", "CELAS4",
+    "RBE2",    "RBE3",    "RBAR",   "CRIGD1", "MPC",     "MPCADD",  "SPC",    "SPC1",   "SPCADD",
+    "PARAM"};
 
 // Beginnings of names are enough where all cards that begin so are passed over.
 const std::set<std::string> passed_over{
@@ -29,7 +30,7 @@ const std::set<std::string> passed_over{
     "TSTEP", "TSTEP1", "TSTEPNL", "TIC", "TF", "NLPARM", "NLPCI", "NLCNTL", "NLSTEP", "NLADAPT",
     "RANDPS", "RANDT1", "RCROSS", "ASET", "ASET1", "OMIT", "OMIT1", "BSET", "BSET1", "CSET",
     "CSET1", "QSET", "QSET1", "USET", "USET1", "SUPORT", "SUPORT1", "SUPAX", "SEQGP", "MDLPRM",
-    "DYNRED", "ITER", "DTI", "DMI", "DMIJ", "DMIJI", "DMIK", "DMIG", "TABLEST", "SNORM", "MODTRAK",
+    "DYNRED", "ITER", "DTI", "DMI", "DMIJ", "DMIJI", "DMIK", "TABLEST", "SNORM", "MODTRAK",
     "CSUPER", "RVDOF", "RVDOF1", "CMREL", "BNDFREE", "BNDFIX", "BNDFIX1", "BNDFREE1", "CYSUP",
     // tables, damping, temperature and plasticity of materials
     "TABLED1", "TABLED2", "TABLED3", "TABLED4", "TABLEM1", "TABLEM2", "TABLEM3", "TABLEM4",
@@ -42,7 +43,7 @@ const std::set<std::string> passed_over{
     "ECHOOFF", "SWLDPRM", "PARVAR", "PARTVEC", "USET2", "DEBUG", "YPARAM", "BARRIER", "OUTPUT",
     "SURF", "ELIST", "CNGRNT", "SPCOFF", "SPCOFF1", "DEACTEL", "OUTRCV", "PARAMARM", "ENDDATA",
     "INIT", "VECTOR", "UNGLUE", "CSCALE", "MONPNT1", "MONPNT2", "MONPNT3", "MONDSP1", "MONSUM",
-    "MONCNCM", "NSMLX", "SYSNOISE", "FEFREQ", "ENFMOTN",
+    "MONCNCM", "NSMLX", "SYSNOISE", "FEFREQ", "ENFMOTN", "NLCNTLG",
     // optimisation
     "DESVAR", "DLINK", "DEQATN", "DRESP1", "DRESP2", "DRESP3", "DCONSTR", "DCONADD", "DVPREL1",
     "DVPREL2", "DVMREL1", "DVMREL2", "DVCREL1", "DVCREL2", "DVGRID", "DVBSHAP", "DVSHAP", "DVSET",

@@ -1,17 +1,18 @@
 #include "io/decks/nastran_properties.hpp"
 
 #include "io/decks/keywords.hpp"
-#include "io/decks/nastran_laminate.hpp"
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
+#include <numbers>
 
 namespace plica {
 namespace {
 
-constexpr double rounded = 0.02;       // of constants that a deck gives with few digits
-constexpr double rigid_in_shear = 1e3; // times the shear stiffness of a solid wall
+constexpr double rounded = 0.02; // of constants that a deck gives with few digits
 
 // Runs over all cards of a name and keeps what `make` gives, or none where it throws.
 template <class Made, class F>
@@ -112,6 +113,7 @@ void NastranProperties::read_mat1(const Card& card) {
     m.not_a_wall = fmt::format("has G = {:g}, which E and nu make {:g}", m.G, m.isotropic_shear());
   else if (!(m.nu < 0.5))
     m.not_a_wall = "has nu of 0.5 or more";
+  m.ply = isotropic(m.E, m.nu, m.G, m.rho);
   add_material(card, m);
 }
 
@@ -127,6 +129,11 @@ void NastranProperties::read_mat2(const Card& card) {
                          std::abs(G33 / ((G11 - G12) / 2) - 1) < rounded &&
                          std::abs(card.real(3, 0)) + std::abs(card.real(5, 0)) < 1e-6 * G11;
   if (!isotropic) m.not_a_wall = "is anisotropic (MAT2)";
+  m.ply.emplace();
+  const double G13 = card.real(3, 0), G23 = card.real(5, 0);
+  m.ply->Q << G11, G12, G13, G12, G22, G23, G13, G23, G33;
+  m.ply->G << G11, G12, G12, G22; // where it is the material of transverse shear
+  m.ply->rho = m.rho;
   add_material(card, m);
 }
 
@@ -139,6 +146,7 @@ void NastranProperties::read_mat8(const Card& card) {
   const bool isotropic = m.E > 0 && std::abs(card.real(2, 0) / m.E - 1) < rounded && m.nu < 0.5 &&
                          std::abs(m.G / m.isotropic_shear() - 1) < rounded;
   if (!isotropic) m.not_a_wall = "is orthotropic (MAT8)";
+  m.ply = orthotropic(m.E, card.real(2, 0), m.nu, m.G, card.real(5, 0), card.real(6, 0), m.rho);
   add_material(card, m);
 }
 
@@ -163,18 +171,74 @@ const NastranMaterial& NastranProperties::wall_material(const Card& card, std::s
   return m;
 }
 
+const PlyMaterial& NastranProperties::ply_material(const Card& card, std::size_t field) const {
+  const NastranMaterial& m = material(card, field);
+  if (!m.ply || !is_material(*m.ply))
+    card.wrong("has a wall of material " + card.text(field) + " in line " + std::to_string(m.line) +
+                   ", which has no stiffness in some direction",
+               "stiffness along both axes and in shear, E1 > nu12^2 E2");
+  return *m.ply;
+}
+
 // --- walls
 
+// MID1, MID2, MID4 of any kind, each with its stiffness: A, D, B; MID3 transverse shear.
+NastranWall NastranProperties::general_pshell(const Card& card, NastranWall wall) const {
+  const bool bends = wall.kind == WallKind::all;
+  ShellLaminate all = solid_wall(ply_material(card, 1));
+  all.D.setZero();
+  if (bends) {
+    const PlyMaterial& bending = ply_material(card, 3);
+    all.D = card.real(4, 1) * bending.Q;
+    all.S = solid_wall({bending.Q, Eigen::Matrix2d::Zero(), 0}).S; // rigid
+    if (!(card.real(4, 1) > 0)) card.wrong("has a factor of zero", "12I/T**3 above 0");
+  } else {
+    all.S.setZero();
+    all.drilling = 0;
+  }
+  if (bends && card.has(5) && card.whole(5) != 0) {
+    const NastranMaterial& shear = material(card, 5);
+    if (!shear.ply || !(shear.ply->G.diagonal().minCoeff() >= 0))
+      card.wrong("has no shear stiffness in MID3", "a material with G");
+    if (shear.ply->G.diagonal().minCoeff() > 0) all.S = card.real(6, 5. / 6) * shear.ply->G;
+    if (!(all.S.determinant() > 0)) card.wrong("has a factor of zero", "TS/T above 0");
+  }
+  if (card.has(10)) {
+    if (!bends) card.wrong("has MID4 and no MID2", "both");
+    const NastranMaterial& coupling = material(card, 10);
+    if (!coupling.ply) card.wrong("has no coupling in MID4", "a MAT1 or MAT2");
+    all.B = coupling.ply->Q;
+    Eigen::Matrix<double, 6, 6> whole;
+    whole << all.A, all.B, all.B, all.D / 12;
+    if (!(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(whole)
+              .eigenvalues()
+              .minCoeff() > 0))
+      card.wrong("couples membrane and bending by more than they resist (MID4)",
+                 "a wall that resists every strain");
+  }
+  if (const double extra = mass_factor_ * card.real(7, 0); extra != 0) {
+    if (!(wall.thickness > 0)) card.wrong("has NSM but no thickness", "a thickness");
+    all.rho += extra / wall.thickness;
+  }
+  wall.laminate = all;
+  return wall;
+}
+
 NastranWall NastranProperties::pshell(const Card& card) const {
-  if (card.has(10)) card.wrong("couples membrane and bending (MID4)", "MID4 blank");
   NastranWall wall{.section = {}, .thickness = card.real(2, 0)};
   const bool membrane = card.has(1) && card.whole(1) != 0,
              bends = card.has(3) && card.whole(3) != 0;
   if (!membrane && !bends) card.wrong("has neither MID1 nor MID2", "a material");
   if (bends && card.whole(3) < 0)
     card.wrong("is in plane strain (MID2 -1)", "a wall in plane stress");
-  const NastranMaterial& m = wall_material(card, membrane ? 1 : 3);
   wall.kind = !bends ? WallKind::membrane : membrane ? WallKind::all : WallKind::bending;
+  const auto is_odd = [&](std::size_t field) { return !material(card, field).not_a_wall.empty(); };
+  const bool other_nu = membrane && bends && !is_odd(1) && !is_odd(3) &&
+                        std::abs(material(card, 1).nu - material(card, 3).nu) > 0.005;
+  if (membrane && (is_odd(1) || (bends && is_odd(3)) || other_nu || card.has(10)))
+    return general_pshell(card, wall);
+  if (card.has(10)) card.wrong("has MID4 and no MID1", "both");
+  const NastranMaterial& m = wall_material(card, membrane ? 1 : 3);
   ShellSection& s = wall.section;
   s = {.E = m.E, .nu = m.nu, .rho = m.rho};
   if (const double extra = mass_factor_ * card.real(7, 0); extra != 0) {
@@ -186,8 +250,6 @@ NastranWall NastranProperties::pshell(const Card& card) const {
     return wall;
   }
   const NastranMaterial& bending = wall_material(card, 3);
-  if (std::abs(bending.nu - m.nu) > 0.005)
-    card.wrong("bends with another nu than it stretches with (MID1 and MID2)", "nu alike in both");
   s.bending_factor = card.real(4, 1) * bending.E / m.E;
   const bool flexible = card.has(5) && card.whole(5) != 0;
   s.shear_correction =
@@ -199,7 +261,7 @@ NastranWall NastranProperties::pshell(const Card& card) const {
 
 // Of one material all through, without flexibility in shear; PQDMEM and its like without bending.
 NastranWall NastranProperties::pquad2(const Card& card) const {
-  const NastranMaterial& m = wall_material(card, 1);
+  const NastranMaterial& m = material(card, 1);
   NastranWall wall{.section = {.E = m.E, .nu = m.nu, .rho = m.rho}, .thickness = card.real(2)};
   if (!(wall.thickness > 0)) card.wrong("has no thickness", "T above 0");
   wall.section.rho += mass_factor_ * card.real(3, 0) / wall.thickness;
@@ -208,35 +270,61 @@ NastranWall NastranProperties::pquad2(const Card& card) const {
     wall.kind = WallKind::membrane;
     wall.section.bending_factor = wall.section.shear_correction = wall.section.drilling = 0;
   }
+  if (m.not_a_wall.empty()) return wall;
+  ShellLaminate all = solid_wall({ply_material(card, 1).Q, Eigen::Matrix2d::Zero(), 0});
+  all.rho = wall.section.rho;
+  if (wall.kind == WallKind::membrane) {
+    all.D.setZero();
+    all.S.setZero();
+    all.drilling = 0;
+  }
+  wall.laminate = all;
   return wall;
 }
 
 // From line 2 on: MID, T, THETA, SOUT of two plies a line (PCOMPG: a ply number first, one a line).
 NastranWall NastranProperties::pcomp(const Card& card) const {
   const bool numbered = card.name == "PCOMPG";
-  if (const std::string form = in_capitals(card.text(7));
-      form == "MEM" || form == "BEND" || form == "SMEAR" || form == "SMCORE")
-    card.wrong("is laminated with LAM " + form, "LAM blank or SYM");
+  const std::string form = in_capitals(card.text(7));
+  if (form == "BEND" || form == "SMCORE")
+    card.wrong("is laminated with LAM " + form, "LAM blank, SYM, MEM or SMEAR");
   const std::size_t step = numbered ? 8 : 4, shift = numbered ? 1 : 0;
   std::vector<LaminatePly> plies;
+  std::vector<GeneralPly> general;
   double last = 0;
+  bool isotropic = form != "MEM" && form != "SMEAR";
   for (std::size_t i = 8; i < card.fields.size(); i += step) {
     if (!card.has(i) && !card.has(i + 1) && !card.has(i + 2)) continue;
     std::size_t named = i + shift;
     while (!card.has(named) && named >= 8 + step) named -= step; // blank: as the ply before
-    const NastranMaterial& m = wall_material(card, named);
+    const NastranMaterial& m = material(card, named);
     last = card.real(i + shift + 1, last);
     if (!(last > 0)) card.wrong("has a ply without thickness", "T above 0");
+    isotropic = isotropic && m.not_a_wall.empty();
     plies.push_back({m.E, m.nu, m.rho, m.G, last});
+    general.push_back(
+        {ply_material(card, named), last, card.real(i + shift + 2, 0) * std::numbers::pi / 180});
   }
   if (plies.empty()) card.wrong("has no ply", "MID, T, THETA, SOUT of each");
-  if (in_capitals(card.text(7)) == "SYM") plies.insert(plies.end(), plies.rbegin(), plies.rend());
+  if (form == "SYM") {
+    plies.insert(plies.end(), plies.rbegin(), plies.rend());
+    general.insert(general.end(), general.rbegin(), general.rend());
+  }
   const IsotropicLaminate laminate = isotropic_laminate(plies);
-  if (!laminate.refusal.empty())
-    card.wrong(laminate.refusal, "plies that make an isotropic, symmetric wall");
   NastranWall wall{.section = laminate.section, .thickness = laminate.thickness};
-  wall.section.rho += mass_factor_ * card.real(2, 0) / wall.thickness;
+  const double extra = mass_factor_ * card.real(2, 0) / wall.thickness;
+  wall.section.rho += extra;
   wall.offset = card.has(1) ? card.real(1) + wall.thickness / 2 : 0;
+  if (isotropic && laminate.refusal.empty()) return wall;
+  wall.laminate = general_laminate(general);
+  wall.laminate->rho += extra;
+  if (form == "SMEAR") wall.laminate->D = wall.laminate->A;
+  if (form == "SMEAR" || form == "MEM") wall.laminate->B.setZero();
+  if (form == "MEM") {
+    wall.laminate->D.setZero();
+    wall.laminate->S.setZero();
+    wall.laminate->drilling = 0;
+  }
   return wall;
 }
 

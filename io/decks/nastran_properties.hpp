@@ -3,6 +3,7 @@
 
 #include "io/decks/deck_sections.hpp"
 #include "io/decks/nastran_grids.hpp"
+#include "io/decks/nastran_laminate.hpp"
 
 namespace plica {
 
@@ -11,7 +12,8 @@ namespace plica {
 struct NastranMaterial : BeamMaterial {
   double G = 0;
   int line = 0;
-  std::string not_a_wall; // why no isotropic wall is made of it; empty: one is
+  std::string not_a_wall;         // why no isotropic wall is made of it; empty: one is
+  std::optional<PlyMaterial> ply; // in plane stress, where it is a material there
   double isotropic_shear() const { return E / (2 * (1 + nu)); }
 };
 
@@ -21,8 +23,9 @@ enum class WallKind { all, membrane, bending };
 struct NastranWall {
   ShellSection section;
   WallKind kind = WallKind::all;
-  double thickness = 0; // 0: of the elements
-  double offset = 0;    // nodes to the middle, along the normal
+  double thickness = 0;                       // 0: of the elements
+  double offset = 0;                          // nodes to the middle, along the normal
+  std::optional<ShellLaminate> laminate = {}; // where it is not isotropic; section: of no meaning
 };
 
 struct NastranRod {
@@ -51,7 +54,9 @@ private:
   void read_mat8(const Card& card);
   void add_material(const Card& card, NastranMaterial m);
   const NastranMaterial& wall_material(const Card& card, std::size_t field) const;
+  const PlyMaterial& ply_material(const Card& card, std::size_t field) const;
   NastranWall pshell(const Card& card) const;
+  NastranWall general_pshell(const Card& card, NastranWall wall) const;
   NastranWall pcomp(const Card& card) const;
   NastranWall pquad2(const Card& card) const;
   TurnedSection beam_of(const Card& card) const;

@@ -1,8 +1,10 @@
 #include "io/decks/deck_panels.hpp"
 #include "io/decks/nastran_elements.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <numbers>
 #include <stdexcept>
 
 namespace plica {
@@ -10,14 +12,54 @@ namespace {
 
 struct ShellCard {
   std::vector<int> nodes;
-  std::vector<double> thickness; // one per node
+  std::vector<double> thickness;                   // one per node
+  Eigen::Vector3d along = Eigen::Vector3d::Zero(); // axis 1 of its plies
 };
+
+// THETA from the side G1-G2, or the x axis of a system MCID.
+Eigen::Vector3d first_axis(const NastranReading& r, const Card& card, const ShellCard& shell,
+                           std::size_t field) {
+  const auto& x = r.deck.nodes;
+  const std::vector<int>& n = shell.nodes;
+  const Eigen::Vector3d side = x[n[1]] - x[n[0]];
+  if (!card.has(field)) return side;
+  if (card.is_real(field)) {
+    const Eigen::Vector3d across = n.size() == 4 ? (x[n[2]] - x[n[0]]).cross(x[n[3]] - x[n[1]])
+                                                 : side.cross(x[n[2]] - x[n[0]]);
+    return Eigen::AngleAxisd(card.real(field) * std::numbers::pi / 180, across.normalized()) * side;
+  }
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (int node : n) middle += x[node] / double(n.size());
+  return r.grids.axes(card, field, middle).col(0);
+}
+
+// Of what is there already, or added.
+template <class T, class Same> int index_of(std::vector<T>& all, const T& one, Same&& same) {
+  for (std::size_t i = all.size(); i > 0; --i)
+    if (same(all[i - 1], one)) return static_cast<int>(i - 1);
+  all.push_back(one);
+  return static_cast<int>(all.size()) - 1;
+}
 
 // Membranes of three nodes and plates alone have no element of their own in Model.
 void add_wall(const NastranReading& r, const Card& card, const NastranWall& wall,
               const ShellCard& shell, double offset) {
   DeckModel& deck = r.deck;
   const bool triangle = shell.nodes.size() == 3;
+  DeckShell made{.nodes = shell.nodes,
+                 .thickness = shell.thickness,
+                 .offset = offset,
+                 .origin =
+                     card.name + " " + card.text(0) + " in line " + std::to_string(card.at.line),
+                 .normal = {}};
+  if (wall.laminate) {
+    made.laminate = index_of(deck.laminates, *wall.laminate, [](const auto& a, const auto& b) {
+      return a.A == b.A && a.B == b.B && a.D == b.D && a.S == b.S && a.rho == b.rho &&
+             a.drilling == b.drilling;
+    });
+    made.along = shell.along;
+    return deck.shells.push_back(made);
+  }
   Eigen::Matrix3Xd x(3, shell.nodes.size());
   for (std::size_t i = 0; i < shell.nodes.size(); ++i)
     x.col(Eigen::Index(i)) = deck.nodes[shell.nodes[i]];
@@ -37,21 +79,13 @@ void add_wall(const NastranReading& r, const Card& card, const NastranWall& wall
             : membrane_triangle(shell.nodes, x, wall.section, shell.thickness[0]));
     return;
   }
-  const auto same = [&](const ShellSection& s) {
-    const ShellSection& w = wall.section;
-    return s.E == w.E && s.nu == w.nu && s.rho == w.rho && s.bending_factor == w.bending_factor &&
-           s.shear_correction == w.shear_correction && s.drilling == w.drilling;
-  };
-  const auto known = std::find_if(deck.sections.begin(), deck.sections.end(), same);
-  const int section = static_cast<int>(known - deck.sections.begin());
-  if (known == deck.sections.end()) deck.sections.push_back(wall.section);
-  deck.shells.push_back(
-      {.nodes = shell.nodes,
-       .section = section,
-       .thickness = shell.thickness,
-       .offset = offset,
-       .origin = card.name + " " + card.text(0) + " in line " + std::to_string(card.at.line),
-       .normal = {}});
+  made.section =
+      index_of(deck.sections, wall.section, [](const ShellSection& s, const ShellSection& w) {
+        return s.E == w.E && s.nu == w.nu && s.rho == w.rho &&
+               s.bending_factor == w.bending_factor && s.shear_correction == w.shear_correction &&
+               s.drilling == w.drilling;
+      });
+  deck.shells.push_back(made);
 }
 
 std::optional<NastranWall> wall_of(const NastranReading& r, const Card& card) {
@@ -78,7 +112,8 @@ void shell(const NastranReading& r, const Card& card) {
   const std::size_t n = card.name.starts_with("CQ") ? 4 : 3;
   const auto wall = wall_of(r, card);
   if (!wall) return;
-  const ShellCard shell = corners(r, card, *wall, n, old ? 0 : 10, !old && card.whole(9, 0) == 1);
+  ShellCard shell = corners(r, card, *wall, n, old ? 0 : 10, !old && card.whole(9, 0) == 1);
+  if (wall->laminate) shell.along = first_axis(r, card, shell, n + 2);
   add_wall(r, card, *wall, shell, old ? 0 : card.real(n + 3, wall->offset));
 }
 
@@ -94,8 +129,8 @@ void quadratic_shell(const NastranReading& r, const Card& card) {
   const std::size_t n = quad ? 4 : 3;
   const auto wall = wall_of(r, card);
   if (!wall) return;
-  const ShellCard c =
-      corners(r, card, *wall, n, quad ? 10 : 10, card.whole(quad ? 16 : 13, 0) == 1);
+  ShellCard c = corners(r, card, *wall, n, 10, card.whole(quad ? 16 : 13, 0) == 1);
+  if (wall->laminate) c.along = first_axis(r, card, c, quad ? 14 : 8);
   const double offset = card.real(quad ? 15 : 9, wall->offset);
   std::vector<int> sides;
   std::vector<double> t;
@@ -108,7 +143,7 @@ void quadratic_shell(const NastranReading& r, const Card& card) {
   if (sides.size() < n)
     card.wrong("lacks some of its nodes amid the sides", "all of them, or none");
   const auto part = [&](const std::vector<int>& nodes, const std::vector<double>& thickness) {
-    add_wall(r, card, *wall, {nodes, thickness}, offset);
+    add_wall(r, card, *wall, {nodes, thickness, c.along}, offset);
   };
   for (std::size_t i = 0; i < n && !quad; ++i)
     part({c.nodes[i], sides[i], sides[(i + 2) % 3]}, {c.thickness[i], t[i], t[(i + 2) % 3]});
@@ -175,6 +210,7 @@ void read_shells(const NastranReading& r) {
                     "each into four of four or three nodes",
                     split));
   r.each("CSHEAR", [&](const Card& card) { panel(r, card); });
+  note_laminates(r.deck);
 }
 
 } // namespace plica

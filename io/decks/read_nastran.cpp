@@ -16,9 +16,13 @@ public:
   NastranReader(const BulkData& bulk, UnknownCards unknown)
       : missing_(unknown == UnknownCards::list) {
     deck.holds_what_has_no_stiffness = true; // AUTOSPC
+    deck.notes = bulk.notes;
+    for (const DirectMatrices& line : bulk.matrices) {
+      for (const auto& [factor, name] : line.chosen) added_.insert(name);
+      if (line.card != "K2GG" && line.card != "M2GG")
+        missing_.add(line.card, "adds matrices of the deck (DMIG)", line.at);
+    }
     for (const Card& card : bulk.cards) problems_.collect([&] { sort(card); });
-    for (const auto& [at, matrix] : bulk.matrices)
-      missing_.add(matrix, "adds matrices of the deck (DMIG)", at);
     for_each("PARAM", [&](const Card& card) { parameter(card); });
     missing_.finish(problems_, deck, "cards of docs/decks.md, or unknown_cards: list");
     passed_.finish(deck);
@@ -34,6 +38,8 @@ private:
   }
 
   void sort(const Card& card) {
+    if (card.name == "DMIG" && !added_.contains(in_capitals(card.text(0))))
+      return passed_.add("DMIG"); // nothing adds it
     const CardKind kind = kind_of(card.name);
     if (kind == CardKind::followed) missing_.count_element(is_element(card.name));
     switch (kind) {
@@ -108,6 +114,7 @@ private:
     read_shells(reading);
     read_bars(reading);
     read_points(reading);
+    read_matrices(reading, bulk);
     read_rigid_elements(reading);
     read_constraints(reading, bulk);
     problems_.raise();
@@ -118,6 +125,7 @@ private:
   PassedCards passed_;
   CardsByName cards_;
   std::map<std::pair<std::string, int>, const Card*> numbers_; // by group
+  std::set<std::string> added_; // matrices of the deck, by case control
   double mass_factor_ = 1;
   bool coupled_mass_ = false;
   int wtmass_line_ = 0;

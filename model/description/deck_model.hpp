@@ -3,6 +3,7 @@
 // none; seconds are assumed. Readers: io/decks.
 #pragma once
 
+#include "elements/shell_laminate.hpp"
 #include "solve/model.hpp"
 
 #include <filesystem>
@@ -21,6 +22,8 @@ struct DeckShell {
   double offset = 0;             // nodes to the middle of the wall, along the normal
   std::string origin = {};       // for messages: "element 12 in line 34"
   std::vector<std::optional<Eigen::Vector3d>> normal; // given ones, one per corner or none at all
+  int laminate = -1; // index into DeckModel::laminates, in place of the section: a matrix
+  Eigen::Vector3d along = Eigen::Vector3d::Zero(); // axis 1 of the laminate, not yet projected
 };
 
 struct DeckCoupling {
@@ -37,6 +40,7 @@ struct DeckModel {
   std::vector<int> labels; // numbers of the nodes in the deck
   std::map<std::string, std::vector<int>> sets;
   std::vector<ShellSection> sections;
+  std::vector<ShellLaminate> laminates;
   std::vector<DeckShell> shells;
   std::vector<BeamElement> beams;
   std::vector<MassElement> masses;

@@ -129,11 +129,50 @@ private:
       }
     };
     for (std::size_t e = 0; e < deck_.shells.size(); ++e) {
-      if (deck_.shells[e].nodes.size() == 4)
+      if (deck_.shells[e].laminate >= 0)
+        add_laminate(e, facets, around);
+      else if (deck_.shells[e].nodes.size() == 4)
         fill(e, model_.mesh.quads.emplace_back());
       else
         fill(e, model_.mesh.triangles.emplace_back());
     }
+  }
+
+  // A wall that is not isotropic, by its matrices.
+  void add_laminate(std::size_t e, const std::vector<Vector3d>& facets,
+                    const std::vector<std::vector<int>>& around) {
+    const DeckShell& own = deck_.shells[e];
+    ShellLaminate wall = deck_.laminates[own.laminate];
+    for (Matrix3d* law : {&wall.A, &wall.B, &wall.D}) *law *= per_area(1);
+    wall.S *= per_area(1);
+    wall.drilling = per_area(wall.drilling);
+    const Vector3d along = turn_ * own.along;
+    if (!(along.cross(facets[e]).norm() > 1e-6 * along.norm()))
+      throw std::runtime_error(own.origin + " has the first axis of its plies along its normal");
+    MatrixElement element;
+    const auto shape = [&](auto& g) {
+      for (std::size_t a = 0; a < own.nodes.size(); ++a) {
+        const auto column = static_cast<Eigen::Index>(a);
+        const Vector3d V = director(e, a, facets, around);
+        element.nodes.push_back(node_of_wall(own.nodes[a], own.offset, V));
+        g.X.col(column) = model_.mesh.nodes[element.nodes.back()];
+        g.directors.col(column) = V;
+        g.thickness[column] = L_ * own.thickness[a];
+      }
+    };
+    const ShellSection mass{.rho = wall.rho * M_ / (L_ * L_ * L_)};
+    if (own.nodes.size() == 4) {
+      ShellGeometry g;
+      shape(g);
+      element.K = shell_laminate_stiffness(g, wall, along, placing_.membrane);
+      element.M = shell_mitc4_mass(g, mass);
+    } else {
+      TriangleGeometry g;
+      shape(g);
+      element.K = shell_laminate_stiffness(g, wall, along);
+      element.M = shell_mitc3_mass(g, mass);
+    }
+    model_.matrices.push_back(std::move(element));
   }
 
   void add(BeamElement& beam) {

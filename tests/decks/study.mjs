@@ -1,11 +1,12 @@
 // How many decks of a folder are read, and what bars the others.
 //
 //   node tests/decks/study.mjs PLICA FOLDER [--half a|b|both] [--list] [--seconds 20]
-//        [--references FOLDER]
+//        [--references FOLDER] [--light]
 //
 // Every deck below FOLDER (.inp .bdf .dat .nas .fem; the same text once) becomes the only part of a
 // case, which PLICA checks with what it does by default. The halves go by a hash of the path, so
 // that one can be set apart unread. --list prints a line per deck: half, code, kinds, verdict, file.
+// --light leaves away decks that hold other elements than these.
 // --references runs what is read and has a listing of Nastran with a table of real eigenvalues, of
 // the name of the deck beside it, or alone of that name below that folder: each of its five lowest frequencies has to have one of
 // the twelve lowest of PLICA within 1 %.
@@ -73,7 +74,9 @@ for (const file of decksBelow(folder)) {
   const path = relative(folder, file);
   const half = parseInt(createHash("md5").update(path).digest("hex")[0], 16) % 2 ? "b" : "a";
   if (wanted !== "both" && half !== wanted) continue;
-  decks.push({ file, path, code, kinds, half, light: Object.keys(kinds).every((k) => light[code].test(k)) });
+  const isLight = Object.keys(kinds).every((k) => light[code].test(k));
+  if (options.includes("--light") && !isLight) continue;
+  decks.push({ file, path, code, kinds, half, light: isLight });
 }
 
 const scratch = mkdtempSync(join(tmpdir(), "decks-"));
