@@ -195,10 +195,18 @@ TEST(WallPlaces, follow_rigid_motions_exactly) {
   Case data = loaded_plate(3);
   auto& plate = std::get<Plate>(data.parts[0].body);
   plate.corners = {Triple{0, 0, 0}, {1, 0.1, 0.2}, {1.1, 0.9, -0.1}, {-0.1, 1, 0.15}};
-  plate.places = {{"spot", {0.41, 0.37, 0.06}},
-                  {"other", {0.45, 0.42, 0.06}},
-                  {"third", {0.7, 0.6, 0.05}},
-                  {"edge", {1.03, 0.4, 0.1}}};
+  const auto above = [&](double r, double t) { // 3 mm above the warped middle
+    const auto& [p, q, v, w] = plate.corners;
+    Triple x{};
+    for (std::size_t i = 0; i < 3; ++i)
+      x[i] = (1 - r) * (1 - t) * p[i] + r * (1 - t) * q[i] + r * t * v[i] + (1 - r) * t * w[i];
+    x[2] += 3e-3;
+    return x;
+  };
+  plate.places = {{"spot", above(0.38, 0.36)}, // three in one element
+                  {"other", above(0.44, 0.41)},
+                  {"third", above(0.6, 0.6)},
+                  {"edge", above(1, 0.4)}};
   data.supports.clear();
   const BuiltCase built = build(data);
   const Model& model = built.model;
