@@ -29,6 +29,18 @@ const std::string good_nastran = "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,1.
                                  "GRID,4,,0.,1.,0.\nCQUAD4,1,1,1,2,3,4\nMAT1,1,2.+11,,.3\n";
 const std::string property = "PSHELL,1,1,.001,1,,1\n";
 
+// Plies, axes and given matrices.
+const std::string plies =
+    "*MATERIAL, NAME=C\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n14e10, 1e10, 1e10, .3, .3, .4, 5e9, "
+    "5e9\n3e9\n*ORIENTATION, NAME=O\n1, 0, 0, 0, 1, 0\n3, 20.\n*SHELL SECTION, ELSET=WALL, "
+    "COMPOSITE, ORIENTATION=O\n1e-3, 3, C, 45.\n1e-3, 3, C, O\n*TRANSVERSE SHEAR STIFFNESS\n"
+    "1e6, 2e6, 0.\n*MATRIX INPUT, NAME=K\n1, 1, 1, 1, 3.\n2, 1, 1, 1, 2.\n2, 1, 2, 1, 9.\n"
+    "*MATRIX ASSEMBLE, STIFFNESS=K\n";
+const std::string laminate =
+    "MAT8,4,14.+10,1.+10,.3,5.+9,5.+9,3.+9\nPCOMP,1,,,,,,,SYM\n,4,.001,45.,,4,.001,-45.\n"
+    "DMIG,KX,0,6,2,0\nDMIG,KX,1,1,,1,1,3.\n,2,1,2.,0.\nDMIG,KX,2,1,,2,1,9.\nGRID,21,,0.,0.,5.\n"
+    "=(9),*(1),,=,*(.5),==\nMAT2,5,4.+10,1.+10,0.,4.+10,0.,2.+10\nPSHELL,9,5,.001,4,,5\n,,,5\n";
+
 std::vector<InputProblem> problems_of(const std::string& text, const std::string& name) {
   const TemporaryFolder folder("deck");
   write_whole(folder.path / name, text);
@@ -180,7 +192,7 @@ TEST(BrokenDeck, nastran) {
       {property + "PCOMP,3,,,,,,,BEND\n,1,.001,0.\n", 8, "is laminated with LAM BEND"},
       {property + "MAT8,3,1.+11,1.+10,4.,5.+9\nPSHELL,3,3,.001,3,,3\n", 9,
        "which has no stiffness in some direction"},
-      {property + "PSHELL,3,1,.001,1,,1,,,,,,1\n", 8, "by more than they resist"},
+      {property + "PSHELL,3,1,.001,1,,1\n,,,1\n", 8, "by more than they resist"},
       {property + "MAT1,3\nPSHELL,3,3,.001,3,,3\n", 9, "which has no stiffness"},
       {property + "GRID,5,,zero\n", 8, "field 4 is \"zero\""},
       {property + "CQUAD4,1,1,1,2,3,4\n", 8, "element 1 is there twice"},
@@ -213,7 +225,7 @@ TEST(BrokenDeck, nastran) {
       {property + "GRID,5,,0.,0.,0.\n,1.\n", 8, "goes on beyond its last field with \"1.\""},
       {property + "MAT1,2,,4.+10\n", 8, "is no material"},
       {property + "MAT1,2,2.+11,,7.\n", 8, "has nu = 7."},
-      {property + "MAT1,2,2.+11,4.+10,.3\nPSHELL,2,2,.001,2,,2\n", 9,
+      {property + "MAT1,2,2.+11,4.+10,.3\nPSHELL,2,,.001,2,,2\n", 9,
        "a wall of material 2 in line 8, which has G = 4e+10, which E and nu make 7.69231e+10"},
       {property + "INCLUDE 'nowhere.bdf'\n", 8, "there is no file"},
       {property + "INCLUDE 'model.bdf'\n", 8, "include each other"}};
@@ -228,7 +240,10 @@ TEST(BrokenDeck, any_byte_may_be_wrong) {
   std::mt19937 random(5);
   const TemporaryFolder folder("deck");
   for (const auto& [name, text] :
-       {std::pair{"model.inp", good_abaqus + section}, {"model.bdf", good_nastran + property}})
+       {std::pair{"model.inp", good_abaqus + section},
+        {"model.bdf", good_nastran + property},
+        {"plies.inp", good_abaqus + plies},
+        {"plies.bdf", "CEND\nK2GG=2.*KX\nBEGIN BULK\n" + good_nastran + laminate}})
     for (int round = 0; round < 400; ++round) {
       std::string broken = text;
       for (int change = 0; change < 3; ++change)
