@@ -11,7 +11,10 @@
 
 #include <Eigen/Cholesky>
 
+#include <cstdlib>
+#include <map>
 #include <numbers>
+#include <sstream>
 
 namespace plica::test {
 namespace {
@@ -201,6 +204,81 @@ TEST(Laminate, a_shell_of_several_materials_is_the_sum_of_them) {
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(plies[i] / ours[i], 1, 2e-3) << i; // G of 3.5 and 5 GPa across
     EXPECT_NEAR(matrix[i] / ours[i], 1, 1e-6) << i;
+  }
+}
+
+// --- the same deck in CalculiX, which makes solids of every ply: a plate of S8R, held at one side
+
+struct TurnedPly {
+  double thickness = 0, degrees = 0;
+};
+
+std::string eight_node_plate(const std::vector<TurnedPly>& plies) {
+  const int along = 12, across = 8;
+  std::map<std::pair<int, int>, int> numbers;
+  std::string nodes = "*NODE\n", elements = "*ELEMENT, TYPE=S8R, ELSET=WALL\n", held;
+  const auto node = [&](int i, int j) {
+    const auto [known, is_new] = numbers.try_emplace({i, j}, int(numbers.size()) + 1);
+    if (is_new)
+      nodes += fmt::format("{}, {:.10g}, {:.10g}, 0.\n", known->second, a * i / (2 * along),
+                           b * j / (2 * across));
+    if (is_new && i == 0) held += fmt::format("{}, 1, 6\n", known->second);
+    return known->second;
+  };
+  for (int j = 0, number = 0; j < 2 * across; j += 2)
+    for (int i = 0; i < 2 * along; i += 2)
+      elements += fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}\n", ++number, node(i, j),
+                              node(i + 2, j), node(i + 2, j + 2), node(i, j + 2), node(i + 1, j),
+                              node(i + 2, j + 1), node(i + 1, j + 2), node(i, j + 1));
+  std::string axes, section = "*SHELL SECTION, ELSET=WALL, COMPOSITE\n";
+  for (std::size_t k = 0; k < plies.size(); ++k) {
+    const double c = std::cos(plies[k].degrees * pi / 180),
+                 s = std::sin(plies[k].degrees * pi / 180);
+    axes += fmt::format("*ORIENTATION, NAME=O{}\n{:.10g}, {:.10g}, 0., {:.10g}, {:.10g}, 0.\n", k,
+                        c, s, -s, c);
+    section += fmt::format("{}, , CARBON, O{}\n", plies[k].thickness, k);
+  }
+  return nodes + elements +
+         "*MATERIAL, NAME=CARBON\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n"
+         "140e9, 10e9, 10e9, .3, .3, .4, 5e9, 5e9,\n3.5e9, 293.\n*DENSITY\n1600.\n" +
+         axes + section + "*BOUNDARY\n" + held + "*STEP\n*FREQUENCY\n6\n*END STEP\n";
+}
+
+// Of the table of eigenvalues; empty where CalculiX is not installed or breaks off.
+std::vector<double> calculix_hertz(const std::string& deck) {
+  const TemporaryFolder folder("calculix_plies");
+  write_whole(folder.path / "model.inp", deck);
+  const std::string command =
+      "cd '" + folder.path.string() + "' && OMP_NUM_THREADS=1 ccx -i model >log 2>&1";
+  if (std::system(command.c_str()) != 0) return {};
+  std::istringstream stream(read_whole(folder.path / "model.dat"));
+  std::vector<double> all;
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream fields(line);
+    int mode = 0;
+    double value = 0, omega = 0, hertz = 0, imaginary = 0;
+    if (fields >> mode >> value >> omega >> hertz >> imaginary && mode == int(all.size()) + 1)
+      all.push_back(hertz);
+    else if (!all.empty())
+      break;
+  }
+  return all;
+}
+
+TEST(CalculixPlies, a_plate_of_plies_has_the_frequencies_of_its_solids) {
+  const std::vector<std::pair<const char*, std::vector<TurnedPly>>> walls{
+      {"+30 -30 -30 +30", {{5e-4, 30}, {5e-4, -30}, {5e-4, -30}, {5e-4, 30}}},
+      {"0 90", {{1e-3, 0}, {1e-3, 90}}},
+      {"45 -20", {{1e-3, 45}, {1e-3, -20}}}};
+  for (const auto& [name, plies] : walls) {
+    const std::string deck = eight_node_plate(plies);
+    const std::vector<double> theirs = calculix_hertz(deck);
+    ASSERT_GE(theirs.size(), 6U) << "CalculiX (ccx) is not there, or broke off";
+    const Eigen::VectorXd ours = hertz(deck_of("a.inp", deck), 6);
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      fmt::print("{:16} {:8.2f} Hz, CalculiX {:8.2f}\n", name, ours[i], theirs[std::size_t(i)]);
+      EXPECT_NEAR(ours[i] / theirs[std::size_t(i)], 1, 0.01) << name;
+    }
   }
 }
 
