@@ -69,6 +69,15 @@ private:
   std::vector<SuiteSparse_long> begins_, rows_;
 };
 
+// Analyses in a given order of the rows; null when that failed. As cholmod_analyze_p().
+inline cholmod_factor* analyze_in_order(CholmodView& A, const Eigen::VectorXi& order,
+                                        const CholmodFunctions& functions, cholmod_common& common) {
+  if (functions.index_type == CHOLMOD_INT)
+    return cholmod_analyze_p(A.get(), const_cast<int*>(order.data()), nullptr, 0, &common);
+  std::vector<SuiteSparse_long> wide(order.begin(), order.end());
+  return cholmod_l_analyze_p(A.get(), wide.data(), nullptr, 0, &common);
+}
+
 // Calls f with the numbers behind a pointer of CHOLMOD's as what they are.
 template <class F> auto with_indices(const void* numbers, int index_type, F&& f) {
   return index_type == CHOLMOD_LONG ? f(static_cast<const SuiteSparse_long*>(numbers))

@@ -1,10 +1,13 @@
 #include "solve/inertia_count.hpp"
 
+#include "solve/signed_cholesky.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace plica {
 namespace {
@@ -100,6 +103,25 @@ InertiaCount count_schur(const Partition& part, const SparseFactor& factor) {
   return count;
 }
 
+// That the errors of the factor, of the size eps sqrt(squares_i squares_j), do not move what lies
+// on one side of sigma to the other.
+bool is_exact_enough(const SignedCholesky& factor, const SparseMatrix& K, const SparseMatrix& M,
+                     double sigma, const MatrixXd& vectors) {
+  constexpr double most_growth = 1e6, safety = 10, eps = std::numeric_limits<double>::epsilon();
+  const VectorXd& squares = factor.squares();
+  const VectorXd diagonal = VectorXd(K.diagonal()).cwiseAbs().cwiseMax(1e-300);
+  if (!(squares.cwiseQuotient(diagonal).maxCoeff() < most_growth)) return false;
+  const VectorXd root = squares.cwiseSqrt();
+  for (Eigen::Index j = 0; j < vectors.cols(); ++j) {
+    const VectorXd x = vectors.col(j);
+    const double mass = std::abs(x.dot(symmetric_product(M, x).col(0)));
+    const double stiffness = x.dot(symmetric_product(K, x).col(0));
+    const double error = safety * eps * root.cwiseProduct(x).squaredNorm();
+    if (!(error < std::abs(stiffness - sigma * mass))) return false;
+  }
+  return true;
+}
+
 } // namespace
 
 SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma) {
@@ -112,6 +134,16 @@ SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma)
 
 InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double sigma,
                          const MatrixXd& vectors, SparseFactor& factor) {
+  const SignedCholesky signs(shifted(K, M, sigma), factor.order());
+  if (!signs.ok() || !is_exact_enough(signs, K, M, sigma, vectors))
+    return count_below_by_schur(K, M, sigma, vectors, factor);
+  InertiaCount count;
+  count.below = signs.negative_pivots();
+  return count;
+}
+
+InertiaCount count_below_by_schur(const SparseMatrix& K, const SparseMatrix& M, double sigma,
+                                  const MatrixXd& vectors, SparseFactor& factor) {
   const VectorXd weight = VectorXd(M.diagonal()).cwiseMax(0).cwiseSqrt();
   constexpr int first_rounds = 7, more_rounds = 4, attempts = 5;
   int steps = std::max(2, static_cast<int>(std::sqrt(double(K.rows()) / 900)));

@@ -1,7 +1,8 @@
 // The proof that no mode is missing, against an independent count, in twenty-two varied models.
 //
 // Referee: negative pivots of a simplicial LDL' factor (Sylvester), which shares no step with the
-// proof by Schur complement. Every mode is withheld in turn, and each time the proof must say so.
+// proof by a supernodal factor and that by Schur complement. Every mode is withheld in turn, and
+// each time the proof must say so.
 #include "tests/small_models.hpp"
 
 #include "solve/modes.hpp"
@@ -50,8 +51,10 @@ TEST_P(EveryModel, both_counts_equal_the_number_found_in_every_gap) {
   for (Eigen::Index m = std::max(1, GetParam().rigid_modes); m < lambda.size(); ++m) {
     if (lambda[m] - lambda[m - 1] < 1e-3 * lambda[m]) continue; // a pair, or as good as one
     const double sigma = (lambda[m] + lambda[m - 1]) / 2;
-    const InertiaCount schur = count_below(K, M, sigma, s.modes.Phi, s.base.factor);
+    const InertiaCount signs = count_below(K, M, sigma, s.modes.Phi, s.base.factor);
+    const InertiaCount schur = count_below_by_schur(K, M, sigma, s.modes.Phi, s.base.factor);
     const InertiaCount referee = count_below_ldlt(K, M, sigma);
+    EXPECT_EQ(signs.below.value_or(-1), m) << signs.reason;
     EXPECT_EQ(schur.below.value_or(-1), m) << schur.reason;
     EXPECT_EQ(referee.below.value_or(-1), m) << referee.reason;
     ++gaps;
