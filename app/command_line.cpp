@@ -119,7 +119,8 @@ void add_output(CLI::App& command, Output& output) {
   command
       .add_option_function<std::string>(
           "--only", [&output](const std::string&) { output.json_only = true; },
-          "write JSON alone: no tables, no report, nothing for other programs")
+          "write JSON, and cases that are asked for, alone: no tables, no report, nothing for "
+          "other programs")
       ->check(CLI::IsMember({"json"}))
       ->type_name("");
 }

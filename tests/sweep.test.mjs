@@ -111,6 +111,31 @@ test('a grid is in order, and its rows are the runs that they stand for', () => 
   }
 });
 
+test('the table in HDF5 is the table in CSV, a data set a column, with its unit', () => {
+  const cwd = folder('hdf5');
+  writeFileSync(join(cwd, 'case.yaml'), beam);
+  const swept = run(cwd, 'sweep', 'case.yaml', '--out', 's', '--vary', 'parts.tip.mass=0.1,-1,0.3', '--result', 'modes[0].frequency');
+  assert.equal(swept.status, 0, swept.said);
+  const script = `
+import h5py, json, sys
+def plain(d): return [None if x != x else x for x in d] if d.dtype.kind == 'f' else [x.decode() if isinstance(x, bytes) else int(x) for x in d]
+with h5py.File(sys.argv[1]) as f:
+    print(json.dumps({k: {'unit': d.attrs['unit'] if isinstance(d.attrs['unit'], str) else d.attrs['unit'].decode(), 'rows': plain(d[()])} for k, d in f.items()}))`;
+  const { status, stdout, stderr } = spawnSync('python3', ['-c', script, join(cwd, 's', 'sweep.h5')], { encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+  const h5 = JSON.parse(stdout);
+  const [header] = read(cwd, 's', 'sweep.csv').split('\n', 1);
+  assert.equal(Object.keys(h5).length, header.split(',').length);
+  const columns = Object.entries(h5), of = (path) => columns.find(([name]) => name.startsWith(path))[1];
+  assert.deepEqual([of('parts.tip.mass').unit, of('modes[0].frequency').unit], ['kg', 'Hz']);
+  assert.deepEqual(of('parts.tip.mass').rows.map(Number), [0.1, -1, 0.3]);
+  const table = rows(cwd, 's', 'sweep.csv');
+  for (const k of [0, 2]) assert.equal(of('modes[0].frequency').rows[k], Number(table[k]['modes[0].frequency']));
+  assert.equal(of('modes[0].frequency').rows[1], null);
+  assert.deepEqual(of('status').rows, ['ok', 'failed', 'ok']);
+  assert.match(of('reason').rows[1], /parts\.tip\.mass/);
+});
+
 // Euler-Bernoulli with shear and rotary inertia small: f of a cantilever grows with its depth.
 test('a variant that fails is a row with its reason, and the others are there', () => {
   const cwd = folder('failures');

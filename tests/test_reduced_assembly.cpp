@@ -54,6 +54,36 @@ TEST(ReducedAssembly, dual_pipe_is_the_unreduced_one_within_the_limits) {
   EXPECT_NE(reduced(data, 1000).route.find("5 superelements of 3 reductions"), std::string::npos);
 }
 
+TEST(ReducedAssembly, what_a_variant_leaves_as_it_is_is_not_reduced_again) {
+  Case data = assembly_case({.around = 16, .arc = 2, .wall = 3});
+  data.analyses.response.reset();
+  data.analyses.reduction = SuperelementsInRun{.cutoff = 1000};
+  ReductionMemory memory;
+  const auto run_of = [&](const Case& variant) {
+    return run(
+        variant, [](auto&) {}, &memory);
+  };
+  const auto reductions = [](const Results& r, int count) {
+    return r.route.find("5 superelements of " + std::to_string(count) + " reductions") !=
+           std::string::npos;
+  };
+  const Results first = run_of(data);
+  EXPECT_TRUE(reductions(first, 3)) << first.route;
+  Case heavier = data;
+  heavier.caps[1].mass *= 2;
+  const Results second = run_of(heavier);
+  EXPECT_TRUE(reductions(second, 0)) << second.route;
+  EXPECT_LT(second.modes[0].frequency, first.modes[0].frequency * (1 - 1e-4));
+  EXPECT_EQ(second.modes[0].frequency, run(heavier, [](auto&) {}).modes[0].frequency); // to the bit
+  Case thicker = heavier; // one pipe of five, and its twin stays as it was
+  for (Part& part : thicker.parts)
+    if (auto* b = std::get_if<Bellows>(&part.body); b && part.name == "outer_left")
+      b->wall.plies = {2e-3};
+  const Results third = run_of(thicker);
+  EXPECT_TRUE(reductions(third, 1)) << third.route;
+  EXPECT_TRUE(third.verification.passed);
+}
+
 // Modes of harmonics above 1, which no cap feels, are there too.
 TEST(ReducedAssembly, has_the_shell_modes_of_its_parts) {
   Case data = verification_case("bellows_a", {16, 2, 3}, 30);

@@ -121,7 +121,7 @@ fs::path OutputFolder::place(const std::string& name) {
 }
 
 bool OutputFolder::wants(const std::string& name) const {
-  return !work_.json_only || name.ends_with(".json");
+  return !work_.json_only || name.ends_with(".json") || name.ends_with(".yaml");
 }
 
 fs::path OutputFolder::shown(const std::string& page, const std::string& json) const {

@@ -24,7 +24,7 @@ struct OutputWork {
   std::string command;
   std::vector<std::filesystem::path> inputs; // all it reads
   std::vector<std::string> names;            // of files it will write, as far as known beforehand
-  bool json_only = false;                    // of all files those of JSON are written
+  bool json_only = false;                    // of all files those of JSON and cases are written
 };
 
 class OutputFolder {
