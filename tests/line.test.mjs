@@ -48,10 +48,8 @@ fit:
   parameters: [{path: materials.steel.E, bounds: [150 GPa, 250 GPa]}]
 `);
   const fitted = good(at, 'fit', 'soft.yaml', '--set', 'measured=lab/measured.yaml', '--out', 'fitted');
-  const modulus = /materials\.steel\.E.*?([\d.]+e\+11|20\d(\.\d+)?)/.exec(fitted.printed);
-  assert.ok(modulus, fitted.printed);
-  assert.ok(Math.abs((Number(modulus[1]) > 1e3 ? Number(modulus[1]) / 1e9 : Number(modulus[1])) - 205) < 1,
-    fitted.printed);
+  const modulus = /materials\.steel\.E +\S+ +(\S+)/.exec(fitted.printed);
+  assert.ok(Math.abs(Number(modulus?.[1]) / 205e9 - 1) < 0.005, fitted.printed);
   good(at, 'diagnose', 'beam.yaml', '--measured', 'lab', '--out', 'diagnosed', '--quiet');
   const gap = JSON.parse(readFileSync(join(at, 'diagnosed', 'diagnosis.json'), 'utf8'));
   assert.ok(JSON.stringify(gap).includes('33.7'), 'the identified mode is none of its readings');
@@ -75,7 +73,7 @@ test('what ends and inputs cannot be is refused with its place and what would be
     assert.ok(line.includes(what), what);
     writeFileSync(join(at, `${name}.yaml`), line.replace(what, by));
     const result = run(at, 'check', `${name}.yaml`);
-    assert.equal(result.status, 2, `${name}: ${result.said}`);
+    assert.equal(result.status, 1, `${name}: ${result.said}`);
     assert.match(result.said, said);
   };
   const first = '- {move: [engine], direction: y}';

@@ -158,7 +158,7 @@ std::string part_picture(const Results& results) {
   const View view = view_of(selection.used);
   const double margin = results.symbols.empty() ? 0.02 : 0.07; // for springs and names
   Frame frame = frame_round(view, selection.used, margin * selection.size, 1780);
-  frame.width += 220; // for the triad
+  frame.width += 320; // for the triad, beside names
   Scene scene{points_of(results, selection), selection.quads, selection.lines, {}};
   scene.colour = [](const int*, int, double shade) { return steel(0.3 + 0.8 * shade); };
   return "<figure class=\"part\">" + svg_open(frame, "the part in oblique projection") +
