@@ -51,6 +51,7 @@ def _wide_tables():
 def outputs_of(source, names, where):
     """The outputs of a cell, as nbformat has them."""
     import matplotlib.pyplot as pyplot
+    pyplot.close("all")  # what others drew
     tree = ast.parse(source)
     last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
     printed, value = io.StringIO(), None

@@ -5,6 +5,7 @@ import re
 import shutil
 import sys
 
+import matplotlib.pyplot as pyplot
 import numpy as np
 import pandas
 import pytest
@@ -53,7 +54,7 @@ def everything(work, bellows, driven, levels, life, lap, stiffness):
     found = [bellows, driven, levels, life, lap, stiffness,
              forced.run(work / "forced", threads=1), fit.fit(work / "fit", threads=1),
              plica.results(work / "sweep"), *identified.sets,
-             plica.reduce(CASES / "bellows.yaml", work / "beam", beam=True, threads=1),
+             plica.reduce(CASES / "bellows.yaml", work / "pipe", beam=True, threads=1),
              plica.ejma(CASES / "bellows.yaml", work / "ejma", threads=1),
              plica.run(CASES / "benchmark.yaml", work / "benchmark", threads=1),
              beside_a_rig(work / "measured"), noise(work / "noise")]
@@ -184,6 +185,7 @@ def test_dynamic_stiffness(stiffness, monkeypatch):
     assert found.transfer("y")[1].real == pytest.approx(row["blocked transfer k21 storage"])
     axes = stiffness.plot()
     assert axes.get_yscale() == "log" and len(axes.lines) == 6
+    pyplot.close("all")
     with pytest.raises(ValueError, match="one kind on one plot"):
         stiffness.plot.stiffness(directions=["x", "rx"])
     with pytest.raises(plica.MissingData, match="no direction 'q'; x, y, z"):
@@ -199,7 +201,7 @@ def test_sheets_and_sweeps_and_beams(everything):
     sheet = by_name["ejma"].ejma
     assert {"bellows", "quantity", "unit", "formula", "shells"} <= set(sheet.columns)
     assert by_name["sweep"].sweep.attrs["units"]["mass"] == "kg"
-    assert by_name["beam"].beam.attrs["units"]["shell axial"] == "N/m"
+    assert by_name["pipe"].beam.attrs["units"]["shell axial"] == "N/m"
     assert by_name["benchmark"].benchmark["quantity"][0] == "first mode"
     assert len(by_name["fit"].fit.targets) == 1 and by_name["fit"].fit.evaluations > 0
     assert len(by_name["out"].identification.spectra) > 100

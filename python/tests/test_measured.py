@@ -1,4 +1,5 @@
 """measured.yaml from arrays, read by the program."""
+import matplotlib.pyplot as pyplot
 import numpy as np
 import pytest
 
@@ -45,7 +46,9 @@ def test_several_inputs_of_one_test_are_identified_together(tmp_path):
     found = plica.identify(lab, tmp_path / "out")
     np.testing.assert_allclose(found.identification.modes["frequency"], hertz, rtol=1e-4)
     np.testing.assert_allclose(found.identification.modes["damping"], zeta, rtol=2e-2)
-    assert len(found.plot.stability().lines) >= 6
+    axes = found.plot.stability()
+    assert len(axes.lines) >= 6
+    pyplot.close("all")
 
 
 @pytest.mark.parametrize("unit, power", [("m per N", 0), ("m/s per N", 1), ("m/s2 per N", 2)])
