@@ -59,13 +59,13 @@ TEST(Laminate, plies_of_one_material_at_any_angle_have_five_sixths_of_its_shear)
 constexpr double a = 0.3, b = 0.2, t = 1e-3, rho = 1600;
 const PlyMaterial carbon = orthotropic(140e9, 10e9, 0.3, 5e9, 5e9, 3.5e9, rho);
 
-Mesh plate() {
+Mesh ply_plate() {
   return mesh_plate({Vector3d(0, 0, 0), {a, 0, 0}, {a, b, 0}, {0, b, 0}}, 30, 20, t);
 }
 
-std::string nastran_deck(const std::string& property, const std::string& theta) {
+std::string ply_nastran(const std::string& property, const std::string& theta) {
   std::string text;
-  const Mesh mesh = plate();
+  const Mesh mesh = ply_plate();
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
     const Vector3d& x = mesh.nodes[i];
     std::string held;
@@ -81,9 +81,9 @@ std::string nastran_deck(const std::string& property, const std::string& theta) 
   return text + "MAT8,1,140.+9,10.+9,.3,5.+9,5.+9,3.5+9,1600.\n" + property;
 }
 
-std::string abaqus_deck(const std::string& section) {
+std::string ply_abaqus(const std::string& section) {
   std::string text = "*NODE, NSET=ALL\n", x_edges, y_edges;
-  const Mesh mesh = plate();
+  const Mesh mesh = ply_plate();
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
     const Vector3d& x = mesh.nodes[i];
     text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", i + 1, x.x(), x.y(), x.z());
@@ -102,19 +102,19 @@ std::string abaqus_deck(const std::string& section) {
          "*DENSITY\n1600.\n" + section + "*BOUNDARY\n" + x_edges + y_edges;
 }
 
-DeckModel deck_of(const std::string& name, const std::string& text) {
+DeckModel ply_deck(const std::string& name, const std::string& text) {
   const TemporaryFolder folder("laminates");
   write_whole(folder.path / name, text);
   return *read_deck(folder.path / name, UnknownCards::error);
 }
 
-Eigen::VectorXd hertz(const DeckModel& deck, int count = 5) {
+Eigen::VectorXd ply_hertz(const DeckModel& deck, int count = 5) {
   return find_modes(place(deck, {}), count).hertz;
 }
 
 // Thin plate with cross plies, w and displacements as sines (Jones, Mechanics of composite
 // materials, 1999, chapter 5): membrane and bending coupled by B, eliminated at each pair of waves.
-std::vector<double> closed_form(const ShellLaminate& wall, std::size_t count) {
+std::vector<double> cross_ply_hertz(const ShellLaminate& wall, std::size_t count) {
   const Matrix3d A = t * wall.A, B = t * t * wall.B, D = t * t * t / 12 * wall.D;
   std::vector<double> all;
   for (int m = 1; m < 8; ++m)
@@ -137,7 +137,7 @@ std::vector<double> closed_form(const ShellLaminate& wall, std::size_t count) {
   return all;
 }
 
-void expect_close(const Eigen::VectorXd& ours, const std::vector<double>& theirs, double within) {
+void expect_hertz(const Eigen::VectorXd& ours, const std::vector<double>& theirs, double within) {
   for (std::size_t i = 0; i < theirs.size(); ++i)
     EXPECT_NEAR(ours[Eigen::Index(i)] / theirs[i], 1, within) << "mode " << i + 1;
 }
@@ -146,11 +146,11 @@ TEST(Laminate, cross_plies_have_the_frequencies_of_their_closed_form) {
   const std::vector<GeneralPly> even{
       {carbon, t / 4, 0}, {carbon, t / 2, pi / 2}, {carbon, t / 4, 0}};
   const std::vector<GeneralPly> odd{{carbon, t / 2, 0}, {carbon, t / 2, pi / 2}};
-  const Eigen::VectorXd symmetric =
-      hertz(deck_of("a.bdf", nastran_deck("PCOMP,1,,,,,,,SYM\n,1,2.5-4,0.,,1,2.5-4,90.\n", "")));
-  expect_close(symmetric, closed_form(general_laminate(even), 5), 0.01);
-  const DeckModel coupled = deck_of("b.bdf", nastran_deck("PCOMP,1\n,1,5.-4,0.,,1,5.-4,90.\n", ""));
-  expect_close(hertz(coupled), closed_form(general_laminate(odd), 5), 0.01);
+  const Eigen::VectorXd symmetric = ply_hertz(
+      ply_deck("a.bdf", ply_nastran("PCOMP,1,,,,,,,SYM\n,1,2.5-4,0.,,1,2.5-4,90.\n", "")));
+  expect_hertz(symmetric, cross_ply_hertz(general_laminate(even), 5), 0.01);
+  const DeckModel coupled = ply_deck("b.bdf", ply_nastran("PCOMP,1\n,1,5.-4,0.,,1,5.-4,90.\n", ""));
+  expect_hertz(ply_hertz(coupled), cross_ply_hertz(general_laminate(odd), 5), 0.01);
   ASSERT_EQ(coupled.notes.size(), 1U);
   EXPECT_NE(coupled.notes[0].find("600 shells have a wall that is not isotropic"),
             std::string::npos);
@@ -158,21 +158,22 @@ TEST(Laminate, cross_plies_have_the_frequencies_of_their_closed_form) {
 
 TEST(Laminate, one_wall_in_the_words_of_both_codes) {
   const Eigen::VectorXd ours =
-      hertz(deck_of("a.bdf", nastran_deck("PCOMP,1\n,1,3.-4,0.,,1,7.-4,40.\n", "")));
+      ply_hertz(ply_deck("a.bdf", ply_nastran("PCOMP,1\n,1,3.-4,0.,,1,7.-4,40.\n", "")));
   const std::string turned = "CORD2R,5,,0.,0.,0.,0.,0.,1.\n,0.,1.,0.\n"; // x along our y
   std::vector<Eigen::VectorXd> all{
-      hertz(deck_of("a.bdf", nastran_deck("PCOMP,1\n,1,3.-4,-40.,,1,7.-4,0.\n", "40."))),
-      hertz(deck_of("a.bdf", turned + nastran_deck("PCOMP,1\n,1,3.-4,-90.,,1,7.-4,-50.\n", "5"))),
-      hertz(deck_of("a.inp", abaqus_deck("*SHELL SECTION, ELSET=WALL, COMPOSITE\n"
-                                         "3e-4, 3, CARBON, 0.\n7e-4, 3, CARBON, 40.\n"))),
-      hertz(
-          deck_of("a.inp", abaqus_deck("*ORIENTATION, NAME=O\n0, 1, 0, -1, 0, 0\n3, -50.\n"
+      ply_hertz(ply_deck("a.bdf", ply_nastran("PCOMP,1\n,1,3.-4,-40.,,1,7.-4,0.\n", "40."))),
+      ply_hertz(
+          ply_deck("a.bdf", turned + ply_nastran("PCOMP,1\n,1,3.-4,-90.,,1,7.-4,-50.\n", "5"))),
+      ply_hertz(ply_deck("a.inp", ply_abaqus("*SHELL SECTION, ELSET=WALL, COMPOSITE\n"
+                                             "3e-4, 3, CARBON, 0.\n7e-4, 3, CARBON, 40.\n"))),
+      ply_hertz(
+          ply_deck("a.inp", ply_abaqus("*ORIENTATION, NAME=O\n0, 1, 0, -1, 0, 0\n3, -50.\n"
                                        "*SHELL GENERAL SECTION, ELSET=WALL, COMPOSITE, "
                                        "ORIENTATION=O\n3e-4, 3, CARBON, -40.\n7e-4, 3, CARBON\n"))),
-      hertz(deck_of("a.inp", abaqus_deck("*ORIENTATION, NAME=X\n1, 0, 0, 0, 1, 0\n3, 0.\n"
-                                         "*ORIENTATION, NAME=Y\n0, 0, 1, 1, 0, 0\n1, 40.\n"
-                                         "*SHELL SECTION, ELSET=WALL, COMPOSITE\n"
-                                         "3e-4, 3, CARBON, X\n7e-4, 3, CARBON, Y\n")))};
+      ply_hertz(ply_deck("a.inp", ply_abaqus("*ORIENTATION, NAME=X\n1, 0, 0, 0, 1, 0\n3, 0.\n"
+                                             "*ORIENTATION, NAME=Y\n0, 0, 1, 1, 0, 0\n1, 40.\n"
+                                             "*SHELL SECTION, ELSET=WALL, COMPOSITE\n"
+                                             "3e-4, 3, CARBON, X\n7e-4, 3, CARBON, Y\n")))};
   const ShellLaminate wall = general_laminate({{carbon, 3e-4, 0}, {carbon, 7e-4, 40 * pi / 180}});
   Eigen::Matrix<double, 6, 6> law;
   law << t * wall.A, t * t * wall.B, t * t * wall.B, t * t * t / 12 * wall.D;
@@ -180,10 +181,10 @@ TEST(Laminate, one_wall_in_the_words_of_both_codes) {
   for (int j = 0, number = 0; j < 6; ++j)
     for (int i = 0; i <= j; ++i)
       matrix += fmt::format("{:.12g}{}", law(i, j), ++number % 8 == 0 ? "\n" : ", ");
-  all.push_back(hertz(deck_of(
-      "a.inp", abaqus_deck("*SHELL GENERAL SECTION, ELSET=WALL, DENSITY=1.6\n" + matrix +
-                           fmt::format("\n*TRANSVERSE SHEAR STIFFNESS\n{:.12g}, {:.12g}, 0.\n",
-                                       t * wall.S(0, 0), t * wall.S(1, 1))))));
+  all.push_back(ply_hertz(ply_deck(
+      "a.inp", ply_abaqus("*SHELL GENERAL SECTION, ELSET=WALL, DENSITY=1.6\n" + matrix +
+                          fmt::format("\n*TRANSVERSE SHEAR STIFFNESS\n{:.12g}, {:.12g}, 0.\n",
+                                      t * wall.S(0, 0), t * wall.S(1, 1))))));
   for (std::size_t k = 0; k < all.size(); ++k) // its thickness and the shear of turned plies: 1e-3
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(all[k][i] / ours[i], 1, k < 3 ? 1e-3 : 2e-3) << k << i;
 }
@@ -191,7 +192,7 @@ TEST(Laminate, one_wall_in_the_words_of_both_codes) {
 // A wall whose G is not E/2/(1+nu), and one of a material for each of its stiffnesses.
 TEST(Laminate, a_shell_of_several_materials_is_the_sum_of_them) {
   const auto with = [](const std::string& property) {
-    return hertz(deck_of("a.bdf", nastran_deck(property, "")));
+    return ply_hertz(ply_deck("a.bdf", ply_nastran(property, "")));
   };
   const std::string shear = "MAT1,3,140.+9,5.+9,.3\n";
   const Eigen::VectorXd ours = with(shear + "PSHELL,1,1,.001,1,,3\n");
@@ -200,7 +201,7 @@ TEST(Laminate, a_shell_of_several_materials_is_the_sum_of_them) {
       with(shear + fmt::format("MAT2,2,{},{},0.,{},0.,5.+9,1600.\nPSHELL,1,2,.001,2,,3\n",
                                nastran_real(carbon.Q(0, 0)), nastran_real(carbon.Q(0, 1)),
                                nastran_real(carbon.Q(1, 1))));
-  expect_close(ours, closed_form(solid_wall(carbon), 5), 0.01);
+  expect_hertz(ours, cross_ply_hertz(solid_wall(carbon), 5), 0.01);
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(plies[i] / ours[i], 1, 2e-3) << i; // G of 3.5 and 5 GPa across
     EXPECT_NEAR(matrix[i] / ours[i], 1, 1e-6) << i;
@@ -214,7 +215,7 @@ struct TurnedPly {
 };
 
 std::string eight_node_plate(const std::vector<TurnedPly>& plies) {
-  const int along = 12, across = 8;
+  const int along = 24, across = 16;
   std::map<std::pair<int, int>, int> numbers;
   std::string nodes = "*NODE\n", elements = "*ELEMENT, TYPE=S8R, ELSET=WALL\n", held;
   const auto node = [&](int i, int j) {
@@ -245,7 +246,7 @@ std::string eight_node_plate(const std::vector<TurnedPly>& plies) {
 }
 
 // Of the table of eigenvalues; empty where CalculiX is not installed or breaks off.
-std::vector<double> calculix_hertz(const std::string& deck) {
+std::vector<double> calculix_ply_hertz(const std::string& deck) {
   const TemporaryFolder folder("calculix_plies");
   write_whole(folder.path / "model.inp", deck);
   const std::string command =
@@ -272,9 +273,9 @@ TEST(CalculixPlies, a_plate_of_plies_has_the_frequencies_of_its_solids) {
       {"45 -20", {{1e-3, 45}, {1e-3, -20}}}};
   for (const auto& [name, plies] : walls) {
     const std::string deck = eight_node_plate(plies);
-    const std::vector<double> theirs = calculix_hertz(deck);
+    const std::vector<double> theirs = calculix_ply_hertz(deck);
     ASSERT_GE(theirs.size(), 6U) << "CalculiX (ccx) is not there, or broke off";
-    const Eigen::VectorXd ours = hertz(deck_of("a.inp", deck), 6);
+    const Eigen::VectorXd ours = ply_hertz(ply_deck("a.inp", deck), 6);
     for (Eigen::Index i = 0; i < 6; ++i) {
       fmt::print("{:16} {:8.2f} Hz, CalculiX {:8.2f}\n", name, ours[i], theirs[std::size_t(i)]);
       EXPECT_NEAR(ours[i] / theirs[std::size_t(i)], 1, 0.01) << name;

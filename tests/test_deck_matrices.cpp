@@ -33,14 +33,14 @@ Superelement any_element() {
   return s;
 }
 
-MatrixXd turn_of(const Matrix3d& R) {
+MatrixXd block_turn(const Matrix3d& R) {
   MatrixXd T = MatrixXd::Identity(13, 13);
   for (int i = 0; i < 12; i += 3) T.block<3, 3>(i, i) = R;
   return T;
 }
 
 // Of all matrices of a model with two nodes and a scalar one.
-MatrixXd sum_of(const Model& model, MatrixXd MatrixElement::*which) {
+MatrixXd summed(const Model& model, MatrixXd MatrixElement::*which) {
   MatrixXd all = MatrixXd::Zero(18, 18);
   for (const MatrixElement& e : model.matrices)
     for (std::size_t a = 0; a < e.nodes.size(); ++a)
@@ -51,14 +51,14 @@ MatrixXd sum_of(const Model& model, MatrixXd MatrixElement::*which) {
   return all.topLeftCorner<13, 13>();
 }
 
-void expect_back(const DeckModel& deck, const MatrixXd& T, const Superelement& s) {
+void expect_back_as(const DeckModel& deck, const MatrixXd& T, const Superelement& s) {
   const Matrix3d turn = Eigen::AngleAxisd(0.4, Vector3d(1, 1, 2).normalized()).toRotationMatrix();
   for (const Matrix3d& R : {Matrix3d(Matrix3d::Identity()), turn}) {
     const Model model = place(deck, {.turn = R});
     ASSERT_EQ(model.mesh.nodes.size(), 3U);
-    const MatrixXd all = turn_of(R) * T;
-    for (const auto& [own, theirs] : {std::pair{sum_of(model, &MatrixElement::K), s.K},
-                                      std::pair{sum_of(model, &MatrixElement::M), s.M}}) {
+    const MatrixXd all = block_turn(R) * T;
+    for (const auto& [own, theirs] : {std::pair{summed(model, &MatrixElement::K), s.K},
+                                      std::pair{summed(model, &MatrixElement::M), s.M}}) {
       const MatrixXd back = all.transpose() * own * all;
       const Eigen::VectorXd scale = theirs.diagonal().cwiseSqrt().cwiseInverse();
       EXPECT_LT((scale.asDiagonal() * (back - theirs) * scale.asDiagonal()).cwiseAbs().maxCoeff(),
@@ -75,7 +75,7 @@ TEST(DeckMatrices, what_is_exported_comes_back) {
   placed.axes = Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix();
   for (const ElementLabels& labels : {ElementLabels{}, placed}) {
     const std::string name = labels.system == 0 ? "plain" : "placed";
-    const MatrixXd T = turn_of(labels.axes);
+    const MatrixXd T = block_turn(labels.axes);
     write_whole(folder.path / (name + "_part.bdf"), nastran_deck(s, labels));
     write_whole(folder.path / (name + ".bdf"),
                 "CEND\nK2GG = KPLICA, KPLICAL\nM2GG = 1.0*MPLICA, MPLICAL\nBEGIN BULK\nINCLUDE '" +
@@ -84,11 +84,11 @@ TEST(DeckMatrices, what_is_exported_comes_back) {
     write_whole(folder.path / abaqus_matrix_file('M'), abaqus_matrix(s, s.M, labels));
     write_whole(folder.path / (name + ".inp"), abaqus_deck(s, labels));
     for (const char* suffix : {".bdf", ".inp"})
-      expect_back(*read_deck(folder.path / (name + suffix), UnknownCards::error), T, s);
+      expect_back_as(*read_deck(folder.path / (name + suffix), UnknownCards::error), T, s);
   }
 }
 
-DeckModel deck_of(const std::string& name, const std::string& text) {
+DeckModel matrix_deck(const std::string& name, const std::string& text) {
   const TemporaryFolder folder("matrices");
   write_whole(folder.path / name, text);
   return *read_deck(folder.path / name, UnknownCards::error);
@@ -120,7 +120,7 @@ TEST(DeckMatrices, chains_as_other_codes_write_them) {
                 "1, 1, 2, 1, -1000.\n2, 1, 2, 1, 1000.\n*MATRIX INPUT, NAME=M, TYPE=UNSYMMETRIC\n"
                 "1, 1, 1, 1, 2.\n2, 1, 2, 1, 1.\n*MATRIX ASSEMBLE, STIFFNESS=K, MASS=M\n"}};
   for (const auto& [name, text] : decks) {
-    const Eigen::VectorXd hertz = find_modes(place(deck_of(name, text), {}), 2).hertz;
+    const Eigen::VectorXd hertz = find_modes(place(matrix_deck(name, text), {}), 2).hertz;
     ASSERT_EQ(hertz.size(), 2) << name;
     EXPECT_NEAR(hertz[0] * 2 * std::numbers::pi, std::sqrt(500.), 1e-8) << name;
     EXPECT_NEAR(hertz[1] * 2 * std::numbers::pi, std::sqrt(2000.), 1e-8) << name;
@@ -147,7 +147,7 @@ TEST(DeckMatrices, what_is_no_such_matrix_is_refused) {
        "has this entry twice"}};
   for (const auto& [name, text, message] : all) {
     try {
-      deck_of(name, text);
+      matrix_deck(name, text);
       FAIL() << text;
     } catch (const InputError& error) {
       EXPECT_NE(to_string(error.problems().at(0)).find(message), std::string::npos)
@@ -163,17 +163,18 @@ TEST(DeckMatrices, replicas_are_the_cards_spelt_out) {
   for (int i = 0; i < 10; ++i)
     spelt += fmt::format("CBAR,{},1,{},{},0.,1.,0.\n", i + 1, i + 1, i + 2);
   const std::string grid = "GRID,1,,0.,0.,0.\n", bar = "CBAR,1,1,1,2,0.,1.,0.\n";
-  const Eigen::VectorXd hertz = find_modes(place(deck_of("a.bdf", spelt + rest), {}), 6).hertz;
+  const Eigen::VectorXd hertz = find_modes(place(matrix_deck("a.bdf", spelt + rest), {}), 6).hertz;
   for (const std::string& text : {grid + "=,*1,,*.1,==\n=9\n" + bar + "=,*1,=,*1,*1,==\n=8\n",
                                   grid + "=(10),*(1),,*(.1),==\n" + bar +
                                       "=       *(1)    =       *(1)    *(1)    ==\n=(8)\n"}) {
-    const Eigen::VectorXd theirs = find_modes(place(deck_of("a.bdf", text + rest), {}), 6).hertz;
+    const Eigen::VectorXd theirs =
+        find_modes(place(matrix_deck("a.bdf", text + rest), {}), 6).hertz;
     for (int i = 0; i < 6; ++i) EXPECT_NEAR(theirs[i] / hertz[i], 1, 1e-9) << text;
   }
-  EXPECT_THROW(deck_of("a.bdf", grid + "=9\n" + rest), InputError);
-  EXPECT_THROW(deck_of("a.bdf", grid + "=(x),*1,==\n" + rest), InputError);
+  EXPECT_THROW(matrix_deck("a.bdf", grid + "=9\n" + rest), InputError);
+  EXPECT_THROW(matrix_deck("a.bdf", grid + "=(x),*1,==\n" + rest), InputError);
   const DeckModel altered =
-      deck_of("a.bdf", "INCLUDE 'alter.v9'\nCEND\nSPC=1\nBEGIN BULK\n" + spelt + rest);
+      matrix_deck("a.bdf", "INCLUDE 'alter.v9'\nCEND\nSPC=1\nBEGIN BULK\n" + spelt + rest);
   ASSERT_EQ(altered.notes.size(), 1U);
   EXPECT_NE(altered.notes[0].find("executive control in line 1"), std::string::npos);
 }
