@@ -256,8 +256,9 @@ TEST(Transients, with_a_maxwell_branch_are_those_of_its_equation) {
   const Eigen::VectorXd exact =
       by_runge_kutta(g, tau, peak, duration, r.step, r.acceleration.rows());
   EXPECT_LT((r.acceleration.col(1) - exact).cwiseAbs().maxCoeff(),
-            5e-3 * exact.cwiseAbs().maxCoeff());
-  EXPECT_TRUE(results.warnings.empty());
+            1e-4 * exact.cwiseAbs().maxCoeff());
+  for (const std::string& w : results.warnings)
+    EXPECT_EQ(w.find("each mode by itself"), std::string::npos) << w;
 }
 
 TEST(RunUps, orders_follow_the_response_over_the_speed) {
