@@ -17,8 +17,7 @@ using Eigen::Index;
 using std::numbers::pi;
 constexpr Complex i_(0, 1);
 
-constexpr double k_left = 4e4, k_right = 1e4, weight = 2, zeta = 0.03;
-constexpr double half_bar = 2 * EA / L;
+constexpr double k_left = 4e4, k_right = 1e4, weight = 2, zeta = 0.03, half_bar = 2 * EA / L;
 
 // Of a spring with its damper and half of the bar in a row.
 Complex in_a_row(Complex spring) {
