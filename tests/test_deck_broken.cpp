@@ -37,9 +37,10 @@ const std::string plies =
     "1e6, 2e6, 0.\n*MATRIX INPUT, NAME=K\n1, 1, 1, 1, 3.\n2, 1, 1, 1, 2.\n2, 1, 2, 1, 9.\n"
     "*MATRIX ASSEMBLE, STIFFNESS=K\n";
 const std::string laminate =
-    "MAT8,4,14.+10,1.+10,.3,5.+9,5.+9,3.+9\nPCOMP,1,,,,,,,SYM\n,4,.001,45.,,4,.001,-45.\n"
-    "DMIG,KX,0,6,2,0\nDMIG,KX,1,1,,1,1,3.\n,2,1,2.,0.\nDMIG,KX,2,1,,2,1,9.\nGRID,21,,0.,0.,5.\n"
-    "=(9),*(1),,=,*(.5),==\nMAT2,5,4.+10,1.+10,0.,4.+10,0.,2.+10\nPSHELL,9,5,.001,4,,5\n,,,5\n";
+    "MAT8,4,14.+10,1.+10,.3,5.+9,5.+9,3.+9\nPCOMP,1,,,,,,,SYM\n,4,.001,45.,,4,.001,-45.\nDMIG,KX,0,"
+    "6,2,0\nDMIG,KX,1,1,,1,1,3.\n,2,1,2.,0.\nDMIG,KX,2,1,,2,1,9.\nGRID,21,,0.,0.,5.\n=(9),*(1),,=,*"
+    "(.5),==\nMAT2,5,4.+10,1.+10,0.,4.+10,0.,2.+10\nMAT2,6,1.+9,0.,0.,1.+9,0.,1.+9\nPSHELL,9,5,."
+    "001,4,,5\n,,,6\n";
 
 std::vector<InputProblem> problems_of(const std::string& text, const std::string& name) {
   const TemporaryFolder folder("deck");
