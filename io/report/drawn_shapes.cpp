@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plica {
 
@@ -28,7 +29,17 @@ double drawn_scale(const Results& results, std::size_t mode) {
   for (const Eigen::Vector3d& x : results.mesh.nodes) box.extend(x);
   Eigen::MatrixXd u = results.shapes[mode].leftCols(3);
   u = u.array().isFinite().select(u, 0).eval();
-  const double largest = u.rowwise().norm().maxCoeff();
+  double largest = u.rowwise().norm().maxCoeff();
+  // Where nodes hardly move, as in torsion of a straight line, the skin of the tubes does.
+  constexpr double thin = 1e-3; // of the size: what is no tube
+  const Eigen::MatrixXd& shape = results.shapes[mode];
+  for (std::size_t i = 0; shape.cols() >= 6 && i < results.lines.size(); ++i)
+    for (const int node : results.lines[i]) {
+      const double radius = i < results.line_radii.size() ? results.line_radii[i] : 0;
+      const double turn = shape.row(node).segment<3>(3).norm();
+      if (std::isfinite(turn))
+        largest = std::max(largest, turn * std::max(radius, thin * box.diagonal().norm()));
+    }
   return largest > 0 ? drawn_motion * box.diagonal().norm() / largest : 1;
 }
 

@@ -43,6 +43,10 @@ test('the response of a bolted lap stands beside its test', async () => {
     const { names, values } = await read(page.locator('#response figure.plot.is-live').first());
     const shown = Object.fromEntries(names.map((name, i) => [name, Number(values[i])]));
     assert.ok(shown['joint z'] > 0 && shown['test joint z, 1 m/s2'] > 0, JSON.stringify(shown));
+    // Half a metre long, with a torsion mode, in which its nodes rest and its skin moves.
+    await page.waitForSelector('.viewer.is-live canvas');
+    const far = await page.evaluate(() => document.querySelector('.viewer').viewer.camera.position.length());
+    assert.ok(far > 0.3 && far < 5, `seen from ${far} m`);
   });
 });
 
