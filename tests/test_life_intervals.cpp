@@ -117,12 +117,13 @@ TEST(LifeIntervals, of_random_motion_and_of_a_sweep_go_with_the_mass_by_hand) {
     const DutyResult& d = duty(r, name);
     ASSERT_TRUE(d.damage_between) << name;
     for (const std::size_t i : {0, 1})
-      EXPECT_NEAR((*d.damage_between)[i] / d.damage / std::pow(mass[i], power), 1, 0.02) << name;
+      EXPECT_NEAR((*d.damage_between)[i] / d.damage / std::pow(mass[i], power), 1, 0.01) << name;
   }
 }
 
-// What a place misses is what a run four times finer along, with a quarter of the error, shows;
-// that of the hottest place is that of the headline.
+// A run four times finer along shows what places miss: most of it is in their mesh error, whose
+// first order is too much rather than too little where the recovered stress is better than that.
+// That of the hottest place is that of the headline.
 TEST(MeshErrorOfStress, by_place_is_what_a_finer_mesh_shows) {
   Case data = coarse_bellows();
   data.analyses.life->strokes = {{.name = "one", .shift = {.axial = 1e-3}, .count = 1000}};
@@ -137,8 +138,11 @@ TEST(MeshErrorOfStress, by_place_is_what_a_finer_mesh_shows) {
     const double better = std::abs(fine_table.rows[i].von_mises);
     const MeshError& error = r.error_bars.places[0][i];
     ASSERT_TRUE(std::isfinite(error.total()));
-    EXPECT_NEAR((found + error.along) / better, 1, 0.05)
-        << r.places[std::size_t(coarse_table.rows[i].place)].name << ", found " << found / better;
+    const double raw = found / better - 1, corrected = (found + error.along) / better - 1;
+    EXPECT_LT(std::abs(corrected), 0.75 * std::abs(raw) + 1e-3)
+        << r.places[std::size_t(coarse_table.rows[i].place)].name;
+    EXPECT_LT(std::abs(corrected), 0.06);
+    EXPECT_LT(raw * corrected, 1e-6) << "too much rather than too little";
     if (found > largest) {
       largest = found;
       of_largest = error.total();

@@ -22,6 +22,11 @@ std::string number_or_dash(double stress) {
   return std::isfinite(stress) ? html_number(1e-6 * stress, 3) : "–";
 }
 
+// What is nothing beside the stress it is a part of is nothing.
+std::string part_of(double part, double whole) {
+  return number_or_dash(std::abs(part) < 1e-9 * std::abs(whole) ? 0 : part);
+}
+
 std::string largest_table(const Results& results) {
   bool beams = false;
   for (const StressResult& s : results.stresses) beams = beams || s.largest_beam > 0;
@@ -52,7 +57,7 @@ std::string largest_table(const Results& results) {
          {top ? top->meridional_membrane : std::nan(""),
           top ? top->meridional_bending : std::nan(""), top ? top->hoop_membrane : std::nan(""),
           top ? top->hoop_bending : std::nan("")})
-      row.cells.push_back(number_or_dash(x));
+      row.cells.push_back(part_of(x, s.largest));
     for (const double x : s.at) row.cells.push_back(html_fixed(1e3 * x, 1));
     if (beams) row.cells.push_back(html_number(s.largest_beam / 1e6, 4));
     if (!errors.empty()) {
@@ -121,7 +126,7 @@ std::string places_table(const Results& results, std::size_t table) {
     for (const double x :
          {r.von_mises, r.principal[0], r.principal[1], r.meridional, r.meridional_membrane,
           r.meridional_bending, r.hoop, r.hoop_membrane, r.hoop_bending})
-      row.cells.push_back(number_or_dash(x));
+      row.cells.push_back(part_of(x, r.von_mises));
     if (errors)
       row.cells.insert(row.cells.begin() + 2, with_dash(place_mesh_error(results, table, i)));
     rows.push_back(std::move(row));
@@ -157,7 +162,7 @@ std::string duties_table(const Results& results) {
                      {"largest range", "MPa"},
                      {"mesh error", "%"},
                      {"life", "cycles"},
-                     {"5 to 95 %", ""},
+                     {"5 to 95 %", "", false},
                      {"damage", ""}},
                     rows);
 }
