@@ -1,13 +1,12 @@
 """Measured data: `measured.yaml` read into tables and responses.
 
-Numbers with a unit ("116 Hz", "5 g") stay texts unless they are plain: the program converts units,
-this package does not (one way to do a thing). `plica.measured(...)` writes SI.
+Tables have numbers in SI, also where the file has another unit ("54.4 kN/m"); `data` is as written.
 """
 from __future__ import annotations
 
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -15,11 +14,13 @@ import numpy.typing as npt
 from .documents import frame_of
 from .errors import BrokenFolder, MissingData
 from .frf import Frf, axis_of
+from .quantities import si
 from .tables import read_csv
 from .uff58 import read_uff58
 from .yaml_text import load
 
 Array = npt.NDArray[Any]
+PLAIN = {"frequency": "Hz", "damping": "fraction of critical", "at": "m", "mass": "kg"}
 
 
 class Measured:
@@ -37,9 +38,16 @@ class Measured:
         """The case the data belong to."""
         return str(self.data["specimen"])
 
+    @property
+    def mass(self) -> float | None:
+        """In kg; None where it was not weighed."""
+        entry = self.data.get("mass")
+        value, _ = si(entry.get("value") if isinstance(entry, dict) else entry, "mass")
+        return float(value) if isinstance(value, (int, float)) else None
+
     def entries(self, name: str) -> Any:
         """DataFrame of a list: "sensors", "modes", "static", "frf", "signals", "states"."""
-        return frame_of(self.data.get(name) or [])
+        return _frame(self.data.get(name) or [])
 
     @property
     def sensors(self) -> Any:
@@ -60,7 +68,7 @@ class Measured:
             for k, level in enumerate(levels):
                 rows.append({key: v[k] if isinstance(v, list) and len(v) == len(levels) else v
                              for key, v in entry.items()} | {"level": level})
-        return frame_of(rows, {"level": "m/s2", "frequency": "Hz"})
+        return _frame(rows)
 
     @cached_property
     def frf(self) -> list[Frf]:
@@ -69,7 +77,7 @@ class Measured:
 
     def _load(self, entry: dict[str, Any]) -> Frf:
         file = self.path.parent / entry["file"]
-        level = entry.get("level")
+        level, _ = si(entry.get("level"))
         level = float(level) if isinstance(level, (int, float)) else None
         base = entry.get("base")
         driven = f"base.{base}" if base else str(entry.get("force", ""))
@@ -86,6 +94,20 @@ class Measured:
             frf = Frf(frf.frequency, frf.H[:, keep], tuple(names[i] for i in keep), frf.inputs,
                       frf.unit, frf.level)
         return frf
+
+
+def _frame(rows: Sequence[Mapping[str, Any]]) -> Any:
+    """In SI; units of the columns that have one of them throughout, or none, in attrs."""
+    units: dict[str, set[str]] = {key: {unit} for key, unit in PLAIN.items()}
+    converted = []
+    for row in rows:
+        here = {key: si(value, key) for key, value in row.items()}
+        converted.append({key: value for key, (value, _) in here.items()})
+        for key, (_, unit) in here.items():
+            if unit:
+                units.setdefault(key, set()).add(unit)
+    return frame_of(converted, {key: found.pop() for key, found in units.items()
+                                if len(found) == 1})
 
 
 def _of_universal_file(file: Path, driven: str, level: float | None) -> Frf:

@@ -1,9 +1,13 @@
 """measured.yaml from arrays, read by the program."""
+import re
+
 import matplotlib.pyplot as pyplot
 import numpy as np
 import pytest
+from conftest import SHIPPED, TREE
 
 import plica
+from plica import quantities
 
 
 def response(f, f0, zeta):
@@ -129,3 +133,30 @@ def test_what_is_no_measured_data(tmp_path):
     (tmp_path / "measured.yaml").write_text("specimen: [\n")
     with pytest.raises(plica.BrokenFolder):
         plica.read_measured(tmp_path)
+
+
+def test_numbers_with_units_are_read_in_si():
+    lab = plica.read_measured(SHIPPED / "tutorial")
+    assert lab.mass == pytest.approx(0.8831)
+    assert list(lab.modes["frequency"]) == [164.0, 229.5] and lab.modes["damping"][0] == 0.0103
+    assert lab.modes.attrs["units"] == {"frequency": "Hz", "sigma": "Hz",
+                                        "damping": "fraction of critical"}
+    static = lab.entries("static")
+    assert static["value"][0] == 54900 and static.attrs["units"]["value"] == "N/m"
+    assert lab.sensors["at"][0] == pytest.approx([0, 0.062, 0.0488])
+    assert quantities.si("5 g", "mass") == (0.005, "kg")
+    assert quantities.si("-2 g") == (-19.6133, "m/s2")
+    for text in ("axial 1", "3 furlongs", "z_1.csv", 3, None, True, "1e3"):
+        assert quantities.si(text) == (text, None)
+
+
+def test_units_are_those_of_the_program():
+    text = (TREE / "words" / "units.cpp").read_text()
+    table = text[text.index("dimensions{"):text.index("return dimensions;")]
+    known = {"degree": np.pi / 180}
+    program = {}
+    for name, factor in re.findall(r'{"([^"]+)", ([^{}"]+)}', table):
+        program.setdefault(name, set()).add(eval(factor, {}, known))
+    for name, (_, factor) in quantities.SI.items():
+        assert [factor] == pytest.approx(list(program[name]), rel=1e-15), name
+    assert program["g"] == {quantities.GRAM[1], quantities.GRAVITY[1]}

@@ -121,6 +121,8 @@ def test_a_case_with_errors_gives_all_of_them(tmp_path):
         assert {p.key for p in problems} == {"materials.steel.nu", "materials.steel.EE"}
         assert all(p.line == 4 and p.file.endswith("bad.yaml") for p in problems)
         assert "did you mean 'E'" in "".join(p.allowed for p in problems)
+        said = str(caught.value).splitlines()  # all of them, each with its place
+        assert len(said) == 2 and all("bad.yaml:4: materials.steel." in line for line in said)
     with pytest.raises(plica.CaseError, match="nowhere.yaml: file not found") as caught:
         plica.run("nowhere.yaml")
     assert caught.value.problems[0].file == "nowhere.yaml"
