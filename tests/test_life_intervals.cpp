@@ -238,7 +238,7 @@ TEST(LifeIntervals, of_published_tests_are_of_their_scatter) {
   Case data = coarse_bellows();
   data.analyses.life->curve = {
       .name = "", .source = "", .law = PublishedCurve{.of = PublishedSteel::pipe_304L, .E = E}};
-  data.analyses.life->strokes = {{.name = "one", .shift = {.axial = 4e-3}, .count = 1000}};
+  data.analyses.life->strokes = {{.name = "one", .shift = {.axial = 8e-3}, .count = 1000}};
   Results r = run_silently(data);
   add_life_intervals(data, r);
   EXPECT_NE(r.life->curve.find("Hannes"), std::string::npos) << r.life->curve;
