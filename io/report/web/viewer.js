@@ -110,6 +110,7 @@ class Viewer {
     this.playing = false;
     this.orbit = new OrbitControls(this.camera, renderer.domElement);
     this.orbit.addEventListener('change', () => this.draw());
+    this.orbit.addEventListener('start', () => { this.turned = true; });
     this.resize();
     this.home();
     this.show(-1);
@@ -117,6 +118,7 @@ class Viewer {
   }
 
   home() {
+    this.turned = false;
     const box = new Box3().setFromObject(this.part);
     const centre = box.getCenter(new Vector3());
     const size = box.getSize(new Vector3()).length() || 1;
@@ -200,6 +202,7 @@ class Viewer {
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.turned === false) this.home(); // the whole part stays in sight
     this.draw();
   }
 
@@ -239,7 +242,9 @@ class Viewer {
     for (const { label, at } of this.tags) {
       const p = at.clone().project(this.camera);
       const left = ((p.x + 1) / 2) * clientWidth;
-      label.style.transform = `translate(${left}px, ${((1 - p.y) / 2) * clientHeight}px)`;
+      const free = label.classList.contains('symbol-name'); // no dot of it marks the place
+      const shown = free ? Math.min(left, clientWidth - label.offsetWidth - room / 2) : left;
+      label.style.transform = `translate(${shown}px, ${((1 - p.y) / 2) * clientHeight}px)`;
       label.style.maxWidth = `${Math.max(clientWidth - left - room, narrowest)}px`;
     }
     this.figure.dataset.frames = String(1 + Number(this.figure.dataset.frames ?? 0));
