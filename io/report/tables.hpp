@@ -11,7 +11,7 @@ namespace plica {
 // Measured +- sigma beside computed, deviation in % and in sigma, and a strip per row with the
 // measured error bar around zero and the computed value as a dot; empty if nothing was measured.
 std::string comparison_html(const Results& results);
-std::string numbers_html(const Results& results); // the headline numbers
+std::string numbers_html(const Results& results);    // the headline numbers
 std::string error_bars_html(const Results& results); // mesh and tolerances
 std::string statics_html(const Results& results);
 std::string modes_html(const Results& results); // with effective masses and their sum
