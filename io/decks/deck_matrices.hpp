@@ -17,6 +17,14 @@ public:
     auto operator<=>(const Dof&) const = default;
   };
   void add(Dof row, Dof column, double value) { entries_[{row, column}] += value; }
+  // Factor times another one; of a triangle its mirrored entries as well.
+  void add(const GivenMatrix& other, double factor, bool triangle) {
+    for (const auto& [place, value] : other.entries_) {
+      entries_[place] += factor * value;
+      if (triangle && place.first != place.second)
+        entries_[{place.second, place.first}] += factor * value;
+    }
+  }
   bool empty() const { return entries_.empty(); }
 
   // Factor times the matrix as an element of `deck`. `triangle`: only one of two mirrored entries

@@ -40,16 +40,19 @@ void read_matrices(const NastranReading& r, const BulkData& bulk) {
   std::map<std::string, Direct> all;
   r.each("DMIG", [&](const Card& card) { read_entries(r, card, all[in_capitals(card.text(0))]); });
   for (const DirectMatrices& line : bulk.matrices)
-    for (const auto& [factor, name] : line.chosen)
-      r.problems.collect([&, scale = factor, matrix = name] {
-        const auto found = all.find(matrix);
+    r.problems.collect([&] {
+      GivenMatrix sum; // a second one may be what the digits of the first leave, of any sign
+      for (const auto& [factor, name] : line.chosen) {
+        const auto found = all.find(name);
         if (found == all.end() || found->second.head == nullptr)
-          deck_error(line.at, line.card, "there is no matrix " + matrix, "a DMIG of the deck");
-        if (found->second.matrix.empty()) return; // what a first one rounds away may be nothing
-        r.deck.springs.push_back(found->second.matrix.element(
-            r.deck, line.card == "K2GG" ? GivenKind::stiffness : GivenKind::mass,
-            found->second.head->whole(2) == 6, scale, found->second.head->at, "DMIG " + matrix));
-      });
+          deck_error(line.at, line.card, "there is no matrix " + name, "a DMIG of the deck");
+        sum.add(found->second.matrix, factor, found->second.head->whole(2) == 6);
+      }
+      if (!sum.empty())
+        r.deck.springs.push_back(
+            sum.element(r.deck, line.card == "K2GG" ? GivenKind::stiffness : GivenKind::mass, false,
+                        1, line.at, line.card));
+    });
 }
 
 } // namespace plica
