@@ -8,6 +8,7 @@ build/bench/bench_rainflow
 build/bench/bench_line
 build/bench/bench_solve "${LARGEST:-1e6}"
 bench/sweep.sh 10000
+node bench/memory.mjs build/app/plica
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -155,9 +155,8 @@ void note_laminates(DeckModel& deck) {
   const auto all = std::count_if(deck.shells.begin(), deck.shells.end(),
                                  [](const DeckShell& shell) { return shell.laminate >= 0; });
   if (all > 0)
-    deck.notes.push_back(std::to_string(all) +
-                         " shells have a wall that is not isotropic: they are solved by their "
-                         "matrices, and neither drawn nor part of stresses");
+    deck.notes.push_back("shells with a wall that is not isotropic: " + std::to_string(all) +
+                         ", solved by their matrices, and neither drawn nor part of stresses");
 }
 
 MatrixXd spring_matrix(const std::vector<SpringEnd>& ends, double k) {
