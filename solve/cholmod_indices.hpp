@@ -2,7 +2,6 @@
 #pragma once
 
 #include "solve/assembly.hpp"
-#include "solve/sparse_factor.hpp"
 
 #include <cholmod.h>
 #include <type_traits>
@@ -30,9 +29,14 @@ inline constexpr CholmodFunctions cholmod_wide{
     cholmod_l_factorize, cholmod_l_solve2, cholmod_l_free_dense, cholmod_l_free_factor,
 };
 
-inline const CholmodFunctions& cholmod_functions(IndexWidth width, Eigen::Index rows) {
+// The entries of a factor begin to outgrow 32 bits.
+inline bool outgrows_narrow(Eigen::Index rows) {
   constexpr Eigen::Index many = 4000000;
-  return width == IndexWidth::wide || rows >= many ? cholmod_wide : cholmod_narrow;
+  return rows >= many;
+}
+
+inline const CholmodFunctions& cholmod_functions(bool wide) {
+  return wide ? cholmod_wide : cholmod_narrow;
 }
 
 // An Eigen matrix (lower triangle) as CHOLMOD sees it, which does not change it. Must not outlive

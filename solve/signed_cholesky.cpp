@@ -37,7 +37,7 @@ template <class T> std::vector<T> copied(const void* numbers, int index_type, st
 }
 
 Supernodes supernodes(const SparseMatrix& lower, const VectorXi& order) {
-  const CholmodFunctions& cholmod = cholmod_functions(IndexWidth::by_size, lower.rows());
+  const CholmodFunctions& cholmod = cholmod_functions(outgrows_narrow(lower.rows()));
   cholmod_common common{};
   cholmod.start(&common);
   common.print = 0;

@@ -58,7 +58,8 @@ struct SparseFactor::Impl {
   int rows = 0;
 
   Impl(Factorisation k, int n, IndexWidth width)
-      : cholmod(cholmod_functions(width, n)), one_vector(cholmod), kind(k), rows(n) {
+      : cholmod(cholmod_functions(width == IndexWidth::wide || outgrows_narrow(n))),
+        one_vector(cholmod), kind(k), rows(n) {
     start(cholmod, common);
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_METIS;

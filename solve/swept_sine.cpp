@@ -52,8 +52,8 @@ VectorXcd ringing(const VectorXcd& f, const VectorXd& left, double omega, double
 
 // Of one that is faster than half of the sampling rate and follows statically: the second
 // difference of the load, which loses of the sine what was given back.
-VectorXcd following(const VectorXcd& f, const VectorXd& left, double lambda,
-                    const SweptLoad& load, Index stride) {
+VectorXcd following(const VectorXcd& f, const VectorXd& left, double lambda, const SweptLoad& load,
+                    Index stride) {
   VectorXcd a((f.size() - 1) / stride + 1);
   for (Index i = 0; i < f.size(); i += stride) {
     const Index k = std::clamp<Index>(i, 1, f.size() - 2);

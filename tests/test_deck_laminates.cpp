@@ -152,8 +152,7 @@ TEST(Laminate, cross_plies_have_the_frequencies_of_their_closed_form) {
   const DeckModel coupled = ply_deck("b.bdf", ply_nastran("PCOMP,1\n,1,5.-4,0.,,1,5.-4,90.\n", ""));
   expect_hertz(ply_hertz(coupled), cross_ply_hertz(general_laminate(odd), 5), 0.01);
   ASSERT_EQ(coupled.notes.size(), 1U);
-  EXPECT_NE(coupled.notes[0].find("a wall that is not isotropic: 1536, solved"),
-            std::string::npos);
+  EXPECT_NE(coupled.notes[0].find("a wall that is not isotropic: 1536, solved"), std::string::npos);
 }
 
 TEST(Laminate, one_wall_in_the_words_of_both_codes) {

@@ -172,14 +172,17 @@ private:
       else
         same->factor += f.factor;
     };
-    for (std::size_t a = 0; a < wall.nodes.size(); ++a) {
-      const auto known = follows_.find(wall.nodes[a]);
-      if (known == follows_.end())
-        add({wall.nodes[a], wall.N[a]});
-      else
-        for (const Follower& f : known->second) add({f.node, wall.N[a] * f.factor, f.arm});
-    }
+    for (std::size_t a = 0; a < wall.nodes.size(); ++a)
+      for_each_free({.node = wall.nodes[a], .factor = wall.N[a]}, add);
     return sum;
+  }
+
+  // f(what a corner follows, down to nodes that follow nothing here), or the corner itself.
+  template <class F> void for_each_free(const Follower& of, F&& f) const {
+    const auto known = follows_.find(of.node);
+    if (known == follows_.end()) return f(of);
+    for (const Follower& next : known->second)
+      for_each_free({next.node, of.factor * next.factor, next.arm}, f);
   }
 
   // Of corners, which have no arms; nothing where all are determined or their shares are none.

@@ -206,8 +206,8 @@ struct ErrorBars {
   std::vector<MeshError> modes, stresses; // Hz and Pa, as the results list them; empty = not made
   // Of the magnitude of von Mises stress of every row of the stress tables, Pa; empty = not made.
   std::vector<std::vector<MeshError>> places;
-  bool along = false, around = false;     // the mesh could be refined that way
-  std::vector<std::string> tolerances;    // paths
+  bool along = false, around = false;  // the mesh could be refined that way
+  std::vector<std::string> tolerances; // paths
   double interaction = 0; // largest deviation of a run with all tolerances drawn at random from the
                           // sum of the single effects, relative
 };

@@ -3,7 +3,7 @@
 #include "mesh/machine_memory.hpp"
 #include "reduction/substructures.hpp"
 #include "run/routes/built_reduced.hpp"
-#include "run/routes/route.hpp"
+#include "run/routes/symmetric_view.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,15 +3,14 @@
 #pragma once
 
 #include "model/shape/build.hpp"
-#include "reduction/cyclic_model.hpp"
 #include "run/results/results.hpp"
+#include "run/routes/symmetric_view.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 
 #include <functional>
 #include <memory>
 #include <optional>
-#include <variant>
 
 namespace plica {
 
@@ -40,10 +39,6 @@ struct ModalSolution {
   Eigen::Matrix<double, 6, 1> free_mass;
   std::map<std::string, double> timing;
 };
-
-// The model by its rotational symmetry, or why it has none. Throws InputError when it is required.
-using SymmetricView = std::variant<CyclicModel, std::string>;
-SymmetricView symmetric_view(const Model& model, Symmetry asked);
 
 class Route {
 public:

@@ -1,7 +1,7 @@
 #include "model/shape/constraint_clash.hpp"
 #include "run/analyses/run.hpp"
 #include "run/routes/memory_need.hpp"
-#include "run/routes/route.hpp"
+#include "run/routes/symmetric_view.hpp"
 
 #include <cmath>
 
