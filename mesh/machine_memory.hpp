@@ -27,8 +27,8 @@ class TooLarge : public std::runtime_error {
 // what to do about it.
 void require_memory(double bytes, const std::string& what, const std::string& instead);
 
-// What a node of a shell mesh takes through the leanest run, by rotational symmetry: measured on
-// bellows from 125 k to 5.2 M unknowns, 610 to 640 bytes for each of its six (docs/speed.md).
-inline constexpr double leanest_bytes_per_node = 6 * 620.;
+// What a node of a shell mesh takes through the leanest run, by rotational symmetry and without its
+// modes: measured on bellows from 1 M to 5 M unknowns, six to a node (docs/speed.md).
+inline constexpr double leanest_bytes_per_node = 6 * 400.;
 
 } // namespace plica

@@ -18,10 +18,10 @@ double unknowns_of(const Model& model) {
 }
 
 int modes_of(const Analyses& analyses) {
-  return analyses.modes ? std::max(analyses.modes->count, 20) : 0;
+  return analyses.modes ? analyses.modes->count : 0;
 }
 
-// The largest part is reduced while the whole mesh is held.
+// The largest part is reduced while the whole mesh is held; then the modes are recovered on it.
 double memory_of_superelements(const BuiltCase& built, const Analyses& analyses) {
   constexpr int modes_of_a_part = 60;
   const bool symmetry = analyses.symmetry != Symmetry::off;
@@ -30,10 +30,10 @@ double memory_of_superelements(const BuiltCase& built, const Analyses& analyses)
     const double unknowns = unknowns_of(part.model);
     const bool symmetric = symmetry && std::holds_alternative<CyclicModel>(
                                            symmetric_view(part.model, Symmetry::automatic));
-    largest = std::max(largest, symmetric ? memory_by_symmetry(unknowns)
-                                          : memory_of_full_mesh(unknowns, modes_of_a_part));
+    largest = std::max(largest,
+                       symmetric ? 200 * unknowns : memory_of_full_mesh(unknowns, modes_of_a_part));
   }
-  return largest + memory_by_symmetry(unknowns_of(built.model)) - program;
+  return largest + memory_by_symmetry(unknowns_of(built.model), modes_of(analyses));
 }
 
 } // namespace
@@ -43,12 +43,12 @@ double factor_entries_of_full_mesh(double unknowns) {
 }
 
 double memory_of_full_mesh(double unknowns, int modes) {
-  const double vectors = 5. * modes + 120;
-  return program + 8 * factor_entries_of_full_mesh(unknowns) + (3200 + 8 * vectors) * unknowns;
+  const double vectors = 5. * std::max(modes, 20) + 120;
+  return program + 14 * factor_entries_of_full_mesh(unknowns) + (2500 + 8 * vectors) * unknowns;
 }
 
-double memory_by_symmetry(double unknowns) {
-  return program + 620 * unknowns;
+double memory_by_symmetry(double unknowns, int modes) {
+  return program + (400 + 24. * modes) * unknowns;
 }
 
 MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses) {
@@ -58,7 +58,8 @@ MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses) {
             "Caps that cut the part into more superelements and a coarser mesh need less."};
   const SymmetricView view = symmetric_view(built.model, analyses.symmetry);
   if (std::holds_alternative<CyclicModel>(view))
-    return {memory_by_symmetry(unknowns), "A coarser mesh needs less."};
+    return {memory_by_symmetry(unknowns, modes_of(analyses)),
+            "A coarser mesh and fewer modes need less."};
   const std::string symmetry =
       analyses.symmetry == Symmetry::off
           ? "'symmetry: automatic' takes far less where the part repeats around its axis; "

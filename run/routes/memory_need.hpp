@@ -1,7 +1,7 @@
 // What a run needs of memory by the way it is solved, known before its matrices are assembled.
 //
-// Fitted to measured runs of bellows (docs/speed.md): within a tenth from 60 k to 900 k unknowns on
-// the full mesh and to 5 M by symmetry.
+// Fitted to measured runs of bellows (docs/speed.md, bench/memory.mjs): within a tenth from 60 k to
+// 380 k unknowns on the full mesh and to 5 M by symmetry, with 10 to 100 modes.
 #pragma once
 
 #include "model/shape/built_case.hpp"
@@ -11,7 +11,7 @@
 namespace plica {
 
 double memory_of_full_mesh(double unknowns, int modes); // bytes
-double memory_by_symmetry(double unknowns);             // bytes
+double memory_by_symmetry(double unknowns, int modes);  // bytes
 double factor_entries_of_full_mesh(double unknowns);    // Cholesky, nested dissection
 
 struct MemoryNeed {
