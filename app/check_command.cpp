@@ -94,7 +94,7 @@ std::string text_of(const Checked& c) {
     text += fmt::format("  repeats around its axis: solved in {} sectors\n", c.sectors);
   else if (!c.full_for.empty())
     text += fmt::format("  full mesh: {}\n", c.full_for);
-  text += fmt::format("  estimate: {:.1f} GB of {:.1f} GB ({}), {:.0f} s a run",
+  text += fmt::format("  estimate: {:.3g} GB of {:.3g} GB ({}), {:.0f} s a run",
                       c.cost.memory / 1e9, c.limit.bytes / 1e9, c.limit.set_by, c.cost.seconds);
   if (c.variants > 0) text += fmt::format("; {} variants about as long each", c.variants);
   if (c.states > 0) text += fmt::format("; {} states, longer each", c.states);

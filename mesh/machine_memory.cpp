@@ -63,7 +63,7 @@ void take_groups(MemoryLimit& limit, const fs::path& root) {
 
 std::string gigabytes(double bytes) {
   std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), bytes < 1e11 ? "%.1f GB" : "%.0f GB", 1e-9 * bytes);
+  std::snprintf(text.data(), text.size(), bytes < 9.95e9 ? "%.2g GB" : "%.0f GB", 1e-9 * bytes);
   return text.data();
 }
 

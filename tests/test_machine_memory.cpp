@@ -86,7 +86,7 @@ TEST_F(MachineMemory, that_a_mesh_outgrows_is_said_before_it_is_made) {
     FAIL() << "four million nodes in a gigabyte";
   } catch (const TooLarge& error) {
     EXPECT_STREQ(error.what(),
-                 "a mesh of 1001 rings of 4000 nodes needs about 9.6 GB; PLICA_MEMORY is 1.0 GB. "
+                 "a mesh of 1001 rings of 4000 nodes needs about 9.6 GB; PLICA_MEMORY is 1 GB. "
                  "A coarser mesh needs less. PLICA_MEMORY sets the limit by hand, in GB.");
   }
   const std::array<Eigen::Vector3d, 4> corners{

@@ -18,7 +18,7 @@ from .commands import (Check, check, compare, diagnose, ejma, fit, identify, ini
                        schema, stiffness, write_deck)
 from .diagnosis import Diagnosis
 from .errors import (BrokenFolder, CaseError, MissingData, MissingPackage, NoExecutable,
-                     NumericalVerdict, OptionError, PlicaError, Problem, ProgramFailed,
+                     NumericalVerdict, OptionError, PlicaError, Problem, ProgramFailed, TooLarge,
                      VersionError)
 from .frf import Frf
 from .measured import Measured, read_measured
@@ -36,7 +36,7 @@ from .version import __version__
 __all__ = [
     "BrokenFolder", "Case", "CaseError", "Check", "Diagnosis", "Frf", "Measured", "Mesh",
     "MissingData", "MissingPackage", "NoExecutable", "NumericalVerdict", "OptionError",
-    "PlicaError", "Problem", "ProgramFailed", "Results", "Signals", "Superelement",
+    "PlicaError", "Problem", "ProgramFailed", "Results", "Signals", "Superelement", "TooLarge",
     "VersionError", "__version__", "check", "collect", "compare", "diagnose", "ejma", "exchange",
     "executable", "fit", "identify", "init", "measured", "options", "read_csv", "read_measured",
     "read_superelement", "reduce", "results", "run", "schema", "stiffness", "sweep", "use",

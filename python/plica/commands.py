@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from . import arguments, child, program, yaml_edit
-from .errors import CaseError, NumericalVerdict, OptionError, ProgramFailed
+from .errors import CaseError, NumericalVerdict, OptionError, ProgramFailed, TooLarge
 from .messages import Said
 from .results import Results
 
@@ -158,7 +158,8 @@ def _call(name: str, inputs: list[Any], options: dict[str, Any]) -> tuple[Said, 
         if said.code == 1:
             raise CaseError(said.problems, said.failure)
         if said.code not in (0, 2):
-            raise ProgramFailed(f"plica {name} ended with {said.code}: {said.failure}", said.code)
+            kind = TooLarge if said.code == 4 else ProgramFailed
+            raise kind(f"plica {name} ended with {said.code}: {said.failure}", said.code)
     return said, words
 
 

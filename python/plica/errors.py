@@ -79,3 +79,7 @@ class ProgramFailed(PlicaError):
     def __init__(self, text: str, code: int) -> None:
         self.code = code
         super().__init__(text)
+
+
+class TooLarge(ProgramFailed):
+    """The machine has not the memory for it (exit code 4); the text says how much, and what needs less."""

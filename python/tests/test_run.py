@@ -142,6 +142,15 @@ def test_a_verdict_that_failed_leaves_its_results(tmp_path):
     assert not results.certificate["passed"] and results.superelement.boundary == 12
 
 
+def test_a_model_too_large_for_the_machine(monkeypatch, tmp_path):
+    monkeypatch.setenv("PLICA_MEMORY", "0.01")
+    case = plica.Case(CASES / "beam.yaml")
+    for work in (case.check, lambda: case.run(tmp_path)):
+        with pytest.raises(plica.TooLarge, match="needs about 0.1\d? GB; PLICA_MEMORY is 0.01 GB") as caught:
+            work()
+        assert caught.value.code == 4
+
+
 def test_how_a_newer_program_ends(use, fake, tmp_path):
     use(fake)
     for word, error, says in [("unproved", plica.NumericalVerdict, "a mode is missing"),
