@@ -82,4 +82,4 @@ class ProgramFailed(PlicaError):
 
 
 class TooLarge(ProgramFailed):
-    """The machine has not the memory for it (exit code 4); the text says how much, and what needs less."""
+    """The machine has not the memory for it (exit code 4): how much it is, and what needs less."""

@@ -146,7 +146,7 @@ def test_a_model_too_large_for_the_machine(monkeypatch, tmp_path):
     monkeypatch.setenv("PLICA_MEMORY", "0.01")
     case = plica.Case(CASES / "beam.yaml")
     for work in (case.check, lambda: case.run(tmp_path)):
-        with pytest.raises(plica.TooLarge, match="needs about 0.1\d? GB; PLICA_MEMORY is 0.01 GB") as caught:
+        with pytest.raises(plica.TooLarge, match="GB; PLICA_MEMORY is 0.01 GB") as caught:
             work()
         assert caught.value.code == 4
 
