@@ -53,7 +53,7 @@ NastranProperties::NastranProperties(const CardsByName& cards, double mass_facto
   each("MAT2", [&](const Card& card) { read_mat2(card); });
   each("MAT8", [&](const Card& card) { read_mat8(card); });
   if (damped)
-    notes.push_back("structural damping GE of materials is passed over: the case says it");
+    notes.emplace_back("structural damping GE of materials is passed over: the case says it");
   if (problems.count() > before) problems.raise();
   make_all(cards, "PSHELL", walls_, problems, [&](const Card& card) { return pshell(card); });
   for (const char* name : {"PCOMP", "PCOMPG"})
