@@ -1,18 +1,21 @@
-"""A case file that is read, changed and run: comments and order of the file stay as they are."""
+"""A case file that is read, changed and run: comments, order, line ends and byte order mark of the
+file stay as they are."""
 from __future__ import annotations
 
 import hashlib
 import os
 import re
 import tempfile
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, Iterator, Mapping
+from typing import Any, Iterable, Iterator, Mapping
 
 from . import commands, yaml_edit, yaml_text
-from .errors import CaseError, Problem
+from .errors import BrokenFolder, CaseError, Problem
+from .folder import COMMANDS, Folder
 from .results import Results
 
+BOM = "\ufeff"  # which editors on Windows write; not in `text`, whose letters YAML counts from 0
 FILE_KEYS = ("measured", "file")  # keys whose text is a file, relative to the case
 
 
@@ -20,19 +23,21 @@ class Case:
     """`case["parts.bellows.profile[1].height"] = "8.5 mm"`; nothing is written until `save`.
 
     A folder stands for the file in it that has its name, as on the command line. CaseError where
-    the file cannot be read.
+    the file cannot be read, on the first look into it where it is no YAML; OptionError where a
+    path is none.
     """
 
     def __init__(self, path: str | Path) -> None:
         path = Path(path)
         self.path = path / (path.resolve().name + ".yaml") if path.is_dir() else path
         try:
-            self.original = self.path.read_text(encoding="utf-8")
+            text = self.path.read_bytes().decode("utf-8")
         except (OSError, UnicodeDecodeError) as error:
             raise CaseError([Problem(str(self.path), 0, "", f"cannot be read: {error}",
                                      "a case file (plica init my_pipe.yaml writes one)")]) \
                 from error
-        self.text = self.original
+        self.bom = BOM if text.startswith(BOM) else ""
+        self.text = self.original = text[len(self.bom):]
 
     def __repr__(self) -> str:
         return f"<case {self.path}{', changed' if self.changed else ''}>"
@@ -44,18 +49,31 @@ class Case:
 
     def __getitem__(self, path: str) -> Any:
         """What the file says at a path, units as written; MissingData where it says nothing."""
-        return yaml_text.value_at(self.text, path)
+        with self._at_fault():
+            return yaml_text.value_at(self.text, path)
 
     def __setitem__(self, path: str, value: Any) -> None:
-        """A value with its unit as text ("8.5 mm"), or a number in SI; None takes the key out."""
-        self.text = yaml_edit.removed(self.text, path) if value is None \
-            else yaml_edit.replaced(self.text, path, value)
+        """A value with its unit as text ("8.5 mm"), a number in SI, a Path of a file beside the
+        case; None takes the key out."""
+        with self._at_fault():
+            self.text = yaml_edit.removed(self.text, path) if value is None \
+                else yaml_edit.replaced(self.text, path, value)
 
     def __delitem__(self, path: str) -> None:
-        self.text = yaml_edit.removed(self.text, path)
+        self[path] = None
 
     def __contains__(self, path: object) -> bool:
-        return isinstance(path, str) and yaml_text.find(self.text, path)[1] is not None
+        with self._at_fault():
+            return isinstance(path, str) and yaml_text.find(self.text, path)[1] is not None
+
+    @contextmanager
+    def _at_fault(self) -> Iterator[None]:
+        """What is wrong in the text as what is wrong in the file."""
+        try:
+            yield
+        except yaml_text.BrokenText as error:
+            raise CaseError([Problem(str(self.path), error.line, "", error.wrong, error.allowed)]) \
+                from error
 
     def update(self, values: Mapping[str, Any]) -> Case:
         """Sets several values; gives the case back."""
@@ -66,13 +84,14 @@ class Case:
     def copy(self) -> Case:
         """The case as it is now; what is changed in one does not change the other."""
         other = object.__new__(Case)
-        other.path, other.original, other.text = self.path, self.original, self.text
+        other.path, other.bom = self.path, self.bom
+        other.original, other.text = self.original, self.text
         return other
 
     def save(self, path: str | Path) -> Path:
         """Writes the case as it is now; files that it names are to lie beside the new file, too."""
         path = Path(path)
-        path.write_text(self.text, encoding="utf-8")
+        path.write_bytes((self.bom + self.text).encode())
         return path
 
     @property
@@ -88,7 +107,7 @@ class Case:
             return
         with tempfile.TemporaryDirectory(prefix="plica-") as folder:
             path = Path(folder) / self.path.name
-            path.write_text(self._elsewhere(), encoding="utf-8")
+            path.write_bytes((self.bom + self._elsewhere()).encode())
             try:
                 yield path
             except CaseError as error:
@@ -106,8 +125,9 @@ class Case:
                       absolute, self.text)
 
     def run(self, out: str | Path | None = None, **options: Any) -> Results:
-        """`plica run`; see plica.run."""
-        return commands.run(self, out, **options)
+        """`plica run`; see plica.run. Results, here and below, of this run alone: BrokenFolder
+        where another has been written to `out` since."""
+        return _of_one_run(commands.run(self, out, **options))
 
     def check(self, **options: Any) -> commands.Check:
         """`plica check`; see plica.check."""
@@ -115,7 +135,7 @@ class Case:
 
     def reduce(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica reduce`; see plica.reduce."""
-        return commands.reduce(self, out, **options)
+        return _of_one_run(commands.reduce(self, out, **options))
 
     def write_deck(self, out: str | Path, solver: str, **options: Any) -> Path:
         """`plica run --write-deck`; see plica.write_deck."""
@@ -123,15 +143,15 @@ class Case:
 
     def fit(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica fit`; see plica.fit."""
-        return commands.fit(self, out, **options)
+        return _of_one_run(commands.fit(self, out, **options))
 
     def ejma(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica ejma`; see plica.ejma."""
-        return commands.ejma(self, out, **options)
+        return _of_one_run(commands.ejma(self, out, **options))
 
     def stiffness(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica stiffness`; see plica.stiffness."""
-        return commands.stiffness(self, out, **options)
+        return _of_one_run(commands.stiffness(self, out, **options))
 
     def sweep(self, values: Any, out: str | Path, **options: Any) -> Any:
         """`plica sweep`; see plica.sweep."""
@@ -140,7 +160,41 @@ class Case:
 
     def diagnose(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica diagnose`; see plica.diagnose."""
-        return commands.diagnose(self, out, **options)
+        return _of_one_run(commands.diagnose(self, out, **options))
+
+
+class _OneRun(Folder):
+    """A folder as it is now: BrokenFolder for what is read after another run was written there."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path)
+        self._made = self._stamps(COMMANDS)
+
+    def _stamps(self, names: Iterable[str]) -> dict[str, tuple[int, int, int]]:
+        found = {}
+        for name in names:
+            with suppress(OSError):
+                stat = (self.path / name).stat()
+                found[name] = stat.st_mtime_ns, stat.st_size, stat.st_ino
+        return found
+
+    def _check(self) -> None:
+        if self._stamps(self._made) != self._made:
+            raise BrokenFolder(f"{self.path}: another run has been written there since, or it was "
+                               "removed; give each run an `out` of its own")
+
+    def has(self, name: str) -> bool:  # every file goes through it before it is read
+        self._check()
+        return super().has(name)
+
+    def head(self, name: str, keys: set[str]) -> dict[str, Any]:
+        self._check()
+        return super().head(name, keys)
+
+
+def _of_one_run(results: Results) -> Results:
+    results.folder = _OneRun(results.path)
+    return results
 
 
 def _renamed(problem: Problem, shown: Path, meant: Path) -> tuple[str, int, str, str, str]:

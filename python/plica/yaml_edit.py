@@ -1,15 +1,18 @@
 """YAML edited in place: one value changes its letters and nothing else does.
 
-Comments, order, blanks and the numbers of the lines before it stay.
+Comments, order, blanks, line ends and the numbers of the lines before it stay.
 """
 from __future__ import annotations
 
 import json
+import os
 import re
 from typing import Any, Iterator
 
-from .errors import MissingData
+from .errors import MissingData, OptionError
 from .yaml_text import FLOAT, children, find, is_block
+
+BLANK = " \t\r\n"
 
 
 def _span(text: str, node: Any) -> tuple[int, int]:
@@ -18,7 +21,7 @@ def _span(text: str, node: Any) -> tuple[int, int]:
     leaves = list(_leaves(node))
     if is_block(node) and leaves:
         end = leaves[-1].end_mark.index
-    while end > begin and text[end - 1] in " \n":
+    while end > begin and text[end - 1] in BLANK:
         end -= 1
     return begin, end
 
@@ -45,14 +48,15 @@ def replaced(text: str, path: str, value: Any) -> str:
     entry = f"{left[0]}: {flow(value)}"
     if parent.flow_style:
         end = int(parent.end_mark.index) - 1
-        while text[end - 1] in " \n,":
+        while text[end - 1] in BLANK + ",":
             end -= 1
         return text[:end] + (", " if parent.value else "") + entry + text[end:]
     indent = int(parent.value[0][0].start_mark.column)
     _, end = _span(text, parent)
     rest = text.find("\n", end)  # behind a comment on the last line
-    end = len(text) if rest < 0 else rest
-    return text[:end] + "\n" + " " * indent + entry + text[end:]
+    end = len(text) if rest < 0 else rest - (text[rest - 1] == "\r")
+    line_end = "\r\n" if "\r\n" in text else "\n"
+    return text[:end] + line_end + " " * indent + entry + text[end:]
 
 
 def removed(text: str, path: str) -> str:
@@ -78,9 +82,12 @@ def removed(text: str, path: str) -> str:
 
 
 def flow(value: Any) -> str:
-    """A value on one line: plain where that is safe, else in quotes."""
+    """A value on one line: plain where that is safe, else in quotes. OptionError where it is none
+    that YAML has; a Path is its text."""
     if hasattr(value, "tolist"):
         value = value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
     if isinstance(value, dict):
         return "{" + ", ".join(f"{flow(str(k))}: {flow(v)}" for k, v in value.items()) + "}"
     if isinstance(value, (list, tuple)):
@@ -91,4 +98,8 @@ def flow(value: Any) -> str:
             and value.lower() not in ("null", "true", "false", "yes", "no", "on", "off") \
             and not re.fullmatch(FLOAT, value)
         return value if safe else json.dumps(value, ensure_ascii=False)
-    return "null" if value is None else json.dumps(value)
+    try:
+        return "null" if value is None else json.dumps(value)
+    except TypeError:
+        raise OptionError(f"{value!r} is no value of a case: {type(value).__name__}; a text with a "
+                          "unit, a number in SI, a list or a dict of these") from None

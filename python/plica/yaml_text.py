@@ -8,37 +8,63 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from .errors import MissingData
+from .errors import MissingData, OptionError
 from .optional import need
 
 FLOAT = r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?"
+EXAMPLE = "such as parts.bellows.profile[1].height"
 
 
-def load(text: str) -> Any:
-    """The data of a text; ValueError where it is no YAML. 1e-8 is a number, as in YAML 1.2."""
-    yaml = need("yaml", "reading YAML")
+class BrokenText(ValueError):
+    """A text is no YAML, or no map: what is wrong in which line, 0 is the whole."""
+
+    def __init__(self, line: int, wrong: str, allowed: str, text: str = "") -> None:
+        self.line, self.wrong, self.allowed = line, wrong, allowed
+        super().__init__(text or f"{wrong}; {allowed}")
+
+
+def _loader(yaml: Any) -> Any:
     base = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     loader: Any = type("Loader", (base,), {})
     loader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(f"^{FLOAT}$"),
                                  list("-+0123456789."))
+    return loader
+
+
+def _broken(text: str, error: Any) -> BrokenText:
+    """Of an error of PyYAML, or of a value that is no date."""
+    mark = getattr(error, "problem_mark", None)
+    line = 0 if mark is None else int(mark.line) + 1
+    if hasattr(error, "position"):  # a letter that no YAML has
+        line = text.encode()[:error.position].count(b"\n") + 1
+    what = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error)
+    return BrokenText(line, f"YAML syntax: {what}",
+                      "check brackets, quotes, colons and indentation here and above", str(error))
+
+
+def load(text: str) -> Any:
+    """The data of a text; BrokenText where it is no YAML. 1e-8 is a number, as in YAML 1.2."""
+    yaml = need("yaml", "reading YAML")
     try:
-        return yaml.load(text, Loader=loader)
-    except yaml.YAMLError as error:
-        raise ValueError(str(error)) from error
+        return yaml.load(text, Loader=_loader(yaml))
+    except (yaml.YAMLError, ValueError) as error:
+        raise _broken(text, error) from error
 
 
 def steps(path: str) -> list[str | int]:
-    """["parts", "bellows", "profile", 1, "height"] of a path; ValueError where it is none."""
+    """["parts", "bellows", "profile", 1, "height"] of a path; OptionError where it is none."""
+    if not isinstance(path, str):
+        raise OptionError(f"a path is a text, not {path!r}; {EXAMPLE}")
     found: list[str | int] = []
     for part in re.finditer(r"\[([^\[\]]+)\]|([^.\[\]]+)|(.)", path):
         if part.group(3) and part.group(3) != ".":
-            raise ValueError(f"'{path}' is no path; such as parts.bellows.profile[1].height")
+            raise OptionError(f"'{path}' is no path; {EXAMPLE}")
         if part.group(1):
-            found.append(int(part.group(1)) if part.group(1).isdigit() else part.group(1))
+            found.append(int(part.group(1)) if part.group(1).isdecimal() else part.group(1))
         elif part.group(2):
             found.append(part.group(2))
     if not found:
-        raise ValueError("an empty path; such as parts.bellows.profile[1].height")
+        raise OptionError(f"an empty path; {EXAMPLE}")
     return found
 
 
@@ -61,10 +87,22 @@ def child(node: Any, step: str | int) -> Any | None:
 
 
 def find(text: str, path: str) -> tuple[Any, Any | None, list[str | int]]:
-    """(parent, node, steps left): the node of a path, or None and what is not there of the path."""
+    """(parent, node, steps left): the node of a path, or None and what is not there of the path.
+
+    OptionError where the path is none, BrokenText where the text is no map. The marks of nodes
+    count the letters of a text without a byte order mark.
+    """
     yaml = need("yaml", "editing a case")
-    root = yaml.compose(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
-    way, parent, node = steps(path), root, root
+    way = steps(path)
+    try:
+        root = yaml.compose(text, Loader=_loader(yaml))
+    except yaml.YAMLError as error:
+        raise _broken(text, error) from error
+    if root is None:
+        raise BrokenText(0, "the file is empty", "a YAML map with keys and values")
+    if root.id != "mapping":
+        raise BrokenText(root.start_mark.line + 1, "is no map", "a YAML map with keys and values")
+    parent, node = root, root
     for k, step in enumerate(way):
         below = None if node is None else child(node, step)
         if below is None:

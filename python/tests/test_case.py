@@ -1,5 +1,6 @@
 """Cases: an edit changes one value and nothing else."""
 import re
+from pathlib import Path
 
 import pytest
 import yaml
@@ -75,8 +76,88 @@ def test_values_are_read_as_written(case):
         case["parts.bellows.profile[1].hight"]
     with pytest.raises(plica.MissingData, match=r"no place for 'parts.bellows.profile\[7\].x'"):
         case["parts.bellows.profile[7].x"] = 1
-    with pytest.raises(ValueError, match="empty path"):
-        case[""]
+    for path, words in (("", "an empty path; such as parts"), ("a[1.b", r"'a\[1.b' is no path"),
+                        (3, "a path is a text, not 3")):
+        for wrong in (lambda: case[path], lambda: case.update({path: 1})):
+            with pytest.raises(plica.OptionError, match=words):
+                wrong()
+
+
+@pytest.mark.parametrize("bom", ["", "\ufeff"], ids=["plain", "bom"])
+@pytest.mark.parametrize("end", ["\n", "\r\n"], ids=["lf", "crlf"])
+def test_byte_order_mark_and_line_ends_stay(tmp_path, bom, end):
+    def written(text):
+        return (bom + text.replace("\n", end)).encode()
+    (tmp_path / "a.yaml").write_bytes(written(TEXT))
+    case = plica.Case(tmp_path / "a.yaml")
+    assert case["parts.bellows.profile[1].height"] == "8 mm" and case["case"] == "a"
+    assert case["parts.bellows.wall"] == {"plies": ["0.25 mm", "0.25 mm"], "bond": 0}
+    assert case.save(tmp_path / "b.yaml").read_bytes() == written(TEXT)
+    case.copy().save(tmp_path / "b.yaml")
+    assert (tmp_path / "b.yaml").read_bytes() == written(TEXT)
+    case.update({"parts.bellows.profile[1].height": "8.5 mm", "parts.bellows.wall.bond": None,
+                 "analyses.modes": {"count": 4}, "sensors[tip].mass": "5 g", "case": "b"})
+    expected = TEXT.replace("height: 8 mm", "height: 8.5 mm").replace("case: a", "case: b") \
+        .replace("      bond: 0 # they slip\n", "").replace("at: [0, 2, 2]", "at: [0, 2, 2]\n"
+                                                            "    mass: 5 g") \
+        + "  modes: {count: 4}\n"
+    assert case.save(tmp_path / "b.yaml").read_bytes() == written(expected)
+    with case.file() as file:
+        assert file.read_bytes() == written(expected)
+
+
+def test_the_program_runs_a_changed_case_of_windows(tmp_path):
+    text = (CASES / "beam.yaml").read_text().replace("\n", "\r\n")
+    (tmp_path / "a.yaml").write_bytes(("\ufeff" + text).encode())
+    case = plica.Case(tmp_path / "a.yaml").update({"parts.beam.elements": 10, "parts.tip.mass": 1})
+    assert case.check().data["model"]["nodes"] == 12
+
+
+@pytest.mark.parametrize("text, line, words", [
+    ("case: a\nparts: [1\nb: 2\n", 3, "YAML syntax: "),
+    ("case: a\n\tb: 2\n", 2, "YAML syntax: "),
+    ("case: a\nb: \x07\n", 2, "YAML syntax: "),
+    ("a: 1\n---\nb: 2\n", 2, "YAML syntax: "),
+    ("", 0, "the file is empty; a YAML map"), ("# only\n", 0, "the file is empty"),
+    ("\njust text\n", 2, "is no map; a YAML map"), ("- a\n", 1, "is no map"),
+])
+def test_what_is_wrong_in_the_file_has_its_line(tmp_path, text, line, words):
+    path = tmp_path / "a.yaml"
+    path.write_text(text)
+    case = plica.Case(path)
+    for wrong in (lambda: case["parts.x"], lambda: case.update({"parts.x": 1}),
+                  lambda: case.update({"parts.x": None}), lambda: "parts.x" in case):
+        with pytest.raises(plica.CaseError, match=words) as caught:
+            wrong()
+        assert [(p.file, p.line) for p in caught.value.problems] == [(str(path), line)]
+    assert case.text == text
+
+
+def test_a_path_is_its_text_and_what_is_no_value_is_said(case):
+    case["measured"] = Path("lab") / "a.yaml"
+    assert case["measured"] == "lab/a.yaml" and "\nmeasured: lab/a.yaml\n" in case.text
+    for value in ({1, 2}, 1j, b"8 mm", [object()]):
+        with pytest.raises(plica.OptionError, match="is no value of a case: .*; a text with a"):
+            case["case"] = value
+
+
+def test_results_are_of_their_own_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    case = plica.Case(CASES / "beam.yaml")
+    first = case.run(threads=1)
+    kept, read = first.headline, case.run("mine", threads=1)
+    case["parts.tip.mass"] = "400 g"
+    second = case.run(threads=1)
+    assert second.headline != kept == first.headline == read.headline  # what was read stays
+    for late in (lambda: first.table("modes"), lambda: first.mesh, lambda: first.stress):
+        with pytest.raises(plica.BrokenFolder, match="out: another run has been written there"):
+            late()
+    sheet = case.reduce("mine", threads=1)
+    assert len(read.table("modes")) and sheet.superelement and read.superelement
+    unread = case.run("mine", threads=1)
+    case.run("mine", threads=1)
+    with pytest.raises(plica.BrokenFolder, match="give each run an `out` of its own"):
+        unread.headline
 
 
 def test_a_copy_is_its_own_and_the_file_stays(case):
