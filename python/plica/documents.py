@@ -9,6 +9,7 @@ import numpy.typing as npt
 from .errors import MissingData
 from .folder import Folder
 from .frf import Frf
+from .guard import reads
 from .optional import need
 from .uff58 import read_uff58
 
@@ -22,10 +23,17 @@ def frame_of(rows: Sequence[Mapping[str, Any]], units: Mapping[str, str] | None 
     return frame
 
 
+BY_UNIT, BY_PATH = "that of the row", "SI, that of the key at the end of the path"
+
+
+@reads("")
 class Document:
     """A JSON file of a folder of results; `data` is the file as it is."""
 
     file = ""
+
+    def __init_subclass__(cls) -> None:
+        reads("")(cls)
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -50,8 +58,9 @@ class Correlation(Document):
 
     @property
     def numbers(self) -> Any:
-        """DataFrame: mass and stiffnesses."""
-        return frame_of(self.data["numbers"])
+        """DataFrame: mass and stiffnesses, each row with its unit."""
+        return frame_of(self.data["numbers"], dict.fromkeys(
+            ("simulated", "measured", "sigma"), BY_UNIT))
 
     @property
     def mac(self) -> Array:
@@ -68,26 +77,29 @@ class Fit(Document):
     """Numbers of a case adjusted to a test (fit.json)."""
 
     file = "fit.json"
+    UNITS = dict.fromkeys(("measured", "sigma", "before", "after"), BY_UNIT)
 
     @property
     def parameters(self) -> Any:
-        """DataFrame: path, value before and after, standard deviation."""
-        return frame_of(self.data["parameters"])
+        """DataFrame: path, value before and after, standard deviation, SI."""
+        return frame_of(self.data["parameters"], dict.fromkeys(
+            ("before", "after", "sigma"), BY_PATH) | {"known": "fraction"})
 
     @property
     def targets(self) -> Any:
-        """DataFrame: what was to be met, before and after."""
-        return frame_of(self.data["targets"])
+        """DataFrame: what was to be met, before and after, each row with its unit."""
+        return frame_of(self.data["targets"], self.UNITS)
 
     @property
     def aims(self) -> Any:
         """DataFrame: what was to be least or most, before and after."""
-        return frame_of(self.data.get("aims", []))
+        return frame_of(self.data.get("aims", []), {"before": "SI", "after": "SI"})
 
     @property
     def constraints(self) -> Any:
-        """DataFrame: limits with the value they have."""
-        return frame_of(self.data.get("constraints", []))
+        """DataFrame: constraints with the value they have."""
+        return frame_of(self.data.get("constraints", []),
+                        dict.fromkeys(("value", "min", "max"), "SI"))
 
     @property
     def evaluations(self) -> int:

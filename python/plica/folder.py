@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import json
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -10,8 +9,8 @@ from . import version
 from .errors import BrokenFolder, MissingData
 from .head import head_of
 from .tables import Table, read_csv
+from .written import LIST, check_written, written
 
-LIST = "plica_files.json"  # what the program wrote there, by which command and of which version
 COMMANDS = {
     "results.json": "plica run", "certificate.json": "plica reduce",
     "superelement.json": "plica reduce", "identification.json": "plica identify",
@@ -42,34 +41,30 @@ class Folder:
         """Is there a file of this name?"""
         return (self.path / name).is_file()
 
+    def lists(self, name: str) -> bool:
+        """Is it there, or was it written there?"""
+        return self.has(name) or name in written(self.path)
+
     def require(self, name: str) -> Path:
         """The path of a file; MissingData says which command writes it, VersionError where it is
-        of another version."""
+        of another version, BrokenFolder where it was written and is gone or cut."""
+        path, entry = self._listed(name)
+        check_written(path)
+        if entry:
+            _check_version(entry.get("plica_version") or None, path)
+        return path
+
+    def _listed(self, name: str) -> tuple[Path, dict[str, Any]]:
+        entry = written(self.path).get(name, {})
         if not self.has(name):
+            if entry:
+                raise BrokenFolder(f"{self.path / name}: is missing, plica wrote it here "
+                                   f"(`plica {entry.get('command', 'run')}`); run the command anew")
             by = COMMANDS.get(name)
             have = ", ".join(sorted(p.name for p in self.path.iterdir() if p.is_file()))
             raise MissingData(f"{self.path}: has no {name}; "
                               + (f"`{by} --out {self.path}` writes it" if by else f"it has {have}"))
-        entry = self._written.get(name)
-        if isinstance(entry, dict):
-            version.check(entry.get("plica_version") or None, str(self.path / name))
-        return self.path / name
-
-    @cached_property
-    def _written(self) -> dict[str, Any]:
-        """What the list of files says; of a folder of `plica identify` below that of the test the
-        list lies there. Empty where there is none."""
-        for folder, below in ((self.path, ""), (self.path.parent, f"{self.path.name}/")):
-            try:
-                files = json.loads((folder / LIST).read_text(encoding="utf-8"))["files"]
-                return {name[len(below):]: entry for name, entry in files.items()
-                        if name.startswith(below)}
-            except FileNotFoundError:
-                continue
-            except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-                raise BrokenFolder(f"{folder / LIST}: is damaged: {error}; run the command anew") \
-                    from error
-        return {}
+        return self.path / name, entry
 
     def document(self, name: str) -> dict[str, Any]:
         """A JSON file; BrokenFolder where it is damaged, VersionError where of another version."""
@@ -81,7 +76,7 @@ class Folder:
                 raise BrokenFolder(f"{path}: is damaged: {error}; run the command anew") from error
             if not isinstance(data, dict):
                 raise BrokenFolder(f"{path}: holds no object; run the command anew")
-            version.check(data.get("plica_version"), str(path))
+            _check_version(data.get("plica_version"), path)
             self._documents[name] = data
         return dict(self._documents[name])
 
@@ -98,16 +93,25 @@ class Folder:
             self.require(name)
         except (OSError, ValueError) as error:
             raise BrokenFolder(f"{path}: is damaged: {error}; run the command anew") from error
-        version.check(data.get("plica_version"), str(path))
+        _check_version(data.get("plica_version"), path)
         return data
 
     def table(self, name: str) -> Table:
         """A CSV table by name, with or without `.csv`."""
         name = name if name.endswith(".csv") else name + ".csv"
         if name not in self._tables:
-            self._tables[name] = read_csv(self.require(name))
+            path, entry = self._listed(name)
+            _check_version(entry.get("plica_version") or None, path)
+            self._tables[name] = read_csv(path)  # which looks whether it is whole
         return self._tables[name]
 
     def tables(self) -> list[str]:
         """Names of all CSV tables, without `.csv`."""
         return sorted(p.stem for p in self.path.glob("*.csv"))
+
+
+def _check_version(said: Any, path: Path) -> None:
+    if said is not None and not isinstance(said, str):
+        raise BrokenFolder(f"{path}: is damaged: its plica_version is {said!r}, no text such as "
+                           f"'{version.__version__}'; run the command anew")
+    version.check(said, str(path))

@@ -6,8 +6,10 @@ from typing import Any
 from .documents import frame_of
 from .errors import MissingData
 from .folder import Folder
+from .guard import reads
 
 
+@reads("results.json")
 class Levels:
     """Families of responses: `families` as in results.json, and their tables as DataFrames."""
 
@@ -17,6 +19,7 @@ class Levels:
                               "the case")
         self._folder = folder
         self.families = families
+        self._files = [str(family["file"]) for family in families]
 
     @property
     def names(self) -> list[str]:
@@ -40,8 +43,7 @@ class Levels:
 
     def curves(self, name: str | None = None) -> Any:
         """DataFrame of a family, all its levels below each other; the first unless named."""
-        family = self.families[0 if name is None else self._number(name)]
-        return self._folder.table(family["file"]).frame()
+        return self._folder.table(self._files[0 if name is None else self._number(name)]).frame()
 
     def measured_like(self) -> Any:
         """DataFrame with the columns of `peaks` of a measured.yaml, first peak of a channel."""

@@ -6,8 +6,10 @@ from typing import Any, Mapping
 
 from .errors import MissingData
 from .folder import Folder
+from .guard import reads
 
 
+@reads("results.json")
 class Life:
     """What a case with `analyses.life` found; `data` as in results.json."""
 

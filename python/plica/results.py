@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING, Any, Mapping
 import numpy as np
 import numpy.typing as npt
 
+from .collect import unit_of
 from .documents import Correlation, Fit, Identification, frame_of
 from .diagnosis import Diagnosis
 from .dynamic_stiffness import DynamicStiffness, read_stiffness
-from .errors import MissingData
+from .errors import BrokenFolder, MissingData
 from .folder import Folder
+from .guard import reads
 from .levels import Levels
 from .life import Life, Tables
 from .mesh import Mesh
@@ -35,8 +37,19 @@ Array = npt.NDArray[Any]
 MASSES = ("x", "y", "z", "rx", "ry", "rz")
 MODE_UNITS = {"frequency": "Hz", "damping": "fraction of critical", "mesh_error": "Hz",
               **{f"effective_mass_{axis}": "kg" if len(axis) == 1 else "kg m2" for axis in MASSES}}
+RUN_KEYS = ("case", "headline", "modes", "verification", "static", "responses")  # every run has
 
 
+class Headline(dict[str, float]):
+    """Headline numbers by name; their units likewise in `units`."""
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Of those that have one, SI."""
+        return {name: unit for name in self if (unit := unit_of(name))}
+
+
+@reads("results.json")
 class Results:
     """What commands wrote into `path`; BrokenFolder where that is no folder of results."""
 
@@ -53,20 +66,29 @@ class Results:
         return self.folder.document("results.json")
 
     @property
+    def _run(self) -> dict[str, Any]:
+        """results.json; BrokenFolder where it lacks what every run has."""
+        lacks = [key for key in RUN_KEYS if key not in self.data]
+        if lacks:
+            raise BrokenFolder(f"{self.path / 'results.json'}: has no '{lacks[0]}'; run the "
+                               "command anew")
+        return self.data
+
+    @property
     def case(self) -> str:
         """The name of the case."""
         return str(self.data["case"])
 
     @property
-    def headline(self) -> dict[str, float]:
-        """The headline numbers by name, SI."""
-        return dict(self.data["headline"])
+    def headline(self) -> Headline:
+        """The headline numbers by name, SI, a dict with `units`."""
+        return Headline(self._run["headline"])
 
     @cached_property
     def modes(self) -> Any:
         """DataFrame, one mode a row from 1: frequency, damping, shape, effective masses, ..."""
         rows = []
-        for mode in self.data["modes"]:
+        for mode in self._run["modes"]:
             row = {k: v for k, v in mode.items() if k not in ("effective_mass", "mesh_error")}
             row.update(zip((f"effective_mass_{a}" for a in MASSES), mode["effective_mass"]))
             errors = [v for v in (mode.get("mesh_error") or {}).values() if v is not None]
@@ -79,17 +101,17 @@ class Results:
     @property
     def static(self) -> StaticStiffness:
         """Stiffness between the caps; MissingData where the case asks for none."""
-        return StaticStiffness.of(self.data, self.path)
+        return StaticStiffness.of(self._run, self.path)
 
     @property
     def proved(self) -> bool:
         """Was it proved that no mode is missing?"""
-        return bool(self.data["verification"]["made"] and self.data["verification"]["passed"])
+        return bool(self._run["verification"]["made"] and self._run["verification"]["passed"])
 
     @cached_property
     def responses(self) -> Responses:
         """Responses by the name of their files: "y", "force_tap"."""
-        return Responses(self.folder, self.data["responses"])
+        return Responses(self.folder, self._run["responses"])
 
     @cached_property
     def stress(self) -> Any:
@@ -99,7 +121,7 @@ class Results:
     @cached_property
     def levels(self) -> Levels:
         """Responses over the level of excitation; MissingData where none were computed."""
-        return Levels(self.folder, self.data.get("levels"))
+        return Levels(self.folder, self._run.get("levels"))
 
     @property
     def stress_places(self) -> Any:
@@ -114,7 +136,7 @@ class Results:
     @cached_property
     def life(self) -> Life:
         """Duties, damage, hot spots; MissingData where no life was asked for."""
-        return Life(self.folder, self.data.get("life"))
+        return Life(self.folder, self._run.get("life"))
 
     @property
     def error_bars(self) -> Any:
@@ -154,19 +176,19 @@ class Results:
     @property
     def state(self) -> dict[str, Any]:
         """The state that all is around, as in results.json; empty at rest."""
-        return dict(self.data.get("state") or {})
+        return dict(self._run.get("state") or {})
 
     @cached_property
     def states(self) -> Any:
         """DataFrame: the states of the case beside the part at rest."""
-        return frame_of_states(self.folder, self.data)
+        return frame_of_states(self.folder, self._run)
 
     def _tables(self, name: str, file: str, key: str) -> Mapping[str, Any]:
         return Tables(self.folder, {str(e["name"]): str(e[file])
-                                    for e in self.data.get(name) or [] if e.get(file)}, key)
+                                    for e in self._run.get(name) or [] if e.get(file)}, key)
 
     def _asked(self, name: str, key: str) -> Any:
-        if not self.folder.has(name + ".csv"):
+        if not self.folder.lists(name + ".csv"):
             raise MissingData(f"{self.path}: has no {name}.csv; {key} in the case"
                               + ("" if self.tables else ", run without only=\"json\""))
         return self.table(name)
@@ -203,7 +225,7 @@ class Results:
     def superelement(self) -> Superelement:
         """The superelement of `plica reduce`."""
         for name in ("superelement.h5", "superelement.json"):
-            if self.folder.has(name):
+            if self.folder.lists(name):
                 self.folder.require(name)
         return read_superelement(self.path)
 
@@ -241,6 +263,24 @@ class Results:
     def simulated(self) -> Measured:
         """The run in the form of measured data (simulated.yaml)."""
         return read_measured(self.folder.require("simulated.yaml"))
+
+    @cached_property
+    def measured(self) -> Measured:
+        """What was measured: of `plica identify` the test with its modes (measured.yaml), of a run
+        what its case was held against, `entries("quantities")`: quantity, unit, measured, sigma.
+
+        MissingData where there was none; `plica.read_measured(FILE)` reads the file of a lab."""
+        if self.folder.lists("measured.yaml"):
+            return read_measured(self.folder.require("measured.yaml"))
+        found = self._run.get("comparison") if self.folder.lists("results.json") else None
+        rows = [{key: row[key] for key in ("quantity", "unit", "measured", "sigma")}
+                for row in found or [] if row["measured"] is not None]
+        if not rows:
+            raise MissingData(f"{self.path}: has no measured data; `measured` in the case, or "
+                              "plica.read_measured(FILE) of those of a lab")
+        mass = [{"value": row["measured"]} for row in rows if row["quantity"] == "mass"]
+        return Measured(self.path / "results.json", {
+            "specimen": self.case, "quantities": rows, **({"mass": mass[0]} if mass else {})})
 
     @cached_property
     def diagnosis(self) -> Diagnosis:

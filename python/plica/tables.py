@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from .errors import BrokenFolder
 from .optional import need
+from .written import check_written
 
 Array = npt.NDArray[Any]
 
@@ -60,13 +61,17 @@ def named(headers: list[str]) -> tuple[list[str], dict[str, str]]:
 
 
 def read_csv(path: str | Path) -> Table:
-    """A CSV table of the program; BrokenFolder where it is not there or a line is cut."""
+    """A CSV table of the program; BrokenFolder where it is not there or a line is cut, or, in a
+    folder of results, the file is."""
     path = Path(path)
+    check_written(path)
     try:
         text = path.read_text(encoding="utf-8")
     except OSError as error:
         raise BrokenFolder(f"{path}: cannot be read: {error.strerror}; a CSV table of plica") \
             from error
+    except UnicodeDecodeError as error:
+        raise BrokenFolder(f"{path}: is damaged: {error}; a CSV table in UTF-8") from error
     lines = text.splitlines()
     if not lines:
         raise BrokenFolder(f"{path}: is empty; a line of headers")

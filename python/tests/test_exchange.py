@@ -87,6 +87,14 @@ def test_pyfbs_there_and_back(frf):
     assert list(there.df_chn["Direction_2"]) == [0, 1, 0]
     assert there.df_chn["Position_3"][0] == 0.2 and there.df_imp["Quantity"][0] == "Force"
     same(pyfbs.from_pyfbs(*there), frf)
+    for unit in ("m/s2 per m/s2", "m per N", "N per m/s", "rad/s2 per Nm", "m/s2", ""):
+        other = Frf(frf.frequency, frf.H, frf.outputs, frf.inputs, unit)
+        same(pyfbs.from_pyfbs(*pyfbs.to_pyfbs(other)), other)
+    assert pyfbs.from_pyfbs(*there, unit="m per N").unit == "m per N"
+    bare = [table.drop(columns="Quantity") for table in (there.df_chn, there.df_imp)]
+    assert pyfbs.from_pyfbs(there.Y, there.freq, *bare).unit == "m/s2 per N"
+    bare[0]["Unit"] = "m/s"
+    assert pyfbs.from_pyfbs(there.Y, there.freq, *bare).unit == "m/s per N"
 
 
 def test_sdypy_there_and_back(frf):

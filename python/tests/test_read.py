@@ -1,10 +1,11 @@
 """Reading: tables, units, versions, what is broken."""
 import json
 import shutil
+import warnings
 
 import numpy as np
 import pytest
-from conftest import TREE
+from conftest import CASES, TREE
 
 import plica
 
@@ -162,3 +163,175 @@ def test_a_run_as_measured_data(bellows):
     assert simulated.specimen == "bellows" and len(simulated.sensors) == 1
     y = next(f for f in simulated.frf if f.inputs == ("base.y",))
     np.testing.assert_allclose(y.channel("mid.y"), bellows.responses["y"].frf.channel("mid.y"))
+
+
+@pytest.fixture(scope="module")
+def fitted(work):
+    case = plica.Case(CASES / "beam.yaml")
+    case["fit"] = {"parameters": [{"path": "parts.beam.section.depth",
+                                   "bounds": ["1 mm", "20 mm"]}],
+                   "targets": [{"quantity": "f_transverse = 30 Hz"}]}
+    return case.fit(work / "fitted", threads=1)
+
+
+def copied(results, folder, listed=True):
+    """A copy to break; without the list of files what is in them alone tells."""
+    shutil.copytree(results.path, folder)
+    if not listed:
+        (folder / "plica_files.json").unlink()
+    return folder
+
+
+ASKED = {"modes": lambda r: r.modes, "headline": lambda r: r.headline, "static": lambda r: r.static,
+         "responses": lambda r: r.responses, "verification": lambda r: r.proved,
+         "case": lambda r: r.case}
+
+
+def test_a_document_without_a_key_is_broken(bellows, tmp_path):
+    file = copied(bellows, tmp_path / "copy", listed=False) / "results.json"
+    whole = json.loads(file.read_text())
+    for key, ask in ASKED.items():
+        for data in ({k: v for k, v in whole.items() if k != key}, {}):
+            file.write_text(json.dumps(data))
+            with pytest.raises(plica.BrokenFolder, match=rf"results.json: has no '({key}|case)'"):
+                ask(plica.results(file.parent))
+    for ask in (lambda r: r.levels, lambda r: r.life, lambda r: r.states, lambda r: r.transients,
+                lambda r: r.state, lambda r: r.measured):
+        with pytest.raises(plica.BrokenFolder, match="results.json: has no 'case'"):
+            ask(plica.results(file.parent))
+
+
+def test_a_document_of_another_kind_is_broken(bellows, tmp_path):
+    file = copied(bellows, tmp_path / "copy", listed=False) / "results.json"
+    whole = json.loads(file.read_text())
+    for key in ("modes", "headline", "static", "responses", "verification"):
+        for wrong in (3, "text", [1]):
+            file.write_text(json.dumps({**whole, key: wrong}))
+            with pytest.raises(plica.BrokenFolder, match="results.json: .*run the command anew"):
+                ASKED[key](plica.results(file.parent))
+    file.write_text(json.dumps({**whole, "responses": [{"file": "response_y.csv"}]}))
+    with pytest.raises(plica.BrokenFolder, match="results.json: has no 'motion_file'"):
+        plica.results(file.parent).responses
+    file.write_text(json.dumps({**whole, "plica_version": 2}))
+    with pytest.raises(plica.BrokenFolder, match="results.json: .*plica_version is 2"):
+        plica.results(file.parent).modes
+
+
+def test_other_documents_without_their_keys_are_broken(tmp_path):
+    asked = {"fit.json": ("parameters", "targets", "evaluations", "values", "correlation"),
+             "correlation.json": ("pairs", "numbers", "mac", "comac"),
+             "identification.json": ("modes", "shapes", "channels"),
+             "diagnosis.json": ("verdict", "headline", "ledger", "effects", "readings", "gap",
+                                "likeness")}
+    for name, attributes in asked.items():
+        (tmp_path / name).write_text('{"plica_version": "0.1.0", "version": 2}')
+        document = getattr(plica.results(tmp_path), name[:-len(".json")])
+        for attribute in attributes:
+            with pytest.raises(plica.BrokenFolder, match=f"{name}: has no '"):
+                getattr(document, attribute)
+    with pytest.raises(plica.BrokenFolder, match="diagnosis.json: has no 'case'"):
+        repr(plica.results(tmp_path).diagnosis)
+
+
+def test_bytes_and_columns_that_are_no_table_are_broken(bellows, tmp_path):
+    folder = copied(bellows, tmp_path / "copy", listed=False)
+    for name, ask in (("stress", lambda r: r.stress),
+                      ("response_y", lambda r: r.responses["y"].frf),
+                      ("motion_y", lambda r: r.responses["y"].motion)):
+        (folder / f"{name}.csv").write_bytes(b"\xff\xfe")
+        with pytest.raises(plica.BrokenFolder, match=f"{name}.csv: is damaged: .*UTF-8"):
+            ask(plica.results(folder))
+    head = "frequency [Hz],mid y real,mid y imaginary\n"
+    for text in ("a,b\n1,2\n", "a,b\n", "frequency [Hz],mid y real\n1,2\n",
+                 head + "1,x,2\n", head + "2,1,1\n1,1,1\n"):
+        (folder / "response_y.csv").write_text(text)
+        with pytest.raises(plica.BrokenFolder, match="response_y.csv: .*run the command anew"):
+            plica.results(folder).responses["y"].frf
+
+
+def test_the_list_of_files_has_the_fingerprints_of_their_bytes(bellows):
+    listed = json.loads((bellows.path / "plica_files.json").read_text())["files"]
+    for name in ("modes.csv", "results.json", "response_y.csv", "superelement.h5"):
+        assert plica.written.fingerprint((bellows.path / name).read_bytes()) in \
+            listed[name]["prints"]
+
+
+@pytest.mark.parametrize("cut", [lambda text: "".join(text.splitlines(True)[:50]),
+                                 lambda text: text[:-3]])
+def test_a_cut_file_is_broken(bellows, tmp_path, cut):
+    file = copied(bellows, tmp_path / "copy") / "response_y.csv"
+    size = file.stat().st_size
+    file.write_text(cut(file.read_text()))
+    said = ("response_y.csv: is damaged: it was changed since plica wrote it, has "
+            rf"\d+ bytes of {size}")
+    for ask in (lambda r: r.responses["y"].frf, lambda r: r.table("response_y"),
+                lambda r: r.simulated.frf, lambda r: plica.read_csv(file)):
+        with pytest.raises(plica.BrokenFolder, match=said):
+            ask(plica.results(file.parent))
+
+
+def test_a_changed_file_is_read_with_a_warning(bellows, tmp_path):
+    folder = copied(bellows, tmp_path / "copy")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(plica.results(folder).modes) == len(plica.results(folder).table("modes"))
+        assert len(plica.results(folder).mesh.points) and plica.results(folder).simulated.frf
+    text = (folder / "modes.csv").read_text()
+    for changed in (text.replace("1", "2"), text + text.splitlines(True)[-1]):
+        (folder / "modes.csv").write_text(changed)
+        with pytest.warns(UserWarning, match="modes.csv: was changed since plica wrote it"):
+            assert len(plica.results(folder).table("modes")) >= 4
+    shorter = (folder / "simulated.yaml").read_text().replace("specimen: bellows", "specimen: a")
+    (folder / "simulated.yaml").write_text(shorter)  # as people do
+    with pytest.warns(UserWarning, match="simulated.yaml: was changed"):
+        assert plica.results(folder).simulated.specimen == "a"
+
+
+def test_a_listed_file_that_is_missing_is_broken(bellows, beam, tmp_path):
+    folder = copied(bellows, tmp_path / "copy")
+    for name, ask in (("stress.csv", lambda r: r.stress),
+                      ("static.csv", lambda r: r.table("static")),
+                      ("modes.vtu", lambda r: r.mesh),
+                      ("response_y.csv", lambda r: r.responses["y"].frf),
+                      ("superelement.h5", lambda r: r.superelement),
+                      ("results.json", lambda r: r.modes)):
+        (folder / name).unlink()
+        with pytest.raises(plica.BrokenFolder, match=rf"{name}: is missing, plica wrote it here"):
+            ask(plica.results(folder))
+    with pytest.raises(plica.MissingData, match="analyses.stress in the case"):
+        beam.stress
+
+
+def test_files_written_after_the_folder_was_opened_are_not_changed(tmp_path):
+    """The list is read anew when a command has written it anew."""
+    results = plica.run(CASES / "beam.yaml", tmp_path / "out", threads=1)
+    assert len(results.table("modes"))
+    case = plica.Case(CASES / "beam.yaml")
+    case["parts.tip.mass"] = 0.25
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        case.run(tmp_path / "out", threads=1)
+        assert results.data["headline"] and len(results.table("variants").columns)
+
+
+def test_numbers_have_units(bellows, fitted):
+    headline = bellows.headline
+    assert headline == bellows.data["headline"] and isinstance(headline, dict)
+    assert headline.units["mass" if "mass" in headline else "k_axial"] in ("kg", "N/m")
+    assert all(headline.units[name] == "Hz" for name in headline if name.startswith("f_"))
+    parameters = fitted.fit.parameters.attrs["units"]
+    assert parameters["after"] == "SI, that of the key at the end of the path"
+    assert parameters["known"] == "fraction"
+    targets = fitted.fit.targets
+    assert targets.attrs["units"]["measured"] == "that of the row" and targets["unit"][0] == "Hz"
+
+
+def test_measured_data_of_a_run_and_of_a_test(lap, beam, tmp_path):
+    quantities = lap.measured.entries("quantities")
+    assert lap.measured.specimen == "bolted_lap"
+    assert list(quantities["quantity"]) == ["mass"] and quantities["unit"][0] == "kg"
+    assert lap.measured.mass == pytest.approx(lap.comparison["measured"][0], rel=1e-12)
+    test = plica.identify(TREE / "cases" / "bolted_lap" / "measured.yaml", tmp_path / "test")
+    assert len(test.measured.modes) > 1 and test.measured.specimen == "bolted_lap"
+    with pytest.raises(plica.MissingData, match="has no measured data"):
+        beam.measured

@@ -1,5 +1,6 @@
 """Superelements: every file says the same, and the documented layouts of pyNastran and pyYeti."""
 import re
+import shutil
 import sys
 
 import numpy as np
@@ -66,7 +67,11 @@ def test_hdf5_and_matrix_market_say_the_same(bellows):
 
 def test_without_h5py_the_text_files_are_read(bellows, monkeypatch):
     monkeypatch.setitem(sys.modules, "h5py", None)
-    assert plica.read_superelement(bellows.path).boundary == 12
+    with pytest.warns(UserWarning, match="superelement.h5: has stress rows and places .*h5py"):
+        found = plica.read_superelement(bellows.path)
+    assert found.boundary == 12 and found.stresses == {}
+    with pytest.warns(UserWarning, match="which need h5py"):
+        assert plica.results(bellows.path).superelement.boundary == 12
 
 
 def test_it_is_a_craig_bampton_superelement(bellows):
@@ -155,3 +160,34 @@ def test_what_is_broken_is_said(bellows, tmp_path):
         plica.read_superelement(tmp_path)
     with pytest.raises(plica.MissingData, match="no matrix D"):
         bellows.superelement.D
+
+
+@pytest.mark.parametrize("listed", [True, False])
+def test_a_cut_matrix_is_broken(bellows, tmp_path, listed):
+    folder = tmp_path / "copy"
+    shutil.copytree(bellows.path, folder)
+    if not listed:
+        (folder / "plica_files.json").unlink()
+    file = folder / "superelement_k.mtx"
+    file.write_bytes(file.read_bytes()[:-5])
+    with pytest.raises(plica.BrokenFolder, match="superelement_k.mtx: is (damaged|cut)"):
+        plica.read_superelement(folder / "superelement.json")
+
+
+def test_a_lost_hdf5_is_broken(bellows, tmp_path):
+    shutil.copytree(bellows.path, tmp_path / "copy")
+    (tmp_path / "copy" / "superelement.h5").unlink()
+    with pytest.raises(plica.BrokenFolder, match="superelement.h5: is missing"):
+        plica.read_superelement(tmp_path / "copy")
+
+
+def test_a_lost_matrix_and_a_damaged_document_are_broken(bellows, tmp_path):
+    folder = tmp_path / "copy"
+    shutil.copytree(bellows.path, folder)
+    (folder / "superelement_c.mtx").unlink()
+    with pytest.raises(plica.BrokenFolder, match="superelement_c.mtx is missing"):
+        plica.read_superelement(folder / "superelement.json")
+    for text in ("{}", "[]", '{"nodes": 3}'):
+        (tmp_path / "superelement.json").write_text(text)
+        with pytest.raises(plica.BrokenFolder, match="superelement.json: is damaged"):
+            plica.read_superelement(tmp_path)

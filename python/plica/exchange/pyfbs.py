@@ -13,6 +13,7 @@ import numpy.typing as npt
 from ..documents import frame_of
 from ..frf import AXES, Frf, axis_of
 
+QUANTITIES = {"m/s2": "Acceleration", "m/s": "Velocity", "m": "Displacement", "N": "Force"}
 Places = Mapping[str, Sequence[float]]
 
 
@@ -29,7 +30,6 @@ def to_pyfbs(frf: Frf, places: Places | None = None,
              grouping: Mapping[str, int] | None = None) -> PyFbs:
     """`places`: [x, y, z] of each sensor by name, m, 0 unless given; `grouping` likewise."""
     top, _, bottom = frf.unit.partition(" per ")
-    names = {"m/s2": "Acceleration", "m/s": "Velocity", "m": "Displacement", "N": "Force"}
 
     def rows(channels: Sequence[str], unit: str) -> list[dict[str, Any]]:
         result = []
@@ -38,7 +38,7 @@ def to_pyfbs(frf: Frf, places: Places | None = None,
             place = (places or {}).get(name, (0.0, 0.0, 0.0))
             vector = np.eye(3)[AXES.index(axis) % 3] if axis else np.zeros(3)
             result.append({"Name": channel, "Description": name,
-                           "Quantity": names.get(unit, unit),
+                           "Quantity": QUANTITIES.get(unit, unit),
                            "Grouping": (grouping or {}).get(name, 1),
                            **{f"Position_{k + 1}": float(place[k]) for k in range(3)},
                            **{f"Direction_{k + 1}": float(vector[k]) for k in range(3)}})
@@ -48,11 +48,26 @@ def to_pyfbs(frf: Frf, places: Places | None = None,
 
 
 def from_pyfbs(Y: npt.ArrayLike, freq: npt.ArrayLike, df_chn: Any, df_imp: Any,
-               unit: str = "m/s2 per N") -> Frf:
-    """Channels by the column Name; where the names are not unique, by their number as well."""
+               unit: str | None = None) -> Frf:
+    """Channels by the column Name; where the names are not unique, by their number as well.
+
+    Unless `unit` is given, by the column Unit of both tables, else by Quantity, else m/s2 per N.
+    """
     def channels(frame: Any) -> tuple[str, ...]:
         names = [str(name) for name in frame["Name"]]
         return tuple(name if names.count(name) == 1 else f"{name}#{k + 1}"
                      for k, name in enumerate(names))
     return Frf(np.asarray(freq, dtype=float), np.asarray(Y, dtype=complex), channels(df_chn),
-               channels(df_imp), unit)
+               channels(df_imp), _unit(df_chn, df_imp) if unit is None else unit)
+
+
+def _unit(df_chn: Any, df_imp: Any) -> str:
+    """Where a table has no unit, or several, m/s2 of responses and N of impacts."""
+    units = {quantity.lower(): unit for unit, quantity in QUANTITIES.items()}
+    parts = []
+    for frame, usual in ((df_chn, "m/s2"), (df_imp, "N")):
+        column = next((name for name in ("Unit", "Quantity") if name in frame), None)
+        found = {str(value).strip() for value in frame[column]} if column else set()
+        said = found.pop() if len(found) == 1 else usual
+        parts.append(units.get(said.lower(), said))
+    return " per ".join(part for part in parts if part)
