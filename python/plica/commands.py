@@ -146,15 +146,11 @@ def _call(name: str, inputs: list[Any], options: dict[str, Any]) -> tuple[Said, 
         options["set"] = [f"{path}={value if isinstance(value, str) else yaml_edit.flow(value)}"
                           for path, value in changes.items()]
     bar = options.pop("progress", False)
-    json_lines = "messages" in command.options
-    if json_lines:
-        options["messages"] = "json"
-    elif "quiet" in command.options:
-        options.setdefault("quiet", True)
+    options["messages"] = "json"
     with ExitStack() as stack:
         paths = [_path(item, stack) for item in inputs]
         words = [program.executable(), name, *paths, *arguments.words(command, options)]
-        said = child.call(words, f"plica {name}", json_lines, bool(bar))
+        said = child.call(words, f"plica {name}", bool(bar))
         if said.code == 1:
             raise CaseError(said.problems, said.failure)
         if said.code not in (0, 2):

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Sequence
+from typing import Any, Sequence
 
 
 class PlicaError(Exception):
@@ -64,6 +64,9 @@ class CaseError(PlicaError):
         self.text = text
         super().__init__("\n".join(str(p) for p in self.problems) or text)
 
+    def __reduce__(self) -> tuple[Any, ...]:  # pickled: an exception gives its text alone
+        return type(self), (self.problems, self.text), self.__dict__
+
 
 class NumericalVerdict(PlicaError):
     """A numerical verdict failed (exit code 2). The results were written and are in `folder`."""
@@ -72,6 +75,9 @@ class NumericalVerdict(PlicaError):
         self.folder = folder
         super().__init__(text)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (str(self), self.folder), self.__dict__
+
 
 class ProgramFailed(PlicaError):
     """The program failed within, or was stopped; `code` is its exit code."""
@@ -79,6 +85,9 @@ class ProgramFailed(PlicaError):
     def __init__(self, text: str, code: int) -> None:
         self.code = code
         super().__init__(text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (str(self), self.code), self.__dict__
 
 
 class TooLarge(ProgramFailed):

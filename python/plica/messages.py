@@ -1,16 +1,10 @@
-"""What a run of the program says.
-
-A program that has `--messages json` says progress, warnings and errors as JSON lines. One that has
-not runs with `--quiet`: the bar then shows seconds, and problems are taken from lines of the form
-"file:line: key: wrong; allowed".
-"""
+"""What a run of the program says: with `--messages json` progress, warnings and errors are JSON
+lines. Any other line is kept as it is and decides nothing."""
 from __future__ import annotations
 
 import json
-import re
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import IO, Any, Callable, Sequence
+from typing import IO, Any, Callable
 
 from .errors import Problem
 
@@ -26,12 +20,10 @@ class Said:
     failure: str = ""
 
 
-def listen(stream: IO[str], said: Said, words: Sequence[str],
-           show: Callable[[str, Any], None]) -> None:
-    """`words`: of the command, for problems as lines; none of a program with JSON lines."""
+def listen(stream: IO[str], said: Said, show: Callable[[str, Any], None]) -> None:
     rest = []
     for line in stream:
-        message = None if words else _message(line)
+        message = _message(line)
         kind = message.get("kind") if message else None
         if message and kind == "progress":
             show(str(message.get("stage", "")), message.get("share"))
@@ -43,8 +35,6 @@ def listen(stream: IO[str], said: Said, words: Sequence[str],
             said.warnings.append(str(message["text"]))
         elif message and kind in ("failure", "note"):
             rest.append(str(message["text"]) + "\n")
-        elif words and (problem := problem_of(line, words)):
-            said.problems.append(problem)
         else:
             rest.append(line)
     said.failure = "".join(rest).strip()
@@ -56,13 +46,3 @@ def _message(line: str) -> dict[str, Any] | None:
     except ValueError:
         return None
     return data if isinstance(data, dict) else None
-
-
-def problem_of(line: str, words: Sequence[str] = ()) -> Problem | None:
-    """Of "file:line: key: wrong; allowed", of a file that is there or was given; else None."""
-    found = re.match(r"(?P<file>.+?)(?::(?P<line>\d+))?: (?:(?P<key>[\w.\[\]-]+): )?"
-                     r"(?P<wrong>.*?)(?:; (?P<allowed>.*))?$", line.rstrip("\n"))
-    if not found or not (found["file"] in words or Path(found["file"]).is_file()):
-        return None
-    return Problem(found["file"], int(found["line"] or 0), found["key"] or "", found["wrong"],
-                   found["allowed"] or "")

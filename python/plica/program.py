@@ -7,12 +7,10 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import shutil
 import subprocess
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
 from pathlib import Path
 from typing import Any, Mapping
 
@@ -37,27 +35,8 @@ def executable() -> str:
         raise NoExecutable(f"'{named}' is no program that can be run; the path of plica" if named
                            else "there is no program `plica` on PATH; install the package plica, "
                                 "set PLICA, or plica.use('/path/to/plica')")
-    _version_of(found, os.stat(found).st_mtime_ns)
+    _schema_of(found, os.stat(found).st_mtime_ns)
     return found
-
-
-@lru_cache(maxsize=8)
-def _version_of(path: str, changed: int) -> str:
-    """Of the first line of --version, "plica 0.1.0", as GNU's standards have it."""
-    done = _asked(path, "--version")
-    found = re.match(r"plica (\d+(?:\.\d+)+)\s", done.stdout)
-    if not found:
-        raise VersionError(f"{path}: does not say which version it is; the program plica")
-    version.check(found.group(1), path)
-    return found.group(1)
-
-
-def _asked(path: str, *words: str) -> subprocess.CompletedProcess[str]:
-    try:
-        return subprocess.run([path, *words], capture_output=True, text=True, timeout=60,
-                              check=False)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise NoExecutable(f"{path}: cannot be run: {error}") from error
 
 
 @dataclass(frozen=True)
@@ -119,22 +98,27 @@ def options(name: str) -> Mapping[str, Option]:
 
 
 def schema() -> dict[str, Any]:
-    """All commands: `plica schema commands`, or of a program without it what ships with this
-    package."""
+    """All commands: `plica schema commands`."""
     path = executable()
     return _schema_of(path, os.stat(path).st_mtime_ns)
 
 
 @lru_cache(maxsize=8)
 def _schema_of(path: str, changed: int) -> dict[str, Any]:
-    done = _asked(path, "schema", "commands")
-    return shipped_schema() if done.returncode != 0 else dict(json.loads(done.stdout))
-
-
-def shipped_schema() -> dict[str, Any]:
-    """The commands as this package knows them."""
-    text = resources.files(__package__).joinpath("commands.json").read_text(encoding="utf-8")
-    return dict(json.loads(text))
+    """Of a program of this version; what it is said to be of is in the same JSON."""
+    try:
+        done = subprocess.run([path, "schema", "commands"], stdin=subprocess.DEVNULL,
+                              capture_output=True, timeout=60, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise NoExecutable(f"{path}: cannot be run: {error}") from error
+    try:
+        data = json.loads(done.stdout)
+        theirs = str(data["plica_version"])
+    except (ValueError, LookupError, TypeError) as error:
+        raise VersionError(f"{path}: does not say which version it is; the program plica"
+                           ) from error
+    version.check(theirs, path)
+    return dict(data)
 
 
 def _option(entry: Mapping[str, Any]) -> Option:

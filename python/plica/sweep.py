@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import itertools
+import json
 import math
 import os
 import re
@@ -83,17 +84,33 @@ def _by_program(base: Case, rows: list[Row], out: Path, workers: int | None, pro
             writer = csv.writer(file)
             writer.writerow(paths)
             writer.writerows([_cell(row.get(path)) for path in paths] for row in rows)
+        before = _written(out)
         try:
             commands.run_sweep(base, out, table=table, jobs=workers or 0, progress=progress,
                                **options)
         except CaseError as error:
-            if error.problems or "every variant failed" not in error.text:
+            if error.problems or _written(out) == before or not _every_variant_failed(out):
                 raise
     found, units = _numbers(out / "sweep.csv", paths)
     frame = frame_of([{**row, **numbers} for row, numbers in zip(rows, found)])
     if hasattr(frame, "attrs"):
         frame.attrs["units"] = units
     return frame
+
+
+def _written(out: Path) -> tuple[int, int] | None:
+    """Which sweep.json is there: one of before says nothing of this sweep."""
+    try:
+        found = (out / "sweep.json").stat()
+    except OSError:
+        return None
+    return found.st_ino, found.st_mtime_ns
+
+
+def _every_variant_failed(out: Path) -> bool:
+    """The program ends with 1 then, too, but it has written its table."""
+    counts = json.loads((out / "sweep.json").read_text(encoding="utf-8"))
+    return int(counts["ok"]) == 0 and int(counts["failed"]) > 0
 
 
 def _cell(value: Any) -> str:
@@ -121,7 +138,7 @@ def _numbers(file: Path, paths: Sequence[str]) -> tuple[list[Row], dict[str, str
 def _all(tasks: Sequence[Callable[[], dict[int, Row]]], workers: int | None, progress: bool
          ) -> dict[int, Row]:
     found: dict[int, Row] = {}
-    with ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
+    with child.handling(), ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
         futures: list[Future[dict[int, Row]]] = [pool.submit(task) for task in tasks]
         done: Any = as_completed(futures)
         if progress and bars():

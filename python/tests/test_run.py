@@ -1,6 +1,8 @@
 """Runs: options of the program, errors, progress, Ctrl-C, side by side."""
 import json
 import os
+import pickle
+import re
 import signal
 import stat
 import subprocess
@@ -35,20 +37,11 @@ def fake(tmp_path):
 
 
 def test_options_are_those_of_the_program(executable):
-    """Of `plica schema commands`, or of the completions that the program makes for a shell."""
-    asked = subprocess.run([executable, "schema", "commands"], capture_output=True, text=True)
-    shipped = program.shipped_schema()
-    if asked.returncode == 0:
-        theirs = json.loads(asked.stdout)
-        assert theirs["commands"] == shipped["commands"], STALE
-        assert theirs.get("global", []) == shipped["global"], STALE
-        return
-    completion = subprocess.run([executable, "completion", "bash"], capture_output=True, text=True,
-                                check=True).stdout
-    for name, command in shipped["commands"].items():
-        line = next(x for x in completion.splitlines() if x.startswith(f"    {name}) words="))
-        known = {w.strip('"')[2:] for w in line.split('"')[1].split()} - {"help"}
-        assert known == {o["name"] for o in command["options"]}, f"{name}: {STALE}"
+    theirs = json.loads(subprocess.run([executable, "schema", "commands"], capture_output=True,
+                                       text=True, check=True).stdout)
+    shipped = json.loads((Path(plica.__file__).parent / "commands.json").read_text())
+    assert theirs["commands"] == shipped["commands"], STALE
+    assert theirs["global"] == shipped["global"], STALE
 
 
 FOR_SHELLS = {"completion", "manual"}  # what a terminal asks for
@@ -171,10 +164,14 @@ def test_no_program(use, monkeypatch, tmp_path):
 
 
 def test_a_program_of_another_version(use, tmp_path):
-    for says, error in [("plica 0.7.2", "Plica 0.7.2, this package reads 0.1"),
-                        ("hello", "does not say which version")]:
-        path = tmp_path / says.replace(" ", "_")
-        path.write_text(f"#!/bin/sh\necho {says}\n")
+    """By what it says as data, whatever it prints for people; or it says nothing such."""
+    says = [('{"plica_version": "0.7.2", "commands": {}}', "Plica 0.7.2, this package reads 0.1"),
+            ('{"plica_version": "new"}', "'new' is no version"),
+            ("plica 0.1.0", "does not say which version"), ("[1]", "does not say which version"),
+            (r"\377\376 hello", "does not say which version")]
+    for k, (text, error) in enumerate(says):
+        path = tmp_path / f"plica{k}"
+        path.write_text(f"#!/bin/sh\nprintf '{text}'\n")
         path.chmod(stat.S_IRWXU)
         with pytest.raises(plica.VersionError, match=error):
             use(path)
@@ -214,15 +211,101 @@ def test_messages_progress_and_new_options_of_a_newer_program(use, fake, tmp_pat
     shown = []
     shown_bar = bar.Bar("t", True)
     shown_bar.show("modes", 0.5)
-    assert shown_bar.bar.n == 0.5
+    assert shown_bar.bar.n == 0.5 and " 50%" in str(shown_bar.bar)
+    shown_bar.show("stress", None)
+    assert re.fullmatch(r"t: \|#         \| 00:\d\d, stress", str(shown_bar.bar).strip())
+    shown_bar.begun -= 1
+    shown_bar.shown -= 1
+    shown_bar.tick()
+    assert re.fullmatch(r"t: \| {4,7}# {2,5}\| 00:\d\d, stress", str(shown_bar.bar).strip())
     shown_bar.__exit__()
     said = child.call([str(fake), "run", str(good), "--out", str(tmp_path / "p"), "--messages",
-                       "json"], "t", True, False)
+                       "json"], "t", False)
     assert said.warnings == ["a doubt"] and said.code == 0 and not shown
     (tmp_path / "wrong.yaml").write_text("wrong\n")
     with pytest.raises(plica.CaseError) as caught:
         plica.run(tmp_path / "wrong.yaml", tmp_path / "q")
     assert [(p.line, p.key) for p in caught.value.problems] == [(2, "key2"), (5, "key5")]
+
+
+ERRORS = [
+    plica.CaseError([plica.Problem("a.yaml", 2, "k", "is wrong", "right"),
+                     plica.Problem("a.yaml", 0, "", "is short")], "and more"),
+    plica.CaseError([], "no place"), plica.NumericalVerdict("a mode is missing", Path("o")),
+    plica.ProgramFailed("ended with 3", 3), plica.TooLarge("9 GB", 4),
+    *(kind("a text") for kind in (plica.PlicaError, plica.NoExecutable, plica.VersionError,
+                                  plica.BrokenFolder, plica.MissingData, plica.MissingPackage,
+                                  plica.OptionError))]
+
+
+def test_errors_come_whole_out_of_other_processes():
+    kinds = {v for v in vars(plica).values() if isinstance(v, type) and issubclass(v, Exception)}
+    assert kinds == {type(error) for error in ERRORS}
+    for error in ERRORS:
+        error.add_note("a note")
+        again = pickle.loads(pickle.dumps(error))
+        assert type(again) is type(error) and str(again) == str(error)
+        assert vars(again) == vars(error) and again.args == error.args
+
+
+THREADS = """
+import signal, sys, plica
+from concurrent.futures import ThreadPoolExecutor
+plica.use(sys.argv[1])
+if sys.argv[4] == "terminal":  # as in a cell of a notebook: the handler of the import is gone
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+run = lambda k: plica.run(sys.argv[2], f"{sys.argv[3]}/m{k}").case
+with ThreadPoolExecutor(2) as pool:
+    futures = [pool.submit(run, k) for k in range(4)]
+    try:
+        print([future.result() for future in futures])
+    except KeyboardInterrupt:
+        print("interrupted", flush=True)
+print([type(future.exception()).__name__ for future in futures])
+open(sys.argv[2], "w").write("quick")
+with ThreadPoolExecutor(2) as pool:  # new threads are free
+    print(pool.submit(run, 5).result())
+"""
+
+
+@pytest.mark.parametrize("how", ["process", "terminal", "twice"])
+def test_ctrl_c_ends_what_goes_side_by_side_and_what_waits_does_not_begin(fake, tmp_path, how):
+    """Sent to the process alone, or as by a terminal to all; a second one ends what hangs."""
+    if how == "twice":
+        fake.write_text(fake.read_text().replace("signal.SIGINT, stop", "signal.SIGINT, 1"))
+    (tmp_path / "slow.yaml").write_text("slow")
+    parent = subprocess.Popen([sys.executable, "-c", THREADS, str(fake),
+                               str(tmp_path / "slow.yaml"), str(tmp_path / "o"), how],
+                              stdout=subprocess.PIPE, text=True, start_new_session=True,
+                              env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    for _ in range(200):
+        if len(list(tmp_path.glob("o/*/begun"))) == 2:
+            break
+        time.sleep(0.05)
+    time.sleep(0.2)
+    send = os.killpg if how == "terminal" else os.kill
+    send(parent.pid, signal.SIGINT)
+    if how == "twice":
+        assert parent.stdout.readline() == "interrupted\n"
+        send(parent.pid, signal.SIGINT)
+        assert parent.wait(timeout=20) != 0
+    else:
+        said = parent.communicate(timeout=20)[0].splitlines()
+        assert said == ["interrupted", str(4 * ["KeyboardInterrupt"]), "fake"]
+        assert len(list(tmp_path.glob("o/*/stopped"))) == 2
+    assert not {"m2", "m3"} & {path.name for path in (tmp_path / "o").iterdir()}
+    assert _seconds_of_work(fake.name, tmp_path) == 0
+
+
+def test_a_handler_of_ones_own_stays():
+    code = ("import signal; mine = lambda *_: 0; signal.signal(signal.SIGINT, mine); import plica;"
+            "assert signal.getsignal(signal.SIGINT) is mine; from plica import child\n"
+            "with child.handling(): assert signal.getsignal(signal.SIGINT) is mine\n"
+            "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+            "with child.handling(): assert signal.getsignal(signal.SIGINT) is child._on_ctrl_c\n"
+            "assert signal.getsignal(signal.SIGINT) is signal.default_int_handler")
+    subprocess.run([sys.executable, "-c", code], check=True,
+                   env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
 
 
 INTERRUPTED = """
@@ -269,12 +352,13 @@ def test_the_real_program_is_ended_as_well(tmp_path):
     parent = subprocess.Popen([sys.executable, "-c", code, str(tmp_path / "long.yaml"),
                                str(tmp_path / "o")], stderr=subprocess.DEVNULL,
                               env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
-    while _seconds_of_work("plica", tmp_path) < 2:  # the run itself takes a second
+    name = Path(plica.executable()).name
+    while _seconds_of_work(name, tmp_path) < 2:  # the run itself takes a second
         assert parent.poll() is None
         time.sleep(0.1)
     parent.send_signal(signal.SIGINT)
     assert parent.wait(timeout=60) != 0
-    assert _seconds_of_work("plica", tmp_path) == 0  # it is gone
+    assert _seconds_of_work(name, tmp_path) == 0  # it is gone
     results = plica.results(tmp_path / "o")  # the run itself was finished
     assert len(results.modes) == 4 and any("stopped" in w for w in results.data["warnings"])
 

@@ -4,6 +4,7 @@ import pytest
 from conftest import CASES
 
 import plica
+from plica import child
 
 MASSES = [0.1, 0.2, 0.4]
 DEPTHS = ["5 mm", "6 mm"]
@@ -43,6 +44,26 @@ def test_a_row_that_fails_says_why_and_the_others_are_there(tmp_path):
         assert "tap" in table["error"][4]
     none = plica.sweep(CASES / "beam.yaml", [{"parts.tip.mass": -1}], tmp_path / "none")
     assert "out of range" in none["error"][0]
+
+
+def test_that_every_row_failed_is_read_from_files_and_not_from_words(tmp_path, monkeypatch):
+    wrong = [{"parts.tip.mass": -1}]
+    real = child.call
+
+    def other_words(*given):
+        said = real(*given)
+        said.failure = "none of them went well"
+        return said
+    monkeypatch.setattr(child, "call", other_words)
+    for _ in range(2):  # run, and taken from what was run before
+        assert "out of range" in plica.sweep(CASES / "beam.yaml", wrong, tmp_path)["error"][0]
+
+    def nothing_written(*given):
+        return child.Said(code=1, failure="plica: every variant failed, the first for: x")
+    monkeypatch.setattr(child, "call", nothing_written)
+    for folder in (tmp_path, tmp_path / "new"):  # the files of before do not count
+        with pytest.raises(plica.CaseError, match="every variant failed"):
+            plica.sweep(CASES / "beam.yaml", wrong, folder)
 
 
 def test_what_varies_by_the_options_of_the_program(tmp_path):
