@@ -76,7 +76,7 @@ test('what the machine cannot hold is refused beforehand, with exit code 4 and w
   assert.deepEqual(readdirSync(join(lab, 'made')), []);
   const checked = shell(lab, '"$PLICA" check case.yaml', { PLICA: plica, ...small });
   assert.equal(checked.status, 4);
-  assert.match(checked.printed, /estimate: 0\.11 GB of 0\.05 GB \(PLICA_MEMORY\)/);
+  assert.match(checked.printed, /estimate: 0\.111 GB of 0\.05 GB \(PLICA_MEMORY\)/);
   const json = shell(lab, '"$PLICA" check case.yaml --json', { PLICA: plica, ...small });
   assert.equal(json.status, 4);
   assert.match(JSON.parse(json.printed).too_large, /needs about/);

@@ -74,9 +74,9 @@ TEST(ReducedAssembly, what_a_variant_leaves_as_it_is_is_not_reduced_again) {
   Case heavier = data;
   for (Cap& cap : heavier.caps) cap.mass *= 2;
   EXPECT_EQ(new_reductions(heavier), 0U);
-  Case thicker = heavier; // one pipe of two alike
+  Case thicker = heavier; // of two pipes alike the one that shared the reduction of the other
   for (Part& part : thicker.parts)
-    if (part.name == "outer_left") std::get<Bellows>(part.body).wall.plies = {2e-3};
+    if (part.name == "outer_right") std::get<Bellows>(part.body).wall.plies = {2e-3};
   EXPECT_EQ(new_reductions(thicker), 1U);
 }
 
