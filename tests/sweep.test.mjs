@@ -118,9 +118,10 @@ test('the table in HDF5 is the table in CSV, a data set a column, with its unit'
   assert.equal(swept.status, 0, swept.said);
   const script = `
 import h5py, json, sys
+def text(x): return x.decode() if isinstance(x, bytes) else x
 def plain(d): return [None if x != x else x for x in d] if d.dtype.kind == 'f' else [x.decode() if isinstance(x, bytes) else int(x) for x in d]
 with h5py.File(sys.argv[1]) as f:
-    print(json.dumps({k: {'unit': d.attrs['unit'] if isinstance(d.attrs['unit'], str) else d.attrs['unit'].decode(), 'rows': plain(d[()])} for k, d in f.items()}))`;
+    print(json.dumps({k: {'unit': text(d.attrs.get('unit')), 'rows': plain(d[()])} for k, d in f.items()}))`;
   const { status, stdout, stderr } = spawnSync('/usr/bin/python3', ['-c', script, join(cwd, 's', 'sweep.h5')], { encoding: 'utf8' });
   assert.equal(status, 0, stderr);
   const h5 = JSON.parse(stdout);
