@@ -263,13 +263,15 @@ test('damaged, foreign and busy files of a sweep are said', async () => {
   assert.equal(foreign.status, 1);
   assert.match(foreign.said, /runs\.jsonl: is no file of a sweep/);
   assert.equal(read(cwd, 'b', 'runs.jsonl'), 'runs of a car\n');
-  const child = spawn(plica, ['sweep', 'case.yaml', '--out', 'c', ...varied, '--jobs', '1'], { cwd, stdio: 'ignore' });
+  const long = ['--vary', 'parts.tip.mass=0.1:0.3:2000']; // goes on while the second asks
+  const child = spawn(plica, ['sweep', 'case.yaml', '--out', 'c', ...long, '--jobs', '1'], { cwd, stdio: 'ignore' });
   const ended = new Promise((resolve) => child.on('close', resolve));
   while (!existsSync(join(cwd, 'c', 'runs.jsonl'))) await new Promise((resolve) => setTimeout(resolve, 2));
-  const second = run(cwd, 'sweep', 'case.yaml', '--out', 'c', ...varied);
+  const second = run(cwd, 'sweep', 'case.yaml', '--out', 'c', ...long);
+  child.kill('SIGINT');
+  await ended;
   assert.equal(second.status, 1);
   assert.match(second.said, /another plica is running this sweep/);
-  await ended;
 });
 
 test('words that mean nothing are refused before anything runs', () => {
