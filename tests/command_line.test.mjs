@@ -3,19 +3,10 @@
 //   node --test command_line.test.mjs   with  PLICA (the program), SOURCE (the tree), WORK (a folder)
 import assert from 'node:assert/strict';
 import { execFileSync, spawn, spawnSync } from 'node:child_process';
-import { existsSync, linkSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, symlinkSync,
-  writeFileSync } from 'node:fs';
+import { existsSync, linkSync, mkdirSync, readdirSync, readFileSync, renameSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-
-const plica = process.env.PLICA;
-
-function folder(name) {
-  const path = join(process.env.WORK, name);
-  rmSync(path, { recursive: true, force: true });
-  mkdirSync(path, { recursive: true });
-  return path;
-}
+import { folder, plica, runner } from './program.mjs';
 
 // A plate on one edge, with a force and motion of its base.
 const plate = (more = '', title = 'a plate', variants = '') => `case: plate
@@ -41,11 +32,7 @@ analyses:
 `;
 const response = 'response: {base: [z], band: [10 Hz, 300 Hz], points: 30}';
 
-function run(cwd, ...args) {
-  const { status, stdout, stderr } = spawnSync(plica, args, { cwd, encoding: 'utf8', timeout: 60000,
-    maxBuffer: 1e8 });
-  return { status, said: stderr, printed: stdout };
-}
+const run = runner(60000);
 function shell(cwd, command, input = {}) {
   const { status, stdout, stderr } = spawnSync('sh', ['-c', command], { cwd, encoding: 'utf8',
     env: { ...process.env, ...input }, timeout: 60000 });

@@ -2,22 +2,12 @@
 //
 //   node --test fit_goals.test.mjs   with  PLICA (the program), SOURCE (the tree), WORK (a folder)
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { folder, runner } from './program.mjs';
 
-const plica = process.env.PLICA;
-function folder(name) {
-  const path = join(process.env.WORK, name);
-  rmSync(path, { recursive: true, force: true });
-  mkdirSync(path, { recursive: true });
-  return path;
-}
-function run(cwd, ...args) {
-  const { status, stdout, stderr } = spawnSync(plica, args, { cwd, encoding: 'utf8', timeout: 500000 });
-  return { status, said: stderr, printed: stdout };
-}
+const run = runner(500000);
 const json = (...path) => JSON.parse(readFileSync(join(...path), 'utf8'));
 const value = (fit, path) => fit.parameters.find((p) => p.path === path).after;
 function close(a, b, tolerance, what) {

@@ -3,25 +3,12 @@
 //
 //   node --test line.test.mjs   with  PLICA (the program), WORK (a folder)
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { folder, runner } from './program.mjs';
 
-const plica = process.env.PLICA;
-
-function folder(name) {
-  const path = join(process.env.WORK, name);
-  rmSync(path, { recursive: true, force: true });
-  mkdirSync(path, { recursive: true });
-  return path;
-}
-
-function run(cwd, ...args) {
-  const { status, stdout, stderr } = spawnSync(plica, args, { cwd, encoding: 'utf8', timeout: 200000,
-    maxBuffer: 1e8 });
-  return { status, said: stderr, printed: stdout };
-}
+const run = runner(200000);
 
 const good = (cwd, ...args) => {
   const result = run(cwd, ...args);

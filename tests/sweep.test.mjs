@@ -3,23 +3,12 @@
 //   node --test sweep.test.mjs   with  PLICA (the program), SOURCE (the tree), WORK (a folder)
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { appendFileSync, chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync,
-  truncateSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, truncateSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
+import { folder, plica, runner } from './program.mjs';
 
-const plica = process.env.PLICA;
-
-function folder(name) {
-  const path = join(process.env.WORK, name);
-  rmSync(path, { recursive: true, force: true });
-  mkdirSync(path, { recursive: true });
-  return path;
-}
-function run(cwd, ...args) {
-  const { status, stdout, stderr } = spawnSync(plica, args, { cwd, encoding: 'utf8', timeout: 300000, maxBuffer: 1e8 });
-  return { status, said: stderr, printed: stdout };
-}
+const run = runner(300000);
 const read = (...path) => readFileSync(join(...path), 'utf8');
 
 // Cells of a table without quoted ones, by the names of its columns.
