@@ -5,6 +5,8 @@
 #include "io/input/benchmark_file.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
+#include "io/lab_files/measured_data.hpp"
+#include "lab/measured/states.hpp"
 #include "mesh/machine_memory.hpp"
 #include "model/shape/doubts.hpp"
 #include "run/analyses/run.hpp"
@@ -156,8 +158,10 @@ int check(const CheckOptions& options) {
   set_threads(options.threads);
   try {
     if (is_benchmark(options.chosen.path)) return check_benchmark(options);
-    const CaseFile file = read_case(options.chosen);
-    test_of(file);
+    const TestedCase tested = read_tested_case(options.chosen);
+    const CaseFile& file = tested.file;
+    if (const auto& test = tested.test)
+      load_frfs(measured_as_drawn(test->data), test->path.parent_path());
     const Checked found = checked(file);
     if (options.json)
       print(json_text(json_of(found)));

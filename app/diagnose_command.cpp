@@ -39,8 +39,7 @@ struct DiagnoseOptions {
 
 namespace fs = std::filesystem;
 
-MeasuredFile measured_file(const DiagnoseOptions& options, const CaseFile& file) {
-  std::optional<MeasuredFile> test = test_of(file, options.measured);
+const MeasuredFile& required(const std::optional<MeasuredFile>& test, const CaseFile& file) {
   if (!test)
     throw InputError(
         {{.file = file.path,
@@ -48,7 +47,7 @@ MeasuredFile measured_file(const DiagnoseOptions& options, const CaseFile& file)
           .key = "measured",
           .wrong = "the case has no test to be held against",
           .allowed = "--measured DIR with a measured.yaml, or measured: in the case"}});
-  return std::move(*test);
+  return *test;
 }
 
 // The responses of each entry on its own; problems keep the number of the entry.
@@ -129,8 +128,9 @@ struct Asked {
   std::vector<fs::path> inputs;
 };
 
-Asked asked_for(const DiagnoseOptions& options, const CaseFile& file) {
-  Asked a{.file = file, .test_file = measured_file(options, file), .test = {}, .inputs = {}};
+Asked asked_for(const TestedCase& tested) {
+  const CaseFile& file = tested.file;
+  Asked a{.file = file, .test_file = required(tested.test, file), .test = {}, .inputs = {}};
   a.test.data = a.test_file.data;
   resolve_states(a.test.data, file.data, a.test_file.path.string());
   a.test.responses = responses_of(a.test.data, a.test_file.path.parent_path());
@@ -206,9 +206,10 @@ std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis
 
 int diagnose_case(const DiagnoseOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen);
-  if (options.pretest) return plan_test(options, file);
-  const Asked a = asked_for(options, file);
+  if (options.pretest) return plan_test(options, read_case(options.chosen));
+  const TestedCase tested = read_tested_case(options.chosen, options.measured);
+  const CaseFile& file = tested.file;
+  const Asked a = asked_for(tested);
   Progress progress(options.out.quiet);
   progress.title(file.data.name +
                  (options.chosen.model.empty() ? "" : ", " + options.chosen.model));

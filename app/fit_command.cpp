@@ -55,13 +55,14 @@ TestData fitted_data(const MeasuredFile& file) {
 
 int fit(const FitOptions& options) {
   set_threads(options.threads);
-  const CaseFile file = read_case(options.chosen);
+  const TestedCase tested = read_tested_case(options.chosen, options.measured);
+  const CaseFile& file = tested.file;
+  const std::optional<MeasuredFile>& test_file = tested.test;
   if (!file.data.fit)
     refuse(file,
            "is missing" +
                (options.chosen.model.empty() ? "" : " in model '" + options.chosen.model + "'"),
            "fit: {parameters: [{path: ..., bounds: [..., ...]}]}");
-  const std::optional<MeasuredFile> test_file = test_of(file, options.measured);
   const auto& targets = file.data.fit->targets;
   if (!test_file && std::none_of(targets.begin(), targets.end(),
                                  [](const FitTarget& t) { return is_goal(t.quantity); }))

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line.hpp"
-#include "io/input/case_file.hpp"
+#include "io/input/measured_file.hpp"
 #include "solve/model_error.hpp"
 
 namespace plica {
@@ -50,6 +50,33 @@ inline CaseFile read_case(const ChosenCase& chosen) {
     for (Case& variant : changed.variants) variant = in_state(variant, chosen.state);
     return changed;
   });
+}
+
+// A case and the test that it is held against: `measured`, or else the one that it names.
+struct TestedCase {
+  CaseFile file;
+  std::optional<MeasuredFile> test;
+};
+
+// `file` as `read` gives it; InputError with the problems of both files at once.
+template <class Read>
+TestedCase with_test(const Read& read, const ChosenCase& chosen, const std::string& measured = {}) {
+  const auto case_file = [&] {
+    try {
+      return read();
+    } catch (const InputError& error) {
+      std::vector<InputProblem> problems = error.problems();
+      add_problems_of_test(chosen.path, chosen.model, chosen.set, measured, problems);
+      throw InputError(std::move(problems));
+    }
+  };
+  TestedCase tested{.file = case_file(), .test = {}};
+  tested.test = test_of(tested.file, measured);
+  return tested;
+}
+
+inline TestedCase read_tested_case(const ChosenCase& chosen, const std::string& measured = {}) {
+  return with_test([&] { return read_case(chosen); }, chosen, measured);
 }
 
 } // namespace plica

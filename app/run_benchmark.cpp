@@ -50,9 +50,8 @@ public:
     std::vector<std::filesystem::path> files;
     for (const auto& [key, input] : inputs_) {
       for (std::filesystem::path& file : files_of(input.file)) files.push_back(std::move(file));
-      if (!input.measured) continue;
-      for (std::filesystem::path& file : files_of(*input.measured))
-        files.push_back(std::move(file));
+      if (!input.test) continue;
+      for (std::filesystem::path& file : files_of(*input.test)) files.push_back(std::move(file));
     }
     return files;
   }
@@ -71,19 +70,15 @@ public:
 
 private:
   using Key = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
-  struct Input {
-    CaseFile file;
-    std::optional<MeasuredFile> measured;
-  };
+  using Input = TestedCase;
 
   static Key key_of(const std::string& case_file, const BenchmarkColumn& column) {
     return {case_file, column.model, column.set};
   }
 
   static Input read(const std::string& path, const BenchmarkColumn& column) {
-    Input input{.file = read_case(path, column.model, column.set), .measured = {}};
-    input.measured = test_of(input.file);
-    return input;
+    return with_test([&] { return read_case(path, column.model, column.set); },
+                     {.path = path, .model = column.model, .state = {}, .set = column.set});
   }
 
   static BenchmarkRun run_once(const Input& input, Progress& progress) {
@@ -95,7 +90,7 @@ private:
     });
     BenchmarkRun done{.data = file.data, .headline = headline(results), .comparison = {}};
     if (results.statics) done.headline["k_torsion"] = results.statics->k_torsion;
-    if (input.measured) done.comparison = compare(results, input.measured->data);
+    if (input.test) done.comparison = compare(results, input.test->data);
     return done;
   }
 

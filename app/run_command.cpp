@@ -3,6 +3,7 @@
 #include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
+#include "app/run_shares.hpp"
 #include "app/terminal.hpp"
 #include "compare/compare.hpp"
 #include "io/decks/abaqus.hpp"
@@ -27,8 +28,10 @@
 namespace plica {
 namespace {
 
-InputFile input_file(const std::filesystem::path& path, const std::string& text) {
-  return {path.filename().string(), text};
+// Named by its path from the folder of results, so that both may be moved together.
+InputFile input_file(const std::filesystem::path& path, const std::string& text,
+                     const OutputFolder& out) {
+  return {std::filesystem::proximate(path, out.path()).generic_string(), text};
 }
 
 VariantResult run_variant(const CaseFile& file, const Case& changed, const std::string& name,
@@ -54,23 +57,31 @@ double work_of(const std::string& stage) {
   return stage.starts_with("tolerance of") ? 0.6 : 0.3;
 }
 
-// Shares of the work are counted in runs for the headline; the first one does more. False: a named
-// state has no equilibrium.
-bool add_error_bars_and_variants(Results& results, const CaseFile& file, const RunOptions& options,
+// Runs that follow the first one. Their work is counted in runs for the headline; the first does
+// more.
+struct Plan {
+  Plan(const Case& data, const RunOptions& options)
+      : bars(options.error_bars && data.analyses.error_bars),
+        at_rest(options.variants && data.state), states(options.variants ? data.states.size() : 0),
+        variants(options.variants ? data.variants.size() : 0) {
+    const double tolerances = double(data.tolerances.size());
+    of_bars = bars ? 3.5 + (tolerances > 0 ? 0.6 + 0.6 * tolerances : 0) : 0;
+    all = first + of_bars + double(variants + states) + (at_rest ? 1 : 0) + writing;
+  }
+
+  bool bars, at_rest;
+  std::size_t states, variants;
+  double first = 1.5, of_bars = 0, writing = 0.1, all = 0;
+};
+
+// False: a named state has no equilibrium.
+bool add_error_bars_and_variants(Results& results, const CaseFile& file, const Plan& plan,
                                  const std::optional<MeasuredFile>& measured, Progress& progress) {
-  const bool bars = options.error_bars && file.data.analyses.error_bars;
-  const double tolerances = double(file.data.tolerances.size());
-  const double first = 1.5,
-               of_bars = bars ? 3.5 + (tolerances > 0 ? 0.6 + 0.6 * tolerances : 0) : 0;
-  const auto variants = options.variants ? file.data.variants.size() : 0;
-  const auto states = options.variants ? file.data.states.size() : 0;
-  const bool compared_with_rest = options.variants && file.data.state;
-  const double all = first + of_bars + double(variants + states) + (compared_with_rest ? 1 : 0);
-  if (bars) {
-    double done = first;
+  if (plan.bars) {
+    double done = plan.first;
     try {
       results.error_bars = error_bars(file.data, results, [&](const std::string& s) {
-        progress.share(done / all);
+        progress.share(done / plan.all);
         progress.stage(s);
         done += work_of(s);
       });
@@ -82,10 +93,10 @@ bool add_error_bars_and_variants(Results& results, const CaseFile& file, const R
   }
   add_life_intervals(file.data, results);
   bool state_found = true;
-  double done = first + of_bars;
+  double done = plan.first + plan.of_bars;
   const auto add = [&](const Case& changed, const std::string& name,
                        std::vector<std::pair<std::string, std::string>> set) {
-    progress.share(done / all);
+    progress.share(done / plan.all);
     done += 1;
     try {
       results.variants.push_back(
@@ -97,17 +108,17 @@ bool add_error_bars_and_variants(Results& results, const CaseFile& file, const R
                                  "' left out: " + error.what());
     }
   };
-  if (compared_with_rest) {
+  if (plan.at_rest) {
     Case rest = file.data;
     rest.state.reset();
     rest.states.clear();
     add(rest, variant_at_rest, {{"state", "none"}});
   }
-  for (std::size_t i = 0; i < states; ++i) {
+  for (std::size_t i = 0; i < plan.states; ++i) {
     const std::string& name = file.data.states[i].name;
     add(in_state(file.data, name), name, {{"state", "states." + name}});
   }
-  for (std::size_t i = 0; i < variants; ++i) {
+  for (std::size_t i = 0; i < plan.variants; ++i) {
     const Variant& variant = file.data.variants[i];
     add(file.variants[i], variant.name, {variant.set.begin(), variant.set.end()});
   }
@@ -143,10 +154,15 @@ OutputWork work_of(const CaseFile& file, const std::optional<MeasuredFile>& meas
 
 // The case on a mesh that resolves the waves around of its own modes, where one chosen by an
 // accuracy does not: once more, with its variants on the same.
-Results run_resolved(CaseFile& file, Progress& progress) {
+Results run_resolved(CaseFile& file, const Plan& plan, Progress& progress) {
   const auto run_it = [&] {
-    return located(
-        file, [&] { return run(file.data, [&](const std::string& s) { progress.stage(s); }); });
+    RunShares shares(file.data);
+    return located(file, [&] {
+      return run(file.data, [&](const std::string& s) {
+        progress.share(plan.first / plan.all * shares.at(s));
+        progress.stage(s);
+      });
+    });
   };
   Results results = run_it();
   const int waves = unresolved_waves(file.data, results);
@@ -170,7 +186,6 @@ Results run_resolved(CaseFile& file, Progress& progress) {
 
 // What the results are put beside, as it was when it was read.
 void add_test(Results& results, const MeasuredFile& measured, const std::vector<FrfSet>& frfs) {
-  results.inputs.push_back(input_file(measured.path, measured.text));
   results.comparison = compare(results, measured.data);
   results.unanswered = unanswered(results, measured.data);
   if (!frfs.empty()) add_test_curves(results, frfs);
@@ -182,23 +197,29 @@ void add_test(Results& results, const MeasuredFile& measured, const std::vector<
 int run_case(const RunOptions& options) {
   if (is_benchmark(options.chosen.path)) return run_benchmark(options);
   set_threads(options.threads);
-  CaseFile file = read_case(options.chosen);
-  if (!options.deck.empty()) return located(file, [&] { return write_deck(file, options); });
-  const std::optional<MeasuredFile> measured = test_of(file);
+  if (!options.deck.empty()) {
+    const CaseFile file = read_case(options.chosen);
+    return located(file, [&] { return write_deck(file, options); });
+  }
+  TestedCase tested = read_tested_case(options.chosen);
+  CaseFile& file = tested.file;
+  const std::optional<MeasuredFile>& measured = tested.test;
   std::vector<FrfSet> frfs;
   if (measured) frfs = load_frfs(measured_as_drawn(measured->data), measured->path.parent_path());
   OutputFolder out(options.out.folder, work_of(file, measured, options));
+  const Plan plan(file.data, options);
   Progress progress(options.out.quiet);
   progress.title(file.data.name);
-  Results results = with_doubts(file, [&] { return run_resolved(file, progress); });
+  Results results = with_doubts(file, [&] { return run_resolved(file, plan, progress); });
   results.plica_version = PLICA_VERSION;
   results.versions = PLICA_LIBRARIES;
-  results.inputs.push_back(input_file(file.path, file.text));
+  results.inputs.push_back(input_file(file.path, file.text, out));
+  if (measured) results.inputs.push_back(input_file(measured->path, measured->text, out));
   for (std::string& words : set_by_hand(file)) results.assumptions.push_back(std::move(words));
   if (measured) add_test(results, *measured, frfs);
   bool interrupted = false, states_found = true;
   try {
-    states_found = add_error_bars_and_variants(results, file, options, measured, progress);
+    states_found = add_error_bars_and_variants(results, file, plan, measured, progress);
   } catch (const Interrupted& stop) { // the run itself is finished
     interrupted = true;
     forget_interrupt();
@@ -206,6 +227,7 @@ int run_case(const RunOptions& options) {
                                "\": what would follow is left out");
   }
   progress.title(file.data.name);
+  progress.share(1 - plan.writing / plan.all);
   progress.stage("writing " + options.out.folder.string());
   write_geometry(results, options.geometry, out);
   write_results(results, out);

@@ -60,10 +60,11 @@ std::string reason_of(const std::exception& error) {
 
 class Sweep {
 public:
-  Sweep(const SweepOptions& options, const CaseFile& file)
-      : options_(options), file_(file), plan_(sweep_plan(file, options.request)), changed_(file),
-        measured_(test_of(file)),
+  Sweep(const SweepOptions& options, const TestedCase& tested)
+      : options_(options), file_(tested.file), plan_(sweep_plan(file_, options.request)),
+        changed_(file_), measured_(tested.test),
         runs_(std::all_of(options.results.begin(), options.results.end(), is_headline)) {
+    const CaseFile& file = file_;
     std::string same = std::string("plica ") + PLICA_VERSION + "\n" + file.text + file.data.model;
     std::vector<std::filesystem::path> inputs = files_of(file);
     if (measured_)
@@ -217,8 +218,8 @@ int write_table(const SweepOptions& options, const Sweep& sweep) {
 }
 
 int sweep_case(const SweepOptions& options) {
-  const CaseFile file = read_case(options.chosen);
-  Sweep sweep(options, file);
+  const TestedCase tested = read_tested_case(options.chosen);
+  Sweep sweep(options, tested);
   if (options.collect) return write_table(options, sweep);
   bool interrupted = false;
   {
@@ -227,7 +228,7 @@ int sweep_case(const SweepOptions& options) {
     const std::vector<int> left = sweep.left(read_journals(options.out.folder, damaged));
     Progress progress(options.out.quiet);
     progress.title(
-        file.data.name +
+        tested.file.data.name +
         (options.shards > 1 ? fmt::format(", shard {}/{}", options.shard, options.shards) : ""));
     try {
       if (!left.empty()) sweep.run(left, journal, progress);

@@ -134,6 +134,15 @@ void say_progress(const std::string& title, const std::string& stage, double sec
                         {"left", share > 0 ? Json(seconds * (1 - share) / share) : Json(nullptr)}});
 }
 
+void say_written(const std::string& command, const Manifest& files) {
+  if (!json_lines) return;
+  Json known = Json::object();
+  for (const auto& [name, file] : files)
+    if (!file.prints.empty())
+      known[name] = {{"command", file.command}, {"fingerprint", file.prints.back()}};
+  say_json("written", {{"command", command}, {"files", known}});
+}
+
 void say_raw(std::string_view text) {
   write_to(STDERR_FILENO, text);
 }

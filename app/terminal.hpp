@@ -4,6 +4,7 @@
 // "\x1b[2J". Standard error that cannot be written, as of a terminal that is gone, stops nothing.
 #pragma once
 
+#include "io/files/manifest.hpp"
 #include "words/input_error.hpp"
 
 #include <string>
@@ -17,6 +18,7 @@ void open_standard_streams();
 
 // From here on what is said on standard error is one JSON object a line, by its `kind`: progress
 // {title, stage, seconds, share, left}, warning {text}, error {file, line, key, wrong, allowed},
+// written {command, files: {name: {command, fingerprint}}} (all that Plica has in the folder then),
 // failure {text}, note {text}.
 void speak_json();
 bool speaks_json();
@@ -26,6 +28,7 @@ void say_warning(std::string_view text);
 void say_failure(std::string_view text); // why there is no result, or why it is not to be trusted
 void say_problems(const InputError& error);
 void say_progress(const std::string& title, const std::string& stage, double seconds, double share);
+void say_written(const std::string& command, const Manifest& files); // as JSON alone
 void say_raw(std::string_view text); // the same, with control characters of our own
 void print(std::string_view text);   // standard output
 

@@ -3,7 +3,7 @@ set(plica_python lib/python3/dist-packages)
 set(plica_python_doc ${CMAKE_INSTALL_DATADIR}/doc/python3-plica)
 configure_file(python/debian/METADATA.in ${PROJECT_BINARY_DIR}/python/METADATA @ONLY)
 install(DIRECTORY python/plica DESTINATION ${plica_python} COMPONENT python
-  FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN commands.json
+  FILES_MATCHING PATTERN "*.py" PATTERN py.typed
   PATTERN __pycache__ EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/python/METADATA
   DESTINATION ${plica_python}/plica-${PROJECT_VERSION}.dist-info COMPONENT python)

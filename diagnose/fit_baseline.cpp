@@ -45,7 +45,7 @@ FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
     result.edits.push_back({p.path, yaml_of(p.value)});
     for (const std::string& also : p.also) result.edits.push_back({also, yaml_of(p.value)});
   }
-  for (const auto& [path, value] : fit.ties) result.edits.push_back({path, yaml_of(value)});
+  for (const auto& [path, value, unit] : fit.ties) result.edits.push_back({path, yaml_of(value)});
   if (!fit.converged) result.words.push_back("the fit to the baseline ended early: " + fit.reason);
   result.data = with_design(data, *data.fit, values);
   return result;

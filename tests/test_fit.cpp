@@ -177,7 +177,7 @@ TEST(Fit, keeps_ties_and_constraints) {
   const Case fitted = with_design(data, request, best);
   const auto& pipe = std::get<EquivalentPipe>(fitted.parts[0].body);
   EXPECT_NEAR(pipe.inner->mass + 2 * pipe.end_cap, 0.7, 1e-12);
-  EXPECT_NEAR(fit.ties[0].second, pipe.inner->mass, 1e-12);
+  EXPECT_NEAR(fit.ties[0].value, pipe.inner->mass, 1e-12);
   ASSERT_EQ(fit.constraints.size(), 1U);
   EXPECT_GT(fit.constraints[0].value, 6.59e4); // the data want 6e4
 }
@@ -240,7 +240,7 @@ TEST(Fit, refuses_designs_whose_ties_leave_their_range) {
                    .of = {{"parts.bellows.end_cap", -2}}}};
   const FitResult fit =
       fit_case(data, request, {measured, {}}, {.search = FitSearch::global, .evaluations = 300});
-  EXPECT_GE(fit.ties[0].second, 0);
+  EXPECT_GE(fit.ties[0].value, 0);
   request.ties[0].constant = 0.3;
   try {
     fit_case(data, request, {measured, {}}, {});

@@ -12,6 +12,7 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace plica {
@@ -22,6 +23,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double open_effect = 1; // sigmas over the whole box: less is not seen by the data
+
+// Of the sum that is limited, where its terms have one.
+std::string unit_of(const FitConstraint& constraint, const Case& data) {
+  std::set<std::string> units;
+  for (const auto& [quantity, factor] : constraint.of) units.insert(unit_of_goal(quantity, data));
+  return units.size() == 1 ? *units.begin() : "";
+}
 
 class Fit {
 public:
@@ -121,11 +129,13 @@ private:
                                decibels(before->responses[i]), decibels(after->responses[i])});
     for (std::size_t i = 0; i < problem_.aims().size(); ++i) {
       const FitProblem::Aim& aim = problem_.aims()[i];
-      fit.aims.push_back({aim.quantity, aim.least, before->aims[Index(i)], after->aims[Index(i)]});
+      fit.aims.push_back({aim.quantity, aim.least, before->aims[Index(i)], after->aims[Index(i)],
+                          unit_of_goal(aim.quantity, problem_.data())});
     }
     for (std::size_t i = 0; i < request_.constraints.size(); ++i) {
       const FitConstraint& c = request_.constraints[i];
-      fit.constraints.push_back({c.name, after->constraints[Index(i)], c.min, c.max});
+      fit.constraints.push_back(
+          {c.name, after->constraints[Index(i)], c.min, c.max, unit_of(c, problem_.data())});
     }
     const VectorXd from = problem_.values_of(start), to = problem_.values_of(best);
     for (std::size_t i = 0; i < request_.parameters.size(); ++i) {
@@ -137,10 +147,12 @@ private:
            .start = from[Index(i)],
            .value = to[Index(i)],
            .sigma = {},
-           .at_bound = (u == 0 || u == 1) && to[Index(i)] == problem_.unsettled(best)[Index(i)]});
+           .at_bound = (u == 0 || u == 1) && to[Index(i)] == problem_.unsettled(best)[Index(i)],
+           .unit = unit_of_goal(paths.front(), problem_.data())});
     }
     Case design = with_design(problem_.data(), request_, to);
-    for (const FitTie& t : request_.ties) fit.ties.emplace_back(t.path, *number_at(design, t.path));
+    for (const FitTie& t : request_.ties)
+      fit.ties.push_back({t.path, *number_at(design, t.path), unit_of_goal(t.path, design)});
   }
 
   // Of the parameters within their bounds. A box direction that data and priors leave open gets no

@@ -20,7 +20,14 @@ struct FittedParameter {
   std::optional<double> sigma; // of the value; on a log scale relative times the value. None at a
                                // bound, or when data and prior leave it open within the bounds
   bool at_bound = false;
-  double known = 0; // share of the prior range that the data remove: 0 nothing, 1 all
+  double known = 0;      // share of the prior range that the data remove: 0 nothing, 1 all
+  std::string unit = {}; // of values and sigma: SI; empty = a pure number
+};
+
+struct FittedTie { // a number that follows the parameters
+  std::string path;
+  double value = 0;
+  std::string unit;
 };
 
 struct FittedTarget {
@@ -41,12 +48,14 @@ struct FittedAim { // a computed quantity that was to be least or most
   std::string quantity;
   bool least = true;
   double start = 0, value = 0;
+  std::string unit = {};
 };
 
 struct FittedConstraint {
   std::string name;
   double value = 0;
   std::optional<double> min, max;
+  std::string unit = {}; // empty: a pure number, or a sum of unlike ones
 };
 
 // A direction of the parameters that the data leave open: a change of these parameters together
@@ -58,7 +67,7 @@ struct OpenDirection {
 
 struct FitResult {
   std::vector<FittedParameter> parameters;
-  std::vector<std::pair<std::string, double>> ties; // path, value
+  std::vector<FittedTie> ties;
   std::vector<FittedTarget> targets;
   std::vector<FittedResponse> responses;
   std::vector<FittedAim> aims; // with any, parameters have no uncertainties: limits hold the design

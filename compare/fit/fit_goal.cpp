@@ -96,7 +96,9 @@ std::optional<double> number_of(const std::string& quantity,
 
 std::string unit_of_goal(const std::string& quantity, const Case& data) {
   const auto unit = unit_of(quantity, data);
-  const auto units = unit ? units_of(*unit) : std::vector<std::string>{};
+  if (!unit || *unit == Dimension::ratio) return ""; // the number is the ratio, not its per cent
+  if (*unit == Dimension::force_or_moment) return "N or Nm";
+  const auto units = units_of(*unit);
   return units.empty() ? "" : units.front();
 }
 

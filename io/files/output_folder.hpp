@@ -37,6 +37,7 @@ public:
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
+  const std::string& command() const { return work_.command; }
 
   // False for a file that was not asked for: adding it does nothing.
   bool wants(const std::string& name) const;

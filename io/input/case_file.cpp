@@ -305,6 +305,17 @@ CaseFile read_case_with(const std::string& path, const std::string& model,
   return read(path, model, set, true);
 }
 
+std::string test_named_in(const std::string& path, const std::string& model,
+                          const Replacements& set) {
+  ReadLog log{.file = path};
+  const YamlFile yaml = read_yaml(path, log.problems);
+  if (yaml.root.kind != YamlNode::Kind::map) return "";
+  YamlNode root = model.empty() ? yaml.root : chosen_model(yaml.root, model, log);
+  for (const auto& [where, value] : set) put(root, where, value, 0);
+  const YamlNode* test = root.find("measured");
+  return test && test->kind == YamlNode::Kind::scalar ? test->text : "";
+}
+
 ChangedCases::ChangedCases(const CaseFile& file) : path_(file.path), model_(file.data.model) {
   ReadLog log{.file = file.path};
   root_ = std::make_unique<const YamlNode>(tree_of(file, log));

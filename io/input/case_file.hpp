@@ -38,6 +38,11 @@ CaseFile read_case(const std::string& path, const std::string& model = {},
 // The same with variants and fit, as if the file said so itself.
 CaseFile read_case_with(const std::string& path, const std::string& model, const Replacements& set);
 
+// The test that a file names, as it stands there, also where much else is wrong in it; empty where
+// it names none or cannot be read.
+std::string test_named_in(const std::string& path, const std::string& model,
+                          const Replacements& set);
+
 // A case that was read, with other values at some paths, many times over.
 class ChangedCases {
 public:

@@ -346,6 +346,21 @@ std::optional<MeasuredFile> test_of(const CaseFile& file, const std::string& giv
   return read_measured_file((beside / file.data.measured).string());
 }
 
+void add_problems_of_test(const std::string& case_path, const std::string& model,
+                          const Replacements& set, const std::string& given,
+                          std::vector<InputProblem>& problems) {
+  const auto is_of_test = [](const InputProblem& p) { return p.key == "measured"; };
+  CaseFile file;
+  file.path = case_path;
+  file.data.measured = given.empty() ? test_named_in(case_path, model, set) : "";
+  if (given.empty() && std::any_of(problems.begin(), problems.end(), is_of_test)) return;
+  try {
+    test_of(file, given);
+  } catch (const InputError& error) {
+    problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+  }
+}
+
 std::vector<std::filesystem::path> files_of(const MeasuredFile& file) {
   const std::filesystem::path beside = file.path.parent_path();
   std::vector<std::filesystem::path> files{file.path};

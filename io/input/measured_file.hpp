@@ -28,6 +28,11 @@ Measured read_measured(const std::string& path);
 // names; none where neither is.
 std::optional<MeasuredFile> test_of(const CaseFile& file, const std::string& given = {});
 
+// Of a case that has `problems` adds those of its test, where it can be told which that is.
+void add_problems_of_test(const std::string& case_path, const std::string& model,
+                          const Replacements& set, const std::string& given,
+                          std::vector<InputProblem>& problems);
+
 // It and the files it names.
 std::vector<std::filesystem::path> files_of(const MeasuredFile& file);
 

@@ -18,14 +18,17 @@ using Eigen::MatrixXd;
 std::string parameters_table(const FitResult& fit) {
   std::vector<HtmlRow> rows;
   for (const FittedParameter& p : fit.parameters)
-    rows.push_back({{html_escape(p.path), html_number(p.start, 4), html_number(p.value, 5),
-                     p.sigma ? html_number(*p.sigma, 2) : "–", html_fixed(100 * p.known, 0),
-                     p.at_bound ? "at its bound" : ""},
+    rows.push_back({{html_escape(p.path), html_escape(p.unit), html_number(p.start, 4),
+                     html_number(p.value, 5), p.sigma ? html_number(*p.sigma, 2) : "–",
+                     html_fixed(100 * p.known, 0), p.at_bound ? "at its bound" : ""},
                     ""});
-  for (const auto& [path, value] : fit.ties)
-    rows.push_back({{html_escape(path), "–", html_number(value, 5), "–", "–", "follows"}, ""});
-  return html_table("SI units. Known: share of the width of the bounds that the data remove.",
+  for (const auto& [path, value, unit] : fit.ties)
+    rows.push_back(
+        {{html_escape(path), html_escape(unit), "–", html_number(value, 5), "–", "–", "follows"},
+         ""});
+  return html_table("Known: share of the width of the bounds that the data remove.",
                     {{"number of the case", "", false},
+                     {"unit", "", false},
                      {"before", ""},
                      {"after", ""},
                      {"+/-", ""},
@@ -50,13 +53,13 @@ std::string targets_table(const FitResult& fit) {
                      html_number(r.start, 3), html_number(r.value, 3), "", ""},
                     ""});
   for (const FittedAim& a : fit.aims)
-    rows.push_back({{html_escape(a.quantity) + (a.least ? " (least)" : " (most)"), "", "", "",
-                     html_number(a.start, 5), html_number(a.value, 5),
+    rows.push_back({{html_escape(a.quantity) + (a.least ? " (least)" : " (most)"),
+                     html_escape(a.unit), "", "", html_number(a.start, 5), html_number(a.value, 5),
                      html_signed(100 * (a.value / a.start - 1), 2), ""},
                     ""});
   for (const FittedConstraint& c : fit.constraints)
-    rows.push_back({{html_escape(c.name) + " (limit)", "", constraint_limits(c), "", "",
-                     html_number(c.value, 5), "", ""},
+    rows.push_back({{html_escape(c.name) + " (limit)", html_escape(c.unit), constraint_limits(c),
+                     "", "", html_number(c.value, 5), "", ""},
                     ""});
   return html_table("",
                     {{"", "", false},

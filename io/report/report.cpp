@@ -14,6 +14,7 @@
 #include "io/report/viewer.hpp"
 #include "io/tables/text.hpp"
 
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace plica {
@@ -56,7 +57,8 @@ std::string inputs_html(const Results& results) {
   std::string html;
   for (const InputFile& file : results.inputs)
     html += fmt::format("<details><summary>{}</summary>\n<pre>{}</pre></details>\n",
-                        html_escape(file.name), html_escape(file.text));
+                        html_escape(std::filesystem::path(file.name).filename().string()),
+                        html_escape(file.text));
   return html;
 }
 

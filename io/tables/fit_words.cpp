@@ -38,7 +38,7 @@ std::string fit_text(const FitResult& fit) {
                         : fit.aims.empty() ? "open"
                                            : "-",
                         p.at_bound ? "  at its bound" : "");
-  for (const auto& [path, value] : fit.ties)
+  for (const auto& [path, value, unit] : fit.ties)
     text += fmt::format("{:<{}}{:>12}{:>12}{:>11}\n", path, width, "", significant(value, 5),
                         "follows");
   text += fmt::format("\n{:<{}}{:>12}{:>12}{:>12}{:>9}{:>8}\n", "target", width, "test", "before",

@@ -1,6 +1,7 @@
 #include "io/tables/json.hpp"
 
 #include "io/files/json_text.hpp"
+#include "io/files/manifest.hpp"
 #include "io/tables/levels_json.hpp"
 #include "io/tables/life_json.hpp"
 #include "io/tables/state_words.hpp"
@@ -224,6 +225,17 @@ Json stiffness_errors(const std::vector<MeshError>& e) {
           {"k_torsion", json_of(e[5])}};
 }
 
+// Paths from the folder of results; the case came first. What was taken of a binary file has no
+// text, and so no fingerprint.
+Json inputs_json(const Results& r) {
+  const auto read = [](const InputFile& file) -> Json {
+    return {{"file", file.name},
+            {"fingerprint", file.text.empty() ? Json(nullptr) : Json(fingerprint(file.text))}};
+  };
+  return {{"case", r.inputs.empty() ? Json(nullptr) : read(r.inputs.front())},
+          {"measured", r.inputs.size() < 2 ? Json(nullptr) : read(r.inputs[1])}};
+}
+
 } // namespace
 
 // What tables of many runs take comes first, what grows with the mesh last: a reader may stop
@@ -268,6 +280,7 @@ std::string results_json(const Results& r) {
   json["error_bars"] = json_of(r.error_bars);
   json["comparison"] = list_of(r.comparison);
   json["unanswered"] = r.unanswered;
+  json["inputs"] = inputs_json(r);
   json["variants"] = list_of(r.variants);
   json["free_mass"] = numbers(r.free_mass);
   json["effective_mass_sum"] = numbers(r.effective_mass_sum);

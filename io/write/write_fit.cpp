@@ -35,18 +35,21 @@ std::vector<std::string> paths_of(const FittedParameter& p) {
 }
 
 std::string parameters_csv(const FitResult& fit) {
-  std::string text = "path,before,after,sigma,known,at bound\n";
+  std::string text = "path,unit,before,after,sigma,known,at bound\n";
   for (const FittedParameter& p : fit.parameters)
-    text += fmt::format("{},{},{},{},{},{}\n", csv_cell(p.path), p.start, p.value,
-                        p.sigma ? fmt::format("{}", *p.sigma) : "", p.known, p.at_bound ? 1 : 0);
+    text +=
+        fmt::format("{},{},{},{},{},{},{}\n", csv_cell(p.path), csv_cell(p.unit), p.start, p.value,
+                    p.sigma ? fmt::format("{}", *p.sigma) : "", p.known, p.at_bound ? 1 : 0);
   return text;
 }
 
 std::string designs_csv(const FitResult& fit) {
+  const auto head = [](const std::string& name, const std::string& unit) {
+    return csv_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit)) + ",";
+  };
   std::string text;
-  for (const FittedParameter& p : fit.parameters) text += csv_cell(p.path) + ",";
-  for (const FittedTarget& t : fit.targets)
-    text += csv_cell(fmt::format("{} [{}]", t.quantity, t.unit)) + ",";
+  for (const FittedParameter& p : fit.parameters) text += head(p.path, p.unit);
+  for (const FittedTarget& t : fit.targets) text += head(t.quantity, t.unit);
   text += "cost\n";
   for (const FitSample& s : fit.samples) {
     for (const double v : s.design) text += fmt::format("{},", v);
@@ -71,7 +74,8 @@ std::string fitted_yaml(const FitResult& fit) {
   for (const FittedParameter& p : fit.parameters)
     for (const std::string& path : paths_of(p))
       text += fmt::format("  \"{}\": {}\n", path, p.value);
-  for (const auto& [path, value] : fit.ties) text += fmt::format("  \"{}\": {}\n", path, value);
+  for (const auto& [path, value, unit] : fit.ties)
+    text += fmt::format("  \"{}\": {}\n", path, value);
   return text;
 }
 
@@ -85,13 +89,18 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
   for (const FittedParameter& p : fit.parameters)
     json["parameters"].push_back({{"path", p.path},
                                   {"also", p.also},
+                                  {"unit", p.unit},
                                   {"before", p.start},
                                   {"after", p.value},
                                   {"sigma", json_number(p.sigma)},
                                   {"known", p.known},
                                   {"at_bound", p.at_bound}});
   json["ties"] = Json::object();
-  for (const auto& [path, value] : fit.ties) json["ties"][path] = value;
+  json["tie_units"] = Json::object();
+  for (const auto& [path, value, unit] : fit.ties) {
+    json["ties"][path] = value;
+    json["tie_units"][path] = unit;
+  }
   json["targets"] = Json::array();
   for (const FittedTarget& t : fit.targets)
     json["targets"].push_back({{"quantity", t.quantity},
@@ -106,6 +115,7 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
   for (const FittedAim& a : fit.aims)
     json["aims"].push_back({{"quantity", a.quantity},
                             {"aim", a.least ? "least" : "most"},
+                            {"unit", a.unit},
                             {"before", a.start},
                             {"after", a.value}});
   json["responses"] = Json::array();
@@ -115,6 +125,7 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
   json["constraints"] = Json::array();
   for (const FittedConstraint& c : fit.constraints)
     json["constraints"].push_back({{"name", c.name},
+                                   {"unit", c.unit},
                                    {"value", c.value},
                                    {"min", json_number(c.min)},
                                    {"max", json_number(c.max)}});

@@ -6,13 +6,12 @@ import hashlib
 import os
 import re
 import tempfile
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Iterable, Iterator, Mapping
+from typing import Any, Iterator, Mapping
 
 from . import commands, yaml_edit, yaml_text
-from .errors import BrokenFolder, CaseError, Problem
-from .folder import COMMANDS, Folder
+from .errors import CaseError, Problem
 from .results import Results
 
 BOM = "\ufeff"  # which editors on Windows write; not in `text`, whose letters YAML counts from 0
@@ -125,9 +124,8 @@ class Case:
                       absolute, self.text)
 
     def run(self, out: str | Path | None = None, **options: Any) -> Results:
-        """`plica run`; see plica.run. Results, here and below, of this run alone: BrokenFolder
-        where another has been written to `out` since."""
-        return _of_one_run(commands.run(self, out, **options))
+        """`plica run`; see plica.run."""
+        return commands.run(self, out, **options)
 
     def check(self, **options: Any) -> commands.Check:
         """`plica check`; see plica.check."""
@@ -135,7 +133,7 @@ class Case:
 
     def reduce(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica reduce`; see plica.reduce."""
-        return _of_one_run(commands.reduce(self, out, **options))
+        return commands.reduce(self, out, **options)
 
     def write_deck(self, out: str | Path, solver: str, **options: Any) -> Path:
         """`plica run --write-deck`; see plica.write_deck."""
@@ -143,15 +141,15 @@ class Case:
 
     def fit(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica fit`; see plica.fit."""
-        return _of_one_run(commands.fit(self, out, **options))
+        return commands.fit(self, out, **options)
 
     def ejma(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica ejma`; see plica.ejma."""
-        return _of_one_run(commands.ejma(self, out, **options))
+        return commands.ejma(self, out, **options)
 
     def stiffness(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica stiffness`; see plica.stiffness."""
-        return _of_one_run(commands.stiffness(self, out, **options))
+        return commands.stiffness(self, out, **options)
 
     def sweep(self, values: Any, out: str | Path, **options: Any) -> Any:
         """`plica sweep`; see plica.sweep."""
@@ -160,41 +158,7 @@ class Case:
 
     def diagnose(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica diagnose`; see plica.diagnose."""
-        return _of_one_run(commands.diagnose(self, out, **options))
-
-
-class _OneRun(Folder):
-    """A folder as it is now: BrokenFolder for what is read after another run was written there."""
-
-    def __init__(self, path: Path) -> None:
-        super().__init__(path)
-        self._made = self._stamps(COMMANDS)
-
-    def _stamps(self, names: Iterable[str]) -> dict[str, tuple[int, int, int]]:
-        found = {}
-        for name in names:
-            with suppress(OSError):
-                stat = (self.path / name).stat()
-                found[name] = stat.st_mtime_ns, stat.st_size, stat.st_ino
-        return found
-
-    def _check(self) -> None:
-        if self._stamps(self._made) != self._made:
-            raise BrokenFolder(f"{self.path}: another run has been written there since, or it was "
-                               "removed; give each run an `out` of its own")
-
-    def has(self, name: str) -> bool:  # every file goes through it before it is read
-        self._check()
-        return super().has(name)
-
-    def head(self, name: str, keys: set[str]) -> dict[str, Any]:
-        self._check()
-        return super().head(name, keys)
-
-
-def _of_one_run(results: Results) -> Results:
-    results.folder = _OneRun(results.path)
-    return results
+        return commands.diagnose(self, out, **options)
 
 
 def _renamed(problem: Problem, shown: Path, meant: Path) -> tuple[str, int, str, str, str]:

@@ -3,7 +3,8 @@
 Options are keywords, those of the program itself: `plica.options("run")` lists them with their
 help, `no_variants=True` is `--no-variants`. Each function takes a Case, a file or a folder, and
 `progress=True` shows a bar. Errors: CaseError with all problems of an input, NumericalVerdict (the
-results are written), ProgramFailed, OptionError, NoExecutable.
+results are written), ProgramFailed, OptionError, NoExecutable. Results are of their own run:
+BrokenFolder where another has been written to `out` since.
 """
 from __future__ import annotations
 
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Union
 from . import arguments, child, program, yaml_edit
 from .errors import CaseError, NumericalVerdict, OptionError, ProgramFailed, TooLarge
 from .messages import Said
+from .one_run import of_one_run
 from .results import Results
 
 if TYPE_CHECKING:
@@ -129,7 +131,7 @@ def _compute(name: str, inputs: list[Any], out: str | Path | None, options: dict
     if said.code == 2:
         raise NumericalVerdict(f"{' '.join(words[1:3])}: {said.failure or 'a verdict failed'}; "
                                f"the results are in {folder}", folder)
-    return Results(folder)
+    return of_one_run(Results(folder), said)
 
 
 def write_deck(case: AnyCase, out: str | Path, solver: str, **options: Any) -> Path:

@@ -23,7 +23,7 @@ def frame_of(rows: Sequence[Mapping[str, Any]], units: Mapping[str, str] | None 
     return frame
 
 
-BY_UNIT, BY_PATH = "that of the row", "SI, that of the key at the end of the path"
+BY_UNIT = "that of the row"  # which has it in its column `unit`
 
 
 @reads("")
@@ -81,9 +81,9 @@ class Fit(Document):
 
     @property
     def parameters(self) -> Any:
-        """DataFrame: path, value before and after, standard deviation, SI."""
+        """DataFrame: path, unit, value before and after, standard deviation; a row has its unit."""
         return frame_of(self.data["parameters"], dict.fromkeys(
-            ("before", "after", "sigma"), BY_PATH) | {"known": "fraction"})
+            ("before", "after", "sigma"), BY_UNIT) | {"known": "fraction"})
 
     @property
     def targets(self) -> Any:
@@ -92,14 +92,14 @@ class Fit(Document):
 
     @property
     def aims(self) -> Any:
-        """DataFrame: what was to be least or most, before and after."""
-        return frame_of(self.data.get("aims", []), {"before": "SI", "after": "SI"})
+        """DataFrame: what was to be least or most, before and after, each row with its unit."""
+        return frame_of(self.data["aims"], dict.fromkeys(("before", "after"), BY_UNIT))
 
     @property
     def constraints(self) -> Any:
-        """DataFrame: constraints with the value they have."""
-        return frame_of(self.data.get("constraints", []),
-                        dict.fromkeys(("value", "min", "max"), "SI"))
+        """DataFrame: constraints with the value they have, each row with its unit."""
+        return frame_of(self.data["constraints"],
+                        dict.fromkeys(("value", "min", "max"), BY_UNIT))
 
     @property
     def evaluations(self) -> int:
@@ -112,6 +112,13 @@ class Fit(Document):
         paths = {path: p["after"] for p in self.data["parameters"]
                  for path in [p["path"], *p["also"]]}
         return {**paths, **self.data["ties"]}
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of `values` by path; "" is a pure number."""
+        paths = {path: p["unit"] for p in self.data["parameters"]
+                 for path in [p["path"], *p["also"]]}
+        return {**paths, **self.data["tie_units"]}
 
     @property
     def correlation(self) -> Array:
@@ -156,7 +163,7 @@ class Identification(Document):
 
     def _responses(self, name: str) -> list[Frf]:
         from .exchange.pyuff import from_pyuff  # which needs this module
-        return from_pyuff(read_uff58(self.folder.require(name)))
+        return from_pyuff(self.folder.read(name, read_uff58))
 
     @property
     def spectra(self) -> Any:

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import BrokenFolder, MissingData, VersionError
+from .errors import BrokenFolder, MissingData, PlicaError
 from .folder import Folder
+from .hdf5 import opened, text
 from .optional import have, need
 from .tables import Table
 
@@ -74,12 +75,13 @@ class DynamicStiffness:
 def read_stiffness(folder: Folder) -> DynamicStiffness:
     """Of stiffness.h5 where h5py is present, else of stiffness.csv, which needs numpy alone."""
     if folder.has("stiffness.h5") and (have("h5py") or not folder.has("stiffness.csv")):
-        path = folder.require("stiffness.h5")
         try:
-            return _of_hdf5(path, folder)
-        except (OSError, KeyError, ValueError) as error:
-            raise BrokenFolder(f"{path}: is damaged or no dynamic stiffness of plica: {error}; run "
-                               "`plica stiffness` anew") from error
+            return folder.read("stiffness.h5", lambda path: _of_hdf5(path, folder))
+        except (OSError, LookupError, ValueError) as error:
+            if isinstance(error, PlicaError):
+                raise
+            raise BrokenFolder(f"{folder.path}/stiffness.h5: is damaged or no dynamic stiffness "
+                               f"of plica: {error}; run `plica stiffness` anew") from error
     table = folder.table("stiffness")
     try:
         return _of_table(table, folder)
@@ -88,20 +90,11 @@ def read_stiffness(folder: Folder) -> DynamicStiffness:
                            "`plica stiffness` anew") from error
 
 
-def _text(value: Any) -> str:
-    return (value.decode() if isinstance(value, bytes) else str(value)).split("\0")[0]
-
-
 def _of_hdf5(path: Path, folder: Folder) -> DynamicStiffness:
-    with need("h5py", "stiffness.h5").File(path, "r") as file:
-        if _text(file.attrs["format"]) != FORMAT:
-            raise ValueError("it has another format")
-        if int(file.attrs["version"]) != FORMAT_VERSION:
-            raise VersionError(f"{path}: has layout {int(file.attrs['version'])}, this package "
-                               f"reads {FORMAT_VERSION}; run `plica stiffness` anew")
+    with opened(path, FORMAT, FORMAT_VERSION, "run `plica stiffness` anew") as file:
         return DynamicStiffness(
-            tuple(_text(s) for s in file["states"][:]), file["amplitude"][:], file["angle"][:],
-            file["frequency"][:], tuple(_text(c) for c in file["coordinates"][:]),
+            tuple(text(s) for s in file["states"][:]), file["amplitude"][:], file["angle"][:],
+            file["frequency"][:], tuple(text(c) for c in file["coordinates"][:]),
             file["real"][:] + 1j * file["imaginary"][:], folder)
 
 

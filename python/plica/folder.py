@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable, TypeVar
 
 from . import version
 from .errors import BrokenFolder, MissingData
@@ -11,6 +11,7 @@ from .head import head_of
 from .tables import Table, read_csv
 from .written import LIST, check_written, written
 
+Read = TypeVar("Read")
 COMMANDS = {
     "results.json": "plica run", "certificate.json": "plica reduce",
     "superelement.json": "plica reduce", "identification.json": "plica identify",
@@ -53,6 +54,10 @@ class Folder:
         if entry:
             _check_version(entry.get("plica_version") or None, path)
         return path
+
+    def read(self, name: str, reader: Callable[[Path], Read]) -> Read:
+        """What `reader` makes of a file; errors as of `require`."""
+        return reader(self.require(name))
 
     def _listed(self, name: str) -> tuple[Path, dict[str, Any]]:
         entry = written(self.path).get(name, {})

@@ -11,12 +11,15 @@ from .errors import Problem
 
 @dataclass
 class Said:
-    """What a run said: exit code, standard output, problems, warnings, all else."""
+    """What a run said: exit code, standard output, problems, warnings, what stood in its folder
+    when it had written (fingerprints of its own files and of others by name), all else."""
 
     code: int = 0
     printed: str = ""
     problems: list[Problem] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
+    own: dict[str, str] = field(default_factory=dict)
+    others: dict[str, str] = field(default_factory=dict)
     failure: str = ""
 
 
@@ -33,6 +36,10 @@ def listen(stream: IO[str], said: Said, show: Callable[[str, Any], None]) -> Non
                                          str(message.get("allowed") or "")))
         elif message and kind == "warning":
             said.warnings.append(str(message["text"]))
+        elif message and kind == "written":
+            for name, file in message["files"].items():
+                mine = said.own if file["command"] == message["command"] else said.others
+                mine[str(name)] = str(file["fingerprint"])
         elif message and kind in ("failure", "note"):
             rest.append(str(message["text"]) + "\n")
         else:

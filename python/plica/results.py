@@ -5,6 +5,7 @@ Nothing is read before it is asked for; what was read is kept. Every number is i
 """
 from __future__ import annotations
 
+import warnings
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping
@@ -29,6 +30,7 @@ from .static import StaticStiffness
 from .superelement import Superelement
 from .superelement_files import read_superelement
 from .vtu import mode_of, read_vtu
+from .written import fingerprint
 
 if TYPE_CHECKING:
     from .plot import Plots
@@ -206,12 +208,12 @@ class Results:
     @cached_property
     def mesh(self) -> Mesh:
         """The mesh with the shapes of the modes as its fields."""
-        return read_vtu(self.folder.require("modes.vtu"))
+        return self.folder.read("modes.vtu", read_vtu)
 
     @cached_property
     def stress_mesh(self) -> Mesh:
         """The mesh with von Mises stresses [Pa] of both faces as its fields."""
-        return read_vtu(self.folder.require("stress.vtu"))
+        return self.folder.read("stress.vtu", read_vtu)
 
     @property
     def shapes(self) -> Array:
@@ -224,10 +226,12 @@ class Results:
     @cached_property
     def superelement(self) -> Superelement:
         """The superelement of `plica reduce`."""
-        for name in ("superelement.h5", "superelement.json"):
-            if self.folder.lists(name):
-                self.folder.require(name)
-        return read_superelement(self.path)
+        listed = [name for name in ("superelement.h5", "superelement.json")
+                  if self.folder.lists(name)]
+        for name in listed:
+            self.folder.require(name)
+        return self.folder.read(listed[0], lambda _: read_superelement(self.path)) if listed \
+            else read_superelement(self.path)
 
     @property
     def certificate(self) -> dict[str, Any]:
@@ -262,25 +266,29 @@ class Results:
     @cached_property
     def simulated(self) -> Measured:
         """The run in the form of measured data (simulated.yaml)."""
-        return read_measured(self.folder.require("simulated.yaml"))
+        return self.folder.read("simulated.yaml", read_measured)
 
     @cached_property
     def measured(self) -> Measured:
         """What was measured: of `plica identify` the test with its modes (measured.yaml), of a run
-        what its case was held against, `entries("quantities")`: quantity, unit, measured, sigma.
+        the test that its case was held against, a warning where that was changed since.
 
-        MissingData where there was none; `plica.read_measured(FILE)` reads the file of a lab."""
+        MissingData where there was none or it is not there any more; `comparison` has what it said
+        of what was computed, and `plica.read_measured(FILE)` reads the file of a lab."""
         if self.folder.lists("measured.yaml"):
-            return read_measured(self.folder.require("measured.yaml"))
-        found = self._run.get("comparison") if self.folder.lists("results.json") else None
-        rows = [{key: row[key] for key in ("quantity", "unit", "measured", "sigma")}
-                for row in found or [] if row["measured"] is not None]
-        if not rows:
+            return self.folder.read("measured.yaml", read_measured)
+        if not self.folder.lists("results.json") or self._run["inputs"]["measured"] is None:
             raise MissingData(f"{self.path}: has no measured data; `measured` in the case, or "
                               "plica.read_measured(FILE) of those of a lab")
-        mass = [{"value": row["measured"]} for row in rows if row["quantity"] == "mass"]
-        return Measured(self.path / "results.json", {
-            "specimen": self.case, "quantities": rows, **({"mass": mass[0]} if mass else {})})
+        test = self._run["inputs"]["measured"]
+        path = (self.path / test["file"]).resolve()
+        if not path.is_file():
+            raise MissingData(f"{path}: is not there any more, which {self.path} was held against; "
+                              "plica.read_measured(FILE) where it is now, or r.comparison")
+        if test["fingerprint"] not in (None, fingerprint(path.read_bytes())):
+            warnings.warn(f"{path}: was changed since {self.path} was held against it", UserWarning,
+                          stacklevel=3)
+        return read_measured(path)
 
     @cached_property
     def diagnosis(self) -> Diagnosis:

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .errors import BrokenFolder, MissingData, VersionError
-from .optional import have, need
+from .errors import BrokenFolder, MissingData
+from .hdf5 import opened, text
+from .optional import have
 from .superelement import Recovery, Superelement
 from .written import check_written, written
 
@@ -48,30 +49,20 @@ def read_superelement(path: str | Path) -> Superelement:
 
 
 def _from_hdf5(path: Path) -> Superelement:
-    with need("h5py", "superelement.h5").File(path, "r") as file:
-        def text(place: Any, key: str) -> str:
-            value = place.attrs[key]
-            return (value.decode() if isinstance(value, bytes) else str(value)).split("\0")[0]
-
-        if text(file, "format") != FORMAT:
-            raise ValueError("it has another format")
-        if int(file.attrs["version"]) != FORMAT_VERSION:
-            raise VersionError(f"{path}: has layout {int(file.attrs['version'])}, this package "
-                               f"reads {FORMAT_VERSION}; reduce the case anew")
-
+    with opened(path, FORMAT, FORMAT_VERSION, "reduce the case anew") as file:
         def entries(group: str) -> list[Any]:
             return [file[group][str(k)] for k in range(len(file[group]))]
 
         def rows(group: str) -> dict[str, Recovery]:
-            return {text(e, "name"): Recovery(e["place"][:].ravel(), e["rows"][:])
+            return {text(e.attrs["name"]): Recovery(e["place"][:].ravel(), e["rows"][:])
                     for e in entries(group)}
         places = file["nodes"][:]
         return Superelement(
-            text(file, "name"), text(file, "units"),
-            tuple(text(file["node_names"], str(k)) for k in range(len(places))), places,
+            text(file.attrs["name"]), text(file.attrs["units"]),
+            tuple(text(file["node_names"].attrs[str(k)]) for k in range(len(places))), places,
             {letter: file[letter][:] for letter in "KMCD" if letter in file},
             rows("recovery"), rows("stresses"),
-            {text(e, "name"): e["force"][:].ravel() for e in entries("loads")})
+            {text(e.attrs["name"]): e["force"][:].ravel() for e in entries("loads")})
 
 
 def _from_json(path: Path) -> Superelement:

@@ -7,6 +7,7 @@ other data sets of a file are left out. Units are those of the file; the program
 """
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -65,10 +66,7 @@ def _read_one(data: bytes, at: int, head: str) -> tuple[DataSet, int]:
     count, kind, even = one["num_pts"], one["ord_data_type"], one["abscissa_spacing"] == 1
     per_point = (2 if kind in (5, 6) else 1) + (0 if even else 1)
     if head.strip().startswith("58b"):
-        order = "<" if int(head[7:13]) == 1 else ">"
-        size = int(head[31:43])
-        values = _binary(data[at:at + size], kind, even, order, count)
-        at += size
+        values, at = _binary(data, at, one, "<" if int(head[7:13]) == 1 else ">")
     else:
         numbers: list[float] = []
         while at < len(data):
@@ -130,11 +128,17 @@ def _numbers(text: str, kind: int, even: bool, place: int) -> list[float]:
     return values
 
 
-def _binary(data: bytes, kind: int, even: bool, order: str, count: int) -> Any:
-    single, complex_ = kind in (2, 5), kind in (5, 6)
-    ordinate = order + ("f4" if single else "f8")
-    if even:
-        return np.frombuffer(data, ordinate).astype(float)
-    parts = [("x", order + "f4")] + [(f"y{k}", ordinate) for k in range(2 if complex_ else 1)]
-    rows = np.frombuffer(data, np.dtype(parts), count)
-    return np.column_stack([rows[name].astype(float) for name, _ in parts]).ravel()
+def _binary(data: bytes, at: int, one: DataSet, order: str) -> tuple[Any, int]:
+    """The numbers, and where they end. An uneven abscissa is single by the standard, of some
+    writers (pyuff among them) double; the closing -1 tells, as the stated number of bytes may be
+    wrong."""
+    kind, count = one["ord_data_type"], one["num_pts"]
+    ordinate = "f4" if kind in (2, 5) else "f8"
+    ordinates = [(f"y{k}", order + ordinate) for k in range(2 if kind in (5, 6) else 1)]
+    for abscissa in [""] if one["abscissa_spacing"] == 1 else ["f4", ordinate]:
+        row = np.dtype(([("x", order + abscissa)] if abscissa else []) + ordinates)
+        end = at + count * row.itemsize
+        if end <= len(data) and re.match(rb"\s*(-1|$)", data[end:end + 16]):
+            rows = np.frombuffer(data[at:end], row)
+            return np.column_stack([rows[n].astype(float) for n in row.names or ()]).ravel(), end
+    raise ValueError(f"behind its header there are not {count} numbers, then -1")

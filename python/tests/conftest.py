@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 import pytest
 
 import plica
@@ -22,6 +23,21 @@ def program():
     built = TREE / "build" / "app" / "plica"
     return os.environ.get("PLICA") or shutil.which("plica") or (str(built) if built.is_file()
                                                                 else None)
+
+
+def transmissibility(f, f0, zeta):
+    """Of one mass on a spring and a dashpot, over its base."""
+    w, w0 = 2 * np.pi * f, 2 * np.pi * f0
+    return (w0 ** 2 + 2j * zeta * w0 * w) / (w0 ** 2 - w ** 2 + 2j * zeta * w0 * w)
+
+
+def shaken(f0, zeta, rate=1024.0, samples=65536):
+    """Time signals of such a mass on a table that moves at random."""
+    base = np.random.default_rng(5).normal(size=samples)
+    spectrum = np.fft.rfft(base) * transmissibility(np.fft.rfftfreq(samples, 1 / rate), f0, zeta)
+    return plica.Signals(rate, np.column_stack([base, np.fft.irfft(spectrum, samples)]),
+                         ("base.y", "mid.y"), ("m/s2", "m/s2"),
+                         {"base": "y", "reference": "base.y", "excitation": "random"})
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -1,5 +1,8 @@
 """Cases: an edit changes one value and nothing else."""
+import fcntl
+import os
 import re
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -141,23 +144,53 @@ def test_a_path_is_its_text_and_what_is_no_value_is_said(case):
             case["case"] = value
 
 
-def test_results_are_of_their_own_run(tmp_path, monkeypatch):
+@pytest.mark.parametrize("run", [plica.Case.run, plica.run])
+def test_results_are_of_their_own_run(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     case = plica.Case(CASES / "beam.yaml")
-    first = case.run(threads=1)
-    kept, read = first.headline, case.run("mine", threads=1)
+    first = run(case, threads=1)
+    kept, read = first.headline, run(case, "mine", threads=1)
     case["parts.tip.mass"] = "400 g"
-    second = case.run(threads=1)
+    second = run(case, threads=1)
     assert second.headline != kept == first.headline == read.headline  # what was read stays
     for late in (lambda: first.table("modes"), lambda: first.mesh, lambda: first.stress):
         with pytest.raises(plica.BrokenFolder, match="out: another run has been written there"):
             late()
     sheet = case.reduce("mine", threads=1)
     assert len(read.table("modes")) and sheet.superelement and read.superelement
-    unread = case.run("mine", threads=1)
-    case.run("mine", threads=1)
+    unread = run(case, "mine", threads=1)
+    run(case, "mine", threads=1)
     with pytest.raises(plica.BrokenFolder, match="give each run an `out` of its own"):
         unread.headline
+    assert plica.results("mine").headline == second.headline  # the folder as it is
+
+
+def test_two_at_once_into_one_folder(tmp_path):
+    """The second is refused before it computes, and what the first wrote stays."""
+    out = tmp_path / "out"
+    first = plica.run(CASES / "beam.yaml", out, threads=1)
+    with open(out / ".plica.lock", "w") as lock:
+        fcntl.lockf(lock, fcntl.LOCK_EX)
+        with pytest.raises(plica.CaseError, match=rf"out: another plica \(process {os.getpid()}\) "
+                                                  "is writing here; wait until it has ended, or "):
+            plica.run(CASES / "beam.yaml", out, threads=1)
+    assert len(first.modes) == 3 and len(first.table("modes")) == 3
+
+
+def test_of_many_at_once_into_one_folder_each_reads_its_own_or_none(tmp_path):
+    def mass_of(grams):
+        case = plica.Case(CASES / "beam.yaml").update({"parts.tip.mass": f"{grams} g"})
+        try:
+            return plica.run(case, tmp_path / "out", threads=1).headline["mass"]
+        except (plica.CaseError, plica.BrokenFolder) as error:
+            assert re.search("another plica|another run has been written", str(error))
+            return None
+    with ThreadPoolExecutor(6) as pool:
+        found = list(pool.map(mass_of, range(100, 1300, 100)))
+    steel = 0.4 * 0.03 * 0.006 * 7850
+    assert any(found)
+    for grams, mass in zip(range(100, 1300, 100), found):
+        assert mass is None or mass == pytest.approx(grams / 1000 + steel, rel=1e-6)
 
 
 def test_a_copy_is_its_own_and_the_file_stays(case):

@@ -9,7 +9,7 @@ import matplotlib.pyplot as pyplot
 import numpy as np
 import pandas
 import pytest
-from conftest import CASES, HERE, SHIPPED, TREE
+from conftest import CASES, HERE, SHIPPED, TREE, shaken
 
 import plica
 from plica import dynamic_stiffness
@@ -70,15 +70,7 @@ def beside_a_rig(folder):
 
 def noise(folder):
     """Identified from time signals, which writes their spectra."""
-    rng = np.random.default_rng(5)
-    base, n = rng.normal(size=32768), 32768
-    f = np.fft.rfftfreq(n, 1 / 1024.0)
-    H = 116.0 ** 2 / (116.0 ** 2 - f ** 2 + 2j * 0.01 * 116.0 * f)
-    tip = np.fft.irfft(np.fft.rfft(base) * H, n)
-    signals = plica.Signals(1024.0, np.column_stack([base, tip]), ("base.y", "mid.y"),
-                            ("m/s2", "m/s2"), {"base": "y", "reference": "base.y",
-                                               "excitation": "random"})
-    lab = plica.measured(folder / "lab", "pipe", signals=signals,
+    lab = plica.measured(folder / "lab", "pipe", signals=shaken(116, 0.01, samples=32768),
                          sensors=[{"name": "mid", "at": [0, 0, 0]}])
     return plica.identify(lab, folder / "out", block=2048, band=[60, 200])
 

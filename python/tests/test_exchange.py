@@ -49,6 +49,15 @@ def test_pyuff_there_and_back_and_through_a_file(frf, tmp_path, even):
         write_uff58(tmp_path / "f.uff", sets)
 
 
+def test_transmissibility_is_a_function_type_that_pyuff_writes(frf):
+    """It refuses 5; the units on both sides and the input tell what the response is."""
+    one = Frf(frf.frequency, frf.H[:, :, :1], frf.outputs, ("base.y",), "m/s2 per m/s2")
+    sets = pyuff.to_pyuff(one)
+    assert {s["func_type"] for s in sets} <= {0, 1, 2, 3, 4, 6, 9}
+    same(pyuff.from_pyuff(sets)[0], one)
+    same(pyuff.from_pyuff([{**s, "func_type": 5} for s in sets])[0], one)
+
+
 @pytest.mark.parametrize("driven, unit", [("mid.z", "m/s2 per N"), ("base.z", "m/s2 per m/s2")])
 def test_the_program_reads_what_is_written(tmp_path, driven, unit):
     f = np.arange(20.0, 60.0, 0.1)
@@ -79,6 +88,32 @@ def test_binary_universal_files_of_both_byte_orders(tmp_path):
         (tmp_path / "b.uff").write_bytes(data[:len(data) - len(tail) - 9])
         with pytest.raises(plica.BrokenFolder, match="data set 1 of type 58"):
             read_uff58(tmp_path / "b.uff")
+
+
+@pytest.mark.parametrize("abscissa", ["f4", "f8"])
+@pytest.mark.parametrize("stated", [0, 24, 1000])
+def test_binary_uneven_abscissa_and_a_wrong_number_of_bytes(frf, tmp_path, abscissa, stated):
+    """pyuff writes the abscissa double, and says half the bytes of complex numbers."""
+    [one] = pyuff.to_pyuff(Frf(frf.frequency, frf.H[:, :1, :1], ("mid.x",), ("mid.y",), frf.unit))
+    write_uff58(tmp_path / "text.uff", [one])
+    head = (tmp_path / "text.uff").read_bytes().splitlines(keepends=True)[:13]
+    head[1] = f"    58b{1:6d}{2:6d}{11:12d}{stated:12d}{0:6d}{0:6d}{0:12d}{0:12d}\n".encode()
+    rows = np.zeros(4, [("x", "<" + abscissa), ("re", "<f8"), ("im", "<f8")])
+    rows["x"], rows["re"], rows["im"] = frf.frequency, one["data"].real, one["data"].imag
+    (tmp_path / "b.uff").write_bytes(b"".join(head) + rows.tobytes() + b"    -1\n")
+    [found] = read_uff58(tmp_path / "b.uff")
+    np.testing.assert_array_equal(found["x"], frf.frequency)
+    np.testing.assert_array_equal(found["data"], one["data"])
+
+
+def test_pyfbs_tells_rotations(frf):
+    turning = Frf(frf.frequency, frf.H, ("mid.x", "mid.y", "tip.rz"), ("mid.y", "tip.rz"),
+                  "m/s2 per N")
+    there = pyfbs.to_pyfbs(turning)
+    assert list(there.df_chn["Quantity"]) == ["Acceleration"] * 2 + ["Angular Acceleration"]
+    assert list(there.df_imp["Quantity"]) == ["Force", "Moment"]
+    assert there.df_chn["Direction_3"][2] == 1
+    same(pyfbs.from_pyfbs(*there), turning)
 
 
 def test_pyfbs_there_and_back(frf):
@@ -112,7 +147,8 @@ def test_sep005_there_and_back():
     signals = plica.Signals(200.0, np.arange(6.0).reshape(3, 2), ("base.y", "mid.y"),
                             ("m/s2", "m/s2"))
     channels = sdypy.to_sep005(signals)
-    assert [set(c) for c in channels] == [{"data", "fs", "name", "unit_str"}] * 2
+    assert [set(c) for c in channels] == [{"data", "fs", "name", "unit_str", "quantity"}] * 2
+    assert channels[0]["quantity"] == "a"
     back = sdypy.from_sep005(channels, base="y", reference="base.y")
     np.testing.assert_array_equal(back.data, signals.data)
     assert back.rate == 200 and back.units == signals.units and back.entry["base"] == "y"
@@ -121,9 +157,25 @@ def test_sep005_there_and_back():
     assert sdypy.from_sep005(timed).rate == pytest.approx(200)
 
 
+def test_sep005_with_several_channels_in_one_dict():
+    data = np.arange(8.0).reshape(2, 4)
+    one = {"data": data, "fs": 100, "name": "test 1", "channel_name": ["base.y", "mid.y"],
+           "unit_str": ["m/s2", None], "quantity": "a", "start_timestamp": "2026-01-01T00:00:00"}
+    found = sdypy.from_sep005(one, base="y")
+    assert found.channels == ("base.y", "mid.y") and found.units == ("m/s2", "")
+    np.testing.assert_array_equal(found.data, data.T)
+    assert sdypy.from_sep005([{**one, "unit_str": "g"}]).units == ("g", "g")
+    for change, says in [({"channel_name": ["base.y"]}, "as many names in channel_name"),
+                         ({"unit_str": ["g"]}, "as many in unit_str"),
+                         ({"starttimestamp": ""}, "starttimestamp', which SEP 005 prohibits"),
+                         ({"Fs": 100}, "'Fs', which SEP 005 prohibits")]:
+        with pytest.raises(ValueError, match=says):
+            sdypy.from_sep005([{**one, **change}])
+
+
 @pytest.mark.parametrize("change, says", [
     ({"name": "mid.y"}, "unique name"), ({"unit": "g"}, "prohibits"), ({"fs": 100}, "one rate"),
-    ({"data": np.zeros((2, 2))}, "one dimension")])
+    ({"data": np.zeros((2, 2))}, "channel_name")])
 def test_what_is_not_sep005_is_refused(change, says):
     channels = [{"data": np.zeros(3), "fs": 200, "name": n, "unit_str": ""}
                 for n in ("base.y", "mid.y")]

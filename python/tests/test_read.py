@@ -19,15 +19,6 @@ def test_modes_are_those_of_the_csv(bellows):
     assert table.attrs["units"]["effective inertia x"] == "kg m2"
 
 
-def test_every_csv_is_a_table_without_options(bellows, levels, lap):
-    for results in (bellows, levels, lap):
-        for name in results.tables:
-            frame = results.table(name)
-            assert len(frame.columns) > 0 and "units" in frame.attrs
-            assert len(set(frame.columns)) == len(frame.columns)
-            assert not any(c.startswith("Unnamed") for c in frame.columns)
-
-
 def test_headers_that_would_be_one_name_stay_whole(lap):
     pairs = plica.tables.named(["test", "test [Hz]", "f [Hz]", "parts.a[1].h", "x [%]", "x [g]"])
     assert pairs[0] == ["test", "test [Hz]", "f", "parts.a[1].h", "x [%]", "x [g]"]
@@ -304,7 +295,8 @@ def test_a_listed_file_that_is_missing_is_broken(bellows, beam, tmp_path):
 
 def test_files_written_after_the_folder_was_opened_are_not_changed(tmp_path):
     """The list is read anew when a command has written it anew."""
-    results = plica.run(CASES / "beam.yaml", tmp_path / "out", threads=1)
+    plica.run(CASES / "beam.yaml", tmp_path / "out", threads=1)
+    results = plica.results(tmp_path / "out")
     assert len(results.table("modes"))
     case = plica.Case(CASES / "beam.yaml")
     case["parts.tip.mass"] = 0.25
@@ -319,19 +311,42 @@ def test_numbers_have_units(bellows, fitted):
     assert headline == bellows.data["headline"] and isinstance(headline, dict)
     assert headline.units["mass" if "mass" in headline else "k_axial"] in ("kg", "N/m")
     assert all(headline.units[name] == "Hz" for name in headline if name.startswith("f_"))
-    parameters = fitted.fit.parameters.attrs["units"]
-    assert parameters["after"] == "SI, that of the key at the end of the path"
-    assert parameters["known"] == "fraction"
+    parameters = fitted.fit.parameters
+    assert list(parameters["unit"]) == ["m"] and parameters.attrs["units"]["known"] == "fraction"
+    assert parameters.attrs["units"]["after"] == "that of the row"
+    assert fitted.fit.units == {"parts.beam.section.depth": "m"} == \
+        {path: "m" for path in fitted.fit.values}
+    assert list(fitted.table("fit")["unit"]) == ["m"]
+    assert fitted.table("designs").attrs["units"]["parts.beam.section.depth"] == "m"
     targets = fitted.fit.targets
     assert targets.attrs["units"]["measured"] == "that of the row" and targets["unit"][0] == "Hz"
 
 
 def test_measured_data_of_a_run_and_of_a_test(lap, beam, tmp_path):
-    quantities = lap.measured.entries("quantities")
-    assert lap.measured.specimen == "bolted_lap"
-    assert list(quantities["quantity"]) == ["mass"] and quantities["unit"][0] == "kg"
+    assert lap.measured.specimen == "bolted_lap" and len(lap.measured.frf) == 4
+    assert lap.measured.path == (TREE / "cases" / "bolted_lap" / "measured.yaml").resolve()
     assert lap.measured.mass == pytest.approx(lap.comparison["measured"][0], rel=1e-12)
     test = plica.identify(TREE / "cases" / "bolted_lap" / "measured.yaml", tmp_path / "test")
     assert len(test.measured.modes) > 1 and test.measured.specimen == "bolted_lap"
     with pytest.raises(plica.MissingData, match="has no measured data"):
         beam.measured
+
+
+def test_measured_data_that_were_changed_or_moved_since(tmp_path):
+    lab = tmp_path / "Prüfstand 1"
+    shutil.copytree(TREE / "cases" / "bolted_lap", lab)
+    case = plica.Case(lab / "bolted_lap.yaml")
+    case["case"] = "other"  # so that it runs from a folder that goes again
+    plica.Case.run(case, lab / "out", threads=1, no_error_bars=True)
+    shutil.move(lab, tmp_path / "moved")  # the results together with the test
+    found = plica.results(tmp_path / "moved" / "out")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert found.measured.path == tmp_path / "moved" / "measured.yaml"
+    with open(found.measured.path, "a", encoding="utf-8") as file:
+        file.write("caveats: [weighed anew]\n")
+    with pytest.warns(UserWarning, match=r"yaml: was changed since .*out was held against it"):
+        plica.results(tmp_path / "moved" / "out").measured
+    (tmp_path / "moved" / "measured.yaml").unlink()
+    with pytest.raises(plica.MissingData, match=r"measured.yaml: is not there any more, .*out was"):
+        plica.results(tmp_path / "moved" / "out").measured

@@ -3,6 +3,7 @@ import json
 import os
 import pickle
 import re
+import shutil
 import signal
 import stat
 import subprocess
@@ -16,9 +17,6 @@ from conftest import CASES, HERE
 
 import plica
 from plica import arguments, bar, child, program
-
-
-STALE = "python/plica/commands.json is not what the program says: plica schema commands > ..."
 
 
 @pytest.fixture
@@ -36,12 +34,14 @@ def fake(tmp_path):
     return path
 
 
-def test_options_are_those_of_the_program(executable):
-    theirs = json.loads(subprocess.run([executable, "schema", "commands"], capture_output=True,
-                                       text=True, check=True).stdout)
-    shipped = json.loads((Path(plica.__file__).parent / "commands.json").read_text())
-    assert theirs["commands"] == shipped["commands"], STALE
-    assert theirs["global"] == shipped["global"], STALE
+def test_options_are_those_that_the_help_of_the_program_lists(executable):
+    """All of every command, and none that the program does not take."""
+    for name in program.schema()["commands"]:
+        text = subprocess.run([executable, name, "--help"], capture_output=True, text=True,
+                              check=True).stdout
+        listed = set(re.findall(r"^ +(?:-\w,)?--([A-Za-z][A-Za-z-]*)", text, re.MULTILINE))
+        named = {option.name for option in plica.options(name).values()}
+        assert named - {"messages"} == listed - {"help"}, name
 
 
 FOR_SHELLS = {"completion", "manual"}  # what a terminal asks for
@@ -119,6 +119,48 @@ def test_a_case_with_errors_gives_all_of_them(tmp_path):
     with pytest.raises(plica.CaseError, match="nowhere.yaml: file not found") as caught:
         plica.run("nowhere.yaml")
     assert caught.value.problems[0].file == "nowhere.yaml"
+
+
+def test_problems_of_the_case_and_of_its_test_come_at_once(tmp_path):
+    text = (CASES / "beam.yaml").read_text()
+    (tmp_path / "lab.yaml").write_text(
+        "specimen: beam\nmass: {value: heavy}\nmodes: [{shape: big}]\n")
+    (tmp_path / "bad.yaml").write_text(text.replace("E: ", "EE: ") + "measured: lab.yaml\n")
+    (tmp_path / "good.yaml").write_text(text + "measured: lab.yaml\n")
+    of_test = {("lab.yaml", "mass.value"), ("lab.yaml", "modes[0].shape"),
+               ("lab.yaml", "modes[0].frequency")}
+    for command in (plica.run, plica.check, plica.fit, plica.diagnose):
+        for file, more in (("bad.yaml", {("bad.yaml", "materials.steel.EE")}),
+                           ("good.yaml", set())):
+            with pytest.raises(plica.CaseError) as caught:
+                command(tmp_path / file)
+            assert {(Path(p.file).name, p.key) for p in caught.value.problems} == of_test | more
+            assert str(caught.value).count("\n") == len(caught.value.problems) - 1
+    (tmp_path / "bad.yaml").write_text(text.replace("E: ", "EE: ") + "measured: none.yaml\n")
+    with pytest.raises(plica.CaseError) as caught:
+        plica.run(tmp_path / "bad.yaml")
+    assert [p.key for p in caught.value.problems] == ["materials.steel.EE", "measured"]
+
+
+def test_a_check_reads_the_responses_of_the_test_too(tmp_path):
+    shutil.copytree(HERE.parent.parent / "cases" / "bolted_lap", tmp_path / "lap")
+    (tmp_path / "lap" / "z_3.csv").write_text("frequency [Hz]\n1\n")
+    with pytest.raises(plica.CaseError, match="z_3.csv"):
+        plica.check(tmp_path / "lap" / "bolted_lap.yaml")
+
+
+def test_a_run_says_its_share(executable, tmp_path):
+    """Of all stages, with the error bars and variants that follow; it does not fall."""
+    for case, options in ((CASES / "beam.yaml", []), (CASES / "levels.yaml", []),
+                          (CASES / "bellows.yaml", [])):
+        done = subprocess.run([executable, "run", case, "--out", tmp_path / case.stem, "--messages",
+                               "json", *options], capture_output=True, text=True, check=True)
+        said = [json.loads(line) for line in done.stderr.splitlines()]
+        shares = [m["share"] for m in said if m["kind"] == "progress"]
+        assert shares[0] is None and None not in shares[2:], shares
+        known = [share for share in shares if share is not None]
+        assert known == sorted(known) and len(set(known)) >= 3 and 0.9 < known[-1] < 1
+        assert [m["kind"] for m in said].count("written") == 1
 
 
 def test_a_check_of_a_good_case():

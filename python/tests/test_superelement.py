@@ -127,6 +127,7 @@ def test_dmig_of_the_program_is_what_pynastran_would_be_given(bellows):
     ours = pynastran.to_dmig(s)
     for name in ("KPLICA", "MPLICA"):
         entry = ours[name]
+        assert set(entry) == {"name", "ifo", "tin", "tout", "polar", "ncols", "GCj", "GCi", "Real"}
         assert entry["ifo"] == 6 and entry["tin"] == 2
         triangle = dict(zip(zip(entry["GCi"], entry["GCj"]), entry["Real"]))
         assert triangle.keys() == file[name].keys()
@@ -152,6 +153,23 @@ def test_pyyeti_frames_go_there_and_back(bellows):
         np.testing.assert_array_equal(back[letter], s.dense(letter))
     cb = pyyeti.to_craig_bampton(s)
     assert np.abs(cb["kcb"][np.ix_(cb["bset"], cb["qset"])]).max() == 0
+
+
+def test_pyyeti_gets_the_places_of_the_boundary(bellows):
+    """A row a coordinate, six a grid: the layout of its USET tables; rigid motions as it makes
+    them of the table are those of the superelement."""
+    s = bellows.superelement
+    uset = pyyeti.to_uset(s)
+    assert list(uset.columns) == ["nasset", "x", "y", "z"] and len(uset) == s.boundary
+    assert uset.index.names == ["id", "dof"] and set(uset["nasset"]) == {2097154}
+    place, system, origin, *axes = uset.loc[102][["x", "y", "z"]].to_numpy()
+    np.testing.assert_array_equal(place, s.places[1])
+    np.testing.assert_array_equal([system, origin, *axes],
+                                  [[0, 1, 0], [0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    cb = pyyeti.to_craig_bampton(s)
+    moved = s.rigid_motions()[:s.boundary]
+    grounded = cb["kcb"][:s.boundary, :s.boundary] @ moved
+    assert np.abs(grounded).max() < 1e-6 * np.abs(cb["kcb"]).max()
 
 
 def test_what_is_broken_is_said(bellows, tmp_path):

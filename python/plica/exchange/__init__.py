@@ -4,9 +4,9 @@
 |---|---|
 | `pyuff` | data sets 58 as dicts (`plica.uff58` and `uff58_writer` read and write the files) |
 | `pyfbs` | responses with tables of channels and impacts |
-| `sdypy` | responses as (inputs, outputs, lines); time signals by SEP 005 |
+| `sdypy` | responses as (outputs, lines) or (outputs, inputs, lines); time signals by SEP 005 |
 | `pynastran` | DMIG and OUTPUT4 matrices |
-| `pyyeti` | DMIG tables, Craig-Bampton matrices with their b-set |
+| `pyyeti` | DMIG tables, Craig-Bampton matrices with their b-set and its table of places |
 """
 from . import pyfbs, pynastran, pyuff, pyyeti, sdypy
 

@@ -1,7 +1,8 @@
 """pyFBS: responses Y (lines, channels, impacts) with a DataFrame of channels and one of impacts.
 
 Columns of both, as in its example data: Name, Description, Quantity, Grouping, Position_1..3 [m],
-Direction_1..3 (unit vector).
+Direction_1..3 (unit vector; of a rotation its axis). By Quantity its transformation to virtual
+points tells rotations ("Angular Acceleration") from translations.
 """
 from __future__ import annotations
 
@@ -13,7 +14,10 @@ import numpy.typing as npt
 from ..documents import frame_of
 from ..frf import AXES, Frf, axis_of
 
-QUANTITIES = {"m/s2": "Acceleration", "m/s": "Velocity", "m": "Displacement", "N": "Force"}
+QUANTITIES = {"m/s2": "Acceleration", "m/s": "Velocity", "m": "Displacement", "N": "Force",
+              "rad/s2": "Angular Acceleration", "rad/s": "Angular Velocity", "rad": "Rotation",
+              "Nm": "Moment"}
+ANGULAR = {"m/s2": "rad/s2", "m/s": "rad/s", "m": "rad", "N": "Nm"}
 Places = Mapping[str, Sequence[float]]
 
 
@@ -37,8 +41,9 @@ def to_pyfbs(frf: Frf, places: Places | None = None,
             name, axis = axis_of(channel)
             place = (places or {}).get(name, (0.0, 0.0, 0.0))
             vector = np.eye(3)[AXES.index(axis) % 3] if axis else np.zeros(3)
+            own = ANGULAR.get(unit, unit) if axis.startswith("r") else unit
             result.append({"Name": channel, "Description": name,
-                           "Quantity": QUANTITIES.get(unit, unit),
+                           "Quantity": QUANTITIES.get(own, own),
                            "Grouping": (grouping or {}).get(name, 1),
                            **{f"Position_{k + 1}": float(place[k]) for k in range(3)},
                            **{f"Direction_{k + 1}": float(vector[k]) for k in range(3)}})
@@ -62,12 +67,15 @@ def from_pyfbs(Y: npt.ArrayLike, freq: npt.ArrayLike, df_chn: Any, df_imp: Any,
 
 
 def _unit(df_chn: Any, df_imp: Any) -> str:
-    """Where a table has no unit, or several, m/s2 of responses and N of impacts."""
+    """That of translations where there are such. Where a table has no unit, or several, m/s2 of
+    responses and N of impacts."""
     units = {quantity.lower(): unit for unit, quantity in QUANTITIES.items()}
+    plain = {angular: unit for unit, angular in ANGULAR.items()}
     parts = []
     for frame, usual in ((df_chn, "m/s2"), (df_imp, "N")):
         column = next((name for name in ("Unit", "Quantity") if name in frame), None)
-        found = {str(value).strip() for value in frame[column]} if column else set()
-        said = found.pop() if len(found) == 1 else usual
-        parts.append(units.get(said.lower(), said))
+        said = [str(value).strip() for value in frame[column]] if column else []
+        found = {units.get(value.lower(), value) for value in said}
+        found -= {unit for unit in found if plain.get(unit) in found}
+        parts.append(found.pop() if len(found) == 1 else usual)
     return " per ".join(part for part in parts if part)

@@ -1,7 +1,7 @@
 """pyNastran: superelements as DMIG entries and as OUTPUT4 matrices.
 
 Boundary nodes are grids from 101 in their order, modal coordinates scalar points from 1001, as in
-superelement.bdf. `model.add_dmig(*to_dmig(s)["KPLICA"].values())`, `OP4().write_op4(f, to_op4(s))`.
+superelement.bdf. `model.add_dmig(**to_dmig(s)["KPLICA"])`, `OP4().write_op4(f, to_op4(s))`.
 """
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ def grids(s: Superelement) -> dict[int, Array]:
 
 
 def to_dmig(s: Superelement) -> dict[str, dict[str, Any]]:
-    """Arguments of `BDF.add_dmig`, in their order, by matrix: lower triangle, zeros left out.
+    """Keywords of `BDF.add_dmig`, by matrix: lower triangle, zeros left out. Their order is not the
+    same in all versions.
 
     ifo 6 (symmetric), tin and tout 2 (real, double), GCj columns and GCi rows as (point,
     component), Real their values.

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..frf import AXES, Frf, axis_of
 
-RESPONSE, TRANSMISSIBILITY = 4, 5  # function types
+RESPONSE, TRANSMISSIBILITY = 4, 5  # function types; pyuff writes no 5, units tell the second
 QUANTITIES = {8: "m", 11: "m/s", 12: "m/s2", 13: "N"}  # specific data types
 
 
@@ -27,8 +27,7 @@ def to_pyuff(frf: Frf) -> list[dict[str, Any]]:
         for j, driven in enumerate(frf.inputs):
             one: dict[str, Any] = {
                 "type": 58, "binary": 0, "id1": f"{output} by {driven}",
-                "func_type": TRANSMISSIBILITY if driven.startswith("base.") else RESPONSE,
-                "ord_data_type": 6, "num_pts": len(frf.frequency),
+                "func_type": RESPONSE, "ord_data_type": 6, "num_pts": len(frf.frequency),
                 "abscissa_spacing": 1 if even else 0, "abscissa_min": float(frf.frequency[0]),
                 "abscissa_inc": float(steps[0]) if even else 0.0, "z_axis_value": 0.0,
                 "abscissa_spec_data_type": 18, "abscissa_axis_lab": "Frequency",

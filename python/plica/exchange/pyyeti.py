@@ -1,6 +1,7 @@
 """pyYeti: DMIG as DataFrames with (id, dof) on both sides, and Craig-Bampton matrices with b-set.
 
-`nastran.wtdmig(f, to_dmig(s))`; `cb.cbcheck(f, c["mcb"], c["kcb"], c["bset"], bref)`.
+`nastran.wtdmig(f, to_dmig(s))`; `cb.cbcheck(f, c["mcb"], c["kcb"], c["bset"], c["bset"][:6],
+to_uset(s))`.
 """
 from __future__ import annotations
 
@@ -11,9 +12,10 @@ import numpy.typing as npt
 
 from ..optional import need
 from ..superelement import Superelement
-from .pynastran import NAMES, labels
+from .pynastran import NAMES, grids, labels
 
 Array = npt.NDArray[Any]
+B_SET = 1 << 21 | 1 << 1  # bits of a row of the b-set
 
 
 def to_dmig(s: Superelement) -> dict[str, Any]:
@@ -33,6 +35,17 @@ def from_dmig(frames: Mapping[str, Any], s: Superelement) -> dict[str, Array]:
     return {letters[name.upper()]: np.asarray(
         frame.reindex(index=index, columns=index).fillna(0.0), dtype=float)
         for name, frame in frames.items() if name.upper() in letters}
+
+
+def to_uset(s: Superelement) -> Any:
+    """DataFrame over (id, dof) of the b-set: nasset, and x y z, which of the six rows of a grid are
+    its place, the system of coordinates (number 0, kind 1: rectangular), its origin, its axes."""
+    pandas = need("pandas", "a table of the b-set")
+    index = pandas.MultiIndex.from_tuples(labels(s)[:s.boundary], names=["id", "dof"])
+    rows = [np.vstack([place, [0, 1, 0], [0, 0, 0], np.eye(3)]) for place in grids(s).values()]
+    frame = pandas.DataFrame(np.vstack(rows), index=index, columns=["x", "y", "z"])
+    frame.insert(0, "nasset", B_SET)
+    return frame
 
 
 def to_craig_bampton(s: Superelement) -> dict[str, Any]:

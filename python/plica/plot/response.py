@@ -1,12 +1,13 @@
 """Responses over frequency, the test over the simulation."""
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy as np
 
-from ..errors import MissingData
+from ..errors import BrokenFolder, MissingData
 from ..frf import Frf
 from ..measured import Measured, read_measured
 from .style import COLOURS, DASHES, look
@@ -18,18 +19,20 @@ LEAST = 1e-3  # of the largest: channels below are left out unless they are name
 
 
 def draw(results: Results, name: str | None = None, *, channels: Sequence[str] | None = None,
-         measured: Measured | str | Path | None = None, phase: bool = False, ax: Any = None) -> Any:
+         measured: Measured | str | Path | bool | None = None, phase: bool = False,
+         ax: Any = None) -> Any:
     """Magnitude (log) of a response, the first unless named, or its phase in degrees.
 
     channels: such as ["mid.y"]; unless given those that reach a thousandth of the largest.
-    measured: test data, or their file, whose responses to the same excitation are drawn over it.
+    measured: test data, or their file, whose responses to the same excitation are drawn over it;
+    unless given those of the test that the run was held against, where it has such; False for none.
     """
     if not results.responses:
         raise MissingData(f"{results.path}: no responses; analyses.response in the case")
     response = results.responses[name or next(iter(results.responses))]
     frf = response.frf
     wanted = list(channels) if channels else _large(frf)
-    tests = [] if measured is None else _tests(measured, frf.inputs[0])
+    tests = _tests(results, measured, frf.inputs[0])
     with look(ax) as axes:
         for k, channel in enumerate(wanted):
             colour = COLOURS[k % len(COLOURS)]
@@ -59,8 +62,16 @@ def _large(frf: Frf) -> list[str]:
     return [c for c, m in zip(frf.outputs, largest) if m >= LEAST * largest.max()]
 
 
-def _tests(measured: Measured | str | Path, driven: str) -> list[Frf]:
-    data = measured if isinstance(measured, Measured) else read_measured(measured)
+def _tests(results: Results, measured: Measured | str | Path | bool | None, driven: str
+           ) -> list[Frf]:
+    if measured is False:
+        return []
+    if measured is None:
+        with suppress(MissingData, BrokenFolder):  # the plot is of what was computed
+            return [test for test in results.measured.frf if driven in test.inputs]
+        return []
+    data = results.measured if measured is True else \
+        measured if isinstance(measured, Measured) else read_measured(measured)
     found = [test for test in data.frf if driven in test.inputs]
     if not found:
         raise MissingData(f"{data.path}: has no response to {driven}; frf: [{{file: ..., base: "
