@@ -7,8 +7,9 @@ from typing import Any, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from .errors import MissingData
+from .errors import BrokenFolder, MissingData
 from .optional import need
+from .tables import Table
 
 Array = npt.NDArray[Any]
 AXES = ("x", "y", "z", "rx", "ry", "rz")
@@ -77,6 +78,24 @@ def place(channel: str | None, channels: Sequence[str]) -> int:
         if axis_of(known) == wanted:
             return i
     raise MissingData(f"there is no channel '{channel}'; {', '.join(channels)}")
+
+
+def of_table(table: Table, driven: str, unit: str, level: float | None, right: str = "") -> Frf:
+    """Of a table of frequency [Hz], then real and imaginary part of each channel, in `unit` where
+    its headers have none; BrokenFolder where it is none, which says what is `right`, too."""
+    names = [name[:-len(" real")] for name in table if name.endswith(" real")]
+    if not names or any(name + " imaginary" not in table.columns for name in names):
+        raise BrokenFolder(f"{table.path}: has the columns {', '.join(table)}; frequency [Hz], "
+                           f"then `mid y real`, `mid y imaginary`{right}")
+    try:
+        H = np.stack([table[name + " real"] + 1j * table[name + " imaginary"] for name in names],
+                     axis=1)
+        return Frf(table[next(iter(table))], H[:, :, None],
+                   tuple(".".join(axis_of(name)).rstrip(".") for name in names), (driven,),
+                   table.units.get(names[0] + " real", unit), level)
+    except (TypeError, ValueError) as error:  # texts among the numbers, frequencies that fall
+        raise BrokenFolder(f"{table.path}: {error}; numbers, frequencies that rise{right}") \
+            from error
 
 
 def stack(parts: Sequence[Frf]) -> Frf:

@@ -8,21 +8,19 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Mapping, Sequence
 
-import numpy as np
-import numpy.typing as npt
-
 from .documents import frame_of
 from .errors import BrokenFolder, MissingData
-from .frf import Frf, axis_of
+from .frf import Frf, of_table
+from .guard import reads
 from .quantities import si
 from .tables import read_csv
 from .uff58 import read_uff58
 from .yaml_text import load
 
-Array = npt.NDArray[Any]
 PLAIN = {"frequency": "Hz", "damping": "fraction of critical", "at": "m", "mass": "kg"}
 
 
+@reads("", "as `plica schema measured` says")
 class Measured:
     """A measured.yaml; `data` is the file as it is."""
 
@@ -87,7 +85,7 @@ class Measured:
         if file.suffix.lower() not in (".csv", ".txt"):
             raise MissingData(f"{file}: is not read here; CSV or UFF 58 (`plica identify` reads it "
                               "and writes frf.uff)")
-        frf = frf_of_csv(file, driven, unit, level)
+        frf = of_table(read_csv(file), driven, unit, level)
         names = entry.get("channels")
         if names:
             keep = [i for i, name in enumerate(names) if name != "-"]
@@ -119,20 +117,6 @@ def _of_universal_file(file: Path, driven: str, level: float | None) -> Frf:
                        level)
     known = ", ".join(name for frf in found for name in frf.inputs)
     raise MissingData(f"{file}: has no response to {driven}; to {known or 'nothing'}")
-
-
-def frf_of_csv(path: Path, driven: str, unit: str, level: float | None = None) -> Frf:
-    """A table of frequency [Hz], then real and imaginary parts of each channel."""
-    table = read_csv(path)
-    names = list(table)
-    pairs = [(a, b) for a, b in zip(names[1:-1], names[2:])
-             if a.rpartition(" real")[1] and b.rpartition(" imaginary")[1]]
-    if not pairs:
-        raise BrokenFolder(f"{path}: has no columns `mid y real`, `mid y imaginary`")
-    outputs = [".".join(axis_of(a.rpartition(" real")[0])) for a, _ in pairs]
-    H = np.stack([table[a] + 1j * table[b] for a, b in pairs], axis=1)
-    return Frf(table[names[0]], H[:, :, None], tuple(outputs), (driven,),
-               table.units.get(pairs[0][0], unit), level)
 
 
 def read_measured(path: str | Path) -> Measured:

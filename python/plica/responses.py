@@ -3,16 +3,11 @@ from __future__ import annotations
 
 from typing import Any, Iterator, Mapping
 
-import numpy as np
-import numpy.typing as npt
-
-from .errors import BrokenFolder, MissingData
+from .errors import MissingData
 from .folder import Folder
-from .frf import Frf, axis_of, stack
-from .guard import broken
+from .frf import Frf, axis_of, of_table, stack
+from .guard import ANEW
 from .optional import need
-
-Array = npt.NDArray[Any]
 
 
 class Response:
@@ -41,20 +36,8 @@ class Response:
     @property
     def frf(self) -> Frf:
         """Acceleration of every sensor per excitation, one input: `base.y`, `force.tap`."""
-        table = self._folder.table(self._files["response"])
-        names = [n[:-len(" real")] for n in table if n.endswith(" real")]
-        wanted = ["frequency", *(n + " imaginary" for n in names)]
-        if not names or any(name not in table for name in wanted):
-            raise BrokenFolder(f"{table.path}: has the columns {', '.join(table)}; frequency [Hz], "
-                               "then `mid y real`, `mid y imaginary`; run the command anew")
-        try:
-            H = np.stack([table[n + " real"] + 1j * table[n + " imaginary"] for n in names], axis=1)
-            return Frf(table["frequency"], H[:, :, None],
-                       tuple(".".join(axis_of(n)) for n in names),
-                       (f"{self.source}.{self.name}",), table.units.get(names[0] + " real", ""),
-                       self.level)
-        except (TypeError, ValueError) as error:  # texts among the numbers, frequencies that fall
-            raise broken(str(table.path), error) from error
+        return of_table(self._folder.table(self._files["response"]), f"{self.source}.{self.name}",
+                        "", self.level, f"; {ANEW}")
 
     @property
     def array(self) -> Any:

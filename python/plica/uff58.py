@@ -21,7 +21,10 @@ AXES = ("abscissa", "ordinate", "orddenom", "z_axis")
 
 def read_uff58(path: str | Path) -> list[DataSet]:
     """All data sets 58 of a file, in its order; BrokenFolder where one is cut."""
-    data = Path(path).read_bytes()
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise BrokenFolder(f"{path}: cannot be read: {error.strerror}; a universal file") from error
     sets, at = [], 0
     try:
         while at < len(data):

@@ -123,6 +123,26 @@ def test_what_is_no_measured_data(tmp_path):
         plica.read_measured(tmp_path)
 
 
+def test_responses_of_a_lab_that_are_none(tmp_path):
+    data = tmp_path / "measured.yaml"
+    data.write_text("specimen: a\nfrf: [{file: z.csv, base: z}]\n")
+    with pytest.raises(plica.BrokenFolder, match="z.csv: cannot be read: No such file"):
+        plica.read_measured(data).frf
+    head = "frequency [Hz],mid z real,mid z imaginary\n"
+    for text in ("f [Hz],a\n1,2\n", "frequency [Hz],mid z real\n1,2\n", head + "1,x,2\n",
+                 head + "2,1,1\n1,1,1\n"):
+        (tmp_path / "z.csv").write_text(text)
+        with pytest.raises(plica.BrokenFolder, match="z.csv: .*; frequency|z.csv: .*; numbers, fr"):
+            plica.read_measured(data).frf
+    data.write_text("specimen: a\nfrf: [{file: z.uff, base: z}]\n")
+    with pytest.raises(plica.BrokenFolder, match="z.uff: cannot be read: .*; a universal file"):
+        plica.read_measured(data).frf
+    data.write_text("specimen: a\npeaks: [{sensor: mid}]\nfrf: [3]\n")
+    for ask in (lambda lab: lab.peaks, lambda lab: lab.frf):
+        with pytest.raises(plica.BrokenFolder, match="yaml: .*; as `plica schema measured` says"):
+            ask(plica.read_measured(data))
+
+
 def test_numbers_with_units_are_read_in_si():
     lab = plica.read_measured(SHIPPED / "tutorial")
     assert lab.mass == pytest.approx(0.8831)
