@@ -103,14 +103,16 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, cons
                   .measured = m.frequency,
                   .sigma = m.sigma.value_or(0),
                   .computed = peak.frequency,
-                  .entry = from});
+                  .entry = from,
+                  .of_peak = true});
   if (m.damping && std::isfinite(peak.damping))
     rows.push_back({.quantity = "half-power damping" + of,
                     .unit = "%",
                     .measured = 100 * *m.damping,
                     .sigma = 100 * m.sigma_damping.value_or(0),
                     .computed = 100 * peak.damping,
-                    .entry = from});
+                    .entry = from,
+                    .of_peak = true});
 }
 
 // First peaks of the measured levels at which the model was excited too.
@@ -281,11 +283,15 @@ void add_test_curves(Results& results, const std::vector<FrfSet>& measured) {
       const Eigen::MatrixXcd& H = set.H[std::size_t(found - set.references.begin())];
       for (std::size_t k = 0; k < set.responses.size(); ++k)
         for (std::size_t c = 0; c < r.channels.size(); ++c)
-          if (set.responses[k] == r.channels[c].first + "." + r.channels[c].second)
+          if (set.responses[k] == r.channels[c].first + "." + r.channels[c].second) {
+            const Eigen::VectorXcd own = H.col(Eigen::Index(k));
             r.test.push_back({.channel = int(c),
                               .hertz = set.hertz,
-                              .magnitude = H.col(Eigen::Index(k)).cwiseAbs(),
+                              .magnitude = own.cwiseAbs(),
+                              .phase = {},
                               .level = set.level});
+            if (!own.imag().isZero(0)) r.test.back().phase = own.cwiseArg();
+          }
     }
   }
 }

@@ -28,6 +28,7 @@ Matrix4x24 internal_amplitudes(const ShellGeometry& g, const ShellSection& secti
 std::vector<ShellPoint> compatible_points(const ShellGeometry& g, const ShellSection& section,
                                           MembraneStrain membrane) {
   std::vector<ShellPoint> points;
+  points.reserve(8);
   for (int i = 0; i < 4; ++i) {
     const double r = gauss_point * corner_r[i], s = gauss_point * corner_s[i];
     const Shape n = shape_functions(r, s);

@@ -86,8 +86,8 @@ CurveLife life_of(const StressLifeCurve& curve, double amplitude) {
   return {curve.knee_cycles * std::pow(share, *curve.second_slope), Bound::exact};
 }
 
-CurveLife life_of(const TableCurve& curve, double amplitude) {
-  const auto& points = curve.points;
+// Straight lines between points in a log-log plot; beyond them a bound.
+CurveLife between_points(const std::vector<std::array<double, 2>>& points, double amplitude) {
   if (amplitude < points.back()[1]) return {points.back()[0], Bound::at_least};
   if (amplitude > points.front()[1]) return {points.front()[0], Bound::at_most};
   std::size_t i = 1;
@@ -98,8 +98,13 @@ CurveLife life_of(const TableCurve& curve, double amplitude) {
   return {N1 * std::pow(N2 / N1, share), Bound::exact};
 }
 
+CurveLife life_of(const TableCurve& curve, double amplitude) {
+  return between_points(curve.points, amplitude);
+}
+
 CurveLife life_of(const PublishedCurve& curve, double amplitude) {
   const PublishedTests& tests = tests_of(curve.of);
+  if (tests.is_design()) return between_points(tests.points, 100 * amplitude / curve.E);
   const double above = 100 * tests.scale * amplitude / curve.E - tests.limit; // percent
   if (above <= 0) return {tests.most, Bound::at_least};
   const double N = tests.factor * std::pow(above, -tests.exponent);
@@ -131,12 +136,13 @@ std::vector<InputProblem> check(const FatigueCurve& curve) {
   CurveChecks checks;
   std::visit(checks, curve.law);
   checks.positive("temperature_factor", curve.temperature_factor);
-  const bool by_amplitude = std::holds_alternative<StressLifeCurve>(curve.law) ||
-                            std::holds_alternative<TableCurve>(curve.law) ||
-                            std::holds_alternative<PublishedCurve>(curve.law);
+  const bool by_amplitude =
+      std::holds_alternative<StressLifeCurve>(curve.law) ||
+      std::holds_alternative<TableCurve>(curve.law) ||
+      (std::holds_alternative<PublishedCurve>(curve.law) && !is_design(curve));
   if (curve.mean_stress != MeanStress::none && !by_amplitude)
     checks.add("mean_stress", "is chosen for a curve that has its own",
-               "none, or a stress-life curve, a table or a published curve");
+               "none, or a stress-life curve, a table or a published mean curve");
   if (curve.mean_stress == MeanStress::goodman) checks.positive("ultimate", curve.ultimate);
   return checks.found;
 }
@@ -179,9 +185,16 @@ CurveLife life(const FatigueCurve& curve, const StressCycle& cycle) {
   return life_of(std::get<TableCurve>(curve.law), amplitude);
 }
 
+bool is_design(const FatigueCurve& curve) {
+  const auto* published = std::get_if<PublishedCurve>(&curve.law);
+  return published ? tests_of(published->of).is_design()
+                   : std::holds_alternative<BellowsCurve>(curve.law);
+}
+
 std::optional<double> deviation_of(const FatigueCurve& curve) {
   const auto* published = std::get_if<PublishedCurve>(&curve.law);
-  return published ? std::optional(tests_of(published->of).deviation) : std::nullopt;
+  if (!published || is_design(curve)) return std::nullopt;
+  return tests_of(published->of).deviation;
 }
 
 std::string what_is_inside(const FatigueCurve& curve) {
@@ -192,8 +205,12 @@ std::string what_is_inside(const FatigueCurve& curve) {
            " on cycles and " + short_number(BellowsCurve::factor_on_stress) +
            " on stress are inside; Kg " + short_number(b->Kg) + ", E0/Eb " +
            short_number(b->E_ratio);
-  if (std::holds_alternative<PublishedCurve>(curve.law))
-    return text + ": no factors are inside, it is the median of the tests";
+  if (const auto* published = std::get_if<PublishedCurve>(&curve.law)) {
+    const PublishedTests& tests = tests_of(published->of);
+    return text + ": " +
+           (tests.is_design() ? tests.inside
+                              : "no factors are inside, it is the median of the tests");
+  }
   return text + ": no factors but those of its numbers are inside";
 }
 

@@ -67,9 +67,10 @@ struct TableCurve {
   std::vector<std::array<double, 2>> points; // N increasing, amplitude in Pa decreasing
 };
 
-// Tests whose mean curve is at hand with its source and its scatter (life/published_curves.hpp). A
-// cycle of elastic stress counts as one of strain, amplitude / E. Outside of the range that was
-// tested a life is a bound.
+// A curve that is at hand with its source (life/published_curves.hpp): the mean of tests with its
+// scatter, or a design curve of a code with its margins, which has a mean stress inside as well. A
+// cycle of elastic stress counts as one of strain, amplitude / E. Outside of its range a life is a
+// bound.
 struct PublishedCurve {
   PublishedSteel of = PublishedSteel::pipe_304L;
   double E = 0; // of the wall whose stress it is, Pa
@@ -79,8 +80,9 @@ using FatigueLaw =
     std::variant<BellowsCurve, StressLifeCurve, StrainLifeCurve, TableCurve, PublishedCurve>;
 
 // What a mean stress does to the amplitude of stress-life curves, tables and published curves,
-// which are for zero mean. Goodman: Sa / (1 - Sm / Su), Sm < 0 counts as 0; Sm >= Su: no cycle is
-// borne. Smith, Watson and Topper: sqrt(Sa (Sm + Sa)); 0 without tension.
+// which are for zero mean (but published design curves). Goodman: Sa / (1 - Sm / Su), Sm < 0 counts
+// as 0; Sm >= Su: no cycle is borne. Smith, Watson and Topper: sqrt(Sa (Sm + Sa)); 0 without
+// tension.
 enum class MeanStress { none, goodman, smith_watson_topper };
 
 struct FatigueCurve {
@@ -96,6 +98,9 @@ std::vector<InputProblem> check(const FatigueCurve& curve);
 
 // Throws std::invalid_argument for a range below zero or a number that is not finite.
 CurveLife life(const FatigueCurve& curve, const StressCycle& cycle);
+
+// A design curve: what it allows has margins inside, and no scatter belongs to it.
+bool is_design(const FatigueCurve& curve);
 
 // Standard deviation of log10 of the cycles that comes with a published curve; none: its law has
 // none of its own.

@@ -159,5 +159,47 @@ TEST(LifeCurves, published_tests_have_the_constants_and_the_range_of_their_sourc
   EXPECT_FALSE(check(curve_of(PublishedCurve{})).empty()) << "a modulus is needed";
 }
 
+// Design curves of codes by their points: I-9.2M of ASME III is for E = 195 GPa, a wall of another
+// modulus has its stress in proportion; RCC-MRx has ranges of strain, over the temperature.
+TEST(LifeCurves, design_curves_of_codes_have_their_points) {
+  constexpr double E = 195e9;
+  const auto asme = [](double modulus) {
+    return curve_of(PublishedCurve{.of = PublishedSteel::austenitic_asme_III, .E = modulus});
+  };
+  for (const auto& [N, Sa] : {std::pair{1e1, 6000e6}, {1e3, 745e6}, {1e6, 126e6}, {1e11, 93.7e6}}) {
+    EXPECT_NEAR(cycles_of(asme(E), 2 * Sa * (1 + 1e-12)) / N, 1, 1e-6);
+    EXPECT_NEAR(cycles_of(asme(0.9 * E), 2 * 0.9 * Sa * (1 + 1e-12)) / N, 1, 1e-6);
+  }
+  const double between =
+      std::sqrt(974e6 * 745e6); // 500 and 1000 cycles: straight in a log-log plot
+  EXPECT_NEAR(cycles_of(asme(E), 2 * between) / std::sqrt(500. * 1000), 1, 1e-9);
+  EXPECT_EQ(life(asme(E), {.range = 2 * 90e6}).bound, Bound::at_least);
+  EXPECT_EQ(life(asme(E), {.range = 2 * 90e6}).cycles, 1e11);
+  EXPECT_EQ(life(asme(E), {.range = 2 * 6100e6}).bound, Bound::at_most);
+  EXPECT_TRUE(is_design(asme(E)));
+  EXPECT_FALSE(deviation_of(asme(E)));
+  EXPECT_NE(what_is_inside(asme(E)).find("12 on cycles and 2 on stress"), std::string::npos);
+  FatigueCurve twice = asme(E);
+  twice.mean_stress = MeanStress::smith_watson_topper;
+  EXPECT_EQ(check(twice).size(), 1u) << "it has its own";
+
+  double before = 0;
+  for (int i = int(PublishedSteel::rcc_mrx_316LN_650C); i >= int(PublishedSteel::rcc_mrx_316LN);
+       --i) { // colder, longer
+    const FatigueCurve curve = curve_of(PublishedCurve{.of = PublishedSteel(i), .E = E});
+    EXPECT_TRUE(check(curve).empty());
+    const double N = cycles_of(curve, 0.5e-2 * E);
+    EXPECT_GT(N, before) << tests_of(PublishedSteel(i)).name;
+    before = N;
+  }
+  const FatigueCurve cold = curve_of(PublishedCurve{.of = PublishedSteel::rcc_mrx_316LN, .E = E});
+  EXPECT_NEAR(cycles_of(cold, 0.698e-2 * E * (1 + 1e-12)) / 1000, 1, 1e-6);
+  for (const PublishedTests& tests : published_tests())
+    for (std::size_t i = 1; i < tests.points.size(); ++i) {
+      EXPECT_GT(tests.points[i][0], tests.points[i - 1][0]) << tests.name;
+      EXPECT_LT(tests.points[i][1], tests.points[i - 1][1]) << tests.name;
+    }
+}
+
 } // namespace
 } // namespace plica::test

@@ -121,6 +121,54 @@ TEST(LifeIntervals, of_random_motion_and_of_a_sweep_go_with_the_mass_by_hand) {
   }
 }
 
+// A slider beside a mass on the bellows. One that never slips is a spring, and the sweep by
+// harmonic balance has the interval of the linear one; one that slips has an interval too, by the
+// joints solved anew, and so has the sum.
+TEST(LifeIntervals, of_a_sweep_with_friction_are_of_its_joints_solved_anew) {
+  const auto swept = [](double slip_force) {
+    Case data = coarse_bellows(8);
+    data.mount.pop_back(); // the right end is free
+    data.caps[1].mass = 20;
+    data.caps[1].inertia = {0.02, 0.02, 0.02, 0, 0, 0};
+    data.tolerances = {{.path = "caps.right.mass", .value = 20, .low = 18, .high = 22}};
+    data.analyses.damping.modal = 0.02;
+    data.analyses.error_bars = false;
+    const double f = std::sqrt(5.4e4 / 20) / (2 * pi);
+    data.analyses.response = Response{.bases = {1}, .band = {f / 10, 3 * f}, .points = 400};
+    Interlock liner{.along = "bellows",
+                    .attachment = Attachment::caps,
+                    .EA = 2e3,
+                    .EI = 1,
+                    .GJ = 0.5,
+                    .mass = 0.05,
+                    .radius = 0.02};
+    liner.friction.emplace();
+    liner.friction->axial.emplace();
+    liner.friction->axial->sliders = {{.stiffness = 1e5, .slip_force = slip_force}};
+    data.parts.push_back({"liner", liner});
+    for (const bool friction : {false, true})
+      data.analyses.life->sweeps.push_back({.name = friction ? "balanced" : "linear",
+                                            .of = "y",
+                                            .acceleration = 3,
+                                            .force = {},
+                                            .band = {f / 2, 3 * f},
+                                            .octaves_per_minute = 2,
+                                            .friction = friction});
+    return with_error_bars(data);
+  };
+  const Results stuck = swept(1e6), slipping = swept(300);
+  const auto span = [](const DutyResult& d, std::size_t i) {
+    return (*d.damage_between)[i] / d.damage;
+  };
+  for (const std::size_t i : {0, 1}) {
+    ASSERT_TRUE(duty(stuck, "balanced").damage_between &&
+                duty(slipping, "balanced").damage_between);
+    EXPECT_NEAR(span(duty(stuck, "balanced"), i) / span(duty(stuck, "linear"), i), 1, 0.02);
+    EXPECT_GT(std::abs(std::log(span(duty(slipping, "balanced"), i))), 0.02);
+  }
+  for (const Results* r : {&stuck, &slipping}) ASSERT_TRUE(r->life->damage_between);
+}
+
 // A run four times finer along shows what places miss: most of it is in their mesh error, whose
 // first order is too much rather than too little where the recovered stress is better than that.
 // That of the hottest place is that of the headline.

@@ -122,6 +122,25 @@ TEST(LifeOfCase, stress_of_a_stroke_beside_ejma) {
               0.5);
 }
 
+// Damage along the wall: its largest is that of the first hot spot, on the face of that spot, and
+// by an axial stroke convolution by convolution the same in the middle of the bellows.
+TEST(LifeOfCase, damage_along_the_meridian_runs_through_the_hot_spot) {
+  Case data = coarse_bellows();
+  data.analyses.life->strokes = {axial("one", 1e-3)};
+  const LifeResult life = *run_silently(data).life;
+  ASSERT_TRUE(life.meridian);
+  const MeridianDamage& m = *life.meridian;
+  ASSERT_EQ(m.inner.size(), m.along.size());
+  ASSERT_EQ(m.outer.size(), m.along.size());
+  EXPECT_EQ(m.part, "bellows");
+  const LifeSpot& spot = life.spots[0];
+  EXPECT_NEAR((spot.outer ? m.outer : m.inner).maxCoeff() / spot.damage, 1, 1e-6);
+  for (Eigen::Index i = 1; i < m.along.size(); ++i) EXPECT_GT(m.along[i], m.along[i - 1]);
+  const Eigen::Index per = (m.along.size() - 1) / 10; // ten convolutions
+  for (Eigen::Index i = 4 * per; i < 5 * per; ++i)
+    EXPECT_NEAR(m.inner[i], m.inner[i + per], 0.02 * m.inner.maxCoeff());
+}
+
 // Bending stress of a ply goes with its thickness: 0.2 mm and 0.1 mm that slip as 2 to 1.
 TEST(LifeOfCase, plies_that_slip_bend_each_by_its_thickness) {
   Case data = coarse_bellows();

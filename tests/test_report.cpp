@@ -2,12 +2,15 @@
 #include "tests/sample_results.hpp"
 
 #include "io/report/markup.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/report.hpp"
 #include "io/report/surface.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace {
 
@@ -67,6 +70,42 @@ TEST(Report, closes_every_tag_whatever_is_missing) {
   const std::string html = report_html(r);
   EXPECT_EQ(unbalanced_tag(html), "");
   EXPECT_NE(html.find("one mode is missing"), std::string::npos);
+}
+
+// 170 degrees to 190: the line reaches 180 half way, is broken and comes in at -180; half a turn,
+// at a resonance, is drawn; what is not finite is a gap.
+TEST(Report, breaks_a_phase_where_it_wraps) {
+  const double pi = std::numbers::pi;
+  PlotCurve magnitude{.x = Eigen::VectorXd::LinSpaced(6, 0, 5), .y = {}, .name = "a"};
+  Eigen::VectorXd radians(6);
+  radians << 170, -170, -175, 0, 180, std::nan("");
+  const PlotCurve phase = phase_curve(magnitude, radians * pi / 180);
+  ASSERT_EQ(phase.x.size(), 9);
+  EXPECT_NEAR(phase.x[1], 0.5, 1e-12);
+  EXPECT_NEAR(phase.y[1], 180, 1e-12);
+  EXPECT_TRUE(std::isnan(phase.y[2]));
+  EXPECT_NEAR(phase.y[3], -180, 1e-12);
+  EXPECT_NEAR(phase.y[4], -170, 1e-9);
+  EXPECT_TRUE(std::isnan(phase.y[8]));
+  for (Eigen::Index i = 1; i < phase.y.size(); ++i)
+    if (const double step = std::abs(phase.y[i] - phase.y[i - 1]); std::isfinite(step)) {
+      EXPECT_LE(step, 180 + 1e-9);
+    }
+  const std::string html = phase_figure({.label = "r", .ordinate = ""}, {phase});
+  EXPECT_EQ(html.find("nan"), std::string::npos);
+  std::size_t pieces = 0;
+  for (auto at = html.find("<polyline"); at != std::string::npos;
+       at = html.find("<polyline", at + 1))
+    ++pieces;
+  EXPECT_EQ(pieces, 2u);
+  // Between two ends of the scale nothing is to be drawn.
+  radians << 180, -180, 180, -180, 180, -180;
+  const PlotCurve flipping = phase_curve(magnitude, radians * pi / 180);
+  for (Eigen::Index i = 1; i < flipping.y.size(); ++i)
+    if (const double step = std::abs(flipping.y[i] - flipping.y[i - 1]); std::isfinite(step)) {
+      EXPECT_LE(step, 180 + 1e-9);
+    }
+  EXPECT_TRUE(phase_figure({.label = "r", .ordinate = ""}, {}).empty());
 }
 
 TEST(Report, draws_a_shape_with_holes) {

@@ -6,6 +6,7 @@
 
 namespace plica {
 
+using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 std::vector<OverlaidResponse> overlays_of(GapProblem& problem, const HypothesisFit& best,
@@ -29,17 +30,16 @@ std::vector<OverlaidResponse> overlays_of(GapProblem& problem, const HypothesisF
       OverlaidResponse o;
       o.name = reading->name.substr(reading->name.find(" at ") + 1);
       o.hertz = set.hertz;
-      o.measured = acceleration_of(set, 0, column - set.responses.begin()).cwiseAbs();
-      const auto magnitude = [&](const HypothesisFit& fit) {
-        const auto H = problem.predictors->of(fit.together).response(fit.values, run, set.hertz);
-        return H ? VectorXd(H->cwiseAbs()) : VectorXd();
+      o.measured = acceleration_of(set, 0, column - set.responses.begin());
+      const auto response_of = [&](const HypothesisFit& fit) {
+        return problem.predictors->of(fit.together)
+            .response(fit.values, run, set.hertz)
+            .value_or(VectorXcd());
       };
-      o.nominal = problem.predictors->of({})
-                      .response(VectorXd(), run, set.hertz)
-                      .value_or(Eigen::VectorXcd())
-                      .cwiseAbs();
-      o.best = magnitude(best);
-      if (second) o.second = magnitude(*second);
+      o.nominal =
+          problem.predictors->of({}).response(VectorXd(), run, set.hertz).value_or(VectorXcd());
+      o.best = response_of(best);
+      if (second) o.second = response_of(*second);
       overlays.push_back(std::move(o));
     }
   return overlays;

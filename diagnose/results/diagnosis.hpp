@@ -171,7 +171,8 @@ struct Compensator {
 // A response measured and as models have it.
 struct OverlaidResponse {
   std::string name;
-  Eigen::VectorXd hertz, measured, nominal, best, second; // magnitudes; second may be empty
+  Eigen::VectorXd hertz;
+  Eigen::VectorXcd measured, nominal, best, second; // accelerations; second may be empty
 };
 
 struct Diagnosis {

@@ -2,6 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/correlation_words.hpp"
 #include "io/tables/text.hpp"
@@ -97,14 +98,22 @@ std::string responses_section(const Correlation& c) {
   std::string html;
   for (const ComparedResponse& r : c.responses) {
     const std::vector<PlotCurve> curves{
-        {.x = r.hertz, .y = r.measured.cwiseAbs(), .name = "test"},
-        {.x = r.hertz, .y = r.simulated.cwiseAbs(), .name = "simulation", .dashes = 1}};
+        {.x = r.hertz, .y = r.measured.cwiseAbs(), .name = "test", .colour = 0},
+        {.x = r.hertz,
+         .y = r.simulated.cwiseAbs(),
+         .name = "simulation",
+         .colour = 1,
+         .dashes = 1}};
+    std::vector<PlotCurve> phases;
+    for (const auto& [H, k] : {std::pair{&r.measured, 0}, {&r.simulated, 1}})
+      if (!H->imag().isZero(0))
+        phases.push_back(phase_curve(curves[std::size_t(k)], H->cwiseArg()));
+    const PlotFrame frame{.label = "test and simulation", .ordinate = "response"};
     html += fmt::format("<h3>{} by {}{}: FRAC {}, {} with frequencies stretched by {} %</h3>\n",
                         html_escape(r.response), html_escape(r.reference),
                         r.level ? fmt::format(" at {:g}", *r.level) : "", html_fixed(r.frac, 3),
                         html_fixed(r.best_frac, 3), html_signed(100 * r.stretch, 2)) +
-            plot_figure({.label = "test and simulation", .ordinate = "response"}, curves) +
-            plot_legend(curves);
+            plot_figure(frame, curves) + phase_figure(frame, phases) + plot_legend(curves);
   }
   for (const ComparedLines& l : c.lines)
     html += fmt::format("<p>{}: CSAC {}, CSF {} (means over the lines).</p>\n",

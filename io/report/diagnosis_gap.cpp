@@ -1,5 +1,6 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/diagnosis_words.hpp"
 #include "io/tables/text.hpp"
@@ -129,12 +130,23 @@ std::string waterfall(const Ledger& ledger) {
 }
 
 // Curves that a plot can show.
-std::vector<PlotCurve> curves_of(const OverlaidResponse& r) {
-  std::vector<PlotCurve> curves;
-  const auto add = [&](const Eigen::VectorXd& magnitude, const char* name, int dashes, bool faint) {
-    if (magnitude.size() == r.hertz.size() && magnitude.size() > 1 && magnitude.allFinite())
-      curves.push_back(
-          {.x = r.hertz, .y = magnitude, .name = name, .dashes = dashes, .faint = faint});
+struct MagnitudesAndPhases {
+  std::vector<PlotCurve> magnitudes, phases;
+};
+
+// A test of magnitudes alone has no phase.
+MagnitudesAndPhases curves_of(const OverlaidResponse& r) {
+  MagnitudesAndPhases curves;
+  const auto add = [&](const Eigen::VectorXcd& H, const char* name, int dashes, bool faint) {
+    if (H.size() != r.hertz.size() || H.size() < 2 || !H.allFinite()) return;
+    curves.magnitudes.push_back({.x = r.hertz,
+                                 .y = H.cwiseAbs(),
+                                 .name = name,
+                                 .colour = int(curves.magnitudes.size()),
+                                 .dashes = dashes,
+                                 .faint = faint});
+    if (!H.imag().isZero(0))
+      curves.phases.push_back(phase_curve(curves.magnitudes.back(), H.cwiseArg()));
   };
   add(r.measured, "test", 0, false);
   add(r.nominal, "nominal", 2, false);
@@ -239,13 +251,12 @@ std::string baseline_html(const Diagnosis& d) {
 std::string overlays_html(const Diagnosis& d) {
   std::string html;
   for (const OverlaidResponse& r : d.overlays) {
-    const std::vector<PlotCurve> curves = curves_of(r);
-    if (curves.empty()) continue;
-    html += "<h3>" + html_escape(r.name) + "</h3>\n" +
-            plot_figure({.label = "test and models, " + r.name,
-                         .ordinate = "acceleration over that of the base"},
-                        curves) +
-            plot_legend(curves);
+    const auto [magnitudes, phases] = curves_of(r);
+    if (magnitudes.empty()) continue;
+    const PlotFrame frame{.label = "test and models, " + r.name,
+                          .ordinate = "acceleration over that of the base"};
+    html += "<h3>" + html_escape(r.name) + "</h3>\n" + plot_figure(frame, magnitudes) +
+            phase_figure(frame, phases) + plot_legend(magnitudes);
   }
   return html;
 }

@@ -2,6 +2,7 @@
 
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 
 #include <fmt/format.h>
@@ -114,17 +115,22 @@ std::string synthesis_html(const Identification& found) {
       const std::vector<PlotCurve> curves{{.x = found.set.hertz,
                                            .y = found.set.H[i].col(o).cwiseAbs(),
                                            .name = "measured",
+                                           .colour = 0,
                                            .faint = true},
                                           {.x = found.set.hertz,
                                            .y = found.synthesised[i].col(o).cwiseAbs(),
                                            .name = "from the modes",
+                                           .colour = 1,
                                            .dashes = 1}};
+      std::vector<PlotCurve> phases;
+      if (!found.set.H[i].imag().isZero(0))
+        phases = {phase_curve(curves[0], found.set.H[i].col(o).cwiseArg()),
+                  phase_curve(curves[1], found.synthesised[i].col(o).cwiseArg())};
+      const PlotFrame frame{.label = "measured and synthesised response", .ordinate = "response"};
       html += fmt::format("<h3>{} by {}, FRAC {}{}</h3>\n", html_escape(found.set.responses[o]),
                           html_escape(found.set.references[i]),
                           html_fixed(found.frac(o, Index(i)), 4), o == worst ? ", met worst" : "") +
-              plot_figure({.label = "measured and synthesised response", .ordinate = "response"},
-                          curves) +
-              plot_legend(curves);
+              plot_figure(frame, curves) + phase_figure(frame, phases) + plot_legend(curves);
       if (worst == largest) break;
     }
   }

@@ -1,6 +1,7 @@
 #include "io/report/levels.hpp"
 
 #include "io/report/markup.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/levels_csv.hpp"
 
@@ -31,9 +32,18 @@ std::vector<PlotCurve> curves(const LevelFamily& family) {
     list.push_back({.x = c.hertz,
                     .y = c.first.col(family.strongest).cwiseAbs(),
                     .name = fmt::format("{:g} {}", c.level, family.unit),
+                    .colour = int(list.size()),
                     .dashes = int(k % 4),
                     .faint = k % 8 >= 4});
   }
+  return list;
+}
+
+std::vector<PlotCurve> phases(const LevelFamily& family, const std::vector<PlotCurve>& curves) {
+  std::vector<PlotCurve> list;
+  for (const LevelCurve& c : family.curves)
+    if (c.hertz.size() >= 2)
+      list.push_back(phase_curve(curves[list.size()], c.first.col(family.strongest).cwiseArg()));
   return list;
 }
 
@@ -136,9 +146,10 @@ std::string levels_html(const Results& results) {
   for (const LevelFamily& family : results.families) {
     const std::vector<PlotCurve> list = curves(family);
     html += fmt::format("<h3>{}</h3>\n", html_escape(levels_title(family)));
+    const PlotFrame frame{.label = levels_title(family), .ordinate = "acceleration, m/s²"};
     if (!list.empty())
-      html += plot_figure({.label = levels_title(family), .ordinate = "acceleration, m/s²"}, list) +
-              plot_legend(list);
+      html +=
+          plot_figure(frame, list) + phase_figure(frame, phases(family, list)) + plot_legend(list);
     html += fmt::format("<p>First harmonic of {} over the level; {} over {} joints and {} modes, "
                         "harmonics up to {}.</p>\n",
                         channel(family, family.strongest), family.method, family.joints,

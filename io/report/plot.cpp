@@ -45,10 +45,15 @@ Axes axes_of(const PlotFrame& frame, const std::vector<PlotCurve>& curves,
   for (const PlotCurve& c : curves) {
     low = std::min(low, c.x.minCoeff());
     high = std::max(high, c.x.maxCoeff());
-    const double largest = c.y.maxCoeff();
+    double smallest = 1e300, largest = -1e300;
+    for (const double y : c.y)
+      if (std::isfinite(y)) {
+        smallest = std::min(smallest, y);
+        largest = std::max(largest, y);
+      }
+    if (largest < smallest) continue;
     highest = std::max(highest, largest);
-    lowest =
-        std::min(lowest, frame.linear ? c.y.minCoeff() : std::max(c.y.minCoeff(), 1e-3 * largest));
+    lowest = std::min(lowest, frame.linear ? smallest : std::max(smallest, 1e-3 * largest));
   }
   for (const PlotMark& m : marks) {
     low = std::min(low, m.x);
@@ -95,7 +100,7 @@ double tidy(double value, double step) {
 std::string grid_lines(const Axes& axes, const PlotFrame& frame, bool curves) {
   std::string svg;
   if (curves && axes.linear) {
-    const double step = step_over(axes.top_ - axes.bottom_);
+    const double step = frame.step > 0 ? frame.step : step_over(axes.top_ - axes.bottom_);
     for (double v = std::ceil(axes.bottom_ / step) * step; v <= axes.top_; v += step)
       svg += level_line(axes, tidy(v, step));
   }
@@ -117,6 +122,22 @@ std::string mark_svg(const Axes& axes, const PlotMark& m) {
                      m.filled ? 0.9 : 0.45);
 }
 
+// Points of the pieces between values that are not finite.
+std::vector<std::string> pieces_of(const PlotCurve& curve, const Axes& axes) {
+  std::vector<std::string> pieces;
+  bool open = false;
+  for (Eigen::Index i = 0; i < curve.x.size(); ++i) {
+    if (!std::isfinite(curve.y[i])) {
+      open = false;
+      continue;
+    }
+    if (!open) pieces.emplace_back();
+    open = true;
+    pieces.back() += fmt::format("{:.1f},{:.1f} ", axes.x(curve.x[i]), axes.y(curve.y[i]));
+  }
+  return pieces;
+}
+
 std::string svg_of(const PlotFrame& frame, const std::vector<PlotCurve>& curves,
                    const std::vector<PlotMark>& marks, double mark_top,
                    const std::vector<double>& verticals) {
@@ -129,11 +150,9 @@ std::string svg_of(const PlotFrame& frame, const std::vector<PlotCurve>& curves,
                        "stroke=\"currentColor\" opacity=\"0.35\"/>",
                        axes.x(f), top, height - bottom);
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    std::string points;
-    for (Eigen::Index i = 0; i < curves[k].x.size(); ++i)
-      points += fmt::format("{:.1f},{:.1f} ", axes.x(curves[k].x[i]), axes.y(curves[k].y[i]));
-    svg +=
-        fmt::format("<polyline fill=\"none\" {} points=\"{}\"/>", stroke_of(curves[k], k), points);
+    for (const std::string& points : pieces_of(curves[k], axes))
+      svg += fmt::format("<polyline fill=\"none\" {} points=\"{}\"/>", stroke_of(curves[k], k),
+                         points);
   }
   for (const PlotMark& m : marks) svg += mark_svg(axes, m);
   if (mark_top > 0)
@@ -175,12 +194,12 @@ std::string data_of(const PlotFrame& frame, const std::vector<PlotCurve>& curves
   for (const PlotMark& m : marks)
     mark_list += fmt::format("{}[{:.7g},{:.5g},{}]", mark_list.empty() ? "" : ",", m.x,
                              m.height * (mark_top > 0 ? mark_top : 1), m.filled ? 1 : 0);
-  return fmt::format("{{\"label\":{},\"abscissa\":{},\"ordinate\":{},\"linear\":{},\"range\":{},"
-                     "\"grids\":[{}],\"curves\":[{}],\"marks\":[{}],\"verticals\":{}}}",
-                     json_in_page(frame.label), json_in_page(frame.abscissa),
-                     json_in_page(frame.ordinate), frame.linear,
-                     frame.range ? list_of(*frame.range, of_value) : "null", grid_list, list,
-                     mark_list, list_of(verticals, of_abscissa));
+  return fmt::format(
+      "{{\"label\":{},\"abscissa\":{},\"ordinate\":{},\"linear\":{},\"range\":{},\"step\":{},"
+      "\"grids\":[{}],\"curves\":[{}],\"marks\":[{}],\"verticals\":{}}}",
+      json_in_page(frame.label), json_in_page(frame.abscissa), json_in_page(frame.ordinate),
+      frame.linear, frame.range ? list_of(*frame.range, of_value) : "null", frame.step, grid_list,
+      list, mark_list, list_of(verticals, of_abscissa));
 }
 
 } // namespace

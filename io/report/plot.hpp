@@ -13,10 +13,10 @@
 namespace plica {
 
 struct PlotCurve {
-  Eigen::VectorXd x, y;
-  std::string name; // in the legend; empty = not there
-  int colour = -1;  // -1: its own by its place among the curves
-  int dashes = 0;   // 0 full, 1 dashed, 2 dotted, 3 dash-dotted
+  Eigen::VectorXd x, y; // the line is broken where y is not finite
+  std::string name;     // in the legend; empty = not there
+  int colour = -1;      // -1: its own by its place among the curves
+  int dashes = 0;       // 0 full, 1 dashed, 2 dotted, 3 dash-dotted
   bool faint = false;
 };
 
@@ -43,6 +43,7 @@ struct PlotFrame {
   std::string ordinate;
   bool linear = false;                             // the ordinate; else logarithmic
   std::optional<std::array<double, 2>> range = {}; // of the ordinate; none = of the curves
+  double step = 0; // between the lines of a linear ordinate; 0 = as fits
 };
 
 // Curves, then marks with a second scale of their own at the right ("order", 0 to `mark_top`).

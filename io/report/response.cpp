@@ -1,6 +1,7 @@
 #include "io/report/response.hpp"
 
 #include "io/report/markup.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/text.hpp"
 
@@ -80,17 +81,34 @@ std::vector<PlotCurve> curves(const ResponseResult& r, const std::vector<int>& c
   return list;
 }
 
-std::vector<PlotCurve> phases(const ResponseResult& r, const std::vector<int>& channels) {
-  return drawn(r, channels, [&](int c) -> Eigen::VectorXd {
-    return r.acceleration.col(c).cwiseArg() * (180 / std::numbers::pi);
-  });
+// In the order and style of curves(); tests of magnitudes alone have none.
+std::vector<PlotCurve> phases(const ResponseResult& r, const std::vector<int>& channels,
+                              const std::vector<PlotCurve>& magnitudes) {
+  std::vector<PlotCurve> list;
+  std::size_t next = 0;
+  for (const int c : channels)
+    list.push_back(phase_curve(magnitudes[next++], r.acceleration.col(c).cwiseArg()));
+  for (const TestCurve& t : r.test) {
+    if (std::find(channels.begin(), channels.end(), t.channel) == channels.end()) continue;
+    const PlotCurve& magnitude = magnitudes[next++];
+    if (t.phase.size() > 0) list.push_back(phase_curve(magnitude, t.phase));
+  }
+  return list;
 }
 
 std::vector<PlotCurve> densities(const ResponseResult& r, const std::vector<int>& channels) {
   std::vector<PlotCurve> list =
       drawn(r, channels, [&](int c) -> Eigen::VectorXd { return r.random->density.col(c); });
-  if (r.random->input.size() > 0 && r.random->input.maxCoeff() > 0)
+  const auto add_rms = [](PlotCurve& curve, double rms, const std::string& unit) {
+    curve.name += fmt::format(", {} {} RMS", significant(rms, 3), unit);
+  };
+  const BandRms* whole = r.random->bands.empty() ? nullptr : &r.random->bands.front();
+  for (std::size_t k = 0; whole && k < channels.size(); ++k)
+    add_rms(list[k], whole->rms[channels[k]], "m/s²");
+  if (r.random->input.size() > 0 && r.random->input.maxCoeff() > 0) {
     list.insert(list.begin(), {.x = r.hertz, .y = r.random->input, .name = "input", .faint = true});
+    if (whole) add_rms(list.front(), whole->input, html_unit(r.unit));
+  }
   return list;
 }
 
@@ -168,16 +186,13 @@ std::string responses_html(const Results& results) {
     if (r.channels.empty() || r.hertz.size() < 2) continue;
     base = base || r.source != Source::force;
     html += fmt::format("<h3>{}</h3>\n", html_escape(response_title(r)));
-    for (const std::vector<int>& channels : panels(r))
-      html += plot_figure({.label = response_title(r),
-                           .ordinate = "acceleration, " + html_unit(response_unit(r, "m/s²"))},
-                          curves(r, channels)) +
-              plot_figure({.label = response_title(r) + ", phase",
-                           .ordinate = "phase, °",
-                           .linear = true,
-                           .range = {{-180, 180}}},
-                          phases(r, channels)) +
-              plot_legend(curves(r, channels));
+    for (const std::vector<int>& channels : panels(r)) {
+      const PlotFrame frame{.label = response_title(r),
+                            .ordinate = "acceleration, " + html_unit(response_unit(r, "m/s²"))};
+      const std::vector<PlotCurve> magnitudes = curves(r, channels);
+      html += plot_figure(frame, magnitudes) +
+              phase_figure(frame, phases(r, channels, magnitudes)) + plot_legend(magnitudes);
+    }
     html += peaks_html(r) + direct_html(r) + random_html(r);
   }
   if (base)

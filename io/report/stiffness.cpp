@@ -3,6 +3,7 @@
 #include "io/report/colour.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/stiffness_words.hpp"
 
@@ -71,7 +72,8 @@ template <class F> std::vector<PlotCurve> curves(const Shown& s, F&& value) {
 
 std::string cuts_html(const Shown& s) {
   const auto magnitude = curves(s, [&](auto k) { return s.unit() * std::abs(k); });
-  const auto angle = curves(s, [](auto k) { return std::arg(k) * 180 / pi; });
+  auto angle = curves(s, [](auto k) { return std::arg(k); });
+  for (PlotCurve& curve : angle) curve = phase_curve(curve, curve.y);
   if (magnitude.empty()) return "";
   return plot_figure({.label = fmt::format("blocked transfer stiffness {}",
                                            titles[std::size_t(s.direction)]),

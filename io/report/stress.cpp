@@ -211,6 +211,26 @@ std::string densities(const Results& results) {
   return html;
 }
 
+// On both faces of the wall through the first hot spot.
+std::string damage_along(const Results& results, const std::string& what) {
+  const auto& m = results.life->meridian;
+  if (!m) return "";
+  const auto above_zero = [](const Eigen::VectorXd& damage) {
+    return Eigen::VectorXd(damage.unaryExpr([](double d) { return d > 0 ? d : std::nan(""); }));
+  };
+  const Eigen::VectorXd along = 1e3 * m->along;
+  const std::vector<PlotCurve> curves{
+      {.x = along, .y = above_zero(m->outer), .name = "outer face", .colour = 0},
+      {.x = along, .y = above_zero(m->inner), .name = "inner face", .colour = 1}};
+  if (!(curves[0].y.array() > 0).any() && !(curves[1].y.array() > 0).any()) return "";
+  return "<h3>Along the meridian through the hot spot: " + html_escape(what) + "</h3>\n" +
+         plot_figure({.label = "damage along the meridian",
+                      .abscissa = "length of the meridian of " + m->part + " from its left end, mm",
+                      .ordinate = "damage"},
+                     curves) +
+         plot_legend(curves);
+}
+
 } // namespace
 
 std::string stresses_html(const Results& results) {
@@ -225,7 +245,7 @@ std::string life_html(const Results& results) {
   if (!results.life || results.life->duties.empty()) return "";
   std::string html = duties_table(results);
   if (const auto fields = shown_fields(results, 1); !fields.empty())
-    html += field_picture(results, fields[0]);
+    html += field_picture(results, fields[0]) + damage_along(results, fields[0].name);
   return html + spots_table(results) + densities(results);
 }
 

@@ -1,6 +1,7 @@
 #include "io/report/time_histories.hpp"
 
 #include "io/report/markup.hpp"
+#include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/text.hpp"
 
@@ -176,12 +177,14 @@ std::string sweeps_html(const RunUpResult& r, int channel) {
                       .dashes = number});
   }
   const std::string name = name_of(r.channels, channel);
-  return plot_figure({.label = r.name + ", orders of " + name + " in time",
-                      .abscissa = "time, s",
-                      .ordinate = "acceleration of " + name + ", m/s²",
-                      .linear = true},
-                     curves) +
-         plot_legend(curves) +
+  std::vector<PlotCurve> phases;
+  for (std::size_t k = 1; k < curves.size(); ++k)
+    phases.push_back(phase_curve(curves[k], s.orders[k - 1].acceleration.col(channel).cwiseArg()));
+  const PlotFrame frame{.label = r.name + ", orders of " + name + " in time",
+                        .abscissa = "time, s",
+                        .ordinate = "acceleration of " + name + ", m/s²",
+                        .linear = true};
+  return plot_figure(frame, curves) + phase_figure(frame, phases) + plot_legend(curves) +
          fmt::format(
              "<p>While the speed runs from {} to {} rpm as given, beginning steadily: order "
              "by order without a filter, the model being linear.</p>\n",
@@ -190,7 +193,7 @@ std::string sweeps_html(const RunUpResult& r, int channel) {
 
 std::string run_up_html(const RunUpResult& r, const Results& results) {
   const VectorXd rpm = 60 * r.speed;
-  std::vector<PlotCurve> overall, cuts;
+  std::vector<PlotCurve> overall, cuts, phases;
   const VectorXd reach = r.overall.colwise().maxCoeff().transpose();
   const std::vector<int> channels = farthest(r.shown, reach);
   const std::vector<ChannelStyle> styles = channel_styles(r.channels, channels);
@@ -203,23 +206,24 @@ std::string run_up_html(const RunUpResult& r, const Results& results) {
   std::string html = fmt::format("<h3>{}</h3>\n", html_escape(r.name)) + campbell_html(r, results) +
                      crossings_html(r, results);
   if (channels.empty()) return html;
-  for (const OrderCut& cut : r.orders)
+  for (const OrderCut& cut : r.orders) {
     cuts.push_back({.x = rpm,
                     .y = cut.acceleration.col(channels[0]).cwiseAbs(),
                     .name = fmt::format("order {:g}", cut.order),
                     .colour = int(cuts.size()),
                     .dashes = int(cuts.size())});
+    phases.push_back(phase_curve(cuts.back(), cut.acceleration.col(channels[0]).cwiseArg()));
+  }
   const std::string strongest = name_of(r.channels, channels[0]);
+  const PlotFrame frame{.label = r.name + ", orders of " + strongest,
+                        .abscissa = "speed, rpm",
+                        .ordinate = "acceleration of " + strongest + ", m/s²"};
   return html +
          plot_figure({.label = r.name + ", all orders",
                       .abscissa = "speed, rpm",
                       .ordinate = "acceleration, m/s² RMS"},
                      overall) +
-         plot_legend(overall) +
-         plot_figure({.label = r.name + ", orders of " + strongest,
-                      .abscissa = "speed, rpm",
-                      .ordinate = "acceleration of " + strongest + ", m/s²"},
-                     cuts) +
+         plot_legend(overall) + plot_figure(frame, cuts) + phase_figure(frame, phases) +
          plot_legend(cuts) + (r.sweeps ? sweeps_html(r, channels[0]) : "");
 }
 

@@ -71,6 +71,16 @@ std::string stress_meridian_csv(const Results& results) {
   return text;
 }
 
+std::string life_meridian_csv(const Results& results) {
+  std::string text;
+  add_line(text, {"part", "along [m]", "damage inner", "damage outer"});
+  if (const auto& m = results.life->meridian)
+    for (Eigen::Index i = 0; i < m->along.size(); ++i)
+      add_line(text, {m->part, csv_number(m->along[i]), csv_number(m->inner[i]),
+                      csv_number(m->outer[i])});
+  return text;
+}
+
 std::string life_csv(const Results& results) {
   const LifeResult& life = *results.life;
   std::vector<std::string> head{"part",   "place", "face",

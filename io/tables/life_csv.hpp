@@ -8,6 +8,7 @@
 namespace plica {
 
 std::string stress_places_csv(const Results& results);   // every load case, place, face and ply
+std::string life_meridian_csv(const Results& results);   // damage along the wall, through the worst
 std::string stress_meridian_csv(const Results& results); // along the wall through the hottest point
 std::string life_csv(const Results& results);            // every place and face, most damage first
 std::string life_duties_csv(const Results& results);

@@ -117,7 +117,9 @@ Json life_json(const Results& results) {
     spots.push_back(std::move(spot));
   }
   return {{"curve", life.curve},
-          {"kind", life.deviation ? "mean" : "design"},
+          {"kind", life.deviation ? "mean"
+                   : life.design  ? "design"
+                                  : "as given"},
           {"deviation", json_number(life.deviation)},
           {"measure", life.measure},
           {"damage_between", range_of(life.damage_between)},

@@ -110,7 +110,8 @@ std::string life_kind(const LifeResult& life) {
   const std::string tolerances =
       life.with_tolerances ? "the tolerances of the case" : std::string();
   if (!life.deviation)
-    return "Design: allowed cycles" +
+    return (life.design ? "Design: allowed cycles"
+                        : "Cycles as the curve has them: no deviation is given, so no scatter") +
            (tolerances.empty() ? "" : ", intervals (5 to 95 %) from " + tolerances + " alone") +
            ".";
   return fmt::format("Mean curve: half of the parts fail before; intervals (5 to 95 %) from a "

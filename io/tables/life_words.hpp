@@ -22,7 +22,8 @@ std::string damage_words(const std::array<double, 2>& between);
 // "3 120 to 9 870", of a duty of many ranges "damage 0.0012 to 0.0047"; "-" without an interval.
 std::string between_words(const DutyResult& duty);
 
-// Whether the lives are those of a design curve or have a scatter, and of what the intervals are.
+// Whether the lives are those of a design curve, have a scatter or are as their curve has them, and
+// of what the intervals are.
 std::string life_kind(const LifeResult& life);
 
 // How often all duties together come to damage 1 at the first spot; empty without damage.

@@ -38,6 +38,7 @@ void add_response(std::vector<std::string>& names, const std::string& of, bool r
 void add_life(const Results& results, OutputFolder& out) {
   out.add("life.csv", life_csv(results));
   out.add("life_duties.csv", life_duties_csv(results));
+  out.add("life_meridian.csv", life_meridian_csv(results));
   for (const DutyResult& duty : results.life->duties)
     if (duty.random) out.add(life_density_file(duty.name), life_density_csv(duty));
 }
@@ -81,7 +82,7 @@ std::vector<std::string> result_files(const Case& data) {
     names.insert(names.end(), {"stress.csv", "stress_places.csv", "stress_meridian.csv"});
   if (data.analyses.stress || data.analyses.life) names.emplace_back("stress.vtu");
   if (const auto& life = data.analyses.life) {
-    names.insert(names.end(), {"life.csv", "life_duties.csv"});
+    names.insert(names.end(), {"life.csv", "life_duties.csv", "life_meridian.csv"});
     for (const LifeRandom& r : life->random) names.push_back(life_density_file(r.name));
   }
   if (data.analyses.error_bars) names.emplace_back("error_bars.csv");

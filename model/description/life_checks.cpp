@@ -58,9 +58,10 @@ private:
     if (!log_.fine(at)) return;
     for (const InputProblem& p : check(life_.curve)) log_.add(at + "." + p.key, p.wrong, p.allowed);
     const bool bellows = std::holds_alternative<BellowsCurve>(life_.curve.law);
-    if (life_.deviation && bellows && log_.fine(std::string(key) + ".deviation"))
+    if (life_.deviation && is_design(life_.curve) && log_.fine(std::string(key) + ".deviation"))
       log_.add(std::string(key) + ".deviation",
-               "is that of a mean curve; the curve of bellows is a design curve",
+               std::string("is that of a mean curve; ") +
+                   (bellows ? "the curve of bellows" : "this one") + " is a design curve",
                "another curve, or no deviation");
     const bool published = std::holds_alternative<PublishedCurve>(life_.curve.law);
     if (!bellows && !published && life_.curve.source.empty())

@@ -50,8 +50,17 @@ template <class V> void fields(V& v, TableCurve& c) {
 template <class V> void fields(V& v, PublishedCurve& c) {
   v.choice(c.of, "of",
            {{PublishedSteel::pipe_304L, "304L_pipe"},
-            {PublishedSteel::pipe_304L_butt_weld, "304L_pipe_butt_weld"}},
-           required_key, "whose mean curve, with its source and its deviation");
+            {PublishedSteel::pipe_304L_butt_weld, "304L_pipe_butt_weld"},
+            {PublishedSteel::austenitic_asme_III, "austenitic_asme_III"},
+            {PublishedSteel::rcc_mrx_316LN, "316LN_rcc_mrx"},
+            {PublishedSteel::rcc_mrx_316LN_450C, "316LN_rcc_mrx_450C"},
+            {PublishedSteel::rcc_mrx_316LN_500C, "316LN_rcc_mrx_500C"},
+            {PublishedSteel::rcc_mrx_316LN_550C, "316LN_rcc_mrx_550C"},
+            {PublishedSteel::rcc_mrx_316LN_600C, "316LN_rcc_mrx_600C"},
+            {PublishedSteel::rcc_mrx_316LN_650C, "316LN_rcc_mrx_650C"}},
+           required_key,
+           "which curve: 304L_*: the mean of tests with its deviation; the others: of codes, for "
+           "design");
   v.quantity(c.E, "E", required_stress,
              "Young's modulus of the wall, which makes strain of stress");
 }

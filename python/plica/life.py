@@ -44,6 +44,11 @@ class Life:
         return self._folder.table("life").frame()
 
     @property
+    def meridian(self) -> Any:
+        """DataFrame: damage along the wall through the hot spot, on both faces."""
+        return self._folder.table("life_meridian").frame()
+
+    @property
     def densities(self) -> Mapping[str, Any]:
         """DataFrames by the name of a random duty: density of the stress at its hot spot."""
         return Tables(self._folder, {

@@ -146,6 +146,7 @@ def test_life_and_stress_by_place(life):
     assert set(life.life.densities) == {"road"} and len(life.life.densities["road"]) > 50
     assert life.stress_places.attrs["units"]["hoop bending"] == "Pa"
     assert len(life.stress_meridian) > 10 and "bellows" in life.life.curve
+    assert life.life.meridian.attrs["units"]["along"] == "m" and len(life.life.meridian) > 10
     assert set(life.error_bars["quantity"]) >= {"k_axial", "f_axial"}
 
 

@@ -1,5 +1,6 @@
 #include "run/analyses/life.hpp"
 
+#include "run/analyses/place_stress.hpp"
 #include "words/input_error.hpp"
 #include "words/units.hpp"
 
@@ -216,6 +217,27 @@ DutyResult at_its_spot(const DutyMap& duty, std::size_t number, const std::vecto
   return head;
 }
 
+// Through the first spot.
+std::optional<MeridianDamage> damage_along_meridian(const ShellPoints& points, const Mesh& mesh,
+                                                    const LifeResult& life) {
+  if (life.spots.empty()) return std::nullopt;
+  const LifeSpot& spot = life.spots.front();
+  MeridianDamage m{
+      .part = points.places[std::size_t(spot.place)].part, .along = {}, .inner = {}, .outer = {}};
+  const MeridianPoints own = meridian_points(points, mesh, m.part, spot.at);
+  const auto count = Index(own.points.size());
+  if (count < 2) return std::nullopt;
+  m.along = own.along;
+  m.inner.resize(count);
+  m.outer.resize(count);
+  for (Index k = 0; k < count; ++k) {
+    const int node = points.points[std::size_t(own.points[std::size_t(k)])].node;
+    m.inner[k] = life.inner[node];
+    m.outer[k] = life.outer[node];
+  }
+  return m;
+}
+
 } // namespace
 
 LifeSpot LifeCount::spot_at(Index site, Index direction, double damage) const {
@@ -245,6 +267,7 @@ LifeResult LifeCount::result() const {
                     .measure = life_.measure == StressMeasure::critical_direction
                                    ? "normal stress in the critical direction"
                                    : "von Mises stress with its sign",
+                    .design = is_design(life_.curve),
                     .deviation = life_.deviation ? life_.deviation : deviation_of(life_.curve),
                     .duties = {},
                     .spots = {},
@@ -265,6 +288,7 @@ LifeResult LifeCount::result() const {
   }
   const std::vector<Worst> spots = worst_of_places(points_, sites);
   for (const Worst& w : spots) result.spots.push_back(spot_at(w.site, w.direction, w.damage));
+  result.meridian = damage_along_meridian(points_, model_.mesh, result);
   for (std::size_t k = 0; k < duties_.size(); ++k)
     result.duties.push_back(at_its_spot(duties_[k], k, result.spots, spots, life_.curve));
   return result;

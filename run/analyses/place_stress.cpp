@@ -91,8 +91,29 @@ std::optional<MeridianStress> along_meridian(const ShellPoints& points, const Me
       });
   if (worst == rows.end() || !std::isfinite(worst->meridional)) return std::nullopt;
   const std::string& part = points.places[std::size_t(worst->place)].part;
+  const MeridianPoints own = meridian_points(points, mesh, part, worst->at);
+  const auto count = Index(own.points.size());
+  if (count < 2) return std::nullopt;
+  MeridianStress m{.part = part,
+                   .along = own.along,
+                   .inner = VectorXd(count),
+                   .outer = VectorXd(count),
+                   .membrane = VectorXd(count)};
+  for (Index k = 0; k < count; ++k) {
+    const Vector6 s = at(own.points[std::size_t(k)]);
+    m.inner[k] = s[0];
+    m.outer[k] = s[3];
+    m.membrane[k] = (s[0] + s[3]) / 2;
+  }
+  return m;
+}
+
+} // namespace
+
+MeridianPoints meridian_points(const ShellPoints& points, const Mesh& mesh, const std::string& part,
+                               const std::array<double, 3>& at) {
   std::map<int, Index> point_of_ring;
-  const double angle = std::atan2(worst->at[2], worst->at[0]);
+  const double angle = std::atan2(at[2], at[0]);
   for (Index i = 0; i < Index(points.points.size()); ++i) {
     const WallPoint& p = points.points[std::size_t(i)];
     if (p.ring < 0 || points.places[std::size_t(p.place)].part != part) continue;
@@ -102,26 +123,18 @@ std::optional<MeridianStress> along_meridian(const ShellPoints& points, const Me
     const double step = std::numbers::pi / double(mesh.rings[std::size_t(p.ring)].nodes.size());
     if (off < step) point_of_ring.try_emplace(p.ring, i);
   }
-  MeridianStress m{.part = part, .along = {}, .inner = {}, .outer = {}, .membrane = {}};
-  const auto count = Index(point_of_ring.size());
-  if (count < 2) return std::nullopt;
-  for (VectorXd* v : {&m.along, &m.inner, &m.outer, &m.membrane}) v->setZero(count);
-  Index k = 0;
+  MeridianPoints m{.points = {}, .along = VectorXd::Zero(Index(point_of_ring.size()))};
+  const Ring* before = nullptr;
   for (const auto& [ring, point] : point_of_ring) {
     const Ring& r = mesh.rings[std::size_t(ring)];
-    if (k > 0) {
-      const Ring& before = mesh.rings[std::size_t(std::prev(point_of_ring.find(ring))->first)];
-      m.along[k] = m.along[k - 1] + std::hypot(r.y - before.y, r.radius - before.radius);
-    }
-    const Vector6 s = at(point);
-    m.inner[k] = s[0];
-    m.outer[k] = s[3];
-    m.membrane[k++] = (s[0] + s[3]) / 2;
+    const auto k = Index(m.points.size());
+    if (before)
+      m.along[k] = m.along[k - 1] + std::hypot(r.y - before->y, r.radius - before->radius);
+    before = &r;
+    m.points.push_back(point);
   }
   return m;
 }
-
-} // namespace
 
 StressTable stress_table(const ShellPoints& points, const Mesh& mesh, const std::string& kind,
                          const std::string& name, const Eigen::Ref<const VectorXd>& plane) {

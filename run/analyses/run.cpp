@@ -10,6 +10,7 @@
 #include "run/analyses/stress.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
+#include "run/stages.hpp"
 #include "solve/base_state.hpp"
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
@@ -32,7 +33,7 @@ public:
       : case_(data), stage_(stage), memory_(memory) {}
 
   Results results() {
-    stage_("mesh");
+    stage_(stages::mesh);
     built_ = build(case_);
     lap("mesh");
     if (case_.state) {
@@ -47,7 +48,9 @@ public:
     const bool moved = case_.analyses.life && needs_statics(*case_.analyses.life);
     if ((case_.analyses.statics.value_or(true) || moved) && case_.caps.size() == 2) statics();
     if (case_.analyses.modes) dynamics();
-    if (case_.analyses.levels) levels();
+    if (const auto& asked = case_.analyses.levels;
+        asked && !(asked->bases.empty() && asked->forces.empty()))
+      levels();
     if (life_) finish_life();
     results_.peak_memory = peak_memory();
     return std::move(results_);
@@ -68,7 +71,7 @@ private:
 
   void finish_life() {
     if (slipping_) life_->add_friction_sweeps(*slipping_, *slipping_route_, stage_);
-    stage_("life");
+    stage_(stages::life);
     watch_ = Stopwatch();
     results_.life = life_->result();
     results_.places = life_->places();
@@ -105,7 +108,7 @@ private:
 
   // Small motion sticks, a test rig and high levels slip: the second state has its own model.
   void let_slip() {
-    stage_("mesh");
+    stage_(stages::mesh);
     slipping_ = slipping_case(case_);
     slipping_route_ = choose_route(*slipping_, case_.analyses, stage_, results_.timing, memory_);
     results_.slipping.emplace();
@@ -144,7 +147,7 @@ private:
     if (case_.analyses.stress) static_stress(built, route, caps, *K);
     if (life_ && needs_statics(*case_.analyses.life)) {
       watch_ = Stopwatch();
-      stage_("life");
+      stage_(stages::life);
       add_static_stresses(life_->add_movements(built, route, caps, *K), case_, built, results_);
       lap("life");
     }
@@ -211,7 +214,7 @@ private:
   void levels() {
     const BuiltCase& built = slipping_ ? *slipping_ : built_;
     Route& route = slipping_ ? *slipping_route_ : *route_;
-    stage_("reduced model of the joints");
+    stage_(stages::joints);
     watch_ = Stopwatch();
     const JointedModel model = jointed_model(case_, built, route);
     lap("reduced model of the joints");

@@ -86,9 +86,18 @@ struct LifeSpot {
   std::vector<double> ranges;  // Pa
 };
 
+// Damage of all duties along the wall of revolution through the first spot, as LifeResult::inner
+// and outer have it.
+struct MeridianDamage {
+  std::string part;
+  Eigen::VectorXd along;        // length of the meridian from its left end, m
+  Eigen::VectorXd inner, outer; // not a number where there is none
+};
+
 struct LifeResult {
   std::string curve;   // with its source and what is inside
   std::string measure; // in words
+  bool design = false; // what the curve allows has margins inside, said in `curve`
   std::optional<double> deviation;
   bool with_tolerances = false; // the intervals have those of the case inside
   // 5 and 95 % of the damage of the first spot.
@@ -96,6 +105,7 @@ struct LifeResult {
   std::vector<DutyResult> duties;
   std::vector<LifeSpot> spots;  // most damage first
   Eigen::VectorXd inner, outer; // damage per node; not a number where there is no shell
+  std::optional<MeridianDamage> meridian = {};
   std::vector<std::string> warnings;
 };
 

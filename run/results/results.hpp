@@ -79,6 +79,7 @@ struct MeasuredComparison { // one measured number beside the computed one
   std::string unit;
   double measured = 0, sigma = 0, computed = 0;
   std::string entry = {}; // of the measured data: "modes[0]"
+  bool of_peak = false;   // of a peak of a response rather than of a mode
 };
 
 // Name of the variant without the state of a case that has one.
@@ -131,6 +132,7 @@ struct RandomResult {
 struct TestCurve {
   int channel = 0; // of the response
   Eigen::VectorXd hertz, magnitude;
+  Eigen::VectorXd phase;       // rad; empty: the test has magnitudes alone
   std::optional<double> level; // of the excitation
 };
 

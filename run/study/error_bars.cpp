@@ -3,6 +3,7 @@
 #include "model/description/case_path.hpp"
 #include "model/shape/mesh_choice.hpp"
 #include "run/analyses/run.hpp"
+#include "run/stages.hpp"
 #include "run/study/finer_run.hpp"
 #include "run/study/refine.hpp"
 
@@ -116,7 +117,7 @@ void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
   std::map<std::string, Effects> effects;
   for (const Tolerance& t : tolerances) {
     all.tolerances.push_back(t.path);
-    stage("tolerance of " + t.path);
+    stage(stages::tolerance_of + t.path);
     const Headline low = headline_of(with_number(data, t.path, quantile(t, low_point)));
     const Headline high = headline_of(with_number(data, t.path, quantile(t, high_point)));
     for (const auto& [key, value] : nominal)
@@ -155,7 +156,12 @@ double quantile(const Tolerance& t, double u) {
 Case with_life(Case plain, const Case& data) {
   if (!data.analyses.life) return plain;
   plain.analyses.life = data.analyses.life;
-  std::erase_if(plain.analyses.life->sweeps, [](const LifeSweep& s) { return s.friction; });
+  if (data.analyses.levels &&
+      !plain.analyses.levels) { // how friction is solved, for sweeps through it
+    plain.analyses.levels = data.analyses.levels;
+    plain.analyses.levels->bases.clear();
+    plain.analyses.levels->forces.clear();
+  }
   if (!needs_response(*plain.analyses.life)) return plain;
   plain.analyses.damping = data.analyses.damping;
   plain.analyses.response = data.analyses.response;
@@ -209,12 +215,6 @@ Case for_comparison(const Case& given) {
 
 namespace {
 
-bool has_friction_sweeps(const Case& data) {
-  return data.analyses.life &&
-         std::any_of(data.analyses.life->sweeps.begin(), data.analyses.life->sweeps.end(),
-                     [](const LifeSweep& s) { return s.friction; });
-}
-
 // Also what the stresses are of, where they are asked for.
 Case for_mesh_error(const Case& data) {
   Case fine = with_life(for_headline(data), data);
@@ -257,14 +257,12 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stag
   constexpr double finer_along = 2, finer_around = 1.5;
   ErrorBars all;
   prepare_mesh_errors(nominal, all);
-  if (has_friction_sweeps(data)) // which the other runs do not have
-    std::erase_if(all.bars, [](const ErrorBar& bar) { return bar.key == "damage"; });
   for (const bool along : {true, false}) {
     const Refinement factor{.along = along ? finer_along : 1, .around = along ? 1 : finer_around};
     const Refinement ratio = refinement_ratio(data, factor);
     const double q = along ? ratio.along : ratio.around;
     if (q == 1) continue; // nothing in the case has that direction
-    stage(along ? "finer along" : "finer around");
+    stage(along ? stages::finer_along : stages::finer_around);
     (along ? all.along : all.around) = true;
     const FinerRun fine = numbers_of(run_silently(refined(for_mesh_error(data), factor)), nominal);
     add_differences(all, nominal, fine, along ? &MeshError::along : &MeshError::around,

@@ -35,7 +35,7 @@ Case for_comparison(const Case& data);
 
 // `stage` is told what runs. `nominal`: results of the case as it stands, from for_headline or
 // more. Of its headline numbers, static stiffnesses, modes, stresses at every place, and damages of
-// the life ("damage_NAME", "damage"), those of sweeps with friction left out.
+// the life ("damage_NAME", "damage"); sweeps with friction solve their joints anew in every run.
 ErrorBars error_bars(const Case& data, const Results& nominal,
                      const std::function<void(const std::string&)>& stage);
 

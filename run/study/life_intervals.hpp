@@ -10,8 +10,7 @@ namespace plica {
 // leave its range; of the damage of every other duty and of all at the worst spot, by the interval
 // that they leave the damage; and of both by the deviation of a mean curve, 1.645 of it. As
 // logarithms, root of the sum of their squares. None of either: no interval. A damage that is "at
-// most" has an interval of that bound. Sweeps with friction have none by tolerances, and where the
-// case has any, neither has the sum.
+// most" has an interval of that bound.
 void add_life_intervals(const Case& data, Results& results);
 
 } // namespace plica

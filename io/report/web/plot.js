@@ -19,7 +19,7 @@ const tick = (value) => (value == null ? ''
   : value !== 0 && Math.abs(value) < 1e-3 ? Number(value.toPrecision(4)).toExponential()
     : digits(value));
 
-// What the page says of a plot: { label, abscissa, ordinate, linear, range, grids: [[x]], curves:
+// What the page says of a plot: { label, abscissa, ordinate, linear, range, step, grids: [[x]], curves:
 // [{ name, grid, colour, dashes, faint, values }], marks: [[x, order, filled]], verticals: [x] }.
 // A curve may turn back on itself
 // (a response that jumps), so it is drawn from its own points; the table below is for the cursor.
@@ -125,7 +125,7 @@ function options(data, width, logarithmic) {
     axes: [
       { ...axis, label: data.abscissa, labelFont: axis.font, values: (_, v) => v.map((x) => tick(x)) },
       { ...axis, label: data.ordinate, labelFont: axis.font, size: 64,
-        values: (_, v) => v.map((x) => tick(x)) },
+        values: (_, v) => v.map((x) => tick(x)), ...(data.step > 0 && { incrs: [data.step] }) },
     ],
     hooks: { draw: [furnish(data)], ready: [onlyNamed(data)] },
     series: [{ label: data.abscissa, value: (_, v) => digits(v) }, ...series(data)],
