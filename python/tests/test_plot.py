@@ -31,6 +31,12 @@ def test_response_over_test(lap, tmp_path):
     assert axes.get_yscale() == "log" and axes.get_xlabel() == "frequency in Hz"
     own = pyplot.figure().add_subplot()
     assert lap.plot.response(ax=own, phase=True) is own
+    at = lap.responses["z"].level  # unless told, that of the run at the level that is nearest
+    nearest = min((1, 3, 10, 30), key=lambda level: abs(np.log(level / at)))
+    labels = [text.get_text() for text in own.get_legend().get_texts()]
+    assert labels == ["joint z", f"joint z, test at {nearest}"]
+    assert len(lap.plot.response(measured=True).lines) == 5
+    assert len(lap.plot.response(measured=False).lines) == 1
     with pytest.raises(plica.MissingData, match="has no response to base.z"):
         lap.plot.response(measured=SHIPPED / "lap_beam")
 

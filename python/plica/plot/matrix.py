@@ -21,10 +21,9 @@ def mac(correlation: Correlation, *, ax: Any = None) -> Any:
         raise MissingData(f"{correlation.folder.path}: no MAC, the test has no shapes; "
                           "modes[].vector in measured.yaml")
     rows, columns = correlation.mac.shape
-    axes = _draw(correlation.mac, [str(k + 1) for k in range(rows)],
-                 [str(k + 1) for k in range(columns)], "Blues", (0, 1), ax)
-    axes.set(ylabel="simulated mode", xlabel="measured mode", title="MAC")
-    return axes
+    return _draw(correlation.mac, [str(k + 1) for k in range(rows)],
+                 [str(k + 1) for k in range(columns)], "Blues", (0, 1), ax,
+                 ylabel="simulated mode", xlabel="measured mode", title="MAC")
 
 
 def correlation(fit: Fit, *, ax: Any = None) -> Any:
@@ -32,14 +31,14 @@ def correlation(fit: Fit, *, ax: Any = None) -> Any:
     names = [p["path"] for p in fit.data["parameters"]]
     if fit.correlation.size == 0:
         raise MissingData(f"{fit.folder.path}: no correlation; the fit has no covariance")
-    axes = _draw(fit.correlation, names, names, "RdBu_r", (-1, 1), ax)
-    axes.set_title("correlation of the parameters")
+    axes = _draw(fit.correlation, names, names, "RdBu_r", (-1, 1), ax,
+                 title="correlation of the parameters")
     axes.tick_params(axis="x", labelrotation=30)
     return axes
 
 
 def _draw(values: Array, rows: Sequence[str], columns: Sequence[str], colours: str,
-          limits: tuple[float, float], ax: Any) -> Any:
+          limits: tuple[float, float], ax: Any, **words: str) -> Any:
     longest = 0.075 * max(map(len, rows))
     size = (max(3.6, longest + 1.2 + 0.45 * len(columns)), max(2.8, 1.6 + 0.42 * len(rows)))
     with look(ax, figsize=size) as axes:
@@ -51,4 +50,5 @@ def _draw(values: Array, rows: Sequence[str], columns: Sequence[str], colours: s
         axes.set_xticks(range(len(columns)), columns)
         axes.set_yticks(range(len(rows)), rows)
         axes.grid(False)
+        axes.set(**words)
     return axes

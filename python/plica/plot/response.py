@@ -25,14 +25,15 @@ def draw(results: Results, name: str | None = None, *, channels: Sequence[str] |
 
     channels: such as ["mid.y"]; unless given those that reach a thousandth of the largest.
     measured: test data, or their file, whose responses to the same excitation are drawn over it;
-    unless given those of the test that the run was held against, where it has such; False for none.
+    unless given those of the test that the run was held against, at the level that is nearest,
+    where it has such; True for those at all levels, False for none.
     """
     if not results.responses:
         raise MissingData(f"{results.path}: no responses; analyses.response in the case")
     response = results.responses[name or next(iter(results.responses))]
     frf = response.frf
     wanted = list(channels) if channels else _large(frf)
-    tests = _tests(results, measured, frf.inputs[0])
+    tests = _tests(results, measured, frf)
     with look(ax) as axes:
         for k, channel in enumerate(wanted):
             colour = COLOURS[k % len(COLOURS)]
@@ -62,13 +63,16 @@ def _large(frf: Frf) -> list[str]:
     return [c for c, m in zip(frf.outputs, largest) if m >= LEAST * largest.max()]
 
 
-def _tests(results: Results, measured: Measured | str | Path | bool | None, driven: str
+def _tests(results: Results, measured: Measured | str | Path | bool | None, computed: Frf
            ) -> list[Frf]:
+    driven = computed.inputs[0]
     if measured is False:
         return []
     if measured is None:
         with suppress(MissingData, BrokenFolder):  # the plot is of what was computed
-            return [test for test in results.measured.frf if driven in test.inputs]
+            tests = [test for test in results.measured.frf if driven in test.inputs]
+            away = [_distance(test.level, computed.level) for test in tests]
+            return [test for test, far in zip(tests, away) if far == min(away)]
         return []
     data = results.measured if measured is True else \
         measured if isinstance(measured, Measured) else read_measured(measured)
@@ -77,6 +81,10 @@ def _tests(results: Results, measured: Measured | str | Path | bool | None, driv
         raise MissingData(f"{data.path}: has no response to {driven}; frf: [{{file: ..., base: "
                           "...}]")
     return found
+
+
+def _distance(level: float | None, computed: float | None) -> float:
+    return abs(float(np.log(level / computed))) if level and computed else 0.0
 
 
 def _title(results: Results, source: str, name: str) -> str:
