@@ -13,6 +13,7 @@ from typing import Any, Iterator, Mapping
 from . import commands, yaml_edit, yaml_text
 from .errors import CaseError, Problem
 from .results import Results
+from .signatures import takes_options
 
 BOM = "\ufeff"  # which editors on Windows write; not in `text`, whose letters YAML counts from 0
 FILE_KEYS = ("measured", "file")  # keys whose text is a file, relative to the case
@@ -123,14 +124,17 @@ class Case:
         return re.sub(rf"""(\b(?:{'|'.join(FILE_KEYS)}):\s+)("[^"]*"|'[^']*'|[^\s,}}]+)""",
                       absolute, self.text)
 
+    @takes_options("run")
     def run(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica run`; see plica.run."""
         return commands.run(self, out, **options)
 
+    @takes_options("check")
     def check(self, **options: Any) -> commands.Check:
         """`plica check`; see plica.check."""
         return commands.check(self, **options)
 
+    @takes_options("reduce")
     def reduce(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica reduce`; see plica.reduce."""
         return commands.reduce(self, out, **options)
@@ -139,14 +143,17 @@ class Case:
         """`plica run --write-deck`; see plica.write_deck."""
         return commands.write_deck(self, out, solver, **options)
 
+    @takes_options("fit")
     def fit(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica fit`; see plica.fit."""
         return commands.fit(self, out, **options)
 
+    @takes_options("ejma")
     def ejma(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica ejma`; see plica.ejma."""
         return commands.ejma(self, out, **options)
 
+    @takes_options("stiffness")
     def stiffness(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica stiffness`; see plica.stiffness."""
         return commands.stiffness(self, out, **options)
@@ -156,6 +163,7 @@ class Case:
         from .sweep import sweep
         return sweep(self, values, out, **options)
 
+    @takes_options("diagnose")
     def diagnose(self, out: str | Path | None = None, **options: Any) -> Results:
         """`plica diagnose`; see plica.diagnose."""
         return commands.diagnose(self, out, **options)

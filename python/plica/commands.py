@@ -19,6 +19,7 @@ from .errors import CaseError, NumericalVerdict, OptionError, ProgramFailed, Too
 from .messages import Said
 from .one_run import of_one_run
 from .results import Results
+from .signatures import takes_options
 
 if TYPE_CHECKING:
     from .case import Case
@@ -37,48 +38,57 @@ class Check:
     data: dict[str, Any] = field(default_factory=dict)
 
 
+@takes_options("run")
 def run(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
     """`plica run`: statics, modes, responses and report. Results in `out`."""
     return _compute("run", [case], out, options)
 
 
+@takes_options("reduce")
 def reduce(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
     """`plica reduce`: the case as a superelement, `results.superelement`."""
     return _compute("reduce", [case], out, options)
 
 
+@takes_options("fit")
 def fit(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
     """`plica fit`: numbers of the case adjusted to its test, `results.fit`."""
     return _compute("fit", [case], out, options)
 
 
+@takes_options("diagnose")
 def diagnose(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
     """`plica diagnose`: what the gap to the test is made of, `results.diagnosis`."""
     return _compute("diagnose", [case], out, options)
 
 
+@takes_options("compare")
 def compare(result: AnyTest, test: AnyTest, out: str | Path | None = None, **options: Any
             ) -> Results:
     """`plica compare`: simulation and test side by side, `results.correlation`."""
     return _compute("compare", [result, test], out, options)
 
 
+@takes_options("identify")
 def identify(files: AnyTest | list[str | Path], out: str | Path | None = None, **options: Any
              ) -> Results:
     """`plica identify`: modes of a measured.yaml or of files of responses."""
     return _compute("identify", list(files) if isinstance(files, list) else [files], out, options)
 
 
+@takes_options("ejma")
 def ejma(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
     """`plica ejma`: EJMA's formulas for every bellows beside its shells, `results.ejma`."""
     return _compute("ejma", [case], out, options)
 
 
+@takes_options("stiffness")
 def stiffness(case: AnyCase, out: str | Path | None = None, **options: Any) -> Results:
     """`plica stiffness`: dynamic stiffness between two ends, `results.stiffness`."""
     return _compute("stiffness", [case], out, options)
 
 
+@takes_options("init")
 def init(path: str | Path, **options: Any) -> Case:
     """`plica init`: writes a commented case file to begin with, `kind="decoupler"` and the like;
     the case, of `kind="measured"` that beside the test."""
@@ -94,6 +104,7 @@ def schema(kind: str = "case") -> dict[str, Any]:
     return dict(json.loads(said.printed))
 
 
+@takes_options("check")
 def check(case: AnyCase, **options: Any) -> Check:
     """`plica check`: CaseError with all problems, or what the case would cost."""
     said, _ = _call("check", [case], {**options, "json": True})

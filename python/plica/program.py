@@ -16,6 +16,7 @@ from typing import Any, Mapping
 
 from . import version
 from .errors import NoExecutable, OptionError, VersionError
+from .signatures import keyword_of, show
 
 _named: list[str] = []
 
@@ -35,7 +36,7 @@ def executable() -> str:
         raise NoExecutable(f"'{named}' is no program that can be run; the path of plica" if named
                            else "there is no program `plica` on PATH; install the package plica, "
                                 "set PLICA, or plica.use('/path/to/plica')")
-    _schema_of(found, os.stat(found).st_mtime_ns)
+    show(_schema_of(found, os.stat(found).st_mtime_ns))
     return found
 
 
@@ -60,7 +61,7 @@ class Option:
     @property
     def keyword(self) -> str:
         """The name as a keyword of Python: `no_variants`."""
-        return self.name.replace("-", "_")
+        return keyword_of(self.name)
 
 
 @dataclass(frozen=True)

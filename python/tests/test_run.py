@@ -1,4 +1,5 @@
 """Runs: options of the program, errors, progress, Ctrl-C, side by side."""
+import inspect
 import json
 import os
 import pickle
@@ -42,6 +43,19 @@ def test_options_are_those_that_the_help_of_the_program_lists(executable):
         listed = set(re.findall(r"^ +(?:-\w,)?--([A-Za-z][A-Za-z-]*)", text, re.MULTILINE))
         named = {option.name for option in plica.options(name).values()}
         assert named - {"messages"} == listed - {"help"}, name
+
+
+def test_functions_show_the_options_of_the_program_as_their_keywords(use, fake, executable):
+    for function, name in ((plica.run, "run"), (plica.Case.fit, "fit"), (plica.compare, "compare")):
+        shown = inspect.signature(function).parameters
+        own = set(plica.options(name)) - {"messages"}
+        assert own <= set(shown) and "options" not in shown and "progress" in shown
+    assert list(inspect.signature(plica.run).parameters)[:2] == ["case", "out"]
+    assert "yield_" in plica.options("ejma")  # a word of Python's own
+    assert inspect.signature(plica.run).parameters["no_variants"].annotation == "bool | None"
+    use(fake)  # another program, other options
+    assert "brand_new" in inspect.signature(plica.run).parameters
+    assert "no_variants" not in inspect.signature(plica.run).parameters
 
 
 FOR_SHELLS = {"completion", "manual"}  # what a terminal asks for
