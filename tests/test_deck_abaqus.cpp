@@ -4,10 +4,7 @@
 //   4 +------------------+ 3     plate 0.3 x 0.2 x 0.002, edge 4-1 (set ROOT) clamped
 //     |                  |
 //   1 +------------------+ 2     nodes and quads are written from the mesh, the rest is here
-#include "io/decks/read_abaqus.hpp"
-#include "io/files/files.hpp"
-#include "tests/deck_text.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/abaqus_plate.hpp"
 #include "tests/support/triangulated.hpp"
 #include "words/input_error.hpp"
 
@@ -19,60 +16,8 @@
 namespace plica::test {
 namespace {
 
+using namespace abaqus;
 using Eigen::Vector3d;
-
-std::string list(const std::vector<int>& nodes) {
-  std::string text;
-  for (int node : nodes) text += fmt::format("{}\n", node + 1);
-  return text;
-}
-
-std::string nodes_text(const Mesh& mesh) {
-  std::string text = "*NODE\n";
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    text += fmt::format("{}, {:.17g}, {:.17g}, {:.17g}\n", i + 1, mesh.nodes[i].x(),
-                        mesh.nodes[i].y(), mesh.nodes[i].z());
-  return text;
-}
-
-template <class Shells> std::string elements_text(const Shells& shells, const std::string& type) {
-  std::string text = "*ELEMENT, TYPE=" + type + ", ELSET=WALL\n";
-  for (std::size_t e = 0; e < shells.size(); ++e) {
-    text += std::to_string(e + 1);
-    for (int node : shells[e].nodes) text += fmt::format(", {}", node + 1);
-    text += "\n";
-  }
-  return text;
-}
-
-std::string mesh_text(const Mesh& mesh) {
-  return "*HEADING\nplate\n" + nodes_text(mesh) +
-         (mesh.quads.empty() ? elements_text(mesh.triangles, "S3")
-                             : elements_text(mesh.quads, "S4")) +
-         "*NSET, NSET=ROOT\n" + list(mesh.sets.at("edge4")) + "*NSET, NSET=TIP\n" +
-         list(mesh.sets.at("edge2"));
-}
-
-const std::string steel = "*MATERIAL, NAME=STEEL\n*ELASTIC\n2.0e11, 0.3\n*DENSITY\n8000.\n";
-const std::string section = "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL\n2.e-3, 5\n";
-const std::string clamped = "*BOUNDARY\nROOT, ENCASTRE\n";
-
-DeckModel read_text(const std::string& text, UnknownCards unknown = UnknownCards::error) {
-  const TemporaryFolder folder("abaqus");
-  write_whole(folder.path / "model.inp", text);
-  return read_abaqus(folder.path / "model.inp", unknown);
-}
-
-// The clamped plate with more keywords, and the same by hand.
-void expect_plate(const std::string& more, const std::function<void(Model&)>& by_hand) {
-  Model own = own_plate();
-  hold(own, "edge4", all_dofs);
-  by_hand(own);
-  expect_same_frequencies(read_text(mesh_text(deck_plate()) + steel + section + clamped + more),
-                          own);
-}
-
-const int corner = number_at(0.3, 0.2), middle = number_at(0.15, 0.1);
 
 TEST(AbaqusReader, node_element_section_material_boundary) {
   expect_plate("", [](Model&) {});
@@ -284,88 +229,6 @@ TEST(AbaqusReader, beam_general_section) {
               "*BEAM GENERAL SECTION, ELSET=ROD, SECTION=RECT, DENSITY=8000.\n"
               "5.e-3, 12.e-3\n1., 0., 0.\n2.e11, 76923076923.0769\n",
               rectangle_section({2e11, 0.3, 8000}, 5e-3, 12e-3));
-}
-
-// A wall beside its nodes is the wall beside the clamp of these nodes: nothing else changes.
-TEST(AbaqusReader, offset_of_a_wall) {
-  Model own = own_plate();
-  hold(own, "edge4", all_dofs);
-  for (const char* offset : {"SPOS", "SNEG", "0.25"})
-    expect_same_frequencies(read_text(mesh_text(deck_plate()) + steel +
-                                      "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL, OFFSET=" +
-                                      offset + "\n2.e-3\n" + clamped),
-                            own);
-  const Model wall = place(read_text(mesh_text(deck_plate()) + steel +
-                                     "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL, OFFSET=SPOS\n"
-                                     "2.e-3\n" +
-                                     clamped),
-                           {});
-  for (const ShellQuad& quad : wall.mesh.quads) // the nodes are on its top
-    EXPECT_NEAR(wall.mesh.nodes[quad.nodes[0]].z(), -1e-3, 1e-12);
-}
-
-TEST(AbaqusReader, nodal_thickness) {
-  std::string text = mesh_text(deck_plate()) + steel +
-                     "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL, NODAL THICKNESS\n2.e-3\n"
-                     "*NODAL THICKNESS\n" +
-                     clamped;
-  const Mesh mesh = deck_plate();
-  const auto thickness = [](const Vector3d& x) { return 2e-3 - 3e-3 * x.x(); };
-  std::string lines;
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    lines += fmt::format("{}, {:.17g}\n", i + 1, thickness(mesh.nodes[i]));
-  text.insert(text.find(clamped), lines);
-  Model own = own_plate();
-  for (ShellQuad& quad : own.mesh.quads)
-    for (int a = 0; a < 4; ++a) quad.thickness[a] = thickness(own.mesh.nodes[quad.nodes[a]]);
-  hold(own, "edge4", all_dofs);
-  expect_same_frequencies(read_text(text), own);
-}
-
-// A quarter of a cylinder.
-Mesh shell() {
-  Mesh mesh = mesh_surface(
-      [](double a, double b) {
-        const Vector3d n(std::sin(1.5 * a), 0, std::cos(1.5 * a));
-        return SurfacePoint{0.1 * n + 0.2 * b * Vector3d::UnitY(), n};
-      },
-      6, 4, 1e-3);
-  mesh.sets["edge4"] = mesh.sets["a0"];
-  mesh.sets["edge2"] = mesh.sets["a1"];
-  return mesh;
-}
-
-const std::string thin = "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL\n1.e-3\n";
-
-TEST(AbaqusReader, normals_that_are_given) {
-  const Mesh mesh = shell();
-  std::string normals = "*NORMAL, TYPE=ELEMENT\n";
-  for (std::size_t e = 0; e < mesh.quads.size(); ++e)
-    for (int a = 0; a < 4; ++a) {
-      const Vector3d n = mesh.quads[e].directors.col(a);
-      normals += fmt::format("{}, {}, {:.17g}, {:.17g}, {:.17g}\n", e + 1,
-                             mesh.quads[e].nodes[a] + 1, n.x(), n.y(), n.z());
-    }
-  Model own = own_plate(mesh);
-  hold(own, "edge4", all_dofs);
-  expect_same_frequencies(read_text(mesh_text(mesh) + steel + thin + normals + clamped), own);
-}
-
-// Facets that meet at 14 degrees share a normal, at 23 degrees each keeps its own.
-TEST(AbaqusReader, normals_are_averaged_below_20_degrees) {
-  for (const auto& [turn, shared] : {std::pair{14., true}, {23., false}}) {
-    const double angle = turn * M_PI / 180;
-    const std::string text =
-        fmt::format("*NODE\n1, 0, 0, 0\n2, 0, 1, 0\n3, 1, 0, 0\n4, 1, 1, 0\n5, {0:.17g}, 0, "
-                    "{1:.17g}\n6, {0:.17g}, 1, {1:.17g}\n*ELEMENT, TYPE=S4, ELSET=WALL\n1, 1, 3, "
-                    "4, 2\n2, 3, 5, 6, 4\n",
-                    1 + std::cos(angle), std::sin(angle)) +
-        steel + section;
-    const Mesh mesh = place(read_text(text), {}).mesh;
-    const double between =
-        std::acos(std::min(1., mesh.quads[0].directors.col(1).dot(mesh.quads[1].directors.col(0))));
-    EXPECT_NEAR(between, shared ? 0 : angle, 1e-7);
-  }
 }
 
 // As Abaqus/CAE writes a flat deck.

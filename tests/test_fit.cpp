@@ -1,20 +1,18 @@
 // Fits: known parameters come back within what is stated of them, what the data leave open is said,
 // and the pipe model of A2 beside the thesis's own fit.
 #include "compare/fit/fit.hpp"
-#include "compare/fit/fit_bodies.hpp"
 #include "compare/simulated.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/tables/fit_words.hpp"
 #include "io/write/write_fit.hpp"
-#include "model/description/case_checks.hpp"
 #include "model/description/case_path.hpp"
 #include "run/analyses/run.hpp"
 #include "run/study/error_bars.hpp"
 #include "solve/parallel.hpp"
+#include "tests/fit_parameter.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/written.hpp"
-#include "tests/tube_case.hpp"
 #include "words/input_error.hpp"
 
 #include <atomic>
@@ -27,6 +25,7 @@ namespace plica {
 namespace {
 
 using Eigen::VectorXd;
+using test::fit_parameter;
 
 Case small_pipe() {
   Case data;
@@ -48,14 +47,6 @@ Case small_pipe() {
   data.mount = {{.cap = "left"}, {.cap = "right"}};
   data.analyses.modes = Modes{.count = 8};
   return data;
-}
-
-FitParameter parameter(const std::string& path, double low, double high, bool log_scale = false) {
-  FitParameter p;
-  p.paths = {path};
-  p.bounds = {low, high};
-  p.log_scale = log_scale;
-  return p;
 }
 
 // What a rig and a shaker would give of this case, with relative noise.
@@ -86,9 +77,9 @@ Measured measured_on(const Case& data, double noise, std::mt19937_64& random) {
 
 FitRequest three_numbers() {
   FitRequest request;
-  request.parameters = {parameter("parts.bellows.outer.axial", 1e4, 2e5, true),
-                        parameter("parts.bellows.inner.mass", 0.05, 1),
-                        parameter("parts.bellows.end_cap", 0.02, 0.6)};
+  request.parameters = {fit_parameter("parts.bellows.outer.axial", 1e4, 2e5, true),
+                        fit_parameter("parts.bellows.inner.mass", 0.05, 1),
+                        fit_parameter("parts.bellows.end_cap", 0.02, 0.6)};
   return request;
 }
 
@@ -132,7 +123,7 @@ TEST(Fit, states_the_uncertainty_of_one_number_exactly) {
   Measured measured;
   measured.statics.push_back({StaticDirection::axial, 6e4, 600, {}, {}, {}, {}});
   FitRequest request;
-  request.parameters = {parameter("parts.bellows.outer.axial", 2e4, 9e4)};
+  request.parameters = {fit_parameter("parts.bellows.outer.axial", 2e4, 9e4)};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});
   EXPECT_NEAR(fit.parameters[0].value, 6e4, 1);
   EXPECT_NEAR(*fit.parameters[0].sigma, 600, 3);
@@ -149,8 +140,8 @@ TEST(Fit, says_what_the_data_cannot_determine) {
   Measured measured;
   measured.statics.push_back({StaticDirection::axial, 7e4, 700, {}, {}, {}, {}});
   FitRequest request;
-  request.parameters = {parameter("parts.bellows.outer.axial", 1e4, 9e4),
-                        parameter("parts.bellows.inner.axial", 1e3, 8.1e4)};
+  request.parameters = {fit_parameter("parts.bellows.outer.axial", 1e4, 9e4),
+                        fit_parameter("parts.bellows.inner.axial", 1e3, 8.1e4)};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});
   ASSERT_EQ(fit.open.size(), 1U);
   EXPECT_EQ(fit.open[0].parts.size(), 2U);
@@ -198,7 +189,7 @@ TEST(Fit, keeps_two_strokes_apart) {
   measured.statics[0] = {StaticDirection::axial, 1e5, 1e3, 1e-3, {}, {}, {}};
   measured.statics[1] = {StaticDirection::axial, 400 / 0.01, 400, 0.01, {}, {}, {}};
   FitRequest request;
-  request.parameters = {parameter("parts.bellows.spring.axial_curve[4][1]", 150, 900)};
+  request.parameters = {fit_parameter("parts.bellows.spring.axial_curve[4][1]", 150, 900)};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});
   ASSERT_EQ(fit.targets.size(), 2U);
   EXPECT_EQ(fit.targets[0].quantity, "axial stiffness over 1 mm");
@@ -281,7 +272,7 @@ TEST(Fit, warns_of_a_number_that_left_its_physical_range) {
   mode.shape = MeasuredShape::axial;
   measured.modes = {mode};
   FitRequest request;
-  request.parameters = {parameter("materials.steel.E", 1e9, 250e9, true)};
+  request.parameters = {fit_parameter("materials.steel.E", 1e9, 250e9, true)};
   request.parameters[0].physical = {{180e9, 215e9}};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});
   EXPECT_NEAR(fit.targets[0].value, 138, 0.2);
@@ -299,8 +290,8 @@ TEST(Fit, takes_responses_line_by_line) {
   const Results results = run(truth, [](const std::string&) {});
   TestData test{.data = {}, .frfs = responses_to_base(results)};
   FitRequest request;
-  request.parameters = {parameter("parts.bellows.outer.axial", 2e4, 2e5, true),
-                        parameter("analyses.damping.modal", 0.002, 0.2, true)};
+  request.parameters = {fit_parameter("parts.bellows.outer.axial", 2e4, 2e5, true),
+                        fit_parameter("analyses.damping.modal", 0.002, 0.2, true)};
   const Case start = with_design(truth, request, VectorXd{{4.2e4, 0.03}});
   const FitResult fit = fit_case(start, request, test, {});
   ASSERT_EQ(fit.responses.size(), 1U) << "the others are silent";
@@ -345,70 +336,6 @@ TEST(Fit, of_the_pipe_of_a2_is_at_least_as_good_as_the_thesis_and_physical) {
     if (p.path == "parts.bellows.inner.radius") {
       EXPECT_LE(p.value, 0.065);
     }
-}
-
-bool reads_inertias(const Case& data) {
-  for (const InputProblem& p : check_case(data, {}, ""))
-    if (p.key.find("inertia") != std::string::npos) return false;
-  return true;
-}
-
-// The data ask for more about the axis than about both others together, which no body has.
-TEST(Fit, tries_and_writes_no_inertia_that_the_reader_refuses) {
-  Case start = test::tube(0.8);
-  std::get<BeamPart>(start.parts.front().body).elements = 4;
-  start.mount[1].kind = MountKind::free;
-  start.caps[1].mass = 2;
-  start.caps[1].inertia = {2e-3, 2e-3, 2e-3, 0, 0, 0};
-  start.analyses.modes = Modes{.count = 8};
-  Case asked = start;
-  asked.caps[1].inertia = {1.5e-3, 3.2e-3, 1.5e-3, 0, 0, 0};
-  const Results r = run(for_headline(asked), [](const std::string&) {});
-  Measured measured;
-  for (const ModeResult& mode : r.modes) {
-    const bool torsion = mode.shape == "torsion", across = mode.shape == "transverse";
-    if (!torsion && !across) continue;
-    MeasuredMode entry;
-    entry.frequency = mode.frequency;
-    entry.sigma = 1e-3 * mode.frequency;
-    entry.shape = torsion ? MeasuredShape::torsion : MeasuredShape::transverse;
-    if (across) entry.direction = mode.direction == "x" ? Axis::x : Axis::z;
-    entry.order = mode.order;
-    if (entry.order <= 2) measured.modes.push_back(entry);
-  }
-  FitRequest request;
-  request.parameters = {parameter("caps.right.inertia[0]", 1e-4, 2e-2),
-                        parameter("caps.right.inertia[1]", 1e-4, 2e-2)};
-  request.parameters.front().paths.push_back("caps.right.inertia[2]");
-  ASSERT_TRUE(reads_inertias(start));
-  ASSERT_FALSE(reads_inertias(asked));
-  FitSettings settings;
-  settings.refused = [](const Case& design) { return !reads_inertias(design); };
-  const FitResult fit = fit_case(start, request, {measured, {}}, settings);
-  const VectorXd values{{fit.parameters[0].value, fit.parameters[1].value}};
-  EXPECT_TRUE(reads_inertias(with_design(start, request, values))) << values.transpose();
-  EXPECT_NEAR(values[1] / (2 * values[0]), 1, 1e-3); // as far as bodies go
-  EXPECT_LT(fit.cost, fit.start_cost);
-  for (const FitSample& s : fit.samples)
-    ASSERT_TRUE(reads_inertias(with_design(start, request, s.design))) << s.design.transpose();
-}
-
-TEST(Fit, moves_an_inertia_that_no_body_has_to_the_nearest) {
-  Case data = test::tube(0.8);
-  data.caps[1].inertia = {2, 2, 2, 0, 0, 0};
-  const auto settled = [&](const std::vector<int>& free, VectorXd values) {
-    FitRequest request;
-    for (int i : free)
-      request.parameters.push_back(
-          parameter("caps.right.inertia[" + std::to_string(i) + "]", 0, 9));
-    FitBodies(data, request).settle(values);
-    return values;
-  };
-  EXPECT_NEAR(settled({1}, VectorXd{{5}})[0], 4, 1e-6);
-  EXPECT_NEAR(settled({1}, VectorXd{{3}})[0], 3, 0);
-  EXPECT_NEAR(settled({0}, VectorXd{{-1}})[0], 0, 1e-6); // 2 <= -1 + 2 does not hold
-  EXPECT_NEAR(settled({0, 1, 2}, VectorXd{{1, 5, 2}})[1], 3, 1e-6);
-  EXPECT_NEAR(settled({3}, VectorXd{{-1.5}})[0], -1, 1e-6);
 }
 
 TEST(Fit, goes_on_from_its_file) {

@@ -1,15 +1,12 @@
 // Friction in cases: joints of connectors, interlocks, walls and mounts, at rest, slowly loaded,
 // and at several levels of excitation.
-#include "compare/compare.hpp"
 #include "compare/fit/fit.hpp"
-#include "io/input/case_file.hpp"
-#include "io/input/measured_file.hpp"
 #include "run/analyses/jointed_model.hpp"
 #include "run/analyses/run.hpp"
 #include "run/routes/ply_slip.hpp"
 #include "solve/backbone.hpp"
+#include "tests/fit_parameter.hpp"
 
-#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -170,14 +167,6 @@ TEST(Levels, bend_with_a_tabulated_connector) {
             1.1 * first_peak(curve.curves[0], curve.strongest).frequency);
 }
 
-FitParameter on_log_scale(const std::string& path, const std::array<double, 2>& bounds) {
-  FitParameter p;
-  p.paths = {path};
-  p.log_scale = true;
-  p.bounds = bounds;
-  return p;
-}
-
 // Measured at levels that the program made itself, with two of them held out: the sliders are
 // found again from another start.
 TEST(Levels, give_the_sliders_back) {
@@ -199,8 +188,8 @@ TEST(Levels, give_the_sliders_back) {
   slider = {4e4, 5};
   FitRequest request;
   const std::string path = "parts.chain.friction.axial.sliders[0].";
-  request.parameters = {on_log_scale(path + "stiffness", {1e4, 2e5}),
-                        on_log_scale(path + "slip_force", {0.5, 20})};
+  request.parameters = {test::fit_parameter(path + "stiffness", 1e4, 2e5, true),
+                        test::fit_parameter(path + "slip_force", 0.5, 20, true)};
   request.targets = {{.quantity = "peaks[0]"}};
   request.hold_out_levels = {3, 6};
   const FitResult fit = fit_case(data, request, test, {});
@@ -344,64 +333,6 @@ TEST(InterlockFriction, is_the_same_on_a_superelement) {
     EXPECT_NEAR(one.frequency / other.frequency, 1, 2e-3) << k;
     EXPECT_NEAR(one.amplitude / other.amplitude, 1, 1e-2) << k;
   }
-}
-
-const std::string hose_folder = PLICA_SOURCE_DIR "/cases/hose_b/";
-
-// RMS of ln(computed / measured) of the first peaks in a direction, of the levels held out or not.
-double rms(const FitResult& fit, const std::string& base, bool held_out) {
-  double sum = 0;
-  int count = 0;
-  for (const FittedTarget& t : fit.targets)
-    if (t.held_out == held_out && t.quantity.find("base " + base) != std::string::npos) {
-      sum += std::pow(std::log(t.value / t.measured), 2);
-      ++count;
-    }
-  return std::sqrt(sum / count);
-}
-
-// Ten levels of hose B as shipped, fitted to every second one. What is held out is met as by
-// drawing lines through the data (6.2 and 3.6 %) and two points.
-TEST(HoseB, meets_the_levels_it_was_not_fitted_to) {
-  const CaseFile file = read_case(hose_folder + "hose_b.yaml", "friction");
-  const Results r = run_quietly(file.data);
-  EXPECT_NEAR(r.statics->k_axial / 5725, 1, 1e-3);
-  EXPECT_NEAR(r.statics->k_transverse_x / 2673, 1, 1e-3);
-  const std::vector<double> away = file.data.fit->hold_out_levels;
-  for (const auto& [base, limit] : {std::pair{"y", 0.082}, {"x", 0.056}}) {
-    double sum = 0;
-    int count = 0;
-    for (const MeasuredComparison& row : compare(r, read_measured(hose_folder + "measured.yaml"))) {
-      if (row.quantity.find(std::string("base ") + base + ", ") == std::string::npos ||
-          !row.entry.starts_with("peaks"))
-        continue;
-      for (double level : away) {
-        std::array<char, 20> text{};
-        std::snprintf(text.data(), text.size(), ", %g m/s2", level);
-        if (!row.quantity.ends_with(text.data())) continue;
-        sum += std::pow(std::log(row.computed / row.measured), 2);
-        ++count;
-      }
-    }
-    EXPECT_EQ(count, 5);
-    EXPECT_LT(std::sqrt(sum / count), limit) << base;
-  }
-  for (const LevelFamily& family : r.families)
-    for (const RefereeCheck& check : family.referee)
-      EXPECT_LT(check.difference, 5e-3) << family.excitation << " " << check.level;
-}
-
-TEST(HoseBSlow, is_fitted_and_predicts) {
-  const CaseFile file = read_case(hose_folder + "hose_b.yaml", "friction");
-  const TestData test{.data = read_measured(hose_folder + "measured.yaml"), .frfs = {}};
-  FitRequest request = *file.data.fit;
-  const FitResult between = fit_case(file.data, request, test, {});
-  EXPECT_LT(rms(between, "y", true), 0.082);
-  EXPECT_LT(rms(between, "x", true), 0.056);
-  request.hold_out_levels = {30, 35, 40, 45, 50};
-  const FitResult beyond = fit_case(file.data, request, test, {});
-  EXPECT_LT(rms(beyond, "y", true), 0.12);
-  EXPECT_LT(rms(beyond, "x", true), 0.07);
 }
 
 } // namespace

@@ -1,11 +1,11 @@
-// A clamped beam with masses, a free beam, two beams with a lap, a frame of four storeys.
+// A clamped beam with masses, a free beam, two beams with a lap.
 #include "line_structures.hpp"
+#include "line_changes.hpp"
 #include "line_model.hpp"
 
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace sealed {
 namespace {
@@ -20,12 +20,6 @@ LineSection rectangle(double across, double depth) {
   const double A = across * depth, I = A * depth * depth / 12;
   return {
       .EI = steel::E * I, .GA = shear * G * A, .mass = steel::rho * A, .inertia = steel::rho * I};
-}
-
-// Number in "beam.stretch[3]", 0 = not of this form.
-int number_in(const std::string& place, const std::string& before) {
-  if (!place.starts_with(before + "[")) return 0;
-  return std::stoi(place.substr(before.size() + 1));
 }
 
 // A beam of one section along points that stand at equal distances, with whatever changes it.
@@ -56,10 +50,7 @@ struct Line {
     model.add_stretch(from, to, of, section(m, change), joined);
   }
   double position(const std::string& place) const {
-    if (place == part) return 0; // its coordinate is a value
-    if (const int k = number_in(place, part + ".point")) return point(k);
-    if (const int k = number_in(place, part + ".stretch")) return (point(k) + point(k + 1)) / 2;
-    return std::numeric_limits<double>::quiet_NaN();
+    return place_along(place, part, length, stretches);
   }
 };
 
@@ -71,34 +62,6 @@ VectorXd joined(const VectorXd& a, const VectorXd& b) {
   VectorXd all(a.size() + b.size());
   all << a, b;
   return all;
-}
-
-Change mass_at(const std::string& part, double s, double most) {
-  return {.effect = {"added_mass", part, {{"at", s}}},
-          .size = "mass",
-          .smallest = 1e-4 * most,
-          .largest = most};
-}
-
-Change damage_of(const std::string& place) {
-  return {.effect = {"local_damage", place, {}}, .size = "loss", .smallest = 1e-4, .largest = 0.9};
-}
-
-Change ratio_of(const std::string& effect, const std::string& place, double sign) {
-  return {.effect = {effect, place, {}},
-          .size = "ratio",
-          .smallest = 1e-3,
-          .largest = 1.5,
-          .about_one = true,
-          .sign = sign};
-}
-
-Change soft_clamp(const std::string& place, double stiffest, double softest) {
-  return {.effect = {"boundary_compliance", place, {}},
-          .size = "k_rotation",
-          .smallest = 1 / stiffest,
-          .largest = 1 / softest,
-          .inverse = true};
 }
 
 // 25 x 15 mm, 600 mm long, four masses, a sensor at the tip.
@@ -322,83 +285,12 @@ private:
   }
 };
 
-// Four floors of 5.2 kg on legs that bend; floors move across alone.
-class Frame final : public ChangedStructure {
-public:
-  std::string name() const override { return "frame"; }
-  // With equal floors and storeys K = k B B' and M = m 1: a floor that is heavier answers as the
-  // storey does that is as far from the other end, where it is softer.
-  bool alike(const std::string& effect, const std::string& place, const std::string& other_effect,
-             const std::string& other_place) const override {
-    const auto storey_of = [](const std::string& name, const std::string& at) {
-      if (name == "local_damage") return number_in(at, "legs.stretch");
-      if (!at.starts_with("floor") && !at.starts_with("sensor.floor")) return 0;
-      return 5 - (at.back() - '0');
-    };
-    const int own = storey_of(effect, place);
-    return own > 0 && own == storey_of(other_effect, other_place);
-  }
-  double damping() const override { return 0.01; }
-  double length() const override { return 4 * storey; }
-  std::vector<std::string> labels() const override {
-    std::vector<std::string> all;
-    for (int k = 1; k <= 4; ++k)
-      all.push_back(fmt::format("shape: other, direction: x, order: {}", k));
-    return all;
-  }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
-    LineModel model;
-    const int hit = number_in(change.place, "legs.stretch");
-    double y = 0;
-    std::vector<double> floors{0};
-    for (int k = 1; k <= 4; ++k) {
-      const double own =
-          storey + (m.name == "places" ? m.amount * smooth_field(m.seed, k / 4.) : 0);
-      double EI = 15.75 * (hit == k ? 1 - change.value.at("loss") : 1);
-      if (m.name == "taper")
-        EI *= std::pow(std::max(0.1, 1 + m.amount * smooth_field(m.seed, k / 4.)), 3);
-      const double mass = m.name == "cables" && k > 1 ? m.amount * 5.2 / storey : 0;
-      model.add_stretch(y, y + own, 3, [EI, mass](double) {
-        return LineSection{.EI = EI, .GA = 1e7, .mass = 0.05 + mass, .inertia = 1e-4};
-      });
-      floors.push_back(y += own);
-    }
-    for (int k = 0; k <= 4; ++k) {
-      const int node = model.node(floors[std::size_t(k)]);
-      double ratio = 1;
-      if (change.name == "component_mass" && change.place == fmt::format("floor{}", k))
-        ratio = change.value.at("ratio");
-      if (k > 0) model.add_mass(node, 5.201 * ratio, 0.05);
-      const bool turns = k > 0 ? m.name == "theory" : m.name == "boundary";
-      if (turns) model.add_springs(node, 0, 15.75 / (m.amount * storey));
-      if (k == 0)
-        model.fix(node, true, !turns);
-      else if (!turns)
-        model.fix(node, false, true);
-    }
-    return model.frequencies(4);
-  }
-  Change draw_change(Draws& draws) const override {
-    if (draws.below(2)) return damage_of(fmt::format("legs.stretch[{}]", 1 + draws.below(4)));
-    return ratio_of("component_mass", fmt::format("floor{}", 1 + draws.below(4)), 1);
-  }
-  double position(const std::string& place) const override {
-    for (const char* before : {"floor", "sensor.floor"})
-      if (place.starts_with(before)) return storey * (place.back() - '0');
-    return Line{.length = 4 * storey, .stretches = 4, .part = "legs"}.position(place);
-  }
-
-private:
-  static constexpr double storey = 0.1533;
-};
-
 } // namespace
 
 void add_line_structures(std::vector<std::unique_ptr<ChangedStructure>>& all) {
   all.push_back(std::make_unique<ClampedBeam>());
   all.push_back(std::make_unique<FreeBeam>());
   all.push_back(std::make_unique<LapBeam>());
-  all.push_back(std::make_unique<Frame>());
 }
 
 } // namespace sealed

@@ -1,3 +1,4 @@
+// The structures of the suite "changes" by name, and the steel of all of them.
 #pragma once
 
 #include "structures.hpp"
@@ -15,6 +16,7 @@ struct PlateShape {
 std::unique_ptr<ChangedStructure> clamped_plate(const PlateShape& shape);
 
 void add_line_structures(std::vector<std::unique_ptr<ChangedStructure>>& all);
+void add_frame(std::vector<std::unique_ptr<ChangedStructure>>& all);
 void add_plate(std::vector<std::unique_ptr<ChangedStructure>>& all);
 void add_bellows(std::vector<std::unique_ptr<ChangedStructure>>& all);
 

@@ -14,6 +14,7 @@ double Change::value(double s) const {
 std::vector<std::unique_ptr<ChangedStructure>> changed_structures() {
   std::vector<std::unique_ptr<ChangedStructure>> all;
   add_line_structures(all);
+  add_frame(all);
   add_plate(all);
   add_bellows(all);
   return all;
