@@ -1,24 +1,10 @@
 // The model of a deck as a part of a case.
 #pragma once
 
-#include "mesh/shell_surface.hpp"
-#include "model/description/deck_model.hpp"
+#include "model/shape/deck_placing.hpp"
+#include "solve/model.hpp"
 
 namespace plica {
-
-// Length and mass of one unit of the deck in m and kg; its forces follow with the second.
-struct DeckUnits {
-  double length = 1, mass = 1;
-};
-
-// What is done to a deck to make a part of it.
-struct DeckPlacing {
-  DeckUnits units = {};
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d move{0, 0, 0};
-  bool held = true; // what the deck holds
-  MembraneStrain membrane = MembraneStrain::incompatible;
-};
 
 // The deck as a model of one component. Normals that are not given are the mean of those of the
 // facets that meet at less than 20 degrees, as in Abaqus. A wall beside its nodes has nodes of its
