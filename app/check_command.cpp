@@ -9,9 +9,9 @@
 #include "lab/measured/states.hpp"
 #include "mesh/machine_memory.hpp"
 #include "model/shape/doubts.hpp"
-#include "run/analyses/run.hpp"
 #include "run/routes/memory_need.hpp"
 #include "run/routes/route.hpp"
+#include "run/study/estimate.hpp"
 #include "solve/sparse_factor.hpp"
 
 #include <Eigen/Geometry>
@@ -52,7 +52,7 @@ Checked checked(const CaseFile& file) {
   for (const Eigen::Vector3d& x : built.model.mesh.nodes) box.extend(x);
   const std::size_t limits = 2 * file.data.tolerances.size();
   Checked found{
-      .cost = located(file, [&] { return estimate(built, file.data.analyses); }),
+      .cost = located(file, [&] { return estimate(built, file.data.analyses, symmetry); }),
       .limit = memory_limit(),
       .too_large = "",
       .quality = mesh_quality(built.model.mesh),
@@ -67,7 +67,7 @@ Checked checked(const CaseFile& file) {
       .error_bars = file.data.analyses.error_bars,
   };
   try {
-    require_memory_for(built, file.data.analyses);
+    require_memory_for(built, file.data.analyses, symmetry);
   } catch (const TooLarge& error) {
     found.too_large = error.what();
   }

@@ -18,6 +18,7 @@
 #include "lab/measured/states.hpp"
 #include "run/analyses/run.hpp"
 #include "run/routes/operating_state.hpp"
+#include "run/stages.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/life_intervals.hpp"
 #include "run/study/refine.hpp"
@@ -52,9 +53,9 @@ VariantResult run_variant(const CaseFile& file, const Case& changed, const std::
 // Work of a stage of the error bars, in runs for the headline: finer meshes cost more, those of
 // tolerances are coarse.
 double work_of(const std::string& stage) {
-  if (stage == "finer along") return 2;
-  if (stage == "finer around") return 1.5;
-  return stage.starts_with("tolerance of") ? 0.6 : 0.3;
+  if (stage == stages::finer_along) return 2;
+  if (stage == stages::finer_around) return 1.5;
+  return stage.starts_with(stages::tolerance_of) ? 0.6 : 0.3;
 }
 
 // Runs that follow the first one. Their work is counted in runs for the headline; the first does

@@ -1,6 +1,7 @@
 #include "run/analyses/levels.hpp"
 
 #include "lab/signals/peaks.hpp"
+#include "run/stages.hpp"
 #include "solve/backbone.hpp"
 #include "solve/joint_time_integration.hpp"
 #include "solve/parallel.hpp"
@@ -194,7 +195,7 @@ public:
   }
 
   LevelFamily run(const StageListener& stage) {
-    stage("levels of " + result_.excitation);
+    stage(stages::levels_of + result_.excitation);
     Stopwatch watch;
     const HarmonicSettings settings = harmonic_settings(levels_, levels_.method);
     std::vector<LevelSweep> sweeps(values_.size());

@@ -17,13 +17,4 @@ class ReductionMemory; // reduction/substructures.hpp
 Results run(const Case& data, const std::function<void(const std::string&)>& stage,
             ReductionMemory* memory = nullptr);
 
-// What a run would cost by the way it is solved, without assembling: fitted to measured runs
-// (docs/speed.md).
-struct Estimate {
-  int nodes = 0, elements = 0, dofs = 0;
-  double memory = 0;  // bytes
-  double seconds = 0; // on two cores
-};
-Estimate estimate(const BuiltCase& built, const Analyses& analyses);
-
 } // namespace plica

@@ -1,6 +1,7 @@
 #include "model/shape/constraint_clash.hpp"
 #include "reduction/cyclic_modes.hpp"
 #include "run/routes/route.hpp"
+#include "run/stages.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/model_error.hpp"
@@ -46,10 +47,11 @@ public:
   }
 
   std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
-    stage_("statics");
+    stage_(stages::statics);
     Matrix1212 K = Matrix1212::Zero();
     const CyclicModel& part = without_mount();
     ends_.clear();
+    solved_caps_.reset();
     for (const Harmonic& h : rigid_harmonics) {
       End end{.system = part.system(h), .unknowns = {}, .inner = std::nullopt};
       for (int side : {0, 1})
@@ -70,11 +72,14 @@ public:
       K += D * condensed * D.transpose();
       ends_.push_back(std::move(end));
     }
+    solved_caps_ = caps;
     watch_.lap(timing_, "statics");
     return K;
   }
 
-  MatrixXd follow(const std::array<int, 2>&, const MatrixXd& motion) override {
+  MatrixXd follow(const std::array<int, 2>& caps, const MatrixXd& motion) override {
+    if (solved_caps_ != caps && !end_stiffness(caps))
+      throw std::logic_error("a support holds one of the caps that are to move");
     MatrixXd u = MatrixXd::Zero(dof_count(built_.model), motion.cols());
     for (const End& end : ends_)
       u += model_.expand(end.system, follow_boundary(end.system.K, end.boundary(), *end.inner,
@@ -84,7 +89,7 @@ public:
 
   ModalSolution modes(const ModesRequest& request, const Loads& loads,
                       const std::vector<int>& sensors) override {
-    stage_("modes");
+    stage_(stages::modes);
     CyclicModes found = find_cyclic_modes(model_, built_.held_nodes, request);
     ModalSolution solution;
     solution.timing = found.timing;
@@ -269,7 +274,8 @@ private:
   Timing& timing_;
   Stopwatch watch_;
   int unknowns_;
-  std::vector<End> ends_;
+  std::vector<End> ends_; // of the solved caps
+  std::optional<std::array<int, 2>> solved_caps_;
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "model/shape/constraint_clash.hpp"
 #include "run/routes/route.hpp"
+#include "run/stages.hpp"
 #include "solve/base_motion.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
@@ -31,7 +32,7 @@ class FullRoute : public Route {
 public:
   FullRoute(const BuiltCase& built, std::string reason, const StageListener& stage, Timing& timing)
       : built_(built), reason_(std::move(reason)), stage_(stage), timing_(timing) {
-    stage_("assembly");
+    stage_(stages::assembly);
     system_ = assemble_case(built_);
     held_ = node_dofs(system_.map, built_.held_nodes);
     free_ = complement(system_.map.size(), held_);
@@ -51,11 +52,13 @@ public:
   }
 
   std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
+    solved_caps_.reset();
+    own_.reset();
     boundary_ = node_dofs(system_.map, {caps[0], caps[1]});
     if (boundary_.size() != 12) return std::nullopt;
     // The rig holds both caps; with another mount the stiffness is that of the part alone.
     const bool shared = boundary_ == held_ && base().sigma == 0;
-    stage_("statics");
+    stage_(stages::statics);
     leave_the_mount_away();
     if (!shared) {
       const SparseMatrix inner = restrict_to(part(), complement(system_.map.size(), boundary_));
@@ -65,11 +68,14 @@ public:
     }
     const MatrixXd condensed = condense(part(), boundary_, inner());
     watch_.lap(timing_, "statics");
+    solved_caps_ = caps;
     const auto order = order_of(caps);
     return Matrix1212(condensed(order, order));
   }
 
   MatrixXd follow(const std::array<int, 2>& caps, const MatrixXd& motion) override {
+    if (solved_caps_ != caps && !end_stiffness(caps))
+      throw std::logic_error("a support holds one of the caps that are to move");
     const auto order = order_of(caps);
     MatrixXd at_boundary(12, motion.cols());
     at_boundary(order, Eigen::all) = motion;
@@ -79,7 +85,7 @@ public:
   ModalSolution modes(const ModesRequest& request, const Loads& loads,
                       const std::vector<int>& sensors) override {
     BaseFactor& factor = base();
-    stage_("modes");
+    stage_(stages::modes);
     ModalSolution solution;
     solution.free_body = factor.sigma < 0;
     solution.with_mass = dofs_with_mass(M_);
@@ -115,7 +121,7 @@ public:
 private:
   BaseFactor& base() {
     if (!base_) {
-      stage_("factorisation");
+      stage_(stages::factorisation);
       base_.emplace(factor_below_spectrum(K_, M_));
       watch_.lap(timing_, "factorisation");
     }
@@ -170,7 +176,8 @@ private:
   Timing& timing_;
   Stopwatch watch_;
   System system_;
-  std::vector<int> free_, held_, boundary_;
+  std::vector<int> free_, held_, boundary_; // boundary: of the solved caps
+  std::optional<std::array<int, 2>> solved_caps_;
   SparseMatrix K_, M_;
   std::optional<SparseMatrix> without_mount_;
   std::optional<BaseFactor> base_;

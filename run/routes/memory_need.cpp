@@ -3,7 +3,6 @@
 #include "mesh/machine_memory.hpp"
 #include "reduction/substructures.hpp"
 #include "run/routes/built_reduced.hpp"
-#include "run/routes/symmetric_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,12 +50,12 @@ double memory_by_symmetry(double unknowns, int modes) {
   return program + (400 + 24. * modes) * unknowns;
 }
 
-MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses) {
+MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses,
+                       const SymmetricView& view) {
   const double unknowns = unknowns_of(built.model);
   if (analyses.reduction)
     return {memory_of_superelements(built, analyses),
             "Caps that cut the part into more superelements and a coarser mesh need less."};
-  const SymmetricView view = symmetric_view(built.model, analyses.symmetry);
   if (std::holds_alternative<CyclicModel>(view))
     return {memory_by_symmetry(unknowns, modes_of(analyses)),
             "A coarser mesh and fewer modes need less."};
@@ -68,13 +67,14 @@ MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses) {
           symmetry + "superelements ('reduction'), a coarser mesh and fewer modes need less."};
 }
 
-void require_memory_for(const BuiltCase& built, const Analyses& analyses) {
+void require_memory_for(const BuiltCase& built, const Analyses& analyses,
+                        const SymmetricView& view) {
   const double unknowns = unknowns_of(built.model);
   constexpr int most_modes = 60; // of a part that is reduced
   if (memory_of_full_mesh(unknowns, std::max(modes_of(analyses), most_modes)) <
       memory_limit().bytes)
     return; // whichever way
-  const MemoryNeed need = memory_need(built, analyses);
+  const MemoryNeed need = memory_need(built, analyses, view);
   require_memory(need.bytes,
                  "the run of this model (" + std::to_string(long(unknowns)) + " unknowns)",
                  need.instead);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/shape/built_case.hpp"
+#include "run/routes/symmetric_view.hpp"
 
 #include <string>
 
@@ -19,11 +20,13 @@ struct MemoryNeed {
   std::string instead; // what would need less, a sentence
 };
 
-// By symmetry, by superelements or on the full mesh, as choose_route() takes it. Throws InputError
-// as symmetric_view() does.
-MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses);
+// By symmetry, by superelements or on the full mesh, as choose_route() takes it. `view`: what
+// symmetric_view() finds of the model and the symmetry that the analyses ask for; of no matter to
+// superelements.
+MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view);
 
 // Throws TooLarge (mesh/machine_memory.hpp) when the machine does not have it.
-void require_memory_for(const BuiltCase& built, const Analyses& analyses);
+void require_memory_for(const BuiltCase& built, const Analyses& analyses,
+                        const SymmetricView& view);
 
 } // namespace plica

@@ -4,6 +4,7 @@
 #include "run/routes/route.hpp"
 #include "run/routes/state_buckling.hpp"
 #include "run/routes/state_loads.hpp"
+#include "run/stages.hpp"
 #include "solve/equilibrium_path.hpp"
 #include "solve/state_elements.hpp"
 #include "solve/state_shape.hpp"
@@ -49,7 +50,7 @@ BaseState equilibrium(const OperatingState& asked, const Model& at_rest, const S
                       const StateSolver& solver, const StageListener& stage, StateResult& result) {
   const std::string at = asked.name.empty() ? "state" : "states." + asked.name;
   const auto heard = [&](double share) {
-    stage(fmt::format("state, {:.3g} % of the loads", 100 * share));
+    stage(fmt::format("{}{:.3g} % of the loads", stages::state_at, 100 * share));
   };
   try {
     if (!asked.follow)
@@ -80,7 +81,7 @@ void require_rest(const Case& data, const std::string& what) {
 StateResult move_into_state(const Case& data, BuiltCase& built,
                             const std::function<void(const std::string&)>& stage,
                             std::map<std::string, double>& timing) {
-  stage("state");
+  stage(stages::state);
   Stopwatch watch;
   StateResult result;
   result.name = data.state->name;
@@ -96,7 +97,7 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
     stage("buckling");
     add_buckling(data.state->buckling, at_rest, loads, solver, result);
     watch.lap(timing, "buckling");
-    stage("state");
+    stage(stages::state);
   }
   BaseState state = equilibrium(*data.state, at_rest, loads, solver, stage, result);
   for (MatrixElement& m : coupling_stiffness(state.model, at_rest, state.lacking, symmetric))

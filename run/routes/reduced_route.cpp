@@ -1,5 +1,6 @@
 #include "run/routes/built_reduced.hpp"
 #include "run/routes/route.hpp"
+#include "run/stages.hpp"
 #include "solve/constraints.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
@@ -79,7 +80,7 @@ public:
                Timing& timing, ReductionMemory* memory)
       : built_(built), cutoff_(cutoff), stage_(stage), timing_(timing),
         map_(eliminate(built.model)) {
-    stage_("reduction");
+    stage_(stages::reduction);
     const bool symmetric = symmetry != Symmetry::off;
     reduced_ =
         reduced_model(built, interface_nodes(built, symmetric),
@@ -126,7 +127,7 @@ public:
       s.proof.passed = false;
       s.proof.reason = "a substructure: " + reduced_.reason;
     }
-    stage_("recovery");
+    stage_(stages::recovery);
     watch_ = Stopwatch();
     s.u = reduced_.field(s.u);
     weigh(s, rigid);

@@ -1,6 +1,7 @@
 #include "run/routes/route.hpp"
 
 #include "run/routes/memory_need.hpp"
+#include "run/stages.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
@@ -55,15 +56,16 @@ void require_held(bool free_body, const BuiltCase& built) {
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing,
                                     ReductionMemory* memory) {
-  require_memory_for(built, analyses);
   const Symmetry symmetry = analyses.symmetry;
-  if (analyses.reduction)
+  if (analyses.reduction) {
+    require_memory_for(built, analyses, "superelements");
     return reduced_route(built, reduction_cutoff(analyses), symmetry, stage, timing, memory);
-  if (symmetry == Symmetry::off) return full_route(built, "as the case asks", stage, timing);
+  }
   Stopwatch watch;
-  stage("symmetry");
+  if (symmetry != Symmetry::off) stage(stages::symmetry);
   SymmetricView view = symmetric_view(built.model, symmetry);
-  watch.lap(timing, "symmetry");
+  if (symmetry != Symmetry::off) watch.lap(timing, "symmetry");
+  require_memory_for(built, analyses, view);
   if (auto* model = std::get_if<CyclicModel>(&view))
     return cyclic_route(built, std::move(*model), stage, timing);
   return full_route(built, std::get<std::string>(view), stage, timing);

@@ -53,8 +53,9 @@ public:
   // Stiffness between the two reference nodes without spring mounts, in the order given. Empty when
   // a support holds one of them. Throws std::runtime_error for a mechanism.
   virtual std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) = 0;
-  // All DOFs when these nodes move by the columns (12 rows) and nothing else acts. After
-  // end_stiffness() of the same caps.
+  // All DOFs when these nodes move by the columns (12 rows) and nothing else acts. Needs
+  // end_stiffness() of the same caps, which it takes itself where it was not the last one asked
+  // for; throws std::logic_error where that is empty.
   virtual Eigen::MatrixXd follow(const std::array<int, 2>& caps, const Eigen::MatrixXd& motion) = 0;
 
   // Throws InputError for loads on a part that nothing holds.

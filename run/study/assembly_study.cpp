@@ -4,6 +4,7 @@
 #include "run/analyses/dynamics.hpp"
 #include "run/analyses/static_stiffness.hpp"
 #include "run/routes/built_reduced.hpp"
+#include "run/stages.hpp"
 #include "solve/constraints.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
@@ -204,12 +205,12 @@ AssemblyStudy::~AssemblyStudy() = default;
 std::unique_ptr<const AssemblyStudy> AssemblyStudy::of(const Case& data, const StageListener& stage,
                                                        ReductionMemory* memory) {
   if (has_to_run_whole(data)) return nullptr;
-  stage("mesh");
+  stage(stages::mesh);
   BuiltCase built = build(data);
   if (has_supports(built.model) || !built.dampers.empty() || !built.joints.empty()) return nullptr;
   Watched watched = watched_of(built);
   if (watched.nodes.empty()) return nullptr;
-  stage("reduction");
+  stage(stages::reduction);
   const bool symmetric = data.analyses.symmetry != Symmetry::off;
   if (data.analyses.symmetry == Symmetry::required) return nullptr; // the route checks that
   const double cutoff = reduction_cutoff(data.analyses);

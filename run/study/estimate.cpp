@@ -1,20 +1,19 @@
+#include "run/study/estimate.hpp"
+
 #include "model/shape/constraint_clash.hpp"
-#include "run/analyses/run.hpp"
 #include "run/routes/memory_need.hpp"
-#include "run/routes/symmetric_view.hpp"
 
 #include <cmath>
 
 namespace plica {
 
-Estimate estimate(const BuiltCase& built, const Analyses& analyses) {
+Estimate estimate(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view) {
   Estimate cost;
   cost.nodes = static_cast<int>(built.model.mesh.nodes.size());
   cost.elements = element_count(built.model);
   cost.dofs = eliminate_constraints(built.model).size();
-  cost.memory = memory_need(built, analyses).bytes;
-  if (!analyses.reduction &&
-      std::holds_alternative<CyclicModel>(symmetric_view(built.model, analyses.symmetry))) {
+  cost.memory = memory_need(built, analyses, view).bytes;
+  if (!analyses.reduction && std::holds_alternative<CyclicModel>(view)) {
     cost.seconds = 0.5 + 6e-6 * cost.dofs;
     return cost;
   }

@@ -7,6 +7,7 @@
 #include "run/routes/memory_need.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/route.hpp"
+#include "run/stages.hpp"
 #include "run/study/part_reference.hpp"
 #include "run/study/reduce_state.hpp"
 #include "solve/decompositions.hpp"
@@ -271,7 +272,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   result.cutoff = request.cutoff > 0 ? request.cutoff : reduction_cutoff(data.analyses);
   result.asked = highest_frequency(data.analyses);
   Stopwatch watch;
-  stage("mesh");
+  stage(stages::mesh);
   const ReleasedCase released =
       data.state ? released_in_state(data, stage, result.timing) : ReleasedCase{build(data), {}};
   const BuiltCase& built = released.built;
@@ -280,12 +281,12 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   if (data.state) check_reducible(data, boundary.names);
   check_recovered(data, request.recover);
   watch.lap(result.timing, "mesh");
-  require_memory_for(built, data.analyses);
-  stage("symmetry");
+  stage(stages::symmetry);
   const SymmetricView view = symmetric_view(built.model, data.analyses.symmetry);
   const auto* symmetric = std::get_if<CyclicModel>(&view);
   watch.lap(result.timing, "symmetry");
-  stage("reduction");
+  require_memory_for(built, data.analyses, view);
+  stage(stages::reduction);
   std::shared_ptr<const ReducedModel> nested;
   if (data.analyses.reduction) {
     const bool by_symmetry = data.analyses.symmetry != Symmetry::off;
@@ -313,7 +314,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   part.left_out = result.left_out.count;
   result.certificate = certificate(reduction.element, part);
   watch.lap(result.timing, "certificate");
-  stage("recovery");
+  stage(stages::recovery);
   result.element = reduction.element;
   result.proved = reduction.proved;
   result.reason = reduction.reason;
