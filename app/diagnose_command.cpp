@@ -50,24 +50,6 @@ const MeasuredFile& required(const std::optional<MeasuredFile>& test, const Case
   return *test;
 }
 
-// The responses of each entry on its own; problems keep the number of the entry.
-std::vector<std::vector<FrfSet>> responses_of(const Measured& measured, const fs::path& folder) {
-  std::vector<std::vector<FrfSet>> all;
-  for (std::size_t i = 0; i < measured.frf.size(); ++i) {
-    Measured one = measured;
-    one.frf = {measured.frf[i]};
-    try {
-      all.push_back(load_frfs(one, folder));
-    } catch (const InputError& error) {
-      std::vector<InputProblem> problems = error.problems();
-      for (InputProblem& p : problems)
-        if (p.key.starts_with("frf[0]")) p.key = "frf[" + std::to_string(i) + "]" + p.key.substr(6);
-      throw InputError(std::move(problems));
-    }
-  }
-  return all;
-}
-
 std::string title_of(const Case& data) {
   return data.title.empty() ? data.name : data.title;
 }
@@ -133,7 +115,7 @@ Asked asked_for(const TestedCase& tested) {
   Asked a{.file = file, .test_file = required(tested.test, file), .test = {}, .inputs = {}};
   a.test.data = a.test_file.data;
   resolve_states(a.test.data, file.data, a.test_file.path.string());
-  a.test.responses = responses_of(a.test.data, a.test_file.path.parent_path());
+  a.test.responses = load_each_frf(a.test.data, a.test_file.path.parent_path());
   a.inputs = files_of(file);
   for (fs::path& path : files_of(a.test_file)) a.inputs.push_back(std::move(path));
   return a;

@@ -3,12 +3,12 @@
 #include "solve/block_lanczos.hpp"
 #include "solve/dense_modes.hpp"
 #include "solve/model_error.hpp"
+#include "solve/short_text.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <omp.h>
@@ -84,12 +84,6 @@ void rescale_shift(BaseFactor& base, const SparseMatrix& K, const SparseMatrix& 
                      "it rigid or softer");
 }
 
-std::string scientific(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", x);
-  return text.data();
-}
-
 } // namespace
 
 double frequency(double lambda) {
@@ -145,7 +139,7 @@ ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M, const Ve
 void compare_counts(ModesProof& proof, const std::string& what) {
   proof.passed = proof.inertia_count == proof.found;
   if (!proof.passed)
-    proof.reason = "below " + scientific(frequency(proof.sigma)) + " Hz there are " +
+    proof.reason = "below " + short_text(frequency(proof.sigma)) + " Hz there are " +
                    std::to_string(proof.inertia_count) + " " + what + ", but " +
                    std::to_string(proof.found) + " were found";
 }
@@ -154,8 +148,8 @@ void judge_accuracy(ModesProof& proof) {
   if (!proof.passed) return;
   const auto refuse = [&](const std::string& what, double value, double limit) {
     proof.passed = false;
-    proof.reason += (proof.reason.empty() ? "" : "; ") + what + " " + scientific(value) +
-                    ", and at most " + scientific(limit) + " is accepted";
+    proof.reason += (proof.reason.empty() ? "" : "; ") + what + " " + short_text(value) +
+                    ", and at most " + short_text(limit) + " is accepted";
   };
   if (!(proof.max_residual <= residual_limit))
     refuse("a mode has a residual of", proof.max_residual, residual_limit);

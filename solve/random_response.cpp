@@ -1,5 +1,7 @@
 #include "solve/random_response.hpp"
 
+#include "solve/short_text.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -66,7 +68,7 @@ std::string not_a_spectrum(const MatrixXcd& S) {
       Eigen::SelfAdjointEigenSolver<MatrixXcd>(S, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
   if (lowest < -rounding * std::max(largest, 1e-300))
     return "is not positive: no signals have such coherences, it has the eigenvalue " +
-           std::to_string(lowest / std::max(largest, 1e-300)) + " of its largest entry";
+           short_text(lowest / std::max(largest, 1e-300)) + " of its largest entry";
   return "";
 }
 

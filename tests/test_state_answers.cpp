@@ -66,9 +66,9 @@ protected:
     StateAnswers state(families_.of(0, together), sweep_, acting, 1);
     std::vector<double> all;
     for (const Reading& r : sweep_.readings) {
-      double value = std::numeric_limits<double>::quiet_NaN();
-      if (!state.answer(r, value)) return std::nullopt;
-      all.push_back(std::exp(value));
+      const std::optional<double> value = state.answer(r);
+      if (!value) return std::nullopt;
+      all.push_back(std::exp(*value));
     }
     return all;
   }

@@ -69,7 +69,6 @@ void FitProblem::choose_targets() {
   std::string known;
   for (const MeasuredComparison& row : compare(results, measured_)) {
     known += (known.empty() ? "" : ", ") + row.quantity;
-    const bool peak = row.quantity.find(" of the peak") != std::string::npos;
     const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
                                     [&](const FitTarget& t) { return names(t, row); });
     const std::optional<double> level = level_of(measured_, row.entry);
@@ -79,7 +78,7 @@ void FitProblem::choose_targets() {
                             });
     if (held_level && named == request_.targets.end() && !request_.targets.empty()) continue;
     const bool held_out = held_level || is_held_out(measured_, row.entry);
-    if (named == request_.targets.end() && !held_out && (!request_.targets.empty() || peak))
+    if (named == request_.targets.end() && !held_out && (!request_.targets.empty() || row.of_peak))
       continue;
     if (!(row.measured > 0) || !(row.computed > 0)) continue;
     double sigma = row.sigma > 0 ? row.sigma / row.measured : request_.default_sigma;
@@ -89,7 +88,8 @@ void FitProblem::choose_targets() {
                         .entry = row.entry,
                         .measured = row.measured,
                         .sigma = sigma,
-                        .held_out = held_out});
+                        .held_out = held_out,
+                        .of_peak = row.of_peak});
   }
   for (double away : request_.hold_out_levels)
     if (std::none_of(measured_.peaks.begin(), measured_.peaks.end(), [&](const MeasuredPeaks& p) {
@@ -113,9 +113,8 @@ void FitProblem::choose_targets() {
                                     ? "nothing to fit: the model gives none of the measured "
                                       "quantities, and there is no goal"
                                     : "nothing to fit: all that was measured is held out");
-  const bool peaks = std::any_of(targets_.begin(), targets_.end(), [](const Target& t) {
-    return t.quantity.find(" of the peak") != std::string::npos;
-  });
+  const bool peaks =
+      std::any_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.of_peak; });
   const bool levels = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
     return level_of(measured_, t.entry).has_value();
   });

@@ -330,7 +330,9 @@ std::optional<VectorXd> Predictor::answers(const VectorXd& values, Slip slip, Wh
       if (slip == Slip::stuck) acts[s]->group.reset();
       answers[s].emplace(answers_of(s, *acts[s]));
     }
-    if (!answers[s]->answer(reading, y[i])) return std::nullopt;
+    const std::optional<double> answer = answers[s]->answer(reading);
+    if (!answer) return std::nullopt;
+    y[i] = *answer;
   }
   return y;
 }

@@ -41,18 +41,12 @@ std::array<double, 2> band_of(const TestRun& run) {
 
 } // namespace
 
-bool StateAnswers::answer(const Reading& reading, double& value) {
-  value = none;
-  switch (reading.kind) {
-  case ReadingKind::mass:
-    value = std::log(mass());
-    return true;
-  case ReadingKind::stiffness:
-    value = static_stiffness(reading);
-    return true;
-  default:
-    return dynamic(reading, value);
-  }
+std::optional<double> StateAnswers::answer(const Reading& reading) {
+  if (reading.kind == ReadingKind::mass) return std::log(mass());
+  if (reading.kind == ReadingKind::stiffness) return static_stiffness(reading);
+  double value = none;
+  if (!dynamic(reading, value)) return std::nullopt;
+  return value;
 }
 
 int StateAnswers::nominal_mode(const Reading& reading) {

@@ -42,9 +42,9 @@ public:
                Eigen::Index seen)
       : own_(state), test_(test), acting_(acting), seen_(seen) {}
 
-  // Logarithm of what the reading would be; not a number where the model does not give it. False:
-  // no stable structure.
-  bool answer(const Reading& reading, double& value);
+  // Logarithm of what the reading would be; not a number where the model does not give it. Empty
+  // where there is no stable structure.
+  std::optional<double> answer(const Reading& reading);
 
   // Number of the nominal mode that a reading is of; -1 = none.
   int nominal_mode(const Reading& reading);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plica {
 namespace {
@@ -114,7 +115,9 @@ MatrixXd weights_of(const StateFamily& family, const TestReadings& test, const F
       y[std::size_t(way)] = VectorXd::Zero(W.rows());
       for (Index i = 0; i < W.rows(); ++i) {
         const Reading& r = test.readings[std::size_t(i)];
-        if (r.state == state.name && feels_damping(r)) answers.answer(r, y[std::size_t(way)][i]);
+        if (r.state == state.name && feels_damping(r))
+          y[std::size_t(way)][i] =
+              answers.answer(r).value_or(std::numeric_limits<double>::quiet_NaN());
       }
     }
     const VectorXd w = (y[1] - y[0]) / (2 * step);

@@ -104,42 +104,55 @@ bool belong_together(const FrfSet& a, const FrfSet& b) {
          std::find(a.references.begin(), a.references.end(), b.references[0]) == a.references.end();
 }
 
+// One entry of `frf`: one reference.
+FrfSet frf_of_entry(const Measured& measured, std::size_t i, const fs::path& folder) {
+  const MeasuredFrf& entry = measured.frf[i];
+  const std::string reference =
+      entry.base ? std::string("base.") + word_of(*entry.base) : entry.force;
+  const ChannelRequest request{.path = folder / entry.file,
+                               .key = "frf[" + std::to_string(i) + "]",
+                               .channels = entry.channels,
+                               .variables = entry.variables,
+                               .base = entry.base.has_value(),
+                               .asked = entry.quantity};
+  ChannelTable table = channels_of(request, &measured, reference);
+  // Of a base the file may call it what it likes.
+  const FrfQuantity quantity =
+      entry.base ? FrfQuantity::transmissibility
+                 : agreed(table.quantity, entry.quantity, FrfQuantity::accelerance, request);
+  FrfSet set = frf_of(std::move(table), quantity, reference);
+  set.level = entry.level;
+  if (entry.sigma) set.sigma = {sigma_of(set.H[0], *entry.sigma)};
+  return set;
+}
+
 } // namespace
 
 std::vector<FrfSet> load_frfs(const Measured& measured, const fs::path& folder,
                               const std::optional<std::string>& state) {
   std::vector<FrfSet> sets;
   for (std::size_t i = 0; i < measured.frf.size(); ++i) {
-    const MeasuredFrf& entry = measured.frf[i];
-    if (state && entry.state != *state) continue;
-    const std::string reference =
-        entry.base ? std::string("base.") + word_of(*entry.base) : entry.force;
-    const ChannelRequest request{.path = folder / entry.file,
-                                 .key = "frf[" + std::to_string(i) + "]",
-                                 .channels = entry.channels,
-                                 .variables = entry.variables,
-                                 .base = entry.base.has_value(),
-                                 .asked = entry.quantity};
-    ChannelTable table = channels_of(request, &measured, reference);
-    // Of a base the file may call it what it likes.
-    const FrfQuantity quantity =
-        entry.base ? FrfQuantity::transmissibility
-                   : agreed(table.quantity, entry.quantity, FrfQuantity::accelerance, request);
-    FrfSet set = frf_of(std::move(table), quantity, reference);
-    set.level = entry.level;
-    if (entry.sigma) set.sigma = {sigma_of(set.H[0], *entry.sigma)};
+    if (state && measured.frf[i].state != *state) continue;
+    FrfSet set = frf_of_entry(measured, i, folder);
     const auto home = std::find_if(
         sets.begin(), sets.end(), [&](const FrfSet& other) { return belong_together(other, set); });
     if (home == sets.end()) {
       sets.push_back(std::move(set));
       continue;
     }
-    home->references.push_back(reference);
+    home->references.push_back(set.references[0]);
     home->warnings.insert(home->warnings.end(), set.warnings.begin(), set.warnings.end());
     home->H.push_back(std::move(set.H[0]));
     if (!set.sigma.empty()) home->sigma.push_back(std::move(set.sigma[0]));
   }
   return sets;
+}
+
+std::vector<std::vector<FrfSet>> load_each_frf(const Measured& measured, const fs::path& folder) {
+  std::vector<std::vector<FrfSet>> all;
+  for (std::size_t i = 0; i < measured.frf.size(); ++i)
+    all.push_back({frf_of_entry(measured, i, folder)});
+  return all;
 }
 
 SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,

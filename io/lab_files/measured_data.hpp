@@ -33,6 +33,10 @@ struct SignalSet {
 std::vector<FrfSet> load_frfs(const Measured& measured, const std::filesystem::path& folder,
                               const std::optional<std::string>& state = std::nullopt);
 
+// Those of each entry on its own.
+std::vector<std::vector<FrfSet>> load_each_frf(const Measured& measured,
+                                               const std::filesystem::path& folder);
+
 SignalSet load_signals(const MeasuredSignals& entry, const Measured& measured,
                        const std::filesystem::path& folder, const std::string& key);
 

@@ -60,6 +60,20 @@ Json json_of(const LedgerRow& row) {
 
 } // namespace
 
+Json mimic_json(const Mimic& m) {
+  return {{"a", m.a}, {"b", m.b}, {"cosine", json_number(m.cosine)}};
+}
+
+Json detectable_json(const SmallestDetectable& s) {
+  return {{"name", s.name},
+          {"place", s.place},
+          {"way", s.way},
+          {"parameter", s.parameter},
+          {"unit", s.unit},
+          {"smallest", json_number(s.value)},
+          {"noncentrality", json_number(s.noncentrality)}};
+}
+
 Json ledger_json(const Ledger& ledger) {
   return {{"gap", json_number(ledger.gap)},
           {"readings", ledger.readings},
@@ -171,22 +185,14 @@ Json identifiability_json(const Diagnosis& d) {
     for (Index j = 0; j < d.likeness.cols(); ++j) row.push_back(json_number(d.likeness(i, j)));
     likeness.push_back(std::move(row));
   }
-  const auto mimic = [](const Mimic& m) {
-    return Json{{"a", m.a}, {"b", m.b}, {"cosine", json_number(m.cosine)}};
-  };
   const auto detectable = [](const SmallestDetectable& s) {
-    return Json{{"name", s.name},
-                {"place", s.place},
-                {"way", s.way},
-                {"parameter", s.parameter},
-                {"unit", s.unit},
-                {"value", json_number(s.at)},
-                {"smallest", json_number(s.value)},
-                {"noncentrality", json_number(s.noncentrality)}};
+    Json json = detectable_json(s);
+    json["value"] = json_number(s.at);
+    return json;
   };
   return {{"effects", d.effect_names},
           {"likeness", likeness},
-          {"mimics", list_of(d.mimics, mimic)},
+          {"mimics", list_of(d.mimics, mimic_json)},
           {"detectable", list_of(d.detectable, detectable)}};
 }
 

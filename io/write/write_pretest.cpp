@@ -4,6 +4,7 @@
 #include "io/report/diagnosis_parts.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/write/write_diagnosis.hpp"
 
 #include <fmt/format.h>
 
@@ -31,17 +32,9 @@ std::string pretest_json(const Pretest& p, const std::string& plica_version) {
     json["likeness"].push_back(
         std::vector<double>(p.likeness.row(i).begin(), p.likeness.row(i).end()));
   json["mimics"] = Json::array();
-  for (const Mimic& m : p.mimics)
-    json["mimics"].push_back({{"a", m.a}, {"b", m.b}, {"cosine", m.cosine}});
+  for (const Mimic& m : p.mimics) json["mimics"].push_back(mimic_json(m));
   json["detectable"] = Json::array();
-  for (const SmallestDetectable& s : p.detectable)
-    json["detectable"].push_back({{"name", s.name},
-                                  {"place", s.place},
-                                  {"way", s.way},
-                                  {"parameter", s.parameter},
-                                  {"unit", s.unit},
-                                  {"smallest", s.value ? Json(*s.value) : Json(nullptr)},
-                                  {"noncentrality", s.noncentrality}});
+  for (const SmallestDetectable& s : p.detectable) json["detectable"].push_back(detectable_json(s));
   json["additions"] = Json::array();
   for (const PlannedAddition& m : p.additions)
     json["additions"].push_back({{"what", m.what}, {"cost", m.cost}, {"gain", m.gain}});

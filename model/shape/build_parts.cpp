@@ -7,6 +7,7 @@
 #include "model/shape/build_pipes.hpp"
 #include "model/shape/build_surface.hpp"
 #include "model/shape/wall_places.hpp"
+#include "solve/short_text.hpp"
 #include "words/input_error.hpp"
 
 #include <array>
@@ -20,11 +21,8 @@ using Eigen::Vector3d;
 void require_unfolded(const Mesh& mesh, const std::string& key, const std::string& allowed) {
   const double ratio = mesh_quality(mesh).min_jacobian;
   if (ratio > folded_ratio) return;
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", ratio);
   input_error(key,
-              std::string("folds the mesh: a quad is turned over (Jacobian ratio ") + text.data() +
-                  ")",
+              "folds the mesh: a quad is turned over (Jacobian ratio " + short_text(ratio) + ")",
               allowed);
 }
 
