@@ -3,6 +3,7 @@
 
 #include "mesh/generation/surface_mesher.hpp"
 #include "mesh/generation/worker.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +14,13 @@ namespace plica::test {
 
 class GeometryFolder : public testing::Test {
 protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override {
-    std::filesystem::remove_all(folder_);
     for (const char* name : {"PLICA_MESHER", "PLICA_MESH_SECONDS", "PLICA_MESH_MEMORY"})
       unsetenv(name);
     allow_workers();
   }
 
-  std::filesystem::path at(const std::string& name) const { return folder_ / name; }
+  std::filesystem::path at(const std::string& name) const { return folder_.path / name; }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(at(name), std::ios::binary) << text;
   }
@@ -40,10 +39,7 @@ protected:
   }
 
 private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("plica_damage_" +
-       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const TemporaryFolder folder_{"geometry"};
 };
 
 } // namespace plica::test

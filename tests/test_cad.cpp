@@ -8,6 +8,7 @@
 #include "model/shape/build_surface.hpp"
 #include "run/analyses/run.hpp"
 #include "tests/bellows_case.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
@@ -21,10 +22,7 @@ using Eigen::Vector3d;
 
 class Cad : public testing::Test {
 protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path at(const std::string& name) const { return folder_ / name; }
+  fs::path at(const std::string& name) const { return folder_.path / name; }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(at(name), std::ios::binary) << text;
   }
@@ -44,9 +42,7 @@ protected:
   }
 
 private:
-  fs::path folder_ =
-      fs::temp_directory_path() /
-      ("plica_cad_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const TemporaryFolder folder_{"cad"};
 };
 
 double area(const Mesh& mesh) {

@@ -9,9 +9,11 @@
 #include "io/input/yaml_tree.hpp"
 #include "lab/measured/measured_fields.hpp"
 #include "model/description/node_sets.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/units.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -85,12 +87,19 @@ TEST(BrokenCase, missing_file_and_directory_are_named) {
   EXPECT_EQ(problems_of(source / "cases"), "cases: is a directory; give the path of a YAML file\n");
 }
 
-TEST(BrokenCase, no_cut_or_changed_byte_of_a_good_file_crashes) {
+// A file cut anywhere or with a byte changed is read, or refused by its own lines.
+TEST(BrokenCase, cut_or_with_a_changed_byte_is_read_or_refused_by_its_lines) {
   const std::string good = text_of(a2);
-  const fs::path path = fs::temp_directory_path() / "plica_cut_case.yaml";
+  const test::TemporaryFolder folder("cut_case");
+  const fs::path path = folder.path / "case.yaml";
+  int read = 0, refused = 0;
   const auto try_text = [&](const std::string& text) {
     std::ofstream(path) << text;
-    problems_of(path); // may be good or bad, must return
+    const std::string problems = problems_of(path);
+    ++(problems.empty() ? read : refused);
+    std::istringstream lines(problems);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_TRUE(line.starts_with("case.yaml:")) << line;
   };
   for (std::size_t n = 0; n < good.size(); n += 61) try_text(good.substr(0, n));
   for (std::size_t i = 1500; i < good.size(); i += 17) {
@@ -98,7 +107,9 @@ TEST(BrokenCase, no_cut_or_changed_byte_of_a_good_file_crashes) {
     changed[i] = "[]{}:,-\"'#&*!|>%@`\n0.x"[i % 22];
     try_text(changed);
   }
-  fs::remove(path);
+  std::printf("%d read, %d refused\n", read, refused);
+  EXPECT_GT(read, 100); // comments, numbers, sections that are not missed
+  EXPECT_GT(refused, 100);
 }
 
 TEST(ShippedCases, all_are_read_without_a_problem) {
@@ -170,7 +181,8 @@ TEST(ReadCase, every_variant_of_the_shipped_cases_can_be_read_by_itself) {
     for (const AlternativeModel& model : nominal.models) models.push_back(model.name);
     for (const std::string& model : models)
       for (const Variant& variant : read_case(path, model).data.variants)
-        EXPECT_NO_THROW(read_case(path, model, variant.set)) << path << " " << variant.name;
+        EXPECT_EQ(read_case(path, model, variant.set).data.name, nominal.name)
+            << path << " " << variant.name;
   }
 }
 
@@ -198,7 +210,8 @@ TEST(ReadCase, a_model_replaces_the_sections_it_has_and_keeps_the_others) {
 // A fitted number with a tolerance has its limits as bounds; variants and tolerances beyond the
 // bounds are no matter of the fit.
 TEST(ReadCase, takes_the_bounds_of_a_fit_from_a_tolerance) {
-  const fs::path path = fs::temp_directory_path() / "plica_fit_case.yaml";
+  const test::TemporaryFolder folder("fit_case");
+  const fs::path path = folder.path / "case.yaml";
   std::string text = text_of(a2);
   text = text.substr(0, text.find("\nmodels:")) +
          "\nfit:\n  parameters:\n"
@@ -217,11 +230,11 @@ TEST(ReadCase, takes_the_bounds_of_a_fit_from_a_tolerance) {
   std::ofstream(path) << text
                       << "    - {path: parts.interlock.radius, of: {parts.interlock.radius: 2}}\n";
   EXPECT_NE(problems_of(path).find("in a circle"), std::string::npos);
-  fs::remove(path);
 }
 
 TEST(ReadBenchmark, says_what_is_wrong) {
-  const fs::path path = fs::temp_directory_path() / "plica_benchmark.yaml";
+  const test::TemporaryFolder folder("benchmark");
+  const fs::path path = folder.path / "benchmark.yaml";
   std::ofstream(path) << "benchmark: b\ntables:\n  - table: 1\n    title: t\n    case: no.yaml\n"
                          "    columns: [{name: pipe}]\n"
                          "    rows: [{label: a, quantity: mass, only: pip, colour: red}]\n";
@@ -231,7 +244,6 @@ TEST(ReadBenchmark, says_what_is_wrong) {
   for (const char* text :
        {"there is no file 'no.yaml'", "did you mean 'pipe'", "colour: unknown key"})
     EXPECT_NE(problems.find(text), std::string::npos) << problems;
-  fs::remove(path);
 }
 
 TEST(ReadCase, an_override_that_does_not_exist_is_an_error) {

@@ -1,5 +1,6 @@
 // What a machine grants and what a run needs, known beforehand.
 #include "tests/support/fields.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include "mesh/generation/revolve.hpp"
 #include "mesh/machine_memory.hpp"
@@ -18,23 +19,18 @@ namespace fs = std::filesystem;
 class MachineMemory : public testing::Test {
 protected:
   void SetUp() override {
-    root_ = fs::path(testing::TempDir()) /
-            testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(root_);
     unsetenv("PLICA_MEMORY");
     write("proc/meminfo", "MemFree:  1 kB\nMemTotal:       8000000 kB\n");
   }
-  void TearDown() override {
-    fs::remove_all(root_);
-    unsetenv("PLICA_MEMORY");
-  }
+  void TearDown() override { unsetenv("PLICA_MEMORY"); }
   void write(const std::string& path, const std::string& text) const {
     fs::create_directories((root_ / path).parent_path());
     std::ofstream(root_ / path) << text;
   }
   double limit() const { return memory_limit(root_).bytes; }
 
-  fs::path root_;
+  const TemporaryFolder folder_{"machine"};
+  const fs::path& root_ = folder_.path;
 };
 
 TEST_F(MachineMemory, is_what_is_installed) {

@@ -5,13 +5,13 @@
 #include "mesh/generation/msh_file.hpp"
 #include "mesh/generation/revolve.hpp"
 #include "mesh/plate.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <gmsh.h>
 #include <numbers>
 #include <set>
-#include <unistd.h>
 
 namespace plica::test {
 namespace {
@@ -297,8 +297,8 @@ TEST(Thinning, follows_its_law_with_the_radius) {
 
 TEST(MshFile, is_read_back_by_gmsh_with_nodes_quads_and_sets) {
   const Mesh mesh = mesh_of(bellows(u_shape), 8);
-  const auto file = std::filesystem::temp_directory_path() /
-                    ("plica_test_mesh_" + std::to_string(getpid()) + ".msh");
+  const test::TemporaryFolder folder("mesh");
+  const auto file = folder.path / "mesh.msh";
   write_msh(mesh, {{0, 1}}, file);
   gmsh::initialize();
   gmsh::option::setNumber("General.Terminal", 0);
@@ -317,7 +317,6 @@ TEST(MshFile, is_read_back_by_gmsh_with_nodes_quads_and_sets) {
   std::vector<std::size_t> quads, corners;
   gmsh::model::mesh::getElementsByType(3, quads, corners);
   gmsh::finalize();
-  std::filesystem::remove(file);
   EXPECT_EQ(std::set(tags.begin(), tags.end()).size(), mesh.nodes.size());
   EXPECT_EQ(quads.size(), mesh.quads.size());
   for (const char* name : {"left", "right", "crown[1]", "root[3]", "cuff.left"})

@@ -1,5 +1,6 @@
 #include "mesh/generation/surface_file.hpp"
 #include "mesher/surface_frame.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -89,9 +90,10 @@ TEST(SurfaceFile, gltf_stands_upright) {
 }
 
 TEST(SurfaceFile, refuses_what_it_does_not_write) {
-  const auto folder = std::filesystem::temp_directory_path();
-  EXPECT_THROW(write_surface(roof(), {}, folder / "a.vrml"), std::invalid_argument);
-  EXPECT_THROW(write_surface(roof(), {}, folder / "no such folder" / "a.obj"), std::runtime_error);
+  const test::TemporaryFolder folder("surface");
+  EXPECT_THROW(write_surface(roof(), {}, folder.path / "a.vrml"), std::invalid_argument);
+  EXPECT_THROW(write_surface(roof(), {}, folder.path / "no such folder" / "a.obj"),
+               std::runtime_error);
   SurfaceShape bad = shape(1);
   bad.displacement.conservativeResize(3, 3);
   EXPECT_THROW(glb_of(roof(), {bad}), std::invalid_argument);

@@ -8,6 +8,7 @@
 #include "io/tables/diagnosis_words.hpp"
 #include "io/write/explained_case.hpp"
 #include "model/description/case_path.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -142,8 +143,8 @@ TEST(TakeOver, two_effects_on_the_same_elements_are_what_the_case_with_both_is) 
 }
 
 TEST(TakeOver, writes_a_case_that_reads_as_what_it_was_made_of) {
-  const fs::path folder = fs::path(testing::TempDir()) / "take_over";
-  fs::create_directories(folder);
+  const test::TemporaryFolder temporary("take_over");
+  const fs::path& folder = temporary.path;
   const CaseFile file = read_case((cases / "bellow_a2/bellow_a2.yaml").string(), "pipe");
   const std::string text = yaml_of(file, {{"materials.steel.E", "1.9e11"}}, {}, folder);
   std::ofstream(folder / "explained.yaml") << text;
@@ -185,8 +186,8 @@ TEST(TakeOver, takes_one_of_the_sets_that_explain_a_test_alike) {
 
 // A beam with one effect, taken over, is a beam without: nothing of the gap is left.
 TEST(TakeOver, closes_the_gap_of_the_effect_that_is_named) {
-  const fs::path folder = fs::path(testing::TempDir()) / "take_over_beam";
-  fs::create_directories(folder);
+  const test::TemporaryFolder temporary("take_over_beam");
+  const fs::path& folder = temporary.path;
   const std::string path = (cases / "cantilever_masses/cantilever_masses.yaml").string();
   const CaseFile file = read_case(path);
   Asked asked = asked_of(file);

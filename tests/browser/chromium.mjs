@@ -1,6 +1,8 @@
 // Chromium for the tests of reports, by Playwright from PACKAGES (a node_modules folder).
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { pathToFileURL } from 'node:url';
 
 const { chromium } = createRequire(join(process.env.PACKAGES, 'x.js'))('playwright-core');
 
@@ -36,12 +38,22 @@ export function watch(page) {
   return seen;
 }
 
-// A page of the size of a screen with a report on it whose part turns, and what is seen of it.
-export async function openReport(address) {
-  const browser = await launch();
-  const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
-  const seen = watch(page);
-  await page.goto(address);
-  await page.waitForSelector('.viewer.is-live canvas');
-  return { browser, page, seen };
+// REPORT on a page of the size of a screen, its part turning, while the tests of a file run; and what is
+// seen of it.
+export let browser;
+export let page;
+export let seen;
+export const report = () => pathToFileURL(process.env.REPORT).href;
+export function withReport() {
+  before(async () => {
+    browser = await launch();
+    page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
+    seen = watch(page);
+    await page.goto(report());
+    await page.waitForSelector('.viewer.is-live canvas');
+  });
+  after(async () => { await browser?.close(); });
 }
+
+// Where a screenshot of that name goes, in PICTURES.
+export const picture = (name) => join(process.env.PICTURES, `${name}.png`);

@@ -4,21 +4,10 @@
 //   node --test life.test.mjs   with  REPORT (an html file), PACKAGES (a node_modules folder),
 //                                     PICTURES (a folder for screenshots)
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { openReport } from './chromium.mjs';
+import { test } from 'node:test';
+import { page, picture, seen, withReport } from './chromium.mjs';
 
-const report = pathToFileURL(process.env.REPORT).href;
-const picture = (name) => join(process.env.PICTURES, `life-${name}.png`);
-
-let browser;
-let page;
-let seen;
-
-before(async () => { ({ browser, page, seen } = await openReport(report)); });
-
-after(async () => { await browser?.close(); });
+withReport();
 
 // A number of the canvas, and how much of it is coloured rather than grey.
 const shown = () => page.evaluate(() => {
@@ -45,7 +34,7 @@ test('the part takes the colours of a field, with scale and hot spot', async () 
   assert.notEqual(damage.sum, rest.sum);
   assert.ok(damage.coloured > rest.coloured + 0.02, `${damage.coloured} against ${rest.coloured}`);
   assert.match(await page.locator('.viewer .hot').innerText(), /bellows (root|crown) \d+, (inner|outer) face/);
-  await page.locator('.viewer').screenshot({ path: picture('damage') });
+  await page.locator('.viewer').screenshot({ path: picture('life-damage') });
   await field.selectOption('1');
   assert.notEqual((await shown()).sum, damage.sum);
   assert.match(await page.locator('.viewer .scale').innerText(), /MPa/);
@@ -54,7 +43,7 @@ test('the part takes the colours of a field, with scale and hot spot', async () 
   await face.selectOption((await face.inputValue()) === 'above' ? 'below' : 'above');
   assert.notEqual((await shown()).sum, outer.sum, 'both faces look alike');
   assert.equal(await page.locator('.viewer .hot').count(), 0, 'the hot spot is on the other face');
-  await page.locator('.viewer').screenshot({ path: picture('stress') });
+  await page.locator('.viewer').screenshot({ path: picture('life-stress') });
   await field.selectOption('-1');
   assert.equal((await shown()).sum, rest.sum);
 });
@@ -64,8 +53,8 @@ test('duties, hot spots and the density of random stress are there', async () =>
   assert.match(text, /factors of 3 on cycles and 1.25 on stress are inside/);
   assert.match(text, /Hot spots/);
   assert.match(text, /RMS .* MPa, 3 sigma/);
-  await page.locator('#life').screenshot({ path: picture('section') });
-  await page.locator('#stress').screenshot({ path: picture('stress-section') });
+  await page.locator('#life').screenshot({ path: picture('life-section') });
+  await page.locator('#stress').screenshot({ path: picture('life-stress-section') });
 });
 
 test('it holds in a narrow window, in the dark and on paper', async () => {
@@ -81,7 +70,7 @@ test('it holds in a narrow window, in the dark and on paper', async () => {
   await page.setViewportSize({ width: 794, height: 1100 });
   assert.equal(await page.locator('.viewer .live').isVisible(), false);
   assert.ok(await page.locator('#life .part svg').first().isVisible());
-  await page.locator('#life').screenshot({ path: picture('paper') });
+  await page.locator('#life').screenshot({ path: picture('life-paper') });
   assert.deepEqual(seen.errors, []);
   assert.deepEqual(seen.requests, []);
 });

@@ -4,21 +4,10 @@
 //   node --test line.test.mjs   with  REPORT (an html file), PACKAGES (a node_modules folder),
 //                                     PICTURES (a folder for screenshots)
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { openReport } from './chromium.mjs';
+import { test } from 'node:test';
+import { page, picture, seen, withReport } from './chromium.mjs';
 
-const report = pathToFileURL(process.env.REPORT).href;
-const picture = (name) => join(process.env.PICTURES, `line-${name}.png`);
-
-let browser;
-let page;
-let seen;
-
-before(async () => { ({ browser, page, seen } = await openReport(report)); });
-
-after(async () => { await browser?.close(); });
+withReport();
 
 const below = async (what) => {
   const box = await page.locator(what).first().boundingBox();
@@ -32,7 +21,7 @@ test('picture, verdict and numbers stand on the first screen', async () => {
       const [place, canvas] = [document.querySelector('.viewer .live'), document.querySelector('.viewer canvas')];
       return Math.abs(canvas.clientWidth - place.clientWidth) < 2;
     });
-    await page.screenshot({ path: picture(`first-${width}`) });
+    await page.screenshot({ path: picture(`line-first-${width}`) });
     for (const what of ['.verdict', '.viewer canvas', '.first table'])
       assert.ok(await below(what) < height, `${what} ends at ${await below(what)} of ${height}`);
   }
@@ -104,7 +93,7 @@ test('a sensor has one colour in all plots, the legend shows the line, axes have
   assert.ok(plots.some((p) => p.ordinate === 'phase, °'));
   const text = await page.locator('#response').innerText();
   assert.match(text, /3 σ/);
-  await page.locator('#response').screenshot({ path: picture('response') });
+  await page.locator('#response').screenshot({ path: picture('line-response') });
 });
 
 test('turned and near, the crowns are round', async () => {
@@ -121,7 +110,7 @@ test('turned and near, the crowns are round', async () => {
     viewer.orbit.update();
     viewer.draw();
   });
-  await page.locator('.viewer').screenshot({ path: picture('crowns') });
+  await page.locator('.viewer').screenshot({ path: picture('line-crowns') });
   // Two elements to a quarter of an arc: normals of neighbours, between which the shading is smooth,
   // differ by its half.
   const worst = await page.evaluate(() => {
@@ -149,7 +138,7 @@ test('on paper the part, its names and the tables are whole', async () => {
   const size = await page.locator('.viewer .part text.tag').first().evaluate((t) =>
     t.getBoundingClientRect().height);
   assert.ok(size > 8, `names ${size} px high`);
-  await page.screenshot({ path: picture('paper') });
+  await page.screenshot({ path: picture('line-paper') });
   await page.emulateMedia({ media: 'screen' });
 });
 
@@ -157,10 +146,10 @@ test('narrow and dark', async () => {
   await page.setViewportSize({ width: 420, height: 800 });
   const [inside, wide] = await page.evaluate(() => [innerWidth, document.documentElement.scrollWidth]);
   assert.ok(wide <= inside + 1, `${wide} in ${inside}`);
-  await page.screenshot({ path: picture('narrow') });
+  await page.screenshot({ path: picture('line-narrow') });
   await page.setViewportSize({ width: 1200, height: 900 });
   await page.emulateMedia({ colorScheme: 'dark' });
-  await page.screenshot({ path: picture('dark') });
+  await page.screenshot({ path: picture('line-dark') });
   await page.emulateMedia({ colorScheme: 'light' });
 });
 

@@ -4,10 +4,10 @@
 //   node --test other_reports.test.mjs   with  REPORTS (html files, a semicolon between them; the
 //                                              folder of each is its name), PACKAGES, PICTURES
 import assert from 'node:assert/strict';
-import { basename, dirname, join } from 'node:path';
+import { basename, dirname } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { launch, watch } from './chromium.mjs';
+import { launch, picture, watch } from './chromium.mjs';
 
 const reports = Object.fromEntries(
   process.env.REPORTS.split(';').map((file) => [basename(dirname(file)), pathToFileURL(file).href]));
@@ -23,7 +23,7 @@ async function open(name, look) {
   await page.goto(reports[name]);
   await page.waitForSelector('figure.plot.is-live');
   await look(page);
-  await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`), fullPage: true });
+  await page.screenshot({ path: picture(name), fullPage: true });
   assert.deepEqual(seen, { errors: [], requests: [] });
   await page.close();
 }

@@ -4,21 +4,10 @@
 //   node --test report.test.mjs   with  REPORT (an html file), PACKAGES (a node_modules folder),
 //                                       PICTURES (a folder for screenshots)
 import assert from 'node:assert/strict';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { openReport } from './chromium.mjs';
+import { test } from 'node:test';
+import { browser, page, picture, report, seen, withReport } from './chromium.mjs';
 
-const report = pathToFileURL(process.env.REPORT).href;
-const picture = (name) => join(process.env.PICTURES, `${name}.png`);
-
-let browser;
-let page;
-let seen;
-
-before(async () => { ({ browser, page, seen } = await openReport(report)); });
-
-after(async () => { await browser?.close(); });
+withReport();
 
 // What the canvas of the part shows: a number that any change of it changes.
 const shown = () => page.evaluate(() => {
@@ -182,7 +171,7 @@ test('no error was said and nothing was fetched', () => {
 
 test('without scripts the drawings stand', async () => {
   const plain = await browser.newPage({ javaScriptEnabled: false });
-  await plain.goto(report);
+  await plain.goto(report());
   assert.equal(await plain.locator('.viewer .part').isVisible(), true);
   assert.equal(await plain.locator('figure.plot > svg').first().isVisible(), true);
   await plain.close();

@@ -1,9 +1,11 @@
 // A folder of a test's own, gone when it ends.
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
+#include <system_error>
 
 namespace plica::test {
 
@@ -11,10 +13,10 @@ struct TemporaryFolder {
   std::filesystem::path path;
 
   explicit TemporaryFolder(const std::string& kind) {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path = std::filesystem::path(testing::TempDir()) / ("plica_" + kind + "_" + test->name());
-    std::filesystem::remove_all(path);
-    std::filesystem::create_directories(path);
+    std::string name = testing::TempDir() + "plica_" + kind + "_XXXXXX";
+    if (!mkdtemp(name.data()))
+      throw std::system_error(errno, std::generic_category(), "no folder " + name);
+    path = name;
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path); }
   TemporaryFolder(const TemporaryFolder&) = delete;
