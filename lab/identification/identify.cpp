@@ -1,5 +1,6 @@
 #include "lab/identification/identify.hpp"
 
+#include "lab/identification/band_ends.hpp"
 #include "lab/identification/circle_fit.hpp"
 #include "lab/identification/identification_warnings.hpp"
 #include "lab/identification/mode_correlation.hpp"
@@ -179,6 +180,7 @@ Identification identify(const FrfSet& given, const IdentifySettings& settings) {
     shapes.col(Index(r)) = mode.shape;
     found.modes.push_back(std::move(mode));
   }
+  widen_by_band_ends(set, fit, found.modes);
   std::vector<std::string> spread;
   widen_by_parts(parts_of(set, settings), found.modes, spread);
   for (IdentifiedMode& m : found.modes) widen_by_resolution(set, m);
