@@ -13,10 +13,9 @@
 #include <cmath>
 #include <limits>
 
-namespace plica::test {
+namespace plica::test::abaqus {
 namespace {
 
-using namespace abaqus;
 using Eigen::Vector3d;
 
 TEST(AbaqusReader, node_element_section_material_boundary) {
@@ -271,4 +270,4 @@ TEST(AbaqusReader, lists_on_request_what_it_leaves_out) {
 }
 
 } // namespace
-} // namespace plica::test
+} // namespace plica::test::abaqus

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-namespace plica::test {
+namespace plica::test::abaqus {
 namespace {
 
-using namespace abaqus;
 using Eigen::Vector3d;
 
 // A wall beside its nodes is the wall beside the clamp of these nodes: nothing else changes.
@@ -92,4 +91,4 @@ TEST(AbaqusReader, normals_are_averaged_below_20_degrees) {
 }
 
 } // namespace
-} // namespace plica::test
+} // namespace plica::test::abaqus
