@@ -169,7 +169,10 @@ TEST(Fit, keeps_ties_and_constraints) {
   const auto& pipe = std::get<EquivalentPipe>(fitted.parts[0].body);
   EXPECT_NEAR(pipe.inner->mass + 2 * pipe.end_cap, 0.7, 1e-12);
   EXPECT_NEAR(fit.ties[0].value, pipe.inner->mass, 1e-12);
+  EXPECT_EQ(fit.ties[0].unit, "kg");
+  EXPECT_FALSE(fit.parameters[0].unit.empty());
   ASSERT_EQ(fit.constraints.size(), 1U);
+  EXPECT_EQ(fit.constraints[0].unit, "N/m");
   EXPECT_GT(fit.constraints[0].value, 6.59e4); // the data want 6e4
 }
 
