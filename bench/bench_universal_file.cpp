@@ -12,6 +12,7 @@
 #include <fstream>
 #include <random>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace {
 
@@ -47,7 +48,8 @@ UniversalFunction sample(UniversalDataType type, bool binary) {
 }
 
 void measure(const char* name, const UniversalFunction& f, double bytes) {
-  const fs::path path = fs::temp_directory_path() / "plica_bench.uff";
+  const fs::path path =
+      fs::temp_directory_path() / ("plica_bench_" + std::to_string(getpid()) + ".uff");
   const std::string set = universal_text(f);
   {
     std::ofstream out(path, std::ios::binary);
