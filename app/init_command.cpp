@@ -38,6 +38,9 @@ int write_starter(const std::filesystem::path& given, Starter kind) {
     return &f == &files.front() ? file : file.parent_path() / f.name;
   };
   for (const StarterFile& f : files)
+    if (&f != &files.front() && path_of(f) == file)
+      throw refused(file, "is what the file beside it is called", "another name for the case");
+  for (const StarterFile& f : files)
     if (std::filesystem::exists(std::filesystem::symlink_status(path_of(f))))
       throw refused(path_of(f), "is there already", "a new file; nothing is overwritten");
   for (const StarterFile& f : files) write_new(path_of(f), f.text, path_of(f));

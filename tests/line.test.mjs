@@ -44,6 +44,8 @@ fit:
 
 test('the commands that a starter names run as they stand there', () => {
   const at = folder('starters');
+  assert.match(run(at, 'init', 'measured.yaml', '--kind', 'measured').said,
+    /measured\.yaml: is what the file beside it is called; another name/);
   good(at, 'init', 'beam.yaml', '--kind', 'measured');
   const named = ['beam.yaml', 'measured.yaml'].flatMap((name) =>
     [...readFileSync(join(at, name), 'utf8').matchAll(/^# +plica (\S.*?)(?: {2,}.*)?$/gm)]);
@@ -68,6 +70,14 @@ test('what ends and inputs cannot be is refused with its place and what would be
     /line\.yaml|no_motion\.yaml:\d+: analyses\.response\.base\[0\]\.direction: is missing/);
   refused('phase_alone', first, '- {move: [engine], direction: y, amplitude: 0, phase: 90 deg}',
     /base\[0\]\.amplitude: is zero, and the end has a phase; leave the end out, or give an amplitude/);
+  refused('phase_without_amplitude', first, '- {move: [engine], direction: y, phase: 90 deg}',
+    /phase_without_amplitude\.yaml:\d+: analyses\.response\.base\[0\]\.phase: is of an end without amplitude/);
+  refused('phase_with', first,
+    '- {move: [engine], direction: y, with: [{move: [hanger_rear], direction: y, phase: 90 deg}]}',
+    /base\[0\]\.with\[0\]\.phase: is of an end without amplitude.*amplitude: 1/s);
+  refused('words_behind', first, `${first}\n      - x`, /base\[1\]: .*behind a map.*words first, then maps/s);
+  refused('motion_behind', first, '- x\n      - {move: [nowhere], direction: y}',
+    /motion_behind\.yaml:\d+: analyses\.response\.base\[1\]\.move: /);
   const spectra = (real, imaginary) => `level: 5 m/s2
     together: [{name: both, inputs: [{of: engine_y}, {of: engine_z}], spectra: [{frequency: 2 Hz, real: ${real}, imaginary: ${imaginary}}, {frequency: 250 Hz, real: [1, 0, 0, 1]}]}]`;
   refused('not_hermitian', 'level: 5 m/s2', spectra('[1, 0.5, 0.5, 1]', '[0, 0.1, 0.1, 0]'),
@@ -110,6 +120,7 @@ test('a line of one\'s own: two decouplers, a hanger anywhere, a heavier muffler
   change('damping: {loss_factor: 12 %}', 'damping: {maxwell: [{share: 0.3, time: 5 ms}]}');
   change('- {move: [engine], direction: z}', `- {move: [engine], direction: z}
       - {name: roll, move: [engine], direction: z, with: [{move: [hanger_front], direction: z, amplitude: 0.2, phase: 120 deg}]}`);
+  change('- {move: [engine], direction: y}', '- x # the base, beside motions of ends\n      - {move: [engine], direction: y}');
   change('- {name: tail, at: [0, 1500 mm, 0]}', '- {name: tail, at: [0, 1844 mm, 40 mm]}');
   writeFileSync(join(at, 'line.yaml'), text);
   const { printed } = good(at, 'run', 'line.yaml', '--out', 'out', '--no-error-bars');

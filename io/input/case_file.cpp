@@ -3,6 +3,7 @@
 #include "io/decks/read_deck.hpp"
 #include "io/input/field_reader.hpp"
 #include "io/input/fit_input.hpp"
+#include "io/input/phases_alone.hpp"
 #include "io/input/time_signal.hpp"
 #include "io/input/yaml_path.hpp"
 #include "model/description/case_checks.hpp"
@@ -64,6 +65,7 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
   Case data;
   data.model = model;
   FieldReader::read(root, "", data, log);
+  refuse_phases_alone(log);
   for (const Tolerance& t : log.tolerances) // those of other models belong to them
     if (!is_below(t.path, "models")) data.tolerances.push_back(t);
   add_known_steels(data.parts, data.materials);

@@ -242,15 +242,20 @@ void FieldReader::choices(std::vector<int>& x, const char* key,
                           const std::vector<Named<int>>& names, const Need& need,
                           const char* help) {
   const YamlNode* node = take(key, need.required, help);
-  if (!node || !items(*node, at(key), need.min_items, static_cast<int>(names.size()), "words"))
-    return;
+  if (node) words_of_list(*node, x, at(key), names, need);
+}
+
+void FieldReader::words_of_list(const YamlNode& node, std::vector<int>& x, const std::string& path,
+                                const std::vector<Named<int>>& names, const Need& need) {
+  if (!items(node, path, need.min_items, static_cast<int>(names.size()), "words")) return;
   x.clear();
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
-    const int index = word_index(node->items[i], at(key, i), words(names));
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const std::string own = path + "[" + std::to_string(i) + "]";
+    const int index = word_index(node.items[i], own, words(names));
     if (index < 0) continue;
     const int value = names[index].value;
     if (std::find(x.begin(), x.end(), value) != x.end())
-      log_.add(node->items[i].line, at(key, i), kind_of(node->items[i]) + " is given twice",
+      log_.add(node.items[i].line, own, kind_of(node.items[i]) + " is given twice",
                "keep one of them");
     x.push_back(value);
   }

@@ -118,7 +118,18 @@ public:
       take(key, need.required, help);
       read(*node, at(key, 0), maps.emplace_back());
     } else if (node && std::any_of(node->items.begin(), node->items.end(), is_map)) {
-      list(maps, key, need, help);
+      take(key, need.required, help);
+      const auto first = std::find_if(node->items.begin(), node->items.end(), is_map);
+      YamlNode leading = *node;
+      leading.items.assign(node->items.begin(), first);
+      if (!leading.items.empty()) words_of_list(leading, words, at(key), names, need);
+      if (!items(*node, at(key), need.min_items, 10000, help)) return;
+      for (std::size_t i = leading.items.size(); i < node->items.size(); ++i)
+        if (is_map(node->items[i]))
+          read(node->items[i], at(key, i), maps.emplace_back());
+        else
+          log_.add(node->items[i].line, at(key, i), kind_of(node->items[i]) + " behind a map",
+                   "words first, then maps");
     } else {
       choices(words, key, names, need, help);
     }
@@ -209,6 +220,8 @@ private:
   // Notes the key as known; its node, or null when absent, empty or reading has stopped.
   const YamlNode* take(const char* key, bool required, const char* help);
   bool items(const YamlNode& node, const std::string& path, int min, int max, const char* help);
+  void words_of_list(const YamlNode& node, std::vector<int>& x, const std::string& path,
+                     const std::vector<Named<int>>& names, const Need& need);
   bool number(const YamlNode& node, const std::string& path, double& x, const Quantity& q,
               Dimension unit);
   void numbers(const YamlNode& node, const std::string& path, double* x, std::size_t n,

@@ -124,7 +124,7 @@ public:
         {{"oneOf",
           {list_schema(words_schema(words_of(names), ""), need.min_items,
                        static_cast<int>(names.size()), ""),
-           map, list_schema(map, 1, 1000, "")}},
+           map, list_schema({{"oneOf", {words_schema(words_of(names), ""), map}}}, 1, 1000, "")}},
          {"description", help}},
         need.required);
   }

@@ -81,7 +81,7 @@ template <class V> void end_motion_fields(V& v, EndMotion& m) {
   v.one_or_more(m.move, "move", "mounted caps that move; the others stay at rest");
   v.choice(m.direction, "direction", directions, required_key,
            "direction; rotations about the middle of each cap");
-  v.quantity(m.amplitude, "amplitude", {}, "times the level");
+  v.quantity(m.amplitude, "amplitude", {}, "times the level; 1 where there is no phase");
   v.quantity(m.phase, "phase", {.unit = Dimension::angle}, "ahead of the input");
 }
 template <class V> void fields(V& v, EndMotion& m) {
@@ -148,7 +148,7 @@ template <class V> void fields(V& v, CrossPair& c) {
 
 template <class V> void fields(V& v, Response& r) {
   v.choices_or(r.bases, r.motions, "base", directions, {.required = false, .min_items = 1},
-               "directions in which the base moves, one by one; or motions of chosen ends");
+               "directions in which the base moves, one by one; then motions of chosen ends");
   v.quantity(
       r.level, "level", {.unit = Dimension::acceleration, .min = 0, .exclusive_min = true},
       "amplitude of the base acceleration; the model is linear, it scales stress and motion");

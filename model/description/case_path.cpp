@@ -69,9 +69,9 @@ public:
   void choices(std::vector<int>&, const char*, const std::vector<Named<int>>&, const Need&,
                const char*) {}
   template <class T>
-  void choices_or(std::vector<int>&, std::vector<T>& maps, const char* key,
-                  const std::vector<Named<int>>&, const Need& need, const char* help) {
-    list(maps, key, need, help);
+  void choices_or(std::vector<int>& words, std::vector<T>& maps, const char* key,
+                  const std::vector<Named<int>>&, const Need&, const char*) {
+    for (std::size_t i = 0; i < maps.size(); ++i) enter(maps[i], below(key, words.size() + i));
   }
   template <class E>
   void word(E&, const std::type_identity_t<std::vector<Named<E>>>&, const std::type_identity_t<E>&,

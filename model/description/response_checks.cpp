@@ -97,7 +97,7 @@ void check_motions(const Case& data, const Response& r, CheckLog& log) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < r.motions.size(); ++i) {
     const Motion& m = r.motions[i];
-    const std::string key = item(base, i);
+    const std::string key = item(base, r.bases.size() + i); // directions stand before them
     check_end_motion(m, key, mounted, log);
     for (std::size_t k = 0; k < m.with.size(); ++k)
       check_end_motion(m.with[k], item(key + ".with", k), mounted, log);
