@@ -6,6 +6,7 @@
 #include "diagnose/weigh/scatter.hpp"
 #include "diagnose/weigh/uncertainty.hpp"
 #include "tests/tube_case.hpp"
+#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,45 @@ Case lapped_beam() {
   }
   c.analyses.damping.modal = 0.01;
   return c;
+}
+
+// The lap and a mount of springs with a loss factor, stated for them or at the springs; as dashpots
+// c = tau k the loss of each mode is tau omega in place of eta.
+TEST(DiagnosisOfDampedSprings, damps_each_mode_by_what_its_springs_lose) {
+  constexpr double eta = 0.3, tau = 2e-4;
+  Case plain = lapped_beam();
+  plain.mount[0].kind = MountKind::springs;
+  plain.mount[0].stiffness = {2e6, 2e6, 2e6, 2e3, 2e3, 2e3};
+  plain.analyses.damping.modal = 0;
+  Case stated = plain, springs = plain, dashpots = plain, varying = plain;
+  stated.analyses.damping.loss_factors = {{"caps.lap", eta}, {"mount.root", eta}};
+  springs.caps[1].damping.emplace().loss_factor = eta;
+  springs.mount[0].damping = springs.caps[1].damping;
+  const auto dashpot = [&](const Sextuple& k) {
+    SpringDamping d;
+    d.dashpot.emplace();
+    for (std::size_t i = 0; i < 6; ++i) (*d.dashpot)[i] = tau * k[i];
+    return d;
+  };
+  dashpots.caps[1].damping = dashpot(*plain.caps[1].stiffness);
+  dashpots.mount[0].damping = dashpot(plain.mount[0].stiffness);
+  const Measured none;
+  const Nominal a = nominal_of(stated, none), b = nominal_of(springs, none),
+                c = nominal_of(dashpots, none);
+  const VectorXd &zeta = a.states[0].zeta, omega = a.states[0].model->lambda().cwiseSqrt();
+  ASSERT_GT(zeta.minCoeff(), 0);
+  for (Index j = 0; j < zeta.size(); ++j) {
+    EXPECT_NEAR(b.states[0].zeta[j] / zeta[j], 1, 1e-6) << j;
+    EXPECT_NEAR(c.states[0].zeta[j] / zeta[j], tau * omega[j] / eta, 1e-6 * tau * omega[j] / eta)
+        << j;
+  }
+  varying.mount[0].damping.emplace().springpot = Springpot{1e-3, 0.5};
+  try {
+    nominal_of(varying, none);
+    ADD_FAILURE() << "a stiffness over frequency was taken";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().at(0).key, "mount.root.damping");
+  }
 }
 
 // Sweeps along x and z at three levels, as the model of the case has them with the damping that

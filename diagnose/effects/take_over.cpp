@@ -96,6 +96,14 @@ CaseEdits with_damping(const Case& data, double factor) {
   each("ranges", "ratio", damping.ranges, &DampingRange::ratio);
   each("modes", "ratio", damping.modes, &ModeDamping::ratio);
   each("loss_factors", "value", damping.loss_factors, &LossFactor::value);
+  const auto spring = [&](const std::string& at, const std::optional<SpringDamping>& own) {
+    if (!own) return;
+    scale(edits, at + ".damping.loss_factor", own->loss_factor, factor);
+    for (std::size_t i = 0; own->dashpot && i < own->dashpot->size(); ++i)
+      scale(edits, fmt::format("{}.damping.dashpot[{}]", at, i), (*own->dashpot)[i], factor);
+  };
+  for (const Cap& cap : data.caps) spring("caps." + cap.name, cap.damping);
+  for (const Mount& mount : data.mount) spring("mount." + mount.cap, mount.damping);
   return edits;
 }
 

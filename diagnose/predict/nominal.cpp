@@ -114,13 +114,32 @@ std::vector<BuiltSensor> further_places(const Structure& s) {
   return places;
 }
 
+// What damped springs add to the damping of each mode, to first order as loss factors of parts do:
+// 2 zeta omega^2 = stretch^2 Im k(i omega). A spring whose stiffness depends on frequency would
+// move the modes, too, which have one stiffness here.
+VectorXd damping_of_springs(const BuiltCase& built, const VectorXd& lambda, const MatrixXd& u) {
+  VectorXd zeta = VectorXd::Zero(lambda.size());
+  for (const BuiltDamper& d : built.dampers) {
+    if (!d.law.maxwell.empty() || d.law.springpot || !d.law.table.empty())
+      input_error(
+          d.place + ".damping",
+          "gives a stiffness over frequency, and a diagnosis has one stiffness for a spring",
+          "dashpot or loss_factor, and the stiffness that it has at the first modes");
+    const VectorXd stretch =
+        u.transpose() * unit_force(built.model, d.node1, d.node2, d.dof).head(u.rows());
+    for (Index j = 0; j < zeta.size(); ++j)
+      if (lambda[j] > 0)
+        zeta[j] += stretch[j] * stretch[j] / (2 * lambda[j]) *
+                   added_stiffness(d.law, d.dof, d.stiffness, {0, std::sqrt(lambda[j])}).imag();
+  }
+  return zeta;
+}
+
 NominalState state_of(Case data, const std::string& name, const Measured& measured) {
-  if (has_damped_springs(data))
-    input_error("caps", "or mounts have damped springs, which the diagnosis does not know yet",
-                "loss_factors in analyses.damping, or the case without damping of its springs");
   NominalState state;
   state.name = name;
   state.data = std::move(data);
+  state.data.analyses.damping.coupled = false; // all of it acts mode by mode
   state.built = build_on_table(state.data);
   std::vector<int> sensors, further;
   for (const BuiltSensor& s : state.built.sensors) sensors.push_back(s.node);
@@ -147,7 +166,7 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   const MatrixXd u = state.model->nominal_shapes();
   const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,
                                              u, static_cast<int>(lambda.size()));
-  state.zeta = damping.zeta + damping.eta / 2;
+  state.zeta = damping.zeta + damping.eta / 2 + damping_of_springs(state.built, lambda, u);
   const ReducedFamily plain = state.model->with({});
   const MatrixXd gamma = plain.nominal.transpose() * plain.load;
   for (Index j = 0; j < lambda.size(); ++j) {
