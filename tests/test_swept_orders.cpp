@@ -163,6 +163,32 @@ TEST(RunUpsInTime, slow_ones_are_the_steady_response_and_fast_ones_stay_below) {
   EXPECT_LT(*hasty.reached, 0.9 * hasty.amplitude);
 }
 
+// A Maxwell branch that makes its mount stiffer by as much again over the band: mode by mode the
+// peak would stand elsewhere.
+TEST(RunUpsInTime, take_springs_over_frequency_as_the_steady_response_does) {
+  Case data = running_up(600);
+  data.mount[0].damping.emplace();
+  data.mount[0].damping->maxwell = {{1., 0.02}};
+  data.analyses.damping.modal = 0.005;
+  const Results slow = run_silently(data);
+  const RunUpResult& r = slow.run_ups.at(0);
+  ASSERT_TRUE(r.sweeps);
+  for (const std::string& w : slow.warnings) EXPECT_EQ(w.find("is long"), std::string::npos) << w;
+  const OrderSweeps& s = *r.sweeps;
+  const double largest = r.orders[0].acceleration.col(1).cwiseAbs().maxCoeff();
+  int compared = 0;
+  for (Index i = 0; i < s.time.size(); ++i) {
+    Index at = 0;
+    (r.speed.array() - s.speed[i]).abs().minCoeff(&at);
+    if (std::abs(r.speed[at] - s.speed[i]) > 1e-3) continue;
+    ++compared;
+    EXPECT_LT(std::abs(s.orders[0].acceleration(i, 1) - r.orders[0].acceleration(at, 1)),
+              0.02 * largest)
+        << s.speed[i] << " of " << largest;
+  }
+  EXPECT_GT(compared, 10);
+}
+
 TEST(RunUpsInTime, are_left_out_where_only_a_range_of_speeds_is_given) {
   Case data = running_up(10);
   data.analyses.run_ups[0].table.clear();

@@ -7,6 +7,7 @@
 #include "run/analyses/run_ups.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/analyses/transients.hpp"
+#include "run/stages.hpp"
 #include "solve/drilling.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
@@ -38,7 +39,7 @@ public:
                      with_dampers(excited ? excited->loads : Loads{}, built_), sensors);
     for (const auto& [name, seconds] : solution.timing) results_.timing[name] += seconds;
     watch_ = Stopwatch();
-    stage_("labels");
+    stage_(stages::labels);
     const DampedModes damped = damped_modes(solution, excited ? &*excited : nullptr);
     warn_of_what_does_nothing(damped, excited ? &*excited : nullptr);
     add_modes(damped);
@@ -47,12 +48,12 @@ public:
     lap("labels");
     if (excited) respond(*response, damped, *excited);
     if (case_.analyses.stress) {
-      stage_("stress");
+      stage_(stages::stress);
       add_dynamic_stresses(case_, built_, damped, excited ? &*excited : nullptr, results_);
       lap("stress");
     }
     if (!life_ || !excited) return;
-    stage_("life");
+    stage_(stages::life);
     life_->add_dynamic(damped, *excited);
     lap("life");
   }
@@ -71,7 +72,7 @@ private:
                       {}};
     if (asked.coupled) modes.eta.setZero(); // it is in the dissipation
     if (modes.dissipation.empty()) return modes;
-    stage_("complex modes");
+    stage_(stages::complex_modes);
     ComplexModes found = complex_modes(modal_model(modes, {}), modes.dissipation, solution.modes);
     results_.complex_modes = {.complete = found.complete,
                               .oscillating = found.oscillating,
@@ -141,7 +142,7 @@ private:
   }
 
   void respond(const Response& asked, const DampedModes& modes, const Excitations& excited) {
-    stage_("response");
+    stage_(stages::response);
     const SensorModel model = sensor_model(built_, modes, excited);
     results_.responses = responses(asked, model, modes, excited);
     const double last = frequency_of(modes, modes.solution.modes - 1);
@@ -156,7 +157,7 @@ private:
 
   void check_directly(const Response& asked, const SensorModel& model, const DampedModes& modes,
                       const Excitations& excited) {
-    stage_("direct solution");
+    stage_(stages::direct_solution);
     try {
       hold_against_direct_solution(asked, built_, case_.analyses.damping, model, modes, excited,
                                    results_.responses);
@@ -179,19 +180,14 @@ private:
   void over_time(const SensorModel& model, const DampedModes& modes, const Excitations& excited) {
     const Analyses& a = case_.analyses;
     if (a.transients.empty() && a.run_ups.empty()) return;
-    stage_("transients and run-ups");
-    const bool in_time = std::any_of(a.run_ups.begin(), a.run_ups.end(),
-                                     [](const RunUp& r) { return !r.table.empty(); });
-    if (in_time && !modes.dissipation.empty())
-      results_.warnings.push_back("run-ups in time: damped springs and coupled loss factors act as "
-                                  "damping of each mode by itself");
+    stage_(stages::dynamics);
     for (std::size_t i = 0; i < a.transients.size(); ++i)
       results_.transients.push_back(transient(a.transients[i],
                                               "analyses.transients[" + std::to_string(i) + "]",
                                               model, modes, excited, results_.warnings));
     for (std::size_t i = 0; i < a.run_ups.size(); ++i)
       results_.run_ups.push_back(run_up(a.run_ups[i], "analyses.run_ups[" + std::to_string(i) + "]",
-                                        model, modes, excited));
+                                        model, modes, excited, results_.warnings));
     lap("transients and run-ups");
   }
 

@@ -1,6 +1,7 @@
 #include "run/analyses/order_sweeps.hpp"
 
 #include "run/analyses/dissipation.hpp"
+#include "run/analyses/order_coupling.hpp"
 #include "solve/swept_sine.hpp"
 #include "words/input_error.hpp"
 
@@ -67,9 +68,10 @@ Inputs inputs_of(double order, const RunUp& asked, const std::string& key,
   return inputs;
 }
 
-// Absolute accelerations, `kept` + 1 times x channels.
+// Absolute accelerations, `kept` + 1 times x channels. `too_long`: for what couples modes.
 MatrixXcd swept(double order, const Inputs& inputs, const RunUp& asked, const std::string& key,
-                const SensorModel& model, ModalModel modal, Index kept) {
+                const SensorModel& model, const DampedModes& modes, ModalModel modal, Index kept,
+                bool& too_long) {
   constexpr double per_period = 24, most = 2e7;
   const double step = (asked.table.back()[0] - asked.table.front()[0]) / double(kept);
   const double between = std::ceil(per_period * order * speeds(asked)[1] * step);
@@ -93,6 +95,9 @@ MatrixXcd swept(double order, const Inputs& inputs, const RunUp& asked, const st
   for (Index i = 0; i < a.rows(); ++i)
     a.row(i) +=
         (rigid * factors.cwiseProduct(load.amplitude.row(i * stride).transpose())).transpose();
+  if (!modes.dissipation.empty() &&
+      !add_order_coupling(a, model, modes, modal, inputs.columns, factors, load, stride))
+    too_long = true;
   return a;
 }
 
@@ -104,7 +109,8 @@ double amplitude_at(const EngineOrder& order, double speed) {
 }
 
 OrderSweeps order_sweeps(const RunUp& asked, const std::string& key, const SensorModel& model,
-                         const DampedModes& modes, const Excitations& excited) {
+                         const DampedModes& modes, const Excitations& excited,
+                         std::vector<std::string>& warnings) {
   const Index kept = std::max(2000, asked.points);
   const double step = (asked.table.back()[0] - asked.table.front()[0]) / double(kept);
   const Course c = course(asked, step, kept + 1);
@@ -117,12 +123,17 @@ OrderSweeps order_sweeps(const RunUp& asked, const std::string& key, const Senso
   modal.zeta += first_order_damping(modes.dissipation, modes.solution);
   std::set<double> orders;
   for (const EngineOrder& o : asked.orders) orders.insert(o.order);
+  bool too_long = false;
   MatrixXd squares = MatrixXd::Zero(kept + 1, Index(model.channels.size()));
   for (const double order : orders) {
     r.orders.push_back({order, swept(order, inputs_of(order, asked, key, excited), asked, key,
-                                     model, modal, kept)});
+                                     model, modes, modal, kept, too_long)});
     squares += r.orders.back().acceleration.cwiseAbs2() / 2;
   }
+  if (too_long)
+    warnings.push_back("run-up " + asked.name +
+                       " is long: damped springs and coupled loss factors act as damping of each "
+                       "mode by itself");
   r.overall = squares.cwiseSqrt();
   return r;
 }

@@ -9,10 +9,12 @@ namespace plica {
 // The amplitude of an order's input at a speed (revolutions per second).
 double amplitude_at(const EngineOrder& order, double speed);
 
-// `key`: of the run-up, whose table says speed over time. Every order begins steadily. Throws
-// InputError for a run-up of more than 20 million samples.
+// `key`: of the run-up, whose table says speed over time. Every order begins steadily. Warns where
+// it is too long for damping that couples modes. Throws InputError for a run-up of more than 20
+// million samples.
 OrderSweeps order_sweeps(const RunUp& asked, const std::string& key, const SensorModel& model,
-                         const DampedModes& modes, const Excitations& excited);
+                         const DampedModes& modes, const Excitations& excited,
+                         std::vector<std::string>& warnings);
 
 // What the order reaches around a crossing, from the middles to the crossings of the same order
 // beside it.

@@ -87,7 +87,8 @@ std::vector<OrderCrossing> crossings(const RunUp& asked, const RunUpResult& r,
 } // namespace
 
 RunUpResult run_up(const RunUp& asked, const std::string& key, const SensorModel& model,
-                   const DampedModes& modes, const Excitations& excited) {
+                   const DampedModes& modes, const Excitations& excited,
+                   std::vector<std::string>& warnings) {
   RunUpResult r{.name = asked.name,
                 .speed = speed_grid(asked, modes),
                 .channels = model.channels,
@@ -118,7 +119,7 @@ RunUpResult run_up(const RunUp& asked, const std::string& key, const SensorModel
     if (highest[c] > 1e-3 * highest.maxCoeff()) r.shown.push_back(int(c));
   r.crossings = crossings(asked, r, modes);
   if (asked.table.empty()) return r;
-  r.sweeps = order_sweeps(asked, key, model, modes, excited);
+  r.sweeps = order_sweeps(asked, key, model, modes, excited, warnings);
   for (OrderCrossing& c : r.crossings) c.reached = reached(*r.sweeps, c, r.crossings);
   return r;
 }

@@ -12,6 +12,7 @@ namespace plica {
 
 // Throws InputError for an order on what is no excitation of the response.
 RunUpResult run_up(const RunUp& asked, const std::string& key, const SensorModel& model,
-                   const DampedModes& modes, const Excitations& excited);
+                   const DampedModes& modes, const Excitations& excited,
+                   std::vector<std::string>& warnings);
 
 } // namespace plica
