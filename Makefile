@@ -6,7 +6,7 @@ JOBS ?= $(shell nproc)
 # A text of the user's as one word of the shell, blanks and quotes included.
 quoted = '$(subst ','\'',$(1))'
 
-.PHONY: run test slow sealed table bench program build deps test-deps slow-deps bench-deps clean
+.PHONY: run test check slow sealed table bench program build deps test-deps check-deps bench-deps clean
 
 # Without OUT the results go into out/, under the name of the case.
 run: program
@@ -17,18 +17,26 @@ run: program
 test: build
 	ctest --preset release -j $(JOBS)
 
-slow: slow-deps build
+# After the tests: every source with warnings as errors, the fast tests under AddressSanitizer and
+# UBSan; then clang-tidy, the Debian package in a root that has nothing else, the verification table.
+check: check-deps build
+	cmake --preset check
+	cmake --build --preset check -j $(JOBS)
+	ctest --preset check -j $(JOBS)
+	ctest --preset guards
+
+slow: check-deps build
 	ctest --preset slow
 
 # The sealed suite of the diagnosis: specimens made, diagnosed, scored; then with guards left out.
-sealed: slow-deps build
+sealed: build
 	ctest --preset slow -R sealed_suite --verbose
 	ctest --preset slow -R sealed_changes --verbose
 	ctest --preset slow -R sealed_ablations --verbose
 
 # What the tests of mechanics found beside what their sources say.
-table: build
-	tests/verification_table.sh build/tests/plica_tests > docs/verification_table.md
+table: test
+	tests/verification_table.sh build/tests/table > docs/verification_table.md
 
 bench: bench-deps
 	cmake --preset bench
@@ -49,10 +57,10 @@ deps:
 	@cmake/install_packages.sh run
 test-deps:
 	@cmake/install_packages.sh run test
-slow-deps:
-	@cmake/install_packages.sh run test slow
+check-deps:
+	@cmake/install_packages.sh run test check
 bench-deps:
 	@cmake/install_packages.sh run bench
 
 clean:
-	rm -rf build build-dev build-asan out
+	rm -rf build build-dev build-check out

@@ -2,23 +2,26 @@
 # One library per room, target plica::<name>, the component <name> of the installed package. The link
 # list is the rule of what it may include; PACKAGES are what a user of the component must find, as
 # find_dependency() takes them.
-# -Wno-restrict and the two after it: GCC 12 warns of std::string concatenation without cause (GCC
-# bug 105651), more so from precompiled headers.
 add_library(plica_options INTERFACE)
 target_compile_options(plica_options INTERFACE
-  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
-# Of sources compiled together GCC says what is none of theirs.
-if(CMAKE_UNITY_BUILD)
-  target_compile_options(plica_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 warns of std::string concatenation without cause (GCC bug 105651), more so from precompiled
+  # headers; of sources compiled together it says what is none of theirs.
+  target_compile_options(plica_options INTERFACE
+    $<BUILD_INTERFACE:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(plica_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+  endif()
 endif()
 if(PLICA_WERROR)
   target_compile_options(plica_options INTERFACE -Werror)
 endif()
 target_compile_features(plica_options INTERFACE cxx_std_20)
 if(PLICA_SANITIZE)
-  # Little is optimised and lines alone are noted: with all, GCC takes half an hour for one source.
-  target_compile_options(plica_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
-    -O1 -g1 -fno-var-tracking)
+  # Little is optimised and lines alone are noted, for the sake of compile time.
+  target_compile_options(plica_options INTERFACE -fsanitize=address,undefined
+    -fno-sanitize-recover=undefined -fno-omit-frame-pointer -O1 -g1)
   target_link_options(plica_options INTERFACE -fsanitize=address,undefined)
 endif()
 

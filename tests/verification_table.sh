@@ -1,12 +1,9 @@
 #!/bin/sh
 # Prints docs/verification_table.md: what the tests of mechanics found beside what sources outside of
-# the code say. With a file as second argument: says where that differs, and fails.
+# the code say, from the lines that they left in FOLDER when they ran last. With a file as second
+# argument: says where that differs, and fails.
 set -eu
-program=$1
-suites='BeamClosedForms.*:NafemsBeams.*:CylinderVibration.*:FreeTube.*:Nafems.*:NafemsForced.*:NafemsStress.*'
-suites=$suites':PlateStatics.*:ShellStatics.*:ShellTriangle.*:BeamStress.*:ShellStress.*'
-suites=$suites':*BellowsReference.*:*PipeA2.*:Cad.*:DeckCase.*:Ejma.*:EquivalentBeam.*:*BeamOf.*'
-suites=$suites':ConnectorChain.*:EquivalentPipe.*:*PipeBesideShell.*:LifeOfCase.*'
+folder=$1
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
 {
@@ -18,7 +15,7 @@ trap 'rm -f "$table"' EXIT
   echo '| test | what | Plica | source | difference | allowed |'
   echo '|---|---|---|---|---|---|'
   # By the names of the tests: their order is that in which sources are linked.
-  "$program" --gtest_filter="$suites" | grep '^| .* % |$' | sed 's/-0\.00 %/+0.00 %/' |
+  cat "$folder"/*.md | sed 's/-0\.00 %/+0.00 %/' |
     LC_ALL=C sort --stable --field-separator='|' --key=2,2
 } >"$table"
 if [ $# -gt 1 ]; then diff -u "$2" "$table"; else cat "$table"; fi
