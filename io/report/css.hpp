@@ -106,7 +106,7 @@ footer { margin-top: 3rem; padding-top: 0.75rem; border-top: 1px solid var(--rul
   @page { margin: 16mm 14mm; }
   main { max-width: none; padding: 0; } body { font-size: 9.5pt; }
   .first { display: block; }
-  h2 { break-after: avoid; margin-top: 1.6rem; } table { font-size: 8.5pt; }
+  h2, h3 { break-after: avoid; } h2 { margin-top: 1.6rem; } table { font-size: 8.5pt; }
   th, td { padding-right: 0.5rem; } .note { break-after: avoid; } .n { padding-left: 0; }
   figure, tr, .scroll, .verdict, .warnings { break-inside: avoid; } .scroll { overflow: visible; }
   svg, .verdict, .warnings, .nominal { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
