@@ -1,5 +1,6 @@
 # Writes OUT: a test of ctest for every suite of PROGRAM. One process a suite, since a process takes
 # longer to start than most tests to run. Suites whose name ends in Slow carry the label slow.
+cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed
   COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "(^|\n)[^ \n][^\n]*\\.[^\n]*" suites "${listed}")
