@@ -122,9 +122,8 @@ public:
     const Json map = schema_of<T>();
     add(key,
         {{"oneOf",
-          {list_schema(words_schema(words_of(names), ""), need.min_items,
-                       static_cast<int>(names.size()), ""),
-           map, list_schema({{"oneOf", {words_schema(words_of(names), ""), map}}}, 1, 1000, "")}},
+          {map, list_schema({{"oneOf", {words_schema(words_of(names), ""), map}}}, need.min_items,
+                            1000, "")}},
          {"description", help}},
         need.required);
   }
