@@ -92,6 +92,7 @@ TEST(BrokenCase, cut_or_with_a_changed_byte_is_read_or_refused_by_its_lines) {
   const std::string good = text_of(a2);
   const test::TemporaryFolder folder("cut_case");
   const fs::path path = folder.path / "case.yaml";
+  fs::copy_file(a2.parent_path() / "measured.yaml", folder.path / "measured.yaml");
   int read = 0, refused = 0;
   const auto try_text = [&](const std::string& text) {
     std::ofstream(path) << text;
