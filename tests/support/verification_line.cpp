@@ -1,5 +1,6 @@
 #include "tests/support/verification_line.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -11,9 +12,10 @@
 namespace plica::test {
 namespace {
 
-// The file of a suite begins anew with every process.
-void keep(const std::string& folder, const std::string& suite, const std::string& line) {
+// The file of a suite begins anew with every process; suites of parameters have a / in their names.
+void keep(const std::string& folder, std::string suite, const std::string& line) {
   static std::set<std::string> begun;
+  std::replace(suite.begin(), suite.end(), '/', '_');
   std::filesystem::create_directories(folder);
   const auto mode = begun.insert(suite).second ? std::ios::trunc : std::ios::app;
   std::ofstream(folder + "/" + suite + ".md", std::ios::out | mode) << line;
