@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 namespace plica {
 namespace {
@@ -164,6 +165,49 @@ TEST(ComplexModes, dashpots_meet_a_general_eigenvalue_solver) {
   for (std::size_t j = 0; j < poles.size(); ++j) {
     EXPECT_LT(std::abs(found.modes[j].s - poles[j]), 1e-9 * std::abs(poles[j])) << j;
     EXPECT_LT(found.modes[j].residual, 1e-10);
+  }
+}
+
+// A supported beam with a dashpot in the middle (Higham, Mackey, Tisseur and Garvey, Int. J. Numer.
+// Meth. Engng 73 (2008) 344-360: half of the eigenvalues are imaginary and those of the beam
+// without it). The others solve 1 + c s G = 0 with the receptance of the continuous beam at its
+// middle, G = (tan z - tanh z) / (4 EI beta^3), z = beta L / 2, beta^4 = -m s^2 / EI. 120 modes
+// leave 1e-6.
+TEST(ComplexModes, of_a_beam_with_a_dashpot_in_the_middle) {
+  constexpr Index n = 120;
+  constexpr double L = 1, EI = 36.46, m = 0.674, c = 5; // aluminium, 50 mm x 5 mm
+  ModalModel beam{.lambda = VectorXd(n),
+                  .zeta = VectorXd::Zero(n),
+                  .eta = VectorXd::Zero(n),
+                  .output = MatrixXd(1, n),
+                  .input = MatrixXd(n, 1)};
+  for (Index j = 0; j < n; ++j) {
+    const double k = double(j + 1) * std::numbers::pi / L;
+    beam.lambda[j] = std::pow(k, 4) * EI / m;
+    beam.input(j, 0) = j % 2 == 0 ? std::sqrt(2 / (m * L)) * (j % 4 == 0 ? 1 : -1) : 0;
+  }
+  beam.output = beam.input.transpose();
+  const auto unbalanced = [&](Complex s) {
+    const Complex beta = std::pow(-m * s * s / EI, 0.25), z = beta * L / 2.;
+    return 1. + c * s * (std::tan(z) - std::tanh(z)) / (4 * EI * beta * beta * beta);
+  };
+  const ComplexModes found =
+      complex_modes(beam, {{}, {damped_spring(0, dashpot(c), 0)}, {}, {}}, 8);
+  ASSERT_TRUE(found.complete) << found.reason;
+  ASSERT_GE(found.modes.size(), 8U);
+  for (std::size_t j = 0; j < 8; ++j) {
+    const Complex s = found.modes[j].s;
+    if (j % 2 == 1) {
+      EXPECT_LT(std::abs(s - imag_unit * std::sqrt(beam.lambda[Index(j)])), 1e-9 * std::abs(s));
+      continue;
+    }
+    Complex x = s * 1.001, before = s * 1.002; // by the secant
+    for (int i = 0; i < 30 && std::abs(x - before) > 1e-13 * std::abs(x); ++i) {
+      const Complex f = unbalanced(x), g = unbalanced(before);
+      before = std::exchange(x, x - f * (x - before) / (f - g));
+    }
+    EXPECT_LT(std::abs(s - x), 1e-6 * std::abs(x)) << j;
+    EXPECT_LT(x.real(), -0.1) << j;
   }
 }
 
