@@ -4,6 +4,7 @@ PLICA names the program, else it is looked for on PATH and in the build folder o
 """
 import os
 import shutil
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -79,3 +80,18 @@ def lap(work):
     plica.run(SHIPPED / "bolted_lap", folder, threads=1, no_error_bars=True)
     plica.compare(folder, SHIPPED / "bolted_lap" / "measured.yaml", folder)
     return plica.diagnose(SHIPPED / "bolted_lap", folder, threads=1, no_plan=True)
+
+
+@pytest.fixture
+def use(executable):
+    """Another program for a test."""
+    yield plica.use
+    plica.use(executable)
+
+
+@pytest.fixture
+def fake(tmp_path):
+    path = tmp_path / "plica"
+    path.write_text(f"#!{sys.executable}\n" + (HERE / "fake_plica.py").read_text())
+    path.chmod(0o755)
+    return path
