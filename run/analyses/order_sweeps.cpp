@@ -1,5 +1,6 @@
 #include "run/analyses/order_sweeps.hpp"
 
+#include "run/analyses/coupling_change.hpp"
 #include "run/analyses/dissipation.hpp"
 #include "run/analyses/order_coupling.hpp"
 #include "solve/swept_sine.hpp"
@@ -130,10 +131,7 @@ OrderSweeps order_sweeps(const RunUp& asked, const std::string& key, const Senso
                                      model, modes, modal, kept, too_long)});
     squares += r.orders.back().acceleration.cwiseAbs2() / 2;
   }
-  if (too_long)
-    warnings.push_back("run-up " + asked.name +
-                       " is long: damped springs and coupled loss factors act as damping of each "
-                       "mode by itself");
+  if (too_long) warnings.push_back(too_long_for_coupling("run-up " + asked.name));
   r.overall = squares.cwiseSqrt();
   return r;
 }

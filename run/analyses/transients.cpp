@@ -1,5 +1,6 @@
 #include "run/analyses/transients.hpp"
 
+#include "run/analyses/coupling_change.hpp"
 #include "run/analyses/dissipation.hpp"
 #include "solve/modes.hpp"
 #include "solve/shock_spectrum.hpp"
@@ -15,7 +16,6 @@
 namespace plica {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -88,64 +88,33 @@ ShockSpectra spectra_of(const SpectrumRequest& asked, const TransientResult& r, 
   return s;
 }
 
-// Per second, of the mode that rings longest.
-double slowest_decay(const DampedModes& modes) {
-  double slowest = 1e300;
-  for (int j = 0; j < modes.solution.modes; ++j)
-    slowest =
-        std::min(slowest, 2 * std::numbers::pi * frequency_of(modes, j) * damping_of(modes, j));
-  return slowest;
-}
-
-// Samples of a transform in which all that rings dies out to e^-10 behind the last sample; 0 where
-// that is too long.
-Index transform_length(const TransientResult& r, const DampedModes& modes) {
-  constexpr double most = 1 << 22;
-  const double wanted = double(r.input.size()) + 10 / (slowest_decay(modes) * r.step);
-  if (!(wanted < most)) return 0;
-  Index length = 4;
-  while (double(length) < wanted) length *= 2;
-  return length;
-}
-
-// What damping that couples the modes, and stiffness over frequency, change: the difference of the
-// steady responses with them and mode by mode, by Fourier transforms of the signal, straight
-// between its samples. Only this difference sees the transform. False: it would be too long.
+// Adds what couples the modes by Fourier transforms of the signal, straight between its samples.
+// False: they would be too long.
 bool add_coupling(TransientResult& r, const SensorModel& model, const ModalModel& by_mode,
                   const VectorXd& carried, const ExcitedColumns& parts, const DampedModes& modes) {
   constexpr double room = 3e7; // numbers
-  constexpr Index block = 2048;
-  const Index length = transform_length(r, modes);
-  if (length == 0) return false;
-  const double line = 1 / (double(length) * r.step);
-  const double highest = 2 * frequency(by_mode.lambda.maxCoeff());
-  const auto lines = std::min(length / 2, Index(std::ceil(highest / line)));
   const Index channels = r.acceleration.cols();
-  if (double(lines) * double(channels) > room) return false;
+  const auto lines = transform_lines(double(r.input.size()) + ringing_samples(modes, r.step),
+                                     r.step, by_mode, channels, room);
+  if (!lines) return false;
   Eigen::FFT<double> transform;
   transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  VectorXd padded = VectorXd::Zero(length);
+  VectorXd padded = VectorXd::Zero(lines->length);
   padded.head(r.input.size()) = r.input;
   VectorXcd input;
   transform.fwd(input, padded);
-  MatrixXcd difference = MatrixXcd::Zero(length / 2 + 1, channels);
-  for (Index first = 1; first < lines; first += block) {
-    const Index count = std::min(block, lines - first);
-    const VectorXd hertz =
-        line * VectorXd::LinSpaced(count, double(first), double(first + count - 1));
-    const VectorXd omega = 2 * std::numbers::pi * hertz;
-    MatrixXcd change =
-        acceleration_of(model, parts, hertz) +
-        MatrixXcd(omega.cwiseAbs2().asDiagonal() * frequency_response(by_mode, 0, omega));
-    change.rowwise() -= carried.transpose().cast<Complex>();
-    for (Index i = 0; i < count; ++i) {
-      const double half = omega[i] * r.step / 2, straight = std::sin(half) / half;
-      difference.row(first + i) = straight * straight * input[first + i] * change.row(i);
-    }
-  }
+  MatrixXcd difference = MatrixXcd::Zero(lines->length / 2 + 1, channels);
+  for_each_change(*lines, model, parts, by_mode, carried.transpose(),
+                  [&](Index first, const VectorXd& omega, const MatrixXcd& change) {
+                    for (Index i = 0; i < omega.size(); ++i) {
+                      const double half = omega[i] * r.step / 2, straight = std::sin(half) / half;
+                      difference.row(first + i) =
+                          straight * straight * input[first + i] * change.row(i);
+                    }
+                  });
   for (Index c = 0; c < channels; ++c) {
     VectorXd motion;
-    transform.inv(motion, VectorXcd(difference.col(c)), length);
+    transform.inv(motion, VectorXcd(difference.col(c)), lines->length);
     r.acceleration.col(c) += motion.head(r.input.size());
   }
   return true;
@@ -184,9 +153,7 @@ TransientResult transient(const Transient& asked, const std::string& key, const 
   r.acceleration = transient_acceleration(modal, r.input, r.step);
   r.acceleration += r.input * carried.transpose();
   if (!modes.dissipation.empty() && !add_coupling(r, model, modal, carried, e.parts, modes))
-    warnings.push_back("transient " + r.name +
-                       " is long: damped springs and coupled loss factors " +
-                       "act as damping of each mode by itself");
+    warnings.push_back(too_long_for_coupling("transient " + r.name));
   const double largest = r.acceleration.cwiseAbs().maxCoeff();
   for (Index c = 0; c < r.acceleration.cols(); ++c) {
     Index at = 0;
