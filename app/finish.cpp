@@ -12,7 +12,7 @@ void hand_over(OutputFolder& out) {
   for (const std::string& name : out.remove_stale())
     say(fmt::format("plica: {} stays: it was changed since plica wrote it\n",
                     (out.path() / name).string()));
-  say_written(out.command(), read_manifest(out.path()));
+  if (speaks_json()) say_written(out.command(), read_manifest(out.path()));
 }
 
 void say_doubts(const Case& data) {
