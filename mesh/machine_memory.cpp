@@ -1,8 +1,8 @@
 #include "mesh/machine_memory.hpp"
 
-#include <array>
+#include "words/short_text.hpp"
+
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
@@ -62,9 +62,8 @@ void take_groups(MemoryLimit& limit, const fs::path& root) {
 }
 
 std::string gigabytes(double bytes) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), bytes < 9.95e9 ? "%.2g GB" : "%.0f GB", 1e-9 * bytes);
-  return text.data();
+  return (bytes < 9.95e9 ? short_text(1e-9 * bytes) : std::to_string(std::lround(1e-9 * bytes))) +
+         " GB";
 }
 
 } // namespace

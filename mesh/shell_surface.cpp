@@ -1,5 +1,7 @@
 #include "mesh/shell_surface.hpp"
 
+#include "words/short_text.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -51,9 +53,7 @@ Vector3d normal_of(const std::vector<Vector3d>& x, const Face& f) {
 }
 
 std::string place(const Vector3d& x) {
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "(%.4g, %.4g, %.4g) m", x.x(), x.y(), x.z());
-  return text.data();
+  return short_text(x) + " m";
 }
 
 class Shells {

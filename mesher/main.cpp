@@ -7,8 +7,8 @@
 #include "mesher/read_cad.hpp"
 #include "mesher/surface_frame.hpp"
 #include "mesher/triangles.hpp"
+#include "words/short_text.hpp"
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -63,11 +63,9 @@ int main(int argc, char** argv) {
   }
   const auto number = [&](int i) { return std::strtod(argv[i], nullptr); };
   const std::filesystem::path file = argv[3];
-  std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(),
-                ": needs more than %.3g GB to be read and meshed; PLICA_MESH_MEMORY gives it more",
-                number(2) / 1e9);
-  too_large = message_of_failure(file.filename().string() + text.data());
+  too_large = message_of_failure(file.filename().string() + ": needs more than " +
+                                 short_text(number(2) / 1e9, 3) +
+                                 " GB to be read and meshed; PLICA_MESH_MEMORY gives it more");
   std::set_new_handler([] { reply(too_large); });
   become_worker({.seconds = number(1), .bytes = number(2)});
   reply(answer(file, {.unit = number(4), .size = number(5), .turn = number(6), .weld = number(7)}));

@@ -1,5 +1,7 @@
 #include "mesher/meshed.hpp"
 
+#include "words/short_text.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -119,9 +121,7 @@ double area_of(const SurfaceFaces& surface) {
 }
 
 std::string area_text(double m2) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.6g mm2", 1e6 * m2);
-  return text.data();
+  return short_text(1e6 * m2, 6) + " mm2";
 }
 
 } // namespace plica

@@ -4,6 +4,7 @@
 #include "mesher/brep_text.hpp"
 #include "mesher/iges_text.hpp"
 #include "mesher/step_text.hpp"
+#include "words/short_text.hpp"
 
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck.hxx>
@@ -57,9 +58,7 @@ Shapes shapes_in(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 }
 
 std::string length_text(double m) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.3g mm", 1e3 * m);
-  return text.data();
+  return short_text(1e3 * m, 3) + " mm";
 }
 
 std::string place_of(const TopoDS_Shape& shape) {

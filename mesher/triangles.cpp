@@ -2,6 +2,7 @@
 
 #include "mesh/generation/gmsh_session.hpp"
 #include "mesher/meshed.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/Geometry>
 
@@ -20,10 +21,7 @@ using Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
 
 std::string mm_text(const Vector3d& x) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "[%.4g, %.4g, %.4g] mm", 1e3 * x.x(), 1e3 * x.y(),
-                1e3 * x.z());
-  return text.data();
+  return short_text(Vector3d(1e3 * x)) + " mm";
 }
 
 Eigen::AlignedBox3d box_of(const SurfaceFaces& surface) {

@@ -3,8 +3,8 @@
 #include "solve/block_lanczos.hpp"
 #include "solve/dense_modes.hpp"
 #include "solve/model_error.hpp"
-#include "solve/short_text.hpp"
 #include "solve/stopwatch.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "solve/random_response.hpp"
 
-#include "solve/short_text.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

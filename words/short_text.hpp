@@ -1,16 +1,12 @@
-// Numbers in sentences: two significant digits, 1.3e-07.
+// Numbers in sentences, for the rooms that need no library for it.
 #pragma once
 
-#include <array>
-#include <cstdio>
+#include <Eigen/Core>
 #include <string>
 
 namespace plica {
 
-inline std::string short_text(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", x);
-  return text.data();
-}
+std::string short_text(double x, int digits = 2);                 // 1.3e-07
+std::string short_text(const Eigen::Vector3d& x, int digits = 4); // [0, 0.25, -1e-05]
 
 } // namespace plica

@@ -1,5 +1,7 @@
 #include "mesh/generation/surface_file.hpp"
 
+#include "words/short_text.hpp"
+
 #include <Eigen/Geometry>
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -160,11 +161,8 @@ void require_flat(const aiMesh& mesh, const aiFace& polygon) {
   }
   constexpr double bent = 0.2; // the halves of a square fold by about 30 degrees
   if (high - low <= bent * std::sqrt(area.norm() / 2)) return;
-  std::array<char, 96> at{};
-  std::snprintf(at.data(), at.size(), "[%.4g, %.4g, %.4g]", corners[0].x(), corners[0].y(),
-                corners[0].z());
   throw std::runtime_error("the polygon of " + std::to_string(corners.size()) +
-                           " corners, one at " + at.data() +
+                           " corners, one at " + short_text(corners[0]) +
                            " in the unit of the file, is not flat: damaged, or to be "
                            "written as triangles");
 }

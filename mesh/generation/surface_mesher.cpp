@@ -2,6 +2,7 @@
 
 #include "mesh/generation/surface_file.hpp"
 #include "mesh/generation/worker.hpp"
+#include "words/short_text.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -33,9 +34,7 @@ template <class T> void take(std::string_view& text, std::vector<T>& list) {
 }
 
 std::string exact(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
+  return short_text(value, 17);
 }
 
 } // namespace

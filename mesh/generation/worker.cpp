@@ -1,6 +1,7 @@
 #include "mesh/generation/worker.hpp"
 
 #include "mesh/machine_memory.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -152,12 +153,7 @@ std::string run_worker(const std::string& program, const std::vector<std::string
   static std::mutex mutex;
   const std::lock_guard alone(mutex);
   if (stopped) throw Interrupted{subject};
-  std::array<char, 80> text{};
-  std::vector<std::string> all;
-  for (double limit : {limits.seconds, limits.bytes}) {
-    std::snprintf(text.data(), text.size(), "%.17g", limit);
-    all.emplace_back(text.data());
-  }
+  std::vector<std::string> all{short_text(limits.seconds, 17), short_text(limits.bytes, 17)};
   all.insert(all.end(), words.begin(), words.end());
   const auto until =
       Clock::now() + std::chrono::milliseconds(long(1e3 * std::min(limits.seconds, 1e9)));
@@ -165,12 +161,10 @@ std::string run_worker(const std::string& program, const std::vector<std::string
   std::string reply;
   while (worker.read(reply, until)) {
   }
-  if (worker.out_of_time() && !stopped) {
-    std::snprintf(text.data(), text.size(), ": not meshed within %g s", limits.seconds);
-    throw std::runtime_error(subject + text.data() +
-                             "; PLICA_MESH_SECONDS gives it more, a larger element_size or a "
+  if (worker.out_of_time() && !stopped)
+    throw std::runtime_error(subject + ": not meshed within " + short_text(limits.seconds, 6) +
+                             " s; PLICA_MESH_SECONDS gives it more, a larger element_size or a "
                              "simpler surface needs less");
-  }
   if (stopped) throw Interrupted{subject};
   const int status = worker.wait();
   if (stopped) throw Interrupted{subject};

@@ -7,8 +7,8 @@
 #include "model/shape/build_pipes.hpp"
 #include "model/shape/build_surface.hpp"
 #include "model/shape/wall_places.hpp"
-#include "solve/short_text.hpp"
 #include "words/input_error.hpp"
+#include "words/short_text.hpp"
 
 #include <array>
 #include <limits>

@@ -8,9 +8,8 @@
 #include "run/study/refine.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 #include <limits>
 #include <random>
 
@@ -286,16 +285,11 @@ std::string beyond_accuracy(const Case& data, const Results& results) {
       accuracy = std::max(accuracy, mesh_accuracy(*bellows));
   if (accuracy == 0) return "";
   std::string list;
-  const auto percent = [](const char* format, double share) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, 100 * share);
-    return std::string(text.data());
-  };
   const auto add = [&](const std::string& name, const MeshError& error, double value) {
     const double share = error.total() / value;
     if (!(std::abs(share) > accuracy)) return;
     worst = std::max(worst, std::abs(share));
-    list += (list.empty() ? "" : ", ") + name + percent(" (%+.1f %%)", share);
+    list += (list.empty() ? "" : ", ") + name + fmt::format(" ({:+.1f} %)", 100 * share);
   };
   const ErrorBars& errors = results.error_bars;
   for (std::size_t i = 0; i < errors.statics.size(); ++i)
@@ -307,9 +301,9 @@ std::string beyond_accuracy(const Case& data, const Results& results) {
   if (list.empty()) return "";
   // Errors are in proportion to the accuracy: elements grow with its root, errors fall with their
   // square.
-  return "beyond the accuracy of " + percent("%.3g %%", accuracy) +
-         " that the mesh was chosen for, by its estimated error: " + list +
-         "; mesh.accuracy: " + percent("%.2g %%", 0.95 * accuracy * accuracy / worst) + " would do";
+  return fmt::format("beyond the accuracy of {:.3g} % that the mesh was chosen for, by its "
+                     "estimated error: {}; mesh.accuracy: {:.2g} % would do",
+                     100 * accuracy, list, 95 * accuracy * accuracy / worst);
 }
 
 } // namespace plica
