@@ -1,16 +1,12 @@
 // Files of a superelement: each read back, and damaged ones refused.
 #include "tests/reduced_bellows.hpp"
+#include "tests/superelement_readers.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/written.hpp"
 
 #include "io/files/files.hpp"
-#include "io/superelements/abaqus.hpp"
-#include "io/superelements/hdf5.hpp"
 #include "io/superelements/labels.hpp"
 #include "io/superelements/matlab.hpp"
-#include "io/superelements/matrix_market.hpp"
-#include "io/superelements/nastran.hpp"
-#include "io/superelements/op4.hpp"
 #include "io/write/write_superelement.hpp"
 #include "words/input_error.hpp"
 

@@ -1,23 +1,15 @@
 #include "io/superelements/abaqus.hpp"
 
-#include "io/files/files.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace plica {
 namespace {
 
 using Eigen::MatrixXd;
-
-int coordinate_of(const Superelement& s, int node, int dof, const ElementLabels& labels) {
-  const int mode = node - labels.first_mode, own = node - labels.first_node;
-  if (mode >= 0 && mode < s.modal()) return s.boundary() + mode;
-  return own >= 0 && own < int(s.nodes.size()) && dof >= 1 && dof <= 6 ? 6 * own + dof - 1 : -1;
-}
 
 std::string numbers(const Eigen::Vector3d& x) {
   return fmt::format("{:.17g}, {:.17g}, {:.17g}", x[0], x[1], x[2]);
@@ -96,44 +88,6 @@ std::string abaqus_user_element(const Superelement& s, const ElementLabels& l) {
   return deck + fmt::format("\n*UEL PROPERTY, ELSET={}\n", l.name);
 }
 
-std::pair<MatrixXd, MatrixXd> read_abaqus_user_element(const Superelement& s,
-                                                       const std::filesystem::path& path) {
-  std::istringstream stream(read_whole(path));
-  const Eigen::Index n = s.K.rows();
-  MatrixXd K(n, n), M(n, n);
-  MatrixXd* matrix = nullptr;
-  Eigen::Index i = 0, j = 0;
-  int matrices = 0, number = 1;
-  std::string line;
-  for (; std::getline(stream, line); ++number) {
-    if (line.starts_with("*")) {
-      if (matrix && j != n) bad_line(path, number, "the matrix before is too short");
-      matrix = nullptr;
-      if (line.starts_with("*MATRIX, TYPE=")) {
-        matrix = line.ends_with("STIFFNESS") ? &K : &M;
-        i = j = 0;
-        ++matrices;
-      }
-      continue;
-    }
-    if (!matrix) continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream fields(line);
-    double value = 0;
-    while (fields >> value) {
-      if (j == n) bad_line(path, number, "the matrix is too long");
-      (*matrix)(i, j) = (*matrix)(j, i) = value;
-      if (i++ == j) {
-        i = 0;
-        ++j;
-      }
-    }
-    if (!fields.eof()) bad_line(path, number, "holds something that is not a number");
-  }
-  if (matrices != 2) bad_line(path, number, "has not a stiffness and a mass matrix");
-  return {K, M};
-}
-
 std::string abaqus_matrix(const Superelement& s, const MatrixXd& A, const ElementLabels& l) {
   std::string text;
   for (int j = 0; j < A.cols(); ++j)
@@ -144,28 +98,6 @@ std::string abaqus_matrix(const Superelement& s, const MatrixXd& A, const Elemen
                           column.point, std::max(1, column.dof), A(i, j));
     }
   return text;
-}
-
-MatrixXd read_abaqus_matrix(const Superelement& s, const std::filesystem::path& path,
-                            const ElementLabels& labels) {
-  std::istringstream stream(read_whole(path));
-  MatrixXd A = MatrixXd::Zero(s.K.rows(), s.K.rows());
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (line.empty() || line.starts_with("**")) continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream fields(line);
-    int node1 = 0, dof1 = 0, node2 = 0, dof2 = 0;
-    double value = 0;
-    std::string more;
-    if (!(fields >> node1 >> dof1 >> node2 >> dof2 >> value) || fields >> more)
-      bad_line(path, number, "is not \"node, DOF, node, DOF, value\"");
-    const int i = coordinate_of(s, node1, dof1, labels), j = coordinate_of(s, node2, dof2, labels);
-    if (std::min(i, j) < 0 || std::max(i, j) >= A.rows())
-      bad_line(path, number, "names a node that the superelement has not");
-    A(i, j) = A(j, i) = value;
-  }
-  return A;
 }
 
 // Every DOF of a recovered point follows the coordinates.

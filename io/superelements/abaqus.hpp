@@ -8,8 +8,6 @@
 
 #include "io/superelements/labels.hpp"
 
-#include <filesystem>
-
 namespace plica {
 
 std::string abaqus_deck(const Superelement& s, const ElementLabels& labels = {});
@@ -21,18 +19,9 @@ std::string abaqus_matrix(const Superelement& s, const Eigen::MatrixXd& A,
 // any other node has its motion.
 std::string abaqus_recovery(const Superelement& s, const ElementLabels& labels = {});
 
-// A matrix file back, size known from the superelement it belongs to. Throws std::runtime_error
-// with file and line.
-Eigen::MatrixXd read_abaqus_matrix(const Superelement& s, const std::filesystem::path& path,
-                                   const ElementLabels& labels = {});
-
 // The same as one linear user element U1 over all boundary nodes and modal points: upper triangles,
 // column by column, four numbers a line. For Abaqus/Standard, where a user element may be used in
 // any step that its matrices are enough for.
 std::string abaqus_user_element(const Superelement& s, const ElementLabels& labels = {});
-
-// K and M of a user element back, size known. Throws std::runtime_error with file and line.
-std::pair<Eigen::MatrixXd, Eigen::MatrixXd>
-read_abaqus_user_element(const Superelement& s, const std::filesystem::path& path);
 
 } // namespace plica

@@ -15,9 +15,7 @@
 
 namespace plica {
 
-// Written beside the target first and renamed. Both throw std::runtime_error with path and reason;
-// reading checks format, version and every size.
+// Written beside the target first and renamed. Throws std::runtime_error with path and reason.
 void write_hdf5(const Superelement& s, const std::filesystem::path& path);
-Superelement read_hdf5(const std::filesystem::path& path);
 
 } // namespace plica

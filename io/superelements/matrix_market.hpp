@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 
-#include <filesystem>
 #include <string>
 
 namespace plica {
@@ -12,6 +11,5 @@ namespace plica {
 std::string general_matrix_market(const Eigen::MatrixXd& A, const std::string& comment);
 
 std::string matrix_market(const Eigen::MatrixXd& A, const std::string& comment);
-Eigen::MatrixXd read_matrix_market(const std::filesystem::path& path);
 
 } // namespace plica

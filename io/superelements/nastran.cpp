@@ -1,16 +1,12 @@
 #include "io/superelements/nastran.hpp"
 
 #include "io/decks/nastran_cards.hpp"
-#include "io/files/files.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <map>
-#include <sstream>
 
 namespace plica {
 namespace {
@@ -121,81 +117,6 @@ std::string nastran_recovery(const Superelement& s, const ElementLabels& l) {
     }
   }
   return deck;
-}
-
-Superelement read_nastran_deck(const std::filesystem::path& path) {
-  std::istringstream stream(read_whole(path));
-  Superelement s;
-  std::map<int, int> coordinate; // of the first DOF of a point
-  std::string line, matrix;
-  int number = 0, column = -1, size = 0;
-  Eigen::Vector3d place;
-  bool grid_open = false, whole = false, in_system = false;
-  int last_grid = 0;
-  const auto cut = [&](std::size_t at, std::size_t width) {
-    return line.size() > at ? line.substr(at, width) : std::string();
-  };
-  const auto matrix_of = [&](const std::string& name) -> MatrixXd& {
-    if (name.starts_with("K4")) return s.D;
-    return name[0] == 'K' ? s.K : name[0] == 'M' ? s.M : s.C;
-  };
-  const auto at_label = [&](const std::string& point, const std::string& dof) {
-    const auto found = coordinate.find(std::stoi(point));
-    if (found == coordinate.end())
-      bad_line(path, number, "there is no point " + std::to_string(std::stoi(point)));
-    return found->second + std::max(0, std::stoi(dof) - 1);
-  };
-  while (std::getline(stream, line)) {
-    ++number;
-    if (line == last_line) whole = true;
-    if (const auto at = line.find(", units: ");
-        line.starts_with("$ Superelement ") && at != line.npos)
-      s.units = line.substr(at + 9);
-    if (line.empty() || line[0] == '$') continue;
-    try {
-      const std::string card = cut(0, 8);
-      if (card.starts_with("CORD2R") || (in_system && card.starts_with("*"))) {
-        in_system = true;
-      } else if (card.starts_with("GRID*")) {
-        last_grid = std::stoi(cut(8, 16));
-        coordinate[last_grid] = size;
-        size += 6;
-        in_system = false;
-        place.x() = nastran_number(cut(40, 16));
-        place.y() = nastran_number(cut(56, 16));
-        grid_open = true;
-      } else if (card.starts_with("*") && grid_open) {
-        place.z() = nastran_number(cut(8, 16));
-        s.nodes.push_back(place);
-        s.node_names.push_back("grid " + std::to_string(last_grid));
-        grid_open = false;
-      } else if (card.starts_with("SPOINT")) {
-        coordinate[std::stoi(cut(8, 8))] = size++;
-      } else if (card.starts_with("DMIG*")) {
-        if (s.K.size() == 0) s.K = s.M = MatrixXd::Zero(size, size);
-        matrix = cut(8, 16);
-        MatrixXd& A = matrix_of(matrix);
-        if (A.size() == 0) A = MatrixXd::Zero(size, size);
-        column = at_label(cut(24, 16), cut(40, 16));
-      } else if (card.starts_with("*") && column >= 0) {
-        MatrixXd& A = matrix_of(matrix);
-        const int row = at_label(cut(8, 16), cut(24, 16));
-        const double value = nastran_number(cut(40, 16));
-        A(row, column) += value;
-        if (row != column) A(column, row) += value;
-      } else if (!card.starts_with("DMIG")) {
-        bad_line(path, number, "unknown card '" + card + "'");
-      }
-    } catch (const std::logic_error&) { // std::stoi, std::stod
-      bad_line(path, number, "a field is not a number");
-    }
-  }
-  if (!whole)
-    bad_line(path, number,
-             std::string("the deck is cut off: its last line should be '") + last_line + "'");
-  if (s.K.isZero(0) && s.modal() > 0) bad_line(path, number, "there is no DMIG matrix KPLICA");
-  if (s.M.size() == 0 || s.M.isZero(0)) bad_line(path, number, "there is no DMIG matrix MPLICA");
-  return s;
 }
 
 } // namespace plica

@@ -8,8 +8,6 @@
 
 #include "io/superelements/labels.hpp"
 
-#include <filesystem>
-
 namespace plica {
 
 std::string nastran_deck(const Superelement& s, const ElementLabels& labels = {});
@@ -17,9 +15,5 @@ std::string nastran_deck(const Superelement& s, const ElementLabels& labels = {}
 // Recovered points as GRIDs that follow the coordinates by MPC, a set that has the number of the
 // element.
 std::string nastran_recovery(const Superelement& s, const ElementLabels& labels = {});
-
-// The matrices back, in the order of the file's GRIDs, then SPOINTs; nodes with their places.
-// Throws std::runtime_error with file and line.
-Superelement read_nastran_deck(const std::filesystem::path& path);
 
 } // namespace plica

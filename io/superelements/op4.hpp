@@ -9,16 +9,10 @@
 
 #include "io/superelements/labels.hpp"
 
-#include <filesystem>
-#include <map>
-
 namespace plica {
 
 // The matrices, and with recovered points OTMPLICA: their motion, six rows each, by the coordinates
 // (form 2, rectangular).
 std::string op4_file(const Superelement& s, const ElementLabels& labels = {});
-
-// Matrices by name. Throws std::runtime_error with file and line.
-std::map<std::string, Eigen::MatrixXd> read_op4(const std::filesystem::path& path);
 
 } // namespace plica
