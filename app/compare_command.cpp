@@ -36,8 +36,8 @@ MeasuredFile measured_file(const std::string& path) {
 // What belongs to the specimen as the case draws it.
 TestData test_data(const MeasuredFile& file) {
   Measured data = measured_as_drawn(file.data);
-  std::vector<FrfSet> frfs = load_frfs(data, file.path.parent_path());
-  return {.data = std::move(data), .frfs = std::move(frfs)};
+  std::vector<std::vector<FrfSet>> responses = load_each_frf(data, file.path.parent_path());
+  return {.data = std::move(data), .responses = std::move(responses)};
 }
 
 int compare_files(const CompareOptions& options) {

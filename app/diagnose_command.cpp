@@ -83,7 +83,7 @@ int plan_test(const DiagnoseOptions& options, const CaseFile& file) {
 }
 
 // What is wrong with a supposed effect stands in its file.
-Ledger suppose_from(const SuppositionFile& supposed, const Case& data, const DiagnosisData& test,
+Ledger suppose_from(const SuppositionFile& supposed, const Case& data, const TestData& test,
                     const DiagnosisSettings& settings) {
   try {
     return suppose(data, test, supposed.data, settings);
@@ -106,7 +106,7 @@ Ledger suppose_from(const SuppositionFile& supposed, const Case& data, const Dia
 struct Asked {
   CaseFile file;
   MeasuredFile test_file;
-  DiagnosisData test;
+  TestData test;
   std::vector<fs::path> inputs;
 };
 
@@ -213,8 +213,7 @@ int diagnose_case(const DiagnoseOptions& options) {
   const FittedBaseline start = adjusted(a, options.fit_baseline, settings);
   Diagnosis diagnosis = said_where(a, [&] { return diagnose(start.data, a.test, settings); });
   watch_interrupts();
-  for (const std::vector<FrfSet>& sets : a.test.responses)
-    for (std::string& warning : warnings_of(sets)) diagnosis.warnings.push_back(std::move(warning));
+  for (std::string& warning : warnings_of(a.test)) diagnosis.warnings.push_back(std::move(warning));
   write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, out);
   std::string words = diagnosis_text(diagnosis);
   if (options.add) words += add_effects(a, start.edits, diagnosis, settings, out);

@@ -43,13 +43,13 @@ struct FitOptions {
 
 // Of the test what may be fitted: responses that are held out are not even read.
 TestData fitted_data(const MeasuredFile& file) {
-  TestData test{.data = file.data, .frfs = {}};
+  TestData test{.data = file.data, .responses = {}};
   Measured fitted = test.data;
   std::erase_if(fitted.frf, [&, i = 0](const MeasuredFrf&) mutable {
     const auto& held = test.data.hold_out;
     return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
   });
-  test.frfs = load_frfs(measured_as_drawn(fitted), file.path.parent_path());
+  test.responses = load_each_frf(measured_as_drawn(fitted), file.path.parent_path());
   return test;
 }
 
@@ -107,7 +107,7 @@ int fit(const FitOptions& options) {
     refuse(file, error.what(), "a start from which the model gives every target");
   }
   watch_interrupts();
-  for (std::string& warning : warnings_of(test.frfs)) fit.warnings.push_back(std::move(warning));
+  for (std::string& warning : warnings_of(test)) fit.warnings.push_back(std::move(warning));
   if (search_is_ended())
     fit.warnings.insert(fit.warnings.begin(),
                         fit.stopped ? "the search was stopped: these are the best values so far"

@@ -186,12 +186,12 @@ Results run_resolved(CaseFile& file, const Plan& plan, Progress& progress) {
 }
 
 // What the results are put beside, as it was when it was read.
-void add_test(Results& results, const MeasuredFile& measured, const std::vector<FrfSet>& frfs) {
-  results.comparison = compare(results, measured.data);
-  results.unanswered = unanswered(results, measured.data);
-  if (!frfs.empty()) add_test_curves(results, frfs);
-  for (std::string& warning : warnings_of(frfs)) results.warnings.push_back(std::move(warning));
-  for (const std::string& caveat : measured.data.caveats)
+void add_test(Results& results, const TestData& test) {
+  results.comparison = compare(results, test.data);
+  results.unanswered = unanswered(results, test.data);
+  add_test_curves(results, test);
+  for (std::string& warning : warnings_of(test)) results.warnings.push_back(std::move(warning));
+  for (const std::string& caveat : test.data.caveats)
     results.assumptions.push_back("Measurement: " + caveat);
 }
 
@@ -205,8 +205,11 @@ int run_case(const RunOptions& options) {
   TestedCase tested = read_tested_case(options.chosen);
   CaseFile& file = tested.file;
   const std::optional<MeasuredFile>& measured = tested.test;
-  std::vector<FrfSet> frfs;
-  if (measured) frfs = load_frfs(measured_as_drawn(measured->data), measured->path.parent_path());
+  TestData test;
+  if (measured) {
+    test.data = measured->data;
+    test.responses = load_each_frf(measured_as_drawn(test.data), measured->path.parent_path());
+  }
   OutputFolder out(options.out.folder, work_of(file, measured, options));
   const Plan plan(file.data, options);
   Progress progress(options.out.quiet);
@@ -217,7 +220,7 @@ int run_case(const RunOptions& options) {
   results.inputs.push_back(input_file(file.path, file.text, out));
   if (measured) results.inputs.push_back(input_file(measured->path, measured->text, out));
   for (std::string& words : set_by_hand(file)) results.assumptions.push_back(std::move(words));
-  if (measured) add_test(results, *measured, frfs);
+  if (measured) add_test(results, test);
   bool interrupted = false, states_found = true;
   try {
     states_found = add_error_bars_and_variants(results, file, plan, measured, progress);

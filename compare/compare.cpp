@@ -266,14 +266,15 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
   return rows;
 }
 
-void add_test_curves(Results& results, const std::vector<FrfSet>& measured) {
+void add_test_curves(Results& results, const TestData& test) {
   for (ResponseResult& r : results.responses) {
     if (r.source != Source::base) continue;
     const auto distance = [&](const FrfSet& set) {
       return set.level && r.level > 0 ? std::abs(std::log(*set.level / r.level)) : 0;
     };
     double nearest = std::numeric_limits<double>::infinity();
-    for (const FrfSet& set : measured) {
+    for (const FrfSet* one : all_responses(test)) {
+      const FrfSet& set = *one;
       const auto found =
           std::find(set.references.begin(), set.references.end(), "base." + r.excitation);
       if (set.quantity != FrfQuantity::transmissibility || found == set.references.end()) continue;

@@ -1,8 +1,8 @@
 // Measured numbers beside the computed ones of a run.
 #pragma once
 
-#include "lab/measured/frf_set.hpp"
 #include "lab/measured/measured.hpp"
+#include "lab/measured/test_data.hpp"
 #include "run/results/results.hpp"
 
 namespace plica {
@@ -19,6 +19,6 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
 
 // Puts measured transmissibilities beside the responses to motion of the base: of each response
 // those of the level nearest to its own.
-void add_test_curves(Results& results, const std::vector<FrfSet>& measured);
+void add_test_curves(Results& results, const TestData& test);
 
 } // namespace plica

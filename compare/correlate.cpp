@@ -240,12 +240,12 @@ void find_stretch(const VectorXd& hertz, const VectorXcd& simulated, ComparedRes
 const FrfSet* partner(const TestData& a, const std::string& reference,
                       const std::optional<double>& level, FrfQuantity quantity) {
   const FrfSet* best = nullptr;
-  for (const FrfSet& s : a.frfs) {
-    if (!has(s.references, reference) || s.quantity != quantity) continue;
+  for (const FrfSet* s : all_responses(a)) {
+    if (!has(s->references, reference) || s->quantity != quantity) continue;
     const auto off = [&](const FrfSet& x) {
       return std::abs(x.level.value_or(0) - level.value_or(0));
     };
-    if (!best || off(s) < off(*best)) best = &s;
+    if (!best || off(*s) < off(*best)) best = s;
   }
   return best;
 }
@@ -256,7 +256,8 @@ bool is_silent(const VectorXcd& response, const MatrixXcd& all) {
 }
 
 void compare_responses(const TestData& a, const TestData& b, Correlation& c) {
-  for (const FrfSet& t : b.frfs)
+  for (const FrfSet* tested : all_responses(b)) {
+    const FrfSet& t = *tested;
     for (std::size_t k = 0; k < t.references.size(); ++k) {
       const FrfSet* s = partner(a, t.references[k], t.level, t.quantity);
       if (!s || s->hertz.size() < 2) continue;
@@ -294,6 +295,7 @@ void compare_responses(const TestData& a, const TestData& b, Correlation& c) {
       c.lines.push_back({t.references[k], lines, csac(S, T), csf(S, T)});
       std::move(list.begin(), list.end(), std::back_inserter(c.responses));
     }
+  }
 }
 
 void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
@@ -345,7 +347,7 @@ void add_limits(const TestData& a, const TestData& b, Correlation& c) {
       }
   if (!alike.empty())
     c.limits.push_back("measured modes look alike at these channels (MAC above 0.5): " + alike);
-  if (b.frfs.empty())
+  if (all_responses(b).empty())
     c.limits.emplace_back("no measured response: FRAC and CSAC are left out");
   else if (c.responses.empty())
     c.limits.emplace_back(

@@ -2,17 +2,11 @@
 // sensors of the test cannot tell.
 #pragma once
 
-#include "lab/measured/measured.hpp"
+#include "lab/measured/test_data.hpp"
 
 #include <Eigen/Core>
 
 namespace plica {
-
-// One side: what measured.yaml says and the responses it names.
-struct TestData {
-  Measured data;
-  std::vector<FrfSet> frfs;
-};
 
 struct PairedMode {
   int simulated = 0, measured = 0;        // indices of the modes of both sides

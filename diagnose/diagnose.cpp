@@ -27,7 +27,7 @@ constexpr std::size_t confirmed = 3; // hypotheses followed by Markov chains
 
 class Stages {
 public:
-  Stages(const Case& data, const DiagnosisData& test, const DiagnosisSettings& settings)
+  Stages(const Case& data, const TestData& test, const DiagnosisSettings& settings)
       : stated_(stated_gap(data, test, settings)), problem_(*stated_), settings_(settings) {}
 
   Diagnosis diagnosis() {
@@ -273,7 +273,7 @@ private:
 
 } // namespace
 
-Diagnosis diagnose(const Case& data, const DiagnosisData& test, const DiagnosisSettings& settings) {
+Diagnosis diagnose(const Case& data, const TestData& test, const DiagnosisSettings& settings) {
   require_rest(data, "the diagnosis");
   return Stages(data, test, settings).diagnosis();
 }

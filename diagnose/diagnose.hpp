@@ -10,6 +10,6 @@ namespace plica {
 
 // Throws InputError as build() does; std::invalid_argument when the test has nothing that the model
 // answers.
-Diagnosis diagnose(const Case& data, const DiagnosisData& test, const DiagnosisSettings& settings);
+Diagnosis diagnose(const Case& data, const TestData& test, const DiagnosisSettings& settings);
 
 } // namespace plica

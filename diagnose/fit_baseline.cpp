@@ -9,7 +9,7 @@
 
 namespace plica {
 
-FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
+FittedBaseline fitted_to_baseline(const Case& data, const TestData& test,
                                   const FitSettings& settings) {
   const auto refuse = [](const std::string& wrong, const std::string& allowed) {
     throw InputError({{.file = "",
@@ -24,14 +24,14 @@ FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
                    [](const MeasuredState& s) { return s.baseline && s.set.empty(); }))
     refuse("needs a baseline that differs from the case by no known change",
            "states: [{name: before, baseline: true}] in the measured data");
-  TestData baseline{.data = test.data, .frfs = {}};
+  TestData baseline{.data = test.data, .responses = {}};
   const auto held_out = [&](std::size_t i) {
     const std::vector<std::string>& held = test.data.hold_out;
     return std::find(held.begin(), held.end(), fmt::format("frf[{}]", i)) != held.end();
   };
   for (std::size_t i = 0; i < test.data.frf.size(); ++i)
     if (as_drawn(test.data, test.data.frf[i].state) && !held_out(i))
-      baseline.frfs.insert(baseline.frfs.end(), test.responses[i].begin(), test.responses[i].end());
+      baseline.responses.push_back(test.responses[i]);
   const FitResult fit = fit_case(data, *data.fit, baseline, settings);
   Eigen::VectorXd values(Eigen::Index(fit.parameters.size()));
   FittedBaseline result;

@@ -16,7 +16,7 @@ struct FittedBaseline {
 // By the section `fit` of the case, to what was measured in baselines that differ from the case by
 // no known change. Throws InputError where there is no such section or baseline, std::
 // invalid_argument where there is nothing to fit.
-FittedBaseline fitted_to_baseline(const Case& data, const DiagnosisData& test,
+FittedBaseline fitted_to_baseline(const Case& data, const TestData& test,
                                   const FitSettings& settings);
 
 } // namespace plica

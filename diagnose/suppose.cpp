@@ -109,7 +109,7 @@ private:
 
 } // namespace
 
-Ledger suppose(const Case& data, const DiagnosisData& test, const Supposition& supposition,
+Ledger suppose(const Case& data, const TestData& test, const Supposition& supposition,
                const DiagnosisSettings& settings) {
   const auto problem = stated_gap(data, test, settings);
   problem->predictors->solve_anew();

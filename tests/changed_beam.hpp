@@ -64,7 +64,7 @@ inline void add_modes(Measured& m, const std::string& state) {
 
 // What a model reads for a test.
 inline Eigen::VectorXd read_by(const Case& truth, const Measured& m) {
-  const DiagnosisData test{.data = m, .responses = {}};
+  const TestData test{.data = m, .responses = {}};
   const TestReadings readings = readings_of(test);
   return *Predictor(nominal_of(truth, m), readings, {})(Eigen::VectorXd());
 }

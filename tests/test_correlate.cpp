@@ -111,10 +111,10 @@ TEST(Correlate, knows_the_limits_of_a_single_sensor) {
 TEST(Correlate, finds_the_stretch_of_the_frequencies) {
   std::vector<TrueMode> modes = four_dof();
   TestData b;
-  b.frfs = {synthetic(modes, FrfQuantity::accelerance, 5, 70, 1301, 1)};
+  b.responses = {{synthetic(modes, FrfQuantity::accelerance, 5, 70, 1301, 1)}};
   for (TrueMode& m : modes) m.frequency /= 1.04;
   TestData a;
-  a.frfs = {synthetic(modes, FrfQuantity::accelerance, 4, 75, 1501, 1)};
+  a.responses = {{synthetic(modes, FrfQuantity::accelerance, 4, 75, 1501, 1)}};
   const Correlation c = correlate(a, b);
   ASSERT_EQ(c.responses.size(), 4U);
   for (const ComparedResponse& r : c.responses) {

@@ -14,7 +14,7 @@ Diagnosis diagnosis_of(const std::string& name, const std::string& model = "") {
   const auto folder = std::filesystem::path(PLICA_SOURCE_DIR) / "cases" / name;
   const CaseFile file = read_case((folder / (name + ".yaml")).string(), model);
   const std::string measured = (folder / "measured.yaml").string();
-  DiagnosisData test{.data = read_measured(measured), .responses = {}};
+  TestData test{.data = read_measured(measured), .responses = {}};
   resolve_states(test.data, file.data, measured);
   for (const MeasuredFrf& own : test.data.frf) {
     Measured one = test.data;

@@ -194,7 +194,7 @@ TEST(Readings, a_peak_that_is_gone_at_the_next_level_is_said) {
     return set;
   };
   const auto warnings = [&](double at_ten) {
-    DiagnosisData test;
+    TestData test;
     for (double level : {1., 3., 10.}) {
       MeasuredFrf entry;
       entry.base = Axis::z;

@@ -99,8 +99,8 @@ TEST(DiagnosisOfDampedSprings, damps_each_mode_by_what_its_springs_lose) {
 
 // Sweeps along x and z at three levels, as the model of the case has them with the damping that
 // each direction has.
-DiagnosisData sweeps_of(Case truth, double along_x, double along_z) {
-  DiagnosisData test;
+TestData sweeps_of(Case truth, double along_x, double along_z) {
+  TestData test;
   test.data.specimen = truth.name;
   for (int base : {0, 2}) {
     truth.analyses.damping.modal = base == 0 ? along_x : along_z;
@@ -168,7 +168,7 @@ TEST(HeldEnds, damping_left_free_is_weighed_by_what_is_said_of_its_scatter) {
 // The height of the tip's peak falls as damping rises, the root's reading stays.
 TEST(HeldEnds, readings_answer_to_damping_as_the_model_says) {
   const Case data = lapped_beam();
-  const DiagnosisData test = sweeps_of(data, 0.01, 0.01);
+  const TestData test = sweeps_of(data, 0.01, 0.01);
   const TestReadings readings = readings_of(test);
   const Nominal nominal = nominal_of(data, test.data);
   const VectorXd felt = damping_weights(nominal, readings).rowwise().sum();

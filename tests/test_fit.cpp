@@ -291,7 +291,7 @@ TEST(Fit, takes_responses_line_by_line) {
   truth.analyses.damping.modal = 0.02;
   truth.analyses.response = Response{.bases = {1}, .band = {10, 300}, .points = 291};
   const Results results = run(truth, [](const std::string&) {});
-  TestData test{.data = {}, .frfs = responses_to_base(results)};
+  TestData test{.data = {}, .responses = {responses_to_base(results)}};
   FitRequest request;
   request.parameters = {fit_parameter("parts.bellows.outer.axial", 2e4, 2e5, true),
                         fit_parameter("analyses.damping.modal", 0.002, 0.2, true)};

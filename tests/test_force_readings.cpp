@@ -50,7 +50,7 @@ struct Chain {
 const std::vector<std::string> floors{"floor1.x", "floor2.x", "floor3.x"};
 
 // A test of a chain in a state: forces on the given floors, one entry each.
-void add_test(DiagnosisData& test, const Chain& chain, const std::vector<int>& driven,
+void add_test(TestData& test, const Chain& chain, const std::vector<int>& driven,
               const std::string& state, double level = 0) {
   const Eigen::VectorXd hertz = Eigen::VectorXd::LinSpaced(8001, 2, 42);
   for (int at : driven) {
@@ -69,8 +69,8 @@ void add_test(DiagnosisData& test, const Chain& chain, const std::vector<int>& d
   }
 }
 
-DiagnosisData nothing_measured() {
-  DiagnosisData test;
+TestData nothing_measured() {
+  TestData test;
   test.data = read_measured(frame_folder + "measured.yaml");
   test.data.modes.clear();
   return test;
@@ -86,7 +86,7 @@ std::vector<MeasuredState> before_and_after() {
 
 TEST(ForceReadings, the_nominal_case_answers_as_the_chain_does) {
   const CaseFile file = read_case(frame_folder + "three_storey_frame.yaml");
-  DiagnosisData test = nothing_measured();
+  TestData test = nothing_measured();
   add_test(test, Chain{}, {0, 1, 2}, "");
   const TestReadings readings = readings_of(test);
   ASSERT_EQ(readings.runs.size(), 3u);
@@ -106,7 +106,7 @@ TEST(ForceReadings, the_nominal_case_answers_as_the_chain_does) {
 
 // Quantities that are no accelerations become such.
 TEST(ForceReadings, a_mobility_reads_as_the_accelerance_it_stands_for) {
-  DiagnosisData test = nothing_measured(), other = test;
+  TestData test = nothing_measured(), other = test;
   add_test(test, Chain{}, {0}, "");
   other = test;
   FrfSet& set = other.responses[0][0];
@@ -121,7 +121,7 @@ TEST(ForceReadings, a_mobility_reads_as_the_accelerance_it_stands_for) {
 
 // A mode that three forces show is one thing, in a changed state, too; three modes are three.
 TEST(ForceReadings, forces_share_the_modes_that_they_show) {
-  DiagnosisData test = nothing_measured();
+  TestData test = nothing_measured();
   test.data.states = before_and_after();
   Chain changed;
   changed.mass[1] *= 1.2;
@@ -144,7 +144,7 @@ TEST(ForceReadings, forces_share_the_modes_that_they_show) {
 // What the other codes of the house do not share: the change was made in the chain.
 TEST(ForceReadings, a_mass_on_a_floor_is_found_from_responses_to_forces_alone) {
   const CaseFile file = read_case(frame_folder + "three_storey_frame.yaml");
-  DiagnosisData test = nothing_measured();
+  TestData test = nothing_measured();
   test.data.states = before_and_after();
   Chain built, changed;
   built.stiffness *= 0.85; // no model is as built
@@ -162,7 +162,7 @@ TEST(ForceReadings, a_mass_on_a_floor_is_found_from_responses_to_forces_alone) {
 }
 
 TEST(ForceReadings, a_level_of_a_force_is_in_newtons) {
-  DiagnosisData test = nothing_measured();
+  TestData test = nothing_measured();
   add_test(test, Chain{}, {0}, "", 2.5);
   const TestReadings readings = readings_of(test);
   ASSERT_FALSE(readings.runs.empty());

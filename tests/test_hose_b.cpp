@@ -59,7 +59,7 @@ TEST(HoseB, meets_the_levels_it_was_not_fitted_to) {
 
 TEST(HoseBSlow, is_fitted_and_predicts) {
   const CaseFile file = read_case(hose_folder + "hose_b.yaml", "friction");
-  const TestData test{.data = read_measured(hose_folder + "measured.yaml"), .frfs = {}};
+  const TestData test{.data = read_measured(hose_folder + "measured.yaml"), .responses = {}};
   FitRequest request = *file.data.fit;
   const FitResult between = fit_case(file.data, request, test, {});
   EXPECT_LT(rms(between, "y", true), 0.082);

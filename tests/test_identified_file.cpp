@@ -111,7 +111,7 @@ TEST(IdentifiedFile, is_read_as_it_is_written) {
     EXPECT_EQ(mode.vector->imaginary[2], own.shape[2].imag());
   }
   // Held against the chain in the other state: by shape, 3 % apart.
-  TestData one{.data = back, .frfs = {}}, other = one;
+  TestData one{.data = back, .responses = {}}, other = one;
   std::erase_if(one.data.modes, [](const MeasuredMode& m) { return m.state != "cold"; });
   std::erase_if(other.data.modes, [](const MeasuredMode& m) { return m.state != "warm"; });
   const Correlation c = correlate(one, other);

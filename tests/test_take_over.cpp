@@ -36,7 +36,7 @@ Asked asked_of(const CaseFile& file) {
   asked.measured.frf.clear();
   asked.measured.hold_out.clear();
   resolve_states(asked.measured, file.data, "measured.yaml");
-  asked.readings = readings_of(DiagnosisData{.data = asked.measured, .responses = {}});
+  asked.readings = readings_of(TestData{.data = asked.measured, .responses = {}});
   return asked;
 }
 
@@ -195,7 +195,7 @@ TEST(TakeOver, closes_the_gap_of_the_effect_that_is_named) {
   changed_beam::take_readings(asked.measured, changed_beam::read_by(truth, asked.measured));
   DiagnosisSettings settings;
   settings.plan_next = false;
-  const DiagnosisData test{.data = asked.measured, .responses = {}};
+  const TestData test{.data = asked.measured, .responses = {}};
   const Diagnosis d = diagnose(file.data, test, settings);
   ASSERT_EQ(d.verdict, Verdict::identified) << d.headline;
   const ExplainedCase explained = explained_case(file, {}, d, {}, folder);

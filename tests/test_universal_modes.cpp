@@ -135,8 +135,8 @@ TEST(UniversalModes, are_called_as_the_sensors_where_they_stand) {
       mode.vector->real[3 * k + 2] = of_part[3 * k];
     }
   }
-  const Correlation c = correlate({.data = simulated, .frfs = {}},
-                                  {.data = named_by_place(test, simulated), .frfs = {}});
+  const Correlation c = correlate({.data = simulated, .responses = {}},
+                                  {.data = named_by_place(test, simulated), .responses = {}});
   ASSERT_EQ(c.pairs.size(), 2);
   for (const PairedMode& p : c.pairs) {
     EXPECT_EQ(p.by, "shape");

@@ -187,9 +187,10 @@ bool FitProblem::is_curve(const std::string& name) const {
 // Measured responses to motion of the base that the model has too, on their lines in its band.
 void FitProblem::choose_responses(const Results& results, std::string& known) {
   const std::vector<FrfSet> simulated = responses_to_base(results);
-  for (const FrfSet& set : test_.frfs)
-    for (std::size_t r = 0; r < set.references.size(); ++r)
-      for (std::size_t c = 0; c < set.responses.size(); ++c) add_curve(set, r, c, simulated, known);
+  for (const FrfSet* set : all_responses(test_))
+    for (std::size_t r = 0; r < set->references.size(); ++r)
+      for (std::size_t c = 0; c < set->responses.size(); ++c)
+        add_curve(*set, r, c, simulated, known);
 }
 
 void FitProblem::add_curve(const FrfSet& set, std::size_t r, std::size_t c,

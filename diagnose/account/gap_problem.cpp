@@ -48,7 +48,7 @@ void lowest_levels_only(TestReadings& test) {
   });
 }
 
-TestReadings chosen_readings(const DiagnosisData& test, const std::set<std::string>& without) {
+TestReadings chosen_readings(const TestData& test, const std::set<std::string>& without) {
   TestReadings readings = readings_of(test);
   if (std::all_of(readings.readings.begin(), readings.readings.end(),
                   [&](const Reading& r) { return is_baseline(test.data, r.state); }))
@@ -84,7 +84,7 @@ void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
 
 } // namespace
 
-std::unique_ptr<GapProblem> stated_gap(const Case& data, const DiagnosisData& test,
+std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
                                        const DiagnosisSettings& settings) {
   std::unique_ptr<GapProblem> stated(new GapProblem{.data = data, .test = test});
   GapProblem& p = *stated;

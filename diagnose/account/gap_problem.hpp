@@ -14,7 +14,7 @@ namespace plica {
 
 struct GapProblem {
   const Case& data;
-  const DiagnosisData& test;
+  const TestData& test;
   Nominal nominal = {};
   TestReadings readings = {};
   Uncertainty uncertainty = {};
@@ -32,7 +32,7 @@ struct GapProblem {
 
 // It stays where it is: predictors look at the nominal case in it. Throws InputError as build()
 // does; std::invalid_argument when the test has nothing that the model answers.
-std::unique_ptr<GapProblem> stated_gap(const Case& data, const DiagnosisData& test,
+std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
                                        const DiagnosisSettings& settings);
 
 } // namespace plica

@@ -5,8 +5,8 @@
 // static stiffness must not be outvoted by eight hundred of them.
 #pragma once
 
-#include "lab/measured/frf_set.hpp"
 #include "lab/measured/measured.hpp"
+#include "lab/measured/test_data.hpp"
 
 #include <array>
 #include <string>
@@ -67,12 +67,6 @@ struct TestReadings {
   std::vector<TestRun> runs;
   std::vector<Reading> readings;
   std::vector<std::string> warnings;
-};
-
-// Measured data with the responses of each frf entry.
-struct DiagnosisData {
-  Measured data;
-  std::vector<std::vector<FrfSet>> responses; // per entry of data.frf
 };
 
 // What a cross response adds to before the logarithm: below a fiftieth of the main motion it is

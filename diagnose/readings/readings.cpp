@@ -30,8 +30,7 @@ double relative(const std::optional<double>& sigma, double value, double otherwi
 
 class Collector {
 public:
-  explicit Collector(const DiagnosisData& test)
-      : test_(test), measured_(test.data), list_(test.data) {}
+  explicit Collector(const TestData& test) : test_(test), measured_(test.data), list_(test.data) {}
 
   TestReadings collect() {
     numbers();
@@ -241,14 +240,14 @@ private:
     }
   }
 
-  const DiagnosisData& test_;
+  const TestData& test_;
   const Measured& measured_;
   ReadingList list_;
 };
 
 } // namespace
 
-TestReadings readings_of(const DiagnosisData& test) {
+TestReadings readings_of(const TestData& test) {
   return Collector(test).collect();
 }
 

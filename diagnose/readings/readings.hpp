@@ -8,6 +8,6 @@ namespace plica {
 // Standard deviations where none are stated: mass 0.2 %, stiffness 1.5 %, frequency 0.25 %, damping
 // 6 %, amplitude 5 %. Without entries to hold out: the highest level where there are three or more,
 // else none.
-TestReadings readings_of(const DiagnosisData& test);
+TestReadings readings_of(const TestData& test);
 
 } // namespace plica

@@ -18,7 +18,7 @@ constexpr std::size_t most = 2; // peaks of a response
 
 class ResponseReadings {
 public:
-  ResponseReadings(const DiagnosisData& test, ReadingList& list)
+  ResponseReadings(const TestData& test, ReadingList& list)
       : test_(test), measured_(test.data), list_(list) {}
 
   void collect() {
@@ -195,7 +195,7 @@ private:
     double highest = 0; // Hz, of its peaks
   };
 
-  const DiagnosisData& test_;
+  const TestData& test_;
   const Measured& measured_;
   ReadingList& list_;
   ForceReadings forces_{list_};
@@ -204,7 +204,7 @@ private:
 
 } // namespace
 
-void add_response_readings(const DiagnosisData& test, ReadingList& list) {
+void add_response_readings(const TestData& test, ReadingList& list) {
   ResponseReadings(test, list).collect();
 }
 

@@ -6,6 +6,6 @@
 
 namespace plica {
 
-void add_response_readings(const DiagnosisData& test, ReadingList& list);
+void add_response_readings(const TestData& test, ReadingList& list);
 
 } // namespace plica

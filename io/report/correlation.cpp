@@ -132,8 +132,8 @@ std::string correlation_html(const Correlation& c, const TestData& a, const Test
   sections += html_section("limits", "What these data cannot tell", html_list(c.limits));
   const std::string lead = html_escape(a.data.source.empty() ? "simulation" : a.data.source) +
                            " beside " + html_escape(b.data.source.empty() ? "test" : b.data.source);
-  std::vector<std::string> warnings = warnings_of(a.frfs);
-  for (std::string& warning : warnings_of(b.frfs)) warnings.push_back(std::move(warning));
+  std::vector<std::string> warnings = warnings_of(a);
+  for (std::string& warning : warnings_of(b)) warnings.push_back(std::move(warning));
   return report_page(b.data.specimen + ": simulation and test", lead, warnings, sections);
 }
 

@@ -83,8 +83,7 @@ std::string correlation_text(const Correlation& c, const TestData& a, const Test
   }
   for (const std::string& limit : c.limits) text += "What these data cannot tell: " + limit + ".\n";
   for (const TestData* side : {&a, &b})
-    for (const std::string& warning : warnings_of(side->frfs))
-      text += "Warning: " + warning + ".\n";
+    for (const std::string& warning : warnings_of(*side)) text += "Warning: " + warning + ".\n";
   return text;
 }
 

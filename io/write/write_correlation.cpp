@@ -90,7 +90,7 @@ std::string correlation_json(const Correlation& c, const TestData& a, const Test
   json["limits"] = c.limits;
   json["warnings"] = Json::array();
   for (const TestData* side : {&a, &b})
-    for (const std::string& warning : warnings_of(side->frfs)) json["warnings"].push_back(warning);
+    for (const std::string& warning : warnings_of(*side)) json["warnings"].push_back(warning);
   return json_text(json);
 }
 

@@ -58,12 +58,4 @@ Eigen::MatrixXd noise_levels(const FrfSet& set) {
   return noise.cwiseMax(1e-3 * rms).cwiseMax(std::max(1e-300, 1e-9 * rms.maxCoeff()));
 }
 
-std::vector<std::string> warnings_of(const std::vector<FrfSet>& sets) {
-  std::vector<std::string> all;
-  for (const FrfSet& set : sets)
-    for (const std::string& warning : set.warnings)
-      if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
-  return all;
-}
-
 } // namespace plica

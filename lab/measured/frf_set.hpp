@@ -42,7 +42,4 @@ FrfSet within(const FrfSet& set, double low, double high);
 // no test is free of, and 1e-9 of the largest.
 Eigen::MatrixXd noise_levels(const FrfSet& set);
 
-// What is doubtful in their files, each thing once.
-std::vector<std::string> warnings_of(const std::vector<FrfSet>& sets);
-
 } // namespace plica
