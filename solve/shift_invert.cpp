@@ -28,8 +28,9 @@ ShiftInvert::ShiftInvert(const SparseMatrix& M, const SparseFactor& factor)
 
 void ShiftInvert::perform_op(const double* x, double* y) const {
   factor_.solve_upper(x, x_.data());
+  const int rows = int(mass_.outerSize());
 #pragma omp parallel for schedule(static) if (mass_.nonZeros() > worth_a_team)
-  for (int i = 0; i < mass_.outerSize(); ++i) {
+  for (int i = 0; i < rows; ++i) {
     double sum = 0;
     for (SparseMatrix::InnerIterator it(mass_, i); it; ++it) sum += it.value() * x_[it.row()];
     Mx_[i] = sum;
@@ -40,8 +41,9 @@ void ShiftInvert::perform_op(const double* x, double* y) const {
 // A column of the full matrix is also a row, summed in one order on any number of threads.
 MatrixXd ShiftInvert::times_mass(const Rows& x) const {
   Rows y(x.rows(), x.cols());
+  const int rows = int(mass_.outerSize());
 #pragma omp parallel for schedule(static) if (mass_.nonZeros() > worth_a_team && !omp_in_parallel())
-  for (int i = 0; i < mass_.outerSize(); ++i) {
+  for (int i = 0; i < rows; ++i) {
     auto sum = y.row(i);
     sum.setZero();
     for (SparseMatrix::InnerIterator it(mass_, i); it; ++it)

@@ -21,6 +21,11 @@ using Eigen::VectorXd;
 
 constexpr double hopeless = 1e6;
 
+bool far_from_all(const std::vector<VectorXd>& others, const VectorXd& z, double apart) {
+  return std::none_of(others.begin(), others.end(),
+                      [&](const VectorXd& other) { return (z - other).norm() < apart; });
+}
+
 void finish(HypothesisFit& fit) {
   fit.chi2 = fit.error.squaredNorm();
   fit.farthest = fit.z.size() > 0 ? fit.z.cwiseAbs().maxCoeff() : 0;
@@ -110,9 +115,7 @@ public:
     std::vector<VectorXd> begun;
     for (const auto& [start_cost, start] : starts_) {
       if (begun.size() == refined) break;
-      if (std::any_of(begun.begin(), begun.end(),
-                      [&](const VectorXd& other) { return (start - other).norm() < apart; }))
-        continue;
+      if (!far_from_all(begun, start, apart)) continue;
       begun.push_back(start);
       refine(start, found);
     }
@@ -128,9 +131,7 @@ public:
     }
     std::vector<VectorXd> optima;
     for (const auto& [cost, z] : found)
-      if (cost < found.front().first + as_good &&
-          std::none_of(optima.begin(), optima.end(),
-                       [&](const VectorXd& other) { return (z - other).norm() < apart / 2; }))
+      if (cost < found.front().first + as_good && far_from_all(optima, z, apart / 2))
         optima.push_back(z);
     return optima;
   }

@@ -291,8 +291,8 @@ private:
   // Of the stuck modes in the band that the excitation drives most.
   void follow_backbones(const std::vector<LevelSweep>& sweeps) {
     if (levels_.backbones == 0 || sweeps.empty() || part_.joints.empty()) return;
-    const auto [low, high] = amplitudes(sweeps);
-    if (!(high > low)) return;
+    const auto span = amplitudes(sweeps);
+    if (!(span.second > span.first)) return;
     const StuckModes stuck = stuck_modes(part_.structure);
     const VectorXd drive = (stuck.shapes.transpose() * part_.structure.input).cwiseAbs();
     std::vector<int> modes;
@@ -308,8 +308,8 @@ private:
       const Backbone b = backbone(part_.structure, mode,
                                   {.harmonics = result_.harmonics,
                                    .samples = levels_.samples,
-                                   .from = low,
-                                   .to = high,
+                                   .from = span.first,
+                                   .to = span.second,
                                    .tolerance = 1e-7});
       BackboneCurve& curve = result_.backbones[std::size_t(i)];
       curve.stuck_frequency = std::sqrt(stuck.lambda[mode]) / (2 * pi);
