@@ -1,6 +1,7 @@
 #include "solve/assembly.hpp"
 
 #include "solve/element_view.hpp"
+#include "solve/independent_element.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,19 +12,6 @@ namespace plica {
 namespace {
 
 using Eigen::MatrixXd;
-
-// Nodes whose independent DOFs an element reaches, itself or through constraints.
-std::vector<int> reached_nodes(const DofMap& map, const std::vector<int>& nodes) {
-  std::vector<int> reached;
-  for (int node : nodes) {
-    if (map.first[node + 1] > map.first[node]) reached.push_back(node);
-    for (int dof = 6 * node; dof < 6 * node + 6; ++dof)
-      for (const WeightedDof& w : map.dependent[dof]) reached.push_back(map.full[w.dof] / 6);
-  }
-  std::sort(reached.begin(), reached.end());
-  reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
-  return reached;
-}
 
 // Lists of integers of varying length, one after another.
 struct Lists {
@@ -143,34 +131,8 @@ public:
 
   template <class Nodes, class Matrix>
   void operator()(const Nodes& nodes, const Matrix& K, const Matrix& M) const {
-    const DofMap& map = system_.map;
-    std::vector<int> q; // independent DOF per local DOF, -1 = held at zero
-    bool plain = true;
-    for (int node : nodes)
-      for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
-        q.push_back(map.independent[dof]);
-        plain = plain && map.dependent[dof].empty();
-      }
-    if (plain) return add(q, K, M);
-    std::vector<int> reached;
-    for (std::size_t a = 0; a < q.size(); ++a) {
-      if (q[a] >= 0) reached.push_back(q[a]);
-      for (const WeightedDof& w : map.dependent[6 * nodes[a / 6] + int(a % 6)])
-        reached.push_back(w.dof);
-    }
-    std::sort(reached.begin(), reached.end());
-    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
-    const auto column = [&](int dof) {
-      return std::lower_bound(reached.begin(), reached.end(), dof) - reached.begin();
-    };
-    MatrixXd T = MatrixXd::Zero(static_cast<Eigen::Index>(q.size()),
-                                static_cast<Eigen::Index>(reached.size()));
-    for (std::size_t a = 0; a < q.size(); ++a) {
-      if (q[a] >= 0) T(a, column(q[a])) = 1;
-      for (const WeightedDof& w : map.dependent[6 * nodes[a / 6] + int(a % 6)])
-        T(a, column(w.dof)) = w.factor;
-    }
-    add(reached, MatrixXd(T.transpose() * K * T), MatrixXd(T.transpose() * M * T));
+    on_independent(system_.map, nodes, K, M,
+                   [&](const std::vector<int>& q, const auto& k, const auto& m) { add(q, k, m); });
   }
 
 private:

@@ -6,6 +6,7 @@
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
 #include "run/analyses/life.hpp"
+#include "run/analyses/run_by_route.hpp"
 #include "run/analyses/static_stiffness.hpp"
 #include "run/analyses/stress.hpp"
 #include "run/routes/operating_state.hpp"
@@ -28,9 +29,8 @@ using Eigen::MatrixXd;
 
 class Run {
 public:
-  Run(const Case& data, const std::function<void(const std::string&)>& stage,
-      ReductionMemory* memory)
-      : case_(data), stage_(stage), memory_(memory) {}
+  Run(const Case& data, const StageListener& stage, const RouteChoice& choose)
+      : case_(data), stage_(stage), choose_(choose) {}
 
   Results results() {
     stage_(stages::mesh);
@@ -40,7 +40,7 @@ public:
       results_.state = move_into_state(case_, built_, stage_, results_.timing);
       watch_ = Stopwatch();
     }
-    route_ = choose_route(built_, case_.analyses, stage_, results_.timing, memory_);
+    route_ = choose_(built_, case_.analyses, stage_, results_.timing);
     describe();
     if (has_friction(case_)) let_slip();
     if (case_.state && case_.analyses.stress) add_state_stress(case_, built_, results_);
@@ -110,7 +110,7 @@ private:
   void let_slip() {
     stage_(stages::mesh);
     slipping_ = slipping_case(case_);
-    slipping_route_ = choose_route(*slipping_, case_.analyses, stage_, results_.timing, memory_);
+    slipping_route_ = choose_(*slipping_, case_.analyses, stage_, results_.timing);
     results_.slipping.emplace();
     for (const BuiltJoint& j : slipping_->joints)
       if (std::vector<std::string>& all = results_.slipping->joints;
@@ -246,8 +246,8 @@ private:
   }
 
   const Case& case_;
-  const std::function<void(const std::string&)>& stage_;
-  ReductionMemory* memory_;
+  const StageListener& stage_;
+  const RouteChoice& choose_;
   Stopwatch watch_;
   BuiltCase built_;
   std::unique_ptr<Route> route_;
@@ -262,7 +262,14 @@ private:
 
 Results run(const Case& data, const std::function<void(const std::string&)>& stage,
             ReductionMemory* memory) {
-  return Run(data, stage, memory).results();
+  return run_by_route(
+      data, stage,
+      [memory](const BuiltCase& built, const Analyses& analyses, const StageListener& listener,
+               Timing& timing) { return choose_route(built, analyses, listener, timing, memory); });
+}
+
+Results run_by_route(const Case& data, const StageListener& stage, const RouteChoice& choose) {
+  return Run(data, stage, choose).results();
 }
 
 } // namespace plica

@@ -1,0 +1,172 @@
+#include "engine/engine_route.hpp"
+
+#include "run/stages.hpp"
+#include "solve/model_error.hpp"
+#include "solve/stopwatch.hpp"
+#include "words/input_error.hpp"
+
+#include <cstdint>
+#include <fmt/core.h>
+
+namespace plica {
+namespace {
+
+using Eigen::MatrixXd;
+
+enum class Order { end_stiffness, follow, modes, done };
+
+Order tell(const Ranks& ranks, Order order) {
+  return Order(ranks.broadcast(std::vector<int>{int(order)}).front());
+}
+
+// A fingerprint of the nodes, the elements and the rows between DOFs (FNV-1a).
+class Fingerprint {
+public:
+  void add(const void* data, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i)
+      hash_ = (hash_ ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001B3u;
+  }
+  std::uint64_t hash() const { return hash_; }
+
+private:
+  std::uint64_t hash_ = 0xCBF29CE484222325u;
+};
+
+std::uint64_t fingerprint_of(const Model& model) {
+  Fingerprint print;
+  for (const Eigen::Vector3d& x : model.mesh.nodes) print.add(x.data(), sizeof(double) * 3);
+  for (const ShellQuad& q : model.mesh.quads) {
+    print.add(q.nodes.data(), sizeof(q.nodes));
+    print.add(q.directors.data(), sizeof(double) * 12);
+    print.add(q.thickness.data(), sizeof(double) * 4);
+  }
+  for (const ShellTriangle& t : model.mesh.triangles) print.add(t.nodes.data(), sizeof(t.nodes));
+  for (const Constraint& row : model.constraints)
+    for (const ConstraintTerm& term : row.terms) print.add(&term.factor, sizeof(double));
+  const int elements = element_count(model);
+  print.add(&elements, sizeof elements);
+  return print.hash();
+}
+
+class EngineRoute : public Route {
+public:
+  EngineRoute(const BuiltCase& built, const Ranks& ranks, const EngineSettings& settings,
+              const StageListener& stage, Timing& timing)
+      : ranks_(ranks), stage_(stage), timing_(timing),
+        model_((stage(stages::assembly), built), ranks, settings.mumps, settings.log) {
+    watch_.lap(timing_, "assembly");
+  }
+
+  ~EngineRoute() override { tell(ranks_, Order::done); } // they end their factors with ours
+  EngineRoute(const EngineRoute&) = delete;
+  EngineRoute& operator=(const EngineRoute&) = delete;
+
+  std::string name() const override {
+    return fmt::format("full mesh: engine, {} rank{}", ranks_.size(),
+                       ranks_.size() == 1 ? "" : "s");
+  }
+  double mass() const override { return model_.mass(); }
+  int unknowns() const override { return model_.unknowns(); }
+
+  std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
+    stage_(stages::statics);
+    watch_ = Stopwatch();
+    tell(ranks_, Order::end_stiffness);
+    ranks_.broadcast(std::vector<int>(caps.begin(), caps.end()));
+    auto K = model_.end_stiffness(caps);
+    watch_.lap(timing_, "statics");
+    return K;
+  }
+
+  MatrixXd follow(const std::array<int, 2>& caps, const MatrixXd& motion) override {
+    tell(ranks_, Order::follow);
+    ranks_.broadcast(std::vector<int>(caps.begin(), caps.end()));
+    return model_.follow(caps, ranks_.broadcast(motion));
+  }
+
+  ModalSolution modes(const ModesRequest& request, const Loads& loads,
+                      const std::vector<int>& sensors) override {
+    stage_(stages::modes);
+    tell(ranks_, Order::modes);
+    ranks_.broadcast(std::vector<int>{request.count, request.proof});
+    ranks_.broadcast(MatrixXd(Eigen::RowVector2d(request.band[0], request.band[1])));
+    ranks_.broadcast(loads.base);
+    return model_.modes(request, {.base = loads.base, .force = loads.force}, sensors);
+  }
+
+private:
+  const Ranks& ranks_;
+  const StageListener& stage_;
+  Timing& timing_;
+  Stopwatch watch_;
+  DistributedModel model_;
+};
+
+// One order of the first rank. False: it was the last.
+bool answer(DistributedModel& model, const Ranks& ranks) {
+  switch (tell(ranks, {})) {
+  case Order::end_stiffness: {
+    const std::vector<int> caps = ranks.broadcast(std::vector<int>{});
+    model.end_stiffness({caps[0], caps[1]});
+    return true;
+  }
+  case Order::follow: {
+    const std::vector<int> caps = ranks.broadcast(std::vector<int>{});
+    model.follow({caps[0], caps[1]}, ranks.broadcast(MatrixXd()));
+    return true;
+  }
+  case Order::modes: {
+    const std::vector<int> asked = ranks.broadcast(std::vector<int>{});
+    const MatrixXd band = ranks.broadcast(MatrixXd());
+    model.modes({.count = asked[0], .band = {band(0, 0), band(0, 1)}, .proof = asked[1] != 0},
+                {.base = ranks.broadcast(std::vector<int>{}), .force = {}}, {});
+    return true;
+  }
+  case Order::done:
+    return false;
+  }
+  return false;
+}
+
+} // namespace
+
+bool agree_on_model(const Ranks& ranks, const BuiltCase* built, const std::string& trouble) {
+  const std::string own =
+      built ? fmt::format("mesh {:016x}", fingerprint_of(built->model)) : "trouble " + trouble;
+  const std::vector<std::string> all = ranks.everyones(own);
+  if (all[0].starts_with("trouble")) return false;
+  for (std::size_t r = 1; r < all.size(); ++r) {
+    if (all[r].starts_with("trouble")) end_all(fmt::format("rank {}: {}", r, all[r].substr(8)));
+    if (all[r] != all[0])
+      end_all(fmt::format("rank {} has another mesh than rank 0: the ranks must read "
+                          "the same case and geometry",
+                          r));
+  }
+  return true;
+}
+
+std::unique_ptr<Route> engine_route(const BuiltCase& built, const Ranks& ranks,
+                                    const EngineSettings& settings, const StageListener& stage,
+                                    Timing& timing) {
+  return std::make_unique<EngineRoute>(built, ranks, settings, stage, timing);
+}
+
+void serve(const BuiltCase& built, const Ranks& ranks, const EngineSettings& settings) {
+  std::optional<DistributedModel> model;
+  const auto with_all = [](const auto& work) { // what the first rank says is not said again
+    try {
+      return work();
+    } catch (const InputError&) {
+    } catch (const ModelError&) {
+    } catch (const std::logic_error&) {
+    }
+    return true;
+  };
+  with_all([&] {
+    model.emplace(built, ranks, settings.mumps, settings.log);
+    return true;
+  });
+  while (model && with_all([&] { return answer(*model, ranks); })) continue;
+}
+
+} // namespace plica
