@@ -6,7 +6,7 @@ JOBS ?= $(shell nproc)
 # A text of the user's as one word of the shell, blanks and quotes included.
 quoted = '$(subst ','\'',$(1))'
 
-.PHONY: run test check slow sealed table bench program build deps test-deps check-deps bench-deps clean
+.PHONY: run test check slow sealed table bench mpi program build deps test-deps check-deps bench-deps mpi-deps clean
 
 # Without OUT the results go into out/, under the name of the case.
 run: program
@@ -44,6 +44,11 @@ bench: bench-deps
 	cmake --build --preset bench -j $(JOBS)
 	bench/run.sh
 
+# The engine over ranks: build/engine/plica-mpi.
+mpi: mpi-deps
+	cmake --preset engine
+	cmake --build --preset engine -j $(JOBS)
+
 # The program alone, and with its tests.
 program: deps
 	cmake --preset run
@@ -62,6 +67,8 @@ check-deps:
 	@cmake/install_packages.sh run test check
 bench-deps:
 	@cmake/install_packages.sh run bench
+mpi-deps:
+	@cmake/install_packages.sh run mpi
 
 clean:
 	rm -rf build build-dev build-check out

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs the Debian packages of packages.txt that are missing; says what to do where it may not.
-#   install_packages.sh SECTION ...      run, test, check, bench
+#   install_packages.sh SECTION ...      run, test, check, bench, mpi
 set -eu
 here=$(dirname "$0")
 missing=""

@@ -57,7 +57,7 @@ const edge = (graph, from, to) => {
   graph.get(from).add(to);
 };
 
-for (const top of new Set([...rooms.keys(), 'app', 'mesher'].map((folder) => folder.split('/')[0])))
+for (const top of new Set([...rooms.keys(), 'app', 'mesher', 'engine'].map((folder) => folder.split('/')[0])))
   for (const path of filesBelow(top)) {
     const room = roomOf(path);
     readFileSync(join(sources, path), 'utf8').split('\n').forEach((line, i) => {

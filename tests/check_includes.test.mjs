@@ -15,7 +15,7 @@ function tree(files, t) {
   const root = mkdtempSync(join(tmpdir(), 'plica-includes-'));
   t.after(() => rmSync(root, { recursive: true }));
   writeFileSync(join(root, 'rooms.txt'), 'lower plica::lower Eigen3::Eigen\nupper plica::upper plica::lower\n');
-  for (const folder of ['lower', 'upper', 'app', 'mesher']) mkdirSync(join(root, folder, 'inner'), { recursive: true });
+  for (const folder of ['lower', 'upper', 'app', 'mesher', 'engine']) mkdirSync(join(root, folder, 'inner'), { recursive: true });
   for (const [path, included] of Object.entries(files))
     writeFileSync(join(root, path), included.map((other) => `#include "${other}"\n`).join(''));
   return checked(root, root);
