@@ -1,5 +1,6 @@
 #include "engine/distributed_model.hpp"
 
+#include "engine/memory_of_ranks.hpp"
 #include "engine/residual_vectors.hpp"
 #include "model/shape/constraint_clash.hpp"
 #include "solve/effective_mass.hpp"
@@ -46,6 +47,7 @@ DistributedModel::DistributedModel(const BuiltCase& built, const Ranks& ranks,
       map_(eliminate_constraints(built.model)) {
   settings_.note = log_;
   require_work(map_.size(), ranks);
+  require_memory_of_nodes(map_.size(), ranks);
   share_ = share_of(map_, ranks);
   held_ = node_dofs(map_, built.held_nodes);
   free_ = own_without(held_);
@@ -243,6 +245,8 @@ ModalSolution DistributedModel::modes(const ModesRequest& request, const EngineL
   solution.mass = central.mass;
   solution.free_mass = central.total;
   watch.lap(solution.timing, "recovery");
+  log_(fmt::format("peak memory: {:.0f} MB on the fullest rank, {:.0f} MB on all",
+                   ranks_.largest(peak_memory()) / 1e6, ranks_.sum(peak_memory()) / 1e6));
   return solution;
 }
 

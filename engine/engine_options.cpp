@@ -41,7 +41,7 @@ void add_options(CLI::App& app, EngineOptions& options) {
       ->capture_default_str();
   app.add_option("--workspace", options.workspace,
                  "workspace of MUMPS beyond its estimate, percent; taken larger where too small")
-      ->check(CLI::Range(0, 10000))
+      ->check(CLI::Range(-95, 10000))
       ->capture_default_str();
   app.add_option("--mumps-memory", options.megabytes,
                  "most that MUMPS may take on a rank, MB; 0 = what it needs. Taken larger where "

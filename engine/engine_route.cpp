@@ -1,5 +1,6 @@
 #include "engine/engine_route.hpp"
 
+#include "mesh/machine_memory.hpp"
 #include "run/stages.hpp"
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
@@ -158,6 +159,7 @@ void serve(const BuiltCase& built, const Ranks& ranks, const EngineSettings& set
       return work();
     } catch (const InputError&) {
     } catch (const ModelError&) {
+    } catch (const TooLarge&) {
     } catch (const std::logic_error&) {
     }
     return true;

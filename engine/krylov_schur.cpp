@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <slepceps.h>
 
 namespace plica {
 namespace {
@@ -92,18 +91,27 @@ EigenColumns krylov_schur(const DistributedMatrix& K, const DistributedMatrix& M
   start_from(eps, K, M, factor, seed);
   petsc(EPSSolve(eps));
 
+  EigenColumns found = eigen_columns(eps, K, M, count, ranks);
+  found.converged = found.converged && found.lambda.size() == count;
+  if (!found.converged)
+    found.reason = "SLEPc: " + std::to_string(found.lambda.size()) + " of " +
+                   std::to_string(count) + " modes converged";
+  return found;
+}
+
+EigenColumns eigen_columns(EPS eps, const DistributedMatrix& K, const DistributedMatrix& M,
+                           int most, const Ranks& ranks) {
   EigenColumns found;
   EPSConvergedReason why{};
   PetscInt converged = 0;
   petsc(EPSGetConvergedReason(eps, &why));
   petsc(EPSGetConverged(eps, &converged));
-  found.converged = why > 0 && converged >= count;
+  found.converged = why > 0;
   if (!found.converged)
-    found.reason = "SLEPc: " + std::to_string(converged) + " of " + std::to_string(count) +
-                   " modes converged (" + std::string(EPSConvergedReasons[why]) + ")";
+    found.reason = "SLEPc did not converge (" + std::string(EPSConvergedReasons[why]) + ")";
   OwnedVec x;
   petsc(MatCreateVecs(K.mat(), x.fill(), nullptr));
-  const int kept = std::min<int>(converged, count);
+  const int kept = most < 0 ? converged : std::min<int>(converged, most);
   Eigen::VectorXd lambda(kept);
   MatrixXd Phi(K.own_rows(), kept);
   for (int i = 0; i < kept; ++i) {

@@ -3,6 +3,8 @@
 
 #include "engine/mumps_factor.hpp"
 
+#include <slepceps.h>
+
 namespace plica {
 
 struct EigenColumns {
@@ -17,6 +19,10 @@ struct EigenColumns {
 EigenColumns krylov_schur(const DistributedMatrix& K, const DistributedMatrix& M,
                           const MumpsFactor& factor, double sigma, int count, unsigned seed,
                           const Ranks& ranks);
+
+// What a solver found, in order; `most`: of them at most so many, -1 = all.
+EigenColumns eigen_columns(EPS eps, const DistributedMatrix& K, const DistributedMatrix& M,
+                           int most, const Ranks& ranks);
 
 // Own rows of a vector that is the same on any number of ranks.
 Eigen::MatrixXd start_vector(const DistributedMatrix& K, unsigned seed);

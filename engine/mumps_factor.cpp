@@ -14,16 +14,16 @@ std::string ordering_name(int infog7) {
                                                    : "ordering " + std::to_string(infog7);
 }
 
-bool lacks_workspace(int infog1) {
-  return infog1 == -8 || infog1 == -9 || infog1 == -14 || infog1 == -15 || infog1 == -17 ||
-         infog1 == -20;
-}
-
 bool is_memory(int infog1) {
   return infog1 == -13 || infog1 == -19 || infog1 == -7 || infog1 == -22;
 }
 
 } // namespace
+
+bool lacks_workspace(int infog1) {
+  return infog1 == -8 || infog1 == -9 || infog1 == -14 || infog1 == -15 || infog1 == -17 ||
+         infog1 == -20;
+}
 
 std::string mumps_error(int info1, int info2, int workspace) {
   const std::string what =
@@ -42,14 +42,7 @@ MumpsFactor::MumpsFactor(const DistributedMatrix& A, Definiteness kind, const Ra
     : ranks_(&ranks), settings_(std::move(settings)), rows_(A.size()) {
   petsc(MatSetOption(A.mat(), MAT_SPD, kind == Definiteness::definite ? PETSC_TRUE : PETSC_FALSE));
   if (kind == Definiteness::indefinite) petsc(MatSetOption(A.mat(), MAT_SYMMETRIC, PETSC_TRUE));
-  petsc(MatGetFactor(A.mat(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.fill()));
   report_.workspace = settings_.workspace;
-  set_options();
-  MatFactorInfo options;
-  petsc(MatFactorInfoInitialize(&options));
-  petsc(MatCholeskyFactorSymbolic(factor_, A.mat(), nullptr, &options));
-  if (info(1) < 0)
-    end_all(mumps_error(info(1), info(2), report_.workspace), is_memory(info(1)) ? 4 : 3);
   factorise(A);
 }
 
@@ -58,7 +51,7 @@ void MumpsFactor::set_options() {
                                       {7, settings_.ordering}, // ... in this way
                                       {8, 77},                 // scaled as it finds best
                                       {13, 1},                 // the root too is counted
-                                      {14, settings_.workspace},
+                                      {14, report_.workspace},
                                       {22, 0}, // in memory
                                       {23, settings_.megabytes},
                                       {24, 1},  // null pivots are counted
@@ -66,29 +59,30 @@ void MumpsFactor::set_options() {
     petsc(MatMumpsSetIcntl(factor_, number, value));
 }
 
+// PETSc makes no second attempt on a factor that failed, whatever is set: each begins anew.
 void MumpsFactor::factorise(const DistributedMatrix& A) {
   MatFactorInfo options;
   petsc(MatFactorInfoInitialize(&options));
   for (;;) {
-    petsc(MatCholeskyFactorNumeric(factor_, A.mat(), &options));
+    petsc(MatGetFactor(A.mat(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.fill()));
+    set_options();
+    petsc(MatCholeskyFactorSymbolic(factor_, A.mat(), nullptr, &options));
+    if (info(1) >= 0) petsc(MatCholeskyFactorNumeric(factor_, A.mat(), &options));
     const int error = info(1);
     if (error >= 0) break;
-    if (!lacks_workspace(error) && !(error == -19 && settings_.megabytes > 0))
-      end_all(mumps_error(error, info(2), report_.workspace), is_memory(error) ? 4 : 3);
-    if (report_.retries == settings_.retries)
+    const bool limited = error == -19 && settings_.megabytes > 0;
+    if ((!lacks_workspace(error) && !limited) || report_.retries == settings_.retries)
       end_all(mumps_error(error, info(2), report_.workspace), is_memory(error) ? 4 : 3);
     ++report_.retries;
     const int more = std::max(2 * report_.workspace, 40);
     settings_.note("MUMPS: error " + std::to_string(error) + ", workspace too small with " +
                    std::to_string(report_.workspace) + " % beyond the estimate" +
-                   (settings_.megabytes > 0
-                        ? " and " + std::to_string(settings_.megabytes) + " MB a rank"
-                        : "") +
-                   "; once more with " + std::to_string(more) + " %");
+                   (limited ? " and " + std::to_string(settings_.megabytes) + " MB a rank" : "") +
+                   "; once more with " +
+                   (limited ? std::to_string(2 * settings_.megabytes) + " MB and " : "") +
+                   std::to_string(more) + " %");
     report_.workspace = more;
     settings_.megabytes *= 2;
-    petsc(MatMumpsSetIcntl(factor_, 14, more));
-    petsc(MatMumpsSetIcntl(factor_, 23, settings_.megabytes));
   }
   int positive = 0;
   petsc(MatGetInertia(factor_, &negative_, &null_, &positive));

@@ -63,6 +63,9 @@ private:
   int negative_ = 0, null_ = 0, rows_ = 0;
 };
 
+// That an error (INFOG(1)) is mended by more workspace.
+bool lacks_workspace(int infog1);
+
 // What MUMPS' error says, in a sentence with what to do.
 std::string mumps_error(int info1, int info2, int workspace);
 

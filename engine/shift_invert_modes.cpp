@@ -1,12 +1,13 @@
 #include "engine/shift_invert_modes.hpp"
 
-#include "engine/krylov_schur.hpp"
+#include "engine/spectrum_slices.hpp"
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace plica {
 namespace {
@@ -16,6 +17,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int guard_modes = 4; // computed beyond those asked for, to find a gap
+
+double eigenvalue(double hertz) {
+  return std::pow(2 * std::numbers::pi * hertz, 2);
+}
 
 VectorXd rounding_errors(const DistributedMatrix& K, const MatrixXd& Phi, const Ranks& ranks) {
   const MatrixXd own = (Phi.cwiseAbs().cwiseProduct(K.absolute(Phi))).colwise().sum();
@@ -112,6 +117,11 @@ void measure(DistributedModes& modes, const DistributedMatrix& K, const Distribu
       (gram - MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
 }
 
+// Where a band is sliced: from the shift to somewhat beyond it.
+double end_of_slices(const ModesRequest& request, int extension) {
+  return eigenvalue(request.band[1] * std::pow(1.15, 1 + extension));
+}
+
 void drop_lowest(DistributedModes& modes, int below) {
   const Index kept = modes.lambda.size() - below;
   modes.lambda = modes.lambda.tail(kept).eval();
@@ -155,10 +165,19 @@ DistributedModes find_modes(const DistributedMatrix& K, const DistributedMatrix&
       std::min(most, (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes);
   unsigned seed = 1;
   bool scaled = base.sigma == 0;
+  const bool sliced = request.count == 0;
+  int extension = 0; // of the slices
   constexpr int attempts = 3;
   for (int attempt = 0; attempt < attempts;) {
-    if (!base.factor) base = factor_at(base.sigma, K, M, ranks, settings);
-    const EigenColumns found = krylov_schur(K, M, *base.factor, base.sigma, count, seed, ranks);
+    const bool slices_now = sliced && scaled;
+    if (slices_now)
+      base.factor.reset();
+    else if (!base.factor)
+      base = factor_at(base.sigma, K, M, ranks, settings);
+    const EigenColumns found =
+        slices_now
+            ? spectrum_slices(K, M, base.sigma, end_of_slices(request, extension), ranks, settings)
+            : krylov_schur(K, M, *base.factor, base.sigma, count, seed, ranks);
     watch.lap(modes.timing, "lanczos");
     if (!scaled && found.converged) {
       base.sigma = better_shift(base.sigma, K, found, ranks);
@@ -170,6 +189,7 @@ DistributedModes find_modes(const DistributedMatrix& K, const DistributedMatrix&
     const int keep = modes_asked(request, found.lambda, small);
     if (found.converged && keep == found.lambda.size() && keep < most) {
       count = std::min(2 * count, most);
+      ++extension;
       continue;
     }
     modes.lambda = found.lambda.head(keep);
