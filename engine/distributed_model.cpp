@@ -72,8 +72,8 @@ DistributedModel::DistributedModel(const BuiltCase& built, const Ranks& ranks,
   for (int& row : own) row += share_.first;
   K_free_ = K_.part(own, ranks);
   M_free_ = system.M.part(own, ranks);
-  log_(fmt::format("{} unknowns on {} ranks, {:.3g} entries of the stiffness", map_.size(),
-                   ranks.size(), K_.entries(ranks)));
+  log_(fmt::format("{} unknowns, {} rank{}, {:.3g} entries of the stiffness", map_.size(),
+                   ranks.size(), ranks.size() == 1 ? "" : "s", K_.entries(ranks)));
 }
 
 std::vector<int> DistributedModel::own_without(const std::vector<int>& held) const {

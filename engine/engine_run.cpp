@@ -80,6 +80,18 @@ void require_known(const Case& data) {
   if (!problems.empty()) throw InputError(problems);
 }
 
+// What a case asks for besides that the engine leaves to `plica run`.
+std::vector<std::string> left_out(const Case& data) {
+  std::vector<std::string> words;
+  const auto leave = [&](bool asked, const std::string& what) {
+    if (asked) words.push_back("the engine runs the case itself; left to plica run: " + what);
+  };
+  leave(!data.variants.empty(), "its variants");
+  leave(!data.states.empty(), "its named states");
+  leave(data.analyses.error_bars, "error bars");
+  return words;
+}
+
 class EngineRun {
 public:
   EngineRun(const EngineOptions& options, const Ranks& ranks) : options_(options), ranks_(ranks) {}
@@ -174,6 +186,7 @@ private:
     results.versions = PLICA_ENGINE_LIBRARIES;
     results.inputs.push_back(
         {std::filesystem::proximate(file_.path, out_->path()).generic_string(), file_.text});
+    for (std::string& words : left_out(file_.data)) results.warnings.push_back(std::move(words));
     for (std::string& words : set_by_hand(file_)) results.assumptions.push_back(std::move(words));
     progress.stage("writing " + options_.out.folder.string());
     write_results(results, *out_);
