@@ -32,7 +32,8 @@ double times_of(std::string_view stage, const Case& data) {
   const bool modes = a.modes.has_value(), response = modes && a.response.has_value();
   if (stage == stages::state) return data.state ? (data.state->buckling > 0 ? 2 : 1) : 0;
   if (stage == stages::reduction) return a.reduction ? 1 : 0;
-  if (stage == stages::statics) return a.statics.value_or(true) && data.caps.size() == 2 ? 1 : 0;
+  if (stage == stages::statics)
+    return a.deck_loads || (a.statics.value_or(true) && data.caps.size() == 2) ? 1 : 0;
   if (stage == stages::factorisation || stage == stages::modes || stage == stages::labels ||
       stage == stages::recovery)
     return modes ? 1 : 0;

@@ -78,7 +78,7 @@ TEST(PeopleDeck, displacement_systems_turn_what_is_held_and_tied) {
     EXPECT_NEAR(by_default[i] / plain[i], 1, 1e-7) << i;
   }
   ASSERT_EQ(deck.notes.size(), 1U);
-  EXPECT_EQ(deck.notes[0], "passed over, since they change neither stiffness nor mass: FORCE");
+  EXPECT_EQ(deck.notes[0], "loads, which act where the case says static: deck: FORCE");
 }
 
 // GRDSET holds what its grid points do not say.

@@ -391,9 +391,9 @@ TEST(NastranReader, lists_on_request_what_it_leaves_out) {
   const DeckModel deck = read_text(text, UnknownCards::list);
   ASSERT_EQ(deck.left_out.size(), 1U);
   EXPECT_NE(deck.left_out[0].find("GENEL is not had"), std::string::npos);
-  ASSERT_EQ(deck.notes.size(), 1U);
-  EXPECT_EQ(deck.notes[0],
-            "passed over, since they change neither stiffness nor mass: PARAM, PLOAD4");
+  ASSERT_EQ(deck.notes.size(), 2U);
+  EXPECT_EQ(deck.notes[0], "passed over, since they change neither stiffness nor mass: PARAM");
+  EXPECT_EQ(deck.notes[1], "loads, which act where the case says static: deck: PLOAD4");
 }
 
 } // namespace

@@ -36,7 +36,12 @@ std::vector<int> dofs_of(const Keyword& k) {
 KeywordHandlers AbaqusJoints::surfaces() {
   return {{"SURFACE",
            {[this](const Keyword& k) {
-              surfaces_[{k.scope, k.word("NAME")}] = k;
+              const auto [known, is_new] = surfaces_.try_emplace({k.scope, k.word("NAME")}, k);
+              if (!is_new)
+                deck_error(k.at, "*SURFACE",
+                           "surface " + k.word("NAME") + " is there already in line " +
+                               std::to_string(known->second.at.line),
+                           "a name once");
             },
             {"NAME", "TYPE", "INTERNAL"}}}};
 }
@@ -77,8 +82,8 @@ void AbaqusJoints::finish() {
   if (moved_ > 0)
     deck_.notes.push_back(
         std::to_string(moved_) +
-        " lines of *BOUNDARY prescribe a displacement other than zero: they hold, "
-        "motion of the base is asked for in the case");
+        " lines of *BOUNDARY prescribe a displacement other than zero: they hold, and move where "
+        "the case says static: deck");
   no_open_coupling();
 }
 
@@ -314,6 +319,7 @@ void AbaqusJoints::boundary(const Keyword& k) {
       return held_.contains({row.node, row.dof});
     });
     held_.clear();
+    values_.clear();
   }
   static const std::map<std::string, std::vector<int>> words{
       {"ENCASTRE", all_six}, {"PINNED", {0, 1, 2}}, {"XSYMM", {0, 4, 5}},  {"YSYMM", {1, 3, 5}},
@@ -321,6 +327,7 @@ void AbaqusJoints::boundary(const Keyword& k) {
   for (const DataLine& line : k.data) {
     const std::vector<int> nodes = mesh_.nodes(k, line, line.fields.at(0));
     std::vector<int> dofs;
+    double value = 0;
     if (line.fields.size() > 1)
       if (const auto word = words.find(in_capitals(line.fields[1])); word != words.end())
         dofs = word->second;
@@ -330,12 +337,20 @@ void AbaqusJoints::boundary(const Keyword& k) {
       if (whole_in(k, line, 1) > 6 && whole_in(k, line, 1) != 7)
         continue; // temperatures and the like
       dofs = dof_range(k, line, 1);
-      moved_ += number_in(k, line, 3, 0) != 0;
+      value = number_in(k, line, 3, 0);
+      moved_ += value != 0;
+      if (value != 0 && (k.has("AMPLITUDE") || k.word_or("LOAD CASE", "1") != "1" ||
+                         k.word_or("TYPE", "DISPLACEMENT") != "DISPLACEMENT"))
+        doubts_.push_back(line.at.file + ":" + std::to_string(line.at.line) +
+                          ": *BOUNDARY moves by AMPLITUDE, TYPE or LOAD CASE");
     }
     for (int n : nodes)
-      for (int d : dofs)
+      for (int d : dofs) {
+        values_.erase({n, d});
+        if (value != 0) values_[{n, d}] = value;
         if (held_.insert({n, d}).second)
           deck_.supports.push_back({n, d, {}, origin(k, line.fields[0])});
+      }
   }
 }
 

@@ -5,6 +5,7 @@
 #include "io/decks/abaqus_mesh.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace plica {
 
@@ -15,6 +16,10 @@ public:
   KeywordHandlers surfaces(); // to be read before the others
   KeywordHandlers handlers();
   void finish(); // no coupling is left open; modal points; notes
+  // Displacements other than zero, by node and DOF, as they are after the keywords so far.
+  const std::map<std::pair<int, int>, double>& moved() const { return values_; }
+  // What is wrong with prescribed displacements of the step that is open; forgotten once asked for.
+  std::vector<std::string> take_doubts() { return std::exchange(doubts_, {}); }
 
 private:
   struct SurfaceNodes {
@@ -50,6 +55,8 @@ private:
   std::set<std::pair<int, int>> held_;
   bool kept_in_step_ = true; // no OP=NEW in this step so far
   int moved_ = 0;            // lines of prescribed displacements
+  std::map<std::pair<int, int>, double> values_;
+  std::vector<std::string> doubts_;
 };
 
 } // namespace plica

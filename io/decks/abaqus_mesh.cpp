@@ -141,18 +141,28 @@ void AbaqusMesh::read_system(const Keyword& k) {
 }
 
 void AbaqusMesh::read_nodes(const Keyword& k) {
+  DeckProblems problems; // of all its lines at once
+  for (const DataLine& line : k.data) problems.collect([&] { read_node(k, line); });
+  problems.raise();
+}
+
+void AbaqusMesh::read_node(const Keyword& k, const DataLine& line) {
   const auto place = instances_.find(k.scope);
-  for (const DataLine& line : k.data) {
-    const int label = whole_in(k, line, 0);
-    if (!index_.try_emplace({k.scope, label}, int(deck_.nodes.size())).second)
-      deck_error(line.at, "*NODE", "node " + std::to_string(label) + " is there twice",
-                 "a number once");
-    Vector3d x = system_.turn * cartesian(k, vector_in(k, line, 1)) + system_.move;
-    if (place != instances_.end()) x = place->second.turn * x + place->second.move;
-    deck_.nodes.push_back(x);
-    deck_.labels.push_back(label);
-    if (k.has("NSET")) nsets_[{k.scope, k.word("NSET")}].push_back(int(deck_.nodes.size()) - 1);
-  }
+  const int label = whole_in(k, line, 0);
+  const int index = static_cast<int>(deck_.nodes.size());
+  const auto [known, is_new] = index_.try_emplace({k.scope, label}, index);
+  if (!is_new)
+    deck_error(line.at, "*NODE",
+               "node " + std::to_string(label) + " is there twice, first in line " +
+                   std::to_string(node_lines_[std::size_t(known->second)]),
+               "a number once");
+  deck_.nodes.emplace_back(0, 0, 0);
+  deck_.labels.push_back(label);
+  node_lines_.push_back(line.at.line);
+  Vector3d x = system_.turn * cartesian(k, vector_in(k, line, 1)) + system_.move;
+  if (place != instances_.end()) x = place->second.turn * x + place->second.move;
+  deck_.nodes.back() = x;
+  if (k.has("NSET")) nsets_[{k.scope, k.word("NSET")}].push_back(index);
 }
 
 void AbaqusMesh::read_elements(const Keyword& k) {
@@ -169,6 +179,7 @@ void AbaqusMesh::read_elements(const Keyword& k) {
         element_index_.try_emplace({k.scope, *as_number(line.fields[0])}, -1);
     return;
   }
+  DeckProblems problems; // of all its lines at once
   for (std::size_t i = 0; i < k.data.size(); ++i) {
     DataLine line = k.data[i];
     while (line.fields.size() < count + 1 && i + 1 < k.data.size() &&
@@ -179,27 +190,39 @@ void AbaqusMesh::read_elements(const Keyword& k) {
     }
     while (line.fields.size() > count + 1 && line.fields.back().empty()) line.fields.pop_back();
     missing_.count_element(true);
-    const int label = whole_in(k, line, 0);
-    if (line.fields.size() != count + 1)
-      deck_error(line.at, "*ELEMENT",
-                 "has " + std::to_string(line.fields.size() - 1) + " nodes for " + type,
-                 std::to_string(count));
-    AbaqusElement element{.at = line.at,
-                          .type = type,
-                          .origin = "element " + std::to_string(label) + " in line " +
-                                    std::to_string(line.at.line),
-                          .label = label,
-                          .nodes = {},
-                          .shells = {}};
-    for (std::size_t n = 1; n <= count; ++n) element.nodes.push_back(node(k, line, n));
-    const int index = static_cast<int>(elements_.size());
-    if (!element_index_.try_emplace({k.scope, label}, index).second)
-      deck_error(line.at, "*ELEMENT", "element " + std::to_string(label) + " is there twice",
-                 "a number once");
-    elements_.push_back(std::move(element));
-    if (k.has("ELSET")) elsets_[{k.scope, k.word("ELSET")}].push_back(index);
+    problems.collect([&] { read_element(k, line, type, count); });
   }
   if (k.has("ELSET")) elsets_.try_emplace({k.scope, k.word("ELSET")});
+  problems.raise();
+}
+
+void AbaqusMesh::read_element(const Keyword& k, const DataLine& line, const std::string& type,
+                              std::size_t count) {
+  const int label = whole_in(k, line, 0);
+  if (line.fields.size() != count + 1)
+    deck_error(line.at, "*ELEMENT",
+               "has " + std::to_string(line.fields.size() - 1) + " nodes for " + type,
+               std::to_string(count));
+  AbaqusElement element{.at = line.at,
+                        .type = type,
+                        .origin = "element " + std::to_string(label) + " in line " +
+                                  std::to_string(line.at.line),
+                        .label = label,
+                        .nodes = {},
+                        .shells = {}};
+  for (std::size_t n = 1; n <= count; ++n) element.nodes.push_back(node(k, line, n));
+  const int index = static_cast<int>(elements_.size());
+  const auto [known, is_new] = element_index_.try_emplace({k.scope, label}, index);
+  if (!is_new)
+    deck_error(line.at, "*ELEMENT",
+               "element " + std::to_string(label) + " is there twice" +
+                   (known->second < 0
+                        ? std::string()
+                        : ", first in line " +
+                              std::to_string(elements_[std::size_t(known->second)].at.line)),
+               "a number once");
+  elements_.push_back(std::move(element));
+  if (k.has("ELSET")) elsets_[{k.scope, k.word("ELSET")}].push_back(index);
 }
 
 int AbaqusMesh::node(const Keyword& k, const DataLine& line, std::size_t field) const {
@@ -311,17 +334,23 @@ void AbaqusMesh::read_transform(const Keyword& k) {
 std::vector<AbaqusElement*> AbaqusMesh::elements_for(const Keyword& k,
                                                      const std::set<std::string>& types) {
   std::vector<AbaqusElement*> chosen;
+  std::vector<int> twice;
   for (int index : elements(k, {k.at, {}}, k.word("ELSET"))) {
     AbaqusElement& e = elements_.at(index);
     if (!types.contains(e.type))
       deck_error(k.at, "*" + k.name,
                  "is given to element " + std::to_string(e.label) + " of TYPE=" + e.type,
                  "an element set of one kind");
-    if (!given_.insert({index, kind_of_section(k.name)}).second)
-      deck_error(k.at, "*" + k.name, "element " + std::to_string(e.label) + " has one already",
-                 "one for each element");
+    if (!given_.insert({index, kind_of_section(k.name)}).second) twice.push_back(e.label);
     chosen.push_back(&e);
   }
+  if (!twice.empty())
+    deck_error(k.at, "*" + k.name,
+               "element " + std::to_string(twice.front()) + " has one already" +
+                   (twice.size() > 1
+                        ? ", and so have " + std::to_string(twice.size() - 1) + " others of its set"
+                        : ""),
+               "one for each element");
   return chosen;
 }
 

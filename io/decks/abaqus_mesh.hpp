@@ -39,6 +39,7 @@ public:
                          const std::string& name) const;
   std::vector<int> elements(const Keyword& keyword, const DataLine& line,
                             const std::string& name) const; // indices
+  const std::vector<AbaqusElement>& elements() const { return elements_; }
   AbaqusElement& element(int index) { return elements_.at(index); }
   const AbaqusElement& element(int index) const { return elements_.at(index); }
 
@@ -53,7 +54,10 @@ private:
   using Label = std::pair<std::string, int>;
   void read_nodes(const Keyword& keyword);
   void read_system(const Keyword& keyword);
+  void read_node(const Keyword& keyword, const DataLine& line);
   void read_elements(const Keyword& keyword);
+  void read_element(const Keyword& keyword, const DataLine& line, const std::string& type,
+                    std::size_t count);
   void read_transform(const Keyword& keyword);
   // A name as written by a keyword: its scope and what is left of it.
   Name split(const Keyword& keyword, const std::string& name) const;
@@ -68,6 +72,7 @@ private:
   const std::map<std::string, InstancePlace>& instances_;
   InstancePlace system_;       // *SYSTEM in force
   std::map<Label, int> index_; // of nodes
+  std::vector<int> node_lines_;
   std::vector<AbaqusElement> elements_;
   std::map<Label, int> element_index_; // -1: skipped, of a type that is not had
   std::map<Name, std::vector<int>> nsets_, elsets_;

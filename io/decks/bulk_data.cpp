@@ -194,7 +194,13 @@ public:
 private:
   void control(const Line& line) {
     const std::string text = in_capitals(trimmed(line.text));
-    if (text.starts_with("SUBCASE")) ++subcases_;
+    if (data.subcases.empty()) data.subcases.emplace_back();
+    if (text.starts_with("SUBCASE")) {
+      ++subcases_;
+      const auto number = whole_number_of(trimmed(text.substr(std::string("SUBCASE").size())));
+      data.subcases.push_back({number.value_or(subcases_), {}});
+    }
+    choose(text);
     for (const char* matrix : {"K2GG", "M2GG", "K2PP", "M2PP", "K42GG"})
       if (text.starts_with(matrix) && text.find('=') != std::string::npos)
         data.matrices.push_back({line.at, matrix, chosen_matrices(line.at, text)});
@@ -207,6 +213,17 @@ private:
       std::vector<int>& chosen = data.chosen[name];
       chosen.insert(subcases_ > 1 ? chosen.end() : chosen.begin(), *set);
     }
+  }
+
+  void choose(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) return;
+    std::string name = trimmed(text.substr(0, equals));
+    if (name == "TEMPERATURE" || name.ends_with("(LOAD)") || name.ends_with("(BOTH)"))
+      name = "TEMP";
+    if (name != "LOAD" && name != "SPC" && name != "MPC" && name != "TEMP") return;
+    if (const auto set = whole_number_of(trimmed(text.substr(equals + 1))))
+      data.subcases.back().chosen[name] = *set;
   }
 
   void bulk(const Line& line) {

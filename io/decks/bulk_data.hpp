@@ -41,11 +41,18 @@ struct DirectMatrices {
   std::vector<std::pair<double, std::string>> chosen;
 };
 
+// What one subcase chooses: LOAD, SPC, MPC, TEMP (as a load).
+struct Subcase {
+  int number = 0;
+  std::map<std::string, int> chosen;
+};
+
 struct BulkData {
   std::vector<Card> cards;
   bool has_control = false; // case control before BEGIN BULK
   std::map<std::string, std::vector<int>>
-      chosen; // by "SPC", "MPC"; that of the first subcase leads
+      chosen;                    // by "SPC", "MPC"; that of the first subcase leads
+  std::vector<Subcase> subcases; // the first: what stands above them all
   std::vector<DirectMatrices> matrices;
   std::vector<std::string> notes;
 };

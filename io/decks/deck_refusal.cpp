@@ -22,12 +22,12 @@ std::string counted(int count, const std::string& name) {
 
 } // namespace
 
-void PassedCards::finish(DeckModel& deck) const {
+void PassedCards::finish(DeckModel& deck, const char* why) const {
   if (counts_.empty()) return;
   std::string list;
   for (const auto& [name, count] : most_frequent_first(counts_, [](int n) { return n; }))
     list += (list.empty() ? "" : ", ") + counted(count, name);
-  deck.notes.push_back("passed over, since they change neither stiffness nor mass: " + list);
+  deck.notes.push_back(std::string(why) + ": " + list);
 }
 
 void MissingCards::add(const std::string& card, const std::string& what, const DeckPosition& at) {

@@ -6,12 +6,16 @@
 
 namespace plica {
 
+inline constexpr const char* changes_nothing =
+    "passed over, since they change neither stiffness nor mass";
+inline constexpr const char* loads_of_decks = "loads, which act where the case says static: deck";
+
 // Cards that are passed over, in one note: "passed over, since they change neither stiffness nor
-// mass: 12 FORCE, LOAD".
+// mass: 12 CDAMP2, PARAM".
 class PassedCards {
 public:
   void add(const std::string& card) { ++counts_[card]; }
-  void finish(DeckModel& deck) const;
+  void finish(DeckModel& deck, const char* why = changes_nothing) const;
 
 private:
   std::map<std::string, int> counts_;

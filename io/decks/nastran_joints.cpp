@@ -1,8 +1,11 @@
 #include "io/decks/nastran_joints.hpp"
 
+#include "io/decks/deck_average.hpp"
 #include "io/decks/keywords.hpp"
+#include "io/decks/nastran_loads.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -63,7 +66,11 @@ void crigd1(const Card& card, const NastranGrids& grids, DeckModel& deck) {
                             .origin = origin(card)});
 }
 
+// Of translations alone, to a point with all its DOFs or translations: a coupling. Of any
+// components: rows.
 void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
+  std::vector<AveragedNode> averaged;
+  bool translations = true;
   DeckCoupling c{.distributing = true,
                  .reference = grids.at(card, 2),
                  .nodes = {},
@@ -71,8 +78,7 @@ void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
                  .dofs = card.dofs(3),
                  .origin = origin(card)};
   std::sort(c.dofs.begin(), c.dofs.end());
-  if (c.dofs != six_dofs && c.dofs != std::vector{0, 1, 2})
-    card.wrong("has REFC " + card.text(3), "123456 or 123");
+  if (c.dofs.empty()) card.wrong("has no REFC", "components of its point, such as 123456");
   for (std::size_t field = 4; field < card.fields.size();) {
     if (!card.has(field)) {
       ++field;
@@ -82,15 +88,25 @@ void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
     if (std::isalpha(static_cast<unsigned char>(card.text(field)[0])))
       card.wrong("has " + card.text(field), "weights, components 123 and grid points");
     const double weight = card.real(field++);
-    if (card.dofs(field) != std::vector{0, 1, 2})
-      card.wrong("averages components " + card.text(field), "123");
+    const std::vector<int> components = card.dofs(field);
+    if (components.empty()) card.wrong("averages no components", "components such as 123");
+    translations = translations && components == std::vector{0, 1, 2};
     for (int node : grids.find(card, list_before_reals(card, ++field))) {
       c.nodes.push_back(node);
       c.weights.push_back(weight);
+      averaged.push_back({node, weight, components});
     }
   }
   deck.sets["RBE3[" + card.text(0) + "]"] = {c.reference};
-  deck.couplings.push_back(std::move(c));
+  if (translations && (c.dofs == six_dofs || c.dofs == std::vector{0, 1, 2}))
+    return deck.couplings.push_back(std::move(c));
+  try {
+    for (Constraint& row : average_rows(deck, c.reference, c.dofs, averaged, c.origin))
+      deck.equations.push_back(std::move(row));
+  } catch (const std::invalid_argument& error) {
+    card.wrong("averages what does not suffice: " + std::string(error.what()),
+               "more grid points, or components 123456");
+  }
 }
 
 void rbar(const Card& card, const NastranGrids& grids, DeckModel& deck) {
@@ -170,42 +186,22 @@ void read_rigid_elements(const NastranReading& r) {
   r.each("CRIGD1", [&](const Card& card) { crigd1(card, r.grids, r.deck); });
 }
 
-void read_constraints(const NastranReading& r, const BulkData& bulk) {
-  const NastranGrids& grids = r.grids;
+std::vector<Constraint> read_constraints(const NastranReading& r, const BulkData& bulk) {
   DeckModel& deck = r.deck;
   std::set<int> mpcs, spcs;
   r.problems.collect([&] { mpcs = in_force(r.cards, bulk, "MPC", {"MPC"}, deck); });
   r.each("MPC", [&](const Card& card) {
-    if (mpcs.contains(card.whole(0))) mpc(card, grids, deck);
+    if (mpcs.contains(card.whole(0))) mpc(card, r.grids, deck);
   });
   r.problems.collect([&] { spcs = in_force(r.cards, bulk, "SPC", {"SPC", "SPC1"}, deck); });
-  std::set<std::pair<int, int>> held;
-  std::size_t moved = 0;
-  for (const Constraint& row : deck.supports) held.insert({row.node, row.dof});
-  const auto hold = [&](const Card& card, int node, std::size_t field) {
-    const bool one = deck.scalars.contains(node);
-    for (int dof : one ? std::vector{grids.dof(card, node, field)} : card.dofs(field))
-      if (held.insert({node, dof}).second)
-        deck.supports.push_back({node, dof, {}, "SPC " + card.text(0)});
-    std::vector<int>& set = deck.sets["SPC[" + card.text(0) + "]"];
-    if (std::find(set.begin(), set.end(), node) == set.end()) set.push_back(node);
-  };
-  r.each("SPC", [&](const Card& card) {
-    if (!spcs.contains(card.whole(0))) return;
-    for (std::size_t at : {std::size_t{1}, std::size_t{4}}) {
-      if (!card.has(at)) continue;
-      moved += card.real(at + 2, 0) != 0;
-      hold(card, grids.at(card, at), at + 1);
-    }
-  });
-  r.each("SPC1", [&](const Card& card) {
-    if (!spcs.contains(card.whole(0))) return;
-    for (int node : grids.list(card, 2)) hold(card, node, 1);
-  });
-  if (moved > 0)
-    deck.notes.push_back(std::to_string(moved) +
-                         " SPC prescribe a displacement other than zero: "
-                         "they hold, motion of the base is asked for in the case");
+  std::vector<Constraint> without = deck.supports;
+  HeldBySets held = held_by(r, spcs, without);
+  deck.supports = std::move(held.supports);
+  if (held.moved_cards > 0)
+    deck.notes.push_back(std::to_string(held.moved_cards) +
+                         " SPC prescribe a displacement other than zero: they hold, and move "
+                         "where the case says static: deck");
+  return without;
 }
 
 } // namespace plica

@@ -8,7 +8,8 @@ namespace plica {
 void read_rigid_elements(const NastranReading& reading);
 
 // Of the sets that the first subcase chooses, or, in a file without case control, of the only one
-// there is. A set that is chosen and not there is an error; what is not chosen is noted.
-void read_constraints(const NastranReading& reading, const BulkData& bulk);
+// there is. A set that is chosen and not there is an error; what is not chosen is noted. Gives what
+// is held without any SPC.
+std::vector<Constraint> read_constraints(const NastranReading& reading, const BulkData& bulk);
 
 } // namespace plica

@@ -51,7 +51,8 @@ void add_wall(const NastranReading& r, const Card& card, const NastranWall& wall
                  .offset = offset,
                  .origin =
                      card.name + " " + card.text(0) + " in line " + std::to_string(card.at.line),
-                 .normal = {}};
+                 .normal = {},
+                 .element = card.whole(0)};
   if (wall.laminate) {
     made.laminate = index_of(deck.laminates, *wall.laminate, [](const auto& a, const auto& b) {
       return a.A == b.A && a.B == b.B && a.D == b.D && a.S == b.S && a.rho == b.rho &&

@@ -1,6 +1,7 @@
 #include "io/decks/read_abaqus.hpp"
 
 #include "io/decks/abaqus_joints.hpp"
+#include "io/decks/abaqus_loads.hpp"
 #include "io/decks/abaqus_sections.hpp"
 #include "words/did_you_mean.hpp"
 
@@ -19,11 +20,13 @@ std::string near(const Keyword& k, const std::vector<KeywordHandlers>& phases) {
 
 // Sorts a keyword: followed, with parameters that are known, passed over, or not had.
 void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases,
-                 MissingCards& missing, PassedCards& passed, LeftOut& left_out) {
+                 MissingCards& missing, PassedCards& passed, PassedCards& acting,
+                 LeftOut& left_out) {
   const KeywordHandler* handler = nullptr;
   for (const KeywordHandlers& phase : phases)
     if (const auto found = phase.find(k.name); found != phase.end()) handler = &found->second;
   const KeywordKind kind = kind_of_keyword(k.name);
+  if (is_load_keyword(k.name)) return acting.add("*" + k.name);
   if (kind == KeywordKind::passed) return passed.add("*" + k.name);
   if (handler == nullptr)
     return missing.add(
@@ -59,18 +62,20 @@ DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   }
   LeftOut left_out(unknown, deck);
   MissingCards missing(unknown == UnknownCards::list);
-  PassedCards passed;
+  PassedCards passed, acting;
   AbaqusMesh mesh(deck, left_out, missing, flat.instances);
   AbaqusSections sections(deck, mesh, left_out);
   AbaqusJoints joints(deck, mesh);
+  AbaqusLoads loads(deck, mesh, joints);
   const std::vector<KeywordHandlers> phases{mesh.handlers(),     sections.materials(),
                                             mesh.axes(),         joints.surfaces(),
-                                            sections.handlers(), joints.handlers()};
+                                            sections.handlers(), loads.with(joints.handlers())};
   DeckProblems problems;
   for (const Keyword& k : keywords)
-    problems.collect([&] { check_known(k, phases, missing, passed, left_out); });
+    problems.collect([&] { check_known(k, phases, missing, passed, acting, left_out); });
   note_what_is_taken_elastic(keywords, deck);
   passed.finish(deck);
+  acting.finish(deck, loads_of_decks);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const std::size_t before = problems.count();
     for (const Keyword& k : keywords)
@@ -83,6 +88,7 @@ DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   mesh.check_sections(problems);
   problems.collect([&] { sections.finish(); });
   problems.collect([&] { joints.finish(); });
+  loads.finish();
   problems.raise();
   return deck;
 }

@@ -4,6 +4,7 @@
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_joints.hpp"
 #include "io/decks/nastran_known.hpp"
+#include "io/decks/nastran_loads.hpp"
 #include "words/did_you_mean.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ public:
     for_each("PARAM", [&](const Card& card) { parameter(card); });
     missing_.finish(problems_, deck, "cards of docs/decks.md, or unknown_cards: list");
     passed_.finish(deck);
+    acting_.finish(deck, loads_of_decks);
     read(bulk);
   }
 
@@ -44,7 +46,9 @@ private:
     if (kind == CardKind::followed) missing_.count_element(is_element(card.name));
     switch (kind) {
     case CardKind::passed:
-      return passed_.add(card.name);
+      if (!is_load_card(card.name)) return passed_.add(card.name);
+      loads_[card.name].push_back(&card);
+      return acting_.add(card.name);
     case CardKind::solid:
       return missing_.add_solid(card.name, is_element(card.name), card.at);
     case CardKind::structural:
@@ -116,14 +120,15 @@ private:
     read_points(reading);
     read_matrices(reading, bulk);
     read_rigid_elements(reading);
-    read_constraints(reading, bulk);
+    const std::vector<Constraint> without_spc = read_constraints(reading, bulk);
     problems_.raise();
+    read_loads(reading, loads_, bulk, without_spc);
   }
 
   DeckProblems problems_;
   MissingCards missing_;
-  PassedCards passed_;
-  CardsByName cards_;
+  PassedCards passed_, acting_;
+  CardsByName cards_, loads_;                                  // followed; that act in static: deck
   std::map<std::pair<std::string, int>, const Card*> numbers_; // by group
   std::set<std::string> added_; // matrices of the deck, by case control
   double mass_factor_ = 1;

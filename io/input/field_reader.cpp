@@ -183,6 +183,20 @@ void FieldReader::flag(std::optional<bool>& x, const char* key, const char* help
   }
 }
 
+void FieldReader::flag_or(std::optional<bool>& x, bool& said, const char* key, const char* word,
+                          const char* help) {
+  const YamlNode* node = take(key, false, help);
+  if (!node) return;
+  const bool yes = node->text == "true", no = node->text == "false";
+  if (node->kind == YamlNode::Kind::scalar && node->text == word)
+    said = true;
+  else if (node->kind == YamlNode::Kind::scalar && !node->quoted && (yes || no))
+    x = yes;
+  else
+    log_.add(node->line, at(key), "is " + kind_of(*node),
+             std::string("allowed: true, false or ") + word);
+}
+
 void FieldReader::text(std::string& x, const char* key, const Text& t, const char* help) {
   const YamlNode* node = take(key, t.required, help);
   if (!node) return;

@@ -77,6 +77,9 @@ public:
   }
   void flag(bool& x, const char* key, const char* help);
   void flag(std::optional<bool>& x, const char* key, const char* help);
+  // true, false, or a word, which sets `said` and leaves x open.
+  void flag_or(std::optional<bool>& x, bool& said, const char* key, const char* word,
+               const char* help);
   void text(std::string& x, const char* key, const Text& t, const char* help);
   void texts(std::vector<std::string>& x, const char* key, const char* help);
   void one_or_more(std::vector<std::string>& x, const char* key, const char* help);

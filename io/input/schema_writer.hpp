@@ -72,6 +72,11 @@ public:
   void flag(std::optional<bool>&, const char* key, const char* help) {
     add(key, {{"type", "boolean"}, {"description", help}}, false);
   }
+  void flag_or(std::optional<bool>&, bool&, const char* key, const char* word, const char* help) {
+    add(key,
+        {{"oneOf", {Json{{"type", "boolean"}}, words_schema({word}, "")}}, {"description", help}},
+        false);
+  }
   void text(std::string&, const char* key, const Text& t, const char* help) {
     add(key, text_schema(t, help), t.required);
   }

@@ -1,5 +1,6 @@
 #include "io/report/report.hpp"
 
+#include "io/report/deck_loads.hpp"
 #include "io/report/levels.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
@@ -71,6 +72,7 @@ std::string report_html(const Results& results) {
   html += html_section("state", results.state ? "The state" : "States", state_html(results));
   html += html_section("errors", "Error bars", error_bars_html(results));
   html += html_section("statics", "Static stiffness", statics_html(results));
+  html += html_section("deck_loads", "Loads of the deck", deck_loads_html(results));
   html += html_section("part", "The profile", profile_drawing(results));
   html += html_section("superelements", "Superelements", superelements_html(results));
   html += html_section("modes", "Modes", modes_html(results) + mode_pictures(results));

@@ -2,6 +2,7 @@
 
 #include "io/files/json_text.hpp"
 #include "io/files/manifest.hpp"
+#include "io/tables/deck_load_tables.hpp"
 #include "io/tables/levels_json.hpp"
 #include "io/tables/life_json.hpp"
 #include "io/tables/state_words.hpp"
@@ -261,6 +262,7 @@ std::string results_json(const Results& r) {
   json["static"] = r.statics ? json_of(*r.statics) : Json(nullptr);
   if (r.statics && !r.error_bars.statics.empty())
     json["static"]["mesh_error"] = stiffness_errors(r.error_bars.statics);
+  if (!r.deck_loads.empty()) json["deck_loads"] = deck_loads_json(r);
   for (const StrokeCurve& c : r.strokes) // [m, N]
     json["static_curves"].push_back({{"direction", c.direction}, {"points", c.points}});
   if (!r.complex_modes.shapes.empty() || !r.complex_modes.reason.empty())

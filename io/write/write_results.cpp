@@ -3,6 +3,7 @@
 #include "compare/simulated.hpp"
 #include "io/report/report.hpp"
 #include "io/tables/csv.hpp"
+#include "io/tables/deck_load_tables.hpp"
 #include "io/tables/json.hpp"
 #include "io/tables/levels_csv.hpp"
 #include "io/tables/life_csv.hpp"
@@ -85,6 +86,7 @@ std::vector<std::string> result_files(const Case& data) {
     names.insert(names.end(), {"life.csv", "life_duties.csv", "life_meridian.csv"});
     for (const LifeRandom& r : life->random) names.push_back(life_density_file(r.name));
   }
+  if (data.analyses.deck_loads) names.emplace_back("deck_loads.csv");
   if (data.analyses.error_bars) names.emplace_back("error_bars.csv");
   return names;
 }
@@ -126,6 +128,7 @@ void write_results(const Results& results, OutputFolder& out) {
   }
   if (!results.stresses.empty() || results.life) out.add("stress.vtu", stress_vtu(results));
   if (results.life) add_life(results, out);
+  if (!results.deck_loads.empty()) out.add("deck_loads.csv", deck_loads_csv(results));
   if (!results.error_bars.bars.empty()) out.add("error_bars.csv", error_bars_csv(results));
   out.add("simulated.yaml", simulated_yaml(as_measured(results)));
   if (const std::string text = responses_uff(results); !text.empty())

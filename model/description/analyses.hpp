@@ -172,6 +172,7 @@ struct Analyses {
   Symmetry symmetry = Symmetry::automatic;
   std::optional<SuperelementsInRun> reduction;
   std::optional<bool> statics; // end stiffness between two caps; none: where there are two
+  bool deck_loads = false;     // what the loads of the decks among the parts do
   std::optional<Modes> modes;
   Damping damping;
   std::optional<Response> response;

@@ -134,6 +134,14 @@ void check_analyses(const Case& data, CheckLog& log) {
     log.add("analyses.static",
             "static stiffness is between two caps, this case has " + std::to_string(n),
             "give exactly two caps, or leave static out");
+  if (a.deck_loads && log.fine("parts") && log.fine("analyses.static") &&
+      std::none_of(data.parts.begin(), data.parts.end(),
+                   [](const Part& p) { return std::holds_alternative<DeckPart>(p.body); }))
+    log.add("analyses.static", "is that of the loads of a deck, and no part is one",
+            "a part of type: deck, or true");
+  if (a.deck_loads && data.state)
+    log.add("analyses.static", "is that of the loads of a deck, and the case has a state",
+            "the part at rest: leave out state");
   const double highest = highest_frequency(a);
   if (a.reduction && a.reduction->cutoff > 0 && a.reduction->cutoff < highest)
     log.add("analyses.reduction.cutoff", "lies below the highest frequency that is asked for",

@@ -58,6 +58,7 @@ public:
   template <class W> void whole(W&, const char*, const Whole&, const char*) {}
   void flag(bool&, const char*, const char*) {}
   void flag(std::optional<bool>&, const char*, const char*) {}
+  void flag_or(std::optional<bool>&, bool&, const char*, const char*, const char*) {}
   void text(std::string&, const char*, const Text&, const char*) {}
   void texts(std::vector<std::string>&, const char*, const char*) {}
   template <class E>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "elements/shell_laminate.hpp"
+#include "model/description/deck_loads.hpp"
 #include "solve/model.hpp"
 
 #include <filesystem>
@@ -24,6 +25,7 @@ struct DeckShell {
   std::vector<std::optional<Eigen::Vector3d>> normal; // given ones, one per corner or none at all
   int laminate = -1; // index into DeckModel::laminates, in place of the section: a matrix
   Eigen::Vector3d along = Eigen::Vector3d::Zero(); // axis 1 of the laminate, not yet projected
+  int element = 0;                                 // its number in a Nastran deck
 };
 
 struct DeckCoupling {
@@ -49,6 +51,7 @@ struct DeckModel {
   std::vector<DeckCoupling> couplings;
   std::vector<Constraint> equations;
   std::vector<Constraint> supports;
+  std::vector<DeckLoadCase> load_cases; // static ones
   // Nodes whose DOFs in couplings (where they follow), equations and supports are along the columns
   // of a matrix in place of the global axes.
   std::map<int, Eigen::Matrix3d> axes;

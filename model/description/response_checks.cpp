@@ -287,9 +287,9 @@ void check_response(const Case& data, CheckLog& log) {
 void check_stress(const Case& data, CheckLog& log) {
   const Analyses& a = data.analyses;
   if (!a.stress || !log.fine("analyses.stress")) return;
-  if (!a.modes && !a.statics)
+  if (!a.modes && !a.statics && !a.deck_loads)
     log.add("analyses.stress", "has neither modes nor a static analysis to recover stress from",
-            "give analyses.modes or static: true");
+            "give analyses.modes, static: true or static: deck");
   for (std::size_t i = 0; a.response && i < a.stress->frequencies.size(); ++i)
     if (const double f = a.stress->frequencies[i];
         log.fine("analyses.response.band") && (f < a.response->band[0] || f > a.response->band[1]))

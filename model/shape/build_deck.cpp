@@ -7,12 +7,16 @@
 
 namespace plica {
 
+DeckPlacing placing_of(const DeckPart& part) {
+  return {.units = {.length = part.length_unit, .mass = part.mass_unit},
+          .turn = turn_of(part.rotate),
+          .move = {part.move[0], part.move[1], part.move[2]},
+          .held = part.held,
+          .membrane = part.membrane};
+}
+
 Model deck_model(const DeckPart& part) {
-  Model model = place(*part.content, {.units = {.length = part.length_unit, .mass = part.mass_unit},
-                                      .turn = turn_of(part.rotate),
-                                      .move = {part.move[0], part.move[1], part.move[2]},
-                                      .held = part.held,
-                                      .membrane = part.membrane});
+  Model model = place(*part.content, placing_of(part));
   if (model.mesh.nodes.empty()) throw std::runtime_error("the deck has no element");
   std::vector<int>& all = model.mesh.sets["all"];
   all.resize(model.mesh.nodes.size());

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "model/description/case.hpp"
+#include "model/shape/deck_placing.hpp"
 #include "solve/model.hpp"
 
 namespace plica {
+
+DeckPlacing placing_of(const DeckPart& part);
 
 // The deck of a part, put where the case says, with its sets and places; of one component. Throws
 // std::runtime_error with what is wrong.

@@ -28,7 +28,7 @@ public:
       : deck_(deck), placing_(placing), turn_(placing.turn), L_(placing.units.length),
         M_(placing.units.mass) {}
 
-  Model result() {
+  Model result(std::vector<int>* numbers) {
     model_.components = {"deck"};
     for (const Vector3d& x : deck_.nodes)
       model_.mesh.nodes.emplace_back(turn_ * (L_ * x) + placing_.move);
@@ -40,7 +40,9 @@ public:
     for (BushingElement bushing : deck_.bushings) add(bushing);
     for (const MatrixElement& spring : deck_.springs) add(spring);
     add_deck_constraints(model_, deck_, placing_);
-    drop_unused_nodes(model_);
+    std::vector<int> kept = drop_unused_nodes(model_);
+    kept.resize(deck_.nodes.size()); // those of walls beside their nodes come behind
+    if (numbers != nullptr) *numbers = std::move(kept);
     hold_what_nothing_reaches(model_, deck_.holds_what_has_no_stiffness);
     return std::move(model_);
   }
@@ -229,8 +231,8 @@ private:
 
 } // namespace
 
-Model place(const DeckModel& deck, const DeckPlacing& placing) {
-  return Placer(deck, placing).result();
+Model place(const DeckModel& deck, const DeckPlacing& placing, std::vector<int>* numbers) {
+  return Placer(deck, placing).result(numbers);
 }
 
 } // namespace plica

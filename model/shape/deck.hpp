@@ -11,6 +11,7 @@ namespace plica {
 // own, which follow them rigidly. Single DOFs along axes that are not global become rows between
 // the DOFs of their node. Nodes that nothing uses are left away; DOFs that no element and no
 // constraint reaches are held. Throws std::runtime_error for a shell without area, or folded.
-Model place(const DeckModel& deck, const DeckPlacing& placing);
+// `numbers`: of each node of the deck in the model, -1 where it is left away.
+Model place(const DeckModel& deck, const DeckPlacing& placing, std::vector<int>* numbers = nullptr);
 
 } // namespace plica

@@ -59,7 +59,7 @@ std::vector<bool> reached_by_elements(const Model& model, bool by_stiffness_alon
 
 } // namespace
 
-void drop_unused_nodes(Model& model) {
+std::vector<int> drop_unused_nodes(Model& model) {
   std::vector<int> number(model.mesh.nodes.size(), -1);
   for_each_node_number(model, [&](int node) { number[node] = 0; });
   std::vector<Vector3d> kept;
@@ -86,6 +86,7 @@ void drop_unused_nodes(Model& model) {
   }
   std::erase_if(model.mesh.sets, [](const auto& set) { return set.second.empty(); });
   model.mesh.nodes = std::move(kept);
+  return number;
 }
 
 void hold_what_nothing_reaches(Model& model, bool by_stiffness_alone) {

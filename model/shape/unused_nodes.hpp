@@ -6,8 +6,8 @@
 namespace plica {
 
 // Leaves away the nodes that no element and no constraint uses: numbers, sets and constraints
-// follow.
-void drop_unused_nodes(Model& model);
+// follow. Gives the number of each node afterwards, -1 of those that are gone.
+std::vector<int> drop_unused_nodes(Model& model);
 
 // Holds the DOFs that no element and no constraint reaches: neither with stiffness nor with mass,
 // or, `by_stiffness_alone`, whatever mass they have.

@@ -2,6 +2,7 @@
 
 #include "model/description/connector_curve.hpp"
 #include "model/shape/doubts.hpp"
+#include "run/analyses/deck_statics.hpp"
 #include "run/analyses/dynamics.hpp"
 #include "run/analyses/joint_strokes.hpp"
 #include "run/analyses/levels.hpp"
@@ -47,6 +48,7 @@ public:
     if (case_.analyses.life) life_.emplace(case_, built_);
     const bool moved = case_.analyses.life && needs_statics(*case_.analyses.life);
     if ((case_.analyses.statics.value_or(true) || moved) && case_.caps.size() == 2) statics();
+    if (case_.analyses.deck_loads) loads_of_decks();
     if (case_.analyses.modes) dynamics();
     if (const auto& asked = case_.analyses.levels;
         asked && !(asked->bases.empty() && asked->forces.empty()))
@@ -67,6 +69,20 @@ private:
                        error.what());
     }
     watch_ = Stopwatch();
+  }
+
+  void loads_of_decks() {
+    watch_ = Stopwatch();
+    DeckStatics solved = deck_statics(case_, built_, stage_);
+    if (case_.analyses.stress) {
+      std::vector<std::string> names;
+      for (const DeckLoadResult& r : solved.results) names.push_back(r.name);
+      add_static_stresses({.field = recover_stress(built_.model, solved.u), .names = names}, case_,
+                          built_, results_);
+    }
+    for (std::string& note : solved.notes) results_.warnings.push_back(std::move(note));
+    results_.deck_loads = std::move(solved.results);
+    lap("loads of decks");
   }
 
   void finish_life() {

@@ -4,6 +4,7 @@
 #include "mesh/mesh.hpp"
 #include "model/description/connector_curve.hpp"
 #include "model/shape/symbols.hpp"
+#include "run/results/deck_load_results.hpp"
 #include "run/results/level_results.hpp"
 #include "run/results/life_results.hpp"
 #include "run/results/state_results.hpp"
@@ -287,6 +288,7 @@ struct Results {
   std::vector<Symbol> symbols;
   std::vector<Eigen::MatrixXd> shapes;
   std::vector<std::array<double, 2>> meridian; // [y, r] along the shells of revolution
+  std::vector<DeckLoadResult> deck_loads;      // static analyses of the loads of decks
 };
 
 // Headline numbers by name: "k_axial", "f_axial", "f_transverse", "f_torsion", "mass"; "life_NAME",

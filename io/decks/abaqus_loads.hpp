@@ -1,0 +1,51 @@
+// Static load cases of an Abaqus deck: every step of *STATIC with what acts and holds at its end.
+//
+// Loads go on from step to step until OP=NEW; a load that is given again in a later step replaces
+// the one before, within a step they add.
+#pragma once
+
+#include "io/decks/abaqus_joints.hpp"
+
+namespace plica {
+
+bool is_load_keyword(const std::string& name);
+
+class AbaqusLoads {
+public:
+  AbaqusLoads(DeckModel& deck, AbaqusMesh& mesh, AbaqusJoints& joints)
+      : deck_(deck), mesh_(mesh), joints_(joints) {}
+
+  // The handlers of what holds together with those of loads and steps: they go in the order of the
+  // deck.
+  KeywordHandlers with(KeywordHandlers joints);
+  void finish(); // a step without *END STEP
+
+private:
+  void begin_step(const Keyword& keyword);
+  void end_step();
+  void read(const Keyword& keyword, void (AbaqusLoads::*how)(const Keyword&));
+  void cload(const Keyword& keyword);
+  void dload(const Keyword& keyword);
+  void gravity(const Keyword& keyword, const DataLine& line);
+
+  struct Loads {
+    std::map<std::pair<int, int>, double> forces;   // by node and DOF, along its axes
+    std::map<int, double> pressures;                // by element
+    std::map<std::string, Eigen::Vector3d> gravity; // by the name of its elements
+    std::set<std::string> not_had;
+  };
+
+  DeckModel& deck_;
+  AbaqusMesh& mesh_;
+  AbaqusJoints& joints_;
+  Loads now_;
+  int steps_ = 0;
+  bool open_ = false, static_ = false, large_ = false;
+  // Given in this step already: what comes again adds.
+  std::set<std::pair<int, int>> forces_of_step_;
+  std::set<int> pressures_of_step_;
+  std::set<std::string> gravity_of_step_;
+  std::set<std::string> new_; // keywords with OP=NEW in this step
+};
+
+} // namespace plica

@@ -1,0 +1,301 @@
+#include "io/decks/nastran_loads.hpp"
+
+#include "io/decks/deck_pressure.hpp"
+#include "io/decks/keywords.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+using Eigen::Vector3d;
+
+const std::set<std::string> followed_loads{"FORCE",   "FORCE1", "FORCE2", "MOMENT", "MOMENT1",
+                                           "MOMENT2", "LOAD",   "GRAV",   "PLOAD",  "PLOAD2",
+                                           "PLOAD4",  "SLOAD",  "SPCD"};
+const std::set<std::string> loads_not_had{"RFORCE",  "ACCEL",  "ACCEL1", "PLOAD1", "PLOADX1",
+                                          "PLOADB3", "DEFORM", "LSEQ",   "FORCDST"};
+
+Vector3d vector_of(const Card& card, std::size_t first) {
+  return {card.real(first, 0), card.real(first + 1, 0), card.real(first + 2, 0)};
+}
+
+Vector3d direction(const Card& card, const Vector3d& d) {
+  if (!(d.norm() > 0)) card.wrong("acts in no direction", "two different points, or a vector");
+  return d.normalized();
+}
+
+class LoadReader {
+public:
+  LoadReader(const NastranReading& r, const CardsByName& loads, DeckLoadCase& into)
+      : r_(r), loads_(loads), into_(into) {
+    const auto& shells = r.deck.shells;
+    for (std::size_t i = 0; i < shells.size(); ++i)
+      shells_[shells[i].element].push_back(static_cast<int>(i));
+  }
+
+  // S (S1 L1 + S2 L2 + ...) of LOAD, or the set itself.
+  void add_set(int set) {
+    std::map<int, double> factors;
+    each("LOAD", [&](const Card& card) {
+      if (card.whole(0) != set) return;
+      const double all = card.real(1, 1);
+      for (std::size_t i = 2; i < card.fields.size(); i += 2)
+        if (card.has(i + 1)) factors[card.whole(i + 1)] += all * card.real(i, 1);
+    });
+    if (factors.empty()) factors[set] = 1;
+    for (const auto& [number, factor] : factors) {
+      acts_ = false;
+      add(number, factor);
+      if (!acts_)
+        into_.not_had.push_back(
+            "there is no load of set " + std::to_string(number) +
+            (number == set ? "" : ", which LOAD " + std::to_string(set) + " names"));
+    }
+  }
+
+private:
+  template <class F> void each(const std::string& name, F&& f) {
+    const auto found = loads_.find(name);
+    if (found == loads_.end()) return;
+    for (const Card* card : found->second) try {
+        f(*card);
+      } catch (const InputError& error) {
+        for (const InputProblem& p : error.problems()) into_.not_had.push_back(to_string(p));
+      }
+  }
+
+  template <class F> void each_of(const std::string& name, int set, F&& f) {
+    each(name, [&](const Card& card) {
+      if (card.whole(0) != set) return;
+      acts_ = true;
+      f(card);
+    });
+  }
+
+  void add(int set, double factor) {
+    for (const char* name : {"FORCE", "FORCE1", "FORCE2"})
+      each_of(name, set, [&](const Card& c) {
+        into_.forces.push_back({.node = r_.grids.at(c, 1), .force = factor * concentrated(c)});
+      });
+    for (const char* name : {"MOMENT", "MOMENT1", "MOMENT2"})
+      each_of(name, set, [&](const Card& c) {
+        into_.forces.push_back({.node = r_.grids.at(c, 1), .moment = factor * concentrated(c)});
+      });
+    each_of("GRAV", set, [&](const Card& c) {
+      into_.gravity +=
+          factor * c.real(2) * (r_.grids.axes(c, 1, Vector3d(0, 0, 0)) * vector_of(c, 3));
+    });
+    each_of("SLOAD", set, [&](const Card& c) {
+      for (std::size_t i = 1; i < c.fields.size() && c.has(i); i += 2) {
+        const int node = r_.grids.at(c, i);
+        if (!r_.deck.scalars.contains(node))
+          c.wrong("acts on grid point " + c.text(i), "scalar points; FORCE acts on grid points");
+        into_.forces.push_back({.node = node, .force = {factor * c.real(i + 1), 0, 0}});
+      }
+    });
+    each_of("SPCD", set, [&](const Card& c) {
+      for (std::size_t i : {std::size_t{1}, std::size_t{4}})
+        if (c.has(i)) spcd(c, i, factor);
+    });
+    add_pressures(set, factor);
+    for (const std::string& name : loads_not_had)
+      each_of(name, set, [](const Card& c) { c.wrong("is not had", "loads that are"); });
+  }
+
+  // FORCE and MOMENT along a vector, 1 from point to point, 2 across two lines.
+  Vector3d concentrated(const Card& c) const {
+    const int node = r_.grids.at(c, 1);
+    if (r_.deck.scalars.contains(node)) c.wrong("acts on a scalar point", "SLOAD");
+    const auto& x = r_.deck.nodes;
+    if (c.name.ends_with('1'))
+      return c.real(2) * direction(c, x[r_.grids.at(c, 4)] - x[r_.grids.at(c, 3)]);
+    if (c.name.ends_with('2'))
+      return c.real(2) * direction(c, (x[r_.grids.at(c, 4)] - x[r_.grids.at(c, 3)])
+                                          .cross(x[r_.grids.at(c, 6)] - x[r_.grids.at(c, 5)]));
+    return c.real(3) * (r_.grids.axes(c, 2, x[node]) * vector_of(c, 4));
+  }
+
+  void spcd(const Card& c, std::size_t at, double factor) {
+    const int node = r_.grids.at(c, at);
+    const std::vector<int> dofs = r_.deck.scalars.contains(node)
+                                      ? std::vector{r_.grids.dof(c, node, at + 1)}
+                                      : c.dofs(at + 1);
+    for (int dof : dofs) {
+      const bool held = std::any_of(into_.supports.begin(), into_.supports.end(),
+                                    [&](const auto& s) { return s.node == node && s.dof == dof; });
+      if (!held)
+        c.wrong("moves " + c.text(at) + " " + std::to_string(dof + 1) + ", which no SPC holds",
+                "DOFs of the SPC of the subcase");
+      into_.moved[{node, dof}] = factor * c.real(at + 2, 0);
+    }
+  }
+
+  void add_pressures(int set, double factor) {
+    each_of("PLOAD", set, [&](const Card& c) {
+      std::vector<int> nodes;
+      for (std::size_t i = 2; i < 6; ++i)
+        if (c.has(i)) nodes.push_back(r_.grids.at(c, i));
+      if (nodes.size() < 3)
+        c.wrong("acts on " + std::to_string(nodes.size()) + " points", "3 or 4");
+      add_pressure(into_.forces, r_.deck.nodes, nodes,
+                   std::vector(nodes.size(), factor * c.real(1)), Vector3d(0, 0, 0));
+    });
+    each_of("PLOAD2", set, [&](const Card& c) {
+      const bool range = in_capitals(c.text(3)) == "THRU";
+      for (int element : c.list(2))
+        on_element(c, element, std::vector(4, factor * c.real(1)), Vector3d(0, 0, 0), range);
+    });
+    each_of("PLOAD4", set, [&](const Card& c) {
+      const double p = c.real(2);
+      const std::vector<double> corner{factor * p, factor * c.real(3, p), factor * c.real(4, p),
+                                       factor * c.real(5, p)};
+      const bool range = in_capitals(c.text(6)) == "THRU";
+      if (c.has(6) && !range) c.wrong("acts on a face of a solid", "shells");
+      const int first = c.whole(1), last = range ? c.whole(7) : first;
+      if (c.has(12) && in_capitals(c.text(12)) != "SURF")
+        c.wrong("acts along " + c.text(12), "SURF, on the surface");
+      Vector3d along = vector_of(c, 9);
+      if (along.norm() > 0) along = r_.grids.axes(c, 8, Vector3d(0, 0, 0)) * along.normalized();
+      for (auto e = shells_.lower_bound(first); e != shells_.end() && e->first <= last && range;
+           ++e)
+        on_element(c, e->first, corner, along, true);
+      if (!range) on_element(c, first, corner, along, false);
+    });
+  }
+
+  // `range`: of a range of numbers those count that there are.
+  void on_element(const Card& c, int element, const std::vector<double>& corner,
+                  const Vector3d& along, bool range) {
+    const auto found = shells_.find(element);
+    if (found == shells_.end()) {
+      if (range) return;
+      c.wrong("acts on element " + std::to_string(element) + ", which is no shell of the deck",
+              "shells that bend");
+    }
+    const bool varies =
+        std::any_of(corner.begin(), corner.end(), [&](double p) { return p != corner[0]; });
+    if (varies && found->second.size() > 1)
+      c.wrong("varies over an element of six or eight nodes", "one pressure");
+    for (int e : found->second) {
+      const std::vector<int>& nodes = r_.deck.shells[std::size_t(e)].nodes;
+      add_pressure(into_.forces, r_.deck.nodes, nodes,
+                   {corner.begin(), corner.begin() + std::ptrdiff_t(nodes.size())}, along);
+    }
+  }
+
+  const NastranReading& r_;
+  const CardsByName& loads_;
+  DeckLoadCase& into_;
+  std::map<int, std::vector<int>> shells_; // by the number of their element
+  bool acts_ = false;
+};
+
+std::set<int> sums_spelt_out(const NastranReading& r, int set) {
+  std::set<int> sets{set};
+  if (const auto sums = r.cards.find("SPCADD"); sums != r.cards.end())
+    for (const Card* card : sums->second)
+      if (card->whole(0) == set)
+        for (int other : card->list(1)) sets.insert(other);
+  return sets;
+}
+
+int chosen(const Subcase& above, const Subcase& own, const std::string& kind) {
+  const auto choice = own.chosen.find(kind);
+  if (choice != own.chosen.end()) return choice->second;
+  const auto general = above.chosen.find(kind);
+  return general == above.chosen.end() ? 0 : general->second;
+}
+
+} // namespace
+
+bool is_load_card(const std::string& name) {
+  return followed_loads.contains(name) || loads_not_had.contains(name);
+}
+
+HeldBySets held_by(const NastranReading& r, const std::set<int>& sets,
+                   std::vector<Constraint> supports) {
+  HeldBySets all;
+  all.supports = std::move(supports);
+  std::set<std::pair<int, int>> held;
+  for (const Constraint& row : all.supports) held.insert({row.node, row.dof});
+  const auto hold = [&](const Card& card, int node, std::size_t field, double value) {
+    const bool one = r.deck.scalars.contains(node);
+    for (int dof : one ? std::vector{r.grids.dof(card, node, field)} : card.dofs(field)) {
+      if (held.insert({node, dof}).second)
+        all.supports.push_back({node, dof, {}, "SPC " + card.text(0)});
+      if (value != 0) all.moved[{node, dof}] = value;
+    }
+    std::vector<int>& set = r.deck.sets["SPC[" + card.text(0) + "]"];
+    if (std::find(set.begin(), set.end(), node) == set.end()) set.push_back(node);
+  };
+  r.each("SPC", [&](const Card& card) {
+    if (!sets.contains(card.whole(0))) return;
+    for (std::size_t at : {std::size_t{1}, std::size_t{4}}) {
+      if (!card.has(at)) continue;
+      const double value = card.real(at + 2, 0);
+      all.moved_cards += value != 0;
+      hold(card, r.grids.at(card, at), at + 1, value);
+    }
+  });
+  r.each("SPC1", [&](const Card& card) {
+    if (!sets.contains(card.whole(0))) return;
+    for (int node : r.grids.list(card, 2)) hold(card, node, 1, 0);
+  });
+  return all;
+}
+
+void read_loads(const NastranReading& r, const CardsByName& loads, const BulkData& bulk,
+                const std::vector<Constraint>& supports) {
+  const auto add = [&](const std::string& name, int set, DeckLoadCase made) {
+    made.name = name;
+    LoadReader(r, loads, made).add_set(set);
+    r.deck.load_cases.push_back(std::move(made));
+  };
+  if (!bulk.has_control) {
+    std::set<int> sums, single;
+    for (const auto& [name, cards] : loads)
+      for (const Card* card : cards)
+        r.problems.collect([&] { (name == "LOAD" ? sums : single).insert(card->whole(0)); });
+    const std::set<int>& there = sums.empty() ? single : sums;
+    if (there.empty()) return;
+    DeckLoadCase open;
+    open.supports = r.deck.supports;
+    if (there.size() == 1)
+      return add("load " + std::to_string(*there.begin()), *there.begin(), open);
+    open.name = "its loads";
+    open.not_had = {"belong to " + std::to_string(there.size()) +
+                    " sets, and no case control chooses one"};
+    return r.deck.load_cases.push_back(open);
+  }
+  if (bulk.subcases.empty()) return;
+  const Subcase& above = bulk.subcases.front();
+  const bool alone = bulk.subcases.size() == 1;
+  int first_mpc = -1;
+  for (std::size_t i = alone ? 0 : 1; i < bulk.subcases.size(); ++i) {
+    const Subcase& own = bulk.subcases[i];
+    const int mpc = chosen(above, own, "MPC");
+    if (first_mpc < 0) first_mpc = mpc;
+    const int load = chosen(above, own, "LOAD"), spc = chosen(above, own, "SPC");
+    if (load == 0) continue;
+    DeckLoadCase made;
+    HeldBySets held;
+    const auto sets = r.deck.sets; // of the first subcase
+    const std::size_t before = r.problems.count();
+    if (spc != 0) held = held_by(r, sums_spelt_out(r, spc), supports);
+    r.deck.sets = sets;
+    if (r.problems.count() > before)
+      made.not_had.push_back("cards of SPC " + std::to_string(spc) + " are wrong");
+    made.supports = spc != 0 ? std::move(held.supports) : supports;
+    made.moved = std::move(held.moved);
+    if (mpc != first_mpc)
+      made.not_had.push_back("chooses another set of MPC than the first subcase");
+    if (chosen(above, own, "TEMP") != 0) made.not_had.push_back("TEMPERATURE(LOAD) is not had");
+    add(alone ? "load " + std::to_string(load) : "subcase " + std::to_string(own.number), load,
+        std::move(made));
+  }
+}
+
+} // namespace plica
