@@ -14,7 +14,7 @@ endif()
 if(CMAKE_UNITY_BUILD)
   # What one source names, another that is compiled with it may name too; locals are nobody else's.
   target_compile_options(plica_options INTERFACE
-    $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local;-Wno-subobject-linkage,-Wno-shadow>)
+    $<IF:$<CXX_COMPILER_ID:GNU>,-Wno-shadow;-Wshadow=local;-Wno-subobject-linkage,-Wno-shadow>)
 endif()
 if(PLICA_WERROR)
   target_compile_options(plica_options INTERFACE -Werror)
