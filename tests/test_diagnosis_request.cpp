@@ -92,6 +92,21 @@ TEST(States, a_baseline_has_what_the_others_have) {
   EXPECT_EQ(problems[0].wrong, "no baseline has a transverse mode 2 in z");
 }
 
+// Two modes taken for each other: the second of a kind cannot lie above the third.
+TEST(States, orders_of_modes_rise_with_their_frequencies) {
+  const std::string modes =
+      "modes:\n"
+      "  - {frequency: 80.5 Hz, shape: transverse, direction: z, order: 1}\n"
+      "  - {frequency: 580.7 Hz, shape: transverse, direction: z, order: 2}\n"
+      "  - {frequency: 150 Hz, shape: transverse, direction: x, order: 3}\n"
+      "  - {frequency: 297.7 Hz, shape: transverse, direction: z, order: 3}\n";
+  const auto problems = problems_of("specimen: beam\n" + modes);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].line, 6);
+  EXPECT_EQ(problems[0].key, "modes[3].order");
+  EXPECT_EQ(problems[0].wrong, "order 3 at 297.7 Hz, order 2 of the same kind at 580.7 Hz");
+}
+
 TEST(States, something_is_measured_after_the_baseline_and_a_mass_says_when) {
   Measured alone;
   alone.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}}};

@@ -1,6 +1,7 @@
 #include "io/input/measured_file.hpp"
 
 #include "io/input/field_reader.hpp"
+#include "io/input/measured_orders.hpp"
 #include "io/lab_files/universal_modes.hpp"
 #include "lab/measured/measured_fields.hpp"
 #include "lab/measured/measured_words.hpp"
@@ -317,6 +318,7 @@ MeasuredFile read_measured_file(const std::string& path) {
   FieldReader::read(root, "", data, log);
   check_sensors(data, log);
   check_states(data, log);
+  check_orders(data, log);
   check_baselines(data, log);
   check_modes(data, log);
   check_peaks(data, log);

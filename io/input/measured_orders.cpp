@@ -1,0 +1,38 @@
+#include "io/input/measured_orders.hpp"
+
+#include "lab/measured/measured_words.hpp"
+#include "model/description/check_log.hpp"
+
+#include <fmt/format.h>
+
+namespace plica {
+namespace {
+
+// What the modes of one direction are counted in, in one state and run: all of these increase.
+std::string counted_with(const MeasuredMode& m) {
+  std::string text = std::string(word_of(m.shape)) + m.state + "/" + m.sensor + "/" + m.drive;
+  if (m.direction) text += word_of(*m.direction);
+  if (m.base) text += std::string("/") + word_of(*m.base);
+  for (const std::optional<double>& held : {m.level, m.acceleration, m.force})
+    text += held ? "/" + std::to_string(*held) : "/";
+  return text;
+}
+
+} // namespace
+
+void check_orders(const Measured& m, ReadLog& log) {
+  for (std::size_t i = 0; i < m.modes.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const MeasuredMode &a = m.modes[k], &b = m.modes[i];
+      if (a.order == b.order || counted_with(a) != counted_with(b) ||
+          (a.order < b.order) == (a.frequency < b.frequency))
+        continue;
+      log.add(item("modes", i) + ".order",
+              fmt::format("order {} at {:.6g} Hz, order {} of the same kind at {:.6g} Hz", b.order,
+                          b.frequency, a.order, a.frequency),
+              "orders count modes upwards; one of them is taken for another");
+      break;
+    }
+}
+
+} // namespace plica
