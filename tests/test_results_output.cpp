@@ -5,6 +5,7 @@
 
 #include "io/report/report.hpp"
 #include "io/tables/csv.hpp"
+#include "io/tables/farthest.hpp"
 #include "io/tables/json.hpp"
 #include "io/tables/summary.hpp"
 #include "io/tables/text.hpp"
@@ -291,6 +292,28 @@ TEST(WriteResults, leaves_old_files_alone_when_one_cannot_be_written) {
                InputError);
   EXPECT_EQ(content_of(folder.path / "results.json"), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()), 2);
+}
+
+// A damping that was assumed, and a mass that was weighed, are not what a model has wrong.
+TEST(FarthestOff, is_no_number_that_the_case_was_given) {
+  Results r;
+  r.comparison = {
+      {.quantity = "mass", .unit = "kg", .measured = 1, .computed = 2},
+      {.quantity = "half-power damping of the peak", .unit = "%", .measured = 4, .computed = 1},
+      {.quantity = "axial mode 1 in y", .unit = "Hz", .measured = 100, .computed = 101},
+      {.quantity = "axial stiffness", .unit = "N/m", .measured = 100, .sigma = 1, .computed = 104}};
+  const FarthestOff found = farthest_off(r);
+  ASSERT_NE(found.row, nullptr);
+  EXPECT_EQ(found.row->quantity, "axial stiffness");
+  EXPECT_EQ(found.computed, 2);
+  EXPECT_EQ(found.within, 1);
+  const std::string text = summary_text(r);
+  EXPECT_NE(text.find("Farthest from the test: axial stiffness"), std::string::npos) << text;
+  EXPECT_NE(text.find("(+4.0 sigma); 1 of 2 computed numbers lie within 2 sigma"),
+            std::string::npos)
+      << text;
+  r.comparison.resize(2);
+  EXPECT_EQ(farthest_off(r).row, nullptr);
 }
 
 } // namespace

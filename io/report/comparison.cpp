@@ -1,6 +1,7 @@
 #include "io/report/markup.hpp"
 #include "io/report/picture.hpp"
 #include "io/report/tables.hpp"
+#include "io/tables/farthest.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>
@@ -43,23 +44,9 @@ std::string strip(const MeasuredComparison& row, double range) {
                            place(deviation));
 }
 
-// In standard deviations where the test states one, else in percents.
-double farness(const MeasuredComparison& row) {
-  const double off = row.sigma > 0 ? sigma_deviation(row) : 100 * relative_deviation(row);
-  return std::isfinite(off) ? std::abs(off) : 0;
-}
-
-// Of what the model computes the number that is farthest off, in a sentence, with its mode. The
-// mass is what the case was given.
+// Of what the model computes the number that is farthest off, in a sentence, with its mode.
 std::string farthest_html(const Results& results) {
-  const MeasuredComparison* farthest = nullptr;
-  int computed = 0, within = 0;
-  for (const MeasuredComparison& row : results.comparison) {
-    if (row.quantity == "mass") continue;
-    ++computed;
-    within += farness(row) <= 2 ? 1 : 0;
-    if (!farthest || farness(row) > farness(*farthest)) farthest = &row;
-  }
+  const auto [farthest, computed, within] = farthest_off(results);
   if (!farthest) return "";
   const bool is_good = within == computed;
   const auto [factor, unit] = shown_unit(farthest->measured, farthest->unit);

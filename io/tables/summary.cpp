@@ -1,5 +1,6 @@
 #include "io/tables/summary.hpp"
 
+#include "io/tables/farthest.hpp"
 #include "io/tables/levels_csv.hpp"
 #include "io/tables/life_words.hpp"
 #include "io/tables/state_words.hpp"
@@ -48,6 +49,22 @@ std::string comparison_table(const Results& results) {
                     with_sign(sigma_deviation(row), 1)});
   }
   return "\nComputed beside measured\n" + aligned(rows, "<<>>>>>");
+}
+
+// The largest deviation that is not what the case was given, in one line.
+std::string farthest_line(const Results& results) {
+  const auto [row, computed, within] = farthest_off(results);
+  if (!row) return "";
+  const ShownUnit shown = shown_unit(row->measured, row->unit);
+  const int decimals = decimals_of(*row, shown.factor);
+  const bool stated = row->sigma > 0;
+  return fmt::format("\nFarthest from the test: {}, {:.{}f} {} computed, {:.{}f} measured ({}); {} "
+                     "of {} computed numbers lie within 2 {}\n",
+                     row->quantity, row->computed * shown.factor, decimals, shown.unit,
+                     row->measured * shown.factor, decimals,
+                     stated ? with_sign(sigma_deviation(*row), 1) + " sigma"
+                            : with_sign(100 * relative_deviation(*row), 1) + " %",
+                     within, computed, stated ? "sigma" : "%");
 }
 
 // What the variants make of the compared quantities.
@@ -306,7 +323,8 @@ std::string summary_text(const Results& results, const std::filesystem::path& re
                       grouped(results.model.dofs, " "), significant(results.model.mass, 4));
   if (!results.mesh_choice.empty()) text += "Mesh " + results.mesh_choice + "\n";
   if (!results.route.empty()) text += "Solved by " + results.route + "\n";
-  text += results.comparison.empty() ? headline_table(results) : comparison_table(results);
+  text += results.comparison.empty() ? headline_table(results)
+                                     : farthest_line(results) + comparison_table(results);
   text += state_table(results) + states_table(results) + spread_table(results) +
           error_table(results) + statics_table(results) + modes_table(results) +
           peaks_table(results) + direct_text(results) + random_table(results) +
