@@ -6,6 +6,7 @@
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
+#include "diagnose/weigh/baseline.hpp"
 #include "run/routes/operating_state.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -72,9 +73,11 @@ public:
             [&](const JudgedFit& j) { return objection_to_most(context, plain, tempting, j); }};
     // Before all was tried nothing is known to be the best.
     const bool stopped = settings_.stop();
-    const Judgement judgement = stopped
-                                    ? nearest_so_far(inclusion)
-                                    : judge(nominal, ranked, sets, inclusion, standards, referee);
+    Judgement judgement = stopped ? nearest_so_far(inclusion)
+                                  : judge(nominal, ranked, sets, inclusion, standards, referee);
+    if (judgement.verdict == Verdict::unknown && !stopped && !judgement.nearest &&
+        mounted_anew(context, plain, standards))
+      judgement.verdict = Verdict::none;
     std::vector<JudgedFit> beside;
     if (!judgement.named.empty() && judgement.verdict != Verdict::ambiguous)
       beside = fit_beside(search, *judgement.named.front());
@@ -113,6 +116,23 @@ private:
       return f.best->stands() && best->log_evidence - f.log_evidence < standards.apart &&
              asks_for_more(f.best->fit, all);
     });
+  }
+
+  // Whether mounting anew alone may have made the change, by as much as one baseline or few leave
+  // open.
+  bool mounted_anew(const FitContext& context, const HypothesisFit& plain,
+                    const Standards& standards) {
+    const double most = most_of(problem_.remounting), usual = problem_.remounting.frequency;
+    if (problem_.baseline.readings.empty() || !(most > usual)) return false;
+    const MatrixXd further = (std::pow(most / usual, 2) - 1) * problem_.uncertainty.reassembly;
+    if (context.fitted.widened(further)(plain.deviation).squaredNorm() > standards.chi2)
+      return false;
+    problem_.readings.warnings.push_back(fmt::format(
+        "the change is larger than mounting anew usually makes it ({:.2g} %), but no effect "
+        "comes near it and one baseline cannot exclude {:.2g} %: measure the baseline once more, "
+        "mounted anew, or state remounting",
+        100 * usual, 100 * most));
+    return true;
   }
 
   std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,
@@ -172,9 +192,6 @@ private:
   Objection objection(const FitContext& context, const HypothesisFit& plain,
                       const std::vector<Compensator>& tempting, const JudgedFit& leads) {
     const std::size_t readings = context.fitted.rows().size();
-    if (leads.free_parameters >= int(readings))
-      return {fmt::format("{} free parameters for {} fitted readings", leads.free_parameters,
-                          readings)};
     if (std::string rest = what_remains(plain, tempting, leads); !rest.empty())
       return {std::move(rest)};
     constexpr std::size_t fewest = 4;

@@ -27,7 +27,7 @@ Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fit
   for (const JudgedFit& j : fits) ++places_[j.fit.together[0]->effect];
   for (const std::vector<JudgedFit>* list : {&fits, &sets})
     for (const JudgedFit& j : *list)
-      if (j.fit.solved) all_.push_back({&j, log_weight(j)});
+      if (j.fit.solved && !j.explains_nothing) all_.push_back({&j, log_weight(j)});
   none_ = log_weight(nominal);
   double highest = none_;
   for (const Weighed& w : all_) highest = std::max(highest, w.weight);

@@ -146,15 +146,16 @@ void name_singles(const std::vector<const Family*>& credible,
   for (const Family* f : rivals)
     if (best - f->log_evidence < standards.apart && result.named.size() < most_listed)
       result.named.push_back(f->best);
-  if (result.named.size() == 1 && objecting) {
+  result.withheld = result.named.front()->saturated();
+  if (result.withheld.empty() && result.named.size() == 1 && objecting) {
     Objection objection = objecting(*result.named.front());
     result.withheld = std::move(objection.why);
     result.in_turn = objection.in_turn;
   }
   if (!result.withheld.empty())
     for (const Family* f : credible)
-      if (result.named.size() < most_listed && f->best != result.named.front() &&
-          best - f->log_evidence < open_to)
+      if (result.named.size() < most_listed && best - f->log_evidence < open_to &&
+          std::find(result.named.begin(), result.named.end(), f->best) == result.named.end())
         result.named.push_back(f->best);
   result.verdict = Verdict::ambiguous;
   if (result.named.size() == 1 && result.withheld.empty())

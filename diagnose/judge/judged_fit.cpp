@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 
 namespace plica {
@@ -26,8 +27,10 @@ double point(const std::vector<double>& sorted, double share) {
   return sorted.empty() ? 0 : sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
 }
 
+constexpr double moves = 0.1; // standard deviations of a reading
+
 int free_parameters(const HypothesisFit& fit) {
-  constexpr double narrower = 0.5, moves = 0.1; // standard deviations of prior and of a reading
+  constexpr double narrower = 0.5; // standard deviations of the prior
   int count = 0;
   for (Eigen::Index k = 0; k < fit.z.size(); ++k)
     count +=
@@ -75,6 +78,10 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   const double allowed = context.uncertainty.change_error > 0
                              ? std::max(most_allowed, most_left * before)
                              : most_allowed;
+  constexpr double least_closed = 0.1; // of G
+  j.explains_nothing =
+      !j.fit.together.empty() &&
+      std::pow(j.gap_after / before, 2) >= (nominal.chi2 > standards.chi2 ? 1 - least_closed : 1);
   j.adequate = !standards.gate ||
                (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
                 j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
@@ -135,6 +142,18 @@ bool JudgedFit::leaves_cause_open() const {
 bool JudgedFit::too_free() const {
   constexpr int readings_each = 3;
   return fit.error.size() > 0 && readings_each * free_parameters > fit.error.size();
+}
+
+std::string JudgedFit::saturated() const {
+  const Eigen::Index readings = fit.error.size();
+  if (readings == 0) return "";
+  if (free_parameters >= readings)
+    return fmt::format("{} free parameters for {} fitted readings", free_parameters, readings);
+  Eigen::Index moved = 0;
+  for (Eigen::Index i = 0; i < fit.J.rows() && fit.J.cols() > 0; ++i)
+    moved += fit.J.row(i).cwiseAbs().maxCoeff() > moves;
+  if (free_parameters < 2 || free_parameters < moved) return "";
+  return fmt::format("{} free parameters for {} readings that they move", free_parameters, moved);
 }
 
 void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nominal) {

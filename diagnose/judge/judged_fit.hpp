@@ -37,13 +37,20 @@ struct JudgedFit {
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;
   int free_parameters = 0;
+  // It closes nothing of the gap, or less than a tenth where the nominal case does not explain the
+  // test: what it is allowed to be off (evidence.hpp) is larger than what it explains.
+  bool explains_nothing = false;
   bool credible() const { return stands() && !absurd; }
   // Not refuted by any reading: what is named has to be told apart from it, though it may be too
   // far out of its prior to be named for sure.
-  bool stands() const { return adequate && !fails_held_out; }
+  bool stands() const { return adequate && !fails_held_out && !explains_nothing; }
   // Whether there are too few readings for several effects, or for what explains most: less than
   // three for each free parameter.
   bool too_free() const;
+  // Why so few readings identify nothing: as many parameters are free as there are readings, or,
+  // where several are free, as there are readings that they move by a tenth of their standard
+  // deviation. Empty = they may.
+  std::string saturated() const;
   // Whether an effect in it names a place only (Hypothesis::names_place_only).
   bool leaves_cause_open() const;
 };

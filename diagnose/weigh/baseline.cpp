@@ -207,6 +207,13 @@ private:
 
 } // namespace
 
+double most_of(const Remounting& seen) {
+  if (seen.measurements <= 0) return seen.frequency;
+  constexpr double one_sided = 1.645; // 95 %
+  const double n = seen.measurements, share = 2 / (9 * n);
+  return seen.frequency * std::pow(1 - share - one_sided * std::sqrt(share), -1.5);
+}
+
 bool same_thing(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.kind != b.kind || a.direction != b.direction || (a.run < 0) != (b.run < 0)) return false;
   if (a.run < 0) return true;
@@ -241,9 +248,11 @@ Remounting remounting_of(const TestReadings& test, const Measured& measured,
       for (double m : means) sum += (m - mean) * (m - mean);
       count += double(means.size()) - 1;
     }
+    if (kind == ReadingKind::frequency) usual.measurements = count;
     return std::sqrt(sum / count);
   };
-  usual.frequency = request.remounting.value_or(seen(ReadingKind::frequency, frequency));
+  usual.frequency = seen(ReadingKind::frequency, frequency);
+  if (request.remounting) usual = {.frequency = *request.remounting};
   usual.damping = seen(ReadingKind::damping, damping);
   return usual;
 }

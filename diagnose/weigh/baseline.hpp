@@ -28,6 +28,10 @@ bool same_thing(const TestReadings& test, const Reading& a, const Reading& b);
 Remounting remounting_of(const TestReadings& test, const Measured& measured,
                          const DiagnosisRequest& request);
 
+// What the scatter of frequencies is below with 95 %, by the measurements that say so: s sqrt(n /
+// chi2_n(5 %)), the point by Wilson and Hilferty (1931). As it is stated, where the case states it.
+double most_of(const Remounting& seen);
+
 // Lets modes of later states be paired as those of the baseline are: by how the frequency changed.
 void pair_like_baselines(const Nominal& nominal, const Measured& measured, TestReadings& test);
 

@@ -17,6 +17,7 @@ namespace plica {
 // How much a specimen that is mounted anew scatters, relative.
 struct Remounting {
   double frequency = 0.002, damping = 0.04;
+  double measurements = 0; // that say so beside a baseline; 0 = as stated
 };
 
 struct Uncertainty {
