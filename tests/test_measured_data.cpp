@@ -348,7 +348,7 @@ TEST(MeasuredData, a_run_is_read_as_a_test) {
   EXPECT_EQ(read.sensors.at(1).axes, (std::vector<int>{1, -3, 2}));
   EXPECT_EQ(read.mass->value, written.mass->value);
   const std::vector<FrfSet> frfs = responses_to_base(results);
-  const Correlation c = correlate({read, frfs}, {written, frfs});
+  const Correlation c = correlate({read, {frfs}}, {written, {frfs}});
   ASSERT_EQ(c.pairs.size(), written.modes.size());
   for (const PairedMode& p : c.pairs) EXPECT_EQ(p.frequency_error, 0);
   for (const ComparedResponse& r : c.responses) EXPECT_NEAR(r.frac, 1, 1e-12);
