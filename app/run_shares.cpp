@@ -77,7 +77,7 @@ double RunShares::at(const std::string& stage) {
     done += found->seconds[std::size_t(route_)] *
             std::clamp(std::atof(stage.c_str() + loaded.size()) / 100, 0., 1.);
   if (stage.starts_with(stages::levels_of))
-    done += families_++ * found->seconds[std::size_t(route_)];
+    done += level_runs_++ * found->seconds[std::size_t(route_)];
   return share_ = std::max(share_, done / before(all_stages.size()));
 }
 

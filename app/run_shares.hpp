@@ -24,7 +24,7 @@ private:
 
   std::vector<double> times_; // of each stage how often it comes
   Route route_ = Route::by_symmetry;
-  int families_ = 0; // of levels that began
+  int level_runs_ = 0; // of levels that began
   double share_ = 0;
 };
 

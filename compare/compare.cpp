@@ -118,14 +118,14 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, cons
 // First peaks of the measured levels at which the model was excited too.
 void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& results,
                      const MeasuredPeaks& measured, const std::string& from) {
-  for (const LevelFamily& family : results.families) {
-    if (family.is_force || family.excitation != word_of(measured.base)) continue;
+  for (const LevelResponses& responses : results.level_responses) {
+    if (responses.is_force || responses.excitation != word_of(measured.base)) continue;
     for (std::size_t k = 0; k < measured.level.size(); ++k)
-      for (const LevelCurve& curve : family.curves) {
+      for (const LevelCurve& curve : responses.curves) {
         if (std::abs(curve.level - measured.level[k]) > 1e-6 * curve.level) continue;
         const auto peak =
             std::find_if(curve.peaks_up.begin(), curve.peaks_up.end(), [&](const LevelPeak& p) {
-              const auto& [sensor, axis] = family.channels[std::size_t(p.channel)];
+              const auto& [sensor, axis] = responses.channels[std::size_t(p.channel)];
               return sensor == measured.sensor && axis == word_of(measured.direction);
             });
         if (peak == curve.peaks_up.end()) continue;
@@ -179,7 +179,7 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
   std::vector<std::string> remarks;
   if (std::any_of(measured.peaks.begin(), measured.peaks.end(),
                   [&](const MeasuredPeaks& p) { return as_drawn(measured, p.state); }) &&
-      results.families.empty())
+      results.level_responses.empty())
     remarks.emplace_back("the peaks over the level of the test stand beside nothing: the case asks "
                          "for no `levels`. A frequency of a single sweep goes to `modes`; `plica "
                          "diagnose` reads both.");

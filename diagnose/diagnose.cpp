@@ -47,9 +47,9 @@ public:
     const JudgedFit nominal = judged(plain, plain, context, *problem_.held_out, scores, standards);
     std::vector<JudgedFit> fits = fit_all(context, all, plain, scores, standards);
     drop_places_with_a_cause(fits, nominal);
-    std::vector<Family> ranked = families(fits);
+    std::vector<EffectFits> ranked = fits_by_effect(fits);
     confirm(context, ranked, fits, plain, scores, standards);
-    ranked = families(fits);
+    ranked = fits_by_effect(fits);
     std::vector<JudgedFit> sets;
     const SetSearch search{.context = context,
                            .ranked = ranked,
@@ -106,13 +106,13 @@ public:
 private:
   // No single effect explains the test, or one of those that explain it as well as the best leaves
   // what asks for more. Beside a baseline the latter may be what the change does not do exactly.
-  bool wants_several(const std::vector<Family>& ranked, const std::vector<Signature>& all,
+  bool wants_several(const std::vector<EffectFits>& ranked, const std::vector<Signature>& all,
                      const Standards& standards) const {
-    const auto explains = [](const Family& f) { return f.best->credible(); };
+    const auto explains = [](const EffectFits& f) { return f.best->credible(); };
     const auto best = std::find_if(ranked.begin(), ranked.end(), explains);
     if (best == ranked.end()) return true;
     if (!problem_.baseline.readings.empty()) return false;
-    return std::any_of(ranked.begin(), ranked.end(), [&](const Family& f) {
+    return std::any_of(ranked.begin(), ranked.end(), [&](const EffectFits& f) {
       return f.best->stands() && best->log_evidence - f.log_evidence < standards.apart &&
              asks_for_more(f.best->fit, all);
     });
@@ -151,13 +151,13 @@ private:
 
   // The best hypotheses of the best effects once more by Markov chains; what speaks for its effect
   // is held against what was held out, too.
-  void confirm(const FitContext& context, const std::vector<Family>& ranked,
+  void confirm(const FitContext& context, const std::vector<EffectFits>& ranked,
                std::vector<JudgedFit>& fits, const HypothesisFit& plain, const BlockScores& scores,
                const Standards& standards) {
     if (settings_.stop()) return;
     settings_.stage("Markov chains", 0.56);
     std::vector<JudgedFit*> chosen;
-    for (const Family& f : ranked)
+    for (const EffectFits& f : ranked)
       if (f.log_evidence > plain.log_evidence - 1)
         for (JudgedFit& j : fits)
           if (&j == f.best) chosen.push_back(&j);

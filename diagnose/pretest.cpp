@@ -92,7 +92,7 @@ double apart(const std::vector<VectorXd>& g, const std::vector<Hypothesis>& all)
 std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
                                     const TestReadings& test, const std::vector<Signature>& own,
                                     const std::vector<Hypothesis>& all,
-                                    const std::shared_ptr<StateFamilies>& families) {
+                                    const std::shared_ptr<StateModels>& models) {
   std::vector<Offer> offers = menu(data, Measured{}, test, nominal.states.front().further_places());
   const auto has = [&](const Reading& r) {
     return r.run < 0 &&
@@ -100,7 +100,7 @@ std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
              return t.kind == r.kind && t.direction == r.direction;
            });
   };
-  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings, families);
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings, models);
   std::erase_if(offers, [&](const Offer& o) {
     return o.readings.readings.empty() || has(o.readings.readings.front());
   });
@@ -112,9 +112,9 @@ std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
     append_readings(together, o.readings);
     first.push_back(Index(together.readings.size()));
   }
-  const auto y0 = Predictor(nominal, together, {}, families)(VectorXd());
+  const auto y0 = Predictor(nominal, together, {}, models)(VectorXd());
   in_parallel(int(all.size()), [&](int h) {
-    const Predictor predict(nominal, together, {&all[std::size_t(h)]}, families);
+    const Predictor predict(nominal, together, {&all[std::size_t(h)]}, models);
     const auto y = predict(predict.values_of(own[std::size_t(h)].z));
     for (std::size_t o = 0; o < offers.size(); ++o) {
       VectorXd d = VectorXd::Zero(first[o + 1] - first[o]);
@@ -190,7 +190,7 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   result.mimics = mimics(alike);
   result.detectable = detectable(own);
   stage("what to add");
-  result.additions = better(data, nominal, test, own, all, predictors.families());
+  result.additions = better(data, nominal, test, own, all, predictors.models());
   return result;
 }
 

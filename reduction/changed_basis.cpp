@@ -89,12 +89,12 @@ VectorXd with_products(VectorXd coefficients, const std::vector<std::array<int, 
   return coefficients;
 }
 
-ReducedFamily ParametricModel::with(const std::vector<PreparedChange>& changes) const {
+AffineModel ParametricModel::with(const std::vector<PreparedChange>& changes) const {
   return reduced(changes, basis_of(changes));
 }
 
-ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& changes,
-                                       const Basis& basis) const {
+AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
+                                     const Basis& basis) const {
   const MatrixXd &X = basis.X, &T = basis.T, &E = basis.E;
   const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
   const MatrixXd MX = symmetric_product(system_.M, X);
@@ -105,17 +105,17 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
   G.bottomRightCorner(X.cols(), X.cols()) = transposed_product(X, MX);
   P << PsiMW_, transposed_product(MPsi_, X);
   const Index k = T.cols();
-  ReducedFamily family;
-  family.boundary = int(b);
-  family.lambda = nominal_.lambda;
-  family.K = MatrixXd::Zero(b + k, b + k);
-  family.K.topLeftCorner(b, b) = PsiKPsi_;
-  family.K.bottomRightCorner(k, k) = T.transpose() * E * T;
-  family.M.resize(b + k, b + k);
-  family.M.topLeftCorner(b, b) = PsiMPsi_;
-  family.M.topRightCorner(b, k) = P * T;
-  family.M.bottomLeftCorner(k, b) = family.M.topRightCorner(b, k).transpose();
-  family.M.bottomRightCorner(k, k) = T.transpose() * G * T;
+  AffineModel affine;
+  affine.boundary = int(b);
+  affine.lambda = nominal_.lambda;
+  affine.K = MatrixXd::Zero(b + k, b + k);
+  affine.K.topLeftCorner(b, b) = PsiKPsi_;
+  affine.K.bottomRightCorner(k, k) = T.transpose() * E * T;
+  affine.M.resize(b + k, b + k);
+  affine.M.topLeftCorner(b, b) = PsiMPsi_;
+  affine.M.topRightCorner(b, k) = P * T;
+  affine.M.bottomLeftCorner(k, b) = affine.M.topRightCorner(b, k).transpose();
+  affine.M.bottomRightCorner(k, k) = T.transpose() * G * T;
   // Rows over [Psi | W | X] to those over q.
   const auto over_q = [&](const MatrixXd& rows) {
     MatrixXd own(rows.rows(), b + k);
@@ -134,23 +134,23 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
     rows << of_Psi, of_W, of_X;
     return rows;
   };
-  family.suspension = {
+  affine.suspension = {
       .leaves_rigid = nominal_.suspended,
       .shift = nominal_.suspended ? small_shift * nominal_.lambda[0] : 0,
       .rigid = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose(),
       .rigid_mass = rigid_.transpose() * Mr_};
-  family.load = family.suspension.rigid.leftCols(3);
-  family.mass = rigid_.col(1).dot(Mr_.col(1));
-  family.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
+  affine.load = affine.suspension.rigid.leftCols(3);
+  affine.mass = rigid_.col(1).dot(Mr_.col(1));
+  affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere
   const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
   if (std::any_of(changes.begin(), changes.end(), is_whole)) all = side_by_side(Psi_, W_, X);
   for (const PreparedChange& change : changes)
-    if (change.product_of) family.products.push_back(*change.product_of);
-  family.dK.resize(changes.size());
-  family.dM.resize(changes.size());
-  family.d_load.resize(changes.size());
-  family.d_mass.resize(changes.size());
+    if (change.product_of) affine.products.push_back(*change.product_of);
+  affine.dK.resize(changes.size());
+  affine.dM.resize(changes.size());
+  affine.d_load.resize(changes.size());
+  affine.d_mass.resize(changes.size());
   in_parallel(int(changes.size()), [&](int i) {
     const PreparedChange& d = changes[std::size_t(i)];
     const bool whole = is_whole(d);
@@ -159,31 +159,31 @@ ReducedFamily ParametricModel::reduced(const std::vector<PreparedChange>& change
                                               X(d.dofs, Eigen::all));
     const MatrixXd& V = whole ? all : own;
     const MatrixXd r = rows_at(rigid_, d.dofs).leftCols(3), Mr = symmetric_product(d.M, r);
-    family.dK[std::size_t(i)] = seen_by(d.K, V);
-    family.dM[std::size_t(i)] = seen_by(d.M, V);
-    family.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
-    family.d_mass[std::size_t(i)] = r.col(1).dot(Mr.col(1));
+    affine.dK[std::size_t(i)] = seen_by(d.K, V);
+    affine.dM[std::size_t(i)] = seen_by(d.M, V);
+    affine.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
+    affine.d_mass[std::size_t(i)] = r.col(1).dot(Mr.col(1));
   });
   const Index modes = nominal_.lambda.size();
-  family.nominal = MatrixXd::Zero(b + k, modes);
-  if (modes == 0) return family; // they are about to be found
+  affine.nominal = MatrixXd::Zero(b + k, modes);
+  if (modes == 0) return affine; // they are about to be found
   const MatrixXd inner =
       T.transpose() * (G.leftCols(c) * nominal_.inside + P.transpose() * nominal_.boundary);
   if (nominal_.boundary.isZero(0)) {
-    family.nominal.bottomRows(k) = MatrixXd(family.M.bottomRightCorner(k, k)).ldlt().solve(inner);
-    return family;
+    affine.nominal.bottomRows(k) = MatrixXd(affine.M.bottomRightCorner(k, k)).ldlt().solve(inner);
+    return affine;
   }
   MatrixXd momentum(b + k, modes);
   momentum << PsiMPsi_ * nominal_.boundary + PsiMW_ * nominal_.inside, inner;
-  family.nominal = family.M.ldlt().solve(momentum);
-  return family;
+  affine.nominal = affine.M.ldlt().solve(momentum);
+  return affine;
 }
 
 VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& changes,
                                            const VectorXd& of_changes, const std::vector<int>& free,
                                            int modes) const {
   const Basis basis = basis_of(changes);
-  const ReducedFamily f = reduced(changes, basis);
+  const AffineModel f = reduced(changes, basis);
   const VectorXd coefficients = with_products(of_changes, f.products);
   MatrixXd K = f.K, M = f.M;
   for (std::size_t i = 0; i < changes.size(); ++i) {

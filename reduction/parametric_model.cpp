@@ -133,7 +133,7 @@ ParametricModel::NominalModes ParametricModel::modes_inside() const {
 // A shift makes the stiffness regular where nothing holds the structure.
 ParametricModel::NominalModes ParametricModel::modes_held_at(const std::vector<int>& nodes) const {
   const Basis basis = basis_of({});
-  const ReducedFamily f = reduced({}, basis);
+  const AffineModel f = reduced({}, basis);
   std::vector<int> free;
   for (Index i = 0; i < f.K.rows(); ++i)
     if (i >= f.boundary ||

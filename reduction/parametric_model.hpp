@@ -47,7 +47,7 @@ struct PreparedChange : MatrixDifference {
 };
 
 // Matrices over q; the first 6 coordinates of each boundary node are its DOFs.
-struct ReducedFamily {
+struct AffineModel {
   Eigen::MatrixXd K, M;
   std::vector<Eigen::MatrixXd> dK, dM;      // per change, products last
   std::vector<std::array<int, 2>> products; // their factors
@@ -85,7 +85,7 @@ public:
   // What two changes together have beyond their sum; none where they touch nothing in common.
   std::optional<PreparedChange> product(const ModelChange& both, const PreparedChange& a,
                                         const PreparedChange& b) const;
-  ReducedFamily with(const std::vector<PreparedChange>& changes) const;
+  AffineModel with(const std::vector<PreparedChange>& changes) const;
 
   // How far the frequencies of the lowest modes may lie above those of the whole structure,
   // relative: r' K_0^-1 r / (2 lambda), r the forces that the reduced mode leaves unbalanced, K_0
@@ -121,7 +121,7 @@ private:
   NominalModes modes_inside() const;
   NominalModes modes_held_at(const std::vector<int>& nodes) const;
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
-  ReducedFamily reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
+  AffineModel reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
   Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;

@@ -162,16 +162,16 @@ TEST(DampedLevels, of_a_rubber_mount_with_friction_are_between_two_complex_sprin
   write_whole(folder.path / "rubber.yaml", rubber);
   const CaseFile file = read_case((folder.path / "rubber.yaml").string());
   const Results r = run(file.data, [](const std::string&) {});
-  const LevelFamily& family = r.families.at(0);
+  const LevelResponses& responses = r.level_responses.at(0);
   const double mass = r.model.mass;
   for (std::size_t i = 0; i < 2; ++i) {
-    const LevelCurve& c = family.curves.at(i);
+    const LevelCurve& c = responses.curves.at(i);
     ASSERT_TRUE(c.complete) << c.reason;
     const Complex k = 4e4 * Complex(1, 0.15) + (i == 0 ? 2e4 : 0);
     for (Eigen::Index p = 0; p < c.hertz.size(); ++p) {
       const double w = 2 * pi * c.hertz[p];
       const Complex wanted = k / (k - mass * w * w);
-      EXPECT_LT(std::abs(c.first(p, family.strongest) - wanted), 5e-3 * std::abs(wanted))
+      EXPECT_LT(std::abs(c.first(p, responses.strongest) - wanted), 5e-3 * std::abs(wanted))
           << c.level << " at " << c.hertz[p];
     }
   }

@@ -107,7 +107,7 @@ TestData sweeps_of(Case truth, double along_x, double along_z) {
     const Nominal model = nominal_of(truth, test.data);
     const TestReadings none;
     const Predictor predict(model, none, {});
-    const FamilyModes modes = *predict.modes(VectorXd());
+    const AffineModes modes = *predict.modes(VectorXd());
     for (double level : levels) {
       MeasuredFrf entry;
       entry.base = static_cast<Axis>(base);

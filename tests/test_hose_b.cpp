@@ -52,9 +52,9 @@ TEST(HoseB, meets_the_levels_it_was_not_fitted_to) {
     EXPECT_EQ(count, 5);
     EXPECT_LT(std::sqrt(sum / count), limit) << base;
   }
-  for (const LevelFamily& family : r.families)
-    for (const RefereeCheck& check : family.referee)
-      EXPECT_LT(check.difference, 5e-3) << family.excitation << " " << check.level;
+  for (const LevelResponses& responses : r.level_responses)
+    for (const RefereeCheck& check : responses.referee)
+      EXPECT_LT(check.difference, 5e-3) << responses.excitation << " " << check.level;
 }
 
 TEST(HoseBSlow, is_fitted_and_predicts) {

@@ -38,15 +38,15 @@ public:
   }
   Judgement judgement(bool nominal_adequate, const Referee& referee = {}) {
     nominal_ = nominal(nominal_adequate);
-    families_ = families(singles);
-    return judge(nominal_, families_, sets, Inclusion(nominal_, singles, sets), {}, referee);
+    effects_ = fits_by_effect(singles);
+    return judge(nominal_, effects_, sets, Inclusion(nominal_, singles, sets), {}, referee);
   }
   // Fits of ten readings that leave this gap each, as log evidences are without their dispersion.
   Judgement judgement_of_gaps(double nominal_gap, const Referee& referee = {}) {
     nominal_ = nominal(false);
     leave(nominal_, nominal_gap);
-    families_ = families(singles);
-    return judge(nominal_, families_, sets, Inclusion(nominal_, singles, sets), {}, referee);
+    effects_ = fits_by_effect(singles);
+    return judge(nominal_, effects_, sets, Inclusion(nominal_, singles, sets), {}, referee);
   }
   static void leave(JudgedFit& j, double gap) {
     constexpr int readings = 10;
@@ -83,7 +83,7 @@ private:
 
   std::deque<Hypothesis> hypotheses_;
   JudgedFit nominal_;
-  std::vector<Family> families_;
+  std::vector<EffectFits> effects_;
 };
 
 double probability(const Judgement& j, const std::string& effect) {
@@ -345,7 +345,7 @@ TEST(Judge, averages_the_evidence_of_an_effect_over_its_places) {
   Fits fits;
   fits.add("added_mass", std::log(3.), true, "left");
   fits.add("added_mass", std::log(1.), true, "right");
-  const std::vector<Family> all = families(fits.singles);
+  const std::vector<EffectFits> all = fits_by_effect(fits.singles);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_NEAR(all[0].log_evidence, std::log(2.), 1e-12);
   EXPECT_EQ(all[0].best->fit.together[0]->place, "left");
@@ -355,7 +355,7 @@ TEST(Judge, prefers_a_place_that_stands_up_to_one_that_does_not_by_two_nats) {
   Fits fits;
   fits.add("added_mass", 5, false, "left");
   fits.add("added_mass", 3.1, true, "right");
-  EXPECT_EQ(families(fits.singles)[0].best->fit.together[0]->place, "right");
+  EXPECT_EQ(fits_by_effect(fits.singles)[0].best->fit.together[0]->place, "right");
 }
 
 } // namespace

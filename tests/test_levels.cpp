@@ -62,20 +62,20 @@ TEST(Levels, go_from_the_stuck_to_the_slipping_frequency) {
   EXPECT_NEAR(r.modes.at(0).frequency / stuck_hertz, 1, 1e-6); // small motion sticks
   EXPECT_NEAR(r.statics->k_axial / 1e4, 1, 1e-6);              // a test rig slips
   EXPECT_NEAR(r.slipping->k_axial_stuck / 4e4, 1, 1e-6);
-  ASSERT_EQ(r.families.size(), 1);
-  const LevelFamily& family = r.families[0];
-  EXPECT_EQ(family.joints, 2);
-  ASSERT_EQ(family.curves.size(), 4);
-  for (const LevelCurve& c : family.curves) EXPECT_TRUE(c.complete) << c.level << c.reason;
-  EXPECT_EQ(family.channels[std::size_t(family.strongest)].second, "y");
-  const LevelPeak& low = first_peak(family.curves[0], family.strongest);
-  const LevelPeak& high = first_peak(family.curves[3], family.strongest);
+  ASSERT_EQ(r.level_responses.size(), 1);
+  const LevelResponses& responses = r.level_responses[0];
+  EXPECT_EQ(responses.joints, 2);
+  ASSERT_EQ(responses.curves.size(), 4);
+  for (const LevelCurve& c : responses.curves) EXPECT_TRUE(c.complete) << c.level << c.reason;
+  EXPECT_EQ(responses.channels[std::size_t(responses.strongest)].second, "y");
+  const LevelPeak& low = first_peak(responses.curves[0], responses.strongest);
+  const LevelPeak& high = first_peak(responses.curves[3], responses.strongest);
   EXPECT_NEAR(low.frequency / stuck_hertz, 1, 1e-3);
   EXPECT_NEAR(high.frequency / slipping_hertz, 1, 5e-3);
   // Half way there, damping by energy is that of the closed form: at amplitude A of the joints
   // zeta = h / (2 (k + k_eq)) and that of the mode.
-  const LevelCurve& middle = family.curves[1];
-  const LevelPeak& peak = first_peak(middle, family.strongest);
+  const LevelCurve& middle = responses.curves[1];
+  const LevelPeak& peak = first_peak(middle, responses.strongest);
   EXPECT_LT(peak.frequency, 0.99 * stuck_hertz);
   EXPECT_GT(peak.energy_damping, 0.05);
   double taken = 0;
@@ -84,12 +84,12 @@ TEST(Levels, go_from_the_stuck_to_the_slipping_frequency) {
     EXPECT_NEAR(j.energy / loop_energy({.sliders = {{6e4, 3}}}, j.motion), 1, 0.05) << j.joint;
   }
   EXPECT_GT(taken, 0);
-  for (const RefereeCheck& check : family.referee) {
+  for (const RefereeCheck& check : responses.referee) {
     EXPECT_TRUE(check.settled);
     EXPECT_LT(check.difference, 5e-3) << check.level << " at " << check.frequency;
   }
-  ASSERT_EQ(family.backbones.size(), 1);
-  const BackboneCurve& b = family.backbones[0];
+  ASSERT_EQ(responses.backbones.size(), 1);
+  const BackboneCurve& b = responses.backbones[0];
   EXPECT_TRUE(b.complete) << b.reason;
   EXPECT_NEAR(b.frequency[0] / stuck_hertz, 1, 1e-6);
   EXPECT_NEAR(b.damping[0], 0.01, 1e-5); // as the case says for small motion
@@ -112,10 +112,10 @@ TEST(Levels, of_a_slow_stroke_are_the_closed_form) {
 TEST(Levels, scale_with_the_slip_forces) {
   Case data = mass_between_sliders();
   data.analyses.levels->levels = {2, 6};
-  const LevelFamily one = run_quietly(data).families[0];
+  const LevelResponses one = run_quietly(data).level_responses[0];
   std::get<ConnectorChain>(data.parts[0].body).friction->axial->sliders[0].slip_force *= 2;
   data.analyses.levels->levels = {4, 12};
-  const LevelFamily two = run_quietly(data).families[0];
+  const LevelResponses two = run_quietly(data).level_responses[0];
   for (std::size_t k = 0; k < 2; ++k) {
     const LevelPeak &a = first_peak(one.curves[k], one.strongest),
                     &b = first_peak(two.curves[k], two.strongest);
@@ -128,14 +128,14 @@ TEST(Levels, scale_with_the_slip_forces) {
 TEST(Levels, by_equivalent_linearisation_are_near) {
   Case data = mass_between_sliders();
   data.analyses.levels->levels = {2, 4, 8};
-  const LevelFamily full = run_quietly(data).families[0];
+  const LevelResponses full = run_quietly(data).level_responses[0];
   ASSERT_EQ(full.linearised.size(), 3);
   for (const LinearisedError& e : full.linearised) {
     EXPECT_LT(std::abs(e.frequency), 0.02) << e.level;
     EXPECT_LT(std::abs(e.amplitude), 0.05) << e.level;
   }
   data.analyses.levels->method = JointMethod::describing_function;
-  const LevelFamily fast = run_quietly(data).families[0];
+  const LevelResponses fast = run_quietly(data).level_responses[0];
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(first_peak(fast.curves[k], fast.strongest).frequency /
                         first_peak(full.curves[k], full.strongest).frequency -
@@ -152,13 +152,13 @@ TEST(Levels, bend_with_a_tabulated_connector) {
   chain.spring.axial_curve = {{-2e-3, -90}, {-1e-3, -20}, {0, 0}, {1e-3, 20}, {2e-3, 90}};
   data.analyses.levels->levels = {0.5, 20};
   data.analyses.levels->backbones = 0;
-  const LevelFamily curve = run_quietly(data).families[0];
+  const LevelResponses curve = run_quietly(data).level_responses[0];
   chain.spring.axial_curve.clear();
   chain.spring.axial = 1e4;
 
   chain.friction.emplace().axial.emplace().curve = {
       {-2e-3, -70}, {-1e-3, -10}, {0, 0}, {1e-3, 10}, {2e-3, 70}};
-  const LevelFamily law = run_quietly(data).families[0];
+  const LevelResponses law = run_quietly(data).level_responses[0];
   for (std::size_t k = 0; k < 2; ++k)
     EXPECT_NEAR(first_peak(curve.curves[k], curve.strongest).frequency /
                     first_peak(law.curves[k], law.strongest).frequency,
@@ -177,7 +177,7 @@ TEST(Levels, give_the_sliders_back) {
   test.data.specimen = data.name;
   MeasuredPeaks peaks;
   peaks.sensor = "mid";
-  const LevelFamily made = run_quietly(data).families[0];
+  const LevelResponses made = run_quietly(data).level_responses[0];
   for (const LevelCurve& c : made.curves) {
     peaks.level.push_back(c.level);
     peaks.frequency.push_back(first_peak(c, made.strongest).frequency);
@@ -266,10 +266,10 @@ TEST(PlySlip, sticks_as_one_wall_and_slips_as_two) {
   EXPECT_NEAR(r.slipping->k_axial_stuck / solid.statics->k_axial, 1, 1e-9);
   EXPECT_NEAR(first(r, "axial") / first(solid, "axial"), 1, 1e-9);
   // 1 m/s2 moves the joints by less than their smallest slip distance.
-  for (const LevelFamily& family : r.families) {
-    const double expected = first(solid, family.excitation == "y" ? "axial" : "transverse");
-    EXPECT_NEAR(first_peak(family.curves[0], family.strongest).frequency / expected, 1, 0.03)
-        << family.excitation;
+  for (const LevelResponses& responses : r.level_responses) {
+    const double expected = first(solid, responses.excitation == "y" ? "axial" : "transverse");
+    EXPECT_NEAR(first_peak(responses.curves[0], responses.strongest).frequency / expected, 1, 0.03)
+        << responses.excitation;
   }
 }
 
@@ -324,7 +324,7 @@ TEST(InterlockFriction, is_the_same_on_a_superelement) {
   data.analyses.reduction = SuperelementsInRun{.cutoff = 6000};
   const Results reduced = run_quietly(data);
   ASSERT_TRUE(reduced.reduced);
-  const LevelFamily &a = shells.families[0], &b = reduced.families[0];
+  const LevelResponses &a = shells.level_responses[0], &b = reduced.level_responses[0];
   EXPECT_EQ(a.joints, b.joints);
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_FALSE(a.curves[k].peaks_up.empty());

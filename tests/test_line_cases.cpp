@@ -235,9 +235,9 @@ TEST(LineCases, a_hanger_with_friction_and_rubber_has_levels) {
       "40 N/mm, 0, 0, 0], damping: {maxwell: [{share: 0.3, time: 5 ms}]}, friction: {z: {sliders: "
       "[{stiffness: 30 N/mm, slip_force: 5 N}]}}}");
   const Results r = line_results(text);
-  const LevelFamily& family = r.families.at(0);
-  for (const LevelCurve& c : family.curves) EXPECT_TRUE(c.complete) << c.reason;
-  for (const RefereeCheck& check : family.referee) {
+  const LevelResponses& responses = r.level_responses.at(0);
+  for (const LevelCurve& c : responses.curves) EXPECT_TRUE(c.complete) << c.reason;
+  for (const RefereeCheck& check : responses.referee) {
     EXPECT_TRUE(check.settled);
     EXPECT_LT(check.difference, 0.02);
   }

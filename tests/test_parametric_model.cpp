@@ -33,7 +33,7 @@ VectorXd whole(Model model, int count) {
   return find_modes(K, M, {.count = count, .band = {}, .proof = true}, base).lambda.head(count);
 }
 
-VectorXd reduced(const ReducedFamily& f, const VectorXd& c, int count) {
+VectorXd reduced(const AffineModel& f, const VectorXd& c, int count) {
   MatrixXd K = f.K, M = f.M;
   for (Eigen::Index k = 0; k < c.size(); ++k) {
     K += c[k] * f.dK[std::size_t(k)];
@@ -68,11 +68,11 @@ TEST(ParametricModel, the_nominal_modes_are_exact) {
 
 TEST(ParametricModel, follows_an_added_mass_of_any_size) {
   const ParametricModel model(cantilever(), {0}, {12}, 10);
-  const ReducedFamily family = model.with({model.prepare(mass_at(7, 1))});
+  const AffineModel affine = model.with({model.prepare(mass_at(7, 1))});
   for (double mass : {0.005, 0.05, 0.5}) { // the beam weighs 0.19 kg
     Model changed = cantilever();
     mass_at(7, mass).apply(changed);
-    expect_near(reduced(family, VectorXd::Constant(1, mass), watched), whole(changed, watched),
+    expect_near(reduced(affine, VectorXd::Constant(1, mass), watched), whole(changed, watched),
                 1e-3);
   }
 }
@@ -86,11 +86,11 @@ TEST(ParametricModel, follows_a_spring_to_the_ground) {
       m.bushings.push_back(b);
     }};
   };
-  const ReducedFamily family = model.with({model.prepare(spring(1))});
+  const AffineModel affine = model.with({model.prepare(spring(1))});
   for (double k : {1e2, 1e4, 1e6}) {
     Model changed = cantilever();
     spring(k).apply(changed);
-    expect_near(reduced(family, VectorXd::Constant(1, k), watched), whole(changed, watched), 1e-3);
+    expect_near(reduced(affine, VectorXd::Constant(1, k), watched), whole(changed, watched), 1e-3);
   }
 }
 
@@ -105,11 +105,11 @@ TEST(ParametricModel, follows_a_stretch_that_loses_its_stiffness) {
     }};
   };
   const ParametricModel model(cantilever(), {0}, {12}, 10);
-  const ReducedFamily family = model.with({model.prepare(soft(0.5))});
+  const AffineModel affine = model.with({model.prepare(soft(0.5))});
   for (double loss : {0.1, 0.6, 0.9}) {
     Model changed = cantilever();
     soft(loss).apply(changed);
-    expect_near(reduced(family, VectorXd::Constant(1, loss / 0.5), watched),
+    expect_near(reduced(affine, VectorXd::Constant(1, loss / 0.5), watched),
                 whole(changed, watched), 5e-3);
   }
 }
@@ -127,15 +127,15 @@ TEST(ParametricModel, estimates_the_error_of_its_frequencies) {
   };
   const ParametricModel model(cantilever(), {0}, {12}, 10);
   const auto changes = std::vector{model.prepare(soft(0.5))};
-  const ReducedFamily family = model.with(changes);
+  const AffineModel affine = model.with(changes);
   std::vector<int> free;
-  for (int i = family.boundary; i < int(family.K.rows()); ++i) free.push_back(i);
+  for (int i = affine.boundary; i < int(affine.K.rows()); ++i) free.push_back(i);
   EXPECT_LT(model.frequency_errors(changes, VectorXd::Zero(1), free, watched).maxCoeff(), 1e-9);
   const VectorXd c = VectorXd::Constant(1, 0.9 / 0.5);
   const VectorXd estimate = model.frequency_errors(changes, c, free, watched);
   Model changed = cantilever();
   soft(0.9).apply(changed);
-  const VectorXd got = reduced(family, c, watched), want = whole(changed, watched);
+  const VectorXd got = reduced(affine, c, watched), want = whole(changed, watched);
   for (Eigen::Index i = 0; i < watched; ++i) {
     const double error = std::sqrt(got[i] / want[i]) - 1;
     EXPECT_GT(estimate[i], 0.1 * error - 1e-9) << "mode " << i + 1;
@@ -152,18 +152,18 @@ TEST(ParametricModel, scales_with_the_modulus_of_the_whole) {
                         &b.section.GA_y, &b.section.GA_z})
         *n *= 2;
   }};
-  const ReducedFamily family = model.with({model.prepare(doubled)});
+  const AffineModel affine = model.with({model.prepare(doubled)});
   const VectorXd nominal = whole(cantilever(), watched);
   for (double factor : {0.1, 0.5, 3.})
-    expect_near(reduced(family, VectorXd::Constant(1, factor - 1), watched), factor * nominal,
+    expect_near(reduced(affine, VectorXd::Constant(1, factor - 1), watched), factor * nominal,
                 1e-9);
 }
 
 TEST(ParametricModel, weighs_what_is_added) {
   const ParametricModel model(cantilever(), {0}, {12}, 10);
-  const ReducedFamily family = model.with({model.prepare(mass_at(7, 0.3))});
-  EXPECT_NEAR(family.mass, 0.6 * 0.03 * 0.004 * 2700, 1e-12);
-  EXPECT_NEAR(family.d_mass[0], 0.3, 1e-12);
+  const AffineModel affine = model.with({model.prepare(mass_at(7, 0.3))});
+  EXPECT_NEAR(affine.mass, 0.6 * 0.03 * 0.004 * 2700, 1e-12);
+  EXPECT_NEAR(affine.d_mass[0], 0.3, 1e-12);
 }
 
 TEST(ParametricModel, a_released_boundary_on_springs_moves_as_the_whole_does) {
@@ -175,7 +175,7 @@ TEST(ParametricModel, a_released_boundary_on_springs_moves_as_the_whole_does) {
       m.bushings.push_back(b);
     }};
   };
-  const ReducedFamily family = model.with({model.prepare(springs(1))});
+  const AffineModel affine = model.with({model.prepare(springs(1))});
   Model changed = cantilever();
   springs(2e4).apply(changed);
   const System system = assemble(changed);
@@ -183,8 +183,8 @@ TEST(ParametricModel, a_released_boundary_on_springs_moves_as_the_whole_does) {
   const VectorXd want =
       find_modes(system.K, system.M, {.count = watched, .band = {}, .proof = true}, base)
           .lambda.head(watched);
-  const MatrixXd K = family.K + 2e4 * family.dK[0];
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K, family.M);
+  const MatrixXd K = affine.K + 2e4 * affine.dK[0];
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K, affine.M);
   expect_near(pairs.eigenvalues().head(watched), want, 1e-3);
 }
 

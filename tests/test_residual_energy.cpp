@@ -35,7 +35,7 @@ Measured modal_test(const Case& specimen) {
   m.mass = MeasuredMass{.value = 1, .sigma = {}, .repeats = {}};
   const Nominal model = nominal_of(specimen, m);
   const TestReadings test = readings_of({.data = m, .responses = {}});
-  const FamilyModes modes = *Predictor(model, test, {}).modes(VectorXd());
+  const AffineModes modes = *Predictor(model, test, {}).modes(VectorXd());
   for (Eigen::Index i = 0; i < modes.lambda.size() && m.modes.size() < 2; ++i) {
     MeasuredVector shape;
     for (int s = 0; s < sensors; ++s) {

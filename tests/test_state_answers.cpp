@@ -11,6 +11,8 @@
 namespace plica {
 namespace {
 
+using Eigen::VectorXd;
+
 constexpr double length = 0.5, width = 0.02, depth = 0.01, mass = 2, damping = 0.02;
 
 // Bending in z over `depth`, in x over `width`; one sensor on the mass.
@@ -63,7 +65,7 @@ protected:
   // exp of the answers; none where there is no stable structure.
   std::optional<std::vector<double>> answers(const Acting& acting,
                                              const std::vector<const Hypothesis*>& together = {}) {
-    StateAnswers state(families_.of(0, together), sweep_, acting, 1);
+    StateAnswers state(models_.of(0, together), sweep_, acting, 1);
     std::vector<double> all;
     for (const Reading& r : sweep_.readings) {
       const std::optional<double> value = state.answer(r);
@@ -74,7 +76,7 @@ protected:
   }
 
   Nominal nominal_ = nominal_of(mass_on_a_beam(), Measured());
-  StateFamilies families_{nominal_};
+  StateModels models_{nominal_};
   TestReadings sweep_;
 };
 

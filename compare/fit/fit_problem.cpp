@@ -106,9 +106,9 @@ double FitProblem::slope(Index i, double u) const {
 }
 
 Results FitProblem::results_of(const Case& design) const {
-  if (!families_) return run(design, [](const std::string&) {});
+  if (!friction_) return run(design, [](const std::string&) {});
   Results results = unchanged_;
-  results.families = (*families_)(design);
+  results.level_responses = (*friction_)(design);
   return results;
 }
 

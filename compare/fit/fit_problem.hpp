@@ -6,7 +6,7 @@
 #include "compare/fit/fit_bodies.hpp"
 #include "compare/fit/fit_curves.hpp"
 #include "compare/fit/fit_goal.hpp"
-#include "compare/fit/friction_families.hpp"
+#include "compare/fit/friction_responses.hpp"
 #include "compare/search/search.hpp"
 #include "model/description/case.hpp"
 #include "run/results/results.hpp"
@@ -115,7 +115,7 @@ private:
   std::function<bool(const Case&)> refused_;
   FitBodies bodies_;
   // Where friction alone changes and no target feels it but the levels: what does not change.
-  std::optional<FrictionFamilies> families_;
+  std::optional<FrictionResponses> friction_;
   Results unchanged_;
   std::vector<Target> targets_;
   std::vector<Curve> curves_;

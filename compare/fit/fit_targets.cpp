@@ -122,7 +122,7 @@ void FitProblem::choose_targets() {
   if (!peaks && !levels && curves_.empty()) case_ = for_headline(case_);
   if (asks_for_life()) case_ = with_life(std::move(case_), whole_);
   if (levels && friction_alone()) {
-    families_.emplace(first);
+    friction_.emplace(first);
     unchanged_ = results;
   }
 }
@@ -163,9 +163,9 @@ bool FitProblem::friction_alone() const {
   if (asks_for_life()) return false;
   for (const FitParameter& p : request_.parameters)
     for (const std::string& path : p.paths)
-      if (!FrictionFamilies::is_friction(path)) return false;
+      if (!FrictionResponses::is_friction(path)) return false;
   for (const FitTie& tie : request_.ties)
-    if (!FrictionFamilies::is_friction(tie.path)) return false;
+    if (!FrictionResponses::is_friction(tie.path)) return false;
   for (const FitConstraint& c : request_.constraints)
     for (const auto& [what, factor] : c.of)
       if (what.starts_with("f_")) return false;

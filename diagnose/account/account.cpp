@@ -30,7 +30,7 @@ public:
     const FitContext& context = found_.context;
     const BlockScores& scores = found_.scores;
     const JudgedFit& nominal = found_.nominal;
-    const std::vector<Family>& ranked = found_.ranked;
+    const std::vector<EffectFits>& ranked = found_.ranked;
     const Judgement& judgement = found_.judgement;
     const std::vector<Signature>& all = found_.signatures;
     result_.case_name = problem_.data.name;
@@ -53,7 +53,7 @@ public:
     add_components(ranked);
     const JudgedFit* first = best_of(nominal, judgement);
     add_tried(nominal, ranked, first);
-    for (const Family& f : ranked) result_.evaluations += f.best->fit.evaluations;
+    for (const EffectFits& f : ranked) result_.evaluations += f.best->fit.evaluations;
     const JudgedFit* other = second_of(ranked, first);
     std::vector<HypothesisFit> shown{told.empty() ? first->fit : told.front()};
     if (other) shown.push_back(other->fit);
@@ -198,10 +198,10 @@ private:
   }
 
   // By evidence, with which of them is the best.
-  void add_tried(const JudgedFit& nominal, const std::vector<Family>& ranked,
+  void add_tried(const JudgedFit& nominal, const std::vector<EffectFits>& ranked,
                  const JudgedFit* best) {
     std::vector<const JudgedFit*> all{&nominal};
-    for (const Family& f : ranked) all.push_back(f.best);
+    for (const EffectFits& f : ranked) all.push_back(f.best);
     for (const JudgedFit& set : found_.sets) all.push_back(&set);
     if (std::find(all.begin(), all.end(), best) == all.end()) all.push_back(best);
     std::stable_sort(all.begin(), all.end(), [](const JudgedFit* a, const JudgedFit* b) {
@@ -214,9 +214,9 @@ private:
   }
 
   // What an effect at a place explains stands for the place.
-  void add_components(const std::vector<Family>& ranked) {
+  void add_components(const std::vector<EffectFits>& ranked) {
     std::map<std::string, double> most;
-    for (const Family& f : ranked) {
+    for (const EffectFits& f : ranked) {
       const std::string& place = f.best->fit.together[0]->place;
       const std::string component = place.substr(0, place.find('.'));
       most[component == "sensor" ? place : component] =
@@ -236,8 +236,8 @@ private:
     if (!judgement.named.empty()) return judgement.named.front();
     return judgement.nearest ? judgement.nearest : &nominal;
   }
-  static const JudgedFit* second_of(const std::vector<Family>& ranked, const JudgedFit* best) {
-    for (const Family& f : ranked)
+  static const JudgedFit* second_of(const std::vector<EffectFits>& ranked, const JudgedFit* best) {
+    for (const EffectFits& f : ranked)
       if (f.best != best) return f.best;
     return nullptr;
   }
@@ -342,7 +342,7 @@ private:
     if (nominal.adequate) add(nominal, found_.inclusion.none());
     for (const auto& [fit, probability] : found_.inclusion.first(most)) add(*fit, probability);
     result_.next = next_measurements(problem_.data, problem_.nominal, problem_.test.data,
-                                     problem_.readings, rivals, problem_.predictors->families());
+                                     problem_.readings, rivals, problem_.predictors->models());
     for (const JudgedFit* j : judgement.named)
       for (const Hypothesis* h : j->fit.together)
         for (const std::string& advice : effect_named(h->effect).look_alikes)

@@ -13,10 +13,10 @@ struct Findings {
   const BlockScores& scores;
   const Standards& standards;
   const JudgedFit& nominal;
-  const std::vector<Family>& ranked;    // effects, the best first
-  const std::vector<JudgedFit>& fits;   // single hypotheses
-  const std::vector<JudgedFit>& sets;   // several at once, where no single one explains all
-  const std::vector<JudgedFit>& beside; // what leads, with one effect more each
+  const std::vector<EffectFits>& ranked; // effects, the best first
+  const std::vector<JudgedFit>& fits;    // single hypotheses
+  const std::vector<JudgedFit>& sets;    // several at once, where no single one explains all
+  const std::vector<JudgedFit>& beside;  // what leads, with one effect more each
   const Inclusion& inclusion;
   const Judgement& judgement;
   const std::vector<Signature>& signatures;

@@ -32,11 +32,11 @@ struct Menu {
 };
 
 Menu menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
-             const TestReadings& test, const std::shared_ptr<StateFamilies>& families) {
+             const TestReadings& test, const std::shared_ptr<StateModels>& models) {
   Menu m{.offers = menu(data, measured, test, nominal.states.front().further_places()),
          .readings = {}};
   for (Offer& offer : m.offers) {
-    drop_unanswered(nominal, offer.readings, families);
+    drop_unanswered(nominal, offer.readings, models);
     append_readings(m.readings, offer.readings);
     m.first.push_back(Index(m.readings.readings.size()));
   }
@@ -48,7 +48,7 @@ Menu menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
 class Draws {
 public:
   Draws(const Nominal& nominal, const Menu& menu, const std::vector<RivalSet>& rivals,
-        const std::shared_ptr<StateFamilies>& families)
+        const std::shared_ptr<StateModels>& models)
       : menu_(menu), readings_(Index(menu.readings.readings.size())) {
     for (const RivalSet& r : rivals)
       for (const Hypothesis* h : r.together) row_of(*h);
@@ -65,8 +65,7 @@ public:
     weight_ = VectorXd::Zero(count);
     std::vector<std::unique_ptr<Predictor>> predictors;
     for (const RivalSet& r : rivals)
-      predictors.push_back(
-          std::make_unique<Predictor>(nominal, menu.readings, r.together, families));
+      predictors.push_back(std::make_unique<Predictor>(nominal, menu.readings, r.together, models));
     in_parallel(int(count), [&](int i) {
       const RivalSet& r = *all[std::size_t(i)].of;
       const Predictor& predict = *predictors[std::size_t(&r - rivals.data())];
@@ -126,11 +125,11 @@ private:
 class Separation {
 public:
   Separation(const Nominal& nominal, const Menu& menu, const std::vector<RivalSet>& rivals,
-             const std::shared_ptr<StateFamilies>& families)
+             const std::shared_ptr<StateModels>& models)
       : menu_(menu), rivals_(rivals), y_(rivals.size()) {
     in_parallel(int(rivals.size()), [&](int i) {
       const RivalSet& r = rivals[std::size_t(i)];
-      y_[std::size_t(i)] = Predictor(nominal, menu.readings, r.together, families)(r.values);
+      y_[std::size_t(i)] = Predictor(nominal, menu.readings, r.together, models)(r.values);
     });
     for (std::size_t i = 0; i < rivals.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) pairs_ += rivals[i].probability * rivals[j].probability;
@@ -183,11 +182,11 @@ std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nomin
                                                    const Measured& measured,
                                                    const TestReadings& test,
                                                    const std::vector<RivalSet>& rivals,
-                                                   const std::shared_ptr<StateFamilies>& families) {
-  const Menu menu = menu_of(data, nominal, measured, test, families);
+                                                   const std::shared_ptr<StateModels>& models) {
+  const Menu menu = menu_of(data, nominal, measured, test, models);
   if (menu.readings.readings.empty()) return {};
-  const Draws draws(nominal, menu, rivals, families);
-  const Separation separation(nominal, menu, rivals, families);
+  const Draws draws(nominal, menu, rivals, models);
+  const Separation separation(nominal, menu, rivals, models);
   std::vector<ProposedMeasurement> proposals;
   for (std::size_t o = 0; o < menu.offers.size(); ++o) {
     ProposedMeasurement p{.what = menu.offers[o].what,

@@ -28,6 +28,6 @@ std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nomin
                                                    const Measured& measured,
                                                    const TestReadings& test,
                                                    const std::vector<RivalSet>& rivals,
-                                                   const std::shared_ptr<StateFamilies>& families);
+                                                   const std::shared_ptr<StateModels>& models);
 
 } // namespace plica

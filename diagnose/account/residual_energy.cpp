@@ -30,7 +30,7 @@ struct Shape {
   std::string name;
   double omega = 0;
   VectorXd y;                    // its largest motion is one
-  std::vector<Index> rows;       // of FamilyModes::marked
+  std::vector<Index> rows;       // of AffineModes::marked
   std::vector<double> direction; // sign
 };
 
@@ -38,10 +38,10 @@ class Expansion {
 public:
   explicit Expansion(const NominalState& state, const std::vector<int>& coordinates)
       : names_(state.built.model.components) {
-    const ReducedFamily family = state.model->with({});
-    K_ = family.K(coordinates, coordinates);
-    M_ = family.M(coordinates, coordinates);
-    marked_ = family.marked(Eigen::all, coordinates);
+    const AffineModel model = state.model->with({});
+    K_ = model.K(coordinates, coordinates);
+    M_ = model.M(coordinates, coordinates);
+    marked_ = model.marked(Eigen::all, coordinates);
     KM_ = K_.ldlt().solve(M_);
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K_, M_);
     lambda_ = pairs.eigenvalues();
@@ -102,7 +102,7 @@ private:
   std::vector<MatrixXd> parts_;
 };
 
-// Row of FamilyModes::marked that a channel shows, with its sign; -1 = no such sensor.
+// Row of AffineModes::marked that a channel shows, with its sign; -1 = no such sensor.
 std::pair<Index, double> row_of(const NominalState& state, const std::string& channel) {
   const std::size_t dot = channel.rfind('.');
   if (dot == std::string::npos) return {-1, 1};
@@ -143,7 +143,7 @@ std::vector<Shape> shapes_of(const NominalState& state, const Measured& measured
 }
 
 // The same mode of an admissible specimen, as it would be measured; false where none is like it.
-bool seen_of(const FamilyModes& m, Shape& s, NormalDraws& normal) {
+bool seen_of(const AffineModes& m, Shape& s, NormalDraws& normal) {
   Index best = -1;
   double most = alike;
   VectorXd found;

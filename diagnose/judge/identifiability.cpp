@@ -81,14 +81,14 @@ Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z)
 // Reduced models with each hypothesis in it, a few at a time.
 void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all) {
   constexpr std::size_t at_once = 4;
-  std::vector<StateFamilies::Together> groups;
+  std::vector<StateModels::Together> groups;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i % at_once == 0) groups.emplace_back();
     groups.back().push_back(&all[i]);
   }
-  StateFamilies& families = *context.predictors.families();
-  for (std::size_t state : families.fitted_states(context.test))
-    in_parallel(int(groups.size()), [&](int i) { families.reduce(state, groups[std::size_t(i)]); });
+  StateModels& models = *context.predictors.models();
+  for (std::size_t state : models.fitted_states(context.test))
+    in_parallel(int(groups.size()), [&](int i) { models.reduce(state, groups[std::size_t(i)]); });
 }
 
 } // namespace

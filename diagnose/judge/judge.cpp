@@ -17,7 +17,7 @@ constexpr double far_ahead = 0.9;      // probability of each effect that explai
 
 // Whether without any of its members a set is worth that much less: against what has the other
 // effects, wherever they sit.
-bool all_needed(const JudgedFit& set, const std::vector<Family>& families,
+bool all_needed(const JudgedFit& set, const std::vector<EffectFits>& effects,
                 const std::vector<JudgedFit>& sets) {
   for (const Hypothesis* member : set.fit.together) {
     std::vector<std::string> others = set.fit.effects();
@@ -25,8 +25,8 @@ bool all_needed(const JudgedFit& set, const std::vector<Family>& families,
     const auto as_good = [&](const JudgedFit& j) {
       return j.fit.effects() == others && evidence_of(set.fit) - evidence_of(j.fit) < told_apart;
     };
-    if (std::any_of(families.begin(), families.end(),
-                    [&](const Family& f) { return as_good(*f.best); }) ||
+    if (std::any_of(effects.begin(), effects.end(),
+                    [&](const EffectFits& f) { return as_good(*f.best); }) ||
         std::any_of(sets.begin(), sets.end(), as_good))
       return false;
   }
@@ -34,7 +34,7 @@ bool all_needed(const JudgedFit& set, const std::vector<Family>& families,
 }
 
 // Whether a set is far enough ahead of all that are smaller.
-bool is_ahead(const JudgedFit& set, double none, const std::vector<Family>& families,
+bool is_ahead(const JudgedFit& set, double none, const std::vector<EffectFits>& effects,
               const std::vector<JudgedFit>& sets) {
   double best = none;
   bool explained = false;
@@ -42,7 +42,7 @@ bool is_ahead(const JudgedFit& set, double none, const std::vector<Family>& fami
     best = std::max(best, evidence_of(j.fit));
     explained = explained || j.credible();
   };
-  for (const Family& f : families) hold_against(*f.best);
+  for (const EffectFits& f : effects) hold_against(*f.best);
   for (const JudgedFit& j : sets)
     if (j.fit.together.size() < set.fit.together.size()) hold_against(j);
   return evidence_of(set.fit) - best >= (explained ? beyond_chance : set_gain);
@@ -55,18 +55,18 @@ bool foretold(const JudgedFit& set) {
 
 // The best set that explains the test and is far enough ahead of all smaller ones, and behind it
 // all that are not told apart from it: of these some may be too far out of a prior.
-std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Family>& families,
+std::vector<const JudgedFit*> standing_sets(double none, const std::vector<EffectFits>& effects,
                                             const std::vector<JudgedFit>& sets, double apart) {
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& set : sets)
     if (set.fit.solved && set.stands() && !set.too_free() && foretold(set) &&
-        all_needed(set, families, sets))
+        all_needed(set, effects, sets))
       standing.push_back(&set);
   std::stable_sort(standing.begin(), standing.end(), [](const JudgedFit* a, const JudgedFit* b) {
     return evidence_of(a->fit) > evidence_of(b->fit);
   });
   const auto lead = std::find_if(standing.begin(), standing.end(), [&](const JudgedFit* set) {
-    return set->credible() && is_ahead(*set, none, families, sets);
+    return set->credible() && is_ahead(*set, none, effects, sets);
   });
   if (lead == standing.end()) return {};
   std::rotate(standing.begin(), lead, lead + 1);
@@ -113,18 +113,18 @@ double Judgement::share_of(const std::string& effect, const std::string& place) 
 namespace {
 
 // Probabilities of single effects among what is credible.
-void weigh_singles(const JudgedFit& nominal, const std::vector<Family>& families,
+void weigh_singles(const JudgedFit& nominal, const std::vector<EffectFits>& effects,
                    Judgement& result) {
   const double none = nominal.fit.log_evidence;
   double highest = none, sum = 0;
-  for (const Family& f : families) highest = std::max(highest, f.log_evidence);
+  for (const EffectFits& f : effects) highest = std::max(highest, f.log_evidence);
   const auto weigh = [&](const std::string& name, double log_evidence, bool counts) {
     if (!counts) return;
     result.probabilities.emplace_back(name, std::exp(log_evidence - highest));
     sum += result.probabilities.back().second;
   };
   weigh("none", none, nominal.adequate);
-  for (const Family& f : families) weigh(f.effect, f.log_evidence, f.best->stands());
+  for (const EffectFits& f : effects) weigh(f.effect, f.log_evidence, f.best->stands());
   for (auto& [name, p] : result.probabilities) p /= std::max(sum, 1e-300);
   std::stable_sort(result.probabilities.begin(), result.probabilities.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -132,18 +132,18 @@ void weigh_singles(const JudgedFit& nominal, const std::vector<Family>& families
 
 // Effects that are told apart from all others, or a list of those that are not: `rivals` stand, but
 // too far out of their priors to be named alone.
-void name_singles(const std::vector<const Family*>& credible,
-                  const std::vector<const Family*>& rivals, double none, const Standards& standards,
-                  const Objecting& objecting, Judgement& result) {
+void name_singles(const std::vector<const EffectFits*>& credible,
+                  const std::vector<const EffectFits*>& rivals, double none,
+                  const Standards& standards, const Objecting& objecting, Judgement& result) {
   const double best = credible.front()->log_evidence;
-  for (const Family* f : credible) {
+  for (const EffectFits* f : credible) {
     const double behind = best - f->log_evidence;
     const bool listed = result.named.size() < most_listed || behind < told_apart;
     if (behind < standards.apart && listed &&
         f->log_evidence - none >= standards.evidence - standards.apart)
       result.named.push_back(f->best);
   }
-  for (const Family* f : rivals)
+  for (const EffectFits* f : rivals)
     if (best - f->log_evidence < standards.apart && result.named.size() < most_listed)
       result.named.push_back(f->best);
   result.withheld = result.named.front()->saturated();
@@ -153,7 +153,7 @@ void name_singles(const std::vector<const Family*>& credible,
     result.in_turn = objection.in_turn;
   }
   if (!result.withheld.empty())
-    for (const Family* f : credible)
+    for (const EffectFits* f : credible)
       if (result.named.size() < most_listed && best - f->log_evidence < open_to &&
           std::find(result.named.begin(), result.named.end(), f->best) == result.named.end())
         result.named.push_back(f->best);
@@ -223,26 +223,26 @@ Judgement nearest_so_far(const Inclusion& inclusion) {
   return result;
 }
 
-Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
+Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects,
                 const std::vector<JudgedFit>& sets, const Inclusion& inclusion,
                 const Standards& standards, const Referee& referee) {
   Judgement result;
-  for (const Family& f : families) result.places[f.effect] = f.places;
+  for (const EffectFits& f : effects) result.places[f.effect] = f.places;
   const double none = nominal.fit.log_evidence;
-  std::vector<const Family*> credible, rivals;
-  for (const Family& f : families) {
+  std::vector<const EffectFits*> credible, rivals;
+  for (const EffectFits& f : effects) {
     if (f.best->credible())
       credible.push_back(&f);
     else if (f.best->stands())
       rivals.push_back(&f);
   }
-  weigh_singles(nominal, families, result);
+  weigh_singles(nominal, effects, result);
   const double best = credible.empty() ? -1e300 : credible.front()->log_evidence;
   if (nominal.adequate && best - none < standards.evidence) {
     result.verdict = Verdict::none;
     return result;
   }
-  result.named = standing_sets(none, families, sets, standards.apart);
+  result.named = standing_sets(none, effects, sets, standards.apart);
   if (!result.named.empty()) {
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);

@@ -70,7 +70,7 @@ struct Referee {
 // Of what was tried until the search was stopped: unknown, with what comes nearest.
 Judgement nearest_so_far(const Inclusion& inclusion);
 
-Judgement judge(const JudgedFit& nominal, const std::vector<Family>& families,
+Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects,
                 const std::vector<JudgedFit>& sets, const Inclusion& inclusion,
                 const Standards& standards, const Referee& referee = {});
 

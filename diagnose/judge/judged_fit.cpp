@@ -101,13 +101,13 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   return j;
 }
 
-std::vector<Family> families(const std::vector<JudgedFit>& fits) {
+std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits) {
   std::map<std::string, std::vector<const JudgedFit*>> by_effect;
   for (const JudgedFit& j : fits)
     if (j.fit.solved) by_effect[j.fit.together[0]->effect].push_back(&j);
-  std::vector<Family> all;
+  std::vector<EffectFits> all;
   for (const auto& [effect, own] : by_effect) {
-    Family f{.effect = effect};
+    EffectFits f{.effect = effect};
     double highest = -1e300;
     for (const JudgedFit* j : own) highest = std::max(highest, evidence_of(j->fit));
     double sum = 0;
@@ -129,8 +129,9 @@ std::vector<Family> families(const std::vector<JudgedFit>& fits) {
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     all.push_back(f);
   }
-  std::sort(all.begin(), all.end(),
-            [](const Family& a, const Family& b) { return a.log_evidence > b.log_evidence; });
+  std::sort(all.begin(), all.end(), [](const EffectFits& a, const EffectFits& b) {
+    return a.log_evidence > b.log_evidence;
+  });
   return all;
 }
 

@@ -58,13 +58,13 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
                  const Whitening& held_out, const BlockScores& scores, const Standards& standards);
 
 // An effect over all its places.
-struct Family {
+struct EffectFits {
   std::string effect;
   double log_evidence = 0;                                 // places weigh alike
   const JudgedFit* best = nullptr;                         // place
   std::vector<std::pair<std::string, double>> places = {}; // with their shares, the largest first
 };
-std::vector<Family> families(const std::vector<JudgedFit>& fits); // by evidence
+std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits); // by evidence
 
 // Without effects that name a place only (Hypothesis::names_place_only) where another effect at
 // that place closes half as much of the gap.

@@ -296,12 +296,12 @@ private:
 
   // What members change is prepared once: each is in several sets.
   void keep_members(const std::vector<Asked>& asked) {
-    StateFamilies::Together members;
+    StateModels::Together members;
     for (const Asked& set : asked)
       for (const Hypothesis* h : set.together)
         if (!contains(members, h)) members.push_back(h);
-    StateFamilies& families = *context_.predictors.families();
-    for (std::size_t state : families.fitted_states(context_.test)) families.keep(state, members);
+    StateModels& models = *context_.predictors.models();
+    for (std::size_t state : models.fitted_states(context_.test)) models.keep(state, members);
   }
 
   std::vector<JudgedFit> fitted(const std::vector<Asked>& asked) {
@@ -320,7 +320,7 @@ private:
   }
 
   const FitContext& context_;
-  const std::vector<Family>& ranked_;
+  const std::vector<EffectFits>& ranked_;
   const std::vector<JudgedFit>& fits_;
   const std::vector<Signature>& all_;
   const JudgedFit& nominal_;

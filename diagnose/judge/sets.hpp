@@ -21,9 +21,9 @@ bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all);
 // What sets grow from.
 struct SetSearch {
   const FitContext& context;
-  const std::vector<Family>& ranked;  // single effects by evidence
-  const std::vector<JudgedFit>& fits; // all single hypotheses
-  const std::vector<Signature>& all;  // of all hypotheses
+  const std::vector<EffectFits>& ranked; // single effects by evidence
+  const std::vector<JudgedFit>& fits;    // all single hypotheses
+  const std::vector<Signature>& all;     // of all hypotheses
   const JudgedFit& nominal;
   const Whitening& held_out;
   const BlockScores& scores;

@@ -25,7 +25,7 @@ bool is_of(const ModeLabel& label, MeasuredShape shape, int axis) {
 
 // Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
 // any other, and enough to be seen.
-std::vector<Index> StateAnswers::modes_of_kind(const FamilyModes& m, MeasuredShape shape,
+std::vector<Index> StateAnswers::modes_of_kind(const AffineModes& m, MeasuredShape shape,
                                                int axis) {
   const bool linear = linear_ && *linear_ && &m == &**linear_;
   if (const auto known = of_kind_.find({shape, axis}); linear && known != of_kind_.end())
@@ -52,7 +52,7 @@ std::vector<Index> StateAnswers::modes_of_kind(const FamilyModes& m, MeasuredSha
 bool StateAnswers::labelled(const Reading& reading, double& value) {
   if (acting_.group && test_.runs[std::size_t(reading.run)].level > 0)
     return slipping_mode(reading, value);
-  const FamilyModes* m = linear_modes();
+  const AffineModes* m = linear_modes();
   if (!m) return false;
   const Index mode = labelled_mode(*m, reading);
   if (mode >= 0)
@@ -63,7 +63,7 @@ bool StateAnswers::labelled(const Reading& reading, double& value) {
 // Where the kind of motion is known the order that the test states binds; where it states no
 // direction, of those of that order along each axis the nearest. Of unknown kind, in their order as
 // they lie nearest.
-Index StateAnswers::labelled_mode(const FamilyModes& m, const Reading& reading) {
+Index StateAnswers::labelled_mode(const AffineModes& m, const Reading& reading) {
   const auto looked_for = [](const Reading& r) { return r.paired_as > 0 ? r.paired_as : r.value; };
   if (reading.shape != MeasuredShape::other) {
     Index nearest = -1;

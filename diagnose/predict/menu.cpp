@@ -124,8 +124,8 @@ TestReadings sweep_readings(const Case& data, int base, double level, const std:
 }
 
 void drop_unanswered(const Nominal& nominal, TestReadings& test,
-                     const std::shared_ptr<StateFamilies>& families) {
-  const Predictor predict(nominal, test, {}, families);
+                     const std::shared_ptr<StateModels>& models) {
+  const Predictor predict(nominal, test, {}, models);
   const auto y = predict(Eigen::VectorXd());
   if (!y) throw std::runtime_error("the nominal structure has no stable answer");
   const std::vector<int> modes = predict.nominal_modes();

@@ -28,7 +28,7 @@ double usual_sigma(ReadingKind kind);
 
 // Takes out what the nominal case does not answer, and peaks that it has not.
 void drop_unanswered(const Nominal& nominal, TestReadings& test,
-                     const std::shared_ptr<StateFamilies>& families = nullptr);
+                     const std::shared_ptr<StateModels>& models = nullptr);
 
 // The first two peaks along the axis of the table, seen by one sensor, and what sensors show,
 // within the band of the case's response where it has one.

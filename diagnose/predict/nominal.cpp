@@ -167,7 +167,7 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,
                                              u, static_cast<int>(lambda.size()));
   state.zeta = damping.zeta + damping.eta / 2 + damping_of_springs(state.built, lambda, u);
-  const ReducedFamily plain = state.model->with({});
+  const AffineModel plain = state.model->with({});
   const MatrixXd gamma = plain.nominal.transpose() * plain.load;
   for (Index j = 0; j < lambda.size(); ++j) {
     Eigen::Matrix<double, 6, 1> share = Eigen::Matrix<double, 6, 1>::Zero();
@@ -231,13 +231,13 @@ Nominal nominal_of(const Case& data, const Measured& measured) {
     nominal.states[std::size_t(i)] = state_of(std::move(own), name, measured);
   });
   const NominalState& first = nominal.states.front();
-  const ReducedFamily family = first.model->with({});
-  nominal.mass = family.mass;
+  const AffineModel model = first.model->with({});
+  nominal.mass = model.mass;
   constexpr Eigen::Index lowest = 4;
   const VectorXd& lambda = first.model->lambda();
   nominal.frequency =
       plica::frequency(std::exp(lambda.head(std::min(lowest, lambda.size())).array().log().mean()));
-  nominal.stiffness = family.mass * lambda[0];
+  nominal.stiffness = model.mass * lambda[0];
   Eigen::Vector3d low = first.built.model.mesh.nodes.front(), high = low;
   for (const Eigen::Vector3d& x : first.built.model.mesh.nodes) {
     low = low.cwiseMin(x);

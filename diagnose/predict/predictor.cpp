@@ -72,14 +72,14 @@ Identities identities_of(const std::vector<const Hypothesis*>& together) {
   return all;
 }
 
-std::optional<StateFamilies::Changes> StateFamilies::kept(const NominalState& state,
-                                                          const Hypothesis& h) {
+std::optional<StateModels::Changes> StateModels::kept(const NominalState& state,
+                                                      const Hypothesis& h) {
   const std::lock_guard lock(mutex_);
   const auto known = kept_.find({&state, h.identity.number()});
   return known == kept_.end() ? std::nullopt : std::optional(known->second);
 }
 
-StateFamilies::Changes StateFamilies::prepared(const NominalState& state, const Hypothesis& h) {
+StateModels::Changes StateModels::prepared(const NominalState& state, const Hypothesis& h) {
   if (auto known = kept(state, h)) return std::move(*known);
   Changes made = state.model->prepare(changes_in(state, h));
   if (!is_costly(h)) return made;
@@ -87,7 +87,7 @@ StateFamilies::Changes StateFamilies::prepared(const NominalState& state, const 
   return kept_.try_emplace({&state, h.identity.number()}, std::move(made)).first->second;
 }
 
-StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& together) {
+StateModels::Changes StateModels::changes(std::size_t s, const Together& together) {
   std::vector<Changes> parts(together.size());
   in_parallel(int(parts.size()), [&](int h) {
     parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
@@ -109,10 +109,9 @@ StateFamilies::Changes StateFamilies::changes(std::size_t s, const Together& tog
   return all;
 }
 
-StateFamilies::Changes StateFamilies::products(const NominalState& state, const Hypothesis& a,
-                                               const Changes& of_a, int a_first,
-                                               const Hypothesis& b, const Changes& of_b,
-                                               int b_first) {
+StateModels::Changes StateModels::products(const NominalState& state, const Hypothesis& a,
+                                           const Changes& of_a, int a_first, const Hypothesis& b,
+                                           const Changes& of_b, int b_first) {
   const std::tuple key{&state, a.identity.number(), b.identity.number()};
   std::optional<Changes> found;
   {
@@ -139,44 +138,44 @@ StateFamilies::Changes StateFamilies::products(const NominalState& state, const 
   return std::move(*found);
 }
 
-void StateFamilies::solve_anew() {
+void StateModels::solve_anew() {
   forget_sets();
   solves_anew_ = true;
 }
 
-void StateFamilies::forget_sets() {
+void StateModels::forget_sets() {
   const std::lock_guard lock(mutex_);
   std::erase_if(known_, [](const auto& known) { return known.first.second.size() > 1; });
 }
 
-void StateFamilies::make(std::size_t s, const Together& together, const Changes& changes,
-                         StateFamily& own) {
+void StateModels::make(std::size_t s, const Together& together, const Changes& changes,
+                       StateModel& own) {
   const NominalState& state = nominal_.states[s];
   std::vector<int> held = state.built.held_nodes;
   for (const Hypothesis* h : together)
     for (int node : h->released) std::erase(held, node);
   own.nominal = &state;
-  own.family = state.model->with(changes);
+  own.whole = state.model->with(changes);
   const std::vector<int>& boundary = state.model->boundary();
-  for (int i = 0; i < int(own.family.K.rows()); ++i)
-    if (i >= own.family.boundary ||
+  for (int i = 0; i < int(own.whole.K.rows()); ++i)
+    if (i >= own.whole.boundary ||
         std::find(held.begin(), held.end(), boundary[std::size_t(i / 6)]) == held.end())
       own.coordinates.push_back(i);
-  own.free = FreeFamily(own.family, own.coordinates, state.zeta);
+  own.free = FreeAffineModel(own.whole, own.coordinates, state.zeta);
 }
 
-StateFamilies::Lazy& StateFamilies::lazy(std::size_t state, const Together& together) {
+StateModels::Lazy& StateModels::lazy(std::size_t state, const Together& together) {
   const std::lock_guard lock(mutex_);
   return known_[{state, identities_of(together)}];
 }
 
-const StateFamily& StateFamilies::of(std::size_t state, const Together& together) {
+const StateModel& StateModels::of(std::size_t state, const Together& together) {
   Lazy& own = lazy(state, together);
-  std::call_once(own.once, [&] { make(state, together, changes(state, together), own.family); });
-  return own.family;
+  std::call_once(own.once, [&] { make(state, together, changes(state, together), own.model); });
+  return own.model;
 }
 
-void StateFamilies::reduce(std::size_t s, const Together& each) {
+void StateModels::reduce(std::size_t s, const Together& each) {
   const NominalState& state = nominal_.states[s];
   std::vector<ModelChange> all;
   std::vector<std::size_t> count;
@@ -193,12 +192,12 @@ void StateFamilies::reduce(std::size_t s, const Together& each) {
     const Changes own =
         is_costly(*h) ? prepared(state, *h) : Changes(next, next + std::ptrdiff_t(count[i]));
     next += std::ptrdiff_t(count[i]);
-    Lazy& family = lazy(s, {h});
-    std::call_once(family.once, [&] { make(s, {h}, own, family.family); });
+    Lazy& model = lazy(s, {h});
+    std::call_once(model.once, [&] { make(s, {h}, own, model.model); });
   }
 }
 
-void StateFamilies::keep(std::size_t s, const Together& each) {
+void StateModels::keep(std::size_t s, const Together& each) {
   const NominalState& state = nominal_.states[s];
   in_parallel(int(each.size()), [&](int i) {
     const Hypothesis& h = *each[std::size_t(i)];
@@ -209,7 +208,7 @@ void StateFamilies::keep(std::size_t s, const Together& each) {
   });
 }
 
-std::vector<std::size_t> StateFamilies::fitted_states(const TestReadings& test) const {
+std::vector<std::size_t> StateModels::fitted_states(const TestReadings& test) const {
   std::vector<std::size_t> found;
   for (std::size_t s = 0; s < nominal_.states.size(); ++s)
     if (std::any_of(test.readings.begin(), test.readings.end(), [&](const Reading& r) {
@@ -221,9 +220,9 @@ std::vector<std::size_t> StateFamilies::fitted_states(const TestReadings& test) 
 
 Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
                      const std::vector<const Hypothesis*>& together,
-                     std::shared_ptr<StateFamilies> families)
+                     std::shared_ptr<StateModels> models)
     : nominal_(nominal), test_(test), together_(together),
-      families_(families ? std::move(families) : std::make_shared<StateFamilies>(nominal)) {
+      models_(models ? std::move(models) : std::make_shared<StateModels>(nominal)) {
   for (std::size_t h = 0; h < together.size(); ++h) {
     const Hypothesis& own = *together[h];
     if (own.softening) {
@@ -245,15 +244,15 @@ Predictor::Predictor(const Nominal& nominal, const TestReadings& test,
 }
 
 StateAnswers Predictor::answers_of(std::size_t state, const Acting& acting) const {
-  return StateAnswers(family(state), test_, acting, seen_[state]);
+  return StateAnswers(model(state), test_, acting, seen_[state]);
 }
 
 double Predictor::basis_error(const VectorXd& values) const {
   constexpr int modes = 6;
   const NominalState& state = nominal_.states.front();
   return state.model
-      ->frequency_errors(families_->changes(0, together_), acting(values, 0).all,
-                         family(0).coordinates, modes)
+      ->frequency_errors(models_->changes(0, together_), acting(values, 0).all,
+                         model(0).coordinates, modes)
       .maxCoeff();
 }
 
@@ -337,8 +336,8 @@ std::optional<VectorXd> Predictor::answers(const VectorXd& values, Slip slip, Wh
   return y;
 }
 
-std::optional<FamilyModes> Predictor::modes(const VectorXd& values) const {
-  return family(0).free.modes(acting(values, 0).all);
+std::optional<AffineModes> Predictor::modes(const VectorXd& values) const {
+  return model(0).free.modes(acting(values, 0).all);
 }
 
 std::vector<int> Predictor::nominal_modes() const {
@@ -362,12 +361,12 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
 }
 
 void PredictorStore::solve_anew() {
-  families_->solve_anew();
+  models_->solve_anew();
   forget_sets();
 }
 
 void PredictorStore::forget_sets() {
-  families_->forget_sets();
+  models_->forget_sets();
   const std::lock_guard lock(mutex_);
   std::erase_if(known_, [](const auto& known) { return known.first.size() > 1; });
 }
@@ -378,7 +377,7 @@ const Predictor& PredictorStore::of(const std::vector<const Hypothesis*>& togeth
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(identities); known != known_.end()) return *known->second;
   }
-  auto made = std::make_unique<Predictor>(nominal_, test_, together, families_);
+  auto made = std::make_unique<Predictor>(nominal_, test_, together, models_);
   const std::lock_guard lock(mutex_);
   return *known_.try_emplace(identities, std::move(made)).first->second;
 }

@@ -17,11 +17,11 @@ Identities identities_of(const std::vector<const Hypothesis*>& together);
 // States of the specimen reduced with hypotheses in them, each when first asked for: those held out
 // are for few hypotheses. Changes that are costly to prepare are kept. May be used by several
 // threads.
-class StateFamilies {
+class StateModels {
 public:
-  explicit StateFamilies(const Nominal& nominal) : nominal_(nominal) {}
+  explicit StateModels(const Nominal& nominal) : nominal_(nominal) {}
   using Together = std::vector<const Hypothesis*>;
-  const StateFamily& of(std::size_t state, const Together& together);
+  const StateModel& of(std::size_t state, const Together& together);
   std::vector<PreparedChange> changes(std::size_t state, const Together& together);
 
   // Makes a state with each of these alone in it, which takes less time for several at once.
@@ -40,7 +40,7 @@ public:
 private:
   struct Lazy {
     std::once_flag once;
-    StateFamily family;
+    StateModel model;
   };
   using Changes = std::vector<PreparedChange>;
   std::optional<Changes> kept(const NominalState& state, const Hypothesis& h);
@@ -49,7 +49,7 @@ private:
   Changes products(const NominalState& state, const Hypothesis& a, const Changes& of_a, int a_first,
                    const Hypothesis& b, const Changes& of_b, int b_first);
   Lazy& lazy(std::size_t state, const Together& together);
-  void make(std::size_t state, const Together& together, const Changes& changes, StateFamily& own);
+  void make(std::size_t state, const Together& together, const Changes& changes, StateModel& own);
 
   const Nominal& nominal_;
   std::mutex mutex_;
@@ -62,11 +62,11 @@ private:
 
 class Predictor {
 public:
-  // The hypotheses act together; at most one of them softens. `families`: of the same nominal case,
+  // The hypotheses act together; at most one of them softens. `models`: of the same nominal case,
   // shared with other tests; none = its own.
   Predictor(const Nominal& nominal, const TestReadings& test,
             const std::vector<const Hypothesis*>& together,
-            std::shared_ptr<StateFamilies> families = nullptr);
+            std::shared_ptr<StateModels> models = nullptr);
 
   int parameters() const { return parameters_; }
   bool changes_structure() const { return changes_ > 0; }
@@ -88,8 +88,8 @@ public:
 
   // Of the specimen as it stands, nothing slipping: its modes, none where it is not stable, and the
   // coordinates of ParametricModel::basis that its mount leaves.
-  std::optional<FamilyModes> modes(const Eigen::VectorXd& values) const;
-  const std::vector<int>& coordinates() const { return family(0).coordinates; }
+  std::optional<AffineModes> modes(const Eigen::VectorXd& values) const;
+  const std::vector<int>& coordinates() const { return model(0).coordinates; }
 
   // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
   std::vector<int> nominal_modes() const;
@@ -100,7 +100,7 @@ public:
                                            const Eigen::VectorXd& hertz) const;
 
 private:
-  const StateFamily& family(std::size_t state) const { return families_->of(state, together_); }
+  const StateModel& model(std::size_t state) const { return models_->of(state, together_); }
   StateAnswers answers_of(std::size_t state, const Acting& acting) const;
   Acting acting(const Eigen::VectorXd& values, std::size_t state) const;
   enum class Slip { as_is, stuck };
@@ -110,7 +110,7 @@ private:
   const Nominal& nominal_;
   const TestReadings& test_;
   std::vector<const Hypothesis*> together_;
-  std::shared_ptr<StateFamilies> families_;
+  std::shared_ptr<StateModels> models_;
   std::vector<Eigen::Index> seen_; // of each state: observed places up to the last of the test
   std::vector<std::size_t> state_of_reading_;
   int parameters_ = 0, changes_ = 0;
@@ -122,10 +122,10 @@ private:
 class PredictorStore {
 public:
   PredictorStore(const Nominal& nominal, const TestReadings& test)
-      : nominal_(nominal), test_(test), families_(std::make_shared<StateFamilies>(nominal)) {}
+      : nominal_(nominal), test_(test), models_(std::make_shared<StateModels>(nominal)) {}
   const Predictor& of(const std::vector<const Hypothesis*>& together);
-  const std::shared_ptr<StateFamilies>& families() const { return families_; }
-  // As StateFamilies does; predictors of sets that were handed out are gone.
+  const std::shared_ptr<StateModels>& models() const { return models_; }
+  // As StateModels does; predictors of sets that were handed out are gone.
   void solve_anew();
   void forget_sets();
 
@@ -133,7 +133,7 @@ private:
   const Nominal& nominal_;
   const TestReadings& test_;
   std::mutex mutex_;
-  std::shared_ptr<StateFamilies> families_;
+  std::shared_ptr<StateModels> models_;
   std::map<Identities, std::unique_ptr<Predictor>> known_;
 };
 

@@ -30,8 +30,9 @@ std::complex<double> Sliders::kept(double amplitude) const {
   return describing_function(law_, amplitude, 1).gain;
 }
 
-SlipTable::SlipTable(const FreeFamily& family, const VectorXd& coefficients, const SlipGroup& group)
-    : family_(family), coefficients_(coefficients), group_(group) {}
+SlipTable::SlipTable(const FreeAffineModel& model, const VectorXd& coefficients,
+                     const SlipGroup& group)
+    : free_(model), coefficients_(coefficients), group_(group) {}
 
 int SlipTable::point_at(double stiffness) {
   return int(std::lround(std::log(std::max(stiffness, softest) / softest) / std::log(ratio)));
@@ -40,25 +41,25 @@ double SlipTable::stiffness_of(int point) {
   return softest * std::pow(ratio, point);
 }
 
-const FamilyModes* SlipTable::modes_at(int point) {
+const AffineModes* SlipTable::modes_at(int point) {
   const std::lock_guard lock(mutex_);
   auto known = points_.find(point);
   if (known == points_.end()) {
     VectorXd c = coefficients_;
     c[group_.change] = stiffness_of(point) - group_.present;
-    known = points_.emplace(point, family_.modes(c, group_.change)).first;
+    known = points_.emplace(point, free_.modes(c, group_.change)).first;
   }
   return known->second ? &*known->second : nullptr;
 }
 
-std::optional<FamilyModes> SlipTable::modes(double stiffness) {
+std::optional<AffineModes> SlipTable::modes(double stiffness) {
   const int point = point_at(stiffness);
-  const FamilyModes* near = modes_at(point);
+  const AffineModes* near = modes_at(point);
   if (!near) return std::nullopt;
-  return family_.changed(*near, std::max(stiffness, softest) - stiffness_of(point));
+  return free_.changed(*near, std::max(stiffness, softest) - stiffness_of(point));
 }
 
-std::shared_ptr<SlipTable> SlipTables::of(const FreeFamily& family, VectorXd coefficients,
+std::shared_ptr<SlipTable> SlipTables::of(const FreeAffineModel& model, VectorXd coefficients,
                                           const SlipGroup& group) {
   coefficients[group.change] = 0; // whatever it is
   const std::lock_guard lock(mutex_);
@@ -69,7 +70,7 @@ std::shared_ptr<SlipTable> SlipTables::of(const FreeFamily& family, VectorXd coe
     return known_.back().second;
   }
   if (known_.size() == most_tables) known_.erase(known_.begin());
-  known_.emplace_back(coefficients, std::make_shared<SlipTable>(family, coefficients, group));
+  known_.emplace_back(coefficients, std::make_shared<SlipTable>(model, coefficients, group));
   return known_.back().second;
 }
 

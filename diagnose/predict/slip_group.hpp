@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnose/effects/effect.hpp"
-#include "diagnose/predict/family_modes.hpp"
+#include "diagnose/predict/affine_modes.hpp"
 #include "elements/joint_law.hpp"
 
 #include <complex>
@@ -35,25 +35,26 @@ private:
 // several threads.
 class SlipTable {
 public:
-  SlipTable(const FreeFamily& family, const Eigen::VectorXd& coefficients, const SlipGroup& group);
+  SlipTable(const FreeAffineModel& model, const Eigen::VectorXd& coefficients,
+            const SlipGroup& group);
 
   static int point_at(double stiffness); // the nearest; stiffness in terms of the group's own
   static double stiffness_of(int point);
-  const FamilyModes* modes_at(int point); // null: no stable structure
-  std::optional<FamilyModes> modes(double stiffness);
+  const AffineModes* modes_at(int point); // null: no stable structure
+  std::optional<AffineModes> modes(double stiffness);
 
 private:
-  const FreeFamily& family_;
+  const FreeAffineModel& free_;
   Eigen::VectorXd coefficients_;
   SlipGroup group_;
   std::mutex mutex_;
-  std::map<int, std::optional<FamilyModes>> points_;
+  std::map<int, std::optional<AffineModes>> points_;
 };
 
 // The tables of late: what a fit varies beside the group comes back.
 class SlipTables {
 public:
-  std::shared_ptr<SlipTable> of(const FreeFamily& family, Eigen::VectorXd coefficients,
+  std::shared_ptr<SlipTable> of(const FreeAffineModel& model, Eigen::VectorXd coefficients,
                                 const SlipGroup& group);
 
 private:

@@ -71,7 +71,7 @@ StateAnswers::slipping(const Softening& softening, const Driven& driven, SlipTab
   if (!table.modes_at(low)) return std::nullopt; // the softest: what holds it holds the others
   PeaksOverStiffness peaks(low, high, [&](int point) {
     PeaksOverStiffness::Rows rows(driven.peaks);
-    const FamilyModes* m = table.modes_at(point);
+    const AffineModes* m = table.modes_at(point);
     if (!m) return rows;
     const std::vector<Index> modes = driven.modes(*m);
     for (std::size_t p = 0; p < rows.size(); ++p) {
@@ -111,7 +111,7 @@ StateAnswers::slipping(const Softening& softening, const Driven& driven, SlipTab
 }
 
 // What a sensor's channel sees of a mode of unit mass, 1/sqrt(kg).
-double StateAnswers::seen_at(const FamilyModes& m, Index mode, int sensor, int axis) const {
+double StateAnswers::seen_at(const AffineModes& m, Index mode, int sensor, int axis) const {
   return own_.nominal->axes[std::size_t(sensor)].row(axis).dot(
       m.marked.block<3, 1>(6 * Index(sensor), mode));
 }
@@ -126,9 +126,9 @@ bool StateAnswers::slipping_mode(const Reading& reading, double& value) {
     const Driven driven{
         .level = run.level,
         .held = !run.by_force,
-        .modes = [&](const FamilyModes& m) { return std::vector{labelled_mode(m, reading)}; },
+        .modes = [&](const AffineModes& m) { return std::vector{labelled_mode(m, reading)}; },
         .amplitude =
-            [&](const FamilyModes& m, Index i) {
+            [&](const AffineModes& m, Index i) {
               const double phi = std::abs(seen_at(m, i, sensor, run.axis));
               return run.by_force ? phi / (2 * m.lambda[i]) : 1 / (m.lambda[i] * phi);
             }};
@@ -159,8 +159,8 @@ bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& fo
   const Driven driven{
       .level = level,
       .peaks = run.peaks.size(),
-      .modes = [&](const FamilyModes& m) { return peak_modes(m, run); },
-      .amplitude = [&](const FamilyModes& m,
+      .modes = [&](const AffineModes& m) { return peak_modes(m, run); },
+      .amplitude = [&](const AffineModes& m,
                        Index i) { return std::abs(input_of(m, run)[i]) / (2 * m.lambda[i]); }};
   const auto at_peaks = slipping(softening, driven, table());
   if (!at_peaks) return false;
@@ -169,8 +169,8 @@ bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& fo
     auto m = table().modes(s.stiffness);
     if (!m) return false;
     m->zeta *= acting_.setup.damping;
-    kept_.push_back(std::make_unique<FamilyModes>(std::move(*m)));
-    const FamilyModes& own = *kept_.back();
+    kept_.push_back(std::make_unique<AffineModes>(std::move(*m)));
+    const AffineModes& own = *kept_.back();
     Peak peak{&own, own.zeta, peak_modes(own, run)[p], {}, {}};
     if (peak.mode >= 0) peak.zeta[peak.mode] += s.damping;
     found.push_back(std::move(peak));

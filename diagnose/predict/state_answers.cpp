@@ -51,7 +51,7 @@ std::optional<double> StateAnswers::answer(const Reading& reading) {
 
 int StateAnswers::nominal_mode(const Reading& reading) {
   if (reading.run < 0) return -1;
-  const FamilyModes* m = linear_modes();
+  const AffineModes* m = linear_modes();
   const TestRun& run = test_.runs[std::size_t(reading.run)];
   if (!m || (run.input.any() && !answers_to(run))) return -1;
   const Index own =
@@ -63,7 +63,7 @@ int StateAnswers::nominal_mode(const Reading& reading) {
 }
 
 std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const VectorXd& hertz) {
-  const FamilyModes* m = linear_modes();
+  const AffineModes* m = linear_modes();
   const int sensor = own_.nominal->number_of(run.sensor);
   if (!m || sensor < 0 || !answers_to(run)) return std::nullopt;
   std::vector<double> omega;
@@ -72,7 +72,7 @@ std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const
   return Eigen::VectorXcd(reading_of(moved, sensor, run.axis).transpose());
 }
 
-const FamilyModes* StateAnswers::linear_modes() {
+const AffineModes* StateAnswers::linear_modes() {
   if (!linear_) {
     linear_ = acting_.given ? std::optional(*acting_.given) : own_.free.modes(acting_.all);
     if (*linear_) (*linear_)->zeta *= acting_.setup.damping;
@@ -80,16 +80,16 @@ const FamilyModes* StateAnswers::linear_modes() {
   return *linear_ ? &**linear_ : nullptr;
 }
 
-VectorXd StateAnswers::damping_of(const FamilyModes& linear) const {
+VectorXd StateAnswers::damping_of(const AffineModes& linear) const {
   if (acting_.mode_damping.size() == 0) return linear.zeta;
   return linear.zeta.cwiseProduct(acting_.mode_damping);
 }
 
 double StateAnswers::mass() const {
-  double sum = own_.family.mass;
-  const VectorXd c = with_products(acting_.rig, own_.family.products);
-  for (std::size_t k = 0; k < own_.family.d_mass.size(); ++k)
-    sum += c[Index(k)] * own_.family.d_mass[k];
+  double sum = own_.whole.mass;
+  const VectorXd c = with_products(acting_.rig, own_.whole.products);
+  for (std::size_t k = 0; k < own_.whole.d_mass.size(); ++k)
+    sum += c[Index(k)] * own_.whole.d_mass[k];
   return sum;
 }
 
@@ -106,8 +106,8 @@ std::optional<EndStiffness> StateAnswers::ends_at(double kept) const {
     double& group = c[acting_.group->change];
     group = (group + acting_.group->present) * kept - acting_.group->present;
   }
-  c = with_products(std::move(c), own_.family.products);
-  return rig_stiffness(*own_.nominal, summed(own_.family.K, own_.family.dK, c));
+  c = with_products(std::move(c), own_.whole.products);
+  return rig_stiffness(*own_.nominal, summed(own_.whole.K, own_.whole.dK, c));
 }
 
 // A group that slips answers by what it keeps at the stroke; without one, by what is left when all
@@ -142,7 +142,7 @@ bool StateAnswers::answers_to(const TestRun& run) const {
 
 // What drives each mode, less its sign for a force: accelerations over it are w2 times that of a
 // table, which moves the other way.
-VectorXd StateAnswers::input_of(const FamilyModes& m, const TestRun& run) const {
+VectorXd StateAnswers::input_of(const AffineModes& m, const TestRun& run) const {
   if (run.input.base >= 0) return m.gamma * base_of(run);
   VectorXd input(m.lambda.size());
   for (Index i = 0; i < input.size(); ++i)
@@ -152,7 +152,7 @@ VectorXd StateAnswers::input_of(const FamilyModes& m, const TestRun& run) const 
 
 // Accelerations of the places seen per unit of the input as commanded, part axes: 3 rows each, a
 // column per frequency.
-MatrixXcd StateAnswers::motion(const FamilyModes& m, const VectorXd& zeta, const TestRun& run,
+MatrixXcd StateAnswers::motion(const AffineModes& m, const VectorXd& zeta, const TestRun& run,
                                const std::vector<double>& omega) const {
   const VectorXd gamma = input_of(m, run);
   MatrixXd real(m.lambda.size(), Index(omega.size())), imaginary = real;
@@ -195,7 +195,7 @@ RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int a
 }
 
 // Modes of a run's measured peaks, by how high each stands in the channel of the run.
-std::vector<Index> StateAnswers::peak_modes(const FamilyModes& m, const TestRun& run) const {
+std::vector<Index> StateAnswers::peak_modes(const AffineModes& m, const TestRun& run) const {
   const int sensor = own_.nominal->number_of(run.sensor);
   const VectorXd in = run.seen_along() ? input_of(m, run) : VectorXd(m.gamma.col(run.axis));
   VectorXd hertz(m.lambda.size()), height(m.lambda.size());
@@ -233,7 +233,7 @@ bool StateAnswers::find_peaks(int number) {
         return true;
       }
     }
-    const FamilyModes* m = linear_modes();
+    const AffineModes* m = linear_modes();
     if (!m) return false;
     for (Index i : peak_modes(*m, run)) found.push_back({m, damping_of(*m), i, {}, {}});
   }

@@ -15,10 +15,10 @@
 namespace plica {
 
 // The reduced model of a state, all changes of the hypotheses in it.
-struct StateFamily {
+struct StateModel {
   const NominalState* nominal = nullptr;
-  ReducedFamily family;         // as in the static rig, where nothing is held
-  FreeFamily free;              // as on the table
+  AffineModel whole;            // as in the static rig, where nothing is held
+  FreeAffineModel free;         // as on the table
   std::vector<int> coordinates; // that the mount leaves
   mutable SlipTables tables;
 };
@@ -31,14 +31,14 @@ struct Acting {
   Softening softening;
   // Modes in place of those that follow, and factors of the damping of each, which do not choose
   // what peak is of what mode.
-  const FamilyModes* given = nullptr;
+  const AffineModes* given = nullptr;
   Eigen::VectorXd mode_damping = {}; // empty: 1
 };
 
 class StateAnswers {
 public:
   // `seen`: how many of the observed places of the state the test looks at, those before the last.
-  StateAnswers(const StateFamily& state, const TestReadings& test, const Acting& acting,
+  StateAnswers(const StateModel& state, const TestReadings& test, const Acting& acting,
                Eigen::Index seen)
       : own_(state), test_(test), acting_(acting), seen_(seen) {}
 
@@ -55,7 +55,7 @@ public:
 private:
   // A peak of a run: the modes at its amplitude, and which of them it is.
   struct Peak {
-    const FamilyModes* modes = nullptr;
+    const AffineModes* modes = nullptr;
     Eigen::VectorXd zeta;
     Eigen::Index mode = 0;
     Eigen::MatrixXcd near;   // motions within its width
@@ -73,12 +73,12 @@ private:
     double level = 1;
     bool held = false;
     std::size_t peaks = 1;
-    std::function<std::vector<Eigen::Index>(const FamilyModes&)> modes;
-    std::function<double(const FamilyModes&, Eigen::Index)> amplitude;
+    std::function<std::vector<Eigen::Index>(const AffineModes&)> modes;
+    std::function<double(const AffineModes&, Eigen::Index)> amplitude;
   };
 
-  const FamilyModes* linear_modes();
-  Eigen::VectorXd damping_of(const FamilyModes& linear) const;
+  const AffineModes* linear_modes();
+  Eigen::VectorXd damping_of(const AffineModes& linear) const;
   Eigen::Vector3d base_of(const TestRun& run) const {
     return acting_.setup.base.col(run.input.base);
   }
@@ -88,11 +88,11 @@ private:
   double static_stiffness(const Reading& reading);
   bool answers_to(const TestRun& run) const;
   int driven_sensor(const TestRun& run) const;
-  Eigen::VectorXd input_of(const FamilyModes& m, const TestRun& run) const;
-  Eigen::MatrixXcd motion(const FamilyModes& m, const Eigen::VectorXd& zeta, const TestRun& run,
+  Eigen::VectorXd input_of(const AffineModes& m, const TestRun& run) const;
+  Eigen::MatrixXcd motion(const AffineModes& m, const Eigen::VectorXd& zeta, const TestRun& run,
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
-  std::vector<Eigen::Index> peak_modes(const FamilyModes& m, const TestRun& run) const;
+  std::vector<Eigen::Index> peak_modes(const AffineModes& m, const TestRun& run) const;
   std::optional<std::vector<Slipping>> slipping(const Softening& softening, const Driven& driven,
                                                 SlipTable& table) const;
   bool slipping_mode(const Reading& reading, double& value);
@@ -106,22 +106,22 @@ private:
   bool dynamic(const Reading& reading, double& value);
   bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);
   bool labelled(const Reading& reading, double& value);
-  std::vector<Eigen::Index> modes_of_kind(const FamilyModes& m, MeasuredShape shape, int axis);
-  Eigen::Index labelled_mode(const FamilyModes& m, const Reading& reading);
-  double seen_at(const FamilyModes& m, Eigen::Index mode, int sensor, int axis) const;
+  std::vector<Eigen::Index> modes_of_kind(const AffineModes& m, MeasuredShape shape, int axis);
+  Eigen::Index labelled_mode(const AffineModes& m, const Reading& reading);
+  double seen_at(const AffineModes& m, Eigen::Index mode, int sensor, int axis) const;
 
-  const StateFamily& own_;
+  const StateModel& own_;
   const TestReadings& test_;
   const Acting& acting_;
   const Eigen::Index seen_;
-  std::optional<std::optional<FamilyModes>> linear_;
+  std::optional<std::optional<AffineModes>> linear_;
   std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
   std::map<int, std::vector<Peak>> peaks_;
   std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_; // linear modes
   std::shared_ptr<SlipTable> table_; // what it holds stands as long as this
   // Of modes that a shaker drives, by run and peak: Hz, damping.
   std::map<std::pair<int, int>, std::pair<double, double>> driven_;
-  std::vector<std::unique_ptr<FamilyModes>> kept_;
+  std::vector<std::unique_ptr<AffineModes>> kept_;
 };
 
 } // namespace plica

@@ -21,7 +21,7 @@ bool feels_damping(const Reading& r) {
 
 // What is seen of each mode, a column each: motion of the table along x, z and y that excites it,
 // and motion of the observed places, both without units.
-MatrixXd seen_of(const FamilyModes& m, double mass) {
+MatrixXd seen_of(const AffineModes& m, double mass) {
   MatrixXd seen(3 + m.marked.rows(), m.lambda.size());
   for (const auto& [row, axis] : {std::pair{0, 0}, {1, 2}, {2, 1}})
     seen.row(row) = m.gamma.col(axis).transpose() / std::sqrt(mass);
@@ -51,7 +51,7 @@ MatrixXd by_direction(MatrixXd seen) {
 }
 
 // Modes of one frequency, which a solver turns among each other as it likes, each along an axis.
-void settle(FamilyModes& m, double mass) {
+void settle(AffineModes& m, double mass) {
   constexpr double alike = 1e-4; // of lambda
   const MatrixXd seen = seen_of(m, mass);
   for (Index first = 0, n = 1; first < m.lambda.size(); first += n) {
@@ -100,8 +100,8 @@ std::vector<Index> partners(const MatrixXd& first, const VectorXd& first_lambda,
 }
 
 // Of the readings of one state, by its modes.
-MatrixXd weights_of(const StateFamily& family, const TestReadings& test, const FamilyModes& modes) {
-  const NominalState& state = *family.nominal;
+MatrixXd weights_of(const StateModel& model, const TestReadings& test, const AffineModes& modes) {
+  const NominalState& state = *model.nominal;
   constexpr double step = 0.02;
   MatrixXd W = MatrixXd::Zero(Index(test.readings.size()), modes.lambda.size());
   in_parallel(int(modes.lambda.size()), [&](int m) {
@@ -111,7 +111,7 @@ MatrixXd weights_of(const StateFamily& family, const TestReadings& test, const F
       acting.given = &modes;
       acting.mode_damping = VectorXd::Ones(modes.lambda.size());
       acting.mode_damping[m] = std::exp(way == 0 ? -step : step);
-      StateAnswers answers(family, test, acting, Index(state.observed.size()));
+      StateAnswers answers(model, test, acting, Index(state.observed.size()));
       y[std::size_t(way)] = VectorXd::Zero(W.rows());
       for (Index i = 0; i < W.rows(); ++i) {
         const Reading& r = test.readings[std::size_t(i)];
@@ -129,14 +129,14 @@ MatrixXd weights_of(const StateFamily& family, const TestReadings& test, const F
 } // namespace
 
 MatrixXd damping_weights(const Nominal& nominal, const TestReadings& test) {
-  StateFamilies families(nominal);
+  StateModels models(nominal);
   MatrixXd W(Index(test.readings.size()), 0), first;
   VectorXd first_lambda;
   for (std::size_t s = 0; s < nominal.states.size(); ++s) {
     const auto is_own = [&](const Reading& r) { return r.state == nominal.states[s].name; };
     if (s > 0 && std::none_of(test.readings.begin(), test.readings.end(), is_own)) continue;
-    const StateFamily& family = families.of(s, {});
-    auto modes = family.free.modes(VectorXd());
+    const StateModel& model = models.of(s, {});
+    auto modes = model.free.modes(VectorXd());
     if (!modes) continue;
     settle(*modes, nominal.mass);
     const MatrixXd seen = seen_of(*modes, nominal.mass);
@@ -147,7 +147,7 @@ MatrixXd damping_weights(const Nominal& nominal, const TestReadings& test) {
     Index count = std::max(W.cols(), modes->lambda.size());
     const std::vector<Index> at = partners(first, first_lambda, seen, modes->lambda, count);
     W.conservativeResizeLike(MatrixXd::Zero(W.rows(), count));
-    const MatrixXd own = weights_of(family, test, *modes);
+    const MatrixXd own = weights_of(model, test, *modes);
     for (std::size_t m = 0; m < at.size(); ++m) W.col(at[m]) += own.col(Index(m));
   }
   return W;

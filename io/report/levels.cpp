@@ -13,8 +13,8 @@
 namespace plica {
 namespace {
 
-std::string channel(const LevelFamily& family, int c) {
-  const auto& [sensor, axis] = family.channels[std::size_t(c)];
+std::string channel(const LevelResponses& responses, int c) {
+  const auto& [sensor, axis] = responses.channels[std::size_t(c)];
   return html_escape(sensor) + " " + axis;
 }
 
@@ -24,14 +24,14 @@ const LevelPeak* first_peak(const std::vector<LevelPeak>& peaks, int channel) {
   return nullptr;
 }
 
-std::vector<PlotCurve> curves(const LevelFamily& family) {
+std::vector<PlotCurve> curves(const LevelResponses& responses) {
   std::vector<PlotCurve> list;
-  for (std::size_t k = 0; k < family.curves.size(); ++k) {
-    const LevelCurve& c = family.curves[k];
+  for (std::size_t k = 0; k < responses.curves.size(); ++k) {
+    const LevelCurve& c = responses.curves[k];
     if (c.hertz.size() < 2) continue;
     list.push_back({.x = c.hertz,
-                    .y = c.first.col(family.strongest).cwiseAbs(),
-                    .name = fmt::format("{:g} {}", c.level, family.unit),
+                    .y = c.first.col(responses.strongest).cwiseAbs(),
+                    .name = fmt::format("{:g} {}", c.level, responses.unit),
                     .colour = int(list.size()),
                     .dashes = int(k % 4),
                     .faint = k % 8 >= 4});
@@ -39,19 +39,20 @@ std::vector<PlotCurve> curves(const LevelFamily& family) {
   return list;
 }
 
-std::vector<PlotCurve> phases(const LevelFamily& family, const std::vector<PlotCurve>& curves) {
+std::vector<PlotCurve> phases(const LevelResponses& responses,
+                              const std::vector<PlotCurve>& curves) {
   std::vector<PlotCurve> list;
-  for (const LevelCurve& c : family.curves)
+  for (const LevelCurve& c : responses.curves)
     if (c.hertz.size() >= 2)
-      list.push_back(phase_curve(curves[list.size()], c.first.col(family.strongest).cwiseArg()));
+      list.push_back(phase_curve(curves[list.size()], c.first.col(responses.strongest).cwiseArg()));
   return list;
 }
 
-std::string peaks_html(const LevelFamily& family) {
+std::string peaks_html(const LevelResponses& responses) {
   std::vector<HtmlRow> rows;
-  for (const LevelCurve& c : family.curves) {
-    const LevelPeak* up = first_peak(c.peaks_up, family.strongest);
-    const LevelPeak* down = first_peak(c.peaks_down, family.strongest);
+  for (const LevelCurve& c : responses.curves) {
+    const LevelPeak* up = first_peak(c.peaks_up, responses.strongest);
+    const LevelPeak* down = first_peak(c.peaks_down, responses.strongest);
     std::string jumps;
     for (const auto& [list, name] : {std::pair{&c.jumps_up, "up"}, {&c.jumps_down, "down"}})
       for (double f : *list)
@@ -64,20 +65,20 @@ std::string peaks_html(const LevelFamily& family) {
           up ? html_number(100 * up->energy_damping, 3) : "–", jumps},
          ""});
   }
-  return html_table(fmt::format("First peak of {}.", channel(family, family.strongest)),
-                    {{"level", family.unit},
+  return html_table(fmt::format("First peak of {}.", channel(responses, responses.strongest)),
+                    {{"level", responses.unit},
                      {"sweep up", "Hz"},
                      {"sweep down", "Hz"},
-                     {"amplitude", "m/s² per " + family.unit},
+                     {"amplitude", "m/s² per " + responses.unit},
                      {"half-power damping", "%"},
                      {"damping by energy", "%"},
                      {"jumps", "", false}},
                     rows);
 }
 
-std::string backbones_html(const LevelFamily& family) {
+std::string backbones_html(const LevelResponses& responses) {
   std::string html;
-  for (const BackboneCurve& b : family.backbones) {
+  for (const BackboneCurve& b : responses.backbones) {
     std::vector<HtmlRow> rows;
     const Eigen::Index n = b.amplitude.size(), step = std::max<Eigen::Index>(1, n / 10);
     for (Eigen::Index i = 0; i < n; i += step)
@@ -88,7 +89,7 @@ std::string backbones_html(const LevelFamily& family) {
         html_table(fmt::format("Backbone of the mode that is at {} Hz while all joints stick{}.",
                                html_fixed(b.stuck_frequency, 1),
                                b.complete ? "" : "; " + html_escape(b.reason)),
-                   {{"amplitude of " + channel(family, family.strongest), "m/s²"},
+                   {{"amplitude of " + channel(responses, responses.strongest), "m/s²"},
                     {"frequency", "Hz"},
                     {"damping", "%"}},
                    rows);
@@ -97,9 +98,9 @@ std::string backbones_html(const LevelFamily& family) {
 }
 
 // Joints that take most of the energy at the highest level.
-std::string joints_html(const LevelFamily& family) {
-  if (family.curves.empty()) return "";
-  const LevelCurve& last = family.curves.back();
+std::string joints_html(const LevelResponses& responses) {
+  if (responses.curves.empty()) return "";
+  const LevelCurve& last = responses.curves.back();
   double sum = 0;
   for (const JointMotion& j : last.joints) sum += j.energy;
   if (!(sum > 0)) return "";
@@ -114,24 +115,25 @@ std::string joints_html(const LevelFamily& family) {
                     ""});
   return html_table(
       fmt::format("Where friction takes the energy, at the peak of {:g} {}.", last.level,
-                  family.unit),
+                  responses.unit),
       {{"joint", "", false}, {"motion", "µm or µrad"}, {"energy per cycle", "J"}, {"share", "%"}},
       rows);
 }
 
-std::string checks_html(const LevelFamily& family) {
+std::string checks_html(const LevelResponses& responses) {
   std::string text;
   double worst = 0;
-  for (const LinearisedError& e : family.linearised) worst = std::max(worst, std::abs(e.frequency));
-  if (!family.linearised.empty())
+  for (const LinearisedError& e : responses.linearised)
+    worst = std::max(worst, std::abs(e.frequency));
+  if (!responses.linearised.empty())
     text += fmt::format("Equivalent linearisation misses the first peak by at most {} %. ",
                         html_number(100 * worst, 2));
-  if (!family.referee.empty()) {
+  if (!responses.referee.empty()) {
     text += "Integration in time against the harmonic balance: ";
-    for (std::size_t i = 0; i < family.referee.size(); ++i) {
-      const RefereeCheck& r = family.referee[i];
+    for (std::size_t i = 0; i < responses.referee.size(); ++i) {
+      const RefereeCheck& r = responses.referee[i];
       text += fmt::format("{}{} % at {:g} {}, {} Hz{}", i > 0 ? "; " : "",
-                          html_number(100 * r.difference, 2), r.level, family.unit,
+                          html_number(100 * r.difference, 2), r.level, responses.unit,
                           html_fixed(r.frequency, 1), r.settled ? "" : " (not settled)");
     }
     text += ".";
@@ -143,18 +145,19 @@ std::string checks_html(const LevelFamily& family) {
 
 std::string levels_html(const Results& results) {
   std::string html;
-  for (const LevelFamily& family : results.families) {
-    const std::vector<PlotCurve> list = curves(family);
-    html += fmt::format("<h3>{}</h3>\n", html_escape(levels_title(family)));
-    const PlotFrame frame{.label = levels_title(family), .ordinate = "acceleration, m/s²"};
+  for (const LevelResponses& responses : results.level_responses) {
+    const std::vector<PlotCurve> list = curves(responses);
+    html += fmt::format("<h3>{}</h3>\n", html_escape(levels_title(responses)));
+    const PlotFrame frame{.label = levels_title(responses), .ordinate = "acceleration, m/s²"};
     if (!list.empty())
-      html +=
-          plot_figure(frame, list) + phase_figure(frame, phases(family, list)) + plot_legend(list);
+      html += plot_figure(frame, list) + phase_figure(frame, phases(responses, list)) +
+              plot_legend(list);
     html += fmt::format("<p>First harmonic of {} over the level; {} over {} joints and {} modes, "
                         "harmonics up to {}.</p>\n",
-                        channel(family, family.strongest), family.method, family.joints,
-                        family.modes, family.harmonics) +
-            peaks_html(family) + backbones_html(family) + joints_html(family) + checks_html(family);
+                        channel(responses, responses.strongest), responses.method, responses.joints,
+                        responses.modes, responses.harmonics) +
+            peaks_html(responses) + backbones_html(responses) + joints_html(responses) +
+            checks_html(responses);
   }
   return html;
 }

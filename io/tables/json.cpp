@@ -276,7 +276,7 @@ std::string results_json(const Results& r) {
   if (!r.transients.empty()) json["transients"] = transients_json(r);
   if (!r.run_ups.empty()) json["run_ups"] = run_ups_json(r);
   if (r.slipping) json["slipping"] = slipping_json(*r.slipping);
-  if (!r.families.empty()) json["levels"] = levels_json(r);
+  if (!r.level_responses.empty()) json["levels"] = levels_json(r);
   json["stresses"] = list_of(r.stresses);
   add_mesh_errors(json["stresses"], r.error_bars.stresses);
   json["error_bars"] = json_of(r.error_bars);

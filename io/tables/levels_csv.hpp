@@ -7,10 +7,10 @@
 
 namespace plica {
 
-std::string levels_name(const LevelFamily& family);  // "levels_y", "levels_force_push"
-std::string levels_title(const LevelFamily& family); // "Base moved in y"
+std::string levels_name(const LevelResponses& responses);  // "levels_y", "levels_force_push"
+std::string levels_title(const LevelResponses& responses); // "Base moved in y"
 
-std::string levels_csv(const LevelFamily& family);       // every point of every branch
+std::string levels_csv(const LevelResponses& responses); // every point of every branch
 std::string level_peaks_csv(const Results& results);     // peaks of slow sweeps up and down
 std::string level_joints_csv(const Results& results);    // motion and energy of every joint
 std::string level_backbones_csv(const Results& results); // frequency and damping over amplitude

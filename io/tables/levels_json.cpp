@@ -8,11 +8,11 @@
 namespace plica {
 namespace {
 
-Json json_of(const std::vector<LevelPeak>& peaks, const LevelFamily& family) {
+Json json_of(const std::vector<LevelPeak>& peaks, const LevelResponses& responses) {
   Json list = Json::array();
   for (const LevelPeak& p : peaks)
-    list.push_back({{"sensor", family.channels[std::size_t(p.channel)].first},
-                    {"direction", family.channels[std::size_t(p.channel)].second},
+    list.push_back({{"sensor", responses.channels[std::size_t(p.channel)].first},
+                    {"direction", responses.channels[std::size_t(p.channel)].second},
                     {"frequency", json_number(p.frequency)},
                     {"amplitude", json_number(p.amplitude)},
                     {"damping", json_number(p.damping)},
@@ -20,7 +20,7 @@ Json json_of(const std::vector<LevelPeak>& peaks, const LevelFamily& family) {
   return list;
 }
 
-Json json_of(const LevelCurve& curve, const LevelFamily& family) {
+Json json_of(const LevelCurve& curve, const LevelResponses& responses) {
   Json joints = Json::array();
   for (const JointMotion& j : curve.joints)
     joints.push_back(
@@ -28,8 +28,8 @@ Json json_of(const LevelCurve& curve, const LevelFamily& family) {
   return {{"level", json_number(curve.level)},
           {"complete", curve.complete},
           {"reason", curve.reason},
-          {"peaks_up", json_of(curve.peaks_up, family)},
-          {"peaks_down", json_of(curve.peaks_down, family)},
+          {"peaks_up", json_of(curve.peaks_up, responses)},
+          {"peaks_down", json_of(curve.peaks_down, responses)},
           {"jumps_up", curve.jumps_up},
           {"jumps_down", curve.jumps_down},
           {"joints", joints}};
@@ -47,40 +47,41 @@ Json json_of(const BackboneCurve& b) {
           {"points", points}};
 }
 
-Json json_of(const LevelFamily& family) {
+Json json_of(const LevelResponses& responses) {
   Json curves = Json::array(), backbones = Json::array(), fast = Json::array(),
        referee = Json::array();
-  for (const LevelCurve& c : family.curves) curves.push_back(json_of(c, family));
-  for (const BackboneCurve& b : family.backbones) backbones.push_back(json_of(b));
-  for (const LinearisedError& e : family.linearised)
+  for (const LevelCurve& c : responses.curves) curves.push_back(json_of(c, responses));
+  for (const BackboneCurve& b : responses.backbones) backbones.push_back(json_of(b));
+  for (const LinearisedError& e : responses.linearised)
     fast.push_back({{"level", json_number(e.level)},
                     {"frequency", json_number(e.frequency)},
                     {"amplitude", json_number(e.amplitude)}});
-  for (const RefereeCheck& r : family.referee)
+  for (const RefereeCheck& r : responses.referee)
     referee.push_back({{"level", json_number(r.level)},
                        {"frequency", json_number(r.frequency)},
                        {"difference", json_number(r.difference)},
                        {"settled", r.settled}});
-  return {{"base", family.is_force ? Json(nullptr) : Json(family.excitation)},
-          {"force", family.is_force ? Json(family.excitation) : Json(nullptr)},
-          {"unit", family.unit},
-          {"method", family.method},
-          {"harmonics", family.harmonics},
-          {"joints", family.joints},
-          {"modes", family.modes},
-          {"file", levels_name(family) + ".csv"},
+  return {{"base", responses.is_force ? Json(nullptr) : Json(responses.excitation)},
+          {"force", responses.is_force ? Json(responses.excitation) : Json(nullptr)},
+          {"unit", responses.unit},
+          {"method", responses.method},
+          {"harmonics", responses.harmonics},
+          {"joints", responses.joints},
+          {"modes", responses.modes},
+          {"file", levels_name(responses) + ".csv"},
           {"levels", curves},
           {"backbones", backbones},
           {"linearised_error", fast},
           {"referee", referee},
-          {"seconds", json_number(family.seconds)}};
+          {"seconds", json_number(responses.seconds)}};
 }
 
 } // namespace
 
 Json levels_json(const Results& results) {
   Json list = Json::array();
-  for (const LevelFamily& family : results.families) list.push_back(json_of(family));
+  for (const LevelResponses& responses : results.level_responses)
+    list.push_back(json_of(responses));
   return list;
 }
 

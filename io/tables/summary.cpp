@@ -268,15 +268,15 @@ std::string crossings_table(const Results& results) {
 
 std::string levels_table(const Results& results) {
   std::string text;
-  for (const LevelFamily& family : results.families) {
-    const auto& [sensor, axis] = family.channels[std::size_t(family.strongest)];
+  for (const LevelResponses& responses : results.level_responses) {
+    const auto& [sensor, axis] = responses.channels[std::size_t(responses.strongest)];
     std::vector<Row> rows{
-        {family.unit, "up Hz", "down Hz", "amplitude", "half power %", "by energy %"}};
+        {responses.unit, "up Hz", "down Hz", "amplitude", "half power %", "by energy %"}};
     const auto first = [&](const std::vector<LevelPeak>& peaks) {
       return std::find_if(peaks.begin(), peaks.end(),
-                          [&](const LevelPeak& p) { return p.channel == family.strongest; });
+                          [&](const LevelPeak& p) { return p.channel == responses.strongest; });
     };
-    for (const LevelCurve& c : family.curves) {
+    for (const LevelCurve& c : responses.curves) {
       const auto up = first(c.peaks_up), down = first(c.peaks_down);
       if (up == c.peaks_up.end()) continue;
       rows.push_back({significant(c.level, 4), fmt::format("{:.1f}", up->frequency),
@@ -284,8 +284,8 @@ std::string levels_table(const Results& results) {
                       significant(up->amplitude, 3), significant(100 * up->damping, 3),
                       significant(100 * up->energy_damping, 3)});
     }
-    text += fmt::format("\n{}: first peak of {} {} over the level\n", levels_title(family), sensor,
-                        axis) +
+    text += fmt::format("\n{}: first peak of {} {} over the level\n", levels_title(responses),
+                        sensor, axis) +
             aligned(rows, ">>>>>>");
   }
   return text;

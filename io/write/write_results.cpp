@@ -114,9 +114,9 @@ void write_results(const Results& results, OutputFolder& out) {
   if (!results.run_ups.empty()) out.add("crossings.csv", crossings_csv(results));
   if (!results.complex_modes.shapes.empty())
     out.add("complex_modes.csv", complex_modes_csv(results));
-  for (const LevelFamily& family : results.families)
-    out.add(levels_name(family) + ".csv", levels_csv(family));
-  if (!results.families.empty()) {
+  for (const LevelResponses& responses : results.level_responses)
+    out.add(levels_name(responses) + ".csv", levels_csv(responses));
+  if (!results.level_responses.empty()) {
     out.add("level_peaks.csv", level_peaks_csv(results));
     out.add("level_joints.csv", level_joints_csv(results));
     out.add("level_backbones.csv", level_backbones_csv(results));

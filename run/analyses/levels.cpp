@@ -175,9 +175,9 @@ std::size_t highest(const LevelCurve& curve, int channel) {
   return top;
 }
 
-class Family {
+class OneExcitation {
 public:
-  Family(const JointedModel& model, const Levels& levels, int excitation)
+  OneExcitation(const JointedModel& model, const Levels& levels, int excitation)
       : model_(model), levels_(levels), part_(excited_part(model, excitation)) {
     const Excitation& e = model.excitations[std::size_t(excitation)];
     result_.excitation = e.name;
@@ -194,7 +194,7 @@ public:
     values_ = e.source == Source::force ? levels.forces[forces].levels : levels.levels;
   }
 
-  LevelFamily run(const StageListener& stage) {
+  LevelResponses run(const StageListener& stage) {
     stage(stages::levels_of + result_.excitation);
     Stopwatch watch;
     const HarmonicSettings settings = harmonic_settings(levels_, levels_.method);
@@ -256,7 +256,7 @@ private:
     }
   }
 
-  // At the peaks of levels spread over the family, and half way down their flanks.
+  // At the peaks of levels spread over the responses, and half way down their flanks.
   void check_in_time(const std::vector<LevelSweep>& sweeps) {
     if (sweeps.empty() || levels_.referee == 0) return;
     std::vector<std::pair<std::size_t, std::size_t>> places;
@@ -349,7 +349,7 @@ private:
   const Levels& levels_;
   ExcitedPart part_;
   std::vector<double> values_;
-  LevelFamily result_;
+  LevelResponses result_;
 };
 
 } // namespace
@@ -365,12 +365,12 @@ HarmonicSettings harmonic_settings(const Levels& levels, JointMethod method) {
           .most_points = 50 * levels.points};
 }
 
-std::vector<LevelFamily> level_families(const JointedModel& model, const Levels& levels,
-                                        const StageListener& stage) {
-  std::vector<LevelFamily> families;
+std::vector<LevelResponses> level_responses(const JointedModel& model, const Levels& levels,
+                                            const StageListener& stage) {
+  std::vector<LevelResponses> level_responses;
   for (std::size_t k = 0; k < model.excitations.size(); ++k)
-    families.push_back(Family(model, levels, int(k)).run(stage));
-  return families;
+    level_responses.push_back(OneExcitation(model, levels, int(k)).run(stage));
+  return level_responses;
 }
 
 } // namespace plica

@@ -9,8 +9,8 @@ namespace plica {
 // Of the balance that the levels ask for.
 HarmonicSettings harmonic_settings(const Levels& levels, JointMethod method);
 
-// One family per excitation. `stage` is told which level runs.
-std::vector<LevelFamily> level_families(const JointedModel& model, const Levels& levels,
-                                        const StageListener& stage);
+// One responses per excitation. `stage` is told which level runs.
+std::vector<LevelResponses> level_responses(const JointedModel& model, const Levels& levels,
+                                            const StageListener& stage);
 
 } // namespace plica

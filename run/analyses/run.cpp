@@ -234,25 +234,25 @@ private:
     watch_ = Stopwatch();
     const JointedModel model = jointed_model(case_, built, route);
     lap("reduced model of the joints");
-    results_.families = level_families(model, *case_.analyses.levels, stage_);
-    for (const LevelFamily& family : results_.families) warn_of_levels(family);
+    results_.level_responses = level_responses(model, *case_.analyses.levels, stage_);
+    for (const LevelResponses& responses : results_.level_responses) warn_of_levels(responses);
     lap("levels");
   }
 
-  void warn_of_levels(const LevelFamily& family) {
+  void warn_of_levels(const LevelResponses& responses) {
     const auto warn = [&](double level, const std::string& what) {
       const std::string text = fmt::sprintf("%g ", level);
-      results_.warnings.push_back("levels, excitation " + family.excitation + ", " + text +
-                                  family.unit + ": " + what);
+      results_.warnings.push_back("levels, excitation " + responses.excitation + ", " + text +
+                                  responses.unit + ": " + what);
     };
-    for (const LevelCurve& curve : family.curves) {
+    for (const LevelCurve& curve : responses.curves) {
       if (!curve.complete)
         warn(curve.level, "the branch was not followed to its end: " + curve.reason);
       else if (curve.peaks_up.empty())
         warn(curve.level, "no peak in the band");
     }
     constexpr double far_off = 0.05;
-    for (const RefereeCheck& r : family.referee)
+    for (const RefereeCheck& r : responses.referee)
       if (!r.settled || !(r.difference < far_off))
         warn(r.level,
              "integration in time at " + std::to_string(r.frequency) + " Hz " +

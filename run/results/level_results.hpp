@@ -58,7 +58,7 @@ struct RefereeCheck { // a point of the harmonic balance against integration in 
   bool settled = false;
 };
 
-struct LevelFamily {
+struct LevelResponses {
   std::string excitation; // x y z rx ry rz, or the name of the force
   bool is_force = false;
   std::string unit;                         // of the level

@@ -263,8 +263,8 @@ struct Results {
   ComplexModesResult complex_modes;
   std::vector<TransientResult> transients;
   std::vector<RunUpResult> run_ups;
-  std::vector<LevelFamily> families;     // responses at several levels
-  std::optional<SlippingLimit> slipping; // where joints have friction
+  std::vector<LevelResponses> level_responses; // responses at several levels
+  std::optional<SlippingLimit> slipping;       // where joints have friction
   std::vector<StressResult> stresses;
   std::vector<StressPlace> places;        // of the shells
   std::vector<StressTable> stress_tables; // of the stresses, in their order

@@ -20,7 +20,7 @@ ModeSet modes_up_to(const SparseMatrix& K, const SparseMatrix& M, double high) {
   return find_modes(K, M, {.band = {0, high}, .proof = false}, base);
 }
 
-// Motion of the boundary nodes, six rows each, in modes of a family with nothing held.
+// Motion of the boundary nodes, six rows each, in modes of a harmonic with nothing held.
 MatrixXd boundary_motion(const HarmonicSystem& system, const std::vector<int>& nodes,
                          const MatrixXd& Phi) {
   MatrixXd motion = MatrixXd::Zero(6 * Index(nodes.size()), Phi.cols());
@@ -35,14 +35,14 @@ MatrixXd boundary_motion(const HarmonicSystem& system, const std::vector<int>& n
 void add_symmetric_spectra(PartReference& part, const CyclicModel& model,
                            const std::vector<int>& caps, bool preloaded, double high) {
   const std::vector<int> first = preloaded ? std::vector<int>{caps.front()} : std::vector<int>{};
-  constexpr std::array families{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
+  constexpr std::array harmonics{Harmonic{0, false}, Harmonic{0, true}, Harmonic{1, false}};
   struct Mode {
     double lambda = 0;
     VectorXd motion;
   };
-  std::array<std::vector<Mode>, 2 * families.size()> found;
+  std::array<std::vector<Mode>, 2 * harmonics.size()> found;
   in_parallel(int(found.size()), [&](int i) {
-    const Harmonic& harmonic = families[std::size_t(i / 2)];
+    const Harmonic& harmonic = harmonics[std::size_t(i / 2)];
     const bool free = i % 2 == 0;
     const CyclicFamily f = cyclic_family(model, harmonic, free ? first : caps);
     const ModeSet modes = modes_up_to(f.K, f.M, high);

@@ -7,16 +7,16 @@
 namespace plica {
 
 // A case of which only the laws of friction change: its reduced model is made once.
-class FrictionFamilies {
+class FrictionResponses {
 public:
-  explicit FrictionFamilies(const Case& data);
+  explicit FrictionResponses(const Case& data);
 
   // True when a number of the case is one of a friction law, so that the reduced model stays.
   static bool is_friction(const std::string& path);
 
-  // The families of a case that differs from the first in friction laws alone. May be called from
-  // several threads.
-  std::vector<LevelFamily> operator()(const Case& design) const;
+  // The level_responses of a case that differs from the first in friction laws alone. May be called
+  // from several threads.
+  std::vector<LevelResponses> operator()(const Case& design) const;
 
 private:
   JointedModel model_;

@@ -9,7 +9,7 @@
 
 namespace plica {
 
-struct FamilyModes {
+struct AffineModes {
   Eigen::VectorXd lambda, zeta;
   Eigen::MatrixXd gamma;    // modes x 3: by translations of the base
   Eigen::MatrixXd marked;   // 6 rows per sensor x modes
@@ -20,23 +20,23 @@ struct FamilyModes {
 };
 
 // A reduced model with some of its coordinates held.
-class FreeFamily {
+class FreeAffineModel {
 public:
-  FreeFamily() = default;
+  FreeAffineModel() = default;
   // `zeta`: damping ratios of the nominal modes; a mode has those of the nominal ones it is like.
-  FreeFamily(const ReducedFamily& family, const std::vector<int>& free,
-             const Eigen::VectorXd& zeta);
+  FreeAffineModel(const AffineModel& model, const std::vector<int>& free,
+                  const Eigen::VectorXd& zeta);
 
   // At these coefficients of the changes that are no products; none where the structure is not
   // stable. `group`: a change whose stiffness in modes is wanted.
-  std::optional<FamilyModes> modes(const Eigen::VectorXd& coefficients, int group = -1) const;
+  std::optional<AffineModes> modes(const Eigen::VectorXd& coefficients, int group = -1) const;
 
   // With the coefficient of the group changed by a little, in the space of the lowest of the modes
   // at hand.
-  FamilyModes changed(const FamilyModes& modes, double more) const;
+  AffineModes changed(const AffineModes& modes, double more) const;
 
 private:
-  void damp(FamilyModes& modes) const;
+  void damp(AffineModes& modes) const;
   // What one more of the group adds, the others as they are.
   Eigen::MatrixXd group_stiffness(const Eigen::VectorXd& of_changes, int group) const;
 

@@ -1,4 +1,4 @@
-#include "diagnose/predict/family_modes.hpp"
+#include "diagnose/predict/affine_modes.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -18,7 +18,7 @@ constexpr Index near_modes = 20; // of those, what a small change of a group mix
 
 } // namespace
 
-double FamilyModes::hertz(Index i) const {
+double AffineModes::hertz(Index i) const {
   return omega(i) / (2 * std::numbers::pi);
 }
 
@@ -29,7 +29,8 @@ MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const Vector
   return sum;
 }
 
-FreeFamily::FreeFamily(const ReducedFamily& f, const std::vector<int>& free, const VectorXd& zeta)
+FreeAffineModel::FreeAffineModel(const AffineModel& f, const std::vector<int>& free,
+                                 const VectorXd& zeta)
     : K_(f.K(free, free)), M_(f.M(free, free)), load_(f.load(free, Eigen::all)),
       marked_(f.marked(Eigen::all, free)), nominal_(M_ * f.nominal(free, Eigen::all)),
       suspension_(f.suspension), products_(f.products), zeta_(zeta) {
@@ -41,12 +42,12 @@ FreeFamily::FreeFamily(const ReducedFamily& f, const std::vector<int>& free, con
   }
 }
 
-std::optional<FamilyModes> FreeFamily::modes(const VectorXd& of_changes, int group) const {
+std::optional<AffineModes> FreeAffineModel::modes(const VectorXd& of_changes, int group) const {
   const VectorXd c = with_products(of_changes, products_);
   auto found = reduced_modes(summed(K_, dK_, c), summed(M_, dM_, c), suspension_, most_modes);
   if (!found) return std::nullopt;
   const MatrixXd& q = found->q;
-  FamilyModes m;
+  AffineModes m;
   m.lambda = std::move(found->lambda);
   m.gamma = q.transpose() * summed(load_, d_load_, c);
   m.marked = marked_ * q;
@@ -56,7 +57,7 @@ std::optional<FamilyModes> FreeFamily::modes(const VectorXd& of_changes, int gro
   return m;
 }
 
-MatrixXd FreeFamily::group_stiffness(const VectorXd& of_changes, int group) const {
+MatrixXd FreeAffineModel::group_stiffness(const VectorXd& of_changes, int group) const {
   MatrixXd K = dK_[std::size_t(group)];
   for (std::size_t k = 0; k < products_.size(); ++k) {
     const auto& [a, b] = products_[k];
@@ -67,13 +68,13 @@ MatrixXd FreeFamily::group_stiffness(const VectorXd& of_changes, int group) cons
   return K;
 }
 
-FamilyModes FreeFamily::changed(const FamilyModes& modes, double more) const {
+AffineModes FreeAffineModel::changed(const AffineModes& modes, double more) const {
   const Index n = std::min(near_modes, modes.lambda.size());
   MatrixXd K = more * modes.group.topLeftCorner(n, n);
   K.diagonal() += modes.lambda.head(n);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> pairs(K);
   const MatrixXd& q = pairs.eigenvectors();
-  FamilyModes m;
+  AffineModes m;
   m.lambda = pairs.eigenvalues().cwiseMax(1e-12 * modes.lambda[0]);
   m.gamma = q.transpose() * modes.gamma.topRows(n);
   m.marked = modes.marked.leftCols(n) * q;
@@ -82,7 +83,7 @@ FamilyModes FreeFamily::changed(const FamilyModes& modes, double more) const {
   return m;
 }
 
-void FreeFamily::damp(FamilyModes& m) const {
+void FreeAffineModel::damp(AffineModes& m) const {
   const double otherwise = zeta_.mean();
   m.zeta.resize(m.lambda.size());
   for (Index i = 0; i < m.zeta.size(); ++i) {

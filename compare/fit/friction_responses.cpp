@@ -1,11 +1,11 @@
-#include "compare/fit/friction_families.hpp"
+#include "compare/fit/friction_responses.hpp"
 
 #include "run/analyses/levels.hpp"
 #include "run/routes/ply_slip.hpp"
 
 namespace plica {
 
-FrictionFamilies::FrictionFamilies(const Case& data) {
+FrictionResponses::FrictionResponses(const Case& data) {
   const BuiltCase slipping = slipping_case(data);
   Timing timing;
   const StageListener quiet = [](const std::string&) {};
@@ -14,7 +14,7 @@ FrictionFamilies::FrictionFamilies(const Case& data) {
   joints_ = slipping.joints;
 }
 
-bool FrictionFamilies::is_friction(const std::string& path) {
+bool FrictionResponses::is_friction(const std::string& path) {
   // "parts.NAME.friction...", "caps.NAME.friction...", "parts.NAME.wall.slip..."
   const auto name = path.find('.'), key = path.find('.', name + 1);
   if (name == std::string::npos || key == std::string::npos) return false;
@@ -25,7 +25,7 @@ bool FrictionFamilies::is_friction(const std::string& path) {
   return joint || (kind == "parts" && rest.starts_with(".wall.slip.") && rest != ".wall.slip.bond");
 }
 
-std::vector<LevelFamily> FrictionFamilies::operator()(const Case& design) const {
+std::vector<LevelResponses> FrictionResponses::operator()(const Case& design) const {
   JointedModel model = model_;
   const auto laws = laws_in(design, joints_);
   const Eigen::VectorXd before = stuck_stiffness(model.structure).diagonal();
@@ -33,7 +33,7 @@ std::vector<LevelFamily> FrictionFamilies::operator()(const Case& design) const 
   // The damping ratio holds with these joints stuck.
   const Eigen::VectorXd now = stuck_stiffness(model.structure).diagonal();
   model.structure.zeta.array() *= (now.array() / before.array()).sqrt();
-  return level_families(model, *design.analyses.levels, [](const std::string&) {});
+  return level_responses(model, *design.analyses.levels, [](const std::string&) {});
 }
 
 } // namespace plica
