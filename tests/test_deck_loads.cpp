@@ -313,6 +313,11 @@ TEST(DeckLoads, a_set_that_is_not_there_and_a_deck_without_loads_are_refused) {
   const auto open = problems_of("bar.bdf", bar("SPC = 1\n", ""));
   ASSERT_EQ(open.size(), 1U);
   EXPECT_NE(open[0].wrong.find("no subcase with LOAD"), std::string::npos) << open[0].wrong;
+  const auto warm = problems_of("bar.bdf", bar("SPC = 1\nLOAD = 10\nTEMP(LOAD) = 3\nDEFORM = 4\n",
+                                               "FORCE,10,11,0,60.,0.,1.,0.\n"));
+  ASSERT_EQ(warm.size(), 2U);
+  EXPECT_NE(warm[0].wrong.find("TEMPERATURE(LOAD) is not had"), std::string::npos);
+  EXPECT_NE(warm[1].wrong.find("DEFORM is not had"), std::string::npos);
   const TemporaryFolder folder("deck_loads");
   write_whole(
       folder.path / "case.yaml",

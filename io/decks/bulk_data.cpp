@@ -216,12 +216,12 @@ private:
   }
 
   void choose(const std::string& text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) return;
+    const std::size_t equals = text.find('='); // without one no number is found below
     std::string name = trimmed(text.substr(0, equals));
     if (name == "TEMPERATURE" || name.ends_with("(LOAD)") || name.ends_with("(BOTH)"))
       name = "TEMP";
-    if (name != "LOAD" && name != "SPC" && name != "MPC" && name != "TEMP") return;
+    static const std::set<std::string> kinds{"LOAD", "SPC", "MPC", "TEMP", "DEFORM"};
+    if (!kinds.contains(name)) return;
     if (const auto set = whole_number_of(trimmed(text.substr(equals + 1))))
       data.subcases.back().chosen[name] = *set;
   }

@@ -41,7 +41,7 @@ struct DirectMatrices {
   std::vector<std::pair<double, std::string>> chosen;
 };
 
-// What one subcase chooses: LOAD, SPC, MPC, TEMP (as a load).
+// What one subcase chooses: LOAD, SPC, MPC, TEMP (as a load), DEFORM.
 struct Subcase {
   int number = 0;
   std::map<std::string, int> chosen;

@@ -293,6 +293,7 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
     if (mpc != first_mpc)
       made.not_had.push_back("chooses another set of MPC than the first subcase");
     if (chosen(above, own, "TEMP") != 0) made.not_had.push_back("TEMPERATURE(LOAD) is not had");
+    if (chosen(above, own, "DEFORM") != 0) made.not_had.push_back("DEFORM is not had");
     add(alone ? "load " + std::to_string(load) : "subcase " + std::to_string(own.number), load,
         std::move(made));
   }
