@@ -1,19 +1,13 @@
 #include "diagnose/judge/judge.hpp"
 
+#include "diagnose/judge/thresholds.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace plica {
 namespace {
-
-constexpr double told_apart = 3;       // nats between effects that are told apart
-constexpr double open_to = 8;          // nats, where the one that leads is not believed
-constexpr std::size_t most_listed = 3; // of these
-constexpr double set_gain = 5;         // over the best smaller one, none of which explains the test
-constexpr double set_shrink = 0.3;     // of held-out readings
-constexpr double most_closed = 0.5;    // of the gap, at least
-constexpr double far_ahead = 0.9;      // probability of each effect that explains most
 
 // Whether without any of its members a set is worth that much less: against what has the other
 // effects, wherever they sit.
@@ -23,7 +17,8 @@ bool all_needed(const JudgedFit& set, const std::vector<EffectFits>& effects,
     std::vector<std::string> others = set.fit.effects();
     others.erase(std::find(others.begin(), others.end(), member->effect));
     const auto as_good = [&](const JudgedFit& j) {
-      return j.fit.effects() == others && evidence_of(set.fit) - evidence_of(j.fit) < told_apart;
+      return j.fit.effects() == others &&
+             evidence_of(set.fit) - evidence_of(j.fit) < threshold::told_apart;
     };
     if (std::any_of(effects.begin(), effects.end(),
                     [&](const EffectFits& f) { return as_good(*f.best); }) ||
@@ -45,12 +40,13 @@ bool is_ahead(const JudgedFit& set, double none, const std::vector<EffectFits>& 
   for (const EffectFits& f : effects) hold_against(*f.best);
   for (const JudgedFit& j : sets)
     if (j.fit.together.size() < set.fit.together.size()) hold_against(j);
-  return evidence_of(set.fit) - best >= (explained ? beyond_chance : set_gain);
+  return evidence_of(set.fit) - best >=
+         (explained ? threshold::beyond_chance : threshold::set_gain);
 }
 
 // Whether held-out readings, or readings in turn, speak for a set.
 bool foretold(const JudgedFit& set) {
-  return set.held_out_met && set.held_out_shrink.value_or(0) >= set_shrink;
+  return set.held_out_met && set.held_out_shrink.value_or(0) >= threshold::set_shrink;
 }
 
 // The best set that explains the test and is far enough ahead of all smaller ones, and behind it
@@ -138,13 +134,14 @@ void name_singles(const std::vector<const EffectFits*>& credible,
   const double best = credible.front()->log_evidence;
   for (const EffectFits* f : credible) {
     const double behind = best - f->log_evidence;
-    const bool listed = result.named.size() < most_listed || behind < told_apart;
+    const bool listed =
+        result.named.size() < threshold::most_listed || behind < threshold::told_apart;
     if (behind < standards.apart && listed &&
         f->log_evidence - none >= standards.evidence - standards.apart)
       result.named.push_back(f->best);
   }
   for (const EffectFits* f : rivals)
-    if (best - f->log_evidence < standards.apart && result.named.size() < most_listed)
+    if (best - f->log_evidence < standards.apart && result.named.size() < threshold::most_listed)
       result.named.push_back(f->best);
   result.withheld = result.named.front()->saturated();
   if (result.withheld.empty() && result.named.size() == 1 && objecting) {
@@ -154,7 +151,8 @@ void name_singles(const std::vector<const EffectFits*>& credible,
   }
   if (!result.withheld.empty())
     for (const EffectFits* f : credible)
-      if (result.named.size() < most_listed && best - f->log_evidence < open_to &&
+      if (result.named.size() < threshold::most_listed &&
+          best - f->log_evidence < threshold::open_to &&
           std::find(result.named.begin(), result.named.end(), f->best) == result.named.end())
         result.named.push_back(f->best);
   result.verdict = Verdict::ambiguous;
@@ -190,15 +188,15 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
                Judgement& result) {
   result.verdict = Verdict::unknown;
   result.nearest = inclusion.leading();
-  const JudgedFit* lead = inclusion.leading_with(far_ahead);
+  const JudgedFit* lead = inclusion.leading_with(threshold::far_ahead);
   if (!lead) return;
   if (lead->absurd)
     result.withheld = "only with a value far out of its prior";
   else if (lead->too_free())
     result.withheld = "less than three readings for each free parameter";
-  else if (lead->held_out_shrink && *lead->held_out_shrink < set_shrink)
+  else if (lead->held_out_shrink && *lead->held_out_shrink < threshold::set_shrink)
     result.withheld = "held-out readings are hardly better with it";
-  else if (lead->gap_after > std::sqrt(1 - most_closed) * nominal.gap_after)
+  else if (lead->gap_after > std::sqrt(1 - threshold::most_closed) * nominal.gap_after)
     result.withheld = "it closes less than half of the gap";
   else if (objecting) {
     Objection objection = objecting(*lead);

@@ -1,5 +1,7 @@
 #include "diagnose/judge/judged_fit.hpp"
 
+#include "diagnose/judge/thresholds.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,11 +11,6 @@ namespace plica {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr double absurd_z = 3;            // standard deviations of a prior
-constexpr double most_allowed = 1.5;      // gap without what a hypothesis is allowed to be off
-constexpr double most_left = 0.5;         // of a change from a baseline
-constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
 
 template <class Chi2> std::vector<double> of_healthy(const FitContext& context, const Chi2& chi2) {
   std::vector<double> all;
@@ -27,14 +24,11 @@ double point(const std::vector<double>& sorted, double share) {
   return sorted.empty() ? 0 : sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
 }
 
-constexpr double moves = 0.1; // standard deviations of a reading
-
 int free_parameters(const HypothesisFit& fit) {
-  constexpr double narrower = 0.5; // standard deviations of the prior
   int count = 0;
   for (Eigen::Index k = 0; k < fit.z.size(); ++k)
-    count +=
-        std::sqrt(fit.covariance(k, k)) < narrower || fit.J.col(k).cwiseAbs().maxCoeff() > moves;
+    count += std::sqrt(fit.covariance(k, k)) < threshold::narrower ||
+             fit.J.col(k).cwiseAbs().maxCoeff() > threshold::moves;
   return count;
 }
 
@@ -76,16 +70,15 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   // Beside a baseline what a hypothesis may be off grows with what it changes.
   const double before = std::sqrt(nominal.chi2 / double(context.fitted.rows().size()));
   const double allowed = context.uncertainty.change_error > 0
-                             ? std::max(most_allowed, most_left * before)
-                             : most_allowed;
-  constexpr double least_closed = 0.1; // of G
-  j.explains_nothing =
-      !j.fit.together.empty() &&
-      std::pow(j.gap_after / before, 2) >= (nominal.chi2 > standards.chi2 ? 1 - least_closed : 1);
+                             ? std::max(threshold::most_allowed, threshold::most_left * before)
+                             : threshold::most_allowed;
+  j.explains_nothing = !j.fit.together.empty() &&
+                       std::pow(j.gap_after / before, 2) >=
+                           (nominal.chi2 > standards.chi2 ? 1 - threshold::least_closed : 1);
   j.adequate = !standards.gate ||
                (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
                 j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
-  j.absurd = j.fit.farthest > absurd_z;
+  j.absurd = j.fit.farthest > threshold::absurd_z;
   j.free_parameters = free_parameters(j.fit);
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {
@@ -96,7 +89,7 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
     j.held_out_after = std::sqrt(chi2 / n);
     j.held_out_shrink = 1 - std::sqrt(chi2 / of_nominal);
     j.held_out_met = by_law <= standards.held_out_chi2;
-    j.fails_held_out = !j.held_out_met && *j.held_out_shrink < believable_shrink;
+    j.fails_held_out = !j.held_out_met && *j.held_out_shrink < threshold::believable_shrink;
   }
   return j;
 }
@@ -141,8 +134,7 @@ bool JudgedFit::leaves_cause_open() const {
 }
 
 bool JudgedFit::too_free() const {
-  constexpr int readings_each = 3;
-  return fit.error.size() > 0 && readings_each * free_parameters > fit.error.size();
+  return fit.error.size() > 0 && threshold::readings_each * free_parameters > fit.error.size();
 }
 
 std::string JudgedFit::saturated() const {
@@ -152,7 +144,7 @@ std::string JudgedFit::saturated() const {
     return fmt::format("{} free parameters for {} fitted readings", free_parameters, readings);
   Eigen::Index moved = 0;
   for (Eigen::Index i = 0; i < fit.J.rows() && fit.J.cols() > 0; ++i)
-    moved += fit.J.row(i).cwiseAbs().maxCoeff() > moves;
+    moved += fit.J.row(i).cwiseAbs().maxCoeff() > threshold::moves;
   if (free_parameters < 2 || free_parameters < moved) return "";
   return fmt::format("{} free parameters for {} readings that they move", free_parameters, moved);
 }

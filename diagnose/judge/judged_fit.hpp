@@ -10,10 +10,6 @@
 
 namespace plica {
 
-// What one effect more must be worth where fewer explain the test, in nats: among so many effects
-// and places one of some nats turns up by chance.
-inline constexpr double beyond_chance = 7;
-
 // Of healthy specimens; computed once per test.
 struct Standards {
   double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points

@@ -1,5 +1,7 @@
 #include "diagnose/judge/sets.hpp"
 
+#include "diagnose/judge/thresholds.hpp"
+
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -337,7 +339,7 @@ private:
 bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all) {
   return std::any_of(all.begin(), all.end(), [&](const Signature& s) {
     return !contains(fit.together, s.hypothesis) && !s.hypothesis->softening &&
-           gain(fit, s) >= beyond_chance;
+           gain(fit, s) >= threshold::beyond_chance;
   });
 }
 

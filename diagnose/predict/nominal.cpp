@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/predict/sensor_axes.hpp"
 #include "model/description/case_path.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "run/analyses/damping.hpp"
@@ -88,17 +89,6 @@ int anchor_of(const Model& model) {
   for (const ShellQuad& q : model.mesh.quads)
     if (!dependent.contains(q.nodes[0])) return q.nodes[0];
   throw ModelError("nothing holds the part: hold it by a mount or supports");
-}
-
-// Its own axes as the test says, else as the case does.
-Eigen::Matrix3d axes_of(const BuiltSensor& sensor, const Measured& measured) {
-  std::array<int, 3> axes = sensor.axes;
-  for (const MeasuredSensor& m : measured.sensors)
-    if (m.name == sensor.name && m.axes.size() == 3) std::copy_n(m.axes.begin(), 3, axes.begin());
-  Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    rows(i, std::abs(axes[std::size_t(i)]) - 1) = axes[std::size_t(i)] > 0 ? 1 : -1;
-  return rows;
 }
 
 // Held ends, and some places along the parts.

@@ -2,6 +2,7 @@
 
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/rig_stiffness.hpp"
+#include "diagnose/predict/sensor_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -187,11 +188,10 @@ MatrixXcd StateAnswers::motion(const AffineModes& m, const VectorXd& zeta, const
 // One sensor's own axis of such motions.
 RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int axis) const {
   const BuiltSensor& own = own_.nominal->observed[std::size_t(sensor)];
-  Eigen::Matrix3d reading = own_.nominal->axes[std::size_t(sensor)];
-  if (const auto turned = acting_.setup.reading.find(own.name);
-      turned != acting_.setup.reading.end())
-    reading = turned->second * reading;
-  return reading.row(axis).cast<Complex>() * motion.middleRows<3>(3 * Index(sensor));
+  const auto turned = acting_.setup.reading.find(own.name);
+  return seen_along(own_.nominal->axes[std::size_t(sensor)],
+                    turned == acting_.setup.reading.end() ? nullptr : &turned->second, axis,
+                    motion.middleRows<3>(3 * Index(sensor)));
 }
 
 // Modes of a run's measured peaks, by how high each stands in the channel of the run.

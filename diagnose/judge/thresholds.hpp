@@ -1,0 +1,33 @@
+// What a verdict asks for: how far ahead, how adequate, how much of the gap closed. Differences of
+// log evidence in nats.
+#pragma once
+
+#include <cstddef>
+
+namespace plica::threshold {
+
+// Between effects.
+inline constexpr double told_apart = 3;       // nats between effects that are told apart
+inline constexpr double open_to = 8;          // nats, where the one that leads is not believed
+inline constexpr std::size_t most_listed = 3; // of these
+inline constexpr double far_ahead = 0.9;      // probability of each effect that explains most
+
+// Of one effect more. Among so many effects and places one of some nats turns up by chance.
+inline constexpr double beyond_chance = 7; // nats, where fewer explain the test
+inline constexpr double set_gain = 5; // nats over the best smaller set, none of which explains it
+inline constexpr double set_shrink = 0.3; // of held-out readings
+
+// Of the gap: its square G for what is closed, its root for what is left.
+inline constexpr double most_closed = 0.5;  // share of G that `mostly` closes at least
+inline constexpr double least_closed = 0.1; // share of G below which nothing is explained
+inline constexpr double most_allowed = 1.5; // gap without what a hypothesis is allowed to be off
+inline constexpr double most_left = 0.5;    // gap, of a change from a baseline
+
+// Of a fit.
+inline constexpr double absurd_z = 3;            // standard deviations of a prior
+inline constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
+inline constexpr double moves = 0.1;             // standard deviations of a reading
+inline constexpr double narrower = 0.5;          // standard deviations of a prior
+inline constexpr int readings_each = 3;          // of a free parameter, for several effects
+
+} // namespace plica::threshold
