@@ -1,13 +1,5 @@
-// Loads of decks as static analyses: beams and plates in closed form, the same deck in CalculiX,
-// what is refused.
-#include "io/files/files.hpp"
-#include "io/input/case_file.hpp"
-#include "tests/bellows_case.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "words/input_error.hpp"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+// Loads of decks as static analyses: beams and plates in closed form, the same deck in CalculiX.
+#include "tests/deck_loads.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -17,51 +9,6 @@
 namespace plica::test {
 namespace deck_loads {
 namespace {
-
-// A case of one deck in mm and t; N and MPa follow.
-Results loads_of(const std::string& file, const std::string& deck, const std::string& more = "",
-                 const std::string& analyses = "") {
-  const TemporaryFolder folder("deck_loads");
-  write_whole(folder.path / file, deck);
-  write_whole(folder.path / "case.yaml", "case: loads\nparts:\n  it: {type: deck, file: " + file +
-                                             ", length_unit: mm, mass_unit: t" + more +
-                                             "}\nanalyses: {static: deck, error_bars: false" +
-                                             analyses + "}\n");
-  return run_silently(read_case((folder.path / "case.yaml").string()).data);
-}
-
-const DeckLoadResult& load_case(const Results& results, const std::string& name) {
-  for (const DeckLoadResult& r : results.deck_loads)
-    if (r.name == name) return r;
-  throw std::runtime_error("no load case " + name);
-}
-
-const DeckLoadNode& node_of(const DeckLoadResult& r, int label) {
-  for (const DeckLoadNode& n : r.nodes)
-    if (n.label == label) return n;
-  throw std::runtime_error("no node " + std::to_string(label));
-}
-
-void expect_balance(const DeckLoadResult& r, double force, double moment) {
-  for (std::size_t d = 0; d < 6; ++d)
-    EXPECT_NEAR(r.load[d] + r.reaction[d], 0, 1e-9 * (d < 3 ? force : moment))
-        << r.name << " " << d;
-  EXPECT_LT(r.residual, 1e-9);
-}
-
-// --- a bar of ten elements along x: L = 1000, E = 2e5, I1 = 100 (bending in x-y), I2 = 300, A = 50
-
-constexpr double L = 1000, E = 2e5, I1 = 100, I2 = 300, A = 50, rho = 8e-9;
-
-std::string bar(const std::string& control, const std::string& loads) {
-  std::string text = "SOL 101\nCEND\n" + control + "BEGIN BULK\n";
-  for (int i = 0; i <= 10; ++i) text += fmt::format("GRID,{},,{}.,0.,0.\n", i + 1, 100 * i);
-  for (int i = 1; i <= 10; ++i) text += fmt::format("CBAR,{},1,{},{},0.,1.,0.\n", i, i, i + 1);
-  return text +
-         "PBAR,1,1,50.,100.,300.,400.\nMAT1,1,2.+5,,0.3,8.-9\nSPC1,1,123456,1\n"
-         "SPC1,2,123456,1,11\nSPCADD,7,1,8\nSPC1,8,23,11\n" +
-         loads + "ENDDATA\n";
-}
 
 TEST(DeckLoads, subcases_choose_loads_and_supports_of_a_bar_in_closed_form) {
   const Results all = loads_of(
@@ -131,6 +78,29 @@ TEST(DeckLoads, supports_along_axes_of_their_own_move_along_them) {
   EXPECT_NEAR(end.reaction[1], 0.8 * k * 5, 1e-7);
 }
 
+// What moves needs no force beside it, no case control, and no node that nothing uses.
+TEST(DeckLoads, moved_supports_act_without_forces_and_without_case_control) {
+  const std::string moved = "SPC,3,1,123456,0.\nSPC,3,11,2,5.\n";
+  const Results two =
+      loads_of("bar.bdf", bar("SUBCASE 1\n SPC = 1\n LOAD = 10\nSUBCASE 2\n SPC = 3\n",
+                              moved + "FORCE,10,11,0,1.,0.,0.,1.\n"));
+  ASSERT_EQ(two.deck_loads.size(), 2U);
+  EXPECT_NEAR(node_of(load_case(two, "it, subcase 2"), 11).displacement[1], 5e-3, 1e-15);
+  std::string deck = bar("SPC = 3\n", "SPC,3,20,3,1.\n" + moved);
+  const std::string begin = "BEGIN BULK\n";
+  deck.replace(deck.find(begin), begin.size(), begin + "GRID,20,,50.,50.,0.\n"); // a stray
+  const Results stray = loads_of("bar.bdf", deck);
+  ASSERT_EQ(stray.deck_loads.size(), 1U);
+  EXPECT_NEAR(node_of(stray.deck_loads[0], 11).displacement[1], 5e-3, 1e-15);
+  EXPECT_NEAR(node_of(stray.deck_loads[0], 11).reaction[1], 3 * E * I1 * 5 / (L * L * L), 1e-9);
+  std::string bulk = bar("", "");
+  bulk = bulk.substr(bulk.find(begin) + begin.size());
+  bulk = bulk.substr(0, bulk.find("SPC1,1,")) + moved + "FORCE,1,6,0,1.,0.,0.,1.\n";
+  const Results open = loads_of("bar.bdf", bulk);
+  ASSERT_EQ(open.deck_loads.size(), 1U);
+  EXPECT_NEAR(node_of(open.deck_loads[0], 11).displacement[1], 5e-3, 1e-15);
+}
+
 // --- a square plate on four sides, a = 200, t = 2, under pressure: 0.00406235 q a^4 / D in the
 // middle (Timoshenko & Woinowsky-Krieger, table 8; nu = 0.3)
 
@@ -167,15 +137,18 @@ constexpr double plate_D = 2e5 * 8 / (12 * 0.91), middle_w = 1e-3 * 0.00406235 *
 constexpr int middle = n / 2 * (n + 1) + n / 2 + 1;
 
 TEST(DeckLoads, pressure_on_shells_bends_a_plate_as_in_the_tables) {
-  std::string bulk =
-      "SPC = 1\nSUBCASE 1\nLOAD = 1\nSUBCASE 2\nLOAD = 2\nSUBCASE 3\nLOAD = 3\nBEGIN "
-      "BULK\n" +
-      plate_nodes("GRID,{},,{:.9g},{:.9g},0.0\n") + plate_elements("CQUAD4,{},1,{},{},{},{}\n") +
-      "PSHELL,1,1,2.,1,,1\nMAT1,1,2.+5,,0.3,8.-9\n";
+  std::string bulk = "SPC = 1\nSUBCASE 1\nLOAD = 1\nSUBCASE 2\nLOAD = 2\nSUBCASE 3\nLOAD = 3\n"
+                     "SUBCASE 4\nLOAD = 4\nBEGIN BULK\n" +
+                     plate_nodes("GRID,{},,{:.9g},{:.9g},0.0\n") +
+                     plate_elements("CQUAD4,{},1,{},{},{},{}\n") +
+                     "PSHELL,1,1,2.,1,,1\nMAT1,1,2.+5,,0.3,8.-9\n";
   for (int node : border()) bulk += fmt::format("SPC1,1,123,{}\n", node);
   bulk += fmt::format("PLOAD2,1,0.01,1,THRU,{}\n", n * n);
   bulk += fmt::format("PLOAD4,2,1,0.02,,,,THRU,{}\n,0,0.,0.,-3.\n", n * n);
   bulk += fmt::format("PLOAD4,3,1,0.,0.03,0.03,0.\n"); // along one side of one element
+  bulk += fmt::format("CORD2C,5,0,100.,100.,0.,100.,100.,1.\n,200.,100.,0.\n"
+                      "PLOAD4,4,1,0.02,,,,THRU,{}\n,5,1.,0.,0.\n",
+                      n * n); // away from the middle
   const Results all = loads_of("plate.bdf", bulk + "ENDDATA\n");
   const DeckLoadResult& up = load_case(all, "it, subcase 1");
   EXPECT_NEAR(node_of(up, middle).displacement[2] / (0.01 * middle_w), 1, 0.01);
@@ -183,6 +156,10 @@ TEST(DeckLoads, pressure_on_shells_bends_a_plate_as_in_the_tables) {
   expect_balance(up, 400, 400);
   const DeckLoadResult& down = load_case(all, "it, subcase 2");
   EXPECT_NEAR(node_of(down, middle).displacement[2] / (0.02 * middle_w), -1, 0.01);
+  const DeckLoadResult& outwards = load_case(all, "it, subcase 4");
+  EXPECT_NEAR(outwards.load[0], 0, 1e-9 * 0.02 * 4e4) << "radial in each place";
+  EXPECT_GT(node_of(outwards, middle + 6).displacement[0], 0);
+  EXPECT_LT(node_of(outwards, middle - 6).displacement[0], 0);
   const DeckLoadResult& corner = load_case(all, "it, subcase 3");
   const double side = 200. / n, mean = 0.015;
   EXPECT_NEAR(corner.load[2], mean * side * side, 1e-8); // digits of the deck
@@ -207,6 +184,25 @@ TEST(DeckLoads, stresses_of_the_loads_stand_among_the_stresses) {
   EXPECT_EQ(all.stresses[0].name, "it, step 1");
   // Both bending moments 0.0479 q a^2 in the middle: von Mises 6 M / t^2.
   EXPECT_NEAR(all.stresses[0].above[middle - 1] / (1e6 * 6 * 0.0479 * 0.01 * 4e4 / 4), 1, 0.02);
+}
+
+// A perturbation has its own loads alone, and what is loaded in it is gone behind it.
+TEST(DeckLoads, perturbations_have_their_own_loads_and_leave_none) {
+  std::string deck = "*NODE\n" + plate_nodes("{}, {:.9g}, {:.9g}, 0.\n") +
+                     "*ELEMENT, TYPE=S4, ELSET=ALL\n" + plate_elements("{}, {}, {}, {}, {}\n") +
+                     "*MATERIAL, NAME=M\n*ELASTIC\n2e5, .3\n*SHELL SECTION, ELSET=ALL, "
+                     "MATERIAL=M\n2.\n*BOUNDARY\n";
+  for (int node : border()) deck += fmt::format("{}, 1, 3\n", node);
+  const Results all = loads_of("plate.inp", deck +
+                                                "*STEP\n*BUCKLE\n2\n*DLOAD\nALL, P, 1.\n*END STEP\n"
+                                                "*STEP\n*STATIC\n*DLOAD\nALL, P, 0.01\n*END STEP\n"
+                                                "*STEP, PERTURBATION\n*STATIC\n*CLOAD\n" +
+                                                fmt::format("{}, 3, 1.\n", middle) +
+                                                "*END STEP\n*STEP\n*STATIC\n*END STEP\n");
+  ASSERT_EQ(all.deck_loads.size(), 3U);
+  EXPECT_NEAR(load_case(all, "it, step 2").load[2], 0.01 * 4e4, 1e-9);
+  EXPECT_NEAR(load_case(all, "it, step 3").load[2], 1, 1e-9);
+  EXPECT_NEAR(load_case(all, "it, step 4").load[2], 0.01 * 4e4, 1e-9);
 }
 
 // --- beside CalculiX on the same deck: a plate of S8R held at one side, one of its nodes turned
@@ -279,73 +275,6 @@ TEST(CalculixLoads, steps_of_forces_pressure_weight_and_moved_nodes_give_its_dis
                  step + 1, node, own[0], own[1], own[2], u[0], u[1], u[2]);
       EXPECT_LT((own - u).norm(), 0.01 * u.norm()) << "step " << step + 1 << " node " << node;
     }
-}
-
-// --- what is refused, all at once
-
-std::vector<InputProblem> problems_of(const std::string& file, const std::string& deck) {
-  try {
-    loads_of(file, deck);
-  } catch (const InputError& error) {
-    return error.problems();
-  }
-  return {};
-}
-
-TEST(DeckLoads, what_acts_and_is_not_had_is_refused_with_its_lines_all_at_once) {
-  const std::string deck =
-      bar("SPC = 1\nLOAD = 10\n", "FORCE,10,99,0,60.,0.,1.,0.\nPLOAD1,10,1,FY,FR,0.,1.,1.,1.\n"
-                                  "PLOAD4,10,5,1.\nSPCD,10,11,2,1.\n");
-  const auto problems = problems_of("bar.bdf", deck);
-  ASSERT_EQ(problems.size(), 4U);
-  for (const InputProblem& p : problems) EXPECT_EQ(p.key, "analyses.static");
-  std::string all;
-  for (const InputProblem& p : problems) all += p.wrong + "\n";
-  for (const char* part : {"bar.bdf:33: FORCE: there is no grid point 99", "bar.bdf:34: PLOAD1",
-                           "element 5, which is no shell", "11 2, which no SPC holds"})
-    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
-}
-
-TEST(DeckLoads, a_set_that_is_not_there_and_a_deck_without_loads_are_refused) {
-  const auto none = problems_of("bar.bdf", bar("SPC = 1\nLOAD = 10\n", ""));
-  ASSERT_EQ(none.size(), 1U);
-  EXPECT_NE(none[0].wrong.find("no load of set 10"), std::string::npos) << none[0].wrong;
-  const auto open = problems_of("bar.bdf", bar("SPC = 1\n", ""));
-  ASSERT_EQ(open.size(), 1U);
-  EXPECT_NE(open[0].wrong.find("no subcase with LOAD"), std::string::npos) << open[0].wrong;
-  const auto warm = problems_of("bar.bdf", bar("SPC = 1\nLOAD = 10\nTEMP(LOAD) = 3\nDEFORM = 4\n",
-                                               "FORCE,10,11,0,60.,0.,1.,0.\n"));
-  ASSERT_EQ(warm.size(), 2U);
-  EXPECT_NE(warm[0].wrong.find("TEMPERATURE(LOAD) is not had"), std::string::npos);
-  EXPECT_NE(warm[1].wrong.find("DEFORM is not had"), std::string::npos);
-  const TemporaryFolder folder("deck_loads");
-  write_whole(
-      folder.path / "case.yaml",
-      "case: none\nmaterials: {steel: {E: 200 GPa, nu: 0.3, rho: 8000 kg/m3}}\nparts:\n  a: {type: "
-      "plate, material: steel, corners: [[0, 0, 0], [300 mm, 0, 0], [300 mm, 200 mm, 0], "
-      "[0, 200 mm, 0]], thickness: 2 mm, elements: [6, 4]}\nanalyses: {static: deck}\n");
-  try {
-    read_case((folder.path / "case.yaml").string());
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("no part is one"), std::string::npos) << error.what();
-  }
-}
-
-TEST(DeckLoads, a_deck_that_nothing_asks_the_loads_of_runs_whatever_they_are) {
-  const TemporaryFolder folder("deck_loads");
-  write_whole(folder.path / "bar.bdf",
-              bar("SPC = 1\nLOAD = 10\n", "FORCE,10,99,0,60.,0.,1.,0.\nPLOAD1,10,1,FY,FR,0.,1.\n"));
-  write_whole(folder.path / "case.yaml",
-              "case: modes\nparts:\n  it: {type: deck, file: bar.bdf, length_unit: mm, mass_unit: "
-              "t}\nanalyses: {error_bars: false, modes: {count: 2}}\n");
-  const Results all = run_silently(read_case((folder.path / "case.yaml").string()).data);
-  EXPECT_EQ(all.modes.size(), 2U);
-  bool said = false;
-  for (const std::string& w : all.warnings)
-    said = said || w.find("loads, which act where the case says static: deck: FORCE, PLOAD1") !=
-                       std::string::npos;
-  EXPECT_TRUE(said);
 }
 
 } // namespace

@@ -328,6 +328,9 @@ void AbaqusJoints::boundary(const Keyword& k) {
     const std::vector<int> nodes = mesh_.nodes(k, line, line.fields.at(0));
     std::vector<int> dofs;
     double value = 0;
+    if (k.has("FIXED"))
+      doubts_.push_back(line.at.file + ":" + std::to_string(line.at.line) +
+                        ": *BOUNDARY holds by FIXED what has moved");
     if (line.fields.size() > 1)
       if (const auto word = words.find(in_capitals(line.fields[1])); word != words.end())
         dofs = word->second;

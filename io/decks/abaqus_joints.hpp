@@ -18,6 +18,7 @@ public:
   void finish(); // no coupling is left open; modal points; notes
   // Displacements other than zero, by node and DOF, as they are after the keywords so far.
   const std::map<std::pair<int, int>, double>& moved() const { return values_; }
+  void move_by(std::map<std::pair<int, int>, double> values) { values_ = std::move(values); }
   // What is wrong with prescribed displacements of the step that is open; forgotten once asked for.
   std::vector<std::string> take_doubts() { return std::exchange(doubts_, {}); }
 

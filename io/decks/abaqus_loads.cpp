@@ -11,7 +11,13 @@ using Eigen::Vector3d;
 
 const std::set<std::string> loads_that_are_not_had{
     "DSLOAD",        "TEMPERATURE",   "CHANGE FRICTION", "INERTIA RELIEF",
-    "EMBEDDED LOAD", "SECTION FORCE", "INCIDENT WAVE"};
+    "EMBEDDED LOAD", "SECTION FORCE", "INCIDENT WAVE",   "LOAD CASE"};
+
+// Their steps are small changes of the state before, and leave nothing of their own to those
+// behind.
+const std::set<std::string> perturbations{
+    "FREQUENCY",     "COMPLEX FREQUENCY", "BUCKLE",          "STEADY STATE DYNAMICS", "GREEN",
+    "MODAL DYNAMIC", "SPECTRUM",          "RANDOM RESPONSE", "RESPONSE SPECTRUM"};
 
 } // namespace
 
@@ -29,7 +35,12 @@ KeywordHandlers AbaqusLoads::with(KeywordHandlers joints) {
   };
   both("STEP", [this](const Keyword& k) { begin_step(k); });
   both("END STEP", [this](const Keyword&) { end_step(); });
-  both("STATIC", [this](const Keyword&) { static_ = true; });
+  both("STATIC", [this](const Keyword& k) {
+    static_ = true;
+    riks_ = k.has("RIKS");
+  });
+  for (const std::string& name : perturbations)
+    both(name.c_str(), [this](const Keyword&) { perturbation_ = true; });
   both("CLOAD", [this](const Keyword& k) { read(k, &AbaqusLoads::cload); });
   both("DLOAD", [this](const Keyword& k) { read(k, &AbaqusLoads::dload); });
   for (const std::string& name : loads_that_are_not_had)
@@ -45,7 +56,15 @@ void AbaqusLoads::begin_step(const Keyword& k) {
   end_step();
   ++steps_;
   open_ = true;
-  static_ = false;
+  static_ = riks_ = false;
+  before_ = now_;
+  moved_before_ = joints_.moved();
+  held_before_ = deck_.supports.size();
+  perturbation_ = k.has("PERTURBATION");
+  if (perturbation_) {
+    now_ = {};
+    joints_.move_by({});
+  }
   forces_of_step_.clear();
   pressures_of_step_.clear();
   gravity_of_step_.clear();
@@ -57,7 +76,16 @@ void AbaqusLoads::end_step() {
   if (!std::exchange(open_, false)) return;
   std::vector<std::string> doubts = joints_.take_doubts();
   now_.not_had.insert(doubts.begin(), doubts.end());
-  if (!static_) return;
+  if (static_) add_case();
+  if (!perturbation_) return;
+  now_ = std::move(before_);
+  joints_.move_by(std::move(moved_before_));
+  if (deck_.supports.size() != held_before_)
+    now_.not_had.insert("step " + std::to_string(steps_) +
+                        ", a perturbation, changes what *BOUNDARY holds, and steps follow it");
+}
+
+void AbaqusLoads::add_case() {
   DeckLoadCase made;
   made.name = "step " + std::to_string(steps_);
   for (const auto& [at, value] : now_.forces) {
@@ -76,6 +104,7 @@ void AbaqusLoads::end_step() {
     }
   for (const auto& [elements, g] : now_.gravity) made.gravity += g;
   if (large_) made.notes = {"asks for large displacements (NLGEOM) and is solved linearly"};
+  if (riks_) made.notes.emplace_back("asks for RIKS; its loads act once, without a load factor");
   made.supports = deck_.supports;
   made.moved = joints_.moved();
   made.not_had.assign(now_.not_had.begin(), now_.not_had.end());

@@ -1,7 +1,7 @@
 // Static load cases of an Abaqus deck: every step of *STATIC with what acts and holds at its end.
 //
 // Loads go on from step to step until OP=NEW; a load that is given again in a later step replaces
-// the one before, within a step they add.
+// the one before, within a step they add. A perturbation has its own loads alone and leaves none.
 #pragma once
 
 #include "io/decks/abaqus_joints.hpp"
@@ -23,6 +23,7 @@ public:
 private:
   void begin_step(const Keyword& keyword);
   void end_step();
+  void add_case(); // of the step that ends
   void read(const Keyword& keyword, void (AbaqusLoads::*how)(const Keyword&));
   void cload(const Keyword& keyword);
   void dload(const Keyword& keyword);
@@ -38,9 +39,11 @@ private:
   DeckModel& deck_;
   AbaqusMesh& mesh_;
   AbaqusJoints& joints_;
-  Loads now_;
+  Loads now_, before_; // before_: when the step began
+  std::map<std::pair<int, int>, double> moved_before_;
+  std::size_t held_before_ = 0;
   int steps_ = 0;
-  bool open_ = false, static_ = false, large_ = false;
+  bool open_ = false, static_ = false, riks_ = false, large_ = false, perturbation_ = false;
   // Given in this step already: what comes again adds.
   std::set<std::pair<int, int>> forces_of_step_;
   std::set<int> pressures_of_step_;

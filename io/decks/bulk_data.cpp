@@ -201,6 +201,9 @@ private:
       data.subcases.push_back({number.value_or(subcases_), {}});
     }
     choose(text);
+    for (const char* name : {"SYM", "SYMCOM", "SYMSEQ", "SUBCOM", "SUBSEQ", "REPCASE", "P2G"})
+      if (text.starts_with(name) && text.find_first_of(" =") == std::string_view(name).size())
+        data.control_not_had.insert(name);
     for (const char* matrix : {"K2GG", "M2GG", "K2PP", "M2PP", "K42GG"})
       if (text.starts_with(matrix) && text.find('=') != std::string::npos)
         data.matrices.push_back({line.at, matrix, chosen_matrices(line.at, text)});

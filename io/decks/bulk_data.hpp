@@ -51,8 +51,9 @@ struct BulkData {
   std::vector<Card> cards;
   bool has_control = false; // case control before BEGIN BULK
   std::map<std::string, std::vector<int>>
-      chosen;                    // by "SPC", "MPC"; that of the first subcase leads
-  std::vector<Subcase> subcases; // the first: what stands above them all
+      chosen;                            // by "SPC", "MPC"; that of the first subcase leads
+  std::vector<Subcase> subcases;         // the first: what stands above them all
+  std::set<std::string> control_not_had; // SYM, SUBCOM, P2G ...: would change the loads
   std::vector<DirectMatrices> matrices;
   std::vector<std::string> notes;
 };

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <functional>
 
 namespace plica {
 namespace {
@@ -15,8 +16,8 @@ using Eigen::Vector3d;
 const std::set<std::string> followed_loads{"FORCE",   "FORCE1", "FORCE2", "MOMENT", "MOMENT1",
                                            "MOMENT2", "LOAD",   "GRAV",   "PLOAD",  "PLOAD2",
                                            "PLOAD4",  "SLOAD",  "SPCD"};
-const std::set<std::string> loads_not_had{"RFORCE",  "ACCEL",  "ACCEL1", "PLOAD1", "PLOADX1",
-                                          "PLOADB3", "DEFORM", "LSEQ",   "FORCDST"};
+const std::set<std::string> loads_not_had{"RFORCE",  "ACCEL",   "ACCEL1", "PLOAD1",
+                                          "PLOADX1", "PLOADB3", "FORCDST"};
 
 Vector3d vector_of(const Card& card, std::size_t first) {
   return {card.real(first, 0), card.real(first + 1, 0), card.real(first + 2, 0)};
@@ -34,6 +35,13 @@ public:
     const auto& shells = r.deck.shells;
     for (std::size_t i = 0; i < shells.size(); ++i)
       shells_[shells[i].element].push_back(static_cast<int>(i));
+    for (const char* name :
+         {"CTRIA3", "CQUAD4", "CTRIA6", "CQUAD8", "CTRIAR", "CQUADR", "CSHEAR", "CTRMEM", "CQDMEM"})
+      if (const auto found = r.cards.find(name); found != r.cards.end())
+        for (const Card* card : found->second) try {
+            surfaces_.insert(card->whole(0));
+          } catch (const InputError&) { // said where elements are read
+          }
   }
 
   // S (S1 L1 + S2 L2 + ...) of LOAD, or the set itself.
@@ -85,8 +93,10 @@ private:
         into_.forces.push_back({.node = r_.grids.at(c, 1), .moment = factor * concentrated(c)});
       });
     each_of("GRAV", set, [&](const Card& c) {
-      into_.gravity +=
-          factor * c.real(2) * (r_.grids.axes(c, 1, Vector3d(0, 0, 0)) * vector_of(c, 3));
+      const Eigen::Matrix3d axes = r_.grids.axes(c, 1, Vector3d(0, 0, 0));
+      if (!axes.isApprox(r_.grids.axes(c, 1, Vector3d(1, 2, 3))))
+        c.wrong("has a system whose axes turn from place to place", "a rectangular one");
+      into_.gravity += factor * c.real(2) * (axes * vector_of(c, 3));
     });
     each_of("SLOAD", set, [&](const Card& c) {
       for (std::size_t i = 1; i < c.fields.size() && c.has(i); i += 2) {
@@ -137,7 +147,7 @@ private:
     each_of("PLOAD", set, [&](const Card& c) {
       std::vector<int> nodes;
       for (std::size_t i = 2; i < 6; ++i)
-        if (c.has(i)) nodes.push_back(r_.grids.at(c, i));
+        if (c.has(i) && (i < 5 || c.whole(i) != 0)) nodes.push_back(r_.grids.at(c, i));
       if (nodes.size() < 3)
         c.wrong("acts on " + std::to_string(nodes.size()) + " points", "3 or 4");
       add_pressure(into_.forces, r_.deck.nodes, nodes,
@@ -145,8 +155,10 @@ private:
     });
     each_of("PLOAD2", set, [&](const Card& c) {
       const bool range = in_capitals(c.text(3)) == "THRU";
+      int met = 0;
       for (int element : c.list(2))
-        on_element(c, element, std::vector(4, factor * c.real(1)), Vector3d(0, 0, 0), range);
+        met += on_element(c, element, std::vector(4, factor * c.real(1)), normal, range);
+      if (met == 0) c.wrong("acts on no shell of the deck", "elements of the deck");
     });
     each_of("PLOAD4", set, [&](const Card& c) {
       const double p = c.real(2);
@@ -157,21 +169,31 @@ private:
       const int first = c.whole(1), last = range ? c.whole(7) : first;
       if (c.has(12) && in_capitals(c.text(12)) != "SURF")
         c.wrong("acts along " + c.text(12), "SURF, on the surface");
-      Vector3d along = vector_of(c, 9);
-      if (along.norm() > 0) along = r_.grids.axes(c, 8, Vector3d(0, 0, 0)) * along.normalized();
-      for (auto e = shells_.lower_bound(first); e != shells_.end() && e->first <= last && range;
-           ++e)
-        on_element(c, e->first, corner, along, true);
-      if (!range) on_element(c, first, corner, along, false);
+      const Vector3d n = vector_of(c, 9);
+      const Along along = [&](const Vector3d& at) {
+        return n.norm() > 0 ? Vector3d(r_.grids.axes(c, 8, at) * n.normalized()) : n;
+      };
+      if (!range) {
+        on_element(c, first, corner, along, false);
+        return;
+      }
+      int met = 0;
+      for (auto e = surfaces_.lower_bound(first); e != surfaces_.end() && *e <= last; ++e)
+        met += on_element(c, *e, corner, along, true);
+      if (met == 0) c.wrong("acts on no shell of the deck", "elements of the deck");
     });
   }
 
-  // `range`: of a range of numbers those count that there are.
-  void on_element(const Card& c, int element, const std::vector<double>& corner,
-                  const Vector3d& along, bool range) {
+  // Direction of a pressure at a place; zero = along the normal.
+  using Along = std::function<Vector3d(const Vector3d&)>;
+  static Vector3d normal(const Vector3d&) { return {0, 0, 0}; }
+
+  // `range`: of a range of numbers those count that there are. Whether there is one.
+  bool on_element(const Card& c, int element, const std::vector<double>& corner, const Along& along,
+                  bool range) {
     const auto found = shells_.find(element);
     if (found == shells_.end()) {
-      if (range) return;
+      if (range && !surfaces_.contains(element)) return false;
       c.wrong("acts on element " + std::to_string(element) + ", which is no shell of the deck",
               "shells that bend");
     }
@@ -181,15 +203,19 @@ private:
       c.wrong("varies over an element of six or eight nodes", "one pressure");
     for (int e : found->second) {
       const std::vector<int>& nodes = r_.deck.shells[std::size_t(e)].nodes;
+      Vector3d middle(0, 0, 0);
+      for (int node : nodes) middle += r_.deck.nodes[std::size_t(node)] / double(nodes.size());
       add_pressure(into_.forces, r_.deck.nodes, nodes,
-                   {corner.begin(), corner.begin() + std::ptrdiff_t(nodes.size())}, along);
+                   {corner.begin(), corner.begin() + std::ptrdiff_t(nodes.size())}, along(middle));
     }
+    return true;
   }
 
   const NastranReading& r_;
   const CardsByName& loads_;
   DeckLoadCase& into_;
   std::map<int, std::vector<int>> shells_; // by the number of their element
+  std::set<int> surfaces_;                 // numbers of all elements that are surfaces
   bool acts_ = false;
 };
 
@@ -200,6 +226,15 @@ std::set<int> sums_spelt_out(const NastranReading& r, int set) {
       if (card->whole(0) == set)
         for (int other : card->list(1)) sets.insert(other);
   return sets;
+}
+
+// As held_by(), for a load case: the sets of the deck stay those of the first subcase.
+HeldBySets held_again(const NastranReading& r, const std::set<int>& sets,
+                      const std::vector<Constraint>& supports) {
+  const auto kept = r.deck.sets;
+  HeldBySets held = held_by(r, sets, supports);
+  r.deck.sets = kept;
+  return held;
 }
 
 int chosen(const Subcase& above, const Subcase& own, const std::string& kind) {
@@ -251,18 +286,25 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
                 const std::vector<Constraint>& supports) {
   const auto add = [&](const std::string& name, int set, DeckLoadCase made) {
     made.name = name;
-    LoadReader(r, loads, made).add_set(set);
+    if (set != 0) LoadReader(r, loads, made).add_set(set);
     r.deck.load_cases.push_back(std::move(made));
   };
   if (!bulk.has_control) {
     std::set<int> sums, single;
-    for (const auto& [name, cards] : loads)
-      for (const Card* card : cards)
-        r.problems.collect([&] { (name == "LOAD" ? sums : single).insert(card->whole(0)); });
+    for (const auto& of_name : loads)
+      for (const Card* card : of_name.second)
+        r.problems.collect(
+            [&] { (of_name.first == "LOAD" ? sums : single).insert(card->whole(0)); });
     const std::set<int>& there = sums.empty() ? single : sums;
-    if (there.empty()) return;
     DeckLoadCase open;
-    open.supports = r.deck.supports;
+    std::set<int> holding;
+    for (const char* name : {"SPC", "SPC1"})
+      r.each(name, [&](const Card& card) { holding.insert(card.whole(0)); });
+    HeldBySets held = held_again(r, holding, supports);
+    open.supports = std::move(held.supports);
+    open.moved = std::move(held.moved);
+    if (there.empty() && open.moved.empty()) return;
+    if (there.empty()) return add("its supports", 0, open);
     if (there.size() == 1)
       return add("load " + std::to_string(*there.begin()), *there.begin(), open);
     open.name = "its loads";
@@ -273,29 +315,33 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
   if (bulk.subcases.empty()) return;
   const Subcase& above = bulk.subcases.front();
   const bool alone = bulk.subcases.size() == 1;
-  int first_mpc = -1;
+  const auto mpcs = bulk.chosen.find("MPC");
+  const int mpc_in_force =
+      mpcs == bulk.chosen.end() || mpcs->second.empty() ? 0 : mpcs->second.front();
   for (std::size_t i = alone ? 0 : 1; i < bulk.subcases.size(); ++i) {
     const Subcase& own = bulk.subcases[i];
-    const int mpc = chosen(above, own, "MPC");
-    if (first_mpc < 0) first_mpc = mpc;
     const int load = chosen(above, own, "LOAD"), spc = chosen(above, own, "SPC");
-    if (load == 0) continue;
     DeckLoadCase made;
     HeldBySets held;
-    const auto sets = r.deck.sets; // of the first subcase
     const std::size_t before = r.problems.count();
-    if (spc != 0) held = held_by(r, sums_spelt_out(r, spc), supports);
-    r.deck.sets = sets;
+    if (spc != 0) held = held_again(r, sums_spelt_out(r, spc), supports);
+    const bool warm = own.chosen.contains("TEMP") || own.chosen.contains("DEFORM");
+    if (load == 0 && held.moved.empty() && !warm) continue;
     if (r.problems.count() > before)
       made.not_had.push_back("cards of SPC " + std::to_string(spc) + " are wrong");
     made.supports = spc != 0 ? std::move(held.supports) : supports;
     made.moved = std::move(held.moved);
-    if (mpc != first_mpc)
-      made.not_had.push_back("chooses another set of MPC than the first subcase");
+    if (chosen(above, own, "MPC") != mpc_in_force)
+      made.not_had.push_back("chooses another set of MPC than that in force, " +
+                             std::to_string(mpc_in_force));
+    for (const std::string& what : bulk.control_not_had)
+      made.not_had.push_back(what + " of case control is not had");
     if (chosen(above, own, "TEMP") != 0) made.not_had.push_back("TEMPERATURE(LOAD) is not had");
     if (chosen(above, own, "DEFORM") != 0) made.not_had.push_back("DEFORM is not had");
-    add(alone ? "load " + std::to_string(load) : "subcase " + std::to_string(own.number), load,
-        std::move(made));
+    add(!alone      ? "subcase " + std::to_string(own.number)
+        : load == 0 ? "its supports"
+                    : "load " + std::to_string(load),
+        load, std::move(made));
   }
 }
 

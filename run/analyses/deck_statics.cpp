@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
 
 namespace plica {
@@ -49,7 +50,8 @@ void let_move(HeldCase& held, const DeckPart& part, const DeckLoadCase& loads,
   deck.scalars.insert(scalar);
   deck.supports = loads.supports;
   for (Constraint& row : deck.supports)
-    if (const auto found = loads.moved.find({row.node, row.dof}); found != loads.moved.end())
+    if (const auto found = loads.moved.find({row.node, row.dof});
+        found != loads.moved.end() && held.numbers[std::size_t(row.node)] >= 0)
       row.terms.push_back({scalar, 0, found->second});
   std::vector<int> numbers;
   const Model placed = place(deck, placing_of(part), &numbers);
@@ -264,6 +266,9 @@ void refuse_what_is_not_had(const Case& data) {
     for (const DeckLoadCase& loads : deck->content->load_cases) {
       for (const std::string& what : loads.not_had)
         add(part.name + ", " + loads.name + ": " + what, "loads of docs/decks.md, or static: true");
+      if (!deck->held && !loads.moved.empty())
+        add(part.name + ", " + loads.name + ": moves its supports, which `held: false` lets go",
+            "held: true");
       for (const DeckForce& f : loads.forces)
         if (numbers[std::size_t(f.node)] < 0)
           add(part.name + ", " + loads.name + ": a force acts on node " +
@@ -286,12 +291,11 @@ DeckStatics deck_statics(const Case& data, const BuiltCase& built,
   for (std::size_t p = 0; p < data.parts.size(); ++p) {
     const auto* deck = std::get_if<DeckPart>(&data.parts[p].body);
     if (deck == nullptr || !deck->content) continue;
-    std::optional<HeldSolution> held; // of the last load case
+    std::unique_ptr<HeldSolution> held; // of the last load case
     const DeckLoadCase* of = nullptr;
     for (const DeckLoadCase& loads : deck->content->load_cases) {
       if (of == nullptr || !same_rows(of->supports, loads.supports) || of->moved != loads.moved) {
-        held.reset();
-        held.emplace(data, p, loads);
+        held = std::make_unique<HeldSolution>(data, p, loads);
       }
       of = &loads;
       solved.results.push_back(held->solve(loads, fields.emplace_back()));
