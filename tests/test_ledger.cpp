@@ -105,11 +105,11 @@ TEST(Ledger, shares_the_gap_among_three_effects_at_once) {
     ADD_FAILURE() << effect << " at " << place << " is not in: " << d.headline;
     return LedgerRow{.effects = {NamedEffect{}}, .interval = {}};
   };
-  const auto expect_value = [&](const LedgerRow& r, double truth) {
+  const auto expect_value = [&](const LedgerRow& r, double value) {
     ASSERT_EQ(r.effects.front().parameters.size(), 1u);
     const EstimatedParameter& p = r.effects.front().parameters.front();
-    EXPECT_LE(p.interval[0], truth) << p.name;
-    EXPECT_GE(p.interval[1], truth) << p.name;
+    EXPECT_LE(p.interval[0], value) << p.name;
+    EXPECT_GE(p.interval[1], value) << p.name;
   };
   expect_value(row("component_mass", "m1"), 0.07 / 0.04);
   expect_value(row("component_mass", "m3"), 0.09 / 0.06);
