@@ -303,7 +303,7 @@ std::string beyond_accuracy(const Case& data, const Results& results) {
   // square.
   return fmt::format("beyond the accuracy of {:.3g} % that the mesh was chosen for, by its "
                      "estimated error: {}; mesh.accuracy: {:.2g} % would do",
-                     100 * accuracy, list, 95 * accuracy * accuracy / worst);
+                     100 * accuracy, list, 100 * (0.95 * accuracy * accuracy / worst));
 }
 
 } // namespace plica
