@@ -57,8 +57,21 @@ def everything(work, bellows, driven, levels, life, lap, stiffness):
              plica.reduce(CASES / "bellows.yaml", work / "pipe", beam=True, threads=1),
              plica.ejma(CASES / "bellows.yaml", work / "ejma", threads=1),
              plica.run(CASES / "benchmark.yaml", work / "benchmark", threads=1),
-             beside_a_rig(work / "measured"), noise(work / "noise")]
+             beside_a_rig(work / "measured"), noise(work / "noise"),
+             loads_of_a_deck(work / "deck_loads")]
     return found
+
+
+def loads_of_a_deck(folder):
+    folder.mkdir()
+    (folder / "bar.bdf").write_text(
+        "SOL 101\nCEND\nSPC = 1\nLOAD = 2\nBEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,100.,0.,0.\n"
+        "CBAR,1,1,1,2,0.,1.,0.\nPBAR,1,1,50.,100.,300.,400.\nMAT1,1,2.+5,,0.3,8.-9\n"
+        "SPC1,1,123456,1\nFORCE,2,2,0,5.,0.,1.,0.\nENDDATA\n")
+    (folder / "case.yaml").write_text(
+        "case: loads\nparts:\n  bar: {type: deck, file: bar.bdf, length_unit: mm, mass_unit: t}\n"
+        "analyses: {static: deck, error_bars: false}\n")
+    return plica.run(folder / "case.yaml", folder / "loads", threads=1)
 
 
 def beside_a_rig(folder):
