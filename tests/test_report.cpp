@@ -148,6 +148,13 @@ TEST(Report, thins_out_a_fine_mesh_without_rings) {
   EXPECT_GT(quads.size(), 1500U);
 }
 
+// A bushing between two nodes at one place.
+TEST(Report, draws_a_part_that_has_no_extent) {
+  Results point = sample();
+  for (Eigen::Vector3d& x : point.mesh.nodes) x = {10, 15, 7};
+  EXPECT_EQ(unbalanced_tag(report_html(point)), "");
+}
+
 TEST(Report, shows_responses_stress_and_error_bars) {
   const std::string html = report_html(sample());
   for (const char* part :

@@ -126,6 +126,7 @@ Frame frame_round(const View& view, const std::vector<Eigen::Vector3d>& points, 
                   int width) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& point : points) box.extend(view.project(point));
+  if (box.sizes().isZero(0)) margin = std::max(margin, 0.5); // a point, in a square of a metre
   const Eigen::Vector2d size = box.sizes() + Eigen::Vector2d::Constant(2 * margin);
   Frame frame;
   frame.width = width;
