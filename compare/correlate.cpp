@@ -237,10 +237,10 @@ void find_stretch(const VectorXd& hertz, const VectorXcd& simulated, ComparedRes
 }
 
 // Simulated sets hold one reference each; of several levels the nearest to that of the test.
-const FrfSet* partner(const TestData& a, const std::string& reference,
+const FrfSet* partner(const std::vector<const FrfSet*>& simulated, const std::string& reference,
                       const std::optional<double>& level, FrfQuantity quantity) {
   const FrfSet* best = nullptr;
-  for (const FrfSet* s : all_responses(a)) {
+  for (const FrfSet* s : simulated) {
     if (!has(s->references, reference) || s->quantity != quantity) continue;
     const auto off = [&](const FrfSet& x) {
       return std::abs(x.level.value_or(0) - level.value_or(0));
@@ -256,10 +256,11 @@ bool is_silent(const VectorXcd& response, const MatrixXcd& all) {
 }
 
 void compare_responses(const TestData& a, const TestData& b, Correlation& c) {
+  const std::vector<const FrfSet*> responses = all_responses(a);
   for (const FrfSet* tested : all_responses(b)) {
     const FrfSet& t = *tested;
     for (std::size_t k = 0; k < t.references.size(); ++k) {
-      const FrfSet* s = partner(a, t.references[k], t.level, t.quantity);
+      const FrfSet* s = partner(responses, t.references[k], t.level, t.quantity);
       if (!s || s->hertz.size() < 2) continue;
       const auto i = std::find(s->references.begin(), s->references.end(), t.references[k]) -
                      s->references.begin();

@@ -1,12 +1,12 @@
 #include "engine/engine_route.hpp"
 
+#include "io/files/fnv.hpp"
 #include "mesh/machine_memory.hpp"
 #include "run/stages.hpp"
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
 
-#include <cstdint>
 #include <fmt/core.h>
 
 namespace plica {
@@ -20,21 +20,9 @@ Order tell(const Ranks& ranks, Order order) {
   return Order(ranks.broadcast(std::vector<int>{int(order)}).front());
 }
 
-// A fingerprint of the nodes, the elements and the rows between DOFs (FNV-1a).
-class Fingerprint {
-public:
-  void add(const void* data, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i)
-      hash_ = (hash_ ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001B3u;
-  }
-  std::uint64_t hash() const { return hash_; }
-
-private:
-  std::uint64_t hash_ = 0xCBF29CE484222325u;
-};
-
+// Of the nodes, the elements and the rows between DOFs.
 std::uint64_t fingerprint_of(const Model& model) {
-  Fingerprint print;
+  Fnv1a print;
   for (const Eigen::Vector3d& x : model.mesh.nodes) print.add(x.data(), sizeof(double) * 3);
   for (const ShellQuad& q : model.mesh.quads) {
     print.add(q.nodes.data(), sizeof(q.nodes));

@@ -1,6 +1,5 @@
 #include "engine/engine_run.hpp"
 
-#include "app/case_in_folder.hpp"
 #include "app/finish.hpp"
 #include "app/located.hpp"
 #include "app/progress.hpp"
@@ -103,9 +102,7 @@ public:
 
 private:
   void read() {
-    ChosenCase chosen = options_.chosen;
-    chosen.path = case_file_of(chosen.path);
-    file_ = read_case(chosen);
+    file_ = read_case(options_.chosen);
     located(file_, [&] { require_known(file_.data); });
     if (!ranks_.first()) return;
     out_.emplace(options_.out.folder, OutputWork{.command = "run",

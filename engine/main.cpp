@@ -22,9 +22,7 @@ using plica::Ranks;
 void require_one_version(const Ranks& ranks) {
   const std::vector<std::string> all = ranks.everyones(
       fmt::format("{} with {}, {}", PLICA_VERSION, PLICA_ENGINE_LIBRARIES,
-                  plica::fingerprint_of("/proc/self/exe").empty()
-                      ? plica::fingerprint_of(std::filesystem::read_symlink("/proc/self/exe"))
-                      : plica::fingerprint_of("/proc/self/exe")));
+                  plica::fingerprint_of(std::filesystem::read_symlink("/proc/self/exe"))));
   for (std::size_t r = 1; r < all.size(); ++r)
     if (all[r] != all[0] && ranks.first())
       plica::end_all(

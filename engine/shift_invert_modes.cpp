@@ -2,12 +2,12 @@
 
 #include "engine/spectrum_slices.hpp"
 #include "solve/model_error.hpp"
+#include "solve/modes_search.hpp"
 #include "solve/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace plica {
 namespace {
@@ -16,30 +16,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int guard_modes = 4; // computed beyond those asked for, to find a gap
-
-double eigenvalue(double hertz) {
-  return std::pow(2 * std::numbers::pi * hertz, 2);
-}
-
 VectorXd rounding_errors(const DistributedMatrix& K, const MatrixXd& Phi, const Ranks& ranks) {
   const MatrixXd own = (Phi.cwiseAbs().cwiseProduct(K.absolute(Phi))).colwise().sum();
   return std::numeric_limits<double>::epsilon() * ranks.sum(own).transpose();
 }
 
-// Order of magnitude of the largest eigenvalue: the mean of the ranks' medians of K_ii / M_ii.
+// The mean of the ranks' medians.
 double spectrum_scale(const DistributedMatrix& K, const DistributedMatrix& M, const Ranks& ranks) {
-  const VectorXd k = K.diagonal(), m = M.diagonal();
-  std::vector<double> ratios;
-  for (Index i = 0; i < k.size(); ++i)
-    if (m[i] > 0) ratios.push_back(k[i] / m[i]);
-  double middle = 0;
-  if (!ratios.empty()) {
-    const auto at = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
-    std::nth_element(ratios.begin(), at, ratios.end());
-    middle = *at;
-  }
-  const double scale = ranks.sum(middle) / ranks.size();
+  const double scale = ranks.sum(median_ratio(K.diagonal(), M.diagonal())) / ranks.size();
   return scale > 0 ? scale : 1;
 }
 

@@ -1,5 +1,7 @@
 #include "solve/mode_selection.hpp"
 
+#include "solve/modes_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,10 +10,6 @@ namespace plica {
 namespace {
 
 using Eigen::VectorXd;
-
-double eigenvalue(double hertz) {
-  return std::pow(2 * std::numbers::pi * hertz, 2);
-}
 
 // That modes m - 1 and m are one pair, or two rigid ones.
 bool joined(const VectorXd& lambda, Eigen::Index m, double small) {

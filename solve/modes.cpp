@@ -3,6 +3,7 @@
 #include "solve/block_lanczos.hpp"
 #include "solve/dense_modes.hpp"
 #include "solve/model_error.hpp"
+#include "solve/modes_search.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/short_text.hpp"
 
@@ -22,20 +23,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int guard_modes = 4;       // computed beyond those asked for, to find a gap
 constexpr Index worth_blocks = 5000; // unknowns
 
-// Order of magnitude of the largest eigenvalue: the median of K_ii / M_ii, which a few stiff
-// springs do not move.
 double spectrum_scale(const SparseMatrix& K, const SparseMatrix& M) {
-  const VectorXd k = K.diagonal(), m = M.diagonal();
-  std::vector<double> ratios;
-  for (Index i = 0; i < k.size(); ++i)
-    if (m[i] > 0) ratios.push_back(k[i] / m[i]);
-  if (ratios.empty()) return 1;
-  const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle > 0 ? *middle : 1;
+  const double scale = median_ratio(K.diagonal(), M.diagonal());
+  return scale > 0 ? scale : 1;
 }
 
 // That the smallest eigenvalue is told from the rounding of K, by one inverse iteration.

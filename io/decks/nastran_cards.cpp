@@ -48,6 +48,14 @@ double nastran_number(std::string text) {
   return x;
 }
 
+std::optional<int> whole_number_of(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
 std::string large_card(const std::string& name, const std::vector<std::string>& fields) {
   return card(name + "*", fields, 16, "*");
 }

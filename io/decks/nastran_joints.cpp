@@ -197,6 +197,7 @@ std::vector<Constraint> read_constraints(const NastranReading& r, const BulkData
   std::vector<Constraint> without = deck.supports;
   HeldBySets held = held_by(r, spcs, without);
   deck.supports = std::move(held.supports);
+  deck.sets.merge(held.sets);
   if (held.moved_cards > 0)
     deck.notes.push_back(std::to_string(held.moved_cards) +
                          " SPC prescribe a displacement other than zero: they hold, and move "

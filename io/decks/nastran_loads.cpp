@@ -2,6 +2,7 @@
 
 #include "io/decks/deck_pressure.hpp"
 #include "io/decks/keywords.hpp"
+#include "io/decks/nastran_cards.hpp"
 
 #include <Eigen/Geometry>
 
@@ -38,10 +39,8 @@ public:
     for (const char* name :
          {"CTRIA3", "CQUAD4", "CTRIA6", "CQUAD8", "CTRIAR", "CQUADR", "CSHEAR", "CTRMEM", "CQDMEM"})
       if (const auto found = r.cards.find(name); found != r.cards.end())
-        for (const Card* card : found->second) try {
-            surfaces_.insert(card->whole(0));
-          } catch (const InputError&) { // said where elements are read
-          }
+        for (const Card* card : found->second)
+          if (const auto number = whole_number_of(card->text(0))) surfaces_.insert(*number);
   }
 
   // S (S1 L1 + S2 L2 + ...) of LOAD, or the set itself.
@@ -155,10 +154,8 @@ private:
     });
     each_of("PLOAD2", set, [&](const Card& c) {
       const bool range = in_capitals(c.text(3)) == "THRU";
-      int met = 0;
-      for (int element : c.list(2))
-        met += on_element(c, element, std::vector(4, factor * c.real(1)), normal, range);
-      if (met == 0) c.wrong("acts on no shell of the deck", "elements of the deck");
+      press(c, c.list(2), range, std::vector(4, factor * c.real(1)),
+            [](const Vector3d&) { return Vector3d(0, 0, 0); });
     });
     each_of("PLOAD4", set, [&](const Card& c) {
       const double p = c.real(2);
@@ -173,30 +170,34 @@ private:
       const Along along = [&](const Vector3d& at) {
         return n.norm() > 0 ? Vector3d(r_.grids.axes(c, 8, at) * n.normalized()) : n;
       };
-      if (!range) {
-        on_element(c, first, corner, along, false);
-        return;
-      }
-      int met = 0;
-      for (auto e = surfaces_.lower_bound(first); e != surfaces_.end() && *e <= last; ++e)
-        met += on_element(c, *e, corner, along, true);
-      if (met == 0) c.wrong("acts on no shell of the deck", "elements of the deck");
+      std::vector<int> elements;
+      if (!range) elements.push_back(first);
+      for (auto e = surfaces_.lower_bound(first); range && e != surfaces_.end() && *e <= last; ++e)
+        elements.push_back(*e);
+      press(c, elements, range, corner, along);
     });
   }
 
-  // Direction of a pressure at a place; zero = along the normal.
-  using Along = std::function<Vector3d(const Vector3d&)>;
-  static Vector3d normal(const Vector3d&) { return {0, 0, 0}; }
+  using Along = std::function<Vector3d(const Vector3d&)>; // by place; zero: along the normal
 
-  // `range`: of a range of numbers those count that there are. Whether there is one.
-  bool on_element(const Card& c, int element, const std::vector<double>& corner, const Along& along,
-                  bool range) {
+  // `range`: of a range of numbers those count that there are.
+  void press(const Card& c, const std::vector<int>& elements, bool range,
+             const std::vector<double>& corner, const Along& along) {
+    bool met = false;
+    for (int element : elements) {
+      if (range && !surfaces_.contains(element)) continue;
+      on_element(c, element, corner, along);
+      met = true;
+    }
+    if (!met) c.wrong("acts on no shell of the deck", "elements of the deck");
+  }
+
+  void on_element(const Card& c, int element, const std::vector<double>& corner,
+                  const Along& along) {
     const auto found = shells_.find(element);
-    if (found == shells_.end()) {
-      if (range && !surfaces_.contains(element)) return false;
+    if (found == shells_.end())
       c.wrong("acts on element " + std::to_string(element) + ", which is no shell of the deck",
               "shells that bend");
-    }
     const bool varies =
         std::any_of(corner.begin(), corner.end(), [&](double p) { return p != corner[0]; });
     if (varies && found->second.size() > 1)
@@ -208,7 +209,6 @@ private:
       add_pressure(into_.forces, r_.deck.nodes, nodes,
                    {corner.begin(), corner.begin() + std::ptrdiff_t(nodes.size())}, along(middle));
     }
-    return true;
   }
 
   const NastranReading& r_;
@@ -226,15 +226,6 @@ std::set<int> sums_spelt_out(const NastranReading& r, int set) {
       if (card->whole(0) == set)
         for (int other : card->list(1)) sets.insert(other);
   return sets;
-}
-
-// As held_by(), for a load case: the sets of the deck stay those of the first subcase.
-HeldBySets held_again(const NastranReading& r, const std::set<int>& sets,
-                      const std::vector<Constraint>& supports) {
-  const auto kept = r.deck.sets;
-  HeldBySets held = held_by(r, sets, supports);
-  r.deck.sets = kept;
-  return held;
 }
 
 int chosen(const Subcase& above, const Subcase& own, const std::string& kind) {
@@ -263,7 +254,7 @@ HeldBySets held_by(const NastranReading& r, const std::set<int>& sets,
         all.supports.push_back({node, dof, {}, "SPC " + card.text(0)});
       if (value != 0) all.moved[{node, dof}] = value;
     }
-    std::vector<int>& set = r.deck.sets["SPC[" + card.text(0) + "]"];
+    std::vector<int>& set = all.sets["SPC[" + card.text(0) + "]"];
     if (std::find(set.begin(), set.end(), node) == set.end()) set.push_back(node);
   };
   r.each("SPC", [&](const Card& card) {
@@ -300,7 +291,7 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
     std::set<int> holding;
     for (const char* name : {"SPC", "SPC1"})
       r.each(name, [&](const Card& card) { holding.insert(card.whole(0)); });
-    HeldBySets held = held_again(r, holding, supports);
+    HeldBySets held = held_by(r, holding, supports);
     open.supports = std::move(held.supports);
     open.moved = std::move(held.moved);
     if (there.empty() && open.moved.empty()) return;
@@ -324,7 +315,7 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
     DeckLoadCase made;
     HeldBySets held;
     const std::size_t before = r.problems.count();
-    if (spc != 0) held = held_again(r, sums_spelt_out(r, spc), supports);
+    if (spc != 0) held = held_by(r, sums_spelt_out(r, spc), supports);
     const bool warm = own.chosen.contains("TEMP") || own.chosen.contains("DEFORM");
     if (load == 0 && held.moved.empty() && !warm) continue;
     if (r.problems.count() > before)

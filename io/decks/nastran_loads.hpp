@@ -12,6 +12,7 @@ struct HeldBySets {
   std::vector<Constraint> supports;
   std::map<std::pair<int, int>, double> moved; // displacements other than zero
   std::size_t moved_cards = 0;
+  std::map<std::string, std::vector<int>> sets; // nodes by "SPC[1]"
 };
 HeldBySets held_by(const NastranReading& reading, const std::set<int>& sets,
                    std::vector<Constraint> supports);

@@ -1,13 +1,13 @@
 #include "io/files/manifest.hpp"
 
 #include "io/files/files.hpp"
+#include "io/files/fnv.hpp"
 #include "io/files/json_text.hpp"
 #include "words/input_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 
 namespace plica {
 namespace {
@@ -31,9 +31,9 @@ bool is_name_below(const std::string& name) {
 } // namespace
 
 std::string fingerprint(const std::string& content) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return fmt::format("{}-{:016x}", content.size(), hash);
+  Fnv1a print;
+  print.add(content.data(), content.size());
+  return fmt::format("{}-{:016x}", content.size(), print.hash());
 }
 
 std::string fingerprint_of(const fs::path& file) {
