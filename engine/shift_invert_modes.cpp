@@ -106,14 +106,6 @@ double end_of_slices(const ModesRequest& request, int extension) {
   return eigenvalue(request.band[1] * std::pow(1.15, 1 + extension));
 }
 
-void drop_lowest(DistributedModes& modes, int below) {
-  const Index kept = modes.lambda.size() - below;
-  modes.lambda = modes.lambda.tail(kept).eval();
-  modes.Phi = modes.Phi.rightCols(kept).eval();
-  modes.residual = modes.residual.tail(kept).eval();
-  modes.rounding = modes.rounding.tail(kept).eval();
-}
-
 } // namespace
 
 int dofs_with_mass(const DistributedMatrix& M, const Ranks& ranks) {

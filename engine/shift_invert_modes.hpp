@@ -23,13 +23,8 @@ struct ShiftedFactor {
 ShiftedFactor factor_under_spectrum(const DistributedMatrix& K, const DistributedMatrix& M,
                                     const Ranks& ranks, const MumpsSettings& settings);
 
-struct DistributedModes {
-  Eigen::VectorXd lambda;             // increasing
-  Eigen::MatrixXd Phi;                // own rows, Phi' M Phi = I
-  Eigen::VectorXd residual, rounding; // as in solve/modes.hpp
-  ModesProof proof;
-  std::map<std::string, double> timing; // seconds
-  MumpsReport counted;                  // the factor of the proof
+struct DistributedModes : ModeSet { // `Phi`: own rows
+  MumpsReport counted;              // the factor of the proof
 };
 
 // Collective. `base` is released before the proof. Throws ModelError on every rank when nothing has

@@ -59,18 +59,9 @@ StateSolver cyclic_state_solver(const Model& at_rest, std::vector<int> holds) {
       q[a.number] = a.direction.dot(still_to_go.segment<6>(6 * (hold - holds.begin())));
       held.push_back(a.number);
     }
-    std::sort(held.begin(), held.end());
-    const std::vector<int> free = complement(int(q.size()), held);
-    const VectorXd lacking = model.gather(system, unbalanced).col(0);
-    const VectorXd forced = lacking - symmetric_product(system.K, q).col(0);
-    const SparseMatrix K = restrict_to(system.K, free);
-    SparseFactor factor(K);
-    StateIncrement increment;
-    increment.stable = factor.factorise(K).ok;
-    if (!increment.stable) return increment;
-    q(free) = factor.solve(VectorXd(forced(free))).col(0);
-    increment.u = model.expand(system, q).col(0);
-    increment.residual = lacking(free).norm();
+    StateIncrement increment =
+        solve_increment(system.K, model.gather(system, unbalanced).col(0), held, q);
+    if (increment.stable) increment.u = model.expand(system, q).col(0);
     return increment;
   };
   const double around = double(at_rest.mesh.rings.front().nodes.size());

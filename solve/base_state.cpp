@@ -149,6 +149,21 @@ private:
 
 } // namespace
 
+StateIncrement solve_increment(const SparseMatrix& K, const VectorXd& lacking,
+                               std::vector<int> held, VectorXd& q) {
+  std::sort(held.begin(), held.end());
+  const std::vector<int> free = complement(int(q.size()), held);
+  const VectorXd forced = lacking - symmetric_product(K, q).col(0);
+  const SparseMatrix K_free = restrict_to(K, free);
+  SparseFactor factor(K_free);
+  StateIncrement increment;
+  increment.stable = factor.factorise(K_free).ok;
+  if (!increment.stable) return increment;
+  q(free) = factor.solve(VectorXd(forced(free))).col(0);
+  increment.residual = lacking(free).norm();
+  return increment;
+}
+
 StateSolver full_state_solver(std::vector<int> holds) {
   const auto step = [holds = std::move(holds)](const Model& now, const VectorXd& unbalanced,
                                                const VectorXd& still_to_go) -> StateIncrement {
@@ -161,19 +176,8 @@ StateSolver full_state_solver(std::vector<int> holds) {
           q[number] = still_to_go[6 * Eigen::Index(i) + d];
           held.push_back(number);
         }
-    std::sort(held.begin(), held.end());
-    const std::vector<int> free = complement(system.map.size(), held);
-    const VectorXd lacking = gather(system.map, unbalanced);
-    const VectorXd forced = lacking - symmetric_product(system.K, q).col(0);
-    const SparseMatrix K = restrict_to(system.K, free);
-    SparseFactor factor(K);
-    StateIncrement increment;
-    increment.stable = factor.factorise(K).ok;
-    if (!increment.stable) return increment;
-    const VectorXd right = forced(free);
-    q(free) = factor.solve(right).col(0);
-    increment.u = expand(system.map, q).col(0);
-    increment.residual = lacking(free).norm();
+    StateIncrement increment = solve_increment(system.K, gather(system.map, unbalanced), held, q);
+    if (increment.stable) increment.u = expand(system.map, q).col(0);
     return increment;
   };
   return {step, [](const Model& now) { return state_forces(now); }};

@@ -29,6 +29,11 @@ struct StateSolver {
   std::function<Eigen::VectorXd(const Model& now)> forces;
 };
 
+// One step on the unknowns of a system: those of `held` (in any order) go as `q` says, the others
+// by what they lack; all stand in `q` then. Leaves `u` empty.
+StateIncrement solve_increment(const SparseMatrix& K, const Eigen::VectorXd& lacking,
+                               std::vector<int> held, Eigen::VectorXd& q);
+
 // On the full mesh. `holds`: nodes.
 StateSolver full_state_solver(std::vector<int> holds);
 

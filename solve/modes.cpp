@@ -53,14 +53,6 @@ VectorXd residuals(const SparseMatrix& K, const SparseMatrix& M, const VectorXd&
   return r;
 }
 
-void drop_lowest(ModeSet& modes, int below) {
-  const Index kept = modes.lambda.size() - below;
-  modes.lambda = modes.lambda.tail(kept).eval();
-  modes.Phi = modes.Phi.rightCols(kept).eval();
-  modes.residual = modes.residual.tail(kept).eval();
-  modes.rounding = modes.rounding.tail(kept).eval();
-}
-
 // A free body: put the shift near the lowest elastic mode, where Lanczos is accurate and fast.
 void rescale_shift(BaseFactor& base, const SparseMatrix& K, const SparseMatrix& M,
                    const EigenPairs& pairs) {
@@ -77,6 +69,14 @@ void rescale_shift(BaseFactor& base, const SparseMatrix& K, const SparseMatrix& 
 }
 
 } // namespace
+
+void drop_lowest(ModeSet& modes, int below) {
+  const Index kept = modes.lambda.size() - below;
+  modes.lambda = modes.lambda.tail(kept).eval();
+  modes.Phi = modes.Phi.rightCols(kept).eval();
+  modes.residual = modes.residual.tail(kept).eval();
+  modes.rounding = modes.rounding.tail(kept).eval();
+}
 
 double frequency(double lambda) {
   return std::sqrt(std::max(0., lambda)) / (2 * std::numbers::pi);

@@ -70,6 +70,8 @@ int reachable_modes(const SparseMatrix& M);
 ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
                    BaseFactor& base);
 
+void drop_lowest(ModeSet& modes, int below);
+
 // Holds found modes against the inertia count below a sigma chosen among lambda[keep-1] and the
 // values above it; `small` as in mode_selection.hpp. Fills the count alone.
 ModesProof prove_complete(const SparseMatrix& K, const SparseMatrix& M,

@@ -6,6 +6,7 @@
 #include "io/input/yaml_tree.hpp"
 #include "model/description/case.hpp"
 #include "words/field_types.hpp"
+#include "words/variant_at.hpp"
 
 #include <algorithm>
 #include <array>
@@ -174,9 +175,7 @@ public:
       stopped_ = true;
       return;
     }
-    using Make = void (*)(std::variant<T...>&);
-    static constexpr Make make[] = {[](std::variant<T...>& v) { v.template emplace<T>(); }...};
-    make[i](x);
+    emplace_at(x, std::size_t(i));
     std::visit([this](auto& body) { fields(*this, body); }, x);
   }
   template <class E>

@@ -6,6 +6,7 @@
 
 #include "io/files/json_text.hpp"
 #include "words/field_types.hpp"
+#include "words/variant_at.hpp"
 
 #include <array>
 #include <map>
@@ -157,9 +158,7 @@ public:
               const char* help) {
     const int i = pick(static_cast<int>(sizeof...(T)));
     add(key, words_schema({names[i]}, help), true);
-    using Make = void (*)(std::variant<T...>&);
-    static constexpr Make make[] = {[](std::variant<T...>& v) { v.template emplace<T>(); }...};
-    make[i](x);
+    emplace_at(x, std::size_t(i));
     std::visit([this](auto& body) { fields(*this, body); }, x);
   }
   template <class E>

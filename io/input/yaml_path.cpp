@@ -1,44 +1,13 @@
 #include "io/input/yaml_path.hpp"
 
+#include "io/files/tree_path.hpp"
 #include "words/did_you_mean.hpp"
 
-#include <charconv>
-#include <vector>
+#include <algorithm>
 
 namespace plica {
 
 namespace {
-
-struct Step {
-  std::string key; // empty: an index
-  int index = 0;
-};
-
-// Steps of a path; empty when it is not one.
-std::vector<Step> steps_of(const std::string& path) {
-  std::vector<Step> steps;
-  for (std::size_t i = 0; i < path.size();) {
-    if (path[i] == '[') {
-      int index = -1;
-      const char* end = path.data() + path.size();
-      const auto [stop, status] = std::from_chars(path.data() + i + 1, end, index);
-      if (status != std::errc() || index < 0 || stop == end || *stop != ']' || steps.empty())
-        return {};
-      steps.push_back({"", index});
-      i = static_cast<std::size_t>(stop - path.data()) + 1;
-      continue;
-    }
-    if (!steps.empty()) {
-      if (path[i] != '.') return {};
-      ++i;
-    }
-    const std::size_t end = std::min(path.find_first_of(".[", i), path.size());
-    if (end == i) return {};
-    steps.push_back({path.substr(i, end - i)});
-    i = end;
-  }
-  return steps;
-}
 
 std::vector<std::string> keys_of(const YamlNode& node) {
   std::vector<std::string> keys;
@@ -49,15 +18,16 @@ std::vector<std::string> keys_of(const YamlNode& node) {
 } // namespace
 
 PathProblem put(YamlNode& root, const std::string& path, const std::string& value, int line) {
-  const std::vector<Step> steps = steps_of(path);
-  if (steps.empty())
+  const std::vector<TreeStep> steps = steps_of(path);
+  const auto by_value = [](const TreeStep& step) { return !step.value.empty(); };
+  if (steps.empty() || std::any_of(steps.begin(), steps.end(), by_value))
     return {"'" + shown(path) + "' is not a path", "write it like parts.bellows.profile[1].height"};
   YamlNode *node = &root, *map = nullptr; // the map that holds the last key
   std::string here;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool last = i + 1 == steps.size();
     const std::string place = here.empty() ? "the file" : here;
-    if (steps[i].key.empty()) {
+    if (steps[i].index >= 0) {
       const int n = static_cast<int>(node->items.size());
       here += "[" + std::to_string(steps[i].index) + "]";
       if (node->kind != YamlNode::Kind::list || steps[i].index >= n)
@@ -86,7 +56,7 @@ PathProblem put(YamlNode& root, const std::string& path, const std::string& valu
   std::vector<InputProblem> problems;
   YamlNode tree = parse_yaml(value, "", problems);
   if (!problems.empty()) return {"'" + shown(value) + "' is not YAML: " + problems[0].wrong, ""};
-  if (tree.kind == YamlNode::Kind::null && map && !steps.back().key.empty()) {
+  if (tree.kind == YamlNode::Kind::null && map && steps.back().index < 0) {
     std::erase_if(map->entries, [&](const YamlEntry& e) { return e.key == steps.back().key; });
     return {};
   }

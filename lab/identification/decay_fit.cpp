@@ -64,27 +64,7 @@ ModalFit fit_decays(const Decays& decays, double rate, const Poles& poles, int i
   const double size = data.norm() / std::sqrt(double(data.size()));
   const VectorXd noise =
       (data.colwise().norm() / std::sqrt(double(samples))).transpose().cwiseMax(1e-9 * size);
-  const PoleSearch found = search_poles(basis, data, noise, poles, iterations);
-  ModalFit fit;
-  fit.iterations = found.iterations;
-  fit.converged = found.converged;
-  const auto table = [&](const VectorXd& values) -> MatrixXd {
-    return Eigen::Map<const MatrixXd>(values.data(), channels, count);
-  };
-  fit.noise = table(found.rms);
-  for (Index r = 0; r < modes; ++r)
-    fit.modes.push_back(
-        {.lambda = found.poles[std::size_t(r)],
-         .sigma_real = found.sigma_real[r],
-         .sigma_imaginary = found.sigma_imaginary[r],
-         .residue = table(found.C.row(2 * r)).cast<Complex>() +
-                    Complex(0, 1) * table(found.C.row(2 * r + 1)).cast<Complex>(),
-         .sigma_residue = fit.noise * std::max(found.spread[2 * r], found.spread[2 * r + 1])});
-  fit.lower = table(found.C.row(2 * modes));
-  fit.upper = MatrixXd::Zero(channels, count);
-  std::sort(fit.modes.begin(), fit.modes.end(),
-            [](const FittedMode& a, const FittedMode& b) { return a.frequency() < b.frequency(); });
-  return fit;
+  return fit_of(search_poles(basis, data, noise, poles, iterations), channels, count);
 }
 
 Decays synthesised_decays(const ModalFit& fit, double rate, Index samples) {

@@ -202,15 +202,8 @@ std::vector<PartialIdentification> parts_of(const CutDecays& cut, const Poles& p
   std::vector<PartialIdentification> parts;
   for (std::size_t d = 0; d < cut.y.size(); ++d) {
     const auto fit_one = [&](const Poles& p) { return fit_decays({cut.y[d]}, cut.rate, p); };
-    PartialIdentification part{.name = cut.names[d], .modes = {}};
-    for (const FittedMode& m : fit_significant(fit_one, poles, cut.low, cut.high).modes)
-      part.modes.push_back({.frequency = m.frequency(),
-                            .sigma_frequency = m.sigma_frequency(),
-                            .damping = m.damping(),
-                            .sigma_damping = m.sigma_damping(),
-                            .shape = m.residue.col(0),
-                            .size = m.residue.norm()});
-    parts.push_back(std::move(part));
+    parts.push_back(
+        partial_identification(cut.names[d], fit_significant(fit_one, poles, cut.low, cut.high)));
   }
   return parts;
 }

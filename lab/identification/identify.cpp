@@ -130,15 +130,7 @@ std::vector<PartialIdentification> parts_of(const FrfSet& set, const IdentifySet
     alone.H = {set.H[i]};
     if (!set.sigma.empty()) alone.sigma = {set.sigma[i]};
     if (alone.H[0].isZero(0)) continue;
-    PartialIdentification part{.name = set.references[i], .modes = {}};
-    for (const FittedMode& m : fitted(alone, settings).fit.modes)
-      part.modes.push_back({.frequency = m.frequency(),
-                            .sigma_frequency = m.sigma_frequency(),
-                            .damping = m.damping(),
-                            .sigma_damping = m.sigma_damping(),
-                            .shape = m.residue.col(0),
-                            .size = m.residue.norm()});
-    parts.push_back(std::move(part));
+    parts.push_back(partial_identification(set.references[i], fitted(alone, settings).fit));
   }
   return parts;
 }

@@ -100,6 +100,32 @@ double FittedMode::sigma_damping() const {
   return std::hypot((1 - zeta * zeta) * sigma_real, zeta * lambda.imag() / w * sigma_imaginary) / w;
 }
 
+ModalFit fit_of(const PoleSearch& found, Index responses, Index references) {
+  const Index modes = Index(found.poles.size());
+  const auto table = [&](const VectorXd& values) -> MatrixXd {
+    return Eigen::Map<const MatrixXd>(values.data(), responses, references);
+  };
+  ModalFit fit;
+  fit.iterations = found.iterations;
+  fit.converged = found.converged;
+  fit.noise = table(found.rms);
+  for (Index r = 0; r < modes; ++r)
+    fit.modes.push_back(
+        {.lambda = found.poles[std::size_t(r)],
+         .sigma_real = found.sigma_real[r],
+         .sigma_imaginary = found.sigma_imaginary[r],
+         .residue = table(found.C.row(2 * r)).cast<Complex>() +
+                    Complex(0, 1) * table(found.C.row(2 * r + 1)).cast<Complex>(),
+         .sigma_residue = fit.noise * std::max(found.spread[2 * r], found.spread[2 * r + 1])});
+  std::sort(fit.modes.begin(), fit.modes.end(),
+            [](const FittedMode& a, const FittedMode& b) { return a.frequency() < b.frequency(); });
+  const Index constants = found.C.rows() - 2 * modes;
+  fit.lower = table(found.C.row(2 * modes));
+  fit.upper = constants > 1 ? table(found.C.row(2 * modes + 1))
+                            : MatrixXd::Zero(responses, references).eval();
+  return fit;
+}
+
 ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
   const Index lines = set.hertz.size(), modes = Index(poles.size());
   const Index each = Index(set.responses.size()), inputs = Index(set.H.size());
@@ -117,25 +143,7 @@ ModalFit fit_modes(const FrfSet& set, const Poles& poles) {
                              .lines = lines};
   const PoleSearch found =
       search_poles(pole_basis, H, VectorXd::Map(noise_level.data(), noise_level.size()), poles);
-  ModalFit fit;
-  fit.iterations = found.iterations;
-  fit.converged = found.converged;
-  const auto table = [&](const VectorXd& values) -> MatrixXd {
-    return Eigen::Map<const MatrixXd>(values.data(), each, inputs);
-  };
-  fit.noise = table(found.rms);
-  for (Index r = 0; r < modes; ++r)
-    fit.modes.push_back(
-        {.lambda = found.poles[std::size_t(r)],
-         .sigma_real = found.sigma_real[r],
-         .sigma_imaginary = found.sigma_imaginary[r],
-         .residue = table(found.C.row(2 * r)).cast<Complex>() +
-                    Complex(0, 1) * table(found.C.row(2 * r + 1)).cast<Complex>(),
-         .sigma_residue = fit.noise * std::max(found.spread[2 * r], found.spread[2 * r + 1])});
-  fit.lower = table(found.C.row(2 * modes));
-  fit.upper = table(found.C.row(2 * modes + 1));
-  std::sort(fit.modes.begin(), fit.modes.end(),
-            [](const FittedMode& a, const FittedMode& b) { return a.frequency() < b.frequency(); });
+  ModalFit fit = fit_of(found, each, inputs);
   fit.H = synthesise(fit, set.quantity, set.hertz);
   return fit;
 }

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "lab/identification/lscf.hpp"
+#include "lab/identification/pole_search.hpp"
 
 namespace plica {
 
@@ -33,6 +34,10 @@ struct ModalFit {
   int iterations = 0;
   bool converged = false;
 };
+
+// What a search has found, without `H`. Its data: responses x references, as columns; behind the
+// rows of the poles in C that of `lower`, then that of `upper`, zero where there is none.
+ModalFit fit_of(const PoleSearch& found, Eigen::Index responses, Eigen::Index references);
 
 // Throws std::invalid_argument when the lines are too few for the poles.
 ModalFit fit_modes(const FrfSet& set, const std::vector<std::complex<double>>& poles);

@@ -77,6 +77,18 @@ double excess(double x, double sigma, double whole) {
 
 } // namespace
 
+PartialIdentification partial_identification(const std::string& name, const ModalFit& fit) {
+  PartialIdentification part{.name = name, .modes = {}};
+  for (const FittedMode& m : fit.modes)
+    part.modes.push_back({.frequency = m.frequency(),
+                          .sigma_frequency = m.sigma_frequency(),
+                          .damping = m.damping(),
+                          .sigma_damping = m.sigma_damping(),
+                          .shape = m.residue.col(0),
+                          .size = m.residue.norm()});
+  return part;
+}
+
 void widen_by_parts(const std::vector<PartialIdentification>& parts,
                     std::vector<IdentifiedMode>& modes, std::vector<std::string>& warnings) {
   if (parts.size() < 2) return;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "lab/identification/identification.hpp"
+#include "lab/identification/modal_fit.hpp"
 
 namespace plica {
 
@@ -23,6 +24,9 @@ struct PartialIdentification {
   std::string name;
   std::vector<PartialMode> modes;
 };
+
+// `fit`: of data of one reference.
+PartialIdentification partial_identification(const std::string& name, const ModalFit& fit);
 
 // Adds the spread to the standard deviations of the modes; warns where it is more than three times
 // what was stated before, and more than a tenth of half the bandwidth.
