@@ -128,92 +128,88 @@ std::vector<FrequencyCheck> by_shape(std::vector<FrequencyCheck> checks, const P
   return checks;
 }
 
-} // namespace
+using SymmetricEigen = Eigen::SelfAdjointEigenSolver<MatrixXd>;
+constexpr double zero = 1e-9; // of the largest eigenvalue
 
-Certificate certificate(const Superelement& s, const PartReference& part) {
-  Certificate c;
-  c.asymmetry = std::max(asymmetry(s.K), asymmetry(s.M));
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> mass(balanced(s.M, s.M.diagonal())),
-      stiffness(balanced(s.K, part.free_motions.cols() > 0 ? s.M.diagonal() : s.K.diagonal()));
-  c.smallest_mass = mass.eigenvalues()[0] / mass.eigenvalues().maxCoeff();
-  const VectorXd k = stiffness.eigenvalues() / std::max(1e-300, stiffness.eigenvalues().maxCoeff());
-  constexpr double zero = 1e-9;
-  c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
-  c.negative_stiffness = std::min(0., k[0]);
-  c.preloaded = part.preload.size() > 0;
-  const int rigid = c.rigid = c.preloaded ? 0 : part.grounded ? int(part.free_motions.cols()) : 6;
-  const Index held = c.preloaded ? 6 : 0;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
-      s.K.bottomRightCorner(s.K.rows() - held, s.K.rows() - held),
-      s.M.bottomRightCorner(s.M.rows() - held, s.M.rows() - held));
+// What a rigid motion raises, `forces` on the boundary, beside the stiffness that is there.
+double beside_stiffness(const Superelement& s, const MatrixXd& forces) {
+  return forces.cwiseAbs().maxCoeff() /
+         std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff());
+}
+
+// `c.rigid` must be known; `shapes`: of the free modes; `stiffness`: of K balanced.
+void check_rigid_motions(Certificate& c, const Superelement& s, const PartReference& part,
+                         const MatrixXd& shapes, const SymmetricEigen& stiffness) {
   if (c.preloaded) {
     const MatrixXd raised = (s.K * rigid_motions(s, s.nodes.front())).topRows(s.boundary());
-    c.grounding =
-        (raised - part.preload).cwiseAbs().maxCoeff() /
-        std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff());
+    c.grounding = beside_stiffness(s, raised - part.preload);
   }
   if (!part.grounded && !c.preloaded) {
     const MatrixXd R = rigid_motions(s, s.nodes.front());
-    c.grounding =
-        (s.K * R).cwiseAbs().maxCoeff() /
-        std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff());
-    c.rigid_modes = angle_between(modes.eigenvectors().leftCols(6), R);
+    c.grounding = beside_stiffness(s, s.K * R);
+    c.rigid_modes = angle_between(shapes.leftCols(6), R);
     // Back from the balanced matrix.
     const VectorXd scale = s.K.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     c.coordinates = coordinate_error(s, scale.asDiagonal() * stiffness.eigenvectors().leftCols(6));
   }
-  if (part.grounded && rigid > 0) {
+  if (part.grounded && c.rigid > 0) {
+    const MatrixXd R = rigid_motions(s, Vector3d::Zero()) * part.free_motions;
+    c.grounding = beside_stiffness(s, s.K * R) / R.cwiseAbs().maxCoeff();
+    c.rigid_modes = angle_between(shapes.leftCols(c.rigid), R);
+  }
+}
+
+// What is held has no rigid motion to weigh it by, but those that the holds leave.
+void check_mass(Certificate& c, const Superelement& s, const PartReference& part) {
+  if (part.grounded && c.rigid > 0) {
     const MatrixXd& F = part.free_motions;
     const MatrixXd R = rigid_motions(s, Vector3d::Zero()) * F;
-    c.grounding =
-        (s.K * R).cwiseAbs().maxCoeff() /
-        std::max(1e-300, s.K.topLeftCorner(s.boundary(), s.boundary()).cwiseAbs().maxCoeff()) /
-        R.cwiseAbs().maxCoeff();
-    c.rigid_modes = angle_between(modes.eigenvectors().leftCols(rigid), R);
     const MatrixXd own = R.transpose() * s.M * R, whole = F.transpose() * part.rigid_mass * F;
     c.mass = (own - whole).norm() / whole.norm();
   }
-  if (!part.grounded) { // what is held has no rigid motion to weigh it by
+  if (!part.grounded) {
     const MassProperties own = mass_properties(s), whole = mass_properties(part.rigid_mass);
     c.mass = std::abs(own.mass / whole.mass - 1);
     c.centre = (own.centre - whole.centre).norm();
     c.inertia = (own.inertia - whole.inertia).norm() / whole.inertia.norm();
   }
-  if (part.static_stiffness.size() > 0) {
-    const Index n = part.static_stiffness.rows();
-    MatrixXd K_bb = s.K.topLeftCorner(n, n);
-    if (const Index more = s.boundary() - n; more > 0) {
-      const MatrixXd coupling = s.K.block(n, 0, more, n);
-      K_bb -= coupling.transpose() * MatrixXd(s.K.block(n, n, more, more)).ldlt().solve(coupling);
-    }
-    c.statics_known_to = part.statics_known_to;
-    const VectorXd size = part.static_stiffness.diagonal().cwiseSqrt();
-    const MatrixXd scale = size * size.transpose();
-    c.statics = (K_bb - part.static_stiffness).cwiseQuotient(scale).cwiseAbs().maxCoeff();
+}
+
+void check_statics(Certificate& c, const Superelement& s, const PartReference& part) {
+  if (part.static_stiffness.size() == 0) return;
+  const Index n = part.static_stiffness.rows();
+  MatrixXd K_bb = s.K.topLeftCorner(n, n);
+  if (const Index more = s.boundary() - n; more > 0) {
+    const MatrixXd coupling = s.K.block(n, 0, more, n);
+    K_bb -= coupling.transpose() * MatrixXd(s.K.block(n, n, more, more)).ldlt().solve(coupling);
   }
-  c.free = elastic(part.free_lambda, modes.eigenvalues(), rigid, part.left_out);
+  c.statics_known_to = part.statics_known_to;
+  const VectorXd size = part.static_stiffness.diagonal().cwiseSqrt();
+  const MatrixXd scale = size * size.transpose();
+  c.statics = (K_bb - part.static_stiffness).cwiseQuotient(scale).cwiseAbs().maxCoeff();
+}
+
+// Squared frequencies of the modal coordinates alone, the boundary held.
+VectorXd fixed_interface(const Superelement& s) {
   const Index m = s.modal();
-  VectorXd fixed = VectorXd(0);
-  if (m > 0)
-    fixed = Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(
-                s.K.bottomRightCorner(m, m), s.M.bottomRightCorner(m, m), Eigen::EigenvaluesOnly)
-                .eigenvalues();
-  c.fixed = elastic(part.fixed_lambda, fixed, 0, part.left_out);
-  const std::vector<FrequencyCheck> in_order = c.free; // Ritz values bound the part's in order
-  if (!c.preloaded) c.free = by_shape(c.free, part, s, modes.eigenvectors(), rigid);
-  for (const FrequencyCheck& f : c.free) {
-    if (std::abs(f.error()) > frequency_limit) break;
-    c.good_up_to = f.full;
-    c.error = std::max(c.error, std::abs(f.error()));
-  }
+  if (m == 0) return {};
+  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(
+             s.K.bottomRightCorner(m, m), s.M.bottomRightCorner(m, m), Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+// `in_order`: the free frequencies, which those of the part in order bound from below.
+std::vector<std::string> failures_of(const Certificate& c,
+                                     const std::vector<FrequencyCheck>& in_order) {
+  std::vector<std::string> failures;
   const auto require = [&](bool good, const std::string& what) {
-    if (!good) c.failures.push_back(what);
+    if (!good) failures.push_back(what);
   };
   require(c.asymmetry < 1e-12, "K or M is not symmetric");
   require(c.smallest_mass > 0, "M is not positive definite");
-  require(c.preloaded || (c.zero_stiffness == rigid && c.negative_stiffness > -zero),
+  require(c.preloaded || (c.zero_stiffness == c.rigid && c.negative_stiffness > -zero),
           "K has " + std::to_string(c.zero_stiffness) + " zero eigenvalues, not " +
-              std::to_string(rigid) + ", or a negative one");
+              std::to_string(c.rigid) + ", or a negative one");
   require(c.grounding < (c.preloaded ? 1e-6 : 1e-8),
           c.preloaded ? "a rigid motion raises other forces than the preload does"
                       : "a rigid motion raises forces");
@@ -226,6 +222,38 @@ Certificate certificate(const Superelement& s, const PartReference& part) {
     require(f.error() > -1e-6, "a frequency lies below that of the part: not a Ritz reduction");
   require(c.free.empty() || c.good_up_to > 0,
           "not even the first elastic frequency is met within 0.5 %");
+  return failures;
+}
+
+} // namespace
+
+Certificate certificate(const Superelement& s, const PartReference& part) {
+  Certificate c;
+  c.asymmetry = std::max(asymmetry(s.K), asymmetry(s.M));
+  const SymmetricEigen mass(balanced(s.M, s.M.diagonal())),
+      stiffness(balanced(s.K, part.free_motions.cols() > 0 ? s.M.diagonal() : s.K.diagonal()));
+  c.smallest_mass = mass.eigenvalues()[0] / mass.eigenvalues().maxCoeff();
+  const VectorXd k = stiffness.eigenvalues() / std::max(1e-300, stiffness.eigenvalues().maxCoeff());
+  c.zero_stiffness = static_cast<int>((k.array().abs() < zero).count());
+  c.negative_stiffness = std::min(0., k[0]);
+  c.preloaded = part.preload.size() > 0;
+  c.rigid = c.preloaded ? 0 : part.grounded ? int(part.free_motions.cols()) : 6;
+  const Index held = c.preloaded ? 6 : 0, n = s.K.rows() - held;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(s.K.bottomRightCorner(n, n),
+                                                                 s.M.bottomRightCorner(n, n));
+  check_rigid_motions(c, s, part, modes.eigenvectors(), stiffness);
+  check_mass(c, s, part);
+  check_statics(c, s, part);
+  const std::vector<FrequencyCheck> in_order =
+      elastic(part.free_lambda, modes.eigenvalues(), c.rigid, part.left_out);
+  c.fixed = elastic(part.fixed_lambda, fixed_interface(s), 0, part.left_out);
+  c.free = c.preloaded ? in_order : by_shape(in_order, part, s, modes.eigenvectors(), c.rigid);
+  for (const FrequencyCheck& f : c.free) {
+    if (std::abs(f.error()) > frequency_limit) break;
+    c.good_up_to = f.full;
+    c.error = std::max(c.error, std::abs(f.error()));
+  }
+  c.failures = failures_of(c, in_order);
   c.passed = c.failures.empty();
   return c;
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <optional>
 
 namespace plica {
 namespace {
@@ -137,64 +136,71 @@ std::vector<AxisUnknown> CyclicModel::axis_unknowns(const Harmonic& h) const {
   return unknowns;
 }
 
-// Every coordinate by the independent ones. A ring follows the axis (rigid cap) or is held; an axis
-// node follows rings (distributing coupling).
-void CyclicModel::follow(HarmonicSystem& s) const {
+CyclicModel::Terms CyclicModel::by_axis(const std::vector<AxisUnknown>& axis, int node, int dof,
+                                        double factor) const {
+  Terms terms;
+  for (std::size_t k = 0; k < axis.size(); ++k)
+    if (axis[k].node == node && axis[k].direction[dof] != 0)
+      terms.emplace_back(6 * rings_ + int(k), factor * axis[k].direction[dof]);
+  return terms;
+}
+
+// A ring follows the axis (rigid cap) or is held; what the harmonic does not have is nothing.
+std::optional<CyclicModel::Terms> CyclicModel::ring_follows(const HarmonicSystem& s, int ring,
+                                                            int c) const {
   const Harmonic& h = s.harmonic;
-  std::vector<AxisUnknown>& axis = s.axis;
-  const int count = 6 * rings_ + static_cast<int>(axis.size());
-  using Terms = std::vector<std::pair<int, double>>;
-  std::vector<std::optional<Terms>> terms(count); // of dependent coordinates
-  const auto axis_terms = [&](int node, int dof, double factor, Terms& into) {
-    for (std::size_t k = 0; k < axis.size(); ++k)
-      if (axis[k].node == node && axis[k].direction[dof] != 0)
-        into.emplace_back(6 * rings_ + int(k), factor * axis[k].direction[dof]);
-  };
+  if (!active(h, c)) return Terms{};
   const int step = h.n == 0 ? 0 : 1; // where no weight of a pair or of n = 0 vanishes
-  for (int ring = 0; ring < rings_; ++ring) {
-    const int node = model_->mesh.rings[ring].nodes[step];
-    const auto B = cyclic_components(step, around_);
-    for (int c = 0; c < 6; ++c) {
-      if (!active(h, c)) {
-        terms[6 * ring + c].emplace();
+  const auto B = cyclic_components(step, around_);
+  const double w = weight(h, c, step);
+  std::optional<Terms> own;
+  // The rows tie whole directions: checked when built.
+  for (int row : rows_of_[model_->mesh.rings[ring].nodes[step]]) {
+    const Constraint& constraint = model_->constraints[row];
+    if (B(constraint.dof, c) == 0) continue;
+    if (!own) own.emplace();
+    for (const ConstraintTerm& t : constraint.terms)
+      for (const auto& term : by_axis(s.axis, t.node, t.dof, B(constraint.dof, c) * t.factor / w))
+        own->push_back(term);
+  }
+  return own;
+}
+
+// An axis node follows rings (distributing coupling) or other axis nodes.
+std::optional<CyclicModel::Terms> CyclicModel::axis_follows(const HarmonicSystem& s,
+                                                            const AxisUnknown& unknown) const {
+  const Harmonic& h = s.harmonic;
+  std::optional<Terms> own;
+  for (int row : rows_of_[unknown.node]) {
+    const Constraint& constraint = model_->constraints[row];
+    const double share = unknown.direction[constraint.dof];
+    if (share == 0) continue;
+    if (!own) own.emplace();
+    for (const ConstraintTerm& t : constraint.terms) {
+      const NodePlace& place = place_[t.node];
+      if (place.ring < 0) {
+        for (const auto& term : by_axis(s.axis, t.node, t.dof, share * t.factor))
+          own->push_back(term);
         continue;
       }
-      bool dependent = false;
-      Terms own;
-      for (int row : rows_of_[node]) { // the rows tie whole directions: checked when built
-        const Constraint& constraint = model_->constraints[row];
-        if (B(constraint.dof, c) == 0) continue;
-        dependent = true;
-        const double w = weight(h, c, step);
-        for (const ConstraintTerm& t : constraint.terms)
-          axis_terms(t.node, t.dof, B(constraint.dof, c) * t.factor / w, own);
-      }
-      if (dependent) terms[6 * ring + c] = own;
+      const auto B = cyclic_components(place.step, around_);
+      for (int c = 0; c < 6; ++c)
+        if (B(t.dof, c) != 0 && active(h, c))
+          own->emplace_back(6 * place.ring + c,
+                            share * t.factor * B(t.dof, c) * weight(h, c, place.step));
     }
   }
-  for (std::size_t k = 0; k < axis.size(); ++k) {
-    Terms own;
-    bool dependent = false;
-    for (int row : rows_of_[axis[k].node]) {
-      const Constraint& constraint = model_->constraints[row];
-      const double share = axis[k].direction[constraint.dof];
-      if (share == 0) continue;
-      dependent = true;
-      for (const ConstraintTerm& t : constraint.terms) {
-        const NodePlace& place = place_[t.node];
-        if (place.ring < 0) {
-          axis_terms(t.node, t.dof, share * t.factor, own);
-          continue;
-        }
-        const auto B = cyclic_components(place.step, around_);
-        for (int c = 0; c < 6; ++c)
-          if (B(t.dof, c) != 0 && active(h, c))
-            own.emplace_back(6 * place.ring + c,
-                             share * t.factor * B(t.dof, c) * weight(h, c, place.step));
-      }
-    }
-    if (dependent) terms[6 * rings_ + k] = own;
-  }
+  return own;
+}
+
+// Every coordinate by the independent ones.
+void CyclicModel::follow(HarmonicSystem& s) const {
+  const int count = 6 * rings_ + static_cast<int>(s.axis.size());
+  std::vector<std::optional<Terms>> terms; // of dependent coordinates
+  terms.reserve(count);
+  for (int ring = 0; ring < rings_; ++ring)
+    for (int c = 0; c < 6; ++c) terms.push_back(ring_follows(s, ring, c));
+  for (const AxisUnknown& unknown : s.axis) terms.push_back(axis_follows(s, unknown));
   std::vector<int> number(count, -1);
   int independent = 0;
   for (int c = 0; c < count; ++c)
@@ -202,7 +208,7 @@ void CyclicModel::follow(HarmonicSystem& s) const {
       number[c] = independent++;
       s.coordinate.push_back(c);
     }
-  for (std::size_t k = 0; k < axis.size(); ++k) axis[k].number = number[6 * rings_ + k];
+  for (std::size_t k = 0; k < s.axis.size(); ++k) s.axis[k].number = number[6 * rings_ + k];
   std::vector<Triplet> entries;
   // Chains end: the full model was eliminated without a loop.
   const std::function<void(int, int, double)> resolve = [&](int coordinate, int at, double factor) {

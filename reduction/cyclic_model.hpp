@@ -16,7 +16,9 @@
 
 #include "solve/assembly.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace plica {
@@ -93,6 +95,11 @@ private:
   double weight(const Harmonic& h, int component, int step) const;
   bool active(const Harmonic& h, int component) const;
   std::vector<AxisUnknown> axis_unknowns(const Harmonic& h) const;
+  // What a dependent coordinate is of others, by their numbers; none: it is independent.
+  using Terms = std::vector<std::pair<int, double>>;
+  Terms by_axis(const std::vector<AxisUnknown>& axis, int node, int dof, double factor) const;
+  std::optional<Terms> ring_follows(const HarmonicSystem& system, int ring, int component) const;
+  std::optional<Terms> axis_follows(const HarmonicSystem& system, const AxisUnknown& unknown) const;
   void follow(HarmonicSystem& system) const;
 
   const Model* model_ = nullptr;
