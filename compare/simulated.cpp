@@ -1,15 +1,15 @@
 #include "compare/simulated.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <cmath>
 
 namespace plica {
 namespace {
 
-constexpr std::array letters{"x", "y", "z"};
-
 std::optional<Axis> axis_of(const std::string& letter) {
-  for (std::size_t a = 0; a < letters.size(); ++a)
-    if (letter == letters[a]) return static_cast<Axis>(a);
+  for (int a = 0; a < 3; ++a)
+    if (letter == axis_word(a)) return static_cast<Axis>(a);
   return std::nullopt;
 }
 
@@ -25,7 +25,7 @@ MeasuredVector at_sensors(const Results& results, std::size_t mode) {
   for (const SensorResult& s : results.sensors)
     for (int k = 0; k < 3; ++k) {
       const int axis = s.axes[k];
-      v.channels.push_back(s.name + "." + letters[k]);
+      v.channels.push_back(s.name + "." + axis_word(k));
       v.real.push_back((axis < 0 ? -1 : 1) * results.shapes[mode](s.node, std::abs(axis) - 1));
     }
   return v;

@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Matrix6x6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double asymmetry = 1e-9; // relative
+constexpr double same_within = 1e-9; // relative
 
 // Rotation of the six DOFs about y that takes x towards z.
 Matrix6x6 turn(double angle) {
@@ -23,7 +23,7 @@ Matrix6x6 turn(double angle) {
 
 bool unchanged_by(const MatrixXd& turn, const MatrixXd& A) {
   const MatrixXd turned = turn * A * turn.transpose();
-  return (turned - A).norm() <= asymmetry * A.norm();
+  return (turned - A).norm() <= same_within * A.norm();
 }
 
 std::string node_text(int node) {
@@ -62,7 +62,7 @@ private:
         const int node = rings[i].nodes[j];
         const Eigen::Vector3d place = (turn(2 * M_PI * j / N).topLeftCorner<3, 3>() *
                                        Eigen::Vector3d(rings[i].radius, rings[i].y, 0));
-        if ((model_.mesh.nodes[node] - place).norm() > asymmetry * place.norm())
+        if ((model_.mesh.nodes[node] - place).norm() > same_within * place.norm())
           return node_text(node) + " is off its ring";
         if (view_.place_[node].ring >= 0) return node_text(node) + " lies on two rings";
         view_.place_[node] = {i, j};
@@ -75,7 +75,7 @@ private:
     for (int node = 0; node < static_cast<int>(model_.mesh.nodes.size()); ++node) {
       if (view_.place_[node].ring >= 0) continue;
       const Eigen::Vector3d& x = model_.mesh.nodes[node];
-      if (std::hypot(x.x(), x.z()) > asymmetry * model_.mesh.rings.front().radius)
+      if (std::hypot(x.x(), x.z()) > same_within * model_.mesh.rings.front().radius)
         return node_text(node) + " lies neither on a ring nor on the axis";
       view_.axis_nodes_.push_back(node);
     }
@@ -125,8 +125,8 @@ private:
         const ShellQuad &a = model_.mesh.quads[of_sector[j][k]],
                         &b = model_.mesh.quads[of_sector[0][k]];
         if (own.ring != zero.ring || own.side != zero.side || a.section != b.section ||
-            (a.thickness - b.thickness).norm() > asymmetry * b.thickness.norm() ||
-            (back * a.directors - b.directors).norm() > asymmetry)
+            (a.thickness - b.thickness).norm() > same_within * b.thickness.norm() ||
+            (back * a.directors - b.directors).norm() > same_within)
           return "the wall of sector " + std::to_string(j + 1) + " differs from that of the first";
       }
     }
@@ -218,14 +218,14 @@ private:
       for (const auto& [key, C] : blocks) {
         const auto& [ring, step] = key;
         if (ring < 0) {
-          if ((turn(1) * C * turn(1).transpose() - C).norm() > asymmetry * (1 + C.norm()))
+          if ((turn(1) * C * turn(1).transpose() - C).norm() > same_within * (1 + C.norm()))
             return "a coupling on the axis is not the same in all directions";
           continue;
         }
         const auto zero = blocks.find({ring, 0});
         const Matrix6x6 R = turn(2 * M_PI * step / N);
         if (zero == blocks.end() ||
-            (R.transpose() * C * R - zero->second).norm() > asymmetry * (1 + C.norm()))
+            (R.transpose() * C * R - zero->second).norm() > same_within * (1 + C.norm()))
           return "a coupling does not tie a whole ring evenly";
       }
     }
@@ -242,7 +242,7 @@ private:
           const auto other = zero.find(key);
           if (key.first >= 0) return "a ring follows other nodes of the wall";
           if (other == zero.end() ||
-              (R.transpose() * C * R - other->second).norm() > asymmetry * (1 + C.norm()))
+              (R.transpose() * C * R - other->second).norm() > same_within * (1 + C.norm()))
             return "the ring at y = " + std::to_string(ring.y) + " m is not tied evenly";
         }
       }

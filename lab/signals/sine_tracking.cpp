@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-constexpr double two_pi = 2 * std::numbers::pi;
+using std::numbers::pi;
 
 // phase: of the fundamental at every sample.
 SineLine fit(const MatrixXd& samples, const VectorXd& phase, double hertz, int harmonics) {
@@ -55,7 +55,7 @@ VectorXd unwrapped_phase(const VectorXd& x) {
     if (i > 0 && angle - before > std::numbers::pi) turns -= 1;
     if (i > 0 && angle - before < -std::numbers::pi) turns += 1;
     before = angle;
-    phase[i] = angle + two_pi * turns;
+    phase[i] = angle + 2 * pi * turns;
   }
   return phase;
 }
@@ -64,7 +64,7 @@ VectorXd unwrapped_phase(const VectorXd& x) {
 double frequency_at(const VectorXd& phase, Index i, Index half, double rate) {
   const Index first = std::max<Index>(0, i - half);
   const Index last = std::min<Index>(phase.size() - 1, i + half);
-  return (phase[last] - phase[first]) / double(last - first) * rate / two_pi;
+  return (phase[last] - phase[first]) / double(last - first) * rate / (2 * pi);
 }
 
 int orders_below_nyquist(int harmonics, double hertz, double rate) {
@@ -111,7 +111,7 @@ SineLine fit_sine(const MatrixXd& samples, double rate, double hertz, int harmon
   if (samples.rows() < 3 * (2 + 2 * harmonics))
     throw std::invalid_argument("too few samples for " + std::to_string(harmonics) + " harmonics");
   const VectorXd phase =
-      VectorXd::LinSpaced(samples.rows(), 0, double(samples.rows() - 1)) * two_pi * hertz / rate;
+      VectorXd::LinSpaced(samples.rows(), 0, double(samples.rows() - 1)) * 2 * pi * hertz / rate;
   return fit(samples, phase, hertz, harmonics);
 }
 
@@ -134,7 +134,7 @@ std::vector<SineLine> track_sine(const MatrixXd& samples, double rate, int refer
   std::vector<SineLine> lines;
   for (const Dwell& d : dwells_of(hertz, guard, rate)) {
     const Index first = (d.first + d.last) / 2, count = d.last - first + 1; // settled
-    const double f = (phase[d.last] - phase[first]) / double(d.last - first) * rate / two_pi;
+    const double f = (phase[d.last] - phase[first]) / double(d.last - first) * rate / (2 * pi);
     const int orders = orders_below_nyquist(s.harmonics, f, rate);
     if (orders < 1 || count < 3 * (2 + 2 * orders)) continue;
     lines.push_back(

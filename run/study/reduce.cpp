@@ -144,11 +144,10 @@ void add_stress_rows(Superelement& s, const Reduction& reduction, const Model& m
 
 void add_loads(Superelement& s, const Reduction& reduction, const BuiltCase& built,
                const std::optional<Response>& response) {
-  constexpr std::array axes{"x", "y", "z", "rx", "ry", "rz"};
   const MatrixXd base = s.M * rigid_motions(s, Eigen::Vector3d::Zero());
   for (int d = 0; d < 6; ++d)
     s.loads.push_back(
-        {.name = std::string("base ") + axes[d] + (d < 3 ? " per m/s2" : " per rad/s2"),
+        {.name = std::string("base ") + direction_names[d] + (d < 3 ? " per m/s2" : " per rad/s2"),
          .force = -base.col(d)});
   if (!response || response->forces.empty()) return;
   Response forced = *response;
