@@ -1,7 +1,9 @@
 # Thin front of CMake: everything is in CMakeLists.txt and CMakePresets.json.
 CASE ?= cases/bellow_a2/bellow_a2.yaml
 OUT ?=
-JOBS ?= $(shell nproc)
+# A compiler at work takes up to 3 GB.
+JOBS ?= $(shell awk -v cores="$$(nproc)" '/MemAvailable/ {j = int($$2 / 3e6); \
+  print j < 1 ? 1 : j < cores ? j : cores}' /proc/meminfo)
 
 # A text of the user's as one word of the shell, blanks and quotes included.
 quoted = '$(subst ','\'',$(1))'
