@@ -9,4 +9,7 @@ namespace plica {
 std::string short_text(double x, int digits = 2);                 // 1.3e-07
 std::string short_text(const Eigen::Vector3d& x, int digits = 4); // [0, 0.25, -1e-05]
 
+// The shortest text that reads back as the same number.
+std::string all_digits(double x);
+
 } // namespace plica

@@ -12,9 +12,9 @@
 namespace plica {
 namespace {
 
-class Deck {
+class AbaqusText {
 public:
-  Deck(const Case& data, const BuiltCase& built)
+  AbaqusText(const Case& data, const BuiltCase& built)
       : case_(data), built_(built), model_(built.model),
         has_rotations_(model_.mesh.nodes.size(), false),
         rotation_node_(model_.mesh.nodes.size(), 0),
@@ -358,7 +358,7 @@ private:
 } // namespace
 
 std::string abaqus_model(const Case& data, const BuiltCase& built) {
-  return Deck(data, built).text();
+  return AbaqusText(data, built).text();
 }
 
 } // namespace plica

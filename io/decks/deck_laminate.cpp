@@ -7,7 +7,8 @@
 namespace plica {
 namespace {
 
-constexpr double drilling_tie = 1e-4; // of the shear stiffness in the plane, as ShellSection has it
+// Of the shear stiffness in the plane, as ShellSection has it.
+constexpr double drilling_share = 1e-4;
 
 // Along axis i of the wall: bending stiffness and integral of S^2/G about the neutral plane.
 double transverse_shear(const std::vector<PlyMaterial>& plies, const std::vector<GeneralPly>& at,
@@ -79,7 +80,7 @@ ShellLaminate solid_wall(const PlyMaterial& m) {
   for (int i = 0; i < 2; ++i)
     if (!(wall.S(i, i) > 0)) wall.S(i, i) = rigid_in_shear * 5 / 6 * m.Q(2, 2);
   wall.rho = m.rho;
-  wall.drilling = drilling_tie * m.Q(2, 2);
+  wall.drilling = drilling_share * m.Q(2, 2);
   return wall;
 }
 
@@ -104,7 +105,7 @@ ShellLaminate general_laminate(const std::vector<GeneralPly>& plies) {
     wall.S(i, i) = transverse_shear(along, plies, i) / t;
     if (!(wall.S(i, i) > 0)) wall.S(i, i) = rigid_in_shear * 5 / 6 * wall.A(2, 2);
   }
-  wall.drilling = drilling_tie * wall.A(2, 2);
+  wall.drilling = drilling_share * wall.A(2, 2);
   return wall;
 }
 

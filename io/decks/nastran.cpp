@@ -32,9 +32,9 @@ struct Following {
   bool by_equations() const { return dofs.size() == 6 && masters.size() > 1 && !of_translations; }
 };
 
-class Deck {
+class NastranText {
 public:
-  Deck(const Case& data, const BuiltCase& built)
+  NastranText(const Case& data, const BuiltCase& built)
       : case_(data), built_(built), model_(built.model) {}
 
   std::string text() {
@@ -314,7 +314,7 @@ private:
 } // namespace
 
 std::string nastran_model(const Case& data, const BuiltCase& built) {
-  return Deck(data, built).text();
+  return NastranText(data, built).text();
 }
 
 } // namespace plica

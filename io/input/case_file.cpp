@@ -10,10 +10,10 @@
 #include "model/description/case_fields.hpp"
 #include "model/description/check_log.hpp"
 #include "words/did_you_mean.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <set>
 
@@ -108,12 +108,6 @@ std::vector<InputProblem> new_problems(const ReadLog& changed, const ReadLog& no
   for (const InputProblem& p : changed.problems)
     if (!known.count(p.key)) result.push_back(p);
   return result;
-}
-
-std::string all_digits(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
 }
 
 std::string below(std::string map, const std::string& key) {

@@ -71,7 +71,9 @@ bool decides(const std::string& key, const std::vector<Json>& maps) {
 std::vector<std::pair<std::string, Key>> keys_of(const std::vector<Json>& maps) {
   std::vector<std::pair<std::string, Key>> keys;
   for (const Json& map : maps)
-    for (const auto& [name, schema] : map["properties"].items()) {
+    for (const auto& property : map["properties"].items()) {
+      const std::string& name = property.key();
+      const Json& schema = property.value();
       auto own =
           std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return k.first == name; });
       if (own == keys.end())

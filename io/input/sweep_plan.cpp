@@ -4,11 +4,11 @@
 #include "model/description/case_path.hpp"
 #include "model/description/check_log.hpp"
 #include "run/study/design_of_experiments.hpp"
+#include "words/short_text.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -35,12 +35,6 @@ std::vector<std::string> parts_of(const std::string& text, char cut) {
       parts.back() += c;
   }
   return parts;
-}
-
-std::string all_digits(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
 }
 
 struct Varied {
