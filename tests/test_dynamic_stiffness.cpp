@@ -1,5 +1,6 @@
 // Dynamic stiffness between two ends: closed forms, reciprocity, static limit, loops of friction,
-// the exports read back, and CalculiX with a spring and a dashpot in place of the part.
+// the exports read back.
+#include "tests/sliding_chain.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tube_case.hpp"
 
@@ -12,8 +13,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstdlib>
-#include <iomanip>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -31,22 +30,6 @@ StiffnessRequest at(std::vector<double> hertz) {
   StiffnessRequest r;
   r.hertz = Eigen::Map<Eigen::VectorXd>(hertz.data(), long(hertz.size()));
   return r;
-}
-
-// A connector of 20 kN/m with a slider of 60 kN/m and 3 N beside it, along y; 0.5 kg in its middle.
-Case sliding_chain() {
-  ConnectorChain chain;
-  chain.length = 0.2;
-  chain.count = 2;
-  chain.spring = {.axial = 2e4, .transverse = 1e6, .bending = 1e3, .torsion = 1e3};
-  chain.mass = 1;
-  chain.friction.emplace().axial.emplace().sliders = {{6e4, 3}};
-  Case data;
-  data.name = "sliders";
-  data.parts.push_back({"chain", chain});
-  data.caps = {{.name = "left", .of = {"chain.left"}}, {.name = "right", .of = {"chain.right"}}};
-  data.mount = {{.cap = "left"}, {.cap = "right"}};
-  return data;
 }
 
 // A rod in axial motion: EA k cot(k L), -EA k / sin(k L), k^2 = m w^2 / EA.
@@ -264,91 +247,6 @@ TEST(DynamicStiffness, lies_on_itself) {
     EXPECT_NEAR(c.computed / c.measured.value, 1, 1e-6);
   for (const ShownDeviation& d : deviations(compare_stiffness(s, measured, 5, 256)))
     EXPECT_EQ(d.count, 2);
-}
-
-// A mass on a spring and a dashpot to node 1 and on another pair to the ground, pushed by 1 N. Six
-// stiff masses beside it, since CalculiX looks for no modes of a single degree of freedom.
-std::string mass_on_springs(double mass, std::complex<double> k, std::complex<double> ground,
-                            double hertz) {
-  const double omega = 2 * pi * hertz;
-  std::ostringstream deck, others, springs, masses, held;
-  for (int i = 0; i < 6; ++i) {
-    others << 10 + i << "," << i + 1 << ",0.5,0\n" << 20 + i << "," << i + 1 << ",0,0\n";
-    springs << 30 + i << "," << 20 + i << "," << 10 + i << "\n";
-    masses << 40 + i << "," << 10 + i << "\n";
-    held << 10 + i << ",1,1\n" << 10 + i << ",3,3\n" << 20 + i << ",1,3\n";
-  }
-  deck << std::showpoint << std::setprecision(10) << "*NODE,NSET=ALL\n1,0,0,0\n2,0,1,0\n3,0,2,0\n"
-       << "*NODE\n"
-       << others.str() << "*ELEMENT,TYPE=SPRINGA,ELSET=X\n"
-       << springs.str() << "*ELEMENT,TYPE=MASS,ELSET=Y\n"
-       << masses.str() << "*SPRING,ELSET=X\n\n1000000000.\n*MASS,ELSET=Y\n1.\n"
-       << "*ELEMENT,TYPE=SPRINGA,ELSET=S\n1,1,2\n*ELEMENT,TYPE=SPRINGA,ELSET=G\n2,2,3\n"
-       << "*ELEMENT,TYPE=MASS,ELSET=M\n3,2\n*ELEMENT,TYPE=DASHPOTA,ELSET=D\n4,1,2\n"
-       << "*ELEMENT,TYPE=DASHPOTA,ELSET=E\n5,2,3\n*SPRING,ELSET=S\n\n"
-       << k.real() << "\n*SPRING,ELSET=G\n\n"
-       << ground.real() << "\n*MASS,ELSET=M\n"
-       << mass << "\n*DASHPOT,ELSET=D\n\n"
-       << k.imag() / omega << "\n*DASHPOT,ELSET=E\n\n"
-       << ground.imag() / omega << "\n*BOUNDARY\n"
-       << held.str() << "1,1,3\n3,1,3\n2,1,1\n2,3,3\n*STEP\n*FREQUENCY,STORAGE=YES\n1\n*END STEP\n"
-       << "*STEP\n*STEADY STATE DYNAMICS\n"
-       << hertz << "," << hertz + 1 << ",2,1.\n"
-       << "*CLOAD\n2,2,1.\n*NODE PRINT,NSET=ALL\nU\n*END STEP\n";
-  return deck.str();
-}
-
-// Axial motion of a mass of 3 kg behind a damped rod whose other end moves: CalculiX, with a spring
-// and a dashpot of that frequency and the inertia of the rod at the mass as a spring to ground,
-// beside Plica's own response of the whole.
-TEST(DynamicStiffness, put_back_into_CalculiX_gives_the_response_of_the_system) {
-  constexpr double mass = 3, hertz = 120;
-  Case data = tube(2);
-  data.analyses.damping.loss_factors = {{.of = "tube", .value = 0.08}};
-  const EndDynamicStiffness s = stiffness_of(data, at({hertz}));
-  const Complex1212& Z = s.states[0].over.at[0][0];
-  const std::complex<double> k = transfer_stiffness(Z, 1),
-                             ground = driving_point_stiffness(Z, 1, 1) - k;
-  const double omega = 2 * pi * hertz;
-  const TemporaryFolder folder("exchange");
-  // A unit force on the mass in place of the motion of the other end: 1 / (Z_22 - w^2 m).
-  write_whole(folder.path / "system.inp", mass_on_springs(mass, k, ground, hertz));
-  const std::string command = "cd '" + folder.path.string() + "' && ccx -i system >log 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  std::istringstream dat(read_whole(folder.path / "system.dat"));
-  std::vector<double> along; // of node 2, real then imaginary, for every frequency
-  for (std::string line; std::getline(dat, line);) {
-    std::istringstream fields(line);
-    int node = 0;
-    double x = 0, y = 0, z = 0;
-    if (fields >> node >> x >> y >> z && node == 2) along.push_back(y);
-  }
-  ASSERT_GE(along.size(), 2) << read_whole(folder.path / "log");
-  const std::complex<double> by_force(along[0], along[1]);
-  // The whole: the rod with the mass on its end, a unit force there by the response of the run.
-  Case whole = data;
-  whole.caps[1].mass = mass;
-  whole.mount[1].kind = MountKind::free;
-  whole.sensors = {{.name = "end", .at = {0, L, 0}}};
-  whole.analyses.damping.coupled = true;
-  whole.analyses.statics = false;
-  whole.analyses.error_bars = false;
-  whole.analyses.modes = Modes{.band = {0, 3000}};
-  Response response;
-  response.forces = {{.name = "push", .at = "tube.end", .direction = 1, .random = {}}};
-  response.band = {hertz - 1, hertz + 1};
-  response.points = 3;
-  whole.analyses.response = response;
-  const Results r = run_silently(whole);
-  const ResponseResult& own = r.responses.at(0);
-  std::complex<double> expected;
-  for (long i = 0; i < own.hertz.size(); ++i)
-    if (std::abs(own.hertz[i] - hertz) < 1e-6) expected = own.acceleration(i, 1) / (-omega * omega);
-  ASSERT_GT(std::abs(expected), 0);
-  print_for_table("rod and mass in CalculiX, response", std::abs(by_force), std::abs(expected),
-                  0.01);
-  EXPECT_LT(std::abs(by_force - expected) / std::abs(expected), 0.01)
-      << by_force << " " << expected;
 }
 
 } // namespace
