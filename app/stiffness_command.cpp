@@ -24,7 +24,7 @@ struct StiffnessOptions {
   ChosenCase chosen;
   Output out;
   int threads = 0;
-  std::vector<std::string> frequencies{"0:500:2"}, amplitudes, angles, offsets;
+  std::vector<std::string> frequencies{"0:500:2"}, amplitudes, angles, states, offsets;
   std::string measured;
   bool millimetres = false;
   StiffnessRequest request;
@@ -111,13 +111,26 @@ std::vector<OffsetOfEnd> shifts_of(const std::vector<std::string>& texts) {
   return list;
 }
 
+// "0", "hot": names of the case's states.
+std::vector<std::string> states_of(const std::vector<std::string>& texts) {
+  std::vector<std::string> list;
+  for (const std::string& text : texts) {
+    const std::string name = text == "0" ? "" : text;
+    if (std::find(list.begin(), list.end(), name) != list.end())
+      input_error("--states", "'" + text + "' is there twice", "each state once");
+    list.push_back(name);
+  }
+  return list;
+}
+
 int stiffness(StiffnessOptions& options) {
   set_threads(options.threads);
   StiffnessRequest& request = options.request;
   request.hertz = frequencies(options.frequencies);
   request.levels = levels_of(options);
+  request.states = states_of(options.states);
   request.shifts = shifts_of(options.offsets);
-  const CaseFile file = read_case(options.chosen.path, options.chosen.model);
+  const CaseFile file = read_case(options.chosen);
   const bool beside = !options.measured.empty();
   const std::vector<MeasuredStiffness> measured =
       beside ? read_stiffness_table(options.measured) : std::vector<MeasuredStiffness>{};
@@ -176,6 +189,8 @@ void add_stiffness_command(CommandLine& line) {
   list("--angles", options->angles, "ANGLE,...", "the same of its rotations, e.g. 0.1deg,1deg");
   list("--offsets", options->offsets, "SHIFT,...",
        "states: 0 as the case has it, y=5mm or rx=2deg with the moving end shifted from there");
+  list("--states", options->states, "NAME,...",
+       "named states of the case, 0 for its own; the offsets begin at each of them");
   command
       .add_option("--harmonics", options->request.harmonics,
                   "the highest of the harmonic balance of joints with friction")

@@ -129,3 +129,39 @@ test('a line of one\'s own: two decouplers, a hanger anywhere, a heavier muffler
   const results = JSON.parse(readFileSync(join(at, 'out', 'results.json'), 'utf8'));
   assert.ok(results.sensors.every((s) => s.distance < 1e-6), JSON.stringify(results.sensors));
 });
+
+test('dynamic stiffness takes values set by hand, and states of the case by name', () => {
+  const at = folder('stiffness');
+  writeFileSync(join(at, 'case.yaml'), `case: rod
+parts:
+  rod:
+    type: beam
+    points: [[0, 0, 0], [0, 800 mm, 0]]
+    elements: 8
+    section: {shape: general, EA: 4 MN, EI: 900 N m2, GJ: 500 N m2, mass_per_length: 1 kg/m,
+      rotary_inertia_per_length: 1e-6, polar_inertia_per_length: 2e-6}
+caps: {left: {of: rod.start}, right: {of: rod.end}}
+mount: {left: rigid, right: rigid}
+states: {pulled: {offset: {right: {move: [0, 0.1 mm, 0]}}}}
+analyses: {error_bars: false}
+`);
+  const axial = (...more) => {
+    good(at, 'stiffness', 'case.yaml', '--frequencies', '0', '--out', 'out', '--quiet', ...more);
+    return readFileSync(join(at, 'out', 'transfer_stiffness.csv'), 'utf8').replace(/"(.*), (.*)"/g, '$1; $2')
+      .split('\n').map((line) => line.split(','))
+      .filter((cells) => cells[4] === 'y').map((cells) => [cells[0], Number(cells[12])]);
+  };
+  const near = (x, y) => assert.ok(Math.abs(x / y - 1) < 1e-6, `${x} ${y}`);
+  near(axial()[0][1], 5e6); // EA / L
+  near(axial('--set', 'parts.rod.section.EA=8 MN')[0][1], 1e7);
+  assert.deepEqual(axial('--states', '0,pulled', '--offsets', '0,y=1mm').map(([state]) => state),
+    ['at rest', 'left moved by 1 mm in y', 'pulled',
+      'pulled; left moved by 1 mm in y']);
+  const refused = (said, ...more) => {
+    const result = run(at, 'stiffness', 'case.yaml', '--out', 'out', ...more);
+    assert.equal(result.status, 1, result.said);
+    assert.match(result.said, said);
+  };
+  refused(/case\.yaml:\d+: states: there is no state 'puled'; did you mean 'pulled'/, '--states', 'puled');
+  refused(/--states: 'pulled' is there twice/, '--states', 'pulled,pulled');
+});

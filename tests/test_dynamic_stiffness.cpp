@@ -1,5 +1,5 @@
 // Dynamic stiffness between two ends: closed forms, reciprocity, static limit, loops of friction,
-// the exports read back.
+// states, the exports read back.
 #include "tests/sliding_chain.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tube_case.hpp"
@@ -10,7 +10,9 @@
 #include "io/superelements/connector_tables.hpp"
 #include "io/tables/stiffness_words.hpp"
 #include "run/study/part_stiffness.hpp"
+#include "solve/base_state.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -146,6 +148,48 @@ TEST(DynamicStiffness, has_the_state_as_an_axis) {
     return transfer_stiffness(s.states[k].over.at[0][0], 0).real();
   };
   EXPECT_NEAR((across(1) - across(0)) / (6 * N / (5 * L)), 1, 0.01);
+}
+
+// Named states beside the case's own, each with every offset: N_hot = N + EA u / L.
+TEST(DynamicStiffness, has_the_named_states_as_an_axis) {
+  Case data = tube(1);
+  std::get<BeamPart>(data.parts[0].body).section.GA = 1e8;
+  const auto pulled = [](const std::string& name, double by) {
+    return OperatingState{.name = name, .offset = {{.cap = "right", .move = {0, by, 0}}}};
+  };
+  data.states = {pulled("slack", -5e-5), pulled("pulled", 1e-4)};
+  StiffnessRequest request = at({0});
+  request.states = {"", "pulled"};
+  request.shifts = {{}, {.direction = 1, .value = -5e-5}};
+  const EndDynamicStiffness s = stiffness_of(data, request);
+  ASSERT_EQ(s.states.size(), 4);
+  const std::array<const char*, 4> names{"at rest", "left moved by -0.05 mm in y", "pulled",
+                                         "pulled, left moved by -0.05 mm in y"};
+  const std::array stretch{0., 5e-5, 1e-4, 1.5e-4};
+  const auto across = [&](std::size_t k) {
+    return transfer_stiffness(s.states[k].over.at[0][0], 0).real();
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(s.states[k].name, names[k]);
+    const double by_tension = 6 * EA * stretch[k] / L / (5 * L);
+    EXPECT_NEAR(across(k) - across(0), by_tension, 0.01 * by_tension) << k;
+  }
+  EXPECT_NEAR(s.states[3].part.places[1][1] - s.states[3].part.places[0][1], L + 1.5e-4, 1e-12);
+  request.states = {"pulld"};
+  try {
+    stiffness_of(data, request);
+    ADD_FAILURE() << "a state that is not there";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("pulled"), std::string::npos) << error.what();
+  }
+  data.states = {pulled("pressed", -0.05)}; // 4 pi^2 EI / (EA L) = 11 mm is where it buckles
+  request.states = {"pressed"};
+  try {
+    stiffness_of(data, request);
+    ADD_FAILURE() << "a state that has buckled";
+  } catch (const StateError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("pressed: ")) << error.what();
+  }
 }
 
 // The cards read by columns, on their own: K and B of every direction over frequency.

@@ -4,6 +4,7 @@
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
 #include "run/routes/route.hpp"
+#include "solve/base_state.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/strain_energy.hpp"
 #include "words/did_you_mean.hpp"
@@ -73,10 +74,13 @@ void shift(Case& data, const std::string& end, const OffsetOfEnd& by) {
 }
 
 std::string name_of(const Case& data, const OffsetOfEnd& by, const std::string& end) {
-  if (by.value == 0) return data.state ? "the state of the case" : "at rest";
+  const std::string named = data.state ? data.state->name : "";
+  if (by.value == 0)
+    return !data.state ? "at rest" : named.empty() ? "the state of the case" : named;
   const bool length = by.direction < 3;
-  return fmt::format("{} moved by {:.6g} {} in {}", end, by.value * (length ? 1e3 : 180 / pi),
-                     length ? "mm" : "deg", direction_names[std::size_t(by.direction)]);
+  return fmt::format("{}{} moved by {:.6g} {} in {}", named.empty() ? "" : named + ", ", end,
+                     by.value * (length ? 1e3 : 180 / pi), length ? "mm" : "deg",
+                     direction_names[std::size_t(by.direction)]);
 }
 
 // Loads of the inertia of every motion of an end, of joints and of dampers.
@@ -125,11 +129,15 @@ class StiffnessStudy {
 public:
   StiffnessStudy(const Case& data, const StiffnessRequest& request,
                  const std::function<void(const std::string&)>& stage)
-      : request_(request), stage_(stage), ends_(ends_of(data, request.ends)),
-        case_(between_ends(data, ends_)), friction_(has_friction(case_)) {}
+      : request_(request), stage_(stage), ends_(ends_of(data, request.ends)) {
+    const std::vector<std::string> own{""};
+    for (const std::string& name : request.states.empty() ? own : request.states)
+      cases_.push_back(between_ends(name.empty() ? data : in_state(data, name), ends_));
+    friction_ = has_friction(cases_.front());
+  }
 
   EndDynamicStiffness all() {
-    result_.case_name = case_.name;
+    result_.case_name = cases_.front().name;
     result_.friction = friction_;
     reach_ = 3 * std::max({1., request_.hertz.maxCoeff(), request_.highest});
     result_.highest_mode = reach_;
@@ -141,8 +149,9 @@ public:
                               "every amplitude");
     }
     const std::vector<OffsetOfEnd> at_rest{OffsetOfEnd{}};
-    for (const OffsetOfEnd& by : request_.shifts.empty() ? at_rest : request_.shifts)
-      result_.states.push_back(at(case_, by));
+    for (const Case& own : cases_)
+      for (const OffsetOfEnd& by : request_.shifts.empty() ? at_rest : request_.shifts)
+        result_.states.push_back(at(own, by));
     return std::move(result_);
   }
 
@@ -156,7 +165,7 @@ private:
     std::map<std::string, double> timing;
     if (own.state) {
       require_plain_friction(built);
-      move_into_state(own, built, stage_, timing);
+      move_into(state.name, own, built, timing);
     }
     const auto route = choose_route(built, own.analyses, stage_, timing);
     state.route = route->name();
@@ -170,6 +179,15 @@ private:
           state.name, state.over.not_found,
           12 * request_.hertz.size() * Index(levels_.size() - 1)));
     return state;
+  }
+
+  void move_into(const std::string& name, const Case& own, BuiltCase& built,
+                 std::map<std::string, double>& timing) const {
+    try {
+      move_into_state(own, built, stage_, timing);
+    } catch (const StateError& error) {
+      throw StateError(name + ": " + error.what());
+    }
   }
 
   // Sliders bear nothing where a part stays; springs that depend on where they are would.
@@ -229,8 +247,8 @@ private:
   const StiffnessRequest& request_;
   const std::function<void(const std::string&)>& stage_;
   std::array<std::string, 2> ends_;
-  Case case_;
-  bool friction_;
+  bool friction_ = false;
+  std::vector<Case> cases_; // with their ends held, one per state that is asked for
   double reach_ = 0;
   std::vector<MotionLevel> levels_;
   EndDynamicStiffness result_;

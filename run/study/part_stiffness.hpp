@@ -18,7 +18,8 @@ struct StiffnessRequest {
   std::vector<std::string> ends;   // names of two caps; none = those of the case
   Eigen::VectorXd hertz;           // increasing, >= 0
   std::vector<MotionLevel> levels; // increasing, without that of small motion
-  std::vector<OffsetOfEnd> shifts; // none = the state of the case
+  std::vector<std::string> states; // named ones of the case, "" = its own; none = its own alone
+  std::vector<OffsetOfEnd> shifts; // from each of these states; none = as they are
   int harmonics = 5, samples = 256;
   double highest = 0; // Hz, beyond hertz, where the part is asked again later
 };
@@ -27,8 +28,9 @@ struct StiffnessRequest {
 // Modes up to three times the highest frequency, where the third harmonic of a joint is, and static
 // answers to all that acts. Small motion first, then the levels where anything in the case
 // depends on them. With friction a state moves the part with its joints slipping: their forces act
-// about it and not in it. Throws InputError for ends that are not there, further mounts, a state
-// that is not one of held ends, and shifts with springs whose force depends on where they are.
+// about it and not in it. Throws InputError for ends and states that are not there, further mounts,
+// a state that is not one of held ends, and states with springs whose force depends on where they
+// are; StateError, which begins with the name of the state, where there is no equilibrium.
 EndDynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
                                    const std::function<void(const std::string&)>& stage);
 
