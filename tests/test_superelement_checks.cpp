@@ -33,6 +33,7 @@ std::string cut(const std::string& line, std::size_t at, std::size_t width) {
 }
 double real(std::string text) {
   std::erase(text, ' ');
+  if (const auto d = text.find('D'); d != std::string::npos) text[d] = 'e';
   const auto sign = text.find_first_of("+-", 1);
   if (sign != std::string::npos && text.find_first_of("eE") == std::string::npos)
     text.insert(sign, "e");
@@ -76,6 +77,31 @@ ReadBack nastran(const std::string& text) {
     }
   }
   return r;
+}
+
+// Rectangular DMIG by the numbers of their columns, those of the file added; rows as in `points`.
+MatrixXd rectangular_dmig(const std::string& text, const ReadBack& points) {
+  MatrixXd A;
+  int column = -1;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("$")) continue;
+    if (line.starts_with("DMIG*")) {
+      column = std::stoi(cut(line, 24, 16)) - 1;
+    } else if (line.starts_with("DMIG")) {
+      const int columns = std::stoi(cut(line, 64, 8));
+      EXPECT_EQ(std::stoi(cut(line, 16, 8)), 0);
+      EXPECT_EQ(std::stoi(cut(line, 24, 8)), 9); // rectangular
+      EXPECT_EQ(std::stoi(cut(line, 32, 8)), 2); // double precision, exponents D
+      if (A.size() == 0) A = MatrixXd::Zero(long(points.number.size()), columns);
+      EXPECT_EQ(A.cols(), columns);
+    } else {
+      EXPECT_NE(line.find('D'), std::string::npos) << line;
+      const Label row{std::stoi(cut(line, 8, 16)), std::stoi(cut(line, 24, 16))};
+      A(points.number.at(row), column) += real(cut(line, 40, 16));
+    }
+  }
+  return A;
 }
 
 std::vector<double> numbers(std::string line) {
@@ -149,10 +175,9 @@ struct Checked {
   Vector3d centre{0, 0, 0};
 };
 
-// Rigid motions of the nodes about the origin; mass and centre by them; first elastic frequency;
-// static stiffness of the second node along the line between both.
-Checked cbcheck(const ReadBack& r) {
-  MatrixXd R = MatrixXd::Zero(r.K.rows(), 6);
+// Motion of the nodes, the modal coordinates at rest, about the origin.
+MatrixXd motions_of_nodes(const ReadBack& r) {
+  MatrixXd R = MatrixXd::Zero(long(r.number.size()), 6);
   int at = 0;
   for (const auto& [node, x] : r.nodes) {
     for (int m = 0; m < 6; ++m) {
@@ -161,6 +186,13 @@ Checked cbcheck(const ReadBack& r) {
     }
     at += 6;
   }
+  return R;
+}
+
+// Rigid motions of the nodes about the origin; mass and centre by them; first elastic frequency;
+// static stiffness of the second node along the line between both.
+Checked cbcheck(const ReadBack& r) {
+  const MatrixXd R = motions_of_nodes(r);
   Checked c;
   const Eigen::VectorXd size = r.K.diagonal().cwiseSqrt().cwiseMax(1e-300);
   c.rigid = (size.cwiseInverse().asDiagonal() * MatrixXd(r.K * R)).cwiseAbs().maxCoeff() /
@@ -209,6 +241,7 @@ std::unique_ptr<Exported> exported(const SuperelementFormat& format) {
 Checked own(const Superelement& s) {
   ReadBack r;
   for (std::size_t k = 0; k < s.nodes.size(); ++k) r.nodes[int(k)] = s.nodes[k];
+  for (int i = 0; i < s.K.rows(); ++i) r.number.emplace(Label{0, i}, i);
   r.K = s.K;
   r.M = s.M;
   return cbcheck(r);
@@ -278,6 +311,41 @@ TEST(SuperelementChecks, a_system_of_its_own_is_where_the_part_is_placed) {
   EXPECT_LT((B - A - format.labels.axes.col(2)).norm(), 1e-12); // on z
   EXPECT_LT((C - A - format.labels.axes.col(0)).norm(), 1e-12); // in the plane of x and z
   EXPECT_NE(e->text("superelement.inp").find("*TRANSFORM, NSET=PLICA_BOUNDARY"), std::string::npos);
+}
+
+// As DMIG the same matrix, transposed; rigid motions of the nodes move the points rigidly, in place
+// and in millimetres.
+TEST(SuperelementChecks, inner_points_follow_their_matrix_as_DMIG) {
+  SuperelementFormat placed{.units = Units::millimetres};
+  placed.labels.first_node = 7001;
+  placed.labels.name = "BLW";
+  placed.labels.axes = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  placed.labels.origin = {0.1, -0.2, 0.3};
+  for (const SuperelementFormat& format : {SuperelementFormat{}, placed}) {
+    const auto e = exported(format);
+    const std::string text = e->text("superelement_otm.bdf");
+    const ReadBack points = nastran(e->text("superelement.bdf"));
+    const MatrixXd rows = rectangular_dmig(text, points).transpose();
+    ASSERT_EQ(rows.rows(), 6);
+    const RecoveryRows& own = e->reduced.element.recovery.at(0);
+    const bool moved = format.units == Units::millimetres;
+    if (!moved) {
+      EXPECT_LT((rows - own.rows).cwiseAbs().maxCoeff(), 1e-14 * own.rows.cwiseAbs().maxCoeff());
+    }
+    const Vector3d place =
+        moved ? Vector3d(1000 * (format.labels.axes * own.place + format.labels.origin))
+              : own.place;
+    MatrixXd expected = MatrixXd::Identity(6, 6);
+    for (int m = 3; m < 6; ++m)
+      expected.block<3, 1>(0, m) = Vector3d(Vector3d::Unit(m - 3)).cross(place);
+    const double off =
+        (rows * motions_of_nodes(points) - expected).cwiseAbs().maxCoeff() / expected.norm();
+    std::printf("  OTM as DMIG, %-22s rigid %.1e\n", moved ? "placed, mm" : "in SI", off);
+    EXPECT_LT(off, 1e-8);
+    const std::string name = moved ? "OTMBLW" : "OTMPLICA";
+    EXPECT_NE(text.find("DMIG    " + name + " "), std::string::npos);
+    EXPECT_NE(text.find("$ Columns 1 to 6: wall, ux uy uz rx ry rz\n"), std::string::npos);
+  }
 }
 
 // The point follows by *EQUATION and MPC as by the rows.

@@ -43,6 +43,13 @@ void check_labels(const ElementLabels& l, const Superelement& s) {
     throw std::invalid_argument("a name has one to five letters and digits, a letter first");
 }
 
+Eigen::MatrixXd recovery_matrix(const Superelement& s) {
+  Eigen::MatrixXd rows(6 * Eigen::Index(s.recovery.size()), s.K.rows());
+  for (std::size_t k = 0; k < s.recovery.size(); ++k)
+    rows.middleRows<6>(6 * Eigen::Index(k)) = s.recovery[k].rows;
+  return rows;
+}
+
 std::vector<std::string> coordinate_names(const Superelement& s) {
   constexpr std::array dofs{"ux", "uy", "uz", "rx", "ry", "rz"};
   std::vector<std::string> names;

@@ -31,6 +31,9 @@ struct CoordinateLabel {
 CoordinateLabel coordinate_label(const Superelement& s, int coordinate,
                                  const ElementLabels& labels = {});
 
+// Motion of the recovered points by the coordinates: six rows a point, ux uy uz rx ry rz.
+Eigen::MatrixXd recovery_matrix(const Superelement& s);
+
 // "left.uy", "mode 3": the DOF order of every file.
 std::vector<std::string> coordinate_names(const Superelement& s);
 

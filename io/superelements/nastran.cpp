@@ -13,30 +13,56 @@ namespace {
 
 using Eigen::MatrixXd;
 
+// Of double precision, in a field of sixteen: 1.234567890D+3.
+std::string double_real(double x) {
+  std::string text = "0.D+0";
+  for (int digits = 14; x != 0 && digits > 0; --digits) {
+    const std::string full = fmt::format("{:.{}e}", x, digits);
+    const std::size_t e = full.find('e');
+    text = fmt::format("{}D{:+d}", full.substr(0, e), std::stoi(full.substr(e + 1)));
+    if (text.size() <= 16) break;
+  }
+  return text;
+}
+
+std::string row(const CoordinateLabel& at, double x) {
+  return fmt::format("{:<8}{:>16}{:>16}{:>16}\n", "*", at.point, at.dof, double_real(x));
+}
+
+std::string column(const std::string& name, const CoordinateLabel& at) {
+  return fmt::format("{:<8}{:<16}{:>16}{:>16}\n", "DMIG*", name, at.point, at.dof);
+}
+
 void add_matrix(std::string& deck, const std::string& name, const Superelement& s,
                 const MatrixXd& A, const ElementLabels& l) {
   deck += fmt::format("DMIG    {:<8}{:>8}{:>8}{:>8}{:>8}\n", name, 0, 6, 2, 0);
   for (int j = 0; j < A.cols(); ++j) {
-    const CoordinateLabel column = coordinate_label(s, j, l);
     std::string rows;
-    for (int i = j; i < A.rows(); ++i) {
-      if (A(i, j) == 0) continue;
-      const CoordinateLabel row = coordinate_label(s, i, l);
-      rows +=
-          fmt::format("{:<8}{:>16}{:>16}{:>16}\n", "*", row.point, row.dof, nastran_real(A(i, j)));
-    }
-    if (!rows.empty())
-      deck +=
-          fmt::format("{:<8}{:<16}{:>16}{:>16}\n", "DMIG*", name, column.point, column.dof) + rows;
+    for (int i = j; i < A.rows(); ++i)
+      if (A(i, j) != 0) rows += row(coordinate_label(s, i, l), A(i, j));
+    if (!rows.empty()) deck += column(name, coordinate_label(s, j, l)) + rows;
+  }
+}
+
+// Columns by their numbers.
+void add_rectangular(std::string& deck, const std::string& name, const Superelement& s,
+                     const MatrixXd& A, const ElementLabels& l) {
+  deck += fmt::format("DMIG    {:<8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", name, 0, 9, 2, 0, "",
+                      "", A.cols());
+  for (int j = 0; j < A.cols(); ++j) {
+    std::string rows;
+    for (int i = 0; i < A.rows(); ++i)
+      if (A(i, j) != 0) rows += row(coordinate_label(s, i, l), A(i, j));
+    if (!rows.empty()) deck += column(name, {j + 1, 0}) + rows;
   }
 }
 
 // Tells a whole deck from one that was cut off.
 constexpr const char* last_line = "$ End of the superelement";
 
-// What is left of A when it stands in the 12 digits of a field.
+// What is left of A when it stands in the digits of a field.
 MatrixXd rest(const MatrixXd& A) {
-  return A.unaryExpr([](double x) { return x == 0 ? 0 : x - nastran_number(nastran_real(x)); });
+  return A.unaryExpr([](double x) { return x == 0 ? 0 : x - nastran_number(double_real(x)); });
 }
 
 // The axes of the system, where there is one: on z, and in the plane of x and z.
@@ -116,6 +142,21 @@ std::string nastran_recovery(const Superelement& s, const ElementLabels& l) {
       if (terms > 1) deck += large_card("MPC", fields);
     }
   }
+  return deck;
+}
+
+std::string nastran_recovery_matrix(const Superelement& s, const ElementLabels& l) {
+  const MatrixNames names = names_of("OTM", l);
+  const MatrixXd rows = recovery_matrix(s).transpose();
+  std::string deck =
+      fmt::format("$ Inner points of superelement {} by its coordinates, units: {}\n"
+                  "$ Motion of the points = transpose of {} + {} times that of the coordinates\n",
+                  s.name, s.units, names.first, names.rest);
+  for (std::size_t k = 0; k < s.recovery.size(); ++k)
+    deck += fmt::format("$ Columns {} to {}: {}, ux uy uz rx ry rz\n", 6 * k + 1, 6 * k + 6,
+                        s.recovery[k].name);
+  add_rectangular(deck, names.first, s, rows, l);
+  add_rectangular(deck, names.rest, s, rest(rows), l);
   return deck;
 }
 

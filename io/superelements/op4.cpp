@@ -40,11 +40,8 @@ std::string op4_file(const Superelement& s, const ElementLabels& labels) {
   for (const NamedMatrix& m : matrices_of(s))
     add_matrix(text, op4_name(m.letter, labels.name), *m.matrix);
   if (s.recovery.empty()) return text;
-  MatrixXd rows(6 * Index(s.recovery.size()), s.K.rows());
-  for (std::size_t k = 0; k < s.recovery.size(); ++k)
-    rows.middleRows<6>(6 * Index(k)) = s.recovery[k].rows;
   constexpr int rectangular = 2;
-  add_matrix(text, "OTM" + labels.name, rows, rectangular);
+  add_matrix(text, "OTM" + labels.name, recovery_matrix(s), rectangular);
   return text;
 }
 

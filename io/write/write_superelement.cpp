@@ -66,13 +66,6 @@ Superelement without_rounding(Superelement s) {
   return s;
 }
 
-Eigen::MatrixXd recovery_rows(const Superelement& s) {
-  Eigen::MatrixXd rows(6 * Eigen::Index(s.recovery.size()), s.K.rows());
-  for (std::size_t k = 0; k < s.recovery.size(); ++k)
-    rows.middleRows<6>(6 * Eigen::Index(k)) = s.recovery[k].rows;
-  return rows;
-}
-
 std::string recovered_names(const Superelement& s) {
   std::string text = "six rows each of";
   for (const RecoveryRows& r : s.recovery) text += " " + r.name;
@@ -118,9 +111,10 @@ std::string certificate_json(const ReducedCase& r) {
 std::vector<std::string> superelement_files(bool damped) {
   std::vector<std::string> names{
       "superelement_recovery.bdf", "superelement_recovery.inp", "superelement_otm.mtx",
-      "superelement.h5",           "superelement.mat",          "superelement.bdf",
-      "superelement.op4",          "superelement.inp",          "superelement_user.inp",
-      "superelement.json",         "certificate.html",          "certificate.json"};
+      "superelement_otm.bdf",      "superelement.h5",           "superelement.mat",
+      "superelement.bdf",          "superelement.op4",          "superelement.inp",
+      "superelement_user.inp",     "superelement.json",         "certificate.html",
+      "certificate.json"};
   for (const char letter : std::string(damped ? "KMCD" : "KM")) {
     const std::string name = abaqus_matrix_file(letter);
     names.push_back(name);
@@ -158,7 +152,8 @@ void write_superelement(const ReducedCase& r, const SuperelementFormat& format, 
   if (!s.recovery.empty()) {
     out.add("superelement_recovery.bdf", nastran_recovery(s, labels));
     out.add("superelement_recovery.inp", abaqus_recovery(s, labels));
-    out.add("superelement_otm.mtx", general_matrix_market(recovery_rows(s), recovered_names(s)));
+    out.add("superelement_otm.bdf", nastran_recovery_matrix(s, labels));
+    out.add("superelement_otm.mtx", general_matrix_market(recovery_matrix(s), recovered_names(s)));
   }
   for (const NamedMatrix& m : matrices_of(s)) {
     const std::string name = abaqus_matrix_file(m.letter);
