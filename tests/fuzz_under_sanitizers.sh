@@ -6,4 +6,4 @@ cd "$1"
 cmake --preset check >/dev/null
 cmake --build --preset check --target plica_tests >/dev/null
 PLICA_FUZZ_ROUNDS=4000000 build-check/tests/plica_tests \
-  --gtest_filter='BrokenCase*:Csv*:MeasuredData*:Universal*:FuzzCsv*:UniversalFuzz*:BrokenDeck*:SurfaceFile*'
+  --gtest_filter='BrokenCase*:Csv*:MeasuredData*:Universal*:FuzzCsv*:UniversalFuzz*:DeckFuzz*:BrokenDeck*:SurfaceFile*'

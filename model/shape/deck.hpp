@@ -10,7 +10,8 @@ namespace plica {
 // facets that meet at less than 20 degrees, as in Abaqus. A wall beside its nodes has nodes of its
 // own, which follow them rigidly. Single DOFs along axes that are not global become rows between
 // the DOFs of their node. Nodes that nothing uses are left away; DOFs that no element and no
-// constraint reaches are held. Throws std::runtime_error for a shell without area, or folded.
+// constraint reaches are held. Throws std::runtime_error for a shell without area, or folded, and
+// std::invalid_argument for a coupling whose nodes determine no motion.
 // `numbers`: of each node of the deck in the model, -1 where it is left away.
 Model place(const DeckModel& deck, const DeckPlacing& placing, std::vector<int>* numbers = nullptr);
 
