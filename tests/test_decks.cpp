@@ -1,16 +1,14 @@
 // Decks of the whole model: CalculiX solves what is written for Abaqus, and the cards for Nastran
 // are read field by field.
 #include "tests/bellows_case.hpp"
+#include "tests/calculix_frequencies.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-#include "io/decks/abaqus.hpp"
 #include "io/decks/nastran.hpp"
 #include "io/decks/nastran_cards.hpp"
-#include "io/files/files.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 namespace plica::test {
@@ -42,29 +40,13 @@ Case pipe_with_body() {
   return data;
 }
 
-// Frequencies that CalculiX finds for the deck.
-std::vector<double> calculix(const Case& data, const std::filesystem::path& folder) {
-  write_whole(folder / "model.inp", abaqus_model(data, build(data)));
-  const std::string command = "cd '" + folder.string() + "' && OMP_NUM_THREADS=2 ccx -i model >log";
-  if (std::system(command.c_str()) != 0) return {};
-  std::istringstream stream(read_whole(folder / "model.dat"));
-  std::vector<double> hertz;
-  for (std::string line; std::getline(stream, line);) {
-    std::istringstream fields(line);
-    double mode = 0, lambda = 0, omega = 0, f = 0, imaginary = 0;
-    if (line.find("P A R T I C I P") != std::string::npos) break;
-    if (fields >> mode >> lambda >> omega >> f >> imaginary) hertz.push_back(f);
-  }
-  return hertz;
-}
-
 // Bending, torsion and stretching of the pipe under a body with products of inertia, beside its
 // node, on springs. The elements differ by less than 1 % on this mesh.
 TEST(AbaqusDeck, solved_by_calculix_has_our_frequencies) {
   const TemporaryFolder folder("deck");
   const Case data = pipe_with_body();
   const Results ours = run_silently(data);
-  const std::vector<double> theirs = calculix(data, folder.path);
+  const std::vector<double> theirs = calculix_frequencies(data, folder.path);
   ASSERT_EQ(theirs.size(), ours.modes.size());
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     std::printf("| pipe with a body, mode %zu | Plica %.2f Hz | CalculiX %.2f Hz |\n", i + 1,
@@ -79,7 +61,7 @@ double ratio_to_calculix(Case data, const std::filesystem::path& folder, std::si
   data.analyses.error_bars = false;
   data.analyses.modes->count = static_cast<int>(modes);
   const Results ours = run_silently(data);
-  const std::vector<double> theirs = calculix(data, folder);
+  const std::vector<double> theirs = calculix_frequencies(data, folder);
   if (theirs.size() < modes) return 0;
   double first = 0;
   for (std::size_t i = 0; i < modes; ++i) {
