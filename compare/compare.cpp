@@ -183,6 +183,11 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
     remarks.emplace_back("the peaks over the level of the test stand beside nothing: the case asks "
                          "for no `levels`. A frequency of a single sweep goes to `modes`; `plica "
                          "diagnose` reads both.");
+  if (std::any_of(measured.stiffness.begin(), measured.stiffness.end(),
+                  [&](const MeasuredStiffnessTable& s) { return as_drawn(measured, s.state); }))
+    remarks.emplace_back("the dynamic stiffness of the test stands beside nothing: a run computes "
+                         "none. `plica stiffness --measured TABLE` compares it, `plica fit` fits "
+                         "to it.");
   for (const MeasuredMode& m : measured.modes) {
     if (!m.base || !m.direction || *m.base == *m.direction || !as_drawn(measured, m.state))
       continue;

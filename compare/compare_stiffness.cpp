@@ -1,6 +1,9 @@
 #include "compare/compare_stiffness.hpp"
 
+#include "model/description/analyses.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -29,6 +32,13 @@ std::complex<double> transfer_stiffness(const Complex1212& Z, int direction) {
 
 std::complex<double> driving_point_stiffness(const Complex1212& Z, int direction, int end) {
   return Z(6 * end + direction, 6 * end + direction);
+}
+
+std::string measured_name(const MeasuredStiffness& m) {
+  constexpr std::array quantities{"storage", "loss", "magnitude", "loss angle"};
+  return direction_names[std::size_t(m.direction)] +
+         std::string(m.kind == StiffnessKind::driving_point ? " driving point " : " ") +
+         quantities[std::size_t(m.quantity)];
 }
 
 std::vector<StiffnessComparison> compare_stiffness(const EndDynamicStiffness& computed,

@@ -16,6 +16,9 @@ struct StiffnessComparison {
 std::complex<double> transfer_stiffness(const Complex1212& Z, int direction);
 std::complex<double> driving_point_stiffness(const Complex1212& Z, int direction, int end = 0);
 
+// "y storage", "rx driving point loss".
+std::string measured_name(const MeasuredStiffness& m);
+
 // At the very frequencies and amplitudes of the test, in the first state.
 std::vector<StiffnessComparison> compare_stiffness(const EndDynamicStiffness& computed,
                                                    const std::vector<MeasuredStiffness>& measured,

@@ -127,6 +127,15 @@ private:
       fit.responses.push_back({problem_.curves()[i].name,
                                static_cast<int>(problem_.curves()[i].hertz.size()),
                                decibels(before->responses[i]), decibels(after->responses[i])});
+    const auto share = [](const VectorXd& off) {
+      return off.norm() / std::sqrt(double(off.size()));
+    };
+    for (std::size_t i = 0; i < problem_.stiffness().size(); ++i) {
+      const FitStiffness& s = problem_.stiffness()[i];
+      fit.stiffness.push_back({s.name, static_cast<int>(s.numbers.size()), s.sigma,
+                               share(before->stiffness[i]), share(after->stiffness[i]),
+                               s.held_out});
+    }
     for (std::size_t i = 0; i < problem_.aims().size(); ++i) {
       const FitProblem::Aim& aim = problem_.aims()[i];
       fit.aims.push_back({aim.quantity, aim.least, before->aims[Index(i)], after->aims[Index(i)],
@@ -237,6 +246,11 @@ private:
             t.quantity + " is missed by " + number(100 * (t.value / t.measured - 1)) + " %, " +
             number(std::abs(std::log(t.value / t.measured)) * t.measured / t.sigma) +
             " standard deviations: the model cannot meet all targets");
+    for (const FittedStiffness& s : fit.stiffness)
+      if (!s.held_out && s.value > 3 * s.sigma)
+        fit.warnings.push_back(s.name + " is missed by " + number(100 * s.value) +
+                               " % of its magnitude, " + number(s.value / s.sigma) +
+                               " standard deviations: the model cannot meet all targets");
     if (!fit.converged && !fit.stopped)
       fit.warnings.push_back("the search did not converge: " + fit.reason);
   }

@@ -1,7 +1,8 @@
 // Numbers of a case adjusted to measured data: least squares with priors and limits.
 //
 // Residuals, in standard deviations: ln(computed / measured) / relative sigma of every target, the
-// same of the magnitude of every line of a response, (p - p0) / sigma of every prior (in ln p on a
+// same of the magnitude of every line of a response, what a dynamic stiffness is off over sigma
+// times its magnitude (fit_stiffness.hpp), (p - p0) / sigma of every prior (in ln p on a
 // log scale), and a penalty of 1 per 0.1 % by which a constraint is broken. Neighbouring lines of a
 // response say nearly the same: all of them together weigh as twenty. The uncertainty of the
 // parameters is that of the linearised problem at the best design.
@@ -44,6 +45,14 @@ struct FittedResponse {
   double start = 0, value = 0; // RMS of the difference in dB before and after
 };
 
+struct FittedStiffness {
+  std::string name; // "y storage at 0.1 mm"
+  int numbers = 0;
+  double sigma = 0;            // as start and value
+  double start = 0, value = 0; // RMS of the difference over the magnitude, of angles in rad
+  bool held_out = false;
+};
+
 struct FittedAim { // a computed quantity that was to be least or most
   std::string quantity;
   bool least = true;
@@ -70,6 +79,7 @@ struct FitResult {
   std::vector<FittedTie> ties;
   std::vector<FittedTarget> targets;
   std::vector<FittedResponse> responses;
+  std::vector<FittedStiffness> stiffness;
   std::vector<FittedAim> aims; // with any, parameters have no uncertainties: limits hold the design
   std::vector<FittedConstraint> constraints;
   Eigen::MatrixXd correlation; // of the parameters; zero rows for those at a bound

@@ -120,6 +120,21 @@ double FitProblem::broken(std::size_t constraint, double value) const {
   return 0;
 }
 
+bool FitProblem::add_stiffness(const Case& design, Outcome& outcome) const {
+  if (stiffness_.empty()) return true;
+  std::vector<VectorXd> computed;
+  try {
+    computed = computed_stiffness(design, stiffness_);
+  } catch (const std::exception&) {
+    return false;
+  }
+  for (std::size_t i = 0; i < stiffness_.size(); ++i) {
+    if (!stiffness_[i].held_out && !computed[i].allFinite()) return false;
+    outcome.stiffness.push_back(deviations_of(stiffness_[i], computed[i]));
+  }
+  return true;
+}
+
 std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const {
   const VectorXd values = values_of(u);
   Case design = with_design(case_, request_, values);
@@ -134,6 +149,7 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
   Outcome outcome{VectorXd(Index(targets_.size())),
                   VectorXd(Index(aims_.size())),
                   VectorXd(Index(request_.constraints.size())),
+                  {},
                   {}};
   const std::map<std::string, double> numbers = computed_numbers_of(results);
   const std::vector<FrfSet> simulated =
@@ -143,6 +159,7 @@ std::optional<FitProblem::Outcome> FitProblem::evaluate(const VectorXd& u) const
     if (!own) return std::nullopt;
     outcome.responses.push_back(log_ratios(curve, own->first, own->second));
   }
+  if (!add_stiffness(design, outcome)) return std::nullopt;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (targets_[i].goal) {
       const auto value = number_of(targets_[i].quantity, numbers, design);
@@ -204,6 +221,12 @@ void FitProblem::add_rows(const Outcome& outcome, const VectorXd& values,
     const double weight = std::sqrt(std::min(1., lines_that_count / count));
     for (std::size_t k = 0; k < curves_[i].hertz.size(); ++k)
       r.push_back(weight * outcome.responses[i][Index(k)] / curves_[i].sigma[k]);
+  }
+  for (std::size_t i = 0; i < stiffness_.size(); ++i) {
+    if (stiffness_[i].held_out) continue;
+    const VectorXd& off = outcome.stiffness[i];
+    const double weight = std::sqrt(std::min(1., lines_that_count / double(off.size())));
+    for (const double x : off) r.push_back(weight * x / stiffness_[i].sigma);
   }
   for (std::size_t i = 0; i < request_.parameters.size(); ++i) {
     const FitParameter& p = request_.parameters[i];

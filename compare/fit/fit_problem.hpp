@@ -6,6 +6,7 @@
 #include "compare/fit/fit_bodies.hpp"
 #include "compare/fit/fit_curves.hpp"
 #include "compare/fit/fit_goal.hpp"
+#include "compare/fit/fit_stiffness.hpp"
 #include "compare/fit/friction_responses.hpp"
 #include "compare/search/search.hpp"
 #include "model/description/case.hpp"
@@ -55,12 +56,14 @@ public:
     Eigen::VectorXd aims;                   // computed values
     Eigen::VectorXd constraints;            // sums
     std::vector<Eigen::VectorXd> responses; // ln of computed over measured, per curve
+    std::vector<Eigen::VectorXd> stiffness; // deviations_of() each
   };
 
   const FitRequest& request() const { return request_; }
   const Case& data() const { return case_; }
   const std::vector<Target>& targets() const { return targets_; }
   const std::vector<Curve>& curves() const { return curves_; }
+  const std::vector<FitStiffness>& stiffness() const { return stiffness_; }
   const std::vector<Aim>& aims() const { return aims_; }
 
   // Values of the parameters by a design of the box and back, on their scales. Moments of inertia
@@ -97,10 +100,12 @@ private:
   std::optional<Eigen::VectorXd> rows(const Eigen::VectorXd& u, bool sides);
   void add_rows(const Outcome& outcome, const Eigen::VectorXd& values,
                 std::vector<double>& r) const;
+  bool add_stiffness(const Case& design, Outcome& outcome) const; // false: there is none
   bool is_refused(const Eigen::VectorXd& values) const;
   bool friction_alone() const;
   Results results_of(const Case& design) const;
   bool is_curve(const std::string& name) const;
+  void choose_stiffness(const Case& start, std::string& known);
   void choose_responses(const Results& results, std::string& known);
   void add_curve(const FrfSet& set, std::size_t reference, std::size_t response,
                  const std::vector<FrfSet>& simulated, std::string& known);
@@ -119,6 +124,7 @@ private:
   Results unchanged_;
   std::vector<Target> targets_;
   std::vector<Curve> curves_;
+  std::vector<FitStiffness> stiffness_;
   std::vector<Aim> aims_;
   std::vector<double> constraint_scale_; // size of its terms at the start
   std::vector<FitSample> samples_;       // the first 20,000

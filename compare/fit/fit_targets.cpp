@@ -99,6 +99,7 @@ void FitProblem::choose_targets() {
       throw std::invalid_argument("fit.hold_out_levels: no peak was measured at " +
                                   std::to_string(away) + " m/s2");
   choose_responses(results, known);
+  choose_stiffness(first, known);
   for (const FitTarget& t : request_.targets)
     if (!is_goal(t.quantity) && !is_curve(t.quantity) &&
         std::none_of(targets_.begin(), targets_.end(), [&](const Target& own) {
@@ -107,7 +108,9 @@ void FitProblem::choose_targets() {
       throw std::invalid_argument("fit.targets: the model gives no '" + t.quantity +
                                   "'; there are: " + known);
   choose_goals(first, results);
-  if (curves_.empty() && aims_.empty() &&
+  const bool stiffness = std::any_of(stiffness_.begin(), stiffness_.end(),
+                                     [](const FitStiffness& s) { return !s.held_out; });
+  if (curves_.empty() && aims_.empty() && !stiffness &&
       std::all_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.held_out; }))
     throw std::invalid_argument(targets_.empty()
                                     ? "nothing to fit: the model gives none of the measured "
@@ -119,7 +122,7 @@ void FitProblem::choose_targets() {
     return level_of(measured_, t.entry).has_value();
   });
   if (!levels) case_.analyses.levels.reset();
-  if (!peaks && !levels && curves_.empty()) case_ = for_headline(case_);
+  if (!peaks && !levels && curves_.empty() && stiffness_.empty()) case_ = for_headline(case_);
   if (asks_for_life()) case_ = with_life(std::move(case_), whole_);
   if (levels && friction_alone()) {
     friction_.emplace(first);
@@ -171,7 +174,8 @@ bool FitProblem::friction_alone() const {
       if (what.starts_with("f_")) return false;
   for (const Aim& aim : aims_)
     if (aim.quantity.starts_with("f_")) return false;
-  return curves_.empty() && std::all_of(targets_.begin(), targets_.end(), [&](const Target& t) {
+  return curves_.empty() && stiffness_.empty() &&
+         std::all_of(targets_.begin(), targets_.end(), [&](const Target& t) {
            return (t.goal && !t.quantity.starts_with("f_")) || t.entry == "mass" ||
                   level_of(measured_, t.entry) ||
                   (t.entry.starts_with("static[") &&
@@ -181,7 +185,9 @@ bool FitProblem::friction_alone() const {
 
 bool FitProblem::is_curve(const std::string& name) const {
   return std::any_of(curves_.begin(), curves_.end(),
-                     [&](const Curve& c) { return c.name == name; });
+                     [&](const Curve& c) { return c.name == name; }) ||
+         std::any_of(stiffness_.begin(), stiffness_.end(),
+                     [&](const FitStiffness& s) { return s.name == name || s.entry == name; });
 }
 
 // Measured responses to motion of the base that the model has too, on their lines in its band.
@@ -226,6 +232,22 @@ void FitProblem::add_curve(const FrfSet& set, std::size_t r, std::size_t c,
     curve.sigma.push_back(sigma);
   }
   if (curve.hertz.size() >= 2) curves_.push_back(std::move(curve));
+}
+
+// All that was measured; where targets are named, those.
+void FitProblem::choose_stiffness(const Case& start, std::string& known) {
+  for (FitStiffness& s : stiffness_targets(measured_)) {
+    known += (known.empty() ? "" : ", ") + s.name;
+    const auto named =
+        std::find_if(request_.targets.begin(), request_.targets.end(), [&](const FitTarget& t) {
+          return t.quantity == s.name || t.quantity == s.entry;
+        });
+    if (!request_.targets.empty() && named == request_.targets.end()) continue;
+    if (named != request_.targets.end() && named->sigma > 0) s.sigma = named->sigma;
+    if (!(s.sigma > 0)) s.sigma = request_.default_sigma;
+    stiffness_.push_back(std::move(s));
+  }
+  complete_sizes(start, stiffness_);
 }
 
 void FitProblem::scale_constraints(const Case& start, const Results& results) {

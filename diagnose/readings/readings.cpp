@@ -45,6 +45,9 @@ public:
       list_.all.warnings.push_back("the levels of " + levels +
                                    " say nothing without `base`: these modes are compared with the "
                                    "structure at rest, and what they differ by counts as scatter");
+    for (std::size_t i = 0; i < measured_.stiffness.size(); ++i)
+      list_.all.warnings.push_back(entry_name("stiffness", i) +
+                                   ": a diagnosis reads no dynamic stiffness; `plica fit` does");
     modes_of_runs();
     for (std::size_t i = 0; i < measured_.peaks.size(); ++i) peaks(i);
     add_response_readings(test_, list_);

@@ -2,10 +2,10 @@
 
 #include "io/input/field_reader.hpp"
 #include "io/input/measured_orders.hpp"
+#include "io/input/measured_states.hpp"
+#include "io/lab_files/stiffness_table.hpp"
 #include "io/lab_files/universal_modes.hpp"
 #include "lab/measured/measured_fields.hpp"
-#include "lab/measured/measured_words.hpp"
-#include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/check_log.hpp"
 #include "words/did_you_mean.hpp"
@@ -154,6 +154,24 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
   }
 }
 
+// Reads the tables too: they are small.
+void read_stiffness(Measured& m, const std::string& path, ReadLog& log) {
+  for (std::size_t i = 0; i < m.stiffness.size(); ++i) {
+    MeasuredStiffnessTable& table = m.stiffness[i];
+    const std::string key = item("stiffness", i);
+    if (!table.ends.empty() && (table.ends.size() != 2 || table.ends[0] == table.ends[1]))
+      log.add(key + ".ends", "are not two caps", "the end that moves, then the one that is held");
+    const std::size_t before = log.problems.size();
+    check_file(table.file, key + ".file", path, log);
+    if (table.file.empty() || log.problems.size() > before) continue;
+    try {
+      table.numbers = read_stiffness_table(std::filesystem::path(path).parent_path() / table.file);
+    } catch (const InputError& error) {
+      log.problems.insert(log.problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+}
+
 void check_vector(const Measured& m, const MeasuredVector& v, const std::string& key,
                   ReadLog& log) {
   if (!m.sensors.empty()) check_channels(m, v.channels, key + ".channels", "", log);
@@ -224,78 +242,10 @@ void take_all_repeats(Measured& m, ReadLog& log) {
     take_repeats(m.modes[i].repeats, m.modes[i].frequency, m.modes[i].sigma, item("modes", i), log);
 }
 
-void check_states(const Measured& m, ReadLog& log) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < m.states.size(); ++i) {
-    const std::string key = item("states", i) + ".name";
-    if (std::find(names.begin(), names.end(), m.states[i].name) != names.end())
-      log.add(key, "the name is used by another state", "names must differ");
-    names.push_back(m.states[i].name);
-  }
-  const auto check = [&](const auto& entries, const char* list) {
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const std::string &state = entries[i].state, key = item(list, i) + ".state";
-      if (!state.empty() && std::find(names.begin(), names.end(), state) == names.end())
-        log.add(key, "there is no state '" + shown(state) + "'",
-                names.empty() ? "this file has no states" : suggestion(state, names));
-    }
-  };
-  check(m.statics, "static");
-  check(m.modes, "modes");
-  check(m.peaks, "peaks");
-  check(m.frf, "frf");
-  check(m.signals, "signals");
-  if (m.mass && !m.mass->state.empty() &&
-      std::find(names.begin(), names.end(), m.mass->state) == names.end())
-    log.add("mass.state", "there is no state '" + shown(m.mass->state) + "'",
-            names.empty() ? "this file has no states" : suggestion(m.mass->state, names));
-}
-
-// What makes two entries measurements of one thing, whatever the state.
-std::string thing(const MeasuredStatic& s) {
-  return std::string(word_of(s.direction)) + " stiffness";
-}
-std::string thing(const MeasuredMode& m) {
-  std::string text = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order);
-  if (m.direction) text += std::string(" in ") + word_of(*m.direction);
-  if (m.base) text += std::string(", base ") + word_of(*m.base);
-  return m.sensor.empty() ? text : text + ", sensor " + m.sensor;
-}
-std::string thing(const MeasuredPeaks& p) {
-  return "peak of " + p.sensor + "." + word_of(p.direction) + ", base " + word_of(p.base);
-}
-std::string thing(const MeasuredFrf& f) {
-  return f.base ? std::string("response to base ") + word_of(*f.base)
-                : "response to a force at " + f.force;
-}
-
-// A change is explained from what was measured before and after it.
-void check_baselines(const Measured& m, ReadLog& log) {
-  if (!has_baseline(m)) return;
-  const auto check = [&](const auto& entries, const char* list) {
-    std::set<std::string> before;
-    for (const auto& entry : entries)
-      if (is_baseline(m, entry.state)) before.insert(thing(entry));
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      if (is_baseline(m, entries[i].state)) continue;
-      if (!before.contains(thing(entries[i])))
-        log.add(item(list, i), "no baseline has a " + thing(entries[i]),
-                "the same measured in a state with baseline: true, or no such entry here");
-    }
-  };
-  check(m.statics, "static");
-  check(m.modes, "modes");
-  check(m.peaks, "peaks");
-  check(m.frf, "frf");
-  if (m.mass && m.mass->state.empty())
-    log.add("mass", "does not say in which state it was weighed",
-            "state: one of `states`, as there is a baseline");
-}
-
 void check_hold_out(const Measured& m, ReadLog& log) {
   std::vector<std::string> entries;
   for (const auto& [key, where] : log.lines)
-    for (const char* list : {"static[", "modes[", "peaks[", "frf[", "signals["})
+    for (const char* list : {"static[", "stiffness[", "modes[", "peaks[", "frf[", "signals["})
       if (key.starts_with(list) && key.find('.') == std::string::npos) entries.push_back(key);
   for (std::size_t i = 0; i < m.hold_out.size(); ++i)
     if (!log.lines.count(m.hold_out[i]) || !m.hold_out[i].ends_with(']'))
@@ -323,6 +273,7 @@ MeasuredFile read_measured_file(const std::string& path) {
   check_modes(data, log);
   check_peaks(data, log);
   check_responses(data, path, log);
+  read_stiffness(data, path, log);
   take_all_repeats(data, log);
   check_hold_out(data, log);
   for (const Tolerance& t : log.tolerances) log.add(t.path, "takes no tolerance", "give its sigma");
@@ -366,6 +317,7 @@ void add_problems_of_test(const std::string& case_path, const std::string& model
 std::vector<std::filesystem::path> files_of(const MeasuredFile& file) {
   const std::filesystem::path beside = file.path.parent_path();
   std::vector<std::filesystem::path> files{file.path};
+  for (const MeasuredStiffnessTable& s : file.data.stiffness) files.push_back(beside / s.file);
   for (const MeasuredFrf& f : file.data.frf) files.push_back(beside / f.file);
   for (const MeasuredSignals& s : file.data.signals) files.push_back(beside / s.file);
   return files;

@@ -52,6 +52,13 @@ std::string targets_table(const FitResult& fit) {
     rows.push_back({{html_escape(r.name) + fmt::format(" ({} lines)", r.lines), "dB RMS", "–", "",
                      html_number(r.start, 3), html_number(r.value, 3), "", ""},
                     ""});
+  for (const FittedStiffness& s : fit.stiffness)
+    rows.push_back({{html_escape(s.name) + fmt::format(" ({} numbers)", s.numbers) +
+                         (s.held_out ? " (held out)" : ""),
+                     "% RMS of the magnitude", "–", html_number(100 * s.sigma, 2),
+                     html_number(100 * s.start, 3), html_number(100 * s.value, 3), "",
+                     html_number(s.value / s.sigma, 2)},
+                    ""});
   for (const FittedAim& a : fit.aims)
     rows.push_back({{html_escape(a.quantity) + (a.least ? " (least)" : " (most)"),
                      html_escape(a.unit), "", "", html_number(a.start, 5), html_number(a.value, 5),

@@ -54,6 +54,10 @@ std::string fit_text(const FitResult& fit) {
   for (const FittedResponse& r : fit.responses)
     text += fmt::format("{:<{}}{:>12}{:>9} dB{:>9} dB  RMS of {} lines\n", r.name, width, "",
                         significant(r.start, 3), significant(r.value, 3), r.lines);
+  for (const FittedStiffness& s : fit.stiffness)
+    text += fmt::format("{:<{}}{:>12}{:>10} %{:>10} %  RMS of {} numbers, of the magnitude\n",
+                        s.name + (s.held_out ? " (held out)" : ""), width, "",
+                        significant(100 * s.start, 3), significant(100 * s.value, 3), s.numbers);
   for (const FittedAim& a : fit.aims)
     text += fmt::format("{:<{}}{:>12}{:>12}{:>12}{:>9}\n",
                         a.quantity + (a.least ? " (least)" : " (most)"), width, "",

@@ -121,13 +121,6 @@ std::string transfer_stiffness_csv(const EndDynamicStiffness& s) {
   return text;
 }
 
-std::string measured_name(const MeasuredStiffness& m) {
-  constexpr std::array quantities{"storage", "loss", "magnitude", "loss angle"};
-  return direction_name(m.direction) +
-         (m.kind == StiffnessKind::driving_point ? " driving point " : " ") +
-         quantities[std::size_t(m.quantity)];
-}
-
 std::string stiffness_comparison_csv(const std::vector<StiffnessComparison>& rows) {
   std::string text =
       "frequency [Hz],amplitude [m or rad],quantity,unit,measured,computed,deviation\n";

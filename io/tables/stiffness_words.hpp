@@ -27,8 +27,7 @@ std::string stiffness_text(const EndDynamicStiffness& s,
 // Terms of the 12 x 12 that are above rounding somewhere, row by row.
 std::vector<std::array<int, 2>> terms_of(const EndDynamicStiffness& s);
 
-// Of a quantity of a test: "y storage", "rx driving point loss".
-std::string measured_name(const MeasuredStiffness& m);
+// Of a quantity of a test.
 struct ShownDeviation {
   std::string name, unit;
   int count = 0;

@@ -122,6 +122,14 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
   for (const FittedResponse& r : fit.responses)
     json["responses"].push_back(
         {{"name", r.name}, {"lines", r.lines}, {"before_db", r.start}, {"after_db", r.value}});
+  json["stiffness"] = Json::array();
+  for (const FittedStiffness& s : fit.stiffness)
+    json["stiffness"].push_back({{"name", s.name},
+                                 {"numbers", s.numbers},
+                                 {"sigma", s.sigma},
+                                 {"before", s.start},
+                                 {"after", s.value},
+                                 {"held_out", s.held_out}});
   json["constraints"] = Json::array();
   for (const FittedConstraint& c : fit.constraints)
     json["constraints"].push_back({{"name", c.name},

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "lab/measured/frf_set.hpp"
+#include "lab/measured/measured_stiffness.hpp"
 
 #include <array>
 #include <map>
@@ -145,6 +146,7 @@ struct Measured {
   std::vector<MeasuredState> states;
   std::optional<MeasuredMass> mass;
   std::vector<MeasuredStatic> statics;
+  std::vector<MeasuredStiffnessTable> stiffness; // dynamic
   std::vector<MeasuredMode> modes;
   std::vector<MeasuredPeaks> peaks;
   std::vector<MeasuredFrf> frf;

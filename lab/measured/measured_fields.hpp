@@ -81,6 +81,19 @@ template <class V> void fields(V& v, MeasuredStatic& s) {
   v.text(s.note, "note", {}, "remark");
 }
 
+template <class V> void fields(V& v, MeasuredStiffnessTable& s) {
+  v.text(s.file, "file", {.required = true},
+         "table as plica stiffness --measured reads it, relative to this file");
+  v.texts(s.ends, "ends",
+          "two caps: the end that moves and the one that is held; left out: those "
+          "of the case");
+  v.quantity(s.sigma, "sigma", {.unit = Dimension::ratio, .min = 0, .exclusive_min = true},
+             "standard deviation of the complex stiffness over its magnitude; of a loss angle in "
+             "radians");
+  v.text(s.state, "state", {}, state_meaning);
+  v.text(s.note, "note", {}, "remark");
+}
+
 template <class V> void fields(V& v, MeasuredVector& s) {
   v.one_or_more(s.channels, "channels", "sensor and axis, such as mid.y");
   v.quantities(s.real, "real", {.required = true}, "real parts");
@@ -198,6 +211,7 @@ template <class V> void fields(V& v, Measured& m) {
   v.list(m.states, "states", optional_key, "states of the specimen in which entries were measured");
   v.object(m.mass, "mass", optional_key, "weighed mass");
   v.list(m.statics, "static", optional_key, "static stiffnesses from a rig");
+  v.list(m.stiffness, "stiffness", optional_key, "dynamic stiffnesses from a rig");
   v.list(m.modes, "modes", optional_key, "identified modes");
   v.list(m.peaks, "peaks", optional_key, "peaks against the level of excitation");
   v.list(m.frf, "frf", optional_key, "measured frequency responses");

@@ -1,6 +1,7 @@
 // Dynamic stiffness as a rig measured it, number by number (ISO 10846-2 and -3).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ struct MeasuredStiffness {
   StiffnessKind kind = StiffnessKind::transfer;
   StiffnessQuantity quantity = StiffnessQuantity::storage;
   double value = 0; // N/m or Nm/rad; loss angle: rad
+};
+
+// A table of one rig test, an entry of measured.yaml.
+struct MeasuredStiffnessTable {
+  std::string file;              // relative to the file that names it
+  std::vector<std::string> ends; // caps: the end that moves, the one that is held; none = those two
+  std::optional<double> sigma;   // of the complex stiffness, over its magnitude
+  std::string state = {};        // of the specimen; empty = as it stands
+  std::string note = {};
+  std::vector<MeasuredStiffness> numbers = {}; // what the file holds
 };
 
 } // namespace plica

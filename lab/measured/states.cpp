@@ -39,6 +39,7 @@ Measured measured_in(const Measured& measured,
     entries.resize(next);
   };
   keep(result.statics, "static");
+  keep(result.stiffness, "stiffness");
   keep(result.modes, "modes");
   keep(result.peaks, "peaks");
   keep(result.frf, "frf");

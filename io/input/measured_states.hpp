@@ -1,0 +1,15 @@
+// States of the specimen in measured.yaml, and what a baseline needs.
+#pragma once
+
+#include "io/input/field_reader.hpp"
+#include "lab/measured/measured.hpp"
+
+namespace plica {
+
+// Names that two states share, and entries of a state that is not there.
+void check_states(const Measured& m, ReadLog& log);
+
+// A change is explained from what was measured before and after it: entries that no baseline has.
+void check_baselines(const Measured& m, ReadLog& log);
+
+} // namespace plica
