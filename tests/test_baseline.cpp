@@ -77,10 +77,44 @@ TEST(Baseline, a_clamp_that_turns_is_no_mass) {
   EXPECT_EQ(d.effects.front().way, "rotation") << d.headline;
 }
 
+// The same end held by a support in all directions, as others write a clamp.
+TEST(Baseline, an_end_that_a_support_holds_may_give_way_too) {
+  const Case nominal = beam_of(4, 0.6, 0.025, 0.012, true);
+  Case softer = nominal, supported = nominal;
+  softer.mount.front().kind = MountKind::springs;
+  softer.mount.front().stiffness = {1e9, 1e9, 1e9, 6e3, 6e3, 6e3};
+  supported.mount.clear();
+  supported.caps.clear();
+  supported.supports = {{.set = "beam.start", .dofs = {0, 1, 2, 3, 4, 5}}};
+  const Diagnosis d = diagnosis_of(supported, before_and_after(nominal, softer));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "boundary_compliance") << d.headline;
+  EXPECT_EQ(d.effects.front().place, "supports[0]") << d.headline;
+  EXPECT_EQ(d.effects.front().nodes.size(), 1U) << "drawn at the end";
+}
+
 TEST(Baseline, a_specimen_mounted_anew_has_not_changed) {
   const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
   const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, nominal));
   EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+}
+
+// Once mounted anew, hit twelve times: what the mounting did to a mode is the same in all hits.
+TEST(Baseline, hits_of_one_mounting_are_no_mountings) {
+  const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
+  Measured m = before_and_after(nominal, nominal);
+  constexpr std::array mounted{0.006, -0.005, 0.004, 0.007, -0.006};
+  for (std::size_t k = 0; k < 5; ++k)
+    m.modes[5 + k].frequency = m.modes[k].frequency * (1 + mounted[k]);
+  const std::vector<MeasuredMode> once = m.modes;
+  for (int hit = 1; hit < 12; ++hit)
+    for (MeasuredMode mode : once) {
+      mode.frequency *= 1 + 1e-4 * (hit % 3 - 1);
+      m.modes.push_back(mode);
+    }
+  const Diagnosis d = diagnosis_of(nominal, m);
+  EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+  EXPECT_EQ(d.readings.size(), 5U);
 }
 
 // Mounted anew modes scatter by 0.3 to 1 %; one baseline cannot say how much. Here by 1.1 %, root

@@ -7,6 +7,7 @@
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
 #include "diagnose/weigh/interval.hpp"
+#include "diagnose/weigh/likely_values.hpp"
 #include "model/description/case.hpp"
 #include "model/description/case_path.hpp"
 
@@ -177,6 +178,39 @@ TEST(Repeats, widen_what_the_test_leaves_unsaid) {
   EXPECT_EQ(test.warnings.size(), 1U);
 }
 
+// Weighed by 1 / sigma^2: of 100 Hz +- 1 Hz twice and 102 Hz +- 0.5 Hz, ln. Another order, another
+// state and a transverse mode that may be the other of a pair stay apart.
+TEST(Repeats, of_a_mode_known_by_its_kind_are_one_reading) {
+  Measured m;
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  const auto add = [&](double frequency, double sigma, int order, const char* state) {
+    MeasuredMode mode;
+    mode.shape = MeasuredShape::transverse;
+    mode.direction = Axis::z;
+    mode.order = order;
+    mode.state = state;
+    mode.frequency = frequency;
+    mode.sigma = sigma;
+    m.modes.push_back(mode);
+  };
+  add(100, 1, 1, "before");
+  add(100, 1, 1, "before");
+  add(102, 0.5, 1, "before");
+  add(300, 1, 2, "before");
+  add(101, 1, 1, "after");
+  const TestReadings test = readings_of({.data = m, .responses = {}});
+  ASSERT_EQ(test.readings.size(), 3U);
+  const double own = 1e4, other = std::pow(102 / 0.5, 2);
+  EXPECT_NEAR(test.readings[0].log_value,
+              (2 * own * std::log(100.) + other * std::log(102.)) / (2 * own + other), 1e-12);
+  EXPECT_NEAR(test.readings[0].sigma, 1 / std::sqrt(2 * own + other), 1e-12);
+  EXPECT_EQ(test.readings[0].name, "transverse mode 1 in z, before, mean of 3");
+  m.modes.resize(2);
+  for (MeasuredMode& mode : m.modes) mode.direction.reset();
+  EXPECT_EQ(readings_of({.data = m, .responses = {}}).readings.size(), 2U);
+}
+
 // Two resonances, of which a stop takes the lower away at the highest level.
 TEST(Readings, a_peak_that_is_gone_at_the_next_level_is_said) {
   const auto sweep = [](double lower) {
@@ -326,6 +360,39 @@ TEST(Intervals, end_at_a_bound_where_the_draws_crowd) {
   const auto [none, most] = interval_of({&fit}, 0, {PriorKind::uniform, 0, 1}).ends;
   EXPECT_EQ(none, 0);
   EXPECT_NEAR(most, 0.05 * std::log(10.), 5e-3);
+}
+
+// A place and a size on a ridge: size = z_2, place = 0.5 + 0.02 (z_1 + lopsided tail of z_2). Most
+// draws lie at 0.5, the optimum at the far end of the tail; a second, smaller heap lies elsewhere.
+TEST(LikelyValues, are_where_the_draws_of_a_place_are_densest) {
+  constexpr int count = 600, heap = 400, tail = 100;
+  Hypothesis h{.effect = "extra_support",
+               .place = "beam",
+               .way = "z",
+               .parameters = {{"k", "N/m", {PriorKind::normal, 0, 1}},
+                              {"at", "m", {PriorKind::uniform, 0, 1}}},
+               .along = 1};
+  HypothesisFit fit;
+  fit.together = {&h};
+  fit.solved = true;
+  fit.values = Eigen::Vector2d(-3, 0.7);
+  fit.z = Eigen::Vector2d(-3, normal_quantile(0.7));
+  EXPECT_EQ(likely_values(fit, 0)[1], 0.7) << "without draws";
+  fit.draws.resize(2, count);
+  for (int i = 0; i < count; ++i) {
+    const double share = i < heap          ? (i + 0.5) / heap
+                         : i < heap + tail ? (i - heap + 0.5) / tail
+                                           : (i - heap - tail + 0.5) / (count - heap - tail);
+    const double at = i < heap          ? 0.5 + 0.01 * normal_quantile(share)
+                      : i < heap + tail ? 0.5 + 0.2 * share
+                                        : 0.1 + 0.01 * normal_quantile(share);
+    fit.draws(1, i) = normal_quantile(at);
+    fit.draws(0, i) = i < heap ? 2 + 0.1 * std::sin(i) : i < heap + tail ? 2 - 5 * share : -4;
+  }
+  const VectorXd likely = likely_values(fit, 0);
+  EXPECT_NEAR(likely[1], 0.5, 0.005);
+  EXPECT_NEAR(likely[0], 2, 0.1) << "the size that goes with the place";
+  EXPECT_NE(name_of(fit).find("beam, 0.5"), std::string::npos) << name_of(fit);
 }
 
 // As many as were measured, though one is weak; none far out of the band.

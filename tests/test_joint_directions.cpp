@@ -105,6 +105,65 @@ TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
     }
 }
 
+// Four pieces of a clamped beam that meet in three joints, as coils of a liner do.
+Case in_coils(double bending_stiffness) {
+  Case c = two_halves(bending_stiffness);
+  const auto piece = [&](std::size_t k, double from, double to) {
+    std::get<BeamPart>(c.parts[k].body).points = {{0, from, 0}, {0, to, 0}};
+  };
+  piece(0, 0, 0.15);
+  piece(1, 0.15, 0.3);
+  for (const char* name : {"beam3", "beam4"}) {
+    Part part = c.parts[1];
+    part.name = name;
+    c.parts.push_back(part);
+  }
+  piece(2, 0.3, 0.45);
+  piece(3, 0.45, 0.6);
+  for (int k = 2; k <= 3; ++k) {
+    Cap coil = c.caps[1];
+    coil.name = "joint" + std::to_string(k);
+    coil.of = {"beam" + std::to_string(k) + ".end", "beam" + std::to_string(k + 1) + ".start"};
+    c.caps.push_back(coil);
+  }
+  Sensor tip;
+  tip.name = "tip";
+  tip.at = {0, 0.6, 0};
+  c.sensors.push_back(tip);
+  return c;
+}
+
+// All of them softer by one factor, or slipping alike, is one cause, not three.
+TEST(Joints, that_all_give_way_alike_are_one_cause) {
+  const Case nominal = in_coils(8e3);
+  const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, in_coils(3e3)));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "joint_stiffness") << d.headline;
+  EXPECT_EQ(d.effects.front().place, "joints") << d.headline;
+  EXPECT_NEAR(d.effects.front().parameters.front().value, 3. / 8, 0.1);
+  EXPECT_EQ(d.effects.front().nodes.size(), 6U) << "drawn at all of them";
+}
+
+TEST(Joints, that_all_slip_are_found_together) {
+  const Case nominal = in_coils(8e3);
+  const Measured any = swept(nominal, {}, {});
+  const Nominal model = nominal_of(nominal, any);
+  const std::vector<Hypothesis> all = joint_friction().hypotheses(model.structure(any));
+  const auto together = std::find_if(all.begin(), all.end(), [](const Hypothesis& h) {
+    return h.place == "joints" && h.way == "bending";
+  });
+  ASSERT_NE(together, all.end());
+  Eigen::VectorXd values(6); // ratio, share, slip, exponent, across, loss
+  values << 1, 0.6, 2e-5, 1, 1, 1;
+  const Diagnosis d = diagnosis_of(nominal, swept(nominal, {&*together}, values));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "joint_friction") << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_TRUE(e.place == "joints" || std::find(e.other_places.begin(), e.other_places.end(),
+                                               "joints") != e.other_places.end())
+      << d.headline;
+}
+
 // Springs in a row: 2, 3 and 6 N/m give 1; what couples its motions has no stiffness of its own.
 TEST(JointDirections, of_springs_in_a_row_add_their_compliance) {
   Model model;

@@ -26,6 +26,29 @@ TEST(Baseline, finds_the_lap_of_a_free_beam_that_others_measured) {
   EXPECT_GT(d.gap.shrink(), 0.7);
 }
 
+// The points of a beam say nothing of where it gave way: none near the lap, one in its middle, or
+// two within.
+TEST(Baseline, finds_the_lap_whatever_the_points_of_the_beam) {
+  const CaseFile file = read_case(cases_folder + "/lap_beam/lap_beam.yaml");
+  const Measured m = read_measured(cases_folder + "/lap_beam/measured.yaml");
+  constexpr double length = 0.72, from = 0.288, to = 0.432;
+  for (const int stretches : {1, 2, 9}) {
+    Case data = file.data;
+    auto& beam = std::get<BeamPart>(data.parts[0].body);
+    beam.points.clear();
+    for (int i = 0; i <= stretches; ++i) beam.points.push_back({0, length * i / stretches, 0});
+    beam.elements = stretches == 1 ? 20 : 6;
+    const Diagnosis d = diagnosis_of(data, m);
+    ASSERT_FALSE(d.effects.empty()) << stretches << ": " << d.headline;
+    const NamedEffect& e = d.effects.front();
+    EXPECT_EQ(e.name, "local_damage") << stretches << ": " << d.headline;
+    ASSERT_EQ(e.place, "beam") << stretches << ": " << d.headline;
+    EXPECT_EQ(e.parameters[1].name, "at");
+    EXPECT_GT(e.parameters[1].value, from) << stretches << ": " << d.headline;
+    EXPECT_LT(e.parameters[1].value, to) << stretches << ": " << d.headline;
+  }
+}
+
 // A frame that others built twice from one drawing: cases/two_builds. Nobody knows why the builds
 // differ, and all modes rise alike.
 TEST(Baseline, two_builds_of_a_frame_differ_by_nothing_that_is_sure) {
@@ -64,8 +87,9 @@ TEST(ThreeStoreyFrame, hit_at_three_places_has_not_changed) {
     }
 }
 
-// The roller beam (cases/roller_beam): the place by the roller's voltage, mm. At the first the beam
-// stands 26 mm off, as its second frequency is 2 % below that of any stiff roller there.
+// The roller beam (cases/roller_beam): the place by the roller's voltage, mm. At the first the
+// second frequency is 2 % below that of any stiff roller there, which a soft one farther out would
+// have; there are more stiff ones.
 TEST(RollerBeam, something_supports_it_and_where_whatever_its_points) {
   constexpr std::array place{63.9, 86.7, 110.3, 133.0, 156.4, 179.8};
   const std::string folder = cases_folder + "/roller_beam/";
@@ -88,7 +112,7 @@ TEST(RollerBeam, something_supports_it_and_where_whatever_its_points) {
       EXPECT_EQ(e.way, "z");
       ASSERT_EQ(e.parameters.back().name, "at");
       const double mm = 1e3 * e.parameters.back().value;
-      EXPECT_NEAR(mm, place[std::size_t(k)], k == 0 ? 30 : 10) << station;
+      EXPECT_NEAR(mm, place[std::size_t(k)], 10) << station;
       EXPECT_LE(1e3 * e.parameters.back().interval[0], place[std::size_t(k)]) << station;
       EXPECT_GE(1e3 * e.parameters.back().interval[1], place[std::size_t(k)]) << station;
     }

@@ -3,6 +3,7 @@
 #include "diagnose/effects/growth.hpp"
 #include "diagnose/effects/place_nodes.hpp"
 #include "diagnose/weigh/interval.hpp"
+#include "diagnose/weigh/likely_values.hpp"
 
 #include <algorithm>
 
@@ -55,13 +56,15 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
           other.effect == h.effect && other.place == h.place && other.way != h.way)
         ways.push_back(&j.fit);
   const Index first = fit.first_of(member);
+  const VectorXd likely = likely_values(fit, member);
   for (std::size_t i = 0; i < h.parameters.size(); ++i) {
     const Index row = first + Index(i);
     const Interval between = interval_of(ways, row, h.parameters[i].prior);
-    const bool within = fit.values[row] >= between.ends[0] && fit.values[row] <= between.ends[1];
+    const double value = likely[Index(i)];
+    const bool within = value >= between.ends[0] && value <= between.ends[1];
     e.parameters.push_back({.name = h.parameters[i].name,
                             .unit = h.parameters[i].unit,
-                            .value = within ? fit.values[row] : between.middle,
+                            .value = within ? value : between.middle,
                             .interval = between.ends,
                             .z = fit.z[row]});
   }

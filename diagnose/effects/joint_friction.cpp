@@ -1,4 +1,4 @@
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/joints_together.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,9 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (!has_levels(s.measured)) return found; // one motion: a softer joint says the same
   constexpr Prior drawn{PriorKind::log_normal, 1, 1.2}, absent{PriorKind::log_normal, 0.3, 0.7};
-  for (const JointGroup& group : joint_groups(s)) {
+  std::vector<JointGroup> groups = joint_groups(s);
+  if (const auto all = joints_together(groups)) groups.push_back(all->group);
+  for (const JointGroup& group : groups) {
     const double present = group.present ? 1 : 0;
     const auto add = [&](JointDirection motion, const Prior& ratio, double stiffness) {
       found.push_back({.effect = "joint_friction",

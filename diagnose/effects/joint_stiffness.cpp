@@ -1,4 +1,4 @@
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/joints_together.hpp"
 
 namespace plica {
 namespace {
@@ -52,26 +52,34 @@ CaseEdits with_joint(const Case& now, const std::string& place,
 
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  for (const JointGroup& group : joint_groups(s)) {
+  std::vector<JointGroup> groups = joint_groups(s);
+  const auto all = joints_together(groups);
+  if (all) groups.push_back(all->group);
+  for (const JointGroup& group : groups) {
     if (group.mount) continue; // boundary_compliance
+    const std::vector<std::string> places =
+        all && group.place == all->group.place ? all->places : std::vector{group.place};
     const double present = group.present ? 1 : 0;
     std::optional<BeamProperties> absent;
     if (!group.present) absent = tube_of(s.built.model, group);
     const auto add = [&](JointDirection motion, const Prior& prior) {
-      found.push_back(
-          {.effect = "joint_stiffness",
-           .place = group.place,
-           .way = way_of(motion),
-           .parameters = {{"ratio", "", prior}},
-           .changes = {added_group(group, motion)},
-           .coefficients =
-               [present](const Eigen::VectorXd& v) {
-                 return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
-               },
-           .in_case =
-               [place = group.place, absent, motion](const Case& now, const Eigen::VectorXd& v) {
-                 return with_joint(now, place, absent, motion, v[0]);
-               }});
+      found.push_back({.effect = "joint_stiffness",
+                       .place = group.place,
+                       .way = way_of(motion),
+                       .parameters = {{"ratio", "", prior}},
+                       .changes = {added_group(group, motion)},
+                       .coefficients =
+                           [present](const Eigen::VectorXd& v) {
+                             return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
+                           },
+                       .in_case =
+                           [places, absent, motion](const Case& now, const Eigen::VectorXd& v) {
+                             CaseEdits edits;
+                             for (const std::string& place : places)
+                               for (auto& edit : with_joint(now, place, absent, motion, v[0]))
+                                 edits.push_back(std::move(edit));
+                             return edits;
+                           }});
     };
     add(JointDirection::all, {PriorKind::log_normal, group.present ? 1 : 0.3, 1});
     for (const auto& [motion, k] : motions_of(s.built.model, group))

@@ -1,5 +1,6 @@
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/beam_path.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/printf.h>
@@ -42,29 +43,79 @@ Hypothesis damage(const std::string& place, const std::string& way, ModelChange 
           .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(2 * v); }};
 }
 
-void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Part& part) {
-  const Model& model = s.built.model;
-  const auto& beam = std::get<BeamPart>(part.body);
+// Elements of beams with half of their stiffness.
+ModelChange halved(const std::vector<int>& elements) {
+  return {[elements](Model& changed) {
+            for (int i : elements) {
+              BeamProperties& b = changed.beams[std::size_t(i)].section;
+              for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ}) *n /= 2;
+            }
+          },
+          Follow::series};
+}
+
+std::vector<int> elements_of(const Model& model, const std::string& part) {
   std::vector<int> own;
   for (std::size_t i = 0; i < model.beams.size(); ++i)
-    if (model.components[std::size_t(model.beams[i].component)] == part.name) own.push_back(int(i));
+    if (model.components[std::size_t(model.beams[i].component)] == part) own.push_back(int(i));
+  return own;
+}
+
+void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Part& part) {
+  const auto& beam = std::get<BeamPart>(part.body);
+  const std::vector<int> own = elements_of(s.built.model, part.name);
   for (std::size_t k = 0; k + 1 < beam.points.size(); ++k) {
-    std::vector<int> stretch;
-    for (int e = 0; e < beam.elements; ++e)
-      stretch.push_back(own[k * std::size_t(beam.elements) + std::size_t(e)]);
+    const auto first = own.begin() + std::ptrdiff_t(k) * beam.elements;
     found.push_back(damage(part.name + ".stretch[" + std::to_string(k + 1) + "]", "",
-                           {[stretch](Model& changed) {
-                              for (int i : stretch) {
-                                BeamProperties& b = changed.beams[std::size_t(i)].section;
-                                for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ}) *n /= 2;
-                              }
-                            },
-                            Follow::series}));
+                           halved({first, first + beam.elements})));
   }
 }
 
+// What each interval of a path has lost where `loss` is lost from `from` to `to`. Compliances of
+// what is whole and what is not add up within an interval.
+Eigen::VectorXd lost(const BeamPath& path, double loss, double from, double to) {
+  Eigen::VectorXd each(Eigen::Index(path.at.size()) - 1);
+  for (std::size_t i = 0; i + 1 < path.at.size(); ++i) {
+    const double within = std::min(to, path.at[i + 1]) - std::max(from, path.at[i]);
+    const double share = std::max(0., within) / (path.at[i + 1] - path.at[i]);
+    each[Eigen::Index(i)] = 1 - 1 / (1 + share * loss / (1 - loss));
+  }
+  return each;
+}
+
+// Anywhere along a beam, over a length that is not known either: its points say nothing of where it
+// was damaged.
+void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const BeamPath& path) {
+  const auto& x = s.built.model.mesh.nodes;
+  std::vector<std::vector<int>> elements(path.at.size() - 1);
+  double at = 0;
+  for (int i : elements_of(s.built.model, path.part)) {
+    const BeamElement& b = s.built.model.beams[std::size_t(i)];
+    const double length = (x[std::size_t(b.node2)] - x[std::size_t(b.node1)]).norm();
+    const auto next = std::upper_bound(path.at.begin() + 1, path.at.end() - 1, at + length / 2);
+    elements[std::size_t(next - path.at.begin() - 1)].push_back(i);
+    at += length;
+  }
+  std::vector<ModelChange> changes;
+  for (const std::vector<int>& own : elements) changes.push_back(halved(own));
+  constexpr double longest = 0.5; // of the beam
+  found.push_back(
+      {.effect = "local_damage",
+       .place = path.part,
+       .way = "",
+       .parameters = {{"loss", "", {PriorKind::uniform, 0, 0.97}},
+                      {"at", "m", {PriorKind::uniform, 0, path.length()}},
+                      {"length", "m", {PriorKind::uniform, 0, longest * path.length()}}},
+       .changes = std::move(changes),
+       .coefficients =
+           [path](const Eigen::VectorXd& v) {
+             return Eigen::VectorXd(2 * lost(path, v[0], v[1] - v[2] / 2, v[1] + v[2] / 2));
+           },
+       .along = 1});
+}
+
 // Young's modulus lost over a quarter of the circumference of a convolution, in eight directions
-// from x towards z; in a beam over a stretch between two of its points.
+// from x towards z; in a beam over a stretch between two of its points, or anywhere along.
 std::vector<Hypothesis> hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
@@ -81,6 +132,7 @@ std::vector<Hypothesis> hypotheses(const Structure& s) {
       }
   for (const Part& part : s.data.parts)
     if (std::holds_alternative<BeamPart>(part.body)) add_stretches(found, s, part);
+  for (const BeamPath& path : beam_paths(s)) add_anywhere(found, s, path);
   return found;
 }
 

@@ -1,6 +1,46 @@
 #include "diagnose/effects/on_table.hpp"
 
+#include <algorithm>
+#include <set>
+
 namespace plica {
+namespace {
+
+const std::string support_key = "supports[";
+constexpr const char* ends[] = {".start", ".end", ".left", ".right"};
+
+bool is_end_of_a_part(const Case& data, const std::string& set) {
+  return std::any_of(data.parts.begin(), data.parts.end(), [&](const Part& part) {
+    return std::any_of(std::begin(ends), std::end(ends),
+                       [&](const char* end) { return set == part.name + end; });
+  });
+}
+
+} // namespace
+
+Case clamped_by_mounts(Case data) {
+  std::vector<Support> others;
+  for (std::size_t i = 0; i < data.supports.size(); ++i) {
+    const Support& support = data.supports[i];
+    const bool all = std::set<int>(support.dofs.begin(), support.dofs.end()).size() == 6;
+    const bool capped = std::any_of(data.caps.begin(), data.caps.end(), [&](const Cap& cap) {
+      return std::find(cap.of.begin(), cap.of.end(), support.set) != cap.of.end();
+    });
+    if (!all || capped || !is_end_of_a_part(data, support.set)) {
+      others.push_back(support);
+      continue;
+    }
+    const std::string name = support_key + std::to_string(i) + "]";
+    data.caps.push_back({.name = name, .of = {support.set}});
+    data.mount.push_back({.cap = name});
+  }
+  data.supports = std::move(others);
+  return data;
+}
+
+std::string place_of(const Mount& mount) {
+  return mount.cap.starts_with(support_key) ? mount.cap : "mount." + mount.cap;
+}
 
 std::vector<int> springs_of(const Model& model, const Mount& mount) {
   std::vector<int> found;

@@ -9,6 +9,14 @@
 
 namespace plica {
 
+// An end that a support holds in all directions is clamped as a mount clamps it, and may give way
+// as that does: with a cap and a rigid mount in the place of each, named as the support is in the
+// case, "supports[0]".
+Case clamped_by_mounts(Case data);
+
+// "mount.left", or that of a support.
+std::string place_of(const Mount& mount);
+
 // As build(), the feet among held_nodes.
 BuiltCase build_on_table(const Case& data);
 

@@ -44,9 +44,14 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
   for (const BuiltSensor& sensor : s.built.sensors)
     if (name == "sensor." + sensor.name) nodes.insert(sensor.node);
   for (const auto& [cap, node] : s.built.cap_nodes)
-    if (name == "caps." + cap || name == "mount." + cap) nodes.insert(node);
+    if (name == "caps." + cap || name == "mount." + cap ||
+        (name == cap && cap.starts_with("supports[")))
+      nodes.insert(node);
   for (const Mount& m : s.data.mount)
     if (name == "mount" && m.kind != MountKind::free) nodes.insert(cap_node(s, m.cap));
+  if (name == "joints")
+    for (const JointGroup& group : joint_groups(s))
+      if (!group.mount) add_component(nodes, model, group.place);
   for (const Spot& spot : spots(s))
     if (spot.place == name) nodes.insert(spot.nodes.begin(), spot.nodes.end());
   for (const Part& part : s.data.parts)

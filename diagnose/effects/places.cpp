@@ -326,7 +326,7 @@ std::vector<HeldEnds> held_ends(const Structure& s, bool rigid) {
   for (const Mount& m : s.data.mount) {
     if (m.kind == MountKind::free || (rigid && m.kind != MountKind::rigid)) continue;
     const int node = node_on_table(s.built, m);
-    found.push_back({"mount." + m.cap, {node}});
+    found.push_back({place_of(m), {node}});
     all.nodes.push_back(node);
   }
   if (all.nodes.size() > 1) found.push_back(std::move(all));

@@ -97,7 +97,7 @@ std::vector<BuiltSensor> further_places(const Structure& s) {
   std::vector<BuiltSensor> places;
   for (const Mount& m : s.data.mount)
     if (const int node = cap_node(s, m.cap); node >= 0)
-      places.push_back({.name = "mount." + m.cap, .node = node});
+      places.push_back({.name = place_of(m), .node = node});
   for (const Spot& spot : spots(s))
     if (!spot.place.starts_with("sensor.") && places.size() < most)
       places.push_back({.name = spot.place, .node = spot.touched});
@@ -203,7 +203,7 @@ Structure Nominal::structure(const Measured& measured) const {
 }
 
 Nominal nominal_of(const Case& data, const Measured& measured) {
-  Case plain = data;
+  Case plain = clamped_by_mounts(data);
   plain.analyses.error_bars = false;
   const bool coarse = build(plain).model.mesh.nodes.size() > small_mesh;
   plain = with_counted_mesh(plain, coarse);

@@ -53,6 +53,7 @@ public:
     add_response_readings(test_, list_);
     widen_by_repeats(list_.all);
     hold_out_by_level();
+    pool_repeats(list_.all);
     return std::move(list_.all);
   }
 

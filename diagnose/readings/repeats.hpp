@@ -11,4 +11,11 @@ namespace plica {
 // so. What the test states is left.
 void widen_by_repeats(TestReadings& test);
 
+// A mode known by its kind that was measured several times in one state, driven alike, is one
+// reading: the mean of the logarithms, weighed by what is stated of them, and known so much better.
+// How the specimen was mounted, and what an effect does otherwise than a hypothesis says, is the
+// same in all of them; as readings of their own they would count it down. Transverse modes without
+// a direction stay apart: they may be the two of a pair.
+void pool_repeats(TestReadings& test);
+
 } // namespace plica

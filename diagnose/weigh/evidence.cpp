@@ -2,6 +2,7 @@
 
 #include "compare/search/search.hpp"
 #include "diagnose/results/normal_distribution.hpp"
+#include "diagnose/weigh/likely_values.hpp"
 #include "diagnose/weigh/spread_point.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
 
@@ -272,6 +273,10 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
   };
   std::vector<VectorXd> optima = fit.others;
   optima.push_back(fit.z);
+  constexpr int of_a_place = 4; // as many, where what is told is their density (likely_values.hpp)
+  if (std::any_of(fit.together.begin(), fit.together.end(),
+                  [](const Hypothesis* h) { return h->along.has_value(); }))
+    particles *= of_a_place;
   ChainDraws drawn = tempered_chains({std::move(optima), dispersed_covariance(fit, dispersion)},
                                      log_likelihood, particles, seed);
   fit.draws = std::move(drawn.z);
@@ -282,11 +287,12 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
 namespace {
 
 // "0.22 or 0.38": where it acts along its part, and where it would as well.
-std::string places_along(const HypothesisFit& fit, const Hypothesis& h, Index first) {
-  const Index row = first + Index(*h.along);
+std::string places_along(const HypothesisFit& fit, std::size_t member) {
+  const Hypothesis& h = *fit.together[member];
+  const Index row = fit.first_of(member) + Index(*h.along);
   const Prior& prior = h.parameters[*h.along].prior;
   const double apart = 0.05 * (prior.width - prior.centre);
-  std::vector<double> places{fit.values[row]};
+  std::vector<double> places{likely_values(fit, member)[Index(*h.along)]};
   for (const VectorXd& other : fit.others)
     if (const double at = value_of(prior, other[row]);
         std::all_of(places.begin(), places.end(),
@@ -302,13 +308,12 @@ std::string places_along(const HypothesisFit& fit, const Hypothesis& h, Index fi
 std::string name_of(const HypothesisFit& fit) {
   if (fit.together.empty()) return "nominal case";
   std::string name;
-  Index first = 0;
-  for (const Hypothesis* h : fit.together) {
+  for (std::size_t member = 0; member < fit.together.size(); ++member) {
+    const Hypothesis& h = *fit.together[member];
     if (!name.empty()) name += " and ";
-    name += h->effect + " at " + h->place;
-    if (h->along && fit.values.size() > 0) name += ", " + places_along(fit, *h, first) + " m along";
-    if (!h->way.empty()) name += " (" + h->way + ")";
-    first += Index(h->parameters.size());
+    name += h.effect + " at " + h.place;
+    if (h.along && fit.values.size() > 0) name += ", " + places_along(fit, member) + " m along";
+    if (!h.way.empty()) name += " (" + h.way + ")";
   }
   return name;
 }
