@@ -25,16 +25,16 @@ std::string short_name(const RivalSet& r) {
 }
 
 // What is offered, in one list of readings.
-struct Menu {
+struct OfferedReadings {
   std::vector<Offer> offers;
   TestReadings readings;
   std::vector<Index> first{0}; // reading of each offer, and the end
 };
 
-Menu menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
-             const TestReadings& test, const std::shared_ptr<StateModels>& models) {
-  Menu m{.offers = menu(data, measured, test, nominal.states.front().further_places()),
-         .readings = {}};
+OfferedReadings menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
+                        const TestReadings& test, const std::shared_ptr<StateModels>& models) {
+  OfferedReadings m{.offers = menu(data, measured, test, nominal.states.front().further_places()),
+                    .readings = {}};
   for (Offer& offer : m.offers) {
     drop_unanswered(nominal, offer.readings, models);
     append_readings(m.readings, offer.readings);
@@ -47,7 +47,7 @@ Menu menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
 // unexplained; and readings.
 class Draws {
 public:
-  Draws(const Nominal& nominal, const Menu& menu, const std::vector<RivalSet>& rivals,
+  Draws(const Nominal& nominal, const OfferedReadings& menu, const std::vector<RivalSet>& rivals,
         const std::shared_ptr<StateModels>& models)
       : menu_(menu), readings_(Index(menu.readings.readings.size())) {
     for (const RivalSet& r : rivals)
@@ -114,7 +114,7 @@ private:
     return std::size_t(std::find(names_.begin(), names_.end(), name(h)) - names_.begin());
   }
 
-  const Menu& menu_;
+  const OfferedReadings& menu_;
   Index readings_;
   std::vector<std::string> names_;
   MatrixXd shares_, y_; // about their means; as they are
@@ -124,8 +124,8 @@ private:
 // Of rivals at their optima: what an offer tells apart.
 class Separation {
 public:
-  Separation(const Nominal& nominal, const Menu& menu, const std::vector<RivalSet>& rivals,
-             const std::shared_ptr<StateModels>& models)
+  Separation(const Nominal& nominal, const OfferedReadings& menu,
+             const std::vector<RivalSet>& rivals, const std::shared_ptr<StateModels>& models)
       : menu_(menu), rivals_(rivals), y_(rivals.size()) {
     in_parallel(int(rivals.size()), [&](int i) {
       const RivalSet& r = rivals[std::size_t(i)];
@@ -170,7 +170,7 @@ private:
     return T;
   }
 
-  const Menu& menu_;
+  const OfferedReadings& menu_;
   const std::vector<RivalSet>& rivals_;
   std::vector<std::optional<VectorXd>> y_;
   double pairs_ = 0;
@@ -183,7 +183,7 @@ std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nomin
                                                    const TestReadings& test,
                                                    const std::vector<RivalSet>& rivals,
                                                    const std::shared_ptr<StateModels>& models) {
-  const Menu menu = menu_of(data, nominal, measured, test, models);
+  const OfferedReadings menu = menu_of(data, nominal, measured, test, models);
   if (menu.readings.readings.empty()) return {};
   const Draws draws(nominal, menu, rivals, models);
   const Separation separation(nominal, menu, rivals, models);

@@ -21,13 +21,13 @@ std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes)
   return all;
 }
 
-constexpr double most = 0.2; // of the part: what nobody would miss on seeing it is less
+constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less
 
 // A mass all round a crown turns with it; one that is clamped softly does not.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const EffectParameter mass{
-      "mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, most * s.mass}};
+      "mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, largest_share * s.mass}};
   const auto add = [&](const Spot& spot, const char* way, ModelChange one_kilogram) {
     found.push_back({.effect = "added_mass",
                      .place = spot.place,
@@ -74,7 +74,7 @@ Effect added_mass() {
                           "unweighed_mass: a second sensor of the same mass",
                           "boundary_compliance: the antinodes of further modes"},
           .needs = "a sensor, bellows, pipe, chain or beam",
-          .hypotheses = hypotheses};
+          .hypotheses = added_mass_hypotheses};
 }
 
 } // namespace plica

@@ -114,7 +114,7 @@ void add_springs(std::vector<Hypothesis>& found, const Structure& s) {
   if (mounts > 1) add("mount", all);
 }
 
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> boundary_compliance_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   add_rigid_ends(found, s);
   add_springs(found, s);
@@ -132,7 +132,7 @@ Effect boundary_compliance() {
                           "joint_stiffness: the static stiffness of the rig",
                           "unweighed_mass: an accelerometer on the held end"},
           .needs = "a mount, rigid or with springs",
-          .hypotheses = hypotheses};
+          .hypotheses = boundary_compliance_hypotheses};
 }
 
 } // namespace plica

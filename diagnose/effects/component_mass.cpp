@@ -52,7 +52,7 @@ CaseEdits with_mass(const Case& now, const std::string& place, double factor) {
 
 // Caps, attached masses, interlocks: a ratio to the mass in the case. An attached mass may be
 // missing altogether.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> component_mass_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const Model& model = s.built.model;
   const auto add = [&](const std::string& place, std::vector<int> masses, const Prior& prior) {
@@ -107,7 +107,7 @@ Effect component_mass() {
           .signature = "mass and the modes that move the part",
           .look_alikes = {"unweighed_mass: weigh again", "added_mass: weigh with everything on it"},
           .needs = "a cap, mass or interlock that has mass",
-          .hypotheses = hypotheses};
+          .hypotheses = component_mass_hypotheses};
 }
 
 } // namespace plica

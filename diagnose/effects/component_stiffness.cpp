@@ -19,7 +19,7 @@ ModelChange doubled(const PartGroup& group) {
 
 // All stiffness of a part by one factor: it says where, not why. Of a structure of one part it
 // would be a modulus, which no specimen has another of; beside a baseline a part stays what it is.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> component_stiffness_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (has_baseline(s.measured)) return found;
   for (const PartGroup& group : part_groups(s))
@@ -54,7 +54,7 @@ Effect component_stiffness() {
           .look_alikes = {"component_mass: weigh the part", "ply_slip: further levels",
                           "boundary_compliance: an accelerometer on the held end"},
           .needs = "two parts of shells or beams, and no baseline",
-          .hypotheses = hypotheses};
+          .hypotheses = component_stiffness_hypotheses};
 }
 
 } // namespace plica

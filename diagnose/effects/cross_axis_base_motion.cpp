@@ -1,11 +1,11 @@
 #include "diagnose/effects/effect.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <set>
 
 namespace plica {
 namespace {
-
-constexpr std::array axis_letters{"x", "y", "z"};
 
 std::set<Axis> bases(const Measured& measured) {
   std::set<Axis> axes;
@@ -28,10 +28,10 @@ Hypothesis coupling(const std::string& way, std::function<void(Eigen::Matrix3d&,
 }
 
 // One commanded axis into another; two into each other alike; and the specimen turned on the table.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> cross_axis_base_motion_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const std::set<Axis> told = bases(s.measured);
-  const auto name = [](int axis) { return std::string(axis_letters[std::size_t(axis)]); };
+  const auto name = [](int axis) { return std::string(axis_word(axis)); };
   for (Axis base : told)
     for (int b = 0; b < 3; ++b)
       if (const int a = static_cast<int>(base); a != b)
@@ -65,7 +65,7 @@ Effect cross_axis_base_motion() {
           .look_alikes = {"local_damage: an accelerometer on the table",
                           "rotated_sensor: turn the sensor"},
           .needs = "a run of the table",
-          .hypotheses = hypotheses};
+          .hypotheses = cross_axis_base_motion_hypotheses};
 }
 
 } // namespace plica

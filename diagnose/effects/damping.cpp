@@ -3,7 +3,7 @@
 namespace plica {
 namespace {
 
-std::vector<Hypothesis> hypotheses(const Structure&) {
+std::vector<Hypothesis> damping_hypotheses(const Structure&) {
   return {{.effect = "damping",
            .place = "all",
            .way = "",
@@ -22,7 +22,7 @@ Effect damping() {
           .signature = "peaks and their widths, not their frequencies",
           .look_alikes = {"joint_friction: further levels", "sensor_gain: the width of the peaks"},
           .needs = "",
-          .hypotheses = hypotheses};
+          .hypotheses = damping_hypotheses};
 }
 
 } // namespace plica

@@ -25,7 +25,7 @@ bool sees_two_directions(const Measured& m) {
 }
 
 // A support all round a crown holds its turning too; one that touches softly does not.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const auto add = [&](const Spot& spot, const char* way, ModelChange unit) {
     found.push_back({.effect = "extra_support",
@@ -75,7 +75,7 @@ Effect extra_support() {
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
           .look_alikes = {"joint_stiffness: other modes", "component_mass: weigh the part"},
           .needs = "a bellows, pipe, chain or beam",
-          .hypotheses = hypotheses};
+          .hypotheses = extra_support_hypotheses};
 }
 
 } // namespace plica

@@ -28,7 +28,7 @@ CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::Ve
 
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
 // straight, with the radius of gyration of a block of its size, nearly.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const double mass = 2 * s.mass, gyration = gyration_of_cube * std::cbrt(mass / steel);
   for (const HeldEnds& ends : held_ends(s)) {
@@ -78,7 +78,7 @@ Effect fixture_flexibility() {
           .look_alikes = {"boundary_compliance: an accelerometer on the fixture",
                           "added_mass: a response of the fixture alone"},
           .needs = "a mount, rigid or with springs",
-          .hypotheses = hypotheses};
+          .hypotheses = fixture_flexibility_hypotheses};
 }
 
 } // namespace plica

@@ -19,7 +19,7 @@ void thin(Model& model, const WallElements& wall, double exponent) {
 
 // Stiffness and mass are smooth in the exponent; a parabola through two samples follows them within
 // 0.1 % up to exponents of 1.5.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> forming_thinning_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (has_baseline(s.measured)) return found; // what was formed stays as it is
   const std::vector<double> samples{0.6, 1.2};
@@ -55,7 +55,7 @@ Effect forming_thinning() {
           .signature = "the stiffness falls, and the mass a little",
           .look_alikes = {"ply_slip: weigh, measure the thickness", "temperature: weigh"},
           .needs = "a bellows, and a test without a baseline: a wall is formed once",
-          .hypotheses = hypotheses};
+          .hypotheses = forming_thinning_hypotheses};
 }
 
 } // namespace plica

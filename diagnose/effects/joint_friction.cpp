@@ -24,7 +24,7 @@ bool has_levels(const Measured& m) {
 // Stuck, the group has `ratio` times its stiffness; `share` of that slips. A joint that is drawn by
 // a static test is drawn as it slips: stuck it may be ten times as stiff. In all motions by one
 // law, or in one of them; turning is a path at a lever (places.hpp).
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (!has_levels(s.measured)) return found; // one motion: a softer joint says the same
   constexpr Prior drawn{PriorKind::log_normal, 1, 1.2}, absent{PriorKind::log_normal, 0.3, 0.7};
@@ -82,7 +82,7 @@ Effect joint_friction() {
                           "joint_stiffness: further levels",
                           "damping: a free decay at a low level"},
           .needs = "a joint, connector, interlock or springs of a mount, and levels of excitation",
-          .hypotheses = hypotheses};
+          .hypotheses = joint_friction_hypotheses};
 }
 
 } // namespace plica

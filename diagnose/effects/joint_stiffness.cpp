@@ -50,7 +50,7 @@ CaseEdits with_joint(const Case& now, const std::string& place,
   return edits;
 }
 
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   std::vector<JointGroup> groups = joint_groups(s);
   const auto all = joints_together(groups);
@@ -99,7 +99,7 @@ Effect joint_stiffness() {
                           "ply_slip: modes that do not strain the joint",
                           "boundary_compliance: an accelerometer on the held end"},
           .needs = "a joint, connector or interlock",
-          .hypotheses = hypotheses};
+          .hypotheses = joint_stiffness_hypotheses};
 }
 
 } // namespace plica

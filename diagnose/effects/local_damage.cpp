@@ -116,7 +116,7 @@ void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const Beam
 
 // Young's modulus lost over a quarter of the circumference of a convolution, in eight directions
 // from x towards z; in a beam over a stretch between two of its points, or anywhere along.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
   for (const WallElements& wall : walls(s))
@@ -147,7 +147,7 @@ Effect local_damage() {
                           "cross_axis_base_motion: an accelerometer on the table",
                           "joint_stiffness: turn the specimen by 90 degrees"},
           .needs = "a bellows or a beam",
-          .hypotheses = hypotheses};
+          .hypotheses = local_damage_hypotheses};
 }
 
 } // namespace plica

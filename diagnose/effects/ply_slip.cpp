@@ -19,7 +19,7 @@ const Bellows* bellows_of(const Structure& s, const std::string& name) {
 // Plies with bond fraction b bend with D_slip + b (D_solid - D_slip) (elements/shell_section.hpp).
 // A wall stated as one ply is taken as two that the case believes bonded. The points through the
 // thickness move in by the root of the factor, which is why it comes in as well.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> ply_slip_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const PartGroup& group : part_groups(s)) {
     const Bellows* bellows = bellows_of(s, group.parts.front());
@@ -78,7 +78,7 @@ Effect ply_slip() {
                           "temperature: repeat after a soak",
                           "joint_stiffness: a sweep at a lower level, strain of other modes"},
           .needs = "a bellows",
-          .hypotheses = hypotheses};
+          .hypotheses = ply_slip_hypotheses};
 }
 
 } // namespace plica

@@ -1,5 +1,7 @@
 #include "diagnose/effects/effect.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <Eigen/Geometry>
 
 namespace plica {
@@ -8,16 +10,14 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::array axis_letters{"x", "y", "z"};
-
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> rotated_sensor_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const BuiltSensor& sensor : s.built.sensors)
     for (int axis = 0; axis < 3; ++axis)
       found.push_back(
           {.effect = "rotated_sensor",
            .place = "sensor." + sensor.name,
-           .way = std::string("about ") + axis_letters[std::size_t(axis)],
+           .way = std::string("about ") + axis_word(axis),
            .parameters = {{"angle", "rad", {PriorKind::normal, 0, 0.25}}},
            .setup = [name = sensor.name, axis](TestSetup& setup, const Eigen::VectorXd& v) {
              Matrix3d& reading = setup.reading_of(name);
@@ -36,7 +36,7 @@ Effect rotated_sensor() {
           .look_alikes = {"local_damage: turn the sensor, look at a second one",
                           "cross_axis_base_motion: an accelerometer on the table"},
           .needs = "a sensor",
-          .hypotheses = hypotheses};
+          .hypotheses = rotated_sensor_hypotheses};
 }
 
 } // namespace plica

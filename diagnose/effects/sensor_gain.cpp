@@ -3,7 +3,7 @@
 namespace plica {
 namespace {
 
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> sensor_gain_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const BuiltSensor& sensor : s.built.sensors)
     found.push_back({.effect = "sensor_gain",
@@ -25,7 +25,7 @@ Effect sensor_gain() {
           .signature = "all its amplitudes, no frequency, no width of a peak",
           .look_alikes = {"damping: the width of the peaks", "added_mass: exchange the sensor"},
           .needs = "a sensor",
-          .hypotheses = hypotheses};
+          .hypotheses = sensor_gain_hypotheses};
 }
 
 } // namespace plica

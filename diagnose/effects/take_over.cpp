@@ -1,5 +1,7 @@
 #include "diagnose/effects/take_over.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -26,10 +28,9 @@ CaseEdits with_section(const std::string& part, const BeamSection& section, doub
 }
 
 std::string entry_of(const Sensor& s) {
-  constexpr std::array letters{"x", "y", "z"};
   std::vector<std::string> axes;
   for (int axis : s.axes)
-    axes.push_back((axis < 0 ? "-" : "") + std::string(letters[std::size_t(std::abs(axis)) - 1]));
+    axes.push_back((axis < 0 ? "-" : "") + std::string(axis_word(std::abs(axis) - 1)));
   std::string text = fmt::format("{{name: {}, at: [{}], axes: [{}]", s.name, fmt::join(s.at, ", "),
                                  fmt::join(axes, ", "));
   if (s.mass > 0) text += ", mass: " + yaml_of(s.mass);

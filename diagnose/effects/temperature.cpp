@@ -12,7 +12,7 @@ constexpr double damping_per_kelvin = 5e-3;    // relative
 constexpr double laboratory = 10; // K
 
 // Young's modulus of all shells and beams, and damping.
-std::vector<Hypothesis> hypotheses(const Structure&) {
+std::vector<Hypothesis> temperature_hypotheses(const Structure&) {
   return {
       {.effect = "temperature",
        .place = "all",
@@ -57,7 +57,7 @@ Effect temperature() {
           .signature = "frequencies, static stiffness and damping move together",
           .look_alikes = {"ply_slip: a thermometer", "damping: repeat after a soak"},
           .needs = "",
-          .hypotheses = hypotheses};
+          .hypotheses = temperature_hypotheses};
 }
 
 } // namespace plica

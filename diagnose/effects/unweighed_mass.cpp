@@ -4,7 +4,7 @@ namespace plica {
 namespace {
 
 // On every shell and beam part, a share of its own mass.
-std::vector<Hypothesis> hypotheses(const Structure& s) {
+std::vector<Hypothesis> unweighed_mass_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const Part& part : s.data.parts) {
     if (!std::holds_alternative<Bellows>(part.body) && !std::holds_alternative<Plate>(part.body) &&
@@ -47,7 +47,7 @@ Effect unweighed_mass() {
                           "fixture_flexibility: a response of the fixture",
                           "added_mass: further modes"},
           .needs = "a bellows, plate or beam",
-          .hypotheses = hypotheses};
+          .hypotheses = unweighed_mass_hypotheses};
 }
 
 } // namespace plica

@@ -1,13 +1,13 @@
 #include "diagnose/predict/menu.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <algorithm>
 #include <fmt/printf.h>
 #include <set>
 
 namespace plica {
 namespace {
-
-constexpr std::array letters{"x", "y", "z"};
 
 class Menu {
 public:
@@ -40,7 +40,7 @@ public:
       if (!run.sensor.empty()) main = run.sensor;
     if (main.empty() && !case_.sensors.empty()) main = case_.sensors.front().name;
     for (int base = 0; base < 3; ++base) {
-      const std::string axis = letters[std::size_t(base)];
+      const std::string axis = axis_word(base);
       if (!done_.contains(base))
         all.push_back({"a sweep along " + axis + at(level), 1,
                        sweep_readings(case_, base, level, main, {main})});

@@ -1,6 +1,7 @@
 #include "diagnose/weigh/blocks.hpp"
 
 #include "diagnose/results/normal_distribution.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr std::array letters{"x", "y", "z"};
 
 const char* kind_name(ReadingKind kind) {
   constexpr std::array names{"mass", "stiffness", "frequency", "damping", "amplitude", "cross"};
@@ -37,13 +36,12 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
     label.band = label.band.substr(0, label.band.find(','));
     if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
     if (run.level > 0 && !run.by_force) label.level = run.level;
-    if (r.axis >= 0) label.direction = letters[std::size_t(r.axis)];
+    if (r.axis >= 0) label.direction = axis_word(r.axis);
     return label;
   }
   if (run.input.base >= 0) {
-    label.direction = letters[std::size_t(run.input.base)];
-    if (r.axis != run.input.base)
-      label.direction += std::string(" to ") + letters[std::size_t(r.axis)];
+    label.direction = axis_word(run.input.base);
+    if (r.axis != run.input.base) label.direction += std::string(" to ") + axis_word(r.axis);
   } else {
     label.direction = word_of(run.input);
   }
