@@ -139,10 +139,11 @@ TEST(AbaqusReader, distributing_coupling) {
 TEST(AbaqusReader, mpc_tie_and_pin) {
   const int other = number_at(0.3, 0.0);
   for (const auto& [word, dofs] : {std::pair{"TIE", all_dofs}, {"PIN", std::vector{0, 1, 2}}})
-    expect_plate(fmt::format("*MPC\n{}, {}, {}\n", word, other, corner), [&](Model& own) {
-      for (int dof : dofs)
-        own.constraints.push_back({other - 1, dof, {{corner - 1, dof, 1}}, "tie"});
-    });
+    expect_plate(fmt::format("*MPC\n{}, {}, {}\n", word, other, corner),
+                 [&, tied = dofs](Model& own) {
+                   for (int dof : tied)
+                     own.constraints.push_back({other - 1, dof, {{corner - 1, dof, 1}}, "tie"});
+                 });
 }
 
 TEST(AbaqusReader, equation) {

@@ -246,10 +246,10 @@ TEST(NastranReader, rbe2_of_all_and_of_some_components) {
        {std::pair{"123456", all_dofs}, {"123", std::vector{0, 1, 2}}})
     expect_plate(body + fmt::format("RBE2,910,500,{}", components) + tip() +
                      fmt::format("\n,{}\n", middle),
-                 [&](Model& own) {
+                 [&, tied = dofs](Model& own) {
                    std::vector<int> nodes = own.mesh.sets.at("edge2");
                    nodes.push_back(middle - 1);
-                   add_kinematic_coupling(own, add_body(own), nodes, dofs, "rbe2");
+                   add_kinematic_coupling(own, add_body(own), nodes, tied, "rbe2");
                  });
 }
 

@@ -55,11 +55,11 @@ BrickMesh brick_mesh(const WallShape& shape, const WallSpecimen& s) {
   for (int i = 0; i < mesh.along; ++i)
     for (int j = 0; j < mesh.around; ++j) {
       std::array<int, 3> column{-1, -1, -1};
-      const auto& [at, normal] = mesh.meridian[std::size_t(i)];
-      const double half = thinner * thickness_at(shape, s, at.y()) / 2,
+      const MeridianSpot& spot = mesh.meridian[std::size_t(i)];
+      const double half = thinner * thickness_at(shape, s, spot.at.y()) / 2,
                    angle = 2 * pi * j / mesh.around;
       const auto add = [&](double out) {
-        const Vector2d p = at + out * normal;
+        const Vector2d p = spot.at + out * spot.normal;
         mesh.nodes.emplace_back(p.y() * std::cos(angle), p.x(), p.y() * std::sin(angle));
         return int(mesh.nodes.size()) - 1;
       };
