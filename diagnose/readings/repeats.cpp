@@ -24,7 +24,7 @@ bool may_be_of_a_pair(const Reading& r) {
 
 Thing thing_of(const TestReadings& test, const Reading& r) {
   if (known_by_kind(test, r))
-    return {r.state, {}, r.axis, r.run, static_cast<int>(r.shape), r.order};
+    return {r.state, {}, r.axis, double(r.run), static_cast<int>(r.shape), r.order};
   const TestRun& run = test.runs[std::size_t(r.run)];
   return {r.state, run.input, run.axis, run.level, -1, r.peak};
 }

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-std::string dash(const std::optional<double>& x, int digits) {
+std::string number_or_dash(const std::optional<double>& x, int digits) {
   return x ? html_number(*x, digits) : "–";
 }
 
@@ -45,13 +45,14 @@ std::string pairs_table(const Correlation& c, const TestData& a, const TestData&
   std::vector<HtmlRow> rows;
   for (const PairedMode& p : c.pairs) {
     const MeasuredMode &s = a.data.modes[p.simulated], &t = b.data.modes[p.measured];
-    rows.push_back({{html_escape(mode_name(t, p.measured)), html_escape(mode_name(s, p.simulated)),
-                     html_number(t.frequency, 5), html_number(s.frequency, 5),
-                     html_signed(100 * p.frequency_error, 1),
-                     p.frequency_sigmas ? html_signed(*p.frequency_sigmas, 1) : "–",
-                     t.damping ? html_number(100 * *t.damping, 3) : "–",
-                     s.damping ? html_number(100 * *s.damping, 3) : "–", dash(p.mac, 3), p.by},
-                    ""});
+    rows.push_back(
+        {{html_escape(mode_name(t, p.measured)), html_escape(mode_name(s, p.simulated)),
+          html_number(t.frequency, 5), html_number(s.frequency, 5),
+          html_signed(100 * p.frequency_error, 1),
+          p.frequency_sigmas ? html_signed(*p.frequency_sigmas, 1) : "–",
+          t.damping ? html_number(100 * *t.damping, 3) : "–",
+          s.damping ? html_number(100 * *s.damping, 3) : "–", number_or_dash(p.mac, 3), p.by},
+         ""});
   }
   for (const int j : c.unpaired_measured)
     rows.push_back({{html_escape(mode_name(b.data.modes[j], j)), "no partner",

@@ -13,7 +13,6 @@ namespace plica {
 namespace {
 
 constexpr double full_tint = 6; // standard score
-constexpr const char* dash = "–";
 
 std::string score(const LocatedGap& b) {
   const std::string z = html_signed(b.z, 1);

@@ -10,8 +10,6 @@
 namespace plica {
 namespace {
 
-constexpr const char* dash = "\u2013";
-
 std::string with_true_minus(const std::string& text) {
   return text.starts_with('-') ? "\u2212" + text.substr(1) : text;
 }

@@ -10,6 +10,8 @@ namespace plica {
 // from a case file passes here.
 std::string html_escape(const std::string& text);
 
+inline constexpr const char* dash = "\u2013"; // where there is no number
+
 // significant() with a true minus sign and powers of ten as superscripts; a dash if not finite.
 std::string html_number(double value, int digits);
 std::string html_fixed(double value, int decimals);  // 116.20
