@@ -8,7 +8,7 @@
 // values are medians of the draws near it.
 #pragma once
 
-#include "diagnose/weigh/evidence.hpp"
+#include "diagnose/weigh/hypothesis_fit.hpp"
 
 namespace plica {
 
