@@ -170,6 +170,30 @@ Vectors10 beam_vectors(const BeamGeometry& rest, const Vector3d& node1, const Ve
                       {turned[0] * triad, turned[1] * triad});
 }
 
+LineStrains bushing_strains() {
+  const auto at_point = [](int node) -> Vector10 {
+    return unit(node, place_of) + unit(node, arm_of);
+  };
+  std::array<Vector10, 3> first, second;
+  for (int k = 0; k < 3; ++k) {
+    first[std::size_t(k)] = unit(0, axes_of + k);
+    second[std::size_t(k)] = unit(1, axes_of + k);
+  }
+  LineStrains strains;
+  for (int k = 0; k < 3; ++k) {
+    strains.forms[std::size_t(k)] = dot(first[std::size_t(k)], at_point(1) - at_point(0));
+    strains.forms[std::size_t(3 + k)] = turn_about(k, first, second);
+  }
+  return strains;
+}
+
+Vectors10 bushing_vectors(const Bushing& bushing, const MovedNode& node1, const MovedNode& node2,
+                          const Vector3d& point) {
+  return line_vectors({node1.now, node2.now},
+                      {node1.turned * (point - node1.rest), node2.turned * (point - node2.rest)},
+                      {node1.turned * bushing.axes, node2.turned * bushing.axes});
+}
+
 } // namespace
 
 ElementTangent<12> beam_tangent(const BeamGeometry& rest, const BeamProperties& section,
@@ -203,28 +227,20 @@ VectorXd beam_state_stress(const BeamGeometry& rest, const BeamProperties& secti
   return stress;
 }
 
+BushingMotion bushing_motion(const Bushing& bushing, const MovedNode& node1, const MovedNode& node2,
+                             const Vector3d& point) {
+  const LineStrains strains = bushing_strains();
+  const Vectors10 y = bushing_vectors(bushing, node1, node2, point);
+  return {strains.value(y), strains.rows(y)};
+}
+
 ElementTangent<12> bushing_tangent(const Bushing& bushing, const MovedNode& node1,
                                    const MovedNode& node2, const Vector3d& point,
                                    StiffnessPart part) {
-  const auto at_point = [](int node) -> Vector10 {
-    return unit(node, place_of) + unit(node, arm_of);
-  };
-  std::array<Vector10, 3> first, second;
-  for (int k = 0; k < 3; ++k) {
-    first[std::size_t(k)] = unit(0, axes_of + k);
-    second[std::size_t(k)] = unit(1, axes_of + k);
-  }
-  LineStrains strains;
-  for (int k = 0; k < 3; ++k) {
-    strains.forms[std::size_t(k)] = dot(first[std::size_t(k)], at_point(1) - at_point(0));
-    strains.forms[std::size_t(3 + k)] = turn_about(k, first, second);
-  }
-  const Vectors10 y =
-      line_vectors({node1.now, node2.now},
-                   {node1.turned * (point - node1.rest), node2.turned * (point - node2.rest)},
-                   {node1.turned * bushing.axes, node2.turned * bushing.axes});
+  const LineStrains strains = bushing_strains();
+  const Vectors10 y = bushing_vectors(bushing, node1, node2, point);
   const Matrix6 law = part == StiffnessPart::all ? bushing.law : Matrix6(Matrix6::Zero());
-  return tangent_of(strains, y, {bushing.law * strains.value(y), law});
+  return tangent_of(strains, y, {bushing.law * strains.value(y) + bushing.preload, law});
 }
 
 } // namespace plica

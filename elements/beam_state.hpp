@@ -39,6 +39,15 @@ struct MovedNode {
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
 };
 
+// Motion of node 2 against node 1 in the axes of a bushing, and its derivative by increments of
+// their DOFs.
+struct BushingMotion {
+  Eigen::Matrix<double, 6, 1> value;
+  Eigen::Matrix<double, 6, 12> by_nodes;
+};
+BushingMotion bushing_motion(const Bushing& bushing, const MovedNode& node1, const MovedNode& node2,
+                             const Eigen::Vector3d& point);
+
 // The law acts at `point` of the shape at rest.
 ElementTangent<12> bushing_tangent(const Bushing& bushing, const MovedNode& node1,
                                    const MovedNode& node2, const Eigen::Vector3d& point,

@@ -13,6 +13,8 @@ namespace plica {
 struct Bushing {
   Matrix6 law = Matrix6::Zero(); // symmetric; ux uy uz rx ry rz along the axes below
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // columns: local axes in global ones
+  // At a state: what it bears beside its law, along the axes.
+  Eigen::Matrix<double, 6, 1> preload = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
 // Between two nodes, law at `point`. 12x12, global axes.

@@ -43,7 +43,7 @@ void add_slider(const JenkinsSlider& s, double A, DescribingFunction& f) {
 // Curve and smoothed Coulomb friction. Derivative by A: of f over x = A cos, x' = -w A sin.
 void add_sampled(const JointLaw& law, double A, double omega, DescribingFunction& f) {
   constexpr int samples = 256;
-  const JointLaw own{.curve = law.curve, .coulomb = law.coulomb};
+  const JointLaw own{.curve = law.curve, .coulomb = law.coulomb, .offset = law.offset};
   Complex force = 0, by_amplitude = 0;
   for (int k = 0; k < samples; ++k) {
     const double c = std::cos(2 * pi * k / samples), s = std::sin(2 * pi * k / samples);
@@ -65,6 +65,7 @@ double JointLaw::stuck_stiffness() const {
 }
 
 bool JointLaw::is_odd() const {
+  if (offset != 0) return false;
   if (curve.empty()) return true;
   double largest = 0;
   for (const auto& p : curve) largest = std::max(largest, std::abs(p[1]));
@@ -79,15 +80,21 @@ JointLaw in_series(JointLaw law, int n) {
   for (auto& p : law.curve) p[0] /= n;
   for (JenkinsSlider& s : law.sliders) s.stiffness *= n;
   law.coulomb.velocity /= n;
+  law.offset /= n;
   return law;
 }
 
+double force_at_offset(const JointLaw& law, const JenkinsSlider& s) {
+  return std::clamp(s.stiffness * law.offset, -s.slip_force, s.slip_force);
+}
+
 ElasticForce elastic_force(const JointLaw& law, double x, double velocity) {
-  ElasticForce f{law.stiffness * x + law.cubic * x * x * x, law.stiffness + 3 * law.cubic * x * x,
-                 0};
+  const double o = law.offset, whole = o + x;
+  ElasticForce f{law.stiffness * x + law.cubic * x * (x * x + 3 * o * whole),
+                 law.stiffness + 3 * law.cubic * whole * whole, 0};
   if (!law.curve.empty()) {
-    const auto [force, slope] = on_curve(law.curve, x);
-    f.force += force;
+    const auto [force, slope] = on_curve(law.curve, whole);
+    f.force += o == 0 ? force : force - on_curve(law.curve, o)[0];
     f.by_motion += slope;
   }
   if (law.coulomb.force > 0) {
@@ -149,9 +156,19 @@ std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count) {
 
 double first_loading(const JointLaw& law, double displacement) {
   double force = elastic_force(law, displacement, 0).force;
-  for (const JenkinsSlider& s : law.sliders)
-    force += std::clamp(s.stiffness * displacement, -s.slip_force, s.slip_force);
+  for (const JenkinsSlider& s : law.sliders) {
+    const double before = force_at_offset(law, s);
+    force += std::clamp(before + s.stiffness * displacement, -s.slip_force, s.slip_force) - before;
+  }
   return force;
+}
+
+double first_loading_slope(const JointLaw& law, double displacement) {
+  double slope = elastic_force(law, displacement, 0).by_motion;
+  for (const JenkinsSlider& s : law.sliders)
+    if (std::abs(force_at_offset(law, s) + s.stiffness * displacement) <= s.slip_force)
+      slope += s.stiffness;
+  return slope;
 }
 
 VectorXd period_forces(const JointLaw& law, const VectorXd& x, const VectorXd& velocity) {
@@ -160,18 +177,20 @@ VectorXd period_forces(const JointLaw& law, const VectorXd& x, const VectorXd& v
   for (Index k = 0; k < steps; ++k) force[k] = elastic_force(law, x[k], velocity[k]).force;
   // A slider repeats itself after the first period, whatever it starts from.
   for (const JenkinsSlider& s : law.sliders) {
-    double f = std::clamp(s.stiffness * x[0], -s.slip_force, s.slip_force);
+    const double at_offset = force_at_offset(law, s);
+    double f = std::clamp(at_offset + s.stiffness * x[0], -s.slip_force, s.slip_force);
     for (Index k = 1; k < 2 * steps; ++k) {
       const Index now = k % steps, before = (k - 1) % steps;
       f = std::clamp(f + s.stiffness * (x[now] - x[before]), -s.slip_force, s.slip_force);
-      if (k >= steps) force[now] += f;
+      if (k >= steps) force[now] += f - at_offset;
     }
   }
   return force;
 }
 
 DescribingFunction describing_function(const JointLaw& law, double amplitude, double omega) {
-  DescribingFunction f{Complex(law.stiffness + 0.75 * law.cubic * amplitude * amplitude, 0),
+  const double A2 = amplitude * amplitude, o2 = law.offset * law.offset;
+  DescribingFunction f{Complex(law.stiffness + law.cubic * (0.75 * A2 + 3 * o2), 0),
                        Complex(1.5 * law.cubic * amplitude, 0)};
   for (const JenkinsSlider& s : law.sliders) add_slider(s, amplitude, f);
   if (!law.curve.empty() || law.coulomb.force > 0) add_sampled(law, amplitude, omega, f);

@@ -6,6 +6,8 @@
 //   f <- clamp(f + k_t dx, -mu, mu)
 // Sliders in parallel are an Iwan model (J. Appl. Mech. 33 (1966) 893) and obey Masing's rule. SI
 // units: N and m, or Nm and rad.
+//
+// Where first loading has moved a joint before, by `offset`, motion and force count from there.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,6 +36,7 @@ struct JointLaw {
   std::vector<std::array<double, 2>> curve = {};
   std::vector<JenkinsSlider> sliders = {};
   SmoothedCoulomb coulomb = {};
+  double offset = 0; // that of the state, m or rad
 
   double stuck_stiffness() const; // slope at rest: all sliders stick; smoothed Coulomb has none
   bool is_odd() const;            // f(-x, -x') = -f(x, x')
@@ -42,6 +45,9 @@ struct JointLaw {
 // The same law in series with itself: n of them, each with n times the stiffness, under the same
 // force move together as the given one.
 JointLaw in_series(JointLaw law, int n);
+
+// What a slider bears at the offset.
+double force_at_offset(const JointLaw& law, const JenkinsSlider& slider);
 
 // Force without the sliders, and its slopes.
 struct ElasticForce {
@@ -65,8 +71,10 @@ struct SegalmanIwan {
 // Throws std::invalid_argument, naming the parameter, for values out of range.
 std::vector<JenkinsSlider> sliders_of(const SegalmanIwan& iwan, int count = 100);
 
-// Force on first loading from rest, slowly.
+// Force on first loading from rest, slowly; from the offset, on further loading or unloading. And
+// its slope, that of a slider on the point of slipping its stiffness.
 double first_loading(const JointLaw& law, double displacement);
+double first_loading_slope(const JointLaw& law, double displacement);
 
 // Forces at equal steps of a period of periodic motion, in the cycle that repeats.
 Eigen::VectorXd period_forces(const JointLaw& law, const Eigen::VectorXd& x,
@@ -74,7 +82,7 @@ Eigen::VectorXd period_forces(const JointLaw& law, const Eigen::VectorXd& x,
 
 // First harmonic of the force over x = A cos(w t), per amplitude: stiffness and, as its imaginary
 // part, loss stiffness. Sliders and cubic spring by their closed forms, the rest by 256 samples.
-// `slope`: derivative by the amplitude.
+// The mean stays where the offset is. `slope`: derivative by the amplitude.
 struct DescribingFunction {
   std::complex<double> gain, slope;
 };

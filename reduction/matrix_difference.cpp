@@ -32,7 +32,7 @@ bool same(const MassElement& a, const MassElement& b) {
 }
 bool same(const BushingElement& a, const BushingElement& b) {
   return a.node1 == b.node1 && a.node2 == b.node2 && a.bushing.law == b.bushing.law &&
-         a.bushing.axes == b.bushing.axes;
+         a.bushing.axes == b.bushing.axes && a.bushing.preload == b.bushing.preload;
 }
 
 // What one model has and the other has not: a model of its nodes and those elements alone.

@@ -85,7 +85,8 @@ bool Comparison::same(const Substructure& a, const Substructure& b) const {
                    [&](const BushingElement& p, const BushingElement& q) {
                      return p.node1 == q.node1 && p.node2 == q.node2 &&
                             equal(p.bushing.law, q.bushing.law) &&
-                            equal(p.bushing.axes, q.bushing.axes);
+                            equal(p.bushing.axes, q.bushing.axes) &&
+                            equal(p.bushing.preload, q.bushing.preload);
                    }) &&
          all_equal(m.matrices, n.matrices,
                    [&](const MatrixElement& p, const MatrixElement& q) {

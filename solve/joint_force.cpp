@@ -23,9 +23,10 @@ using std::numbers::pi;
 class Samples {
 public:
   Samples(const JointLaw& law, const VectorXd& x, const HarmonicBasis& basis)
-      : x_(x), basis_(basis), count_(x.size()), force_(law.stiffness * x),
+      : x_(x.array() + law.offset), basis_(basis), count_(x.size()), force_(law.stiffness * x),
         slope_(VectorXd::Constant(x.size(), law.stiffness)) {
     if (!law.sliders.empty()) add_sliders(law.sliders);
+    for (const JenkinsSlider& s : law.sliders) force_.array() -= force_at_offset(law, s);
   }
 
   void add(Index k, const ElasticForce& f) {
@@ -123,7 +124,7 @@ private:
     }
   }
 
-  const VectorXd& x_;
+  const VectorXd x_; // from rest
   const HarmonicBasis& basis_;
   Index count_;
   VectorXd force_, slope_;
@@ -195,7 +196,8 @@ HarmonicForce harmonic_force(const JointLaw& law, const VectorXd& motion, double
   Samples samples(law, x, basis);
   HarmonicForce out;
   out.by_omega = VectorXd::Zero(basis.size());
-  const JointLaw own{.cubic = law.cubic, .curve = law.curve, .coulomb = law.coulomb};
+  const JointLaw own{
+      .cubic = law.cubic, .curve = law.curve, .coulomb = law.coulomb, .offset = law.offset};
   if (law.coulomb.force <= 0) {
     for (Index k = 0; k < x.size() && !is_linear(law); ++k)
       samples.add(k, elastic_force(own, x[k], 0));

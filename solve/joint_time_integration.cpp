@@ -28,7 +28,11 @@ public:
     compliance_ = compliance_.cwiseInverse().eval();
     add_dampers();
     flexibility_ = s.joints.transpose() * compliant(s.joints);
-    for (const JointLaw& law : s.laws) forces_.emplace_back(law.sliders.size(), 0.);
+    for (const JointLaw& law : s.laws) {
+      forces_.emplace_back();
+      for (const JenkinsSlider& slider : law.sliders)
+        forces_.back().push_back(force_at_offset(law, slider));
+    }
     x_ = VectorXd::Zero(s.joints.cols());
   }
 
@@ -104,7 +108,7 @@ private:
       for (std::size_t i = 0; i < law.sliders.size(); ++i) {
         const JenkinsSlider& s = law.sliders[i];
         const double trial = forces_[std::size_t(j)][i] + s.stiffness * (x[j] - x_[j]);
-        F[j] += std::clamp(trial, -s.slip_force, s.slip_force);
+        F[j] += std::clamp(trial, -s.slip_force, s.slip_force) - force_at_offset(law, s);
         if (std::abs(trial) < s.slip_force) K[j] += s.stiffness;
       }
     }

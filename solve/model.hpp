@@ -6,6 +6,7 @@
 #include "elements/beam_timoshenko.hpp"
 #include "elements/bushing.hpp"
 #include "elements/element_state.hpp"
+#include "elements/joint_law.hpp"
 #include "elements/rigid_mass.hpp"
 #include "elements/shell_mitc3.hpp"
 #include "elements/shell_mitc4.hpp"
@@ -38,10 +39,17 @@ struct MassElement {
   RigidMass body;
 };
 
+// What a spring bears beyond its law in one of its directions, on first loading.
+struct SpringJoint {
+  int dof = 0; // 0..5 along its axes
+  JointLaw law;
+};
+
 struct BushingElement {
   int node1 = 0, node2 = -1; // node2 = -1: to the ground
   Bushing bushing;
   int component = 0;
+  std::vector<SpringJoint> joints = {}; // on the way into a state
   // At a state: how the ground has moved.
   Eigen::Vector3d ground_shift{0, 0, 0};
   Eigen::Matrix3d ground_turn = Eigen::Matrix3d::Identity();

@@ -93,6 +93,31 @@ VectorXd motion_of(const Model& model, const std::vector<int>& nodes) {
   return q;
 }
 
+// A spring with its axes at rest, and where it acts; to the ground, that is its first node.
+struct SpringPlace {
+  Bushing at_rest;
+  MovedNode first, second;
+  Vector3d point;
+};
+
+SpringPlace place_of(const Model& model, const BushingElement& b) {
+  const auto moved = [&](int node) -> MovedNode {
+    return {model.rest->nodes[std::size_t(node)], model.mesh.nodes[std::size_t(node)],
+            model.rest->turned[std::size_t(node)]};
+  };
+  SpringPlace p{b.bushing, moved(b.node1), {}, {}};
+  if (b.node2 >= 0) {
+    p.second = moved(b.node2);
+    p.point = (p.first.rest + p.second.rest) / 2;
+  } else {
+    p.second = p.first;
+    p.point = p.second.rest;
+    p.first = {p.point, p.point + b.ground_shift, b.ground_turn};
+  }
+  p.at_rest.axes = p.first.turned.transpose() * b.bushing.axes;
+  return p;
+}
+
 } // namespace
 
 ElementTangent<24> state_tangent(const Model& model, const ShellQuad& quad) {
@@ -119,24 +144,18 @@ ElementTangent<12> state_tangent(const Model& model, const BeamElement& b) {
                       model.mesh.nodes[std::size_t(b.node2)], turned, model.rest->part);
 }
 
+SpringMotion state_motion(const Model& model, const BushingElement& b) {
+  const SpringPlace p = place_of(model, b);
+  const BushingMotion m = bushing_motion(p.at_rest, p.first, p.second, p.point);
+  if (b.node2 < 0) return {m.value, m.by_nodes.rightCols<6>()};
+  return {m.value, m.by_nodes};
+}
+
 ElementTangent<Eigen::Dynamic> state_tangent(const Model& model, const BushingElement& b) {
-  const auto moved = [&](int node) -> MovedNode {
-    return {model.rest->nodes[std::size_t(node)], model.mesh.nodes[std::size_t(node)],
-            model.rest->turned[std::size_t(node)]};
-  };
-  Bushing at_rest = b.bushing;
-  if (b.node2 >= 0) {
-    const MovedNode first = moved(b.node1), second = moved(b.node2);
-    at_rest.axes = first.turned.transpose() * b.bushing.axes;
-    const auto t =
-        bushing_tangent(at_rest, first, second, (first.rest + second.rest) / 2, model.rest->part);
-    return {t.K, t.force};
-  }
-  const MovedNode node = moved(b.node1);
-  const MovedNode ground{node.rest, node.rest + b.ground_shift, b.ground_turn};
-  at_rest.axes = ground.turned.transpose() * b.bushing.axes;
-  const auto t = bushing_tangent(at_rest, ground, node, node.rest, model.rest->part);
-  return {t.K.bottomRightCorner<6, 6>(), t.force.tail<6>()};
+  const SpringPlace p = place_of(model, b);
+  const auto t = bushing_tangent(p.at_rest, p.first, p.second, p.point, model.rest->part);
+  if (b.node2 < 0) return {t.K.bottomRightCorner<6, 6>(), t.force.tail<6>()};
+  return {t.K, t.force};
 }
 
 ElementTangent<6> state_tangent(const Model& model, const PressedEnd& end) {

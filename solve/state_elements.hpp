@@ -18,6 +18,14 @@ ElementTangent<12> state_tangent(const Model& model, const BeamElement& beam);
 ElementTangent<Eigen::Dynamic> state_tangent(const Model& model, const BushingElement& bushing);
 ElementTangent<6> state_tangent(const Model& model, const PressedEnd& end);
 
+// Motion of a spring along its axes, m and rad, and its derivative by the DOFs of its nodes (6 x
+// 12, to the ground 6 x 6).
+struct SpringMotion {
+  Eigen::Matrix<double, 6, 1> value;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> by_nodes;
+};
+SpringMotion state_motion(const Model& model, const BushingElement& bushing);
+
 // Stress at the corners of a shell on both faces, and of the fibres of a beam, at the state: as
 // shell_mitc4_face_stress and beam_end_stress.
 Eigen::VectorXd state_stress(const Model& model, const ShellQuad& quad);

@@ -1,6 +1,7 @@
 #include "solve/state_shape.hpp"
 
 #include "solve/element_view.hpp"
+#include "solve/state_elements.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -93,6 +94,16 @@ VectorXd weight(const Model& model, const Vector3d& gravity) {
         f.segment<6>(6 * Eigen::Index(nodes[a])) += own.segment<6>(6 * Eigen::Index(a));
     });
   return f;
+}
+
+// What the joints of a spring bear, as its law and preload there.
+void bear_joints(const Model& now, BushingElement& b) {
+  const Eigen::Matrix<double, 6, 1> motion = state_motion(now, b).value;
+  for (const SpringJoint& j : b.joints) {
+    const double x = motion[j.dof], slope = first_loading_slope(j.law, x);
+    b.bushing.law(j.dof, j.dof) += slope;
+    b.bushing.preload[j.dof] += first_loading(j.law, x) - slope * x;
+  }
 }
 
 } // namespace
@@ -239,6 +250,8 @@ Model model_at(const Model& at_rest, std::vector<Vector3d> nodes, std::vector<Ma
   }
   now.mesh.nodes = nodes;
   now.rest = std::make_shared<Rest>(Rest{at_rest.mesh.nodes, std::move(turned)});
+  for (BushingElement& b : now.bushings)
+    if (!b.joints.empty()) bear_joints(now, b);
   return now;
 }
 

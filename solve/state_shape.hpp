@@ -5,8 +5,8 @@
 
 namespace plica {
 
-// The model when its nodes are there, turned so, with couplings, arms and directors following;
-// `share` of its pressure and thermal strain.
+// The model when its nodes are there, turned so, with couplings, arms and directors following, and
+// its joints loaded for the first time; `share` of its pressure and thermal strain.
 Model model_at(const Model& at_rest, std::vector<Eigen::Vector3d> nodes,
                std::vector<Eigen::Matrix3d> turned, double share);
 

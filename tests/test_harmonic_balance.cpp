@@ -128,6 +128,9 @@ TEST(HarmonicBalance, has_the_jacobian_of_finite_differences) {
   expect_jacobian_of_differences(s, 22, settings);
   s.laws[0].coulomb = {.force = 3, .velocity = 0.05};
   expect_jacobian_of_differences(s, 22, settings);
+  s.laws[0].offset = 1.1e-3; // beyond where its first slider slips
+  s.laws[1].offset = -0.6e-3;
+  expect_jacobian_of_differences(s, 22, settings);
   HarmonicSettings linearised = settings;
   linearised.method = JointMethod::describing_function;
   expect_jacobian_of_differences(s, 4, linearised);

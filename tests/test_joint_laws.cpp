@@ -30,6 +30,36 @@ std::complex<double> sampled_gain(const JointLaw& law, double amplitude, int ste
 
 // Closed forms: k_eq = (k_t / pi)(th - sin(2 th) / 2), th = acos(1 - 2 x_s / A); h = 4 mu (1 - x_s
 // / A) / (pi A); energy 4 mu (A - x_s).
+// From where it slips, a slider of slip displacement x_s that moves by A cos: below x_s it sticks,
+// its mean lower by k A; beyond, its loop is that around rest and its mean nothing.
+TEST(JointLaws, count_from_the_offset) {
+  const JointLaw law{.sliders = {{2e5, 30}}, .offset = 4e-4}; // x_s = 0.15 mm
+  constexpr int steps = 4096;
+  VectorXd c(steps);
+  for (int k = 0; k < steps; ++k) c[k] = std::cos(2 * pi * k / steps);
+  for (const double A : {0.5e-4, 1e-4, 2e-4, 1e-3}) {
+    const VectorXd f = period_forces(law, A * c, VectorXd::Zero(steps));
+    EXPECT_NEAR(f.mean(), A < 1.5e-4 ? -2e5 * A : -30, 1e-3) << A;
+    EXPECT_NEAR(2. / steps * f.dot(c) / A / describing_function(law, A, 1).gain.real(), 1, 1e-5)
+        << A;
+  }
+  EXPECT_EQ(first_loading(law, 1e-4), 0);
+  EXPECT_NEAR(first_loading(law, -1e-4), -20, 1e-9);
+  EXPECT_NEAR(first_loading(law, -1), -60, 1e-9);
+  EXPECT_EQ(law.stuck_stiffness(), 2e5);
+  const JointLaw springs{
+      .stiffness = 3e3, .cubic = 2e9, .curve = {{-1e-3, -8}, {2e-4, 0}, {1e-3, 30}}};
+  JointLaw moved = springs;
+  moved.offset = 7e-4;
+  for (const double x : {-2e-3, -1e-4, 5e-4}) {
+    const ElasticForce here = elastic_force(moved, x, 0),
+                       whole = elastic_force(springs, 7e-4 + x, 0);
+    EXPECT_NEAR(here.force, whole.force - elastic_force(springs, 7e-4, 0).force, 1e-12);
+    EXPECT_NEAR(here.by_motion, whole.by_motion, 1e-9);
+  }
+  EXPECT_FALSE(moved.is_odd());
+}
+
 TEST(Jenkins, has_the_stiffness_and_loss_of_the_closed_form) {
   struct Row {
     double ratio, k, h, energy;

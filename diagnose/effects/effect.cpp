@@ -70,7 +70,9 @@ const std::vector<Effect>& effects() {
                                        temperature(),
                                        rotated_sensor(),
                                        sensor_gain(),
-                                       unweighed_mass()};
+                                       unweighed_mass(),
+                                       installation_offset(),
+                                       pressure()};
   return all;
 }
 

@@ -162,5 +162,7 @@ Effect temperature();
 Effect rotated_sensor();
 Effect sensor_gain();
 Effect unweighed_mass();
+Effect installation_offset();
+Effect pressure();
 
 } // namespace plica

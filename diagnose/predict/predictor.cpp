@@ -1,6 +1,7 @@
 #include "diagnose/predict/predictor.hpp"
 
 #include "diagnose/effects/on_table.hpp"
+#include "run/routes/operating_state.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -14,13 +15,20 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The model of a state whose case is changed.
+// The model of a state whose case is changed; in the operating state that the change brings it
+// into.
 std::function<void(Model&)> built_with(const NominalState& state,
                                        std::vector<std::function<void(Case&)>> changes) {
   return [&data = state.data, changes = std::move(changes)](Model& model) {
     Case changed = data;
     for (const auto& change : changes) change(changed);
-    model = build_on_table(changed).model;
+    BuiltCase built = build_on_table(changed);
+    if (changed.state) {
+      std::map<std::string, double> timing;
+      move_into_state(
+          changed, built, [](const std::string&) {}, timing);
+    }
+    model = std::move(built.model);
   };
 }
 
@@ -60,7 +68,8 @@ ModelChange both_in(const NominalState& state, const Hypothesis& a, std::size_t 
 }
 
 bool is_costly(const Hypothesis& h) {
-  return std::any_of(h.changes.begin(), h.changes.end(),
+  return (h.large && !h.case_changes.empty()) ||
+         std::any_of(h.changes.begin(), h.changes.end(),
                      [](const ModelChange& c) { return c.follow == Follow::modes; });
 }
 

@@ -110,14 +110,18 @@ std::string joints_html(const LevelResponses& responses) {
   joints.resize(std::min<std::size_t>(joints.size(), 8));
   std::vector<HtmlRow> rows;
   for (const JointMotion& j : joints)
-    rows.push_back({{html_escape(j.joint), html_number(1e6 * j.motion, 3), html_number(j.energy, 3),
-                     html_fixed(100 * j.energy / sum, 1)},
-                    ""});
-  return html_table(
-      fmt::format("Where friction takes the energy, at the peak of {:g} {}.", last.level,
-                  responses.unit),
-      {{"joint", "", false}, {"motion", "µm or µrad"}, {"energy per cycle", "J"}, {"share", "%"}},
-      rows);
+    rows.push_back(
+        {{html_escape(j.joint), html_number(1e6 * j.motion, 3), html_number(1e6 * j.mean, 3),
+          html_number(j.energy, 3), html_fixed(100 * j.energy / sum, 1)},
+         ""});
+  return html_table(fmt::format("Where friction takes the energy, at the peak of {:g} {}.",
+                                last.level, responses.unit),
+                    {{"joint", "", false},
+                     {"motion", "µm or µrad"},
+                     {"mean", "µm or µrad"},
+                     {"energy per cycle", "J"},
+                     {"share", "%"}},
+                    rows);
 }
 
 std::string checks_html(const LevelResponses& responses) {

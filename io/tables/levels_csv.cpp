@@ -81,12 +81,13 @@ std::string level_peaks_csv(const Results& results) {
 }
 
 std::string level_joints_csv(const Results& results) {
-  std::string text = "excitation,level,unit,joint,motion [m or rad],energy per cycle [J]\n";
+  std::string text =
+      "excitation,level,unit,joint,motion [m or rad],mean [m or rad],energy per cycle [J]\n";
   for (const LevelResponses& responses : results.level_responses)
     for (const LevelCurve& curve : responses.curves)
       for (const JointMotion& j : curve.joints)
         text += excitation_cells(responses, curve.level) + csv_cell(j.joint) + "," +
-                csv_number(j.motion) + "," + csv_number(j.energy) + "\n";
+                csv_number(j.motion) + "," + csv_number(j.mean) + "," + csv_number(j.energy) + "\n";
   return text;
 }
 

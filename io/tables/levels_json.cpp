@@ -23,8 +23,10 @@ Json json_of(const std::vector<LevelPeak>& peaks, const LevelResponses& response
 Json json_of(const LevelCurve& curve, const LevelResponses& responses) {
   Json joints = Json::array();
   for (const JointMotion& j : curve.joints)
-    joints.push_back(
-        {{"joint", j.joint}, {"motion", json_number(j.motion)}, {"energy", json_number(j.energy)}});
+    joints.push_back({{"joint", j.joint},
+                      {"motion", json_number(j.motion)},
+                      {"mean", json_number(j.mean)},
+                      {"energy", json_number(j.energy)}});
   return {{"level", json_number(curve.level)},
           {"complete", curve.complete},
           {"reason", curve.reason},

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plica {
@@ -18,7 +19,12 @@ Json state_json(const StateResult& s) {
     reactions.push_back({{"cap", r.cap}, {"force", r.force}, {"moment", r.moment}});
   for (const BucklingResult& b : s.buckling)
     buckling.push_back({{"factor", json_number(b.factor)}, {"across", json_number(b.sideways)}});
-  Json heat = Json::array(), squirm = Json::array();
+  Json heat = Json::array(), squirm = Json::array(), joints = Json::array();
+  for (const StateJointResult& j : s.joints)
+    joints.push_back({{"joint", j.joint},
+                      {"motion", json_number(j.motion)},
+                      {"force", json_number(j.force)},
+                      {"slipped", json_number(j.slipped)}});
   for (const HeatResult& h : s.heat)
     heat.push_back({{"part", h.part},
                     {"lowest", json_number(h.lowest)},
@@ -41,12 +47,46 @@ Json state_json(const StateResult& s) {
             {"iterations", iterations},
             {"largest_displacement", json_number(s.largest_displacement)},
             {"linear_error", json_number(s.linear_error)},
-            {"reactions", reactions}};
+            {"reactions", reactions},
+            {"joints", joints}};
   if (s.buckling_looked_for)
     json["buckling"] = {
         {"loads", buckling}, {"proved", s.buckling_proved}, {"reason", s.buckling_reason}};
   return json;
 }
+
+namespace {
+
+// Segments of a joint in one sentence: that which moves farthest.
+std::vector<std::string> joint_sentences(const StateResult& s) {
+  std::vector<StateJointResult> farthest;
+  for (StateJointResult j : s.joints) {
+    j.joint = j.joint.substr(0, j.joint.find(','));
+    const auto known = std::find_if(farthest.begin(), farthest.end(),
+                                    [&](const auto& f) { return f.joint == j.joint; });
+    if (known == farthest.end())
+      farthest.push_back(j);
+    else if (std::abs(j.motion) > std::abs(known->motion))
+      *known = j;
+  }
+  double largest = 0;
+  for (const StateJointResult& j : farthest)
+    if (!j.angular) largest = std::max(largest, std::abs(j.motion));
+  std::vector<std::string> sentences;
+  for (const StateJointResult& j : farthest)
+    if (std::abs(j.motion) > 1e-6 * (j.angular ? 1 : largest))
+      sentences.push_back(
+          fmt::format("{} has moved by {} {} and bears {} {}{}", j.joint,
+                      significant((j.angular ? 1 : 1e3) * j.motion, 3), j.angular ? "rad" : "mm",
+                      significant(j.force, 3), j.angular ? "Nm" : "N",
+                      j.slipped > 0 ? fmt::format("; {:.0f} % of its friction, by stiffness, has "
+                                                  "slipped",
+                                                  100 * j.slipped)
+                                    : ""));
+  return sentences;
+}
+
+} // namespace
 
 std::vector<std::string> state_sentences(const StateResult& s) {
   std::string loads;
@@ -79,6 +119,7 @@ std::vector<std::string> state_sentences(const StateResult& s) {
                                     r.cap, significant(r.force[0], 4), significant(r.force[1], 4),
                                     significant(r.force[2], 4), significant(r.moment[0], 4),
                                     significant(r.moment[1], 4), significant(r.moment[2], 4)));
+  for (std::string& joint : joint_sentences(s)) sentences.push_back(std::move(joint));
   return sentences;
 }
 

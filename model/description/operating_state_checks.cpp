@@ -166,9 +166,12 @@ void check_state(const Case& data, const OperatingState& state, const std::strin
             "and analyses.reduction are not possible together: superelements in a run are of "
             "parts at rest",
             "one of them; plica reduce takes the whole part in its state");
-  if (has_friction(data))
-    log.add(at, "and friction are not possible together: joints are those of the part at rest",
-            "a case without friction, nonlinear springs and slipping plies");
+  for (const Part& part : data.parts)
+    if (const auto* bellows = std::get_if<Bellows>(&part.body); bellows && bellows->wall.slip)
+      log.add(at,
+              "and parts." + part.name +
+                  ".wall.slip are not possible together: plies slip around the part at rest alone",
+              "friction of joints, or a wall without slip");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "model/shape/build_joints.hpp"
 
 #include "model/description/connector_curve.hpp"
+#include "solve/state_elements.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -100,7 +101,26 @@ void add_springs(Model& model, std::vector<BuiltJoint>& joints, JointState state
     if (!spring.bushing.law.isZero(0)) model.bushings.push_back(spring);
 }
 
+namespace {
+
+// Of a spring at a state.
+VectorXd unit_force(const Model& model, const BushingElement& spring, int dof) {
+  VectorXd force = VectorXd::Zero(dof_count(model));
+  const VectorXd row = state_motion(model, spring).by_nodes.row(dof);
+  force.segment<6>(6 * Eigen::Index(spring.node1)) += row.head<6>();
+  if (spring.node2 >= 0) force.segment<6>(6 * Eigen::Index(spring.node2)) += row.tail<6>();
+  return force;
+}
+
+} // namespace
+
 VectorXd unit_force(const Model& model, int node1, int node2, int dof) {
+  if (model.rest) {
+    BushingElement spring{
+        .node1 = node1 < 0 ? node2 : node1, .node2 = node1 < 0 ? -1 : node2, .bushing = {}};
+    if (node1 >= 0) spring.bushing.axes = model.rest->turned[std::size_t(node1)];
+    return unit_force(model, spring, dof);
+  }
   VectorXd force = VectorXd::Zero(dof_count(model));
   const auto& x = model.mesh.nodes;
   const Vector3d middle = node1 < 0 ? x[node2] : Vector3d((x[node1] + x[node2]) / 2);
@@ -114,6 +134,8 @@ VectorXd unit_force(const Model& model, int node1, int node2, int dof) {
 }
 
 VectorXd unit_force(const Model& model, const BuiltJoint& joint) {
+  if (joint.spring >= 0)
+    return unit_force(model, model.bushings[std::size_t(joint.spring)], joint.dof);
   return unit_force(model, joint.node1, joint.node2, joint.dof);
 }
 

@@ -18,6 +18,7 @@ struct BuiltJoint {
   JointLaw law;
   bool in_model = false; // its slope at rest is in the linear model, and taken off the law
   int component = 0;     // whose strain energy it is
+  int spring = -1;       // at a state: the bushing of the model that bears what its law asks there
 };
 
 // "interlock axial, segment 3"
@@ -52,7 +53,8 @@ struct BuiltDamper {
 };
 
 // Forces over all DOFs of a unit force along `dof` between the nodes (node1 = -1: the ground), in
-// the middle of both; by them the motion of node2 against node1 is f' u.
+// the middle of both; by them the motion of node2 against node1 is f' u. At a state the direction
+// has turned with node1.
 Eigen::VectorXd unit_force(const Model& model, int node1, int node2, int dof);
 // Forces over all DOFs of a unit force in the joint; by them its motion is f' u.
 Eigen::VectorXd unit_force(const Model& model, const BuiltJoint& joint);

@@ -1,6 +1,7 @@
 #include "run/analyses/joint_strokes.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,24 +25,24 @@ std::optional<std::array<double, 2>> slip_range(const JointedStructure& held,
       last = std::max(last, own / std::abs(motion[j]));
     };
     const JointLaw& law = held.laws[std::size_t(j)];
-    for (const JenkinsSlider& s : law.sliders) add(s.slip_force / s.stiffness);
-    for (std::size_t k = 1; k + 1 < law.curve.size(); ++k) add(std::abs(law.curve[k][0]));
+    for (const JenkinsSlider& s : law.sliders)
+      for (double sign : {1., -1.}) // from the offset, either way
+        add((s.slip_force + sign * force_at_offset(law, s)) / s.stiffness);
+    for (std::size_t k = 1; k + 1 < law.curve.size(); ++k)
+      add(std::abs(law.curve[k][0] - law.offset));
   }
   if (!(last > 0)) return std::nullopt;
   return std::array{first, last};
 }
 
-// Motion x and forces F of the joints, x = target - C F(x), loaded from rest.
+// Motion x and forces F of the joints, x = target - C F(x), on first loading.
 void load(const JointedStructure& held, const MatrixXd& C, const VectorXd& target, VectorXd& x,
           VectorXd& F) {
   VectorXd K(x.size());
   for (int newton = 0; newton < 60; ++newton) {
     for (Index j = 0; j < x.size(); ++j) {
-      const JointLaw& law = held.laws[std::size_t(j)];
-      F[j] = first_loading(law, x[j]);
-      K[j] = elastic_force(law, x[j], 0).by_motion;
-      for (const JenkinsSlider& s : law.sliders)
-        if (std::abs(s.stiffness * x[j]) < s.slip_force) K[j] += s.stiffness;
+      F[j] = first_loading(held.laws[std::size_t(j)], x[j]);
+      K[j] = first_loading_slope(held.laws[std::size_t(j)], x[j]);
     }
     const VectorXd r = x - target + C * F;
     if (r.norm() < 1e-12 * x.norm()) return;
@@ -51,28 +52,43 @@ void load(const JointedStructure& held, const MatrixXd& C, const VectorXd& targe
   }
 }
 
+using Way = std::vector<std::array<double, 2>>; // [displacement, force], outwards
+
+// One way from where the joints are; `sign`: along the motion or against it.
+Way way_out(const JointedStructure& held, const MatrixXd& C, const VectorXd& motion,
+            double stiffness, const std::array<double, 2>& range, double sign) {
+  Way way;
+  const double low = range[0] / 2, high = 10 * range[1];
+  constexpr int steps = 160;
+  VectorXd x = VectorXd::Zero(motion.size()), F = x;
+  for (int k = 0; k <= steps; ++k) {
+    const double d = sign * low * std::pow(high / low, double(k) / steps);
+    load(held, C, d * motion, x, F);
+    way.push_back({d, stiffness * d + motion.dot(F)});
+  }
+  return way;
+}
+
 } // namespace
 
 std::vector<StrokeCurve> joint_strokes(const JointedStructure& held, const MatrixXd& motion,
                                        const Eigen::Vector2d& stiffness) {
   const MatrixXd C =
       held.joints.transpose() * held.lambda.cwiseInverse().asDiagonal() * held.joints;
+  const bool odd = std::all_of(held.laws.begin(), held.laws.end(),
+                               [](const JointLaw& law) { return law.is_odd(); });
   std::vector<StrokeCurve> curves;
   for (Index c = 0; c < 2; ++c) {
     const auto range = slip_range(held, motion.col(c), 1e-9 * motion.cwiseAbs().maxCoeff());
     if (!range) continue;
-    std::vector<std::array<double, 2>> way{{0, 0}};
-    const double low = (*range)[0] / 2, high = 10 * (*range)[1];
-    constexpr int steps = 160;
-    VectorXd x = VectorXd::Zero(motion.rows()), F = x;
-    for (int k = 0; k <= steps; ++k) {
-      const double d = low * std::pow(high / low, double(k) / steps);
-      load(held, C, d * motion.col(c), x, F);
-      way.push_back({d, stiffness[c] * d + motion.col(c).dot(F)});
-    }
+    const VectorXd m = motion.col(c);
+    const Way ahead = way_out(held, C, m, stiffness[c], *range, 1);
+    const Way back = odd ? Way{} : way_out(held, C, m, stiffness[c], *range, -1);
     StrokeCurve curve{c == 0 ? "axial" : "transverse", {}};
-    for (std::size_t k = way.size(); k-- > 1;) curve.points.push_back({-way[k][0], -way[k][1]});
-    curve.points.insert(curve.points.end(), way.begin(), way.end()); // the other way the same
+    for (std::size_t k = ahead.size(); k-- > 0;)
+      curve.points.push_back(odd ? std::array{-ahead[k][0], -ahead[k][1]} : back[k]);
+    curve.points.push_back({0, 0});
+    curve.points.insert(curve.points.end(), ahead.begin(), ahead.end());
     curves.push_back(std::move(curve));
   }
   return curves;

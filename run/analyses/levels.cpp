@@ -236,9 +236,11 @@ private:
     const Index first = first_harmonic(s.branch.orders);
     const VectorXd energies = cycle_energies(part_.structure, p, s.branch.orders);
     for (std::size_t j = 0; j < part_.joints.size(); ++j)
-      s.curve.joints.push_back({.joint = model_.joints[std::size_t(part_.joints[j])],
-                                .motion = std::abs(p.joints(first, Index(j))),
-                                .energy = energies[Index(j)]});
+      s.curve.joints.push_back(
+          {.joint = model_.joints[std::size_t(part_.joints[j])],
+           .motion = std::abs(p.joints(first, Index(j))),
+           .mean = s.branch.orders.front() == 0 ? p.joints(0, Index(j)).real() : 0,
+           .energy = energies[Index(j)]});
   }
 
   void compare_linearised(const std::vector<LevelSweep>& sweeps) {

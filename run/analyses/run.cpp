@@ -12,6 +12,7 @@
 #include "run/analyses/stress.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
+#include "run/routes/state_joints.hpp"
 #include "run/stages.hpp"
 #include "solve/base_state.hpp"
 #include "solve/model_error.hpp"
@@ -125,7 +126,7 @@ private:
   // Small motion sticks, a test rig and high levels slip: the second state has its own model.
   void let_slip() {
     stage_(stages::mesh);
-    slipping_ = slipping_case(case_);
+    slipping_ = case_.state ? slipping_in_state(built_) : slipping_case(case_);
     slipping_route_ = choose_(*slipping_, case_.analyses, stage_, results_.timing);
     results_.slipping.emplace();
     for (const BuiltJoint& j : slipping_->joints)

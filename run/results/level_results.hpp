@@ -19,6 +19,7 @@ struct LevelPeak {
 struct JointMotion { // at the peak of the strongest channel
   std::string joint;
   double motion = 0; // largest amplitude of the first harmonic, m or rad
+  double mean = 0;   // of the motion, against the state; 0 where laws are the same both ways
   double energy = 0; // that a cycle takes, J
 };
 

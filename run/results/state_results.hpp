@@ -40,6 +40,14 @@ struct HeatResult {
   double through = 0;             // heat that goes in where it goes in, W
 };
 
+// A joint on first loading up to the state.
+struct StateJointResult {
+  std::string joint;
+  bool angular = false;
+  double motion = 0, force = 0; // m, N; angular: rad, Nm
+  double slipped = 0;           // share of the stiffness of its friction that has slipped
+};
+
 struct StateResult {
   std::string name;                 // among the states of the case; empty: its one state
   std::vector<std::string> loads;   // in words
@@ -51,6 +59,7 @@ struct StateResult {
   double largest_displacement = 0; // m
   double linear_error = 0;         // of the displacements of a linear solution, relative
   std::vector<EndReaction> reactions;
+  std::vector<StateJointResult> joints;
   std::vector<BucklingResult> buckling;
   bool buckling_looked_for = false;
   bool buckling_proved = false;

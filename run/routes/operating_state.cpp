@@ -3,6 +3,7 @@
 #include "reduction/cyclic_state.hpp"
 #include "run/routes/route.hpp"
 #include "run/routes/state_buckling.hpp"
+#include "run/routes/state_joints.hpp"
 #include "run/routes/state_loads.hpp"
 #include "run/stages.hpp"
 #include "solve/equilibrium_path.hpp"
@@ -85,6 +86,7 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
   Stopwatch watch;
   StateResult result;
   result.name = data.state->name;
+  load_joints(built);
   const StateLoads loads = state_loads(data, built, result);
   add_squirm(data, result);
   const Model at_rest = built.model;
@@ -111,6 +113,7 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
     result.displacement.row(Eigen::Index(n)) =
         (built.model.mesh.nodes[n] - at_rest.mesh.nodes[n]).transpose();
   add_reactions(data, built, state.lacking, result);
+  settle_joints(built, result);
   watch.lap(timing, "state");
   return result;
 }

@@ -9,7 +9,8 @@
 
 namespace plica {
 
-// The case built, moved into its state: everything computed from it is around that state. Throws
+// The case built with its joints stuck, moved into its state: everything computed from it is around
+// that state, also with joints that slip (state_joints.hpp). Throws
 // InputError where the case holds nothing; StateError (solve/base_state.hpp) where there is no
 // equilibrium.
 StateResult move_into_state(const Case& data, BuiltCase& built,

@@ -4,6 +4,7 @@
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
 #include "run/routes/route.hpp"
+#include "run/routes/state_joints.hpp"
 #include "solve/base_state.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/strain_energy.hpp"
@@ -161,11 +162,11 @@ private:
     state.name = name_of(own, by, ends_[0]);
     shift(own, ends_[0], by);
     stage_(state.name);
-    BuiltCase built = friction_ ? slipping_case(own) : build(own);
+    BuiltCase built = friction_ && !own.state ? slipping_case(own) : build(own);
     std::map<std::string, double> timing;
     if (own.state) {
-      require_plain_friction(built);
       move_into(state.name, own, built, timing);
+      if (friction_) built = slipping_in_state(std::move(built));
     }
     const auto route = choose_route(built, own.analyses, stage_, timing);
     state.route = route->name();
@@ -188,16 +189,6 @@ private:
     } catch (const StateError& error) {
       throw StateError(name + ": " + error.what());
     }
-  }
-
-  // Sliders bear nothing where a part stays; springs that depend on where they are would.
-  static void require_plain_friction(const BuiltCase& built) {
-    for (const BuiltJoint& j : built.joints)
-      if (j.law.cubic != 0 || !j.law.curve.empty())
-        input_error("state",
-                    "of a part with a nonlinear spring (" + joint_name(j) +
-                        ") would change the slope of that spring, which is not followed",
-                    "friction by sliders, or the part at rest");
   }
 
   PartBetweenEnds between(const BuiltCase& built, const Damping& damping, Route& route,

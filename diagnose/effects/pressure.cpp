@@ -1,0 +1,53 @@
+#include "diagnose/effects/in_state.hpp"
+
+#include <algorithm>
+
+namespace plica {
+namespace {
+
+constexpr double usual = 0.5e5, most = 4e5; // Pa, of exhaust gas
+
+// Inside all bellows, whose ends are closed.
+std::vector<Hypothesis> pressure_hypotheses(const Structure& s) {
+  const auto closed = [&](const std::string& end) {
+    return std::any_of(s.data.caps.begin(), s.data.caps.end(), [&](const Cap& cap) {
+      return std::find(cap.of.begin(), cap.of.end(), end) != cap.of.end();
+    });
+  };
+  bool any = false;
+  for (const Part& part : s.data.parts)
+    if (std::holds_alternative<Bellows>(part.body)) {
+      any = true;
+      if (!closed(part.name + ".left") || !closed(part.name + ".right")) return {};
+    }
+  if (!any || !asked_for(s, "pressure")) return {};
+  const auto through = coefficients_through(
+      [](double p) { return Eigen::VectorXd(Eigen::Vector2d(p, p * p)); }, {usual, 2 * usual});
+  return {{.effect = "pressure",
+           .place = "all",
+           .way = "",
+           .parameters = {{"pressure", "Pa", {PriorKind::log_normal, usual, 1, 0, most}}},
+           .case_changes = into_states({[](OperatingState& state) { state.pressure = usual; },
+                                        [](OperatingState& state) { state.pressure = 2 * usual; }}),
+           .large = true,
+           .coefficients = [through](const Eigen::VectorXd& v) { return through(v[0]); },
+           .in_case = [](const Case&, const Eigen::VectorXd& v) -> CaseEdits {
+             return {{"state.pressure", yaml_of(v[0])}};
+           }}};
+}
+
+} // namespace
+
+Effect pressure() {
+  return {
+      .name = "pressure",
+      .plain = "gas of {pressure} inside, which nobody stated",
+      .physics = "pressure inside presses the wall between held ends as a load presses a column",
+      .signature = "transverse modes fall, axial ones and the wall's own hardly move",
+      .look_alikes = {"installation_offset: the same with the part vented",
+                      "temperature: a thermometer"},
+      .needs = "bellows closed by caps, and diagnose: effects or priors of the case that name it",
+      .hypotheses = pressure_hypotheses};
+}
+
+} // namespace plica
