@@ -10,7 +10,7 @@ namespace plica {
 namespace {
 
 // Of an end that is bolted where the line happens to be: m, and N of the bolts that pull it there.
-constexpr double usual = 3e-3, pull = 5e3;
+constexpr double usual_offset = 3e-3, usual_pull = 5e3;
 
 constexpr std::array<const char*, 3> ways{"x", "axial", "z"};
 
@@ -24,7 +24,7 @@ std::string vector_text(std::size_t direction, double value) {
 // the pipe the wall is pulled, across it one side is as the other. Sampled where the part is
 // pulled, as it may buckle where it is pressed. `stiffness`: against the motion, N/m.
 Hypothesis moved_end(const std::string& cap, std::size_t direction, double stiffness) {
-  const double sample = std::min(usual, pull / stiffness);
+  const double sample = std::min(usual_offset, usual_pull / stiffness);
   const auto moved = [&](double by) {
     return [cap, direction, by](OperatingState& state) {
       auto found = std::find_if(state.offset.begin(), state.offset.end(),

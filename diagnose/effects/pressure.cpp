@@ -5,7 +5,7 @@
 namespace plica {
 namespace {
 
-constexpr double usual = 0.5e5, most = 4e5; // Pa, of exhaust gas
+constexpr double usual_pressure = 0.5e5, most_pressure = 4e5; // Pa, of exhaust gas
 
 // Inside all bellows, whose ends are closed.
 std::vector<Hypothesis> pressure_hypotheses(const Structure& s) {
@@ -21,14 +21,18 @@ std::vector<Hypothesis> pressure_hypotheses(const Structure& s) {
       if (!closed(part.name + ".left") || !closed(part.name + ".right")) return {};
     }
   if (!any || !asked_for(s, "pressure")) return {};
-  const auto through = coefficients_through(
-      [](double p) { return Eigen::VectorXd(Eigen::Vector2d(p, p * p)); }, {usual, 2 * usual});
+  const auto through =
+      coefficients_through([](double p) { return Eigen::VectorXd(Eigen::Vector2d(p, p * p)); },
+                           {usual_pressure, 2 * usual_pressure});
   return {{.effect = "pressure",
            .place = "all",
            .way = "",
-           .parameters = {{"pressure", "Pa", {PriorKind::log_normal, usual, 1, 0, most}}},
-           .case_changes = into_states({[](OperatingState& state) { state.pressure = usual; },
-                                        [](OperatingState& state) { state.pressure = 2 * usual; }}),
+           .parameters = {{"pressure",
+                           "Pa",
+                           {PriorKind::log_normal, usual_pressure, 1, 0, most_pressure}}},
+           .case_changes =
+               into_states({[](OperatingState& state) { state.pressure = usual_pressure; },
+                            [](OperatingState& state) { state.pressure = 2 * usual_pressure; }}),
            .large = true,
            .coefficients = [through](const Eigen::VectorXd& v) { return through(v[0]); },
            .in_case = [](const Case&, const Eigen::VectorXd& v) -> CaseEdits {

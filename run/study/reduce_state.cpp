@@ -47,6 +47,7 @@ ReleasedCase released_in_state(const Case& data,
   std::erase_if(built.model.bushings,
                 [&](const BushingElement& b) { return b.node2 < 0 && is_cap(b.node1); });
   std::erase_if(built.dampers, [](const BuiltDamper& d) { return d.node1 < 0; });
+  built.joints.clear(); // they stick, as springs of the model
   return released;
 }
 
