@@ -66,8 +66,10 @@ TEST(StateEffects, a_strip_that_is_pulled) {
   const double N_over_EI = 12 / std::pow(0.006, 2) * pulled / 0.6;
   EXPECT_NEAR(gain * gain - 1, 12.30 * N_over_EI * 0.36 / 500.6, 0.03 * (gain * gain - 1));
   Case nominal = strip();
-  nominal.diagnose.priors = {
-      {.effect = "installation_offset", .parameter = "offset", .between = {-5e-4, 5e-4}}};
+  nominal.diagnose.priors = {{.effect = "installation_offset",
+                              .parameter = "offset",
+                              .between = {-5e-4, 5e-4},
+                              .widening = {}}};
   const Diagnosis d = changed_beam::diagnosis_of(nominal, m);
   ASSERT_FALSE(d.effects.empty()) << d.headline;
   const NamedEffect& e = d.effects.front();

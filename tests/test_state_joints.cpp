@@ -129,7 +129,11 @@ Case rod_on(const FrictionLaw<false>& law, double gravity) {
 }
 
 // 40 kN/m beyond half a millimetre.
-const FrictionLaw<false> clearance{.clearance = ClearanceLaw<false>{.gap = 5e-4, .stiffness = 4e4}};
+const FrictionLaw<false> clearance = [] {
+  FrictionLaw<false> law;
+  law.clearance = {.gap = 5e-4, .stiffness = 4e4};
+  return law;
+}();
 
 TEST(StateJoints, weight_takes_up_a_clearance) {
   const Results light = run_silently(rod_on(clearance, g / 10)),
@@ -145,7 +149,9 @@ TEST(StateJoints, weight_takes_up_a_clearance) {
 // k x + c x^3 = m g; f by k + 3 c x^2.
 TEST(StateJoints, weight_stiffens_a_cubic_spring) {
   const double c = 2e10;
-  const Results results = run_silently(rod_on({.cubic = c}, g));
+  FrictionLaw<false> law;
+  law.cubic = c;
+  const Results results = run_silently(rod_on(law, g));
   double x = 0;
   for (int k = 0; k < 50; ++k) x -= (1e4 * x + c * x * x * x - g) / (1e4 + 3 * c * x * x);
   EXPECT_NEAR(results.state->joints.at(0).motion / -x, 1, 1e-6);
