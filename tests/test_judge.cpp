@@ -122,6 +122,23 @@ TEST(Judge, names_all_that_lie_within_five_nats) {
   EXPECT_EQ(j.named.size(), 2u);
 }
 
+// A mass at the free end and damage at the clamp of a cantilever move its frequencies alike: what
+// speaks for one is that it has a parameter less.
+TEST(Judge, is_sure_of_none_of_a_list) {
+  Fits fits;
+  fits.add("added_mass", 10);
+  fits.add("local_damage", 5.1);
+  Judgement j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_LT(probability(j, "added_mass"), 0.9);
+  EXPECT_GT(probability(j, "added_mass"), 0.85);
+  fits.singles.back().fit.log_evidence = 10;
+  j = fits.judgement(false);
+  EXPECT_NEAR(probability(j, "added_mass"), 0.5, 1e-12);
+  fits.singles.back().fit.log_evidence = 4.9;
+  EXPECT_GT(probability(fits.judgement(false), "added_mass"), 0.99) << "told apart";
+}
+
 TEST(Judge, passes_over_what_is_inadequate_or_not_met_by_what_was_held_out) {
   Fits fits;
   fits.add("added_mass", 30, false);
@@ -145,7 +162,7 @@ TEST(Judge, tells_an_effect_apart_from_what_is_too_far_out_of_its_prior) {
   ASSERT_EQ(j.named.size(), 2u);
   EXPECT_EQ(j.named[0]->fit.together[0]->effect, "fixture_flexibility");
   EXPECT_EQ(j.named[1]->fit.together[0]->effect, "boundary_compliance");
-  EXPECT_GT(probability(j, "boundary_compliance"), 0.8);
+  EXPECT_GT(probability(j, "boundary_compliance"), 0.5);
   fits.singles.front().fit.log_evidence = 4.9;
   j = fits.judgement(false);
   EXPECT_EQ(j.verdict, Verdict::identified);

@@ -126,6 +126,15 @@ void weigh_singles(const JudgedFit& nominal, const std::vector<EffectFits>& effe
                    [](const auto& a, const auto& b) { return a.second > b.second; });
 }
 
+// Nats by which effects are not told apart yet may come from errors of the model, so that none of a
+// list is sure: as far ahead of the next as would tell them apart is 0.9 of two.
+void weigh_with_doubt(double apart, Judgement& result) {
+  const double trust = std::log(threshold::far_ahead / (1 - threshold::far_ahead)) / apart;
+  double sum = 0;
+  for (auto& [name, p] : result.probabilities) sum += p = std::pow(p, trust);
+  for (auto& [name, p] : result.probabilities) p /= sum;
+}
+
 // Effects that are told apart from all others, or a list of those that are not: `rivals` stand, but
 // too far out of their priors to be named alone.
 void name_singles(const std::vector<const EffectFits*>& credible,
@@ -159,6 +168,8 @@ void name_singles(const std::vector<const EffectFits*>& credible,
   if (result.named.size() == 1 && result.withheld.empty())
     result.verdict =
         result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::identified;
+  else
+    weigh_with_doubt(standards.apart, result);
 }
 
 // Probabilities over all sets, and of an effect over its places.
