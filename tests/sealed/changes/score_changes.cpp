@@ -103,17 +103,30 @@ json best_guess(const json& diagnosis) {
   return json::object();
 }
 
+// What is told for sure: what a verdict names, or a row of the ledger with 0.9 and more, wherever
+// the effect sits.
+json told_for_sure(const Scored& s) {
+  if (s.verdict == "identified" || s.verdict == "several" || s.verdict == "mostly")
+    return s.diagnosis.value("effects", json::array());
+  constexpr double sure = 0.9;
+  json told = json::array();
+  for (const json& row : s.diagnosis.value(json::json_pointer("/ledger/rows"), json::array()))
+    for (const json& e : row.value("effects", json::array()))
+      if (e.value("anywhere", 0.) >= sure) told.push_back(e);
+  return told;
+}
+
 Marked marked(const Scored& s) {
   Marked m;
   m.verdict = s.verdict;
   m.changed = s.cls != "none";
   m.detectable = s.truth["detectable"];
   m.ratio = s.truth["ratio"];
-  m.confident = s.verdict == "identified" || s.verdict == "several" || s.verdict == "mostly";
   const Marker marker(s.truth);
-  const json said = s.diagnosis.value("effects", json::array());
+  const json said = s.diagnosis.value("effects", json::array()), sure = told_for_sure(s);
   const auto right = [&](const json& e) { return marker.is_right(e); };
-  m.wrong = m.confident && !std::all_of(said.begin(), said.end(), right);
+  m.confident = !sure.empty();
+  m.wrong = !std::all_of(sure.begin(), sure.end(), right);
   const json best = best_guess(s.diagnosis);
   m.best = m.changed && marker.is_right(best);
   constexpr std::size_t most_listed = 3;
