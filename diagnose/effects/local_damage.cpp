@@ -84,7 +84,7 @@ Eigen::VectorXd lost(const BeamPath& path, double loss, double from, double to) 
 }
 
 // Anywhere along a beam, over a length that is not known either: its points say nothing of where it
-// was damaged.
+// was damaged. What is local is short.
 void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const BeamPath& path) {
   const auto& x = s.built.model.mesh.nodes;
   std::vector<std::vector<int>> elements(path.at.size() - 1);
@@ -98,20 +98,23 @@ void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const Beam
   }
   std::vector<ModelChange> changes;
   for (const std::vector<int>& own : elements) changes.push_back(halved(own));
-  constexpr double longest = 0.5; // of the beam
-  found.push_back(
-      {.effect = "local_damage",
-       .place = path.part,
-       .way = "",
-       .parameters = {{"loss", "", {PriorKind::uniform, 0, 0.97}},
-                      {"at", "m", {PriorKind::uniform, 0, path.length()}},
-                      {"length", "m", {PriorKind::uniform, 0, longest * path.length()}}},
-       .changes = std::move(changes),
-       .coefficients =
-           [path](const Eigen::VectorXd& v) {
-             return Eigen::VectorXd(2 * lost(path, v[0], v[1] - v[2] / 2, v[1] + v[2] / 2));
-           },
-       .along = 1});
+  constexpr double usual = 0.1, longest = 0.5; // of the beam
+  found.push_back({.effect = "local_damage",
+                   .place = path.part,
+                   .way = "",
+                   .parameters = {{"loss", "", {PriorKind::uniform, 0, 0.97}},
+                                  {"at", "m", {PriorKind::uniform, 0, path.length()}},
+                                  {"length",
+                                   "m",
+                                   {PriorKind::log_normal, usual * path.length(), 1, 0,
+                                    longest * path.length()}}},
+                   .changes = std::move(changes),
+                   .coefficients =
+                       [path](const Eigen::VectorXd& v) {
+                         return Eigen::VectorXd(2 *
+                                                lost(path, v[0], v[1] - v[2] / 2, v[1] + v[2] / 2));
+                       },
+                   .along = 1});
 }
 
 // Young's modulus lost over a quarter of the circumference of a convolution, in eight directions

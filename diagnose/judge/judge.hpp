@@ -18,7 +18,8 @@
 //               fitted readings, closes less than half of the gap, or foretells readings taken in
 //               turn no better than no effect does: then up to three effects within 8 of it. A
 //               parameter is free where its posterior is narrower than half its prior, or a move
-//               within the prior changes a reading by a tenth of its standard deviation
+//               within the prior changes a reading by a tenth of its standard deviation. Of a list
+//               none is sure: 5 nats are odds of nine to one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings

@@ -86,7 +86,12 @@ Interval interval_of(const std::vector<const HypothesisFit*>& ways, Index parame
   const double middle = quantile(values, 0.5);
   if (prior.kind == PriorKind::uniform)
     return {shortest(values, prior.centre, prior.width), middle};
-  if (prior.bounded()) return {shortest(values, value_of(prior, -5), value_of(prior, 5)), middle};
+  if (prior.bounded()) {
+    const auto end = [&](double bound, double z) {
+      return std::isfinite(bound) ? bound : value_of(prior, z);
+    };
+    return {shortest(values, end(prior.low, -5), end(prior.high, 5)), middle};
+  }
   return {{quantile(values, (1 - share) / 2), quantile(values, (1 + share) / 2)}, middle};
 }
 
