@@ -64,9 +64,10 @@ KeywordHandlers AbaqusJoints::handlers() {
       {"DISTRIBUTING COUPLING", {by(&J::distributing_coupling), {"ELSET"}}},
       {"RIGID BODY",
        {by(&J::rigid_body),
-        {"REF NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET", "POSITION", "ISOTHERMAL"}}},
+        {"REF NODE", "ROT NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET", "POSITION",
+         "ISOTHERMAL"}}},
       {"MPC", {by(&J::mpc), {}}},
-      {"EQUATION", {by(&J::equation), {}}},
+      {"EQUATION", {by(&J::equation), {"REMOVE"}}},
       {"MATRIX INPUT", {by(&J::matrix_input), {"NAME", "INPUT", "TYPE"}}},
       {"MATRIX ASSEMBLE",
        {by(&J::matrix_assemble), {"STIFFNESS", "MASS", "VISCOUS DAMPING", "STRUCTURAL DAMPING"}}},
@@ -253,6 +254,13 @@ void AbaqusJoints::rigid_body(const Keyword& k) {
   c.nodes = {pinned.begin(), pinned.end()};
   c.dofs = {0, 1, 2};
   if (!pinned.empty()) deck_.couplings.push_back(c);
+  if (!k.has("ROT NODE")) return;
+  // Of CalculiX: the translations of that node are the turns of the body.
+  const int turns = one_node(k, {k.at, {k.word("ROT NODE")}}, 0);
+  if (turns == c.reference)
+    deck_error(k.at, "*RIGID BODY", "has one node as REF NODE and ROT NODE", "a node of its own");
+  for (int d = 0; d < 3; ++d)
+    deck_.equations.push_back({c.reference, 3 + d, {{turns, d, 1}}, origin(k, "ROT NODE")});
 }
 
 void AbaqusJoints::mpc(const Keyword& k) {
@@ -288,7 +296,26 @@ void AbaqusJoints::mpc(const Keyword& k) {
   }
 }
 
+// Of CalculiX: in a later step, of a node and a range of its DOFs. The deck is taken as its last
+// step has it, as with *BOUNDARY, OP=NEW.
+void AbaqusJoints::remove_equations(const Keyword& k) {
+  for (const DataLine& line : k.data) {
+    const int node = one_node(k, line, 0);
+    const std::vector<int> dofs = dof_range(k, line, 1);
+    const auto is_it = [&](const Constraint& row) {
+      return row.node == node && std::find(dofs.begin(), dofs.end(), row.dof) != dofs.end();
+    };
+    if (std::erase_if(deck_.equations, is_it) == 0)
+      deck_error(line.at, "*EQUATION", "REMOVE names no equation", "its first node and DOF");
+  }
+  deck_.notes.push_back("*EQUATION, REMOVE in line " + std::to_string(k.at.line) +
+                        ": the model is taken without these equations");
+  doubts_.push_back(k.at.file + ":" + std::to_string(k.at.line) +
+                    ": *EQUATION, REMOVE changes the equations");
+}
+
 void AbaqusJoints::equation(const Keyword& k) {
+  if (k.has("REMOVE")) return remove_equations(k);
   for (std::size_t i = 0; i < k.data.size();) {
     const DataLine& head = k.data[i++];
     const int terms = whole_in(k, head, 0);

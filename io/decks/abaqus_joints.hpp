@@ -40,6 +40,7 @@ private:
   void rigid_body(const Keyword& keyword);
   void mpc(const Keyword& keyword);
   void equation(const Keyword& keyword);
+  void remove_equations(const Keyword& keyword);
   void tie(const Keyword& keyword);
   void boundary(const Keyword& keyword);
   void no_open_coupling() const;

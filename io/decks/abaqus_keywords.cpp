@@ -23,6 +23,12 @@ int dof_in(const Keyword& k, const DataLine& line, std::size_t field) {
   return d - 1;
 }
 
+std::optional<int> deck_number(const std::string& text) {
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos || text.size() > 9)
+    return std::nullopt;
+  return std::stoi(text);
+}
+
 std::string origin(const Keyword& k, const std::string& name) {
   return "*" + k.name + (name.empty() ? "" : " " + name) + " in line " + std::to_string(k.at.line);
 }

@@ -6,6 +6,7 @@
 #include "model/description/deck_model.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 
 namespace plica {
@@ -34,11 +35,13 @@ enum class KeywordKind {
   unknown
 };
 KeywordKind kind_of_keyword(const std::string& name);
+std::vector<std::string> passed_or_structural_keywords();
 bool is_solid_type(const std::string& type); // of *ELEMENT: solids, plane and axisymmetric ones
 bool is_idle_type(const std::string& type);  // without stiffness and mass: dashpots, rigid surfaces
 
 const DataLine& data_line(const Keyword& keyword, std::size_t i); // InputError when there are fewer
 int dof_in(const Keyword& keyword, const DataLine& line, std::size_t field); // 0..5
 std::string origin(const Keyword& keyword, const std::string& name);         // for messages
+std::optional<int> deck_number(const std::string& text); // of a node or element; none: a name
 
 } // namespace plica

@@ -21,11 +21,12 @@ const std::set<std::string> passed_keywords{
     "PSD-DEFINITION", "CORRELATION", "MODAL DAMPING", "SELECT EIGENMODES", "BASE MOTION",
     "AMPLITUDE", "DAMPING", "GLOBAL DAMPING", "COMPOSITE MODAL DAMPING", "DASHPOT", "HEAT TRANSFER",
     "COUPLED TEMPERATURE-DISPLACEMENT", "UNCOUPLED TEMPERATURE-DISPLACEMENT", "GEOSTATIC",
-    "SOLVER CONTROLS", "CONTROLS", "RETAINED NODAL DOFS", "SUBSTRUCTURE GENERATE", "ANNEAL",
-    "SECTION CONTROLS", "PHYSICAL CONSTANTS", "VIEWFACTOR", "SENSITIVITY", "DESIGN VARIABLES",
-    "DESIGN RESPONSE", "OBJECTIVE", "CONSTRAINT", "FIXED MASS SCALING", "VARIABLE MASS SCALING",
-    "BULK VISCOSITY", "ADAPTIVE MESH", "CRACK PROPAGATION", "GREEN", "CYCLIC", "PARAMETER",
-    "CONTOUR INTEGRAL", "LOAD CASE", "END LOAD CASE", "PERTURBATION", "STEADY STATE", "COUPLED",
+    "SOLVER CONTROLS", "CONTROLS", "RETAINED NODAL DOFS", "SUBSTRUCTURE GENERATE",
+    "SUBSTRUCTURE MATRIX OUTPUT", "SUBSTRUCTURE OUTPUT", "ANNEAL", "SECTION CONTROLS",
+    "PHYSICAL CONSTANTS", "VIEWFACTOR", "SENSITIVITY", "DESIGN VARIABLES", "DESIGN RESPONSE",
+    "OBJECTIVE", "CONSTRAINT", "FIXED MASS SCALING", "VARIABLE MASS SCALING", "BULK VISCOSITY",
+    "ADAPTIVE MESH", "CRACK PROPAGATION", "GREEN", "CYCLIC", "PARAMETER", "CONTOUR INTEGRAL",
+    "LOAD CASE", "END LOAD CASE", "PERTURBATION", "STEADY STATE", "COUPLED",
     // loads, temperatures
     "CLOAD", "DLOAD", "DSLOAD", "DFLUX", "CFLUX", "DSFLUX", "FILM", "SFILM", "CFILM", "RADIATE",
     "SRADIATE", "TEMPERATURE", "FIELD", "INITIAL CONDITIONS", "INERTIA RELIEF", "BASE", "CAVITY",
@@ -57,7 +58,6 @@ const std::set<std::string> keywords_not_had{"CONTACT PAIR",
                                              "CONNECTOR SECTION",
                                              "CONNECTOR BEHAVIOR",
                                              "CONNECTOR ELASTICITY",
-                                             "USER ELEMENT",
                                              "UEL PROPERTY",
                                              "USER MATERIAL",
                                              "HYPERELASTIC",
@@ -73,11 +73,6 @@ const std::set<std::string> keywords_not_had{"CONTACT PAIR",
                                              "COHESIVE SECTION",
                                              "FLUID SECTION",
                                              "NONSTRUCTURAL MASS",
-                                             "NCOPY",
-                                             "NGEN",
-                                             "NFILL",
-                                             "ELGEN",
-                                             "ELCOPY",
                                              "NMAP",
                                              "SUBMODEL",
                                              "IMPORT",
@@ -109,6 +104,12 @@ bool type_begins(const std::string& type, const std::vector<std::string>& beginn
 KeywordKind kind_of_keyword(const std::string& name) {
   if (passed_keywords.contains(name)) return KeywordKind::passed;
   return keywords_not_had.contains(name) ? KeywordKind::structural : KeywordKind::unknown;
+}
+
+std::vector<std::string> passed_or_structural_keywords() {
+  std::vector<std::string> names(passed_keywords.begin(), passed_keywords.end());
+  names.insert(names.end(), keywords_not_had.begin(), keywords_not_had.end());
+  return names;
 }
 
 bool is_solid_type(const std::string& type) {

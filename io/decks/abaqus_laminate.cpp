@@ -16,14 +16,15 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 
 // `count` numbers of a keyword over as many of its lines as they take; what follows is of other
-// temperatures.
-std::vector<double> numbers(const Keyword& k, std::size_t count, std::size_t& lines) {
+// temperatures. Those of `idle`, which a wall in plane stress does not ask for, may be blank.
+std::vector<double> numbers(const Keyword& k, std::size_t count, std::size_t& lines,
+                            const std::set<std::size_t>& idle = {}) {
   std::vector<double> all;
   for (lines = 0; all.size() < count; ++lines) {
     const DataLine& line = data_line(k, lines);
     for (std::size_t i = 0; i < std::max<std::size_t>(line.fields.size(), 1); ++i)
       if (all.size() < count && !(i > 0 && i + 1 == line.fields.size() && line.fields[i].empty()))
-        all.push_back(number_in(k, line, i));
+        all.push_back(idle.contains(all.size()) ? number_in(k, line, i, 0) : number_in(k, line, i));
   }
   return all;
 }
@@ -44,7 +45,9 @@ PlyMaterial orthotropic_solid(const std::vector<double>& d) {
 // G13, G23; ORTHOTROPIC: D1111, D1122, D2222, D1133, D2233, D3333, D1212, D1313, D2323.
 void AbaqusSections::elastic_ply(const Keyword& k, Material& m, const std::string& type) {
   std::size_t lines = 0;
-  const std::vector<double> c = numbers(k, type == "LAMINA" ? 6 : 9, lines);
+  const std::vector<double> c = numbers(
+      k, type == "LAMINA" ? 6 : 9, lines,
+      type == "ENGINEERING CONSTANTS" ? std::set<std::size_t>{2, 4, 5} : std::set<std::size_t>{});
   if (type == "LAMINA")
     m.ply = orthotropic(c[0], c[1], c[2], c[3], c[4], c[5], 0);
   else if (type == "ORTHOTROPIC")
@@ -163,8 +166,9 @@ std::vector<AbaqusSections::Ply> AbaqusSections::plies_of(const Keyword& k) cons
       deck_error(line.at, "*" + k.name, "there is no elastic material " + line.fields[2],
                  "*MATERIAL with *ELASTIC");
     Ply ply{&found->second, number_in(k, line, 0), 0, nullptr};
-    if (!(ply.thickness > 0))
-      deck_error(line.at, "*" + k.name, "has a ply without thickness", "above 0");
+    if (!(ply.thickness >= 0))
+      deck_error(line.at, "*" + k.name, "has a ply of thickness below zero", "0 or more");
+    if (ply.thickness == 0) continue; // adds nothing
     const std::string turned = line.fields.size() > 3 ? line.fields[3] : "";
     const bool number =
         !turned.empty() && turned.find_first_not_of("+-.0123456789eE") == std::string::npos;

@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <unordered_set>
 
 namespace plica {
 namespace {
@@ -23,65 +21,22 @@ std::size_t nodes_of_type(const std::string& type) {
       {"B21H", 2},     {"B23", 2},     {"B22", 3},     {"T3D2", 2},     {"T2D2", 2},
       {"T3D3", 3},     {"T2D3", 3},    {"MASS", 1},    {"ROTARYI", 1},  {"SPRING1", 1},
       {"SPRING2", 2},  {"SPRINGA", 2}, {"DCOUP3D", 1}, {"DASHPOT1", 1}, {"DASHPOT2", 2},
-      {"DASHPOTA", 2}, {"R3D3", 3},    {"R3D4", 4},    {"RB3D2", 2},    {"R2D2", 2}};
+      {"DASHPOTA", 2}, {"U1", 2},      {"R3D3", 3},    {"R3D4", 4},     {"RB3D2", 2},
+      {"R2D2", 2}};
   const auto found = count.find(type);
   return found == count.end() ? 0 : found->second;
 }
 
-template <class F> void for_each_entry(const Keyword& k, F&& f) {
-  for (const DataLine& line : k.data) {
-    if (k.has("GENERATE")) {
-      const int first = whole_in(k, line, 0), last = whole_in(k, line, 1);
-      const bool stepped = line.fields.size() > 2 && !line.fields[2].empty();
-      const long step = stepped ? whole_in(k, line, 2) : 1;
-      if (step <= 0)
-        deck_error(line.at, "*" + k.name, "has a step of " + std::to_string(step), "1 or more");
-      for (long label = first; label <= last; label += step) f(line, std::to_string(label));
-    } else {
-      for (const std::string& field : line.fields)
-        if (!field.empty()) f(line, in_capitals(field));
-    }
-  }
-}
-
-std::optional<int> as_number(const std::string& text) {
-  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos || text.size() > 9)
-    return std::nullopt;
-  return std::stoi(text);
-}
-
-// The keyword that gives an element of this type its section; empty: none.
-std::string section_of(const std::string& type) {
-  static const std::map<std::string, std::string> needs{
-      {"MASS", "MASS"},      {"ROTARYI", "ROTARY INERTIA"}, {"SPRING1", "SPRING"},
-      {"SPRING2", "SPRING"}, {"SPRINGA", "SPRING"},         {"DCOUP3D", "DISTRIBUTING COUPLING"}};
-  if (is_idle_type(type)) return "";
-  if (type[0] == 'B' || type[0] == 'P') return "BEAM SECTION";
-  if (type[0] == 'T') return "SOLID SECTION";
-  if (type.starts_with("M3D")) return "MEMBRANE SECTION";
-  const auto need = needs.find(type);
-  return need == needs.end() ? "SHELL SECTION" : need->second;
-}
-
-std::string kind_of_section(const std::string& keyword) {
-  if (keyword == "BEAM GENERAL SECTION") return "BEAM SECTION";
-  return keyword == "SHELL GENERAL SECTION" ? "SHELL SECTION" : keyword;
-}
-
-void keep_first(std::vector<int>& list) {
-  std::unordered_set<int> seen;
-  std::erase_if(list, [&](int x) { return !seen.insert(x).second; });
-}
-
 // Coordinates of a node of a kind of system as Cartesian ones.
 Vector3d cartesian(const Keyword& k, const Vector3d& x) {
-  constexpr double degree = std::numbers::pi / 180;
+  constexpr double in_radians = std::numbers::pi / 180;
   const std::string kind = k.word_or("SYSTEM", "R");
-  if (kind == "C") return {x[0] * std::cos(degree * x[1]), x[0] * std::sin(degree * x[1]), x[2]};
+  if (kind == "C")
+    return {x[0] * std::cos(in_radians * x[1]), x[0] * std::sin(in_radians * x[1]), x[2]};
   if (kind == "S") {
-    const double out = x[0] * std::cos(degree * x[2]);
-    return {out * std::cos(degree * x[1]), out * std::sin(degree * x[1]),
-            x[0] * std::sin(degree * x[2])};
+    const double out = x[0] * std::cos(in_radians * x[2]);
+    return {out * std::cos(in_radians * x[1]), out * std::sin(in_radians * x[1]),
+            x[0] * std::sin(in_radians * x[2])};
   }
   if (kind != "R") deck_error(k.at, "*" + k.name, "has SYSTEM=" + kind, "R, C or S");
   return x;
@@ -104,13 +59,16 @@ Vector3d vector_in(const Keyword& k, const DataLine& line, std::size_t first) {
 
 } // namespace
 
-KeywordHandlers AbaqusMesh::handlers() {
+KeywordHandlers AbaqusMesh::points() {
   const auto keep = [this](const Keyword& k) { sets_.push_back(k); };
   return {{"NODE", {[this](const Keyword& k) { read_nodes(k); }, {"NSET", "SYSTEM"}}},
           {"SYSTEM", {[this](const Keyword& k) { read_system(k); }, {}}},
-          {"ELEMENT", {[this](const Keyword& k) { read_elements(k); }, {"TYPE", "ELSET"}}},
           {"NSET", {keep, {"NSET", "GENERATE", "ELSET", "UNSORTED", "INTERNAL", "INSTANCE"}}},
           {"ELSET", {keep, {"ELSET", "GENERATE", "INTERNAL", "INSTANCE", "UNSORTED"}}}};
+}
+
+KeywordHandlers AbaqusMesh::handlers() {
+  return {{"ELEMENT", {[this](const Keyword& k) { read_elements(k); }, {"TYPE", "ELSET"}}}};
 }
 
 KeywordHandlers AbaqusMesh::axes() {
@@ -148,21 +106,32 @@ void AbaqusMesh::read_nodes(const Keyword& k) {
 
 void AbaqusMesh::read_node(const Keyword& k, const DataLine& line) {
   const auto place = instances_.find(k.scope);
-  const int label = whole_in(k, line, 0);
+  Vector3d x = system_.turn * cartesian(k, vector_in(k, line, 1)) + system_.move;
+  if (place != instances_.end()) x = place->second.turn * x + place->second.move;
+  put_in_set(k, "NSET", add_node(k, line, whole_in(k, line, 0), x));
+}
+
+// A number that is given again in the same place is the node that is there.
+int AbaqusMesh::add_node(const Keyword& k, const DataLine& line, int label, const Vector3d& x) {
   const int index = static_cast<int>(deck_.nodes.size());
   const auto [known, is_new] = index_.try_emplace({k.scope, label}, index);
+  if (!is_new && deck_.nodes[std::size_t(known->second)] == x) {
+    ++same_nodes_;
+    return known->second;
+  }
   if (!is_new)
-    deck_error(line.at, "*NODE",
+    deck_error(line.at, "*" + k.name,
                "node " + std::to_string(label) + " is there twice, first in line " +
                    std::to_string(node_lines_[std::size_t(known->second)]),
                "a number once");
-  deck_.nodes.emplace_back(0, 0, 0);
+  deck_.nodes.push_back(x);
   deck_.labels.push_back(label);
   node_lines_.push_back(line.at.line);
-  Vector3d x = system_.turn * cartesian(k, vector_in(k, line, 1)) + system_.move;
-  if (place != instances_.end()) x = place->second.turn * x + place->second.move;
-  deck_.nodes.back() = x;
-  if (k.has("NSET")) nsets_[{k.scope, k.word("NSET")}].push_back(index);
+  return index;
+}
+
+void AbaqusMesh::put_in_set(const Keyword& k, const char* parameter, int node) {
+  if (k.has(parameter)) nsets_[{k.scope, k.word(parameter)}].push_back(node);
 }
 
 void AbaqusMesh::read_elements(const Keyword& k) {
@@ -175,8 +144,8 @@ void AbaqusMesh::read_elements(const Keyword& k) {
     else
       missing_.add("*ELEMENT, TYPE=" + type, "is not had", k.at);
     for (const DataLine& line : k.data)
-      if (!line.fields.empty() && as_number(line.fields[0]))
-        element_index_.try_emplace({k.scope, *as_number(line.fields[0])}, -1);
+      if (!line.fields.empty() && deck_number(line.fields[0]))
+        element_index_.try_emplace({k.scope, *deck_number(line.fields[0])}, -1);
     return;
   }
   DeckProblems problems; // of all its lines at once
@@ -199,7 +168,8 @@ void AbaqusMesh::read_elements(const Keyword& k) {
 void AbaqusMesh::read_element(const Keyword& k, const DataLine& line, const std::string& type,
                               std::size_t count) {
   const int label = whole_in(k, line, 0);
-  if (line.fields.size() != count + 1)
+  const bool turned = (type[0] == 'B' && type[1] == '3') || type == "PIPE31" || type == "PIPE32";
+  if (line.fields.size() != count + 1 && !(turned && line.fields.size() == count + 2))
     deck_error(line.at, "*ELEMENT",
                "has " + std::to_string(line.fields.size() - 1) + " nodes for " + type,
                std::to_string(count));
@@ -211,11 +181,16 @@ void AbaqusMesh::read_element(const Keyword& k, const DataLine& line, const std:
                         .nodes = {},
                         .shells = {}};
   for (std::size_t n = 1; n <= count; ++n) element.nodes.push_back(node(k, line, n));
+  if (line.fields.size() == count + 2) element.towards = node(k, line, count + 1);
+  add_element(k, std::move(element));
+}
+
+void AbaqusMesh::add_element(const Keyword& k, AbaqusElement element) {
   const int index = static_cast<int>(elements_.size());
-  const auto [known, is_new] = element_index_.try_emplace({k.scope, label}, index);
+  const auto [known, is_new] = element_index_.try_emplace({k.scope, element.label}, index);
   if (!is_new)
-    deck_error(line.at, "*ELEMENT",
-               "element " + std::to_string(label) + " is there twice" +
+    deck_error(element.at, "*" + k.name,
+               "element " + std::to_string(element.label) + " is there twice" +
                    (known->second < 0
                         ? std::string()
                         : ", first in line " +
@@ -253,14 +228,15 @@ std::vector<int> AbaqusMesh::find(const Keyword& k, const DataLine& line, const 
                                   const std::map<Name, std::vector<int>>& sets,
                                   const std::string& what) const {
   const auto [scope, own] = split(k, in_capitals(name));
-  if (const auto label = as_number(own)) {
-    const auto found = index.find({scope, *label});
-    if (found == index.end())
-      deck_error(line.at, "*" + k.name, "there is no " + what + " " + name, "one of the deck");
-    return found->second < 0 ? std::vector<int>{} : std::vector<int>{found->second};
-  }
   auto found = sets.find({scope, own});
   if (found == sets.end()) found = sets.find({"", own});
+  const bool by_parameter = line.fields.empty(); // ELSET=2 is a set, not element 2
+  if (const auto label = deck_number(own); label && !(by_parameter && found != sets.end())) {
+    const auto one = index.find({scope, *label});
+    if (one == index.end())
+      deck_error(line.at, "*" + k.name, "there is no " + what + " " + name, "one of the deck");
+    return one->second < 0 ? std::vector<int>{} : std::vector<int>{one->second};
+  }
   if (found == sets.end())
     deck_error(line.at, "*" + k.name, "there is no " + what + " set " + name,
                what == "node" ? "a set given by *NSET" : "a set given by *ELSET or *ELEMENT");
@@ -275,30 +251,6 @@ std::vector<int> AbaqusMesh::nodes(const Keyword& k, const DataLine& line,
 std::vector<int> AbaqusMesh::elements(const Keyword& k, const DataLine& line,
                                       const std::string& name) const {
   return find(k, line, name, element_index_, elsets_, "element");
-}
-
-// Each once, in their order: sets of sets would double with every level. A set of elements that are
-// all skipped is empty.
-void AbaqusMesh::read_sets() {
-  for (const Keyword& k : sets_) {
-    std::vector<int> more;
-    const auto add = [&](const std::vector<int>& list) {
-      more.insert(more.end(), list.begin(), list.end());
-    };
-    if (k.name == "NSET" && k.has("ELSET")) {
-      for (int e : elements(k, {k.at, {}}, k.word("ELSET"))) add(elements_.at(e).nodes);
-    } else {
-      for_each_entry(k, [&](const DataLine& line, const std::string& entry) {
-        add(k.name == "NSET" ? nodes(k, line, entry) : elements(k, line, entry));
-      });
-    }
-    auto& sets = k.name == "NSET" ? nsets_ : elsets_;
-    std::vector<int>& set = sets[{k.scope, k.word(k.name)}];
-    set.insert(set.end(), more.begin(), more.end());
-    keep_first(set);
-  }
-  for (const auto& [name, set] : nsets_)
-    deck_.sets[name.first.empty() ? name.second : name.first + "." + name.second] = set;
 }
 
 // TYPE=R: points on x and in the plane of x and y; C: two points on the axis, radial, tangential
@@ -328,41 +280,6 @@ void AbaqusMesh::read_transform(const Keyword& k) {
         axes << x.normalized(), tangent, x.normalized().cross(tangent);
     }
     deck_.axes[n] = turned * axes;
-  }
-}
-
-std::vector<AbaqusElement*> AbaqusMesh::elements_for(const Keyword& k,
-                                                     const std::set<std::string>& types) {
-  std::vector<AbaqusElement*> chosen;
-  std::vector<int> twice;
-  for (int index : elements(k, {k.at, {}}, k.word("ELSET"))) {
-    AbaqusElement& e = elements_.at(index);
-    if (!types.contains(e.type))
-      deck_error(k.at, "*" + k.name,
-                 "is given to element " + std::to_string(e.label) + " of TYPE=" + e.type,
-                 "an element set of one kind");
-    if (!given_.insert({index, kind_of_section(k.name)}).second) twice.push_back(e.label);
-    chosen.push_back(&e);
-  }
-  if (!twice.empty())
-    deck_error(k.at, "*" + k.name,
-               "element " + std::to_string(twice.front()) + " has one already" +
-                   (twice.size() > 1
-                        ? ", and so have " + std::to_string(twice.size() - 1) + " others of its set"
-                        : ""),
-               "one for each element");
-  return chosen;
-}
-
-void AbaqusMesh::check_sections(DeckProblems& problems) const {
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    const AbaqusElement& e = elements_[i];
-    const std::string keyword = section_of(e.type);
-    if (!keyword.empty() && !given_.contains({int(i), keyword}))
-      problems.collect([&] {
-        deck_error(e.at, "*ELEMENT", "element " + std::to_string(e.label) + " has no *" + keyword,
-                   "one that names its set");
-      });
   }
 }
 

@@ -18,6 +18,7 @@ struct AbaqusElement {
   int label = 0;
   std::vector<int> nodes;  // indices
   std::vector<int> shells; // indices into DeckModel::shells, more than one where it is split
+  int towards = -1;        // a node that a beam names after its own: n1 of its section points there
 };
 
 class AbaqusMesh {
@@ -26,9 +27,17 @@ public:
              const std::map<std::string, InstancePlace>& instances)
       : deck_(deck), left_out_(left_out), missing_(missing), instances_(instances) {}
 
+  // Nodes, what is made of nodes, elements, what is made of elements: each may stand before what it
+  // builds on.
+  KeywordHandlers points();
+  KeywordHandlers generated_points();
   KeywordHandlers handlers();
+  KeywordHandlers generated_elements();
   KeywordHandlers axes(); // *TRANSFORM, once there are sets
   void read_sets();       // after all keywords: they may name what comes later
+  // An element that several sections name has the last, as in CalculiX; a note says so.
+  void choose_sections(const std::vector<Keyword>& keywords);
+  bool is_replaced(const Keyword& section) const; // of all its elements, by later ones
 
   Eigen::Matrix3d turn(const Keyword& keyword) const; // of the instance it belongs to
   Eigen::Vector3d place(const Keyword& keyword, const Eigen::Vector3d& point) const; // of that
@@ -55,12 +64,32 @@ private:
   void read_nodes(const Keyword& keyword);
   void read_system(const Keyword& keyword);
   void read_node(const Keyword& keyword, const DataLine& line);
+  int add_node(const Keyword& keyword, const DataLine& line, int label, const Eigen::Vector3d& x);
+  void generate_line(const Keyword& keyword, const DataLine& line);  // *NGEN
+  void fill_between(const Keyword& keyword, const DataLine& line);   // *NFILL
+  void copy_nodes(const Keyword& keyword);                           // *NCOPY
+  void generate_array(const Keyword& keyword, const DataLine& line); // *ELGEN
+  void copy_elements(const Keyword& keyword);                        // *ELCOPY
+  void put_in_set(const Keyword& keyword, const char* parameter, int node);
+  void shift_element(const Keyword& keyword, const DataLine& line, int element, long label,
+                     long nodes, const char* set);
+  int labelled(const Keyword& keyword, const DataLine& line, const std::map<Label, int>& index,
+               long label, const char* what) const;
+  // Of a set while not all sets are known, by their numbers.
+  std::vector<int> known_nodes(const Keyword& keyword, const DataLine& line,
+                               const std::string& name, int depth = 0) const;
+  std::vector<int> known_elements(const Keyword& keyword, const std::string& name,
+                                  int depth = 0) const;
+  void count_generated(const Keyword& keyword, const DataLine& line, long count);
   void read_elements(const Keyword& keyword);
+  void add_element(const Keyword& keyword, AbaqusElement element);
   void read_element(const Keyword& keyword, const DataLine& line, const std::string& type,
                     std::size_t count);
   void read_transform(const Keyword& keyword);
   // A name as written by a keyword: its scope and what is left of it.
   Name split(const Keyword& keyword, const std::string& name) const;
+  std::vector<int> numbers_of_set(const Keyword& keyword, const DataLine& line,
+                                  const std::map<Label, int>& index);
   template <class Indices>
   std::vector<int> find(const Keyword& keyword, const DataLine& line, const std::string& name,
                         const Indices& index, const std::map<Name, std::vector<int>>& sets,
@@ -78,6 +107,11 @@ private:
   std::map<Name, std::vector<int>> nsets_, elsets_;
   std::vector<Keyword> sets_;
   std::set<std::pair<int, std::string>> given_; // element, keyword of its section
+  std::map<std::pair<int, std::string>, DeckPosition> last_section_;
+  std::map<std::pair<std::string, int>, bool> holds_; // sections by file and line: of some element
+  long generated_ = 0;
+  int same_nodes_ = 0, absent_ = 0;
+  std::string first_absent_;
 };
 
 } // namespace plica

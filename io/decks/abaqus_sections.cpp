@@ -1,68 +1,16 @@
 #include "io/decks/abaqus_sections.hpp"
 
 #include "io/decks/deck_panels.hpp"
-#include "io/decks/deck_sections.hpp"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace plica {
 namespace {
 
 using Eigen::Vector3d;
-
-const std::set<std::string> beam_types{"B31",  "B31R", "B31H",   "B33", "B33H", "PIPE31", "B32",
-                                       "B32R", "B32H", "PIPE32", "B21", "B21H", "B22",    "B23"};
-
-TurnedSection profile(const Keyword& k, const std::string& shape, const BeamMaterial& m) {
-  const DataLine& line = data_line(k, 0);
-  const auto size = [&](std::size_t i) {
-    const double value = number_in(k, line, i);
-    if (!(value > 0))
-      deck_error(line.at, "*" + k.name, "has a size of " + line.fields[i], "above 0");
-    return value;
-  };
-  if (shape == "CIRC") {
-    // An ellipse of two radii is what CalculiX makes of it.
-    if (line.fields.size() > 1 && !line.fields[1].empty() && size(1) != size(0))
-      deck_error(line.at, "*" + k.name, "is an ellipse", "one radius");
-    return {round_section(m, size(0)), 0};
-  }
-  if (shape == "RECT") return {rectangle_section(m, size(0), size(1)), 0};
-  if (shape == "PIPE") {
-    const double radius = size(0), wall = size(1);
-    if (wall >= radius)
-      deck_error(line.at, "*" + k.name, "has a wall that fills the pipe",
-                 "a wall below the outer radius, or SECTION=CIRC");
-    return {pipe_section(m, radius - wall / 2, wall), 0};
-  }
-  if (shape == "BOX") {
-    const double t = size(2);
-    if (size(4) != t ||
-        number_in(k, line, 3, t) != number_in(k, line, 5, number_in(k, line, 3, t)) ||
-        size(0) <= 2 * t || size(1) <= 2 * number_in(k, line, 3, t))
-      deck_error(line.at, "*" + k.name, "is a box of walls that do not fit, or uneven ones",
-                 "walls alike on both sides that leave a hole");
-    return box_section(m, size(0), size(1), t, number_in(k, line, 3, t));
-  }
-  if (shape == "I") {
-    const double h = size(1), b1 = size(2), b2 = size(3), t1 = size(4), t2 = size(5), t3 = size(6);
-    const bool even = b1 == b2 && t1 == t2 && std::abs(number_in(k, line, 0) - h / 2) < 1e-6 * h;
-    if (!even || h <= t1 + t2)
-      deck_error(line.at, "*" + k.name, "is an I with uneven flanges or beside its node line",
-                 "l = h/2, flanges alike");
-    const double at = (h - t1) / 2;
-    return rectangles_section(m, {{0, -at, b1, t1}, {0, at, b2, t2}, {0, 0, t3, h - t1 - t2}});
-  }
-  if (shape != "GENERAL" || k.name == "BEAM SECTION")
-    deck_error(k.at, "*" + k.name, "has SECTION=" + shape,
-               "CIRC, PIPE, RECT, BOX, I, or GENERAL with "
-               "*BEAM GENERAL SECTION");
-  return principal_section(m, size(0), size(1), size(3), -number_in(k, line, 2, 0),
-                           number_in(k, line, 4));
-}
 
 void check_body(const Keyword& k, const RigidMass& body) {
   if (!is_body(body))
@@ -84,7 +32,11 @@ KeywordHandlers AbaqusSections::materials() {
 
 KeywordHandlers AbaqusSections::handlers() {
   const auto by = [this](void (AbaqusSections::*read)(const Keyword&)) {
-    return [this, read](const Keyword& k) { (this->*read)(k); };
+    return [this, read](const Keyword& k) {
+      if (!mesh_.is_replaced(k)) return (this->*read)(k);
+      open_beams_.clear(); // nothing that follows belongs to it
+      open_thickness_ = 0;
+    };
   };
   using S = AbaqusSections;
   return {
@@ -104,9 +56,15 @@ KeywordHandlers AbaqusSections::handlers() {
       {"NODAL THICKNESS", {by(&S::nodal_thickness), {}}},
       {"NORMAL", {by(&S::normal), {"TYPE"}}},
       {"BEAM SECTION",
-       {by(&S::beam_section), {"ELSET", "MATERIAL", "SECTION", "POISSON", "TEMPERATURE"}}},
+       {by(&S::beam_section),
+        {"ELSET", "MATERIAL", "SECTION", "POISSON", "TEMPERATURE", "OFFSET1", "OFFSET2"}}},
       {"BEAM GENERAL SECTION", {by(&S::beam_section), {"ELSET", "SECTION", "DENSITY", "POISSON"}}},
       {"TRANSVERSE SHEAR STIFFNESS", {by(&S::transverse_shear), {}}},
+      {"TRANSVERSE SHEAR", {by(&S::transverse_shear), {}}}, // as it was called before
+      {"USER ELEMENT",
+       {by(&S::user_element),
+        {"TYPE", "NODES", "INTEGRATION POINTS", "MAXDOF", "COORDINATES", "PROPERTIES",
+         "I PROPERTIES", "VARIABLES", "UNSYMM", "LINEAR", "FILE", "TENSOR"}}},
       {"MASS", {by(&S::mass), {"ELSET"}}},
       {"ROTARY INERTIA", {by(&S::rotary_inertia), {"ELSET"}}},
       {"SPRING", {by(&S::spring), {"ELSET", "NONLINEAR"}}}};
@@ -210,74 +168,6 @@ void AbaqusSections::solid_section(const Keyword& k) {
   }
 }
 
-void AbaqusSections::hold_in_plane(const AbaqusElement& e) {
-  for (int n : e.nodes)
-    for (int dof : {2, 3, 4}) deck_.supports.push_back({n, dof, {}, e.origin + " in its plane"});
-}
-
-void AbaqusSections::beam_section(const Keyword& k) {
-  const bool general = k.name == "BEAM GENERAL SECTION";
-  const std::string shape = k.word_or("SECTION", general ? "GENERAL" : "");
-  BeamMaterial m;
-  if (general) {
-    m.E = number_in(k, data_line(k, 2), 0);
-    const double G = number_in(k, data_line(k, 2), 1, m.E / 2.6);
-    if (!(m.E > 0 && G > 0))
-      deck_error(k.data[2].at, "*" + k.name, "has no stiffness", "E and G above 0");
-    m.nu = m.E / (2 * G) - 1;
-    m.rho = k.has("DENSITY") ? number_in(k, {k.at, {k.word("DENSITY")}}, 0) : 0;
-  } else {
-    const Material& from = isotropic_material_of(k);
-    m = {from.E, from.nu, from.rho};
-  }
-  open_thickness_ = 0;
-  const TurnedSection section = profile(k, shape, m);
-  Vector3d n1(0, 0, -1);
-  if (k.data.size() > 1)
-    n1 = {number_in(k, k.data[1], 0, 0), number_in(k, k.data[1], 1, 0),
-          number_in(k, k.data[1], 2, -1)};
-  n1 = mesh_.turn(k) * n1;
-  open_beams_.clear();
-  for (const AbaqusElement* e : mesh_.elements_for(k, beam_types)) {
-    split_beams_ += e->nodes.size() > 2;
-    for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i) {
-      const Vector3d axis = deck_.nodes[e->nodes[i + 1]] - deck_.nodes[e->nodes[i]];
-      // The local 1 is our y, so that our z is axis x n1.
-      const Vector3d z = axis.cross(n1);
-      if (!(z.norm() > 1e-6 * axis.norm() * n1.norm()))
-        deck_error(e->at, "*ELEMENT", "is a beam without length, or along the n1 of its section",
-                   "n1 across the axis");
-      const Vector3d y = z.cross(axis).normalized();
-      open_beams_.push_back(deck_.beams.size());
-      deck_.beams.push_back(
-          {.node1 = e->nodes[i],
-           .node2 = e->nodes[i + 1],
-           .section = section.properties,
-           .up = std::cos(section.turn) * z.normalized() - std::sin(section.turn) * y});
-      if (e->type.find("33") != std::string::npos || e->type == "B23") {
-        BeamProperties& slender = deck_.beams.back().section;
-        slender.GA_y = slender.GA_z = std::numeric_limits<double>::infinity();
-      }
-    }
-    if (e->type.starts_with("B2")) hold_in_plane(*e);
-  }
-}
-
-void AbaqusSections::transverse_shear(const Keyword& k) {
-  if (open_beams_.empty() && open_thickness_ > 0) return wall_shear(k);
-  if (open_beams_.empty())
-    deck_error(k.at, "*" + k.name, "follows no section",
-               "after *BEAM SECTION, *SHELL SECTION or *SHELL GENERAL SECTION");
-  const double K23 = number_in(k, data_line(k, 0), 0);
-  const double K13 = number_in(k, data_line(k, 0), 1, K23);
-  if (!(K23 > 0 && K13 > 0))
-    deck_error(k.data[0].at, "*" + k.name, "is not above zero", "K23, K13");
-  for (std::size_t i : open_beams_) {
-    deck_.beams[i].section.GA_z = K23;
-    deck_.beams[i].section.GA_y = K13;
-  }
-}
-
 void AbaqusSections::mass(const Keyword& k) {
   const RigidMass body{.mass = number_in(k, data_line(k, 0), 0)};
   check_body(k, body);
@@ -299,12 +189,39 @@ void AbaqusSections::rotary_inertia(const Keyword& k) {
   }
 }
 
+// CalculiX has a beam U1 of its own; those of Abaqus are somebody's routines.
+void AbaqusSections::user_element(const Keyword& k) {
+  if (k.word_or("TYPE", "") != "U1" || !k.has("MAXDOF") || k.word_or("NODES", "2") != "2")
+    left_out_.note(k, "is not had", "the beam U1 of CalculiX");
+}
+
+// Of pairs of force and displacement, those of the interval from rest on.
+double AbaqusSections::slope_at_rest(const Keyword& k, std::size_t first) {
+  std::vector<std::pair<double, double>> curve; // displacement, force
+  for (std::size_t i = first; i < k.data.size(); ++i)
+    curve.emplace_back(number_in(k, k.data[i], 1), number_in(k, k.data[i], 0));
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const auto [x1, f1] = curve[i];
+    const auto [x2, f2] = curve[i + 1];
+    if (!(x2 > x1)) break;
+    if (x1 <= 0 && x2 > 0) {
+      deck_.notes.push_back("*SPRING in line " + std::to_string(k.at.line) +
+                            " is not linear: its slope from rest on is taken, " +
+                            fmt::format("{:.6g}", (f2 - f1) / (x2 - x1)));
+      return (f2 - f1) / (x2 - x1);
+    }
+  }
+  deck_error(k.at, "*SPRING", "NONLINEAR has no slope at rest",
+             "pairs of force and displacement that rise through zero");
+}
+
 void AbaqusSections::spring(const Keyword& k) {
-  if (k.has("NONLINEAR")) deck_error(k.at, "*SPRING", "is not linear (NONLINEAR)", "one stiffness");
+  std::optional<double> slope;
   for (const AbaqusElement* e : mesh_.elements_for(k, {"SPRING1", "SPRING2", "SPRINGA"})) {
     // A blank line stands before the stiffness of SPRINGA, which has no degrees of freedom.
     const bool axial = e->type == "SPRINGA" && k.data.size() == 1;
-    const double stiffness = number_in(k, data_line(k, axial ? 0 : 1), 0);
+    if (k.has("NONLINEAR") && !slope) slope = slope_at_rest(k, e->type == "SPRINGA" ? 0 : 1);
+    const double stiffness = slope ? *slope : number_in(k, data_line(k, axial ? 0 : 1), 0);
     const auto axes = [&](int n) {
       const auto own = deck_.axes.find(n);
       return own == deck_.axes.end() ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : own->second;

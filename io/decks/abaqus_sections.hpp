@@ -67,6 +67,9 @@ private:
   void nodal_thickness(const Keyword& keyword);
   void normal(const Keyword& keyword);
   void beam_section(const Keyword& keyword);
+  Eigen::Vector3d beam_offset(const Keyword& keyword, const std::string& shape) const;
+  void user_element(const Keyword& keyword);
+  double slope_at_rest(const Keyword& keyword, std::size_t first); // line of the curve
   void transverse_shear(const Keyword& keyword);
   void mass(const Keyword& keyword);
   void rotary_inertia(const Keyword& keyword);

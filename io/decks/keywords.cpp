@@ -24,6 +24,7 @@ std::vector<std::string> split(const std::string& line) {
 class KeywordReader {
 public:
   std::vector<Keyword> keywords;
+  std::vector<DeckPosition> before; // lines before the first keyword
 
   void read(const std::filesystem::path& file, const DeckPosition& from) {
     std::istringstream stream(included_text(file, from, "*INCLUDE", ++depth_, ++files_));
@@ -31,6 +32,7 @@ public:
     bool open = false; // a keyword that goes on
     for (std::string line; std::getline(stream, line);) {
       ++at.line;
+      if (at.line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3); // of an editor
       line = trimmed(line);
       if (line.empty() || line.starts_with("**")) continue;
       if (open) {
@@ -42,9 +44,10 @@ public:
         begin(at, split(line));
         if (!open) include(file);
       } else {
-        if (keywords.empty())
-          deck_error(at, "", "is no keyword: the file does not begin as an Abaqus deck",
-                     "a line such as *NODE");
+        if (keywords.empty()) {
+          before.push_back(at);
+          continue;
+        }
         keywords.back().data.push_back({at, split(line)});
       }
     }
@@ -144,9 +147,16 @@ std::string Keyword::word_or(const std::string& parameter, const std::string& ot
   return has(parameter) ? word(parameter) : otherwise;
 }
 
-std::vector<Keyword> read_keywords(const std::filesystem::path& file) {
+std::vector<Keyword> read_keywords(const std::filesystem::path& file,
+                                   std::vector<std::string>& notes) {
   KeywordReader reader;
   reader.read(file, {file.string(), 0});
+  if (reader.keywords.empty() && !reader.before.empty())
+    deck_error(reader.before.front(), "",
+               "is no keyword: the file does not begin as an Abaqus deck", "a line such as *NODE");
+  if (!reader.before.empty())
+    notes.push_back(std::to_string(reader.before.size()) +
+                    " lines before the first keyword are passed over");
   if (reader.keywords.empty())
     deck_error({file.string(), 0}, "", "has no keyword", "an Abaqus deck");
   return std::move(reader.keywords);

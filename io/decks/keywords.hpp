@@ -32,9 +32,10 @@ struct Keyword {
   std::string word_or(const std::string& parameter, const std::string& otherwise) const;
 };
 
-// Throws InputError for a file that cannot be read, includes that include each other, and data
-// before the first keyword.
-std::vector<Keyword> read_keywords(const std::filesystem::path& file);
+// Throws InputError for a file that cannot be read, includes that include each other, and a file
+// without keywords. Lines before the first one are passed over, with a note.
+std::vector<Keyword> read_keywords(const std::filesystem::path& file,
+                                   std::vector<std::string>& notes);
 
 // Text of a file that a card of a deck includes, of either code. Throws InputError at `from` when
 // it cannot be read, lies deeper than twenty files, or is

@@ -37,6 +37,46 @@ void check_known(const Keyword& k, const std::vector<KeywordHandlers>& phases,
       left_out.note(k, "has a parameter " + name + " that is not known", "without it");
 }
 
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+// *ENDSTEP is *END STEP, REFNODE= is REF NODE=, *EXPANSION TYPE=ISO wants a comma: so CalculiX
+// reads them, which looks at no blanks.
+void name_as_known(Keyword& k, const std::vector<KeywordHandlers>& phases) {
+  const auto is_known = [&](const std::string& name) {
+    return kind_of_keyword(name) != KeywordKind::unknown || is_load_keyword(name) ||
+           std::any_of(phases.begin(), phases.end(),
+                       [&](const KeywordHandlers& phase) { return phase.contains(name); });
+  };
+  if (!is_known(k.name)) {
+    std::vector<std::string> names = passed_or_structural_keywords();
+    for (const KeywordHandlers& phase : phases)
+      for (const auto& [name, handler] : phase) names.push_back(name);
+    const std::size_t equals = k.name.find('=');
+    const std::size_t blank = equals == std::string::npos ? equals : k.name.rfind(' ', equals);
+    const std::string own = without_blanks(k.name.substr(0, blank));
+    for (const std::string& name : names) {
+      if (without_blanks(name) != own) continue;
+      if (blank != std::string::npos)
+        k.parameters.try_emplace(k.name.substr(blank + 1, equals - blank - 1),
+                                 k.name.substr(equals + 1));
+      k.name = name;
+      break;
+    }
+  }
+  for (const KeywordHandlers& phase : phases)
+    if (const auto found = phase.find(k.name); found != phase.end())
+      for (const std::string& name : found->second.parameters)
+        if (!k.has(name))
+          if (const auto close = k.parameters.find(without_blanks(name));
+              close != k.parameters.end()) {
+            k.parameters[name] = close->second;
+            k.parameters.erase(without_blanks(name));
+          }
+}
+
 void note_what_is_taken_elastic(const std::vector<Keyword>& keywords, DeckModel& deck) {
   const auto has = [&](const char* name) {
     return std::any_of(keywords.begin(), keywords.end(),
@@ -54,8 +94,8 @@ void note_what_is_taken_elastic(const std::vector<Keyword>& keywords, DeckModel&
 // surfaces, then what uses them.
 DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   DeckModel deck;
-  const FlatDeck flat = flatten(read_keywords(file), deck.notes);
-  const std::vector<Keyword>& keywords = flat.keywords;
+  FlatDeck flat = flatten(read_keywords(file, deck.notes), deck.notes);
+  std::vector<Keyword>& keywords = flat.keywords;
   for (const Keyword& k : keywords) {
     deck.files.insert(k.at.file);
     for (const DataLine& line : k.data) deck.files.insert(line.at.file);
@@ -67,9 +107,17 @@ DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
   AbaqusSections sections(deck, mesh, left_out);
   AbaqusJoints joints(deck, mesh);
   AbaqusLoads loads(deck, mesh, joints);
-  const std::vector<KeywordHandlers> phases{mesh.handlers(),     sections.materials(),
-                                            mesh.axes(),         joints.surfaces(),
-                                            sections.handlers(), loads.with(joints.handlers())};
+  const std::vector<KeywordHandlers> phases{mesh.points(),
+                                            mesh.generated_points(),
+                                            mesh.handlers(),
+                                            mesh.generated_elements(),
+                                            sections.materials(),
+                                            mesh.axes(),
+                                            joints.surfaces(),
+                                            sections.handlers(),
+                                            loads.with(joints.handlers())};
+  constexpr std::size_t mesh_phases = 4; // the materials, which build on no mesh, come after them
+  for (Keyword& k : keywords) name_as_known(k, phases);
   DeckProblems problems;
   for (const Keyword& k : keywords)
     problems.collect([&] { check_known(k, phases, missing, passed, acting, left_out); });
@@ -81,9 +129,13 @@ DeckModel read_abaqus(const std::filesystem::path& file, UnknownCards unknown) {
     for (const Keyword& k : keywords)
       if (const auto found = phases[p].find(k.name); found != phases[p].end())
         problems.collect([&] { found->second.read(k); });
-    if (p == 0) missing.finish(problems, deck, "keywords of docs/decks.md, or unknown_cards: list");
-    if (p == 1) problems.collect([&] { mesh.read_sets(); }); // materials build on no mesh
-    if (p > 0 && problems.count() > before) problems.raise();
+    if (p + 1 == mesh_phases)
+      missing.finish(problems, deck, "keywords of docs/decks.md, or unknown_cards: list");
+    if (p == mesh_phases) {
+      problems.collect([&] { mesh.read_sets(); });
+      mesh.choose_sections(keywords);
+    }
+    if (p >= mesh_phases && problems.count() > before) problems.raise();
   }
   mesh.check_sections(problems);
   problems.collect([&] { sections.finish(); });

@@ -1,7 +1,7 @@
 // How many decks of a folder are read, and what bars the others.
 //
 //   node tests/decks/study.mjs PLICA FOLDER [--half a|b|both] [--list] [--seconds 20]
-//        [--references FOLDER] [--light]
+//        [--references FOLDER] [--light] [--code abaqus|nastran]
 //
 // Every deck below FOLDER (.inp .bdf .dat .nas .fem; the same text once) becomes the only part of a
 // case, which PLICA checks with what it does by default. The halves go by a hash of the path, so
@@ -14,9 +14,10 @@ import { createHash } from "node:crypto";
 import { execFile } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { basename, dirname, join, relative } from "node:path";
+import { basename, dirname, join, relative, resolve } from "node:path";
 
-const [plica, folder, ...options] = process.argv.slice(2);
+const [plica, given, ...options] = process.argv.slice(2);
+const folder = resolve(given);
 const option = (name, otherwise) =>
   options.includes(name) ? options[options.indexOf(name) + 1] : otherwise;
 const wanted = option("--half", "both");
@@ -76,6 +77,7 @@ for (const file of decksBelow(folder)) {
   if (wanted !== "both" && half !== wanted) continue;
   const isLight = Object.keys(kinds).every((k) => light[code].test(k));
   if (options.includes("--light") && !isLight) continue;
+  if (option("--code", code) !== code) continue;
   decks.push({ file, path, code, kinds, half, light: isLight });
 }
 
