@@ -26,7 +26,9 @@ public:
       : x_(x.array() + law.offset), basis_(basis), count_(x.size()), force_(law.stiffness * x),
         slope_(VectorXd::Constant(x.size(), law.stiffness)) {
     if (!law.sliders.empty()) add_sliders(law.sliders);
-    for (const JenkinsSlider& s : law.sliders) force_.array() -= force_at_offset(law, s);
+    double at_offset = 0;
+    for (const JenkinsSlider& s : law.sliders) at_offset += force_at_offset(law, s);
+    force_.array() -= at_offset;
   }
 
   void add(Index k, const ElasticForce& f) {

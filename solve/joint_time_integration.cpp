@@ -28,10 +28,13 @@ public:
     compliance_ = compliance_.cwiseInverse().eval();
     add_dampers();
     flexibility_ = s.joints.transpose() * compliant(s.joints);
-    for (const JointLaw& law : s.laws) {
+    at_offset_ = VectorXd::Zero(s.joints.cols());
+    for (std::size_t j = 0; j < s.laws.size(); ++j) {
       forces_.emplace_back();
-      for (const JenkinsSlider& slider : law.sliders)
-        forces_.back().push_back(force_at_offset(law, slider));
+      for (const JenkinsSlider& slider : s.laws[j].sliders) {
+        forces_.back().push_back(force_at_offset(s.laws[j], slider));
+        at_offset_[Index(j)] += forces_.back().back();
+      }
     }
     x_ = VectorXd::Zero(s.joints.cols());
   }
@@ -103,12 +106,12 @@ private:
     for (Index j = 0; j < x.size(); ++j) {
       const JointLaw& law = s_.laws[std::size_t(j)];
       const ElasticForce f = elastic_force(law, x[j], rate[j]);
-      F[j] = f.force;
+      F[j] = f.force - at_offset_[j];
       K[j] = f.by_motion + f.by_velocity * 2 / h_;
       for (std::size_t i = 0; i < law.sliders.size(); ++i) {
         const JenkinsSlider& s = law.sliders[i];
         const double trial = forces_[std::size_t(j)][i] + s.stiffness * (x[j] - x_[j]);
-        F[j] += std::clamp(trial, -s.slip_force, s.slip_force) - force_at_offset(law, s);
+        F[j] += std::clamp(trial, -s.slip_force, s.slip_force);
         if (std::abs(trial) < s.slip_force) K[j] += s.stiffness;
       }
     }
@@ -171,6 +174,7 @@ private:
   MatrixXd flexibility_; // of the joints within a step
   VectorXd q_, v_, a_, x_;
   std::vector<std::vector<double>> forces_; // of the sliders
+  VectorXd at_offset_; // what those of a joint bear where its motion counts from
 };
 
 } // namespace

@@ -89,6 +89,18 @@ TEST(DeckWords, nodes_on_arcs) {
   EXPECT_LT((at(deck, 3) - Vector3d(1, -2, 0)).norm(), 1e-12); // the lower half
 }
 
+// A node after its own turns the one beam that names it; the next has the n1 of its section.
+TEST(DeckWords, a_node_that_turns_a_beam_turns_no_other) {
+  const DeckModel deck = abaqus::read_text(
+      "*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 2., 0., 0.\n9, 0., 5., 0.\n"
+      "*ELEMENT, TYPE=B31, ELSET=BEAM\n1, 1, 2, 9\n2, 2, 3\n" +
+      abaqus::steel +
+      "*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=RECT\n0.02, 0.01\n0., 0., -1.\n");
+  ASSERT_EQ(deck.beams.size(), 2);
+  EXPECT_LT(deck.beams[0].up.cross(Vector3d(0, 0, 1)).norm(), 1e-12);
+  EXPECT_LT(deck.beams[1].up.cross(Vector3d(0, 1, 0)).norm(), 1e-12);
+}
+
 TEST(DeckWords, of_several_sections_the_last_holds) {
   const std::string twice = abaqus::mesh_text(deck_plate()) + abaqus::steel +
                             "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL\n5.e-3\n" +

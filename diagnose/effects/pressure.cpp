@@ -1,4 +1,5 @@
 #include "diagnose/effects/in_state.hpp"
+#include "model/description/operating_state_checks.hpp"
 
 #include <algorithm>
 
@@ -9,18 +10,10 @@ constexpr double usual_pressure = 0.5e5, most_pressure = 4e5; // Pa, of exhaust 
 
 // Inside all bellows, whose ends are closed.
 std::vector<Hypothesis> pressure_hypotheses(const Structure& s) {
-  const auto closed = [&](const std::string& end) {
-    return std::any_of(s.data.caps.begin(), s.data.caps.end(), [&](const Cap& cap) {
-      return std::find(cap.of.begin(), cap.of.end(), end) != cap.of.end();
-    });
-  };
-  bool any = false;
-  for (const Part& part : s.data.parts)
-    if (std::holds_alternative<Bellows>(part.body)) {
-      any = true;
-      if (!closed(part.name + ".left") || !closed(part.name + ".right")) return {};
-    }
-  if (!any || !asked_for(s, "pressure")) return {};
+  const bool any = std::any_of(s.data.parts.begin(), s.data.parts.end(), [](const Part& part) {
+    return std::holds_alternative<Bellows>(part.body);
+  });
+  if (!any || !open_ends(s.data).empty() || !asked_for(s, "pressure")) return {};
   const auto through =
       coefficients_through([](double p) { return Eigen::VectorXd(Eigen::Vector2d(p, p * p)); },
                            {usual_pressure, 2 * usual_pressure});

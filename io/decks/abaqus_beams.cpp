@@ -137,12 +137,12 @@ void AbaqusSections::beam_section(const Keyword& k) {
       deck_error(k.at, "*" + k.name, "SECTION=" + shape + " is of " + e->type,
                  "SECTION=GENERAL of U1 alone");
     split_beams_ += e->nodes.size() > 2;
-    if (e->towards >= 0) n1 = deck_.nodes[e->towards] - deck_.nodes[e->nodes[0]];
+    const Vector3d own = e->towards < 0 ? n1 : deck_.nodes[e->towards] - deck_.nodes[e->nodes[0]];
     for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i) {
       const Vector3d axis = deck_.nodes[e->nodes[i + 1]] - deck_.nodes[e->nodes[i]];
       // The local 1 is our y, so that our z is axis x n1.
-      const Vector3d z = axis.cross(n1);
-      if (!(z.norm() > 1e-6 * axis.norm() * n1.norm()))
+      const Vector3d z = axis.cross(own);
+      if (!(z.norm() > 1e-6 * axis.norm() * own.norm()))
         deck_error(e->at, "*ELEMENT", "is a beam without length, or along the n1 of its section",
                    "n1 across the axis");
       const Vector3d y = z.cross(axis).normalized();

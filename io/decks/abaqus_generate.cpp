@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace plica {
@@ -122,56 +123,55 @@ void AbaqusMesh::generate_line(const Keyword& k, const DataLine& line) {
   put_in_set(k, "NSET", last);
 }
 
-std::vector<int> AbaqusMesh::known_nodes(const Keyword& k, const DataLine& line,
-                                         const std::string& name, int depth) const {
-  const std::string wanted = in_capitals(name);
+std::vector<int> AbaqusMesh::known_set(SetOf of, const Keyword& k, const DataLine& line,
+                                       const std::string& name, int depth) const {
+  const bool of_nodes = of == SetOf::nodes;
+  const std::string kind = of_nodes ? "NSET" : "ELSET", wanted = in_capitals(name);
+  const auto& index = of_nodes ? index_ : element_index_;
+  const auto& sets = of_nodes ? nsets_ : elsets_;
   std::vector<int> all;
-  if (const auto own = nsets_.find({k.scope, wanted}); own != nsets_.end()) all = own->second;
+  if (const auto own = sets.find({k.scope, wanted}); own != sets.end()) all = own->second;
+  const auto add = [&](const std::vector<int>& more) {
+    std::copy_if(more.begin(), more.end(), std::back_inserter(all), [](int n) { return n >= 0; });
+  };
+  bool sorted = true;
   for (const Keyword& set : sets_) {
-    if (set.name != "NSET" || set.scope != k.scope || set.has("ELSET") ||
-        set.word("NSET") != wanted)
-      continue;
+    if (set.name != kind || set.word(kind) != wanted) continue;
+    if (set.has("UNSORTED")) sorted = false;
+    if (set.scope != k.scope || (of_nodes && set.has("ELSET"))) continue;
     if (depth > 20) deck_error(line.at, "*" + k.name, "sets name each other", "sets that end");
     for (const DataLine& entry : set.data) {
       if (set.has("GENERATE")) {
-        const long step = std::max(1L, whole_or(set, entry, 2, 1));
-        const int last = whole_in(set, entry, 1);
-        const int first = whole_in(set, entry, 0);
-        for (auto at = index_.lower_bound({k.scope, first});
-             at != index_.end() && at->first.first == k.scope && at->first.second <= last; ++at)
-          if ((long(at->first.second) - first) % step == 0) all.push_back(at->second);
+        const int first = whole_in(set, entry, 0), last = whole_in(set, entry, 1);
+        add(in_range(index, k.scope, first, last, std::max(1L, whole_or(set, entry, 2, 1))));
         continue;
       }
       for (const std::string& field : entry.fields) {
         if (field.empty()) continue;
-        const auto label = deck_number(field);
-        if (label) {
-          if (const auto at = index_.find({k.scope, *label}); at != index_.end())
-            all.push_back(at->second);
-        } else {
-          const std::vector<int> inner = known_nodes(k, line, field, depth + 1);
-          all.insert(all.end(), inner.begin(), inner.end());
-        }
+        if (const auto label = deck_number(field))
+          add(in_range(index, k.scope, *label, *label, 1));
+        else
+          add(known_set(of, k, line, field, depth + 1));
       }
     }
   }
-  const bool sorted = std::none_of(sets_.begin(), sets_.end(), [&](const Keyword& set) {
-    return set.name == "NSET" && set.has("UNSORTED") && set.word("NSET") == wanted;
-  });
-  const auto number = [&](int n) { return deck_.labels[std::size_t(n)]; };
-  if (sorted)
+  const auto number = [&](int n) { return of_nodes ? deck_.labels[std::size_t(n)] : n; };
+  if (sorted || !of_nodes)
     std::sort(all.begin(), all.end(), [&](int p, int q) { return number(p) < number(q); });
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  if (all.empty() || all.size() > std::size_t(most_generated))
-    deck_error(line.at, "*" + k.name, "there is no node set " + name, "a set of nodes");
+  const bool too_many = all.size() > std::size_t(most_generated);
+  if (all.empty() ? of_nodes || depth == 0 : too_many)
+    deck_error(line.at, "*" + k.name,
+               std::string("there is no ") + (of_nodes ? "node" : "element") + " set " + name,
+               of_nodes ? "a set of nodes" : "a set of elements");
   return all;
 }
 
 // Two sets whose nodes belong together in pairs, intervals between them, step of the numbers.
 void AbaqusMesh::fill_between(const Keyword& k, const DataLine& line) {
   if (line.fields.size() < 2) deck_error(line.at, "*NFILL", "names one set", "two");
-  const std::vector<int> from = known_nodes(k, line, line.fields[0]);
-  const std::vector<int> to = known_nodes(k, line, line.fields[1]);
+  const std::vector<int> from = known_set(SetOf::nodes, k, line, line.fields[0]);
+  const std::vector<int> to = known_set(SetOf::nodes, k, line, line.fields[1]);
   const long parts = whole_or(k, line, 2, 1), step = whole_or(k, line, 3, 1);
   if (from.size() != to.size() || parts < 1)
     deck_error(line.at, "*NFILL",
@@ -196,7 +196,7 @@ void AbaqusMesh::fill_between(const Keyword& k, const DataLine& line) {
 void AbaqusMesh::copy_nodes(const Keyword& k) {
   if (!k.has("SHIFT")) deck_error(k.at, "*NCOPY", "is no shift", "SHIFT");
   const DataLine& line = data_line(k, 0);
-  const std::vector<int> old = known_nodes(k, line, k.word("OLD SET"));
+  const std::vector<int> old = known_set(SetOf::nodes, k, line, k.word("OLD SET"));
   const long change = whole_in(k, {k.at, {k.word("CHANGE NUMBER")}}, 0);
   const long times = k.has("MULTIPLE") ? whole_in(k, {k.at, {k.word("MULTIPLE")}}, 0) : 1;
   if (times < 1 || times > most_generated)
@@ -261,45 +261,9 @@ void AbaqusMesh::generate_array(const Keyword& k, const DataLine& line) {
                         i * nodes[0] + j * nodes[1] + h * nodes[2], "ELSET");
 }
 
-std::vector<int> AbaqusMesh::known_elements(const Keyword& k, const std::string& name,
-                                            int depth) const {
-  std::vector<int> all;
-  if (const auto own = elsets_.find({k.scope, name}); own != elsets_.end()) all = own->second;
-  for (const Keyword& set : sets_) {
-    if (set.name != "ELSET" || set.scope != k.scope || set.word("ELSET") != name) continue;
-    if (depth > 20) deck_error(k.at, "*" + k.name, "sets name each other", "sets that end");
-    for (const DataLine& entry : set.data) {
-      if (set.has("GENERATE")) {
-        const long step = std::max(1L, whole_or(set, entry, 2, 1));
-        const int first = whole_in(set, entry, 0), last = whole_in(set, entry, 1);
-        for (auto at = element_index_.lower_bound({k.scope, first});
-             at != element_index_.end() && at->first.first == k.scope && at->first.second <= last;
-             ++at)
-          if ((long(at->first.second) - first) % step == 0 && at->second >= 0)
-            all.push_back(at->second);
-        continue;
-      }
-      for (const std::string& field : entry.fields) {
-        if (field.empty()) continue;
-        const auto label = deck_number(field);
-        const auto at = label ? element_index_.find({k.scope, *label}) : element_index_.end();
-        if (at != element_index_.end() && at->second >= 0) all.push_back(at->second);
-        if (label) continue;
-        const std::vector<int> inner = known_elements(k, in_capitals(field), depth + 1);
-        all.insert(all.end(), inner.begin(), inner.end());
-      }
-    }
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
 void AbaqusMesh::copy_elements(const Keyword& k) {
   const DataLine line{k.at, {}};
-  const std::vector<int> old = known_elements(k, k.word("OLD SET"));
-  if (old.empty())
-    deck_error(k.at, "*ELCOPY", "there is no element set " + k.word("OLD SET"), "a set");
+  const std::vector<int> old = known_set(SetOf::elements, k, line, k.word("OLD SET"));
   count_generated(k, line, long(old.size()));
   const long elements = whole_in(k, {k.at, {k.word("ELEMENT SHIFT")}}, 0);
   const long nodes = whole_in(k, {k.at, {k.word("SHIFT NODES")}}, 0);

@@ -75,11 +75,13 @@ private:
                      long nodes, const char* set);
   int labelled(const Keyword& keyword, const DataLine& line, const std::map<Label, int>& index,
                long label, const char* what) const;
-  // Of a set while not all sets are known, by their numbers.
-  std::vector<int> known_nodes(const Keyword& keyword, const DataLine& line,
-                               const std::string& name, int depth = 0) const;
-  std::vector<int> known_elements(const Keyword& keyword, const std::string& name,
-                                  int depth = 0) const;
+  // Those of a set while not all sets are known; nodes by their numbers, but where it is UNSORTED.
+  enum class SetOf { nodes, elements };
+  std::vector<int> known_set(SetOf of, const Keyword& keyword, const DataLine& line,
+                             const std::string& name, int depth = 0) const;
+  // Of the numbers first, first + step .. last those that are there, skipped elements (-1) too.
+  static std::vector<int> in_range(const std::map<Label, int>& index, const std::string& scope,
+                                   int first, int last, long step);
   void count_generated(const Keyword& keyword, const DataLine& line, long count);
   void read_elements(const Keyword& keyword);
   void add_element(const Keyword& keyword, AbaqusElement element);

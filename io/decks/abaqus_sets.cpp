@@ -38,6 +38,15 @@ void keep_first(std::vector<int>& list) {
 
 } // namespace
 
+std::vector<int> AbaqusMesh::in_range(const std::map<Label, int>& index, const std::string& scope,
+                                      int first, int last, long step) {
+  std::vector<int> found;
+  for (auto at = index.lower_bound({scope, first});
+       at != index.end() && at->first.first == scope && at->first.second <= last; ++at)
+    if ((long(at->first.second) - first) % step == 0) found.push_back(at->second);
+  return found;
+}
+
 // Entries of *NSET and *ELSET that are numbers, or a range of them. Numbers that no node or element
 // has are left away, with a note, as CalculiX and Abaqus do.
 std::vector<int> AbaqusMesh::numbers_of_set(const Keyword& k, const DataLine& line,
@@ -56,10 +65,8 @@ std::vector<int> AbaqusMesh::numbers_of_set(const Keyword& k, const DataLine& li
       deck_error(line.at, "*" + k.name, "has a step of " + std::to_string(step), "1 or more");
     if (last < first) return found;
     absent = (long(last) - first) / step + 1;
-    for (auto at = index.lower_bound({scope, first});
-         at != index.end() && at->first.first == scope && at->first.second <= last; ++at) {
-      if ((long(at->first.second) - first) % step != 0) continue;
-      take(at->second);
+    for (int one : in_range(index, scope, first, last, step)) {
+      take(one);
       --absent;
     }
   } else {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace plica {
 namespace {
@@ -140,19 +141,14 @@ void check_temperatures(const Case& data, const OperatingState& state, const std
 }
 
 void check_pressure(const Case& data, const std::string& key, CheckLog& log) {
-  std::vector<std::string> closed;
-  for (const Cap& cap : data.caps) closed.insert(closed.end(), cap.of.begin(), cap.of.end());
-  bool any = false;
-  for (const Part& part : data.parts) {
-    if (!std::holds_alternative<Bellows>(part.body)) continue;
-    any = true;
-    for (const char* side : {".left", ".right"})
-      if (std::find(closed.begin(), closed.end(), part.name + side) == closed.end())
-        log.add(key,
-                "acts in bellows '" + part.name + "', whose end " + part.name + side + " is open",
-                "a cap on it, which bears the thrust");
-  }
-  if (!any) log.add(key, "acts inside bellows, and the case has none", "a bellows");
+  for (const std::string& end : open_ends(data))
+    log.add(key,
+            "acts in bellows '" + end.substr(0, end.rfind('.')) + "', whose end " + end +
+                " is open",
+            "a cap on it, which bears the thrust");
+  if (std::none_of(data.parts.begin(), data.parts.end(),
+                   [](const Part& part) { return std::holds_alternative<Bellows>(part.body); }))
+    log.add(key, "acts inside bellows, and the case has none", "a bellows");
 }
 
 void check_state(const Case& data, const OperatingState& state, const std::string& at,
@@ -175,6 +171,17 @@ void check_state(const Case& data, const OperatingState& state, const std::strin
 }
 
 } // namespace
+
+std::vector<std::string> open_ends(const Case& data) {
+  std::set<std::string> closed;
+  for (const Cap& cap : data.caps) closed.insert(cap.of.begin(), cap.of.end());
+  std::vector<std::string> open;
+  for (const Part& part : data.parts)
+    for (const char* side : {".left", ".right"})
+      if (std::holds_alternative<Bellows>(part.body) && !closed.contains(part.name + side))
+        open.push_back(part.name + side);
+  return open;
+}
 
 void check_operating_state(const Case& data, CheckLog& log) {
   for (const auto& [name, material] : data.materials)

@@ -33,7 +33,7 @@ class Levels:
 
     @property
     def joints(self) -> Any:
-        """DataFrame: motion and energy per cycle of every joint."""
+        """DataFrame: motion, its mean and energy per cycle of every joint."""
         return self._folder.table("level_joints").frame()
 
     @property

@@ -3,8 +3,9 @@
 #include "solve/state_elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace plica {
 namespace {
