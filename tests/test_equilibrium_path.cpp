@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace plica;
@@ -219,4 +220,73 @@ TEST(LargeRotation, CylinderPulledApart) {
                                  {0.75, 2.692},
                                  {1., 2.768}})
     EXPECT_NEAR(under.at(share) / w, 1, 0.01) << share;
+}
+
+// A roof over an arc of 0.2 rad, its straight edges hinged, its curved ones free, under a load at
+// its middle; n x n quads on a quarter. The deflection under the load, as far as is asked for, and
+// the share of the load.
+Curve hinged_roof(int n, double thickness, double load, double first_share, double far) {
+  const double R = 2540, half_length = 254, half_angle = 0.1;
+  Model model = mapped_shell(n, n, thickness, [&](double u, double v) {
+    const Vector3d normal(std::sin(v * half_angle), 0, std::cos(v * half_angle));
+    return Place{R * normal - Vector3d(0, u * half_length, 0), normal};
+  });
+  model.shells.push_back({{.E = 3102.75, .nu = 0.3, .rho = 1}, MembraneStrain::incompatible, 0});
+  for (int j = 0; j <= n; ++j) hold(model, j * (n + 1), {1, 3, 5}); // plane y = 0
+  for (int i = 0; i <= n; ++i) {
+    hold(model, i, {0, 4, 5});               // plane x = 0
+    hold(model, n * (n + 1) + i, {0, 1, 2}); // hinged
+  }
+  StateLoads loads;
+  loads.force = VectorXd::Zero(dof_count(model));
+  loads.force[2] = -load / 4;
+  Curve path;
+  try {
+    follow_state(model, loads,
+                 [&](const PathPoint& point) {
+                   path.share.push_back(R - (*point.nodes)[0].z());
+                   path.value.push_back(point.share);
+                   if (path.share.back() > far) throw Enough();
+                 },
+                 {.first_share = first_share, .most_points = 400, .longest = 1});
+  } catch (const Enough&) {
+  }
+  return path;
+}
+
+// How far a point lies off a curve: in its load, against the limit, or, where the curve is steep,
+// in its deflection.
+double off(const Curve& path, double deflection, double share, double limit) {
+  const double load = std::abs(path.at(deflection) - share);
+  const double slope = (path.at(1.01 * deflection) - path.at(0.99 * deflection)) / 0.02;
+  return std::min(load / limit, load / std::abs(slope));
+}
+
+// Sze, Liu & Lo, sec. 3.8, table 9: R = 2540, 508 long, 12.7 thick, E = 3102.75, nu = 0.3. The
+// whole curve, which turns back and rises again; loads of P_max = 3000.
+TEST(EquilibriumPath, HingedRoofSnapsThrough) {
+  const Curve path = hinged_roof(12, 12.7, 3000, 0.06, 28.5);
+  const double limit = 0.7421;
+  for (const auto& [share, deflection] : {std::pair{0.1980, 1.638},
+                                          {0.4686, 4.477},
+                                          {0.6908, 8.237},
+                                          {limit, 11.293},
+                                          {0.6649, 13.583},
+                                          {0.5055, 15.217},
+                                          {0.3245, 16.590},
+                                          {0.1729, 19.852},
+                                          {0.2950, 22.875},
+                                          {0.5093, 25.293},
+                                          {0.8549, 27.964}})
+    EXPECT_LT(off(path, deflection, share, limit), 0.01) << deflection;
+}
+
+// The same of half the thickness turns back in its deflection, too: the loads between which it
+// does.
+TEST(EquilibriumPath, ThinHingedRoofSnapsBack) {
+  const Curve path = hinged_roof(12, 6.35, 3000, 0.015, 18.5);
+  const auto lowest = std::min_element(path.value.begin(), path.value.end());
+  EXPECT_NEAR(*std::max_element(path.value.begin(), lowest) / 0.1953, 1, 0.01);
+  EXPECT_NEAR(*lowest / -0.1288, 1, 0.01);
+  EXPECT_FALSE(std::is_sorted(path.share.begin(), path.share.end()));
 }
