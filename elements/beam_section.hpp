@@ -7,6 +7,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace plica {
@@ -18,6 +19,9 @@ struct BeamProperties {
   double mass = 0;                                       // kg/m
   double inertia_x = 0, inertia_y = 0, inertia_z = 0;    // rotary inertia per length, kg m
   double thermal_strain = 0; // of the free beam since rest, at a state (elements/element_state.hpp)
+  // On the way into a state: the axial force that it bears however long it becomes, as a bolt does
+  // while it is tightened, N.
+  std::optional<double> tightened = {};
   // Where stress is recovered: [y, z] of outermost fibres, m, and Young's modulus. None for a
   // section given by its stiffness. Of a round one 24 points, so that the largest bending stress is
   // missed by at most 0.9 %.

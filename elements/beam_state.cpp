@@ -135,17 +135,28 @@ double shear_share(double GA, double EI, double L) {
   return 1 + 0.2 / ((1 + phi) * (1 + phi));
 }
 
-LineLaw beam_law(const BeamProperties& s, double L, const Vector6& strain, StiffnessPart part) {
-  Vector6 stiffness, longer; // of the other strains; what their squares add to the axial strain
-  stiffness << 0, in_series(s.GA_y, s.EI_z, L), in_series(s.GA_z, s.EI_y, L), s.GJ, s.EI_y, s.EI_z;
+// What the squares of the strains add to the axial one.
+Vector6 lengthening(const BeamProperties& s, double L) {
+  Vector6 longer;
   longer << 0, shear_share(s.GA_y, s.EI_z, L), shear_share(s.GA_z, s.EI_y, L),
       s.EA > 0 ? (s.EI_y + s.EI_z) / s.EA : 0, L * L / 3, L * L / 3;
-  const double e = strain[0] + longer.dot(strain.cwiseProduct(strain)) / 2 - s.thermal_strain;
-  const double N = s.EA * e;
+  return longer;
+}
+
+double axial(const Vector6& strain, const Vector6& longer) {
+  return strain[0] + longer.dot(strain.cwiseProduct(strain)) / 2;
+}
+
+LineLaw beam_law(const BeamProperties& s, double L, const Vector6& strain, StiffnessPart part) {
+  const Vector6 longer = lengthening(s, L);
+  Vector6 stiffness; // of the other strains
+  stiffness << 0, in_series(s.GA_y, s.EI_z, L), in_series(s.GA_z, s.EI_y, L), s.GJ, s.EI_y, s.EI_z;
+  const double e = axial(strain, longer) - s.thermal_strain;
+  const double N = s.tightened ? *s.tightened : s.EA * e;
   Vector6 along = longer.cwiseProduct(strain); // of e
   along[0] = 1;
   LineLaw law{.stress = L * (stiffness + N * longer).cwiseProduct(strain),
-              .C = L * s.EA * along * along.transpose()};
+              .C = (s.tightened ? 0 : L * s.EA) * along * along.transpose()};
   law.stress[0] = L * N;
   if (part == StiffnessPart::by_stress) {
     stiffness.setZero();
@@ -203,6 +214,14 @@ ElementTangent<12> beam_tangent(const BeamGeometry& rest, const BeamProperties& 
   const LineStrains strains = beam_strains(L);
   const Vectors10 y = beam_vectors(rest, node1, node2, turned);
   return tangent_of(strains, y, beam_law(section, L, strains.value(y), part));
+}
+
+double beam_axial_strain(const BeamGeometry& rest, const BeamProperties& section,
+                         const Vector3d& node1, const Vector3d& node2,
+                         const NodeRotations<2>& turned) {
+  const double L = beam_length(rest);
+  return axial(beam_strains(L).value(beam_vectors(rest, node1, node2, turned)),
+               lengthening(section, L));
 }
 
 VectorXd beam_state_stress(const BeamGeometry& rest, const BeamProperties& section,

@@ -28,6 +28,11 @@ ElementTangent<12> beam_tangent(const BeamGeometry& rest, const BeamProperties& 
                                 const NodeRotations<2>& turned,
                                 StiffnessPart part = StiffnessPart::all);
 
+// e above, what is thermal left in.
+double beam_axial_strain(const BeamGeometry& rest, const BeamProperties& section,
+                         const Eigen::Vector3d& node1, const Eigen::Vector3d& node2,
+                         const NodeRotations<2>& turned);
+
 // Axial stress of the fibres at node 1, then at node 2, as beam_end_stress. Pa.
 Eigen::VectorXd beam_state_stress(const BeamGeometry& rest, const BeamProperties& section,
                                   const Eigen::Vector3d& node1, const Eigen::Vector3d& node2,

@@ -73,7 +73,7 @@ public:
     for (const ShellProperties& p : at_rest.shells)
       only_dead_ = only_dead_ && p.pressure == 0 && p.section.thermal_strain == 0;
     for (const BeamElement& b : at_rest.beams)
-      only_dead_ = only_dead_ && b.section.thermal_strain == 0;
+      only_dead_ = only_dead_ && b.section.thermal_strain == 0 && !b.section.tightened;
   }
 
   PathResult follow() {

@@ -144,6 +144,13 @@ ElementTangent<12> state_tangent(const Model& model, const BeamElement& b) {
                       model.mesh.nodes[std::size_t(b.node2)], turned, model.rest->part);
 }
 
+double axial_strain(const Model& model, const BeamElement& b) {
+  const std::array nodes{b.node1, b.node2};
+  return beam_axial_strain(
+      beam_at_rest(model, b), b.section, model.mesh.nodes[std::size_t(b.node1)],
+      model.mesh.nodes[std::size_t(b.node2)], rotations_of<2>(model, nodes.data()));
+}
+
 SpringMotion state_motion(const Model& model, const BushingElement& b) {
   const SpringPlace p = place_of(model, b);
   const BushingMotion m = bushing_motion(p.at_rest, p.first, p.second, p.point);

@@ -26,6 +26,9 @@ struct SpringMotion {
 };
 SpringMotion state_motion(const Model& model, const BushingElement& bushing);
 
+// Of the axis of a beam since rest, heat included.
+double axial_strain(const Model& model, const BeamElement& beam);
+
 // Stress at the corners of a shell on both faces, and of the fibres of a beam, at the state: as
 // shell_mitc4_face_stress and beam_end_stress.
 Eigen::VectorXd state_stress(const Model& model, const ShellQuad& quad);

@@ -222,6 +222,7 @@ Model model_at(const Model& at_rest, std::vector<Vector3d> nodes, std::vector<Ma
   for (BeamElement& b : now.beams) {
     const Matrix3d &first = turned[std::size_t(b.node1)], &second = turned[std::size_t(b.node2)];
     b.section.thermal_strain *= share;
+    if (b.section.tightened) *b.section.tightened *= share;
     b.up = first * b.up;
     b.offset1 = first * b.offset1;
     b.offset2 = second * b.offset2;

@@ -25,6 +25,11 @@ Json state_json(const StateResult& s) {
                       {"motion", json_number(j.motion)},
                       {"force", json_number(j.force)},
                       {"slipped", json_number(j.slipped)}});
+  Json bolts = Json::array();
+  for (const BoltResult& b : s.bolts)
+    bolts.push_back({{"part", b.part},
+                     {"force", json_number(b.force)},
+                     {"shortened", json_number(b.shortened)}});
   for (const HeatResult& h : s.heat)
     heat.push_back({{"part", h.part},
                     {"lowest", json_number(h.lowest)},
@@ -48,7 +53,8 @@ Json state_json(const StateResult& s) {
             {"largest_displacement", json_number(s.largest_displacement)},
             {"linear_error", json_number(s.linear_error)},
             {"reactions", reactions},
-            {"joints", joints}};
+            {"joints", joints},
+            {"bolts", bolts}};
   if (s.buckling_looked_for)
     json["buckling"] = {
         {"loads", buckling}, {"proved", s.buckling_proved}, {"reason", s.buckling_reason}};
@@ -119,6 +125,9 @@ std::vector<std::string> state_sentences(const StateResult& s) {
                                     r.cap, significant(r.force[0], 4), significant(r.force[1], 4),
                                     significant(r.force[2], 4), significant(r.moment[0], 4),
                                     significant(r.moment[1], 4), significant(r.moment[2], 4)));
+  for (const BoltResult& b : s.bolts)
+    sentences.push_back(fmt::format("bolt {} is tightened by {} mm to {} N", b.part,
+                                    significant(1e3 * b.shortened, 4), significant(b.force, 4)));
   for (std::string& joint : joint_sentences(s)) sentences.push_back(std::move(joint));
   return sentences;
 }

@@ -5,6 +5,15 @@
 
 namespace plica {
 
+bool acts(const OperatingState& s) {
+  constexpr Triple none{};
+  return s.pressure != 0 || s.gravity != none || !s.temperature.empty() || !s.bolt.empty() ||
+         std::any_of(s.offset.begin(), s.offset.end(),
+                     [&](const EndOffset& o) { return o.move != none || o.turn != none; }) ||
+         std::any_of(s.force.begin(), s.force.end(),
+                     [&](const EndLoad& l) { return l.force != none || l.moment != none; });
+}
+
 double at_temperature(const std::vector<std::array<double, 2>>& table, double temperature) {
   const auto after = std::find_if(table.begin(), table.end(),
                                   [&](const auto& row) { return row[0] >= temperature; });

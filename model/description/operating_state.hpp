@@ -24,6 +24,12 @@ struct EndLoad {
   Triple force{}, moment{}; // N, Nm
 };
 
+// Axial force that a beam bears in the state, whatever else acts: it is tightened until it does.
+struct BoltForce {
+  std::string part;
+  double force = 0; // tension, N
+};
+
 // Nodes of a part that are kept at a temperature.
 struct HeldTemperature {
   std::string set;
@@ -53,12 +59,16 @@ struct OperatingState {
   std::vector<EndLoad> force = {};
   double pressure = 0; // inside the bellows, above that outside, Pa; caps close the ends
   std::vector<PartTemperature> temperature = {};
-  double free_of_stress_at = 20;    // degC
-  Triple gravity{};                 // m/s2
+  double free_of_stress_at = 20; // degC
+  Triple gravity{};              // m/s2
+  std::vector<BoltForce> bolt = {};
   int buckling = 0;                 // loads looked for beyond the state
   std::optional<double> yield = {}; // of the formed wall, Pa, for EJMA's in-plane squirm
   bool follow = false;              // by arc length where the load turns back
 };
+
+// Is there anything in it that moves the part off its rest?
+bool acts(const OperatingState& state);
 
 // Linear between the points. Throws std::out_of_range beyond them.
 double at_temperature(const std::vector<std::array<double, 2>>& table, double temperature);

@@ -140,6 +140,22 @@ void check_temperatures(const Case& data, const OperatingState& state, const std
   }
 }
 
+void check_bolts(const Case& data, const OperatingState& state, const std::string& at,
+                 CheckLog& log) {
+  std::vector<std::string> beams;
+  for (const Part& part : data.parts)
+    if (std::holds_alternative<BeamPart>(part.body)) beams.push_back(part.name);
+  for (const BoltForce& bolt : state.bolt) {
+    const std::string key = at + ".bolt." + bolt.part;
+    log.reference(key, "beam", bolt.part, beams);
+    for (const Part& part : data.parts)
+      if (const auto* beam = std::get_if<BeamPart>(&part.body);
+          beam && part.name == bolt.part && beam->section.shape == BeamShape::general &&
+          !(beam->section.EA.value_or(0) > 0))
+        log.add(key, "is a beam without stiffness along its axis", "a section with EA above 0");
+  }
+}
+
 void check_pressure(const Case& data, const std::string& key, CheckLog& log) {
   for (const std::string& end : open_ends(data))
     log.add(key,
@@ -155,6 +171,7 @@ void check_state(const Case& data, const OperatingState& state, const std::strin
                  CheckLog& log) {
   check_offsets(data, state, at, log);
   check_temperatures(data, state, at, log);
+  check_bolts(data, state, at, log);
   if (state.pressure != 0 && log.fine("parts") && log.fine("caps"))
     check_pressure(data, at + ".pressure", log);
   if (data.analyses.reduction)

@@ -17,6 +17,10 @@ template <class V> void fields(V& v, EndLoad& l) {
   v.quantities(l.moment, "moment", {.unit = Dimension::moment}, "[x, y, z]");
 }
 
+template <class V> void fields(V& v, BoltForce& b) {
+  v.quantity(b.force, "force", {.unit = Dimension::force, .required = true}, "tension");
+}
+
 template <class V> void fields(V& v, HeldTemperature& h) {
   v.text(h.set, "set", {.required = true}, "node set, e.g. bellows.left");
   v.quantity(h.temperature, "at",
@@ -54,6 +58,8 @@ template <class V> void fields(V& v, OperatingState& s) {
              "temperature at which no part strains another");
   v.quantities(s.gravity, "gravity", {.unit = Dimension::acceleration},
                "[x, y, z], e.g. [0, 0, -1 g]");
+  v.named(s.bolt, &BoltForce::part, "bolt", optional_key,
+          "beams by name that are tightened until they bear this force in the state");
   v.whole(s.buckling, "buckling", {.min = 1, .max = 50},
           "number of buckling loads looked for beyond the state");
   v.quantity(s.yield, "yield", {.unit = Dimension::pressure, .min = 0, .exclusive_min = true},

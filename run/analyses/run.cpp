@@ -286,7 +286,15 @@ Results run(const Case& data, const std::function<void(const std::string&)>& sta
 }
 
 Results run_by_route(const Case& data, const StageListener& stage, const RouteChoice& choose) {
-  return Run(data, stage, choose).results();
+  if (!data.state || acts(*data.state)) return Run(data, stage, choose).results();
+  Case at_rest = data;
+  at_rest.state.reset();
+  Results results = Run(at_rest, stage, choose).results();
+  results.state = StateResult{
+      .name = data.state->name,
+      .route = "at rest",
+      .displacement = Eigen::MatrixXd::Zero(Eigen::Index(results.mesh.nodes.size()), 3)};
+  return results;
 }
 
 } // namespace plica

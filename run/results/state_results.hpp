@@ -48,6 +48,13 @@ struct StateJointResult {
   double slipped = 0;           // share of the stiffness of its friction that has slipped
 };
 
+// A beam tightened to its force.
+struct BoltResult {
+  std::string part;
+  double force = 0;     // N
+  double shortened = 0; // of its free length, m
+};
+
 struct StateResult {
   std::string name;                 // among the states of the case; empty: its one state
   std::vector<std::string> loads;   // in words
@@ -60,6 +67,7 @@ struct StateResult {
   double linear_error = 0;         // of the displacements of a linear solution, relative
   std::vector<EndReaction> reactions;
   std::vector<StateJointResult> joints;
+  std::vector<BoltResult> bolts;
   std::vector<BucklingResult> buckling;
   bool buckling_looked_for = false;
   bool buckling_proved = false;

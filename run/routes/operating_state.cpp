@@ -2,6 +2,7 @@
 
 #include "reduction/cyclic_state.hpp"
 #include "run/routes/route.hpp"
+#include "run/routes/state_bolts.hpp"
 #include "run/routes/state_buckling.hpp"
 #include "run/routes/state_joints.hpp"
 #include "run/routes/state_loads.hpp"
@@ -88,6 +89,7 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
   result.name = data.state->name;
   load_joints(built);
   const StateLoads loads = state_loads(data, built, result);
+  tighten_bolts(data.state->bolt, built);
   add_squirm(data, result);
   const Model at_rest = built.model;
   const bool symmetric = !data.state->follow && data.analyses.symmetry != Symmetry::off &&
@@ -114,6 +116,7 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
         (built.model.mesh.nodes[n] - at_rest.mesh.nodes[n]).transpose();
   add_reactions(data, built, state.lacking, result);
   settle_joints(built, result);
+  settle_bolts(data.state->bolt, built, result);
   watch.lap(timing, "state");
   return result;
 }

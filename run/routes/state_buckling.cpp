@@ -23,7 +23,10 @@ Model with_share(Model model, double share) {
     p.pressure *= share;
     p.section.thermal_strain *= share;
   }
-  for (BeamElement& b : model.beams) b.section.thermal_strain *= share;
+  for (BeamElement& b : model.beams) {
+    b.section.thermal_strain *= share;
+    if (b.section.tightened) *b.section.tightened *= share;
+  }
   for (PressedEnd& end : model.pressed_ends) end.pressure *= share;
   for (BushingElement& b : model.bushings) {
     b.ground_shift *= share;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace plica {
 namespace {
@@ -199,17 +200,21 @@ private:
     model_.pressed_ends.push_back({.node = node, .area = area, .pressure = state_.pressure});
   }
 
+  // What holds the cap: its node, the ground under its springs, or their feet.
   void move_end(const EndOffset& offset, StateLoads& loads) {
     const int node = built_.cap_nodes.at(offset.cap);
+    std::set<int> moved{node};
+    for (BushingElement& b : model_.bushings) {
+      if (b.node1 != node) continue;
+      if (b.node2 >= 0 && b.component == component_of("mount." + offset.cap)) moved.insert(b.node2);
+      if (b.node2 >= 0) continue;
+      b.ground_shift = vector_of(offset.move);
+      b.ground_turn = turned_by(offset.turn);
+    }
     for (MovedHold& hold : loads.holds)
-      if (hold.node == node) {
+      if (moved.contains(hold.node)) {
         hold.shift = vector_of(offset.move);
         hold.turn = vector_of(offset.turn);
-      }
-    for (BushingElement& b : model_.bushings)
-      if (b.node2 < 0 && b.node1 == node) {
-        b.ground_shift = vector_of(offset.move);
-        b.ground_turn = turned_by(offset.turn);
       }
   }
 
@@ -249,6 +254,8 @@ std::vector<std::string> in_words(const OperatingState& s) {
   }
   if (s.pressure != 0) words.push_back(fmt::format("{:.4g} bar inside", s.pressure / 1e5));
   for (const PartTemperature& t : s.temperature) words.push_back(temperature_in_words(t));
+  for (const BoltForce& b : s.bolt)
+    words.push_back(fmt::format("bolt {} tightened to {:.4g} N", b.part, b.force));
   if (s.gravity != none) words.push_back("gravity " + list_of(s.gravity, 1) + " m/s2");
   return words;
 }
