@@ -7,7 +7,6 @@
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
 #include "diagnose/weigh/baseline.hpp"
-#include "run/routes/operating_state.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
 
@@ -291,7 +290,6 @@ private:
 } // namespace
 
 Diagnosis diagnose(const Case& data, const TestData& test, const DiagnosisSettings& settings) {
-  require_rest(data, "the diagnosis");
   return Stages(data, test, settings).diagnosis();
 }
 

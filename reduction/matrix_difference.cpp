@@ -13,7 +13,8 @@ using Eigen::MatrixXd;
 
 bool same(const ShellSection& a, const ShellSection& b) {
   return a.E == b.E && a.nu == b.nu && a.rho == b.rho && a.bending_factor == b.bending_factor &&
-         a.shear_correction == b.shear_correction && a.drilling == b.drilling;
+         a.shear_correction == b.shear_correction && a.drilling == b.drilling &&
+         a.thermal_strain == b.thermal_strain;
 }
 template <class Shell>
 bool same(const Shell& a, const Model& of_a, const Shell& b, const Model& of_b) {
@@ -24,7 +25,8 @@ bool same(const BeamElement& a, const BeamElement& b) {
   const BeamProperties &s = a.section, &t = b.section;
   return s.EA == t.EA && s.EI_y == t.EI_y && s.EI_z == t.EI_z && s.GJ == t.GJ && s.GA_y == t.GA_y &&
          s.GA_z == t.GA_z && s.mass == t.mass && s.inertia_x == t.inertia_x &&
-         s.inertia_y == t.inertia_y && s.inertia_z == t.inertia_z;
+         s.inertia_y == t.inertia_y && s.inertia_z == t.inertia_z &&
+         s.thermal_strain == t.thermal_strain;
 }
 bool same(const MassElement& a, const MassElement& b) {
   return a.node == b.node && a.body.mass == b.body.mass && a.body.offset == b.body.offset &&
@@ -41,6 +43,7 @@ Model only_in(const Model& model, const Model& other) {
   rest.components = model.components;
   rest.mesh.nodes = model.mesh.nodes;
   rest.shells = model.shells;
+  rest.rest = model.rest;
   const auto keep_shells = [&](const auto& own, const auto& others, auto& kept) {
     for (std::size_t i = 0; i < own.size(); ++i)
       if (!same(own[i], model, others[i], other)) kept.push_back(own[i]);

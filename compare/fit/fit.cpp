@@ -1,7 +1,6 @@
 #include "compare/fit/fit.hpp"
 
 #include "model/description/case_path.hpp"
-#include "run/routes/operating_state.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -299,7 +298,6 @@ MatrixXd rank_correlation(const FitResult& fit) {
 
 FitResult fit_case(const Case& data, const FitRequest& request, const TestData& test,
                    const FitSettings& settings) {
-  require_rest(data, "the fit");
   return Fit(data, request, test, settings).result(settings);
 }
 

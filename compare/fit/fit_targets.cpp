@@ -163,7 +163,7 @@ void FitProblem::choose_goals(const Case& start, const Results& results) {
 
 // Friction has no part in mass and slipping stiffness, and all of the model in the rest.
 bool FitProblem::friction_alone() const {
-  if (asks_for_life()) return false;
+  if (asks_for_life() || whole_.state) return false; // friction moves the part in its state, too
   for (const FitParameter& p : request_.parameters)
     for (const std::string& path : p.paths)
       if (!FrictionResponses::is_friction(path)) return false;

@@ -14,10 +14,20 @@ constexpr double usual_offset = 3e-3, usual_pull = 5e3;
 
 constexpr std::array<const char*, 3> ways{"x", "axial", "z"};
 
-std::string vector_text(std::size_t direction, double value) {
-  Triple move{};
-  move[direction] = value;
-  return fmt::format("{{move: [{}]}}", fmt::join(move, ", "));
+EndOffset& offset_of(OperatingState& state, const std::string& cap) {
+  const auto found = std::find_if(state.offset.begin(), state.offset.end(),
+                                  [&](const EndOffset& o) { return o.cap == cap; });
+  return found != state.offset.end() ? *found : state.offset.emplace_back(EndOffset{.cap = cap});
+}
+
+// Moved on from where the case has it.
+CaseEdits moved_on(const Case& now, const std::string& cap, std::size_t direction, double by) {
+  OperatingState state = now.state.value_or(OperatingState{});
+  EndOffset& offset = offset_of(state, cap);
+  offset.move[direction] += by;
+  return {{"state.offset." + cap,
+           fmt::format("{{move: [{}], turn: [{}]}}", fmt::join(offset.move, ", "),
+                       fmt::join(offset.turn, ", "))}};
 }
 
 // One of two held ends stands off the place it has free of stress. Linear and square terms: along
@@ -27,11 +37,7 @@ Hypothesis moved_end(const std::string& cap, std::size_t direction, double stiff
   const double sample = std::min(usual_offset, usual_pull / stiffness);
   const auto moved = [&](double by) {
     return [cap, direction, by](OperatingState& state) {
-      auto found = std::find_if(state.offset.begin(), state.offset.end(),
-                                [&](const EndOffset& o) { return o.cap == cap; });
-      if (found == state.offset.end())
-        found = state.offset.insert(state.offset.end(), EndOffset{.cap = cap});
-      found->move[direction] += by;
+      offset_of(state, cap).move[direction] += by;
     };
   };
   const auto through = coefficients_through(
@@ -44,8 +50,8 @@ Hypothesis moved_end(const std::string& cap, std::size_t direction, double stiff
           .large = true,
           .coefficients = [through](const Eigen::VectorXd& v) { return through(v[0]); },
           .in_case =
-              [cap, direction](const Case&, const Eigen::VectorXd& v) {
-                return CaseEdits{{"state.offset." + cap, vector_text(direction, v[0])}};
+              [cap, direction](const Case& now, const Eigen::VectorXd& v) {
+                return moved_on(now, cap, direction, v[0]);
               }};
 }
 

@@ -24,12 +24,12 @@ std::vector<Hypothesis> pressure_hypotheses(const Structure& s) {
                            "Pa",
                            {PriorKind::log_normal, usual_pressure, 1, 0, most_pressure}}},
            .case_changes =
-               into_states({[](OperatingState& state) { state.pressure = usual_pressure; },
-                            [](OperatingState& state) { state.pressure = 2 * usual_pressure; }}),
+               into_states({[](OperatingState& state) { state.pressure += usual_pressure; },
+                            [](OperatingState& state) { state.pressure += 2 * usual_pressure; }}),
            .large = true,
            .coefficients = [through](const Eigen::VectorXd& v) { return through(v[0]); },
-           .in_case = [](const Case&, const Eigen::VectorXd& v) -> CaseEdits {
-             return {{"state.pressure", yaml_of(v[0])}};
+           .in_case = [](const Case& now, const Eigen::VectorXd& v) -> CaseEdits {
+             return {{"state.pressure", yaml_of((now.state ? now.state->pressure : 0) + v[0])}};
            }}};
 }
 

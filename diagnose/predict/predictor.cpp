@@ -1,7 +1,7 @@
 #include "diagnose/predict/predictor.hpp"
 
 #include "diagnose/effects/on_table.hpp"
-#include "run/routes/operating_state.hpp"
+#include "diagnose/predict/built_in_state.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -15,26 +15,21 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The model of a state whose case is changed; in the operating state that the change brings it
-// into.
+// The model of a state whose case is changed; in its operating state, which may be of the change.
 std::function<void(Model&)> built_with(const NominalState& state,
                                        std::vector<std::function<void(Case&)>> changes) {
   return [&data = state.data, changes = std::move(changes)](Model& model) {
     Case changed = data;
     for (const auto& change : changes) change(changed);
-    BuiltCase built = build_on_table(changed);
-    if (changed.state) {
-      std::map<std::string, double> timing;
-      move_into_state(
-          changed, built, [](const std::string&) {}, timing);
-    }
-    model = std::move(built.model);
+    model = model_in_state(changed, build_on_table(changed));
   };
 }
 
 // What a hypothesis does to the model of a state.
 std::vector<ModelChange> changes_in(const NominalState& state, const Hypothesis& h) {
   std::vector<ModelChange> all = h.changes;
+  for (ModelChange& change : all)
+    if (change.apply) change.apply = around_state(std::move(change.apply));
   for (const auto& change : h.case_changes)
     all.push_back({built_with(state, {change}), h.large ? Follow::modes : Follow::nominal});
   return all;
