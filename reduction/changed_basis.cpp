@@ -134,13 +134,16 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
     rows << of_Psi, of_W, of_X;
     return rows;
   };
-  affine.suspension = {
-      .leaves_rigid = nominal_.suspended,
-      .shift = nominal_.suspended ? small_shift * nominal_.lambda[0] : 0,
-      .rigid = over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose(),
-      .rigid_mass = rigid_.transpose() * Mr_};
-  affine.load = affine.suspension.rigid.leftCols(3);
-  affine.mass = rigid_.col(1).dot(Mr_.col(1));
+  const MatrixXd rigid =
+      over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
+  affine.suspension = {.leaves_rigid = nominal_.suspended,
+                       .shift = nominal_.suspended ? small_shift * nominal_.lambda[0] : 0,
+                       .rigid = rigid * loose_,
+                       .rigid_mass = loose_mass()};
+  affine.load = rigid.leftCols(3);
+  // Along the axis that supports hold least of it.
+  Index along = 0;
+  affine.mass = rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&along);
   affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere
   const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
@@ -162,7 +165,7 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
     affine.dK[std::size_t(i)] = seen_by(d.K, V);
     affine.dM[std::size_t(i)] = seen_by(d.M, V);
     affine.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
-    affine.d_mass[std::size_t(i)] = r.col(1).dot(Mr.col(1));
+    affine.d_mass[std::size_t(i)] = r.col(along).dot(Mr.col(along));
   });
   const Index modes = nominal_.lambda.size();
   affine.nominal = MatrixXd::Zero(b + k, modes);

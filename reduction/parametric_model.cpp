@@ -35,9 +35,9 @@ int most_modes(const SparseMatrix& K, const SparseMatrix& M) {
 
 ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked,
                                  int modes, const std::vector<int>& observed,
-                                 const std::optional<std::vector<int>>& held, bool may_hang)
+                                 const std::optional<std::vector<int>>& held, const MatrixXd& loose)
     : model_(std::move(model)), boundary_(std::move(boundary)), marked_(std::move(marked)),
-      count_(modes), may_hang_(may_hang), system_(assemble(model_)) {
+      count_(modes), loose_(loose), system_(assemble(model_)) {
   const DofMap& map = system_.map;
   for (int node : boundary_)
     for (int dof = 6 * node; dof < 6 * node + 6; ++dof) {
@@ -102,12 +102,12 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
 
 namespace {
 
-// Whether of modes of unit mass, by increasing frequency, all rigid motions come first and the next
-// one lies far above.
-bool hangs(const VectorXd& lambda, const VectorXd& rigid_shares) {
+// Whether of modes of unit mass, by increasing frequency, all `rigid` motions come first and the
+// next one lies far above.
+bool hangs(Index rigid, const VectorXd& lambda, const VectorXd& rigid_shares) {
   constexpr double is_rigid = 0.9, far_above = 9; // of lambda: three times the frequency
-  return lambda.size() > rigid_modes && rigid_shares.head(rigid_modes).minCoeff() > is_rigid &&
-         lambda[rigid_modes] > far_above * lambda[rigid_modes - 1];
+  return rigid > 0 && lambda.size() > rigid && rigid_shares.head(rigid).minCoeff() > is_rigid &&
+         lambda[rigid] > far_above * lambda[rigid - 1];
 }
 
 } // namespace
@@ -116,11 +116,11 @@ ParametricModel::NominalModes ParametricModel::modes_inside() const {
   const Index all = lambda_.size();
   const Suspension inside{.leaves_rigid = false,
                           .shift = 0,
-                          .rigid = rigidMW_.transpose(),
-                          .rigid_mass = rigid_.transpose() * Mr_};
+                          .rigid = rigidMW_.transpose() * loose_,
+                          .rigid_mass = loose_mass()};
   const bool suspended =
-      may_hang_ && hangs(lambda_, inside.rigid_shares(MatrixXd::Identity(W_.cols(), all)));
-  const Index first = suspended ? rigid_modes : 0;
+      hangs(loose_.cols(), lambda_, inside.rigid_shares(MatrixXd::Identity(W_.cols(), all)));
+  const Index first = suspended ? loose_.cols() : 0;
   const Index count = all - first;
   NominalModes found{.lambda = lambda_.tail(count),
                      .boundary = MatrixXd::Zero(Psi_.cols(), count),
@@ -145,8 +145,8 @@ ParametricModel::NominalModes ParametricModel::modes_held_at(const std::vector<i
   suspension.rigid = suspension.rigid(free, Eigen::all).eval();
   const auto modes = reduced_modes(f.K(free, free), f.M(free, free), suspension, f.K.rows());
   if (!modes) throw ModelError("the structure is not stable");
-  const bool suspended = may_hang_ && hangs(modes->lambda, suspension.rigid_shares(modes->q));
-  const Index first = suspended ? rigid_modes : 0;
+  const bool suspended = hangs(loose_.cols(), modes->lambda, suspension.rigid_shares(modes->q));
+  const Index first = suspended ? loose_.cols() : 0;
   const Index count = std::min<Index>(count_, modes->lambda.size() - first);
   MatrixXd own = MatrixXd::Zero(f.K.rows(), count);
   own(free, Eigen::all) = modes->q.middleCols(first, count);
@@ -160,6 +160,10 @@ ParametricModel::NominalModes ParametricModel::modes_held_at(const std::vector<i
   found.boundary = own.topRows(Psi_.cols());
   found.inside = basis.T * own.bottomRows(basis.T.cols());
   return found;
+}
+
+MatrixXd ParametricModel::loose_mass() const {
+  return loose_.transpose() * (rigid_.transpose() * Mr_) * loose_;
 }
 
 MatrixXd ParametricModel::nominal_shapes() const {

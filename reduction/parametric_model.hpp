@@ -70,14 +70,14 @@ class ParametricModel {
 public:
   // `boundary`, `marked`, `observed`: nodes; the last are looked at only, so that no static answers
   // are kept for them. Every boundary node has six independent DOFs. `held`: those of the boundary
-  // that do not move in the nominal modes; none = all. `may_hang`: nothing or springs alone hold
-  // the structure, so that its six lowest modes may be rigid motions, which are then left out.
-  // Throws ConstraintError, std::runtime_error for a structure without stiffness where it needs
-  // some.
+  // that do not move in the nominal modes; none = all. `loose`: rigid motions that nothing but soft
+  // springs holds, as combinations (6 x their number) of rigid_body_motions() about the origin; its
+  // lowest modes may be these, which are then left out. Throws ConstraintError, std::runtime_error
+  // for a structure without stiffness where it needs some.
   ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked, int modes,
                   const std::vector<int>& observed = {},
                   const std::optional<std::vector<int>>& held = std::nullopt,
-                  bool may_hang = false);
+                  const Eigen::MatrixXd& loose = Eigen::MatrixXd(6, 0));
 
   // All may be called from several threads. Several changes prepared together take less time.
   PreparedChange prepare(const ModelChange& change) const;
@@ -122,6 +122,7 @@ private:
   NominalModes modes_held_at(const std::vector<int>& nodes) const;
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
   AffineModel reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
+  Eigen::MatrixXd loose_mass() const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;
   Eigen::MatrixXd inner_columns(const Eigen::MatrixXd& inside) const;
@@ -132,7 +133,7 @@ private:
   Model model_;
   std::vector<int> boundary_, marked_;
   int count_ = 0;
-  bool may_hang_ = false;
+  Eigen::MatrixXd loose_; // combinations of rigid motions
   System system_;
   std::vector<int> held_, inside_; // independent DOFs
   std::vector<int> row_inside_;    // of an independent DOF among those inside; -1 = held

@@ -14,7 +14,7 @@ constexpr double small_shift = 0.01; // in terms of the lowest mode
 struct Suspension {
   bool leaves_rigid = false;         // rigid motions are left out of the modes
   double shift = 0;                  // on lambda, so that the stiffness is regular
-  Eigen::MatrixXd rigid, rigid_mass; // V' M R and R' M R, R: six rigid motions
+  Eigen::MatrixXd rigid, rigid_mass; // V' M R and R' M R, R: rigid motions that are loose
 
   // Of modes of unit mass (columns): share of rigid motion in each, by mass.
   Eigen::VectorXd rigid_shares(const Eigen::MatrixXd& q) const;

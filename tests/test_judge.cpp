@@ -198,17 +198,20 @@ TEST(Judge, counts_the_readings_that_several_free_parameters_move) {
   Fits fits;
   JudgedFit& j = fits.add("extra_support", 40);
   j.free_parameters = 2;
-  j.fit.error = Eigen::VectorXd::Zero(3);
-  j.fit.J = Eigen::MatrixXd::Zero(3, 2);
+  j.fit.error = Eigen::VectorXd::Zero(4);
+  j.fit.J = Eigen::MatrixXd::Zero(4, 2);
   j.fit.J.topRows(2).setConstant(5);
   EXPECT_EQ(j.saturated(), "2 free parameters for 2 readings that they move");
   EXPECT_EQ(fits.judgement(false).verdict, Verdict::ambiguous);
+  // One reading more is met by chance: two of three frequencies say how heavy and where.
   fits.singles.front().fit.J(2, 1) = 0.2;
+  EXPECT_EQ(fits.judgement(false).verdict, Verdict::ambiguous);
+  fits.singles.front().fit.J(3, 0) = 0.2;
   EXPECT_EQ(fits.judgement(false).verdict, Verdict::identified);
-  fits.singles.front().free_parameters = 3;
+  fits.singles.front().free_parameters = 4;
   const Judgement none_left = fits.judgement(false);
   EXPECT_EQ(none_left.verdict, Verdict::ambiguous);
-  EXPECT_EQ(none_left.withheld, "3 free parameters for 3 fitted readings");
+  EXPECT_EQ(none_left.withheld, "4 free parameters for 4 fitted readings");
 }
 
 TEST(Judge, says_unknown_where_nothing_is_credible) {

@@ -145,7 +145,7 @@ std::string JudgedFit::saturated() const {
   Eigen::Index moved = 0;
   for (Eigen::Index i = 0; i < fit.J.rows() && fit.J.cols() > 0; ++i)
     moved += fit.J.row(i).cwiseAbs().maxCoeff() > threshold::moves;
-  if (free_parameters < 2 || free_parameters < moved) return "";
+  if (free_parameters < 2 || free_parameters + threshold::spare_readings <= moved) return "";
   return fmt::format("{} free parameters for {} readings that they move", free_parameters, moved);
 }
 

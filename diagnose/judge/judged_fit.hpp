@@ -44,8 +44,8 @@ struct JudgedFit {
   // three for each free parameter.
   bool too_free() const;
   // Why so few readings identify nothing: as many parameters are free as there are readings, or,
-  // where several are free, as there are readings that they move by a tenth of their standard
-  // deviation. Empty = they may.
+  // where several are free, all but one of the readings that they move by a tenth of their standard
+  // deviation: one reading more is met by chance. Empty = they may.
   std::string saturated() const;
   // Whether an effect in it names a place only (Hypothesis::names_place_only).
   bool leaves_cause_open() const;

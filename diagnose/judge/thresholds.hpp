@@ -29,5 +29,6 @@ inline constexpr double believable_shrink = 0.6; // of held-out readings, though
 inline constexpr double moves = 0.1;             // standard deviations of a reading
 inline constexpr double narrower = 0.5;          // standard deviations of a prior
 inline constexpr int readings_each = 3;          // of a free parameter, for several effects
+inline constexpr int spare_readings = 2; // beyond several free parameters, to identify an effect
 
 } // namespace plica::threshold

@@ -2,6 +2,8 @@
 
 #include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/predict/built_in_state.hpp"
+#include "diagnose/predict/loose_motions.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
 #include "model/description/case_path.hpp"
 #include "model/shape/build_bellows.hpp"
@@ -107,7 +109,8 @@ std::vector<BuiltSensor> further_places(const Structure& s) {
 // What damped springs add to the damping of each mode, to first order as loss factors of parts do:
 // 2 zeta omega^2 = stretch^2 Im k(i omega). A spring whose stiffness depends on frequency would
 // move the modes, too, which have one stiffness here.
-VectorXd damping_of_springs(const BuiltCase& built, const VectorXd& lambda, const MatrixXd& u) {
+VectorXd damping_of_springs(const BuiltCase& built, const Model& model, const VectorXd& lambda,
+                            const MatrixXd& u) {
   VectorXd zeta = VectorXd::Zero(lambda.size());
   for (const BuiltDamper& d : built.dampers) {
     if (!d.law.maxwell.empty() || d.law.springpot || !d.law.table.empty())
@@ -116,7 +119,7 @@ VectorXd damping_of_springs(const BuiltCase& built, const VectorXd& lambda, cons
           "gives a stiffness over frequency, and a diagnosis has one stiffness for a spring",
           "dashpot or loss_factor, and the stiffness that it has at the first modes");
     const VectorXd stretch =
-        u.transpose() * unit_force(built.model, d.node1, d.node2, d.dof).head(u.rows());
+        u.transpose() * unit_force(model, d.node1, d.node2, d.dof).head(u.rows());
     for (Index j = 0; j < zeta.size(); ++j)
       if (lambda[j] > 0)
         zeta[j] += stretch[j] * stretch[j] / (2 * lambda[j]) *
@@ -125,41 +128,46 @@ VectorXd damping_of_springs(const BuiltCase& built, const VectorXd& lambda, cons
   return zeta;
 }
 
-NominalState state_of(Case data, const std::string& name, const Measured& measured) {
-  NominalState state;
-  state.name = name;
-  state.data = std::move(data);
-  state.data.analyses.damping.coupled = false; // all of it acts mode by mode
-  state.built = build_on_table(state.data);
-  std::vector<int> sensors, further;
-  for (const BuiltSensor& s : state.built.sensors) sensors.push_back(s.node);
+// The sensors, and where one might be put besides.
+void observe(NominalState& state, const Measured& measured) {
   state.observed = state.built.sensors;
   for (BuiltSensor& place :
-       further_places({.data = state.data, .built = state.built, .measured = measured})) {
-    further.push_back(place.node);
+       further_places({.data = state.data, .built = state.built, .measured = measured}))
     state.observed.push_back(std::move(place));
-  }
   for (const BuiltSensor& s : state.observed) state.axes.push_back(axes_of(s, measured));
-  std::vector<int> boundary = boundary_of(state.built, state.data);
-  std::vector<int> held = state.built.held_nodes;
+}
+
+// The model in the state of its case.
+std::unique_ptr<ParametricModel> reduced_model(const NominalState& state) {
+  const BuiltCase& built = state.built;
+  std::vector<int> seen;
+  for (const BuiltSensor& s : state.observed) seen.push_back(s.node);
+  const auto sensors = seen.begin() + std::ptrdiff_t(built.sensors.size());
+  std::vector<int> boundary = boundary_of(built, state.data);
+  std::vector<int> held = built.held_nodes;
   std::erase_if(held, [&](int node) {
     return std::find(boundary.begin(), boundary.end(), node) == boundary.end();
   });
   std::sort(held.begin(), held.end());
-  const bool free = held.empty() && !held_otherwise(state.built.model);
-  const bool hung = !free && hangs_in_springs(state.data, state.built.model);
-  if (free && boundary.empty()) boundary = {anchor_of(state.built.model)};
-  state.model = std::make_unique<ParametricModel>(state.built.model, boundary, sensors,
-                                                  free || hung ? modes_of_a_free_part : modes,
-                                                  further, held, free || hung);
-  const VectorXd& lambda = state.model->lambda();
-  const MatrixXd u = state.model->nominal_shapes();
-  const ModalDamping damping = modal_damping(state.data.analyses.damping, state.built.model, lambda,
-                                             u, static_cast<int>(lambda.size()));
-  state.zeta = damping.zeta + damping.eta / 2 + damping_of_springs(state.built, lambda, u);
+  const bool free = held.empty() && !held_otherwise(built.model);
+  const bool hung = !free && hangs_in_springs(state.data, built.model);
+  if (free && boundary.empty()) boundary = {anchor_of(built.model)};
+  Model model = model_in_state(state.data, built);
+  MatrixXd loose = MatrixXd::Identity(6, free || hung ? 6 : 0);
+  if (held.empty() && !free && !hung) { // supports alone
+    loose = loose_motions(model);
+    if (loose.cols() > 0) model = on_a_soft_spring(std::move(model), loose.cols());
+  }
+  return std::make_unique<ParametricModel>(std::move(model), boundary,
+                                           std::vector<int>(seen.begin(), sensors),
+                                           free || hung ? modes_of_a_free_part : modes,
+                                           std::vector<int>(sensors, seen.end()), held, loose);
+}
+
+void label_modes(NominalState& state, const MatrixXd& u) {
   const AffineModel plain = state.model->with({});
   const MatrixXd gamma = plain.nominal.transpose() * plain.load;
-  for (Index j = 0; j < lambda.size(); ++j) {
+  for (Index j = 0; j < u.cols(); ++j) {
     Eigen::Matrix<double, 6, 1> share = Eigen::Matrix<double, 6, 1>::Zero();
     share.head<3>() = gamma.row(j).transpose().array().square() / plain.mass;
     state.labels.push_back(label_mode(state.built.model, u.col(j), false, share));
@@ -168,6 +176,23 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   for (const ModeLabel& label : state.labels)
     state.kinds.push_back(
         kinds.try_emplace({label.shape, label.direction}, int(kinds.size())).first->second);
+}
+
+NominalState state_of(Case data, const std::string& name, const Measured& measured) {
+  NominalState state;
+  state.name = name;
+  state.data = std::move(data);
+  state.data.analyses.damping.coupled = false; // all of it acts mode by mode
+  state.built = build_on_table(state.data);
+  observe(state, measured);
+  state.model = reduced_model(state);
+  const Model& model = state.model->model();
+  const VectorXd& lambda = state.model->lambda();
+  const MatrixXd u = state.model->nominal_shapes();
+  const ModalDamping damping =
+      modal_damping(state.data.analyses.damping, model, lambda, u, static_cast<int>(lambda.size()));
+  state.zeta = damping.zeta + damping.eta / 2 + damping_of_springs(state.built, model, lambda, u);
+  label_modes(state, u);
   return state;
 }
 

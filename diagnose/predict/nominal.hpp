@@ -15,9 +15,9 @@ namespace plica {
 struct NominalState {
   std::string name;
   Case data;
-  BuiltCase built;
-  std::unique_ptr<ParametricModel> model;
-  Eigen::VectorXd zeta; // of its modes, loss factors included
+  BuiltCase built;                        // at rest
+  std::unique_ptr<ParametricModel> model; // in the state of the case
+  Eigen::VectorXd zeta;                   // of its modes, loss factors included
   std::vector<ModeLabel> labels;
   std::vector<int> kinds; // of each label: a number for its shape and direction
   // The sensors of the case, then places where one might be put: massless, named by the place.

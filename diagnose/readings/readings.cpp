@@ -14,8 +14,15 @@
 namespace plica {
 namespace {
 
-constexpr double mass_sigma = 0.002, stiffness_sigma = 0.015, frequency_sigma = 0.0025,
-                 damping_sigma = 0.06, amplitude_sigma = 0.05;
+constexpr double mass_sigma = 0.002, stiffness_sigma = 0.015, damping_sigma = 0.06,
+                 amplitude_sigma = 0.05;
+
+// Of a frequency that states none: a broad peak is known less well, by the root of its damping (Au,
+// Mech. Syst. Signal Process. 48 (2014) 15-33: variance zeta / (4 pi cycles) at best).
+double frequency_sigma(double damping) {
+  constexpr double of_a_sharp_peak = 0.0025, sharp = 0.01;
+  return of_a_sharp_peak * std::sqrt(std::max(1., damping / sharp));
+}
 
 const char* static_name(StaticDirection direction) {
   constexpr std::array names{"axial stiffness",        "transverse stiffness x",
@@ -113,7 +120,7 @@ private:
                     .shape = m.shape,
                     .order = m.order,
                     .value = m.frequency,
-                    .sigma = relative(m.sigma, m.frequency, frequency_sigma),
+                    .sigma = relative(m.sigma, m.frequency, frequency_sigma(m.damping.value_or(0))),
                     .assumed = !m.sigma};
     own.peaks.push_back(m.frequency);
     if (m.direction) reading.name += std::string(" in ") + axis_word(reading.axis);
@@ -175,7 +182,8 @@ private:
                         .sensor = run.sensor,
                         .axis = run.axis,
                         .value = mode.frequency,
-                        .sigma = relative(mode.sigma, mode.frequency, frequency_sigma),
+                        .sigma = relative(mode.sigma, mode.frequency,
+                                          frequency_sigma(mode.damping.value_or(0))),
                         .assumed = !mode.sigma};
         list_.add(reading);
         add_damping(reading, mode.damping, mode.sigma_damping);
@@ -206,7 +214,8 @@ private:
                       .sensor = p.sensor,
                       .axis = run.axis,
                       .value = p.frequency[k],
-                      .sigma = relative(p.sigma, p.frequency[k], frequency_sigma),
+                      .sigma = relative(p.sigma, p.frequency[k],
+                                        frequency_sigma(k < p.damping.size() ? p.damping[k] : 0)),
                       .assumed = !p.sigma};
       list_.add(reading);
       if (k < p.amplitude.size()) {
