@@ -323,8 +323,10 @@ VectorXd cycle_energies(const JointedStructure& structure, const PeriodicPoint& 
   const HarmonicBasis basis(orders, std::max(512, 64 * (orders.back() + 1)));
   VectorXd energies = VectorXd::Zero(structure.joints.cols());
   for (Index j = 0; j < energies.size(); ++j) {
+    const JointLaw& law = structure.laws[std::size_t(j)];
+    if (law.sliders.empty() && law.coulomb.force == 0) continue; // elastic: it gives all back
     const VectorXd x = unknowns(basis, point.joints.col(j));
-    const VectorXd F = harmonic_force(structure.laws[std::size_t(j)], x, point.omega, basis).force;
+    const VectorXd F = harmonic_force(law, x, point.omega, basis).force;
     for (std::size_t k = 0; k < orders.size(); ++k)
       energies[j] +=
           pi * orders[k] * (amplitude(basis, F, k) * std::conj(amplitude(basis, x, k))).imag();
