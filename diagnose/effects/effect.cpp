@@ -76,6 +76,13 @@ const std::vector<Effect>& effects() {
   return all;
 }
 
+bool asked_for(const Structure& s, const std::string& effect) {
+  const DiagnosisRequest& asked = s.data.diagnose;
+  return std::find(asked.effects.begin(), asked.effects.end(), effect) != asked.effects.end() ||
+         std::any_of(asked.priors.begin(), asked.priors.end(),
+                     [&](const PriorRequest& p) { return p.effect == effect; });
+}
+
 const Effect& effect_named(const std::string& name) {
   const std::vector<Effect>& all = effects();
   const auto found =

@@ -144,6 +144,9 @@ coefficients_through(const std::function<Eigen::VectorXd(double)>& functions,
 const std::vector<Effect>& effects();
 const Effect& effect_named(const std::string& name); // throws std::out_of_range
 
+// Whether the case names the effect, among its effects or its priors.
+bool asked_for(const Structure& s, const std::string& effect);
+
 // One file each.
 Effect ply_slip();
 Effect joint_friction();

@@ -1,4 +1,5 @@
 #include "diagnose/effects/places.hpp"
+#include "lab/measured/states.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -27,9 +28,12 @@ CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::Ve
 }
 
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
-// straight, with the radius of gyration of a block of its size, nearly.
+// straight, with the radius of gyration of a block of its size, nearly. A fixture was there before:
+// what comes loose under it is a compliance of the boundary, and beside a baseline a further mass
+// on springs would be an absorber for whatever has changed.
 std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
+  if (has_baseline(s.measured) && !asked_for(s, "fixture_flexibility")) return found;
   const double mass = 2 * s.mass, gyration = gyration_of_cube * std::cbrt(mass / steel);
   for (const HeldEnds& ends : held_ends(s)) {
     const auto bodies = [nodes = ends.nodes](double kg, double inertia) {
@@ -77,7 +81,9 @@ Effect fixture_flexibility() {
           .signature = "the lowest modes fall, a further resonance appears, the held end moves",
           .look_alikes = {"boundary_compliance: an accelerometer on the fixture",
                           "added_mass: a response of the fixture alone"},
-          .needs = "a mount, rigid or with springs",
+          .needs =
+              "a mount, rigid or with springs; beside a baseline, diagnose: effects or priors of "
+              "the case that name it",
           .hypotheses = fixture_flexibility_hypotheses};
 }
 

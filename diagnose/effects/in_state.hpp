@@ -6,11 +6,8 @@
 
 namespace plica {
 
-// The case names the effect, among its effects or its priors. A state is solved for every sample of
-// it, which takes seconds, and in a laboratory there is none.
-bool asked_for(const Structure& s, const std::string& effect);
-
-// Changes of the case that put it into states.
+// Changes of the case that put it into states. A state is solved for each, which takes seconds, and
+// in a laboratory there is none: the effects are tried where they are asked_for().
 std::vector<std::function<void(Case&)>>
 into_states(const std::vector<std::function<void(OperatingState&)>>& states);
 
