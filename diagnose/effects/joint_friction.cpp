@@ -15,6 +15,11 @@ bool has_levels(const Measured& m) {
          std::any_of(
              m.modes.begin(), m.modes.end(),
              [](const auto& mode) { return !mode.drive.empty() || (mode.base && mode.level); }) ||
+         std::any_of(m.stiffness.begin(), m.stiffness.end(),
+                     [](const auto& table) {
+                       return std::any_of(table.numbers.begin(), table.numbers.end(),
+                                          [](const auto& n) { return n.amplitude > 0; });
+                     }) ||
          !m.peaks.empty();
 }
 

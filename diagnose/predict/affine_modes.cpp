@@ -29,6 +29,17 @@ MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const Vector
   return sum;
 }
 
+VectorXd damping_by_likeness(const MatrixXd& likeness, const VectorXd& zeta) {
+  const double otherwise = zeta.mean();
+  VectorXd own(likeness.cols());
+  for (Index i = 0; i < own.size(); ++i) {
+    const VectorXd share = likeness.col(i).array().square();
+    const double known = share.sum();
+    own[i] = (share.dot(zeta) + std::max(0., 1 - known) * otherwise) / std::max(1., known);
+  }
+  return own;
+}
+
 FreeAffineModel::FreeAffineModel(const AffineModel& f, const std::vector<int>& free,
                                  const VectorXd& zeta)
     : K_(f.K(free, free)), M_(f.M(free, free)), load_(f.load(free, Eigen::all)),
@@ -53,7 +64,7 @@ std::optional<AffineModes> FreeAffineModel::modes(const VectorXd& of_changes, in
   m.marked = marked_ * q;
   m.likeness = nominal_.transpose() * q;
   if (group >= 0) m.group = q.transpose() * group_stiffness(of_changes, group) * q;
-  damp(m);
+  m.zeta = damping_by_likeness(m.likeness, zeta_);
   return m;
 }
 
@@ -79,18 +90,8 @@ AffineModes FreeAffineModel::changed(const AffineModes& modes, double more) cons
   m.gamma = q.transpose() * modes.gamma.topRows(n);
   m.marked = modes.marked.leftCols(n) * q;
   m.likeness = modes.likeness.leftCols(n) * q;
-  damp(m);
+  m.zeta = damping_by_likeness(m.likeness, zeta_);
   return m;
-}
-
-void FreeAffineModel::damp(AffineModes& m) const {
-  const double otherwise = zeta_.mean();
-  m.zeta.resize(m.lambda.size());
-  for (Index i = 0; i < m.zeta.size(); ++i) {
-    const VectorXd share = m.likeness.col(i).array().square();
-    const double known = share.sum();
-    m.zeta[i] = (share.dot(zeta_) + std::max(0., 1 - known) * otherwise) / std::max(1., known);
-  }
 }
 
 } // namespace plica

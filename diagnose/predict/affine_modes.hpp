@@ -19,6 +19,10 @@ struct AffineModes {
   double hertz(Eigen::Index i) const;
 };
 
+// Ratios of modes by what they share with the nominal ones, whose ratios are `zeta`; their mean
+// where they share nothing. `likeness`: nominal modes x modes.
+Eigen::VectorXd damping_by_likeness(const Eigen::MatrixXd& likeness, const Eigen::VectorXd& zeta);
+
 // A reduced model with some of its coordinates held.
 class FreeAffineModel {
 public:
@@ -36,7 +40,6 @@ public:
   AffineModes changed(const AffineModes& modes, double more) const;
 
 private:
-  void damp(AffineModes& modes) const;
   // What one more of the group adds, the others as they are.
   Eigen::MatrixXd group_stiffness(const Eigen::VectorXd& of_changes, int group) const;
 

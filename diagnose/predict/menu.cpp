@@ -84,7 +84,7 @@ private:
 } // namespace
 
 double usual_sigma(ReadingKind kind) {
-  constexpr std::array sigmas{0.005, 0.025, 0.008, 0.1, 0.1, 0.25};
+  constexpr std::array sigmas{0.005, 0.025, 0.008, 0.1, 0.1, 0.25, 0.03, 0.2};
   return sigmas[static_cast<std::size_t>(kind)];
 }
 

@@ -53,9 +53,13 @@ Case with_counted_mesh(Case data, bool light) {
   return data;
 }
 
-// Mounted nodes, and both caps where the rig pulls at them.
-std::vector<int> boundary_of(const BuiltCase& built, const Case& data) {
+// Mounted nodes, and the caps where a rig pulls at them.
+std::vector<int> boundary_of(const BuiltCase& built, const Case& data, const Measured& measured) {
   std::vector<int> nodes = built.held_nodes;
+  for (const MeasuredStiffnessTable& table : measured.stiffness)
+    for (const std::string& end : table.ends)
+      if (const auto cap = built.cap_nodes.find(end); cap != built.cap_nodes.end())
+        nodes.push_back(cap->second);
   if (data.caps.size() == 2)
     for (const auto& [name, node] : built.cap_nodes) nodes.push_back(node);
   std::sort(nodes.begin(), nodes.end());
@@ -138,12 +142,13 @@ void observe(NominalState& state, const Measured& measured) {
 }
 
 // The model in the state of its case.
-std::unique_ptr<ParametricModel> reduced_model(const NominalState& state) {
+std::unique_ptr<ParametricModel> reduced_model(const NominalState& state,
+                                               const Measured& measured) {
   const BuiltCase& built = state.built;
   std::vector<int> seen;
   for (const BuiltSensor& s : state.observed) seen.push_back(s.node);
   const auto sensors = seen.begin() + std::ptrdiff_t(built.sensors.size());
-  std::vector<int> boundary = boundary_of(built, state.data);
+  std::vector<int> boundary = boundary_of(built, state.data, measured);
   std::vector<int> held = built.held_nodes;
   std::erase_if(held, [&](int node) {
     return std::find(boundary.begin(), boundary.end(), node) == boundary.end();
@@ -185,12 +190,15 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   state.data.analyses.damping.coupled = false; // all of it acts mode by mode
   state.built = build_on_table(state.data);
   observe(state, measured);
-  state.model = reduced_model(state);
+  state.model = reduced_model(state, measured);
   const Model& model = state.model->model();
   const VectorXd& lambda = state.model->lambda();
   const MatrixXd u = state.model->nominal_shapes();
   const ModalDamping damping =
       modal_damping(state.data.analyses.damping, model, lambda, u, static_cast<int>(lambda.size()));
+  state.viscous = damping.zeta;
+  if (!measured.stiffness.empty())
+    state.losses = rig_losses(state.data.analyses.damping, state.built, *state.model);
   state.zeta = damping.zeta + damping.eta / 2 + damping_of_springs(state.built, model, lambda, u);
   label_modes(state, u);
   return state;

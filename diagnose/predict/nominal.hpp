@@ -5,6 +5,7 @@
 #pragma once
 
 #include "diagnose/effects/effect.hpp"
+#include "diagnose/predict/rig_loss.hpp"
 #include "diagnose/readings/readings.hpp"
 #include "solve/mode_labels.hpp"
 
@@ -18,6 +19,8 @@ struct NominalState {
   BuiltCase built;                        // at rest
   std::unique_ptr<ParametricModel> model; // in the state of the case
   Eigen::VectorXd zeta;                   // of its modes, loss factors included
+  Eigen::VectorXd viscous;                // the ratios among it, without loss factors and dampers
+  std::vector<RigLoss> losses;            // these on a rig, where the test has one
   std::vector<ModeLabel> labels;
   std::vector<int> kinds; // of each label: a number for its shape and direction
   // The sensors of the case, then places where one might be put: massless, named by the place.

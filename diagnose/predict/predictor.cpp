@@ -159,7 +159,7 @@ void StateModels::make(std::size_t s, const Together& together, const Changes& c
   for (const Hypothesis* h : together)
     for (int node : h->released) std::erase(held, node);
   own.nominal = &state;
-  own.whole = state.model->with(changes);
+  own.whole = with_losses(state, changes, own.losses);
   const std::vector<int>& boundary = state.model->boundary();
   for (int i = 0; i < int(own.whole.K.rows()); ++i)
     if (i >= own.whole.boundary ||

@@ -6,7 +6,6 @@
 
 namespace plica {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 
 double along(const EndStiffness& k, StaticDirection direction) {
@@ -27,19 +26,28 @@ double along(const EndStiffness& k, StaticDirection direction) {
   return k.torsion;
 }
 
+std::vector<int> cap_coordinates(const NominalState& state, std::vector<std::string> names) {
+  if (names.empty())
+    for (const Cap& cap : state.data.caps) names.push_back(cap.name);
+  if (names.size() != 2 || names[0] == names[1]) return {};
+  std::vector<int> rows;
+  const std::vector<int>& boundary = state.model->boundary();
+  for (const std::string& name : names) {
+    const auto node = state.built.cap_nodes.find(name);
+    if (node == state.built.cap_nodes.end()) return {};
+    const auto at = std::find(boundary.begin(), boundary.end(), node->second);
+    if (at == boundary.end()) return {};
+    for (int d = 0; d < 6; ++d) rows.push_back(6 * int(at - boundary.begin()) + d);
+  }
+  return rows;
+}
+
 std::optional<EndStiffness> rig_stiffness(const NominalState& state, const MatrixXd& K) {
   // Feet of spring mounts are among the others: nothing holds them here.
-  const Case& data = state.data;
-  if (data.caps.size() != 2) return std::nullopt;
-  std::vector<Index> rows;
-  const std::vector<int>& boundary = state.model->boundary();
-  for (const Cap& cap : data.caps) {
-    const auto at = std::find(boundary.begin(), boundary.end(), state.built.cap_nodes.at(cap.name));
-    if (at == boundary.end()) return std::nullopt;
-    for (int d = 0; d < 6; ++d) rows.push_back(6 * (at - boundary.begin()) + d);
-  }
-  std::vector<Index> others;
-  for (Index i = 0; i < K.rows(); ++i)
+  const std::vector<int> rows = cap_coordinates(state);
+  if (rows.empty()) return std::nullopt;
+  std::vector<int> others;
+  for (int i = 0; i < int(K.rows()); ++i)
     if (std::find(rows.begin(), rows.end(), i) == rows.end()) others.push_back(i);
   MatrixXd condensed = K(rows, rows);
   const Eigen::LDLT<MatrixXd> inner(MatrixXd(K(others, others)));

@@ -45,6 +45,7 @@ std::array<double, 2> band_of(const TestRun& run) {
 std::optional<double> StateAnswers::answer(const Reading& reading) {
   if (reading.kind == ReadingKind::mass) return std::log(mass());
   if (reading.kind == ReadingKind::stiffness) return static_stiffness(reading);
+  if (is_of_rig(reading)) return rig_answer(reading);
   double value = none;
   if (!dynamic(reading, value)) return std::nullopt;
   return value;

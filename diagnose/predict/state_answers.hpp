@@ -6,22 +6,14 @@
 // a resonance of that amplitude, with the damping that they take.
 #pragma once
 
-#include "diagnose/predict/nominal.hpp"
+#include "diagnose/predict/rig_dynamics.hpp"
 #include "diagnose/predict/rig_stiffness.hpp"
-#include "diagnose/predict/slip_group.hpp"
+#include "diagnose/predict/state_model.hpp"
 
 #include <map>
+#include <tuple>
 
 namespace plica {
-
-// The reduced model of a state, all changes of the hypotheses in it.
-struct StateModel {
-  const NominalState* nominal = nullptr;
-  AffineModel whole;            // as in the static rig, where nothing is held
-  FreeAffineModel free;         // as on the table
-  std::vector<int> coordinates; // that the mount leaves
-  mutable SlipTables tables;
-};
 
 // What acts: coefficients of the changes on the table and in the rig, the test, the slip.
 struct Acting {
@@ -86,6 +78,8 @@ private:
   std::optional<EndStiffness> ends_at(double kept) const;
   std::optional<double> stiffness_at(StaticDirection direction, double kept);
   double static_stiffness(const Reading& reading);
+  double rig_answer(const Reading& reading);
+  std::complex<double> softer_by(const Reading& reading, const RigDynamics& rig) const;
   bool answers_to(const TestRun& run) const;
   int driven_sensor(const TestRun& run) const;
   Eigen::VectorXd input_of(const AffineModes& m, const TestRun& run) const;
@@ -116,6 +110,14 @@ private:
   const Eigen::Index seen_;
   std::optional<std::optional<AffineModes>> linear_;
   std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
+  // By the ends: a rig, what a group has less by amplitude and direction, and Z by frequency,
+  // amplitude and direction.
+  struct Rig {
+    RigDynamics dynamics;
+    std::map<std::pair<double, int>, std::complex<double>> softer = {};
+    std::map<std::tuple<double, double, int>, std::optional<Complex1212>> at = {};
+  };
+  std::map<std::vector<std::string>, Rig> rigs_;
   std::map<int, std::vector<Peak>> peaks_;
   std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_; // linear modes
   std::shared_ptr<SlipTable> table_; // what it holds stands as long as this

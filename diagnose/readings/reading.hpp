@@ -1,5 +1,6 @@
 // What was measured, as numbers that a model answers with the same: logarithms of mass, static
-// stiffness, frequencies, damping ratios and heights of peaks, and of what shows along other axes.
+// stiffness, dynamic stiffness and its loss, frequencies, damping ratios and heights of peaks, and
+// of what shows along other axes.
 //
 // Responses enter by their strong peaks, not line by line: neighbouring lines say the same, and a
 // static stiffness must not be outvoted by eight hundred of them.
@@ -14,7 +15,16 @@
 
 namespace plica {
 
-enum class ReadingKind { mass, stiffness, frequency, damping, amplitude, cross };
+enum class ReadingKind {
+  mass,
+  stiffness,
+  frequency,
+  damping,
+  amplitude,
+  cross,
+  dynamic_stiffness,
+  loss
+};
 
 // What a measured response is a response to: the table along an axis, or a force in a channel.
 struct Input {
@@ -41,6 +51,14 @@ struct TestRun {
   bool seen_along() const { return input.base < 0 || axis == input.base; }
 };
 
+// How a rig moved one end and held the other (dynamic_stiffness, loss).
+struct RigRun {
+  std::vector<std::string> ends = {}; // caps: which moves, which is held; none = the two
+  double hertz = 0;
+  bool driving_point = false; // the force at the end that moves; else at the held one
+  bool storage = false;       // the real part in place of the magnitude
+};
+
 struct Reading {
   ReadingKind kind = ReadingKind::frequency;
   std::string name, unit, entry; // entry: path in measured.yaml, "frf[3]"
@@ -51,17 +69,22 @@ struct Reading {
   int at_run = -1;      // cross: at the first peak of that run, whose base is the axis, and over it
   bool highest = false; // cross: wherever in the band it is highest
   std::string sensor;   // amplitude, cross
-  int axis = 0;         // of the response
+  int axis = 0;         // of the response; of a rig 0..5 = x y z rx ry rz
   StaticDirection direction = StaticDirection::axial; // stiffness
-  double stroke = 0;                                  // stiffness: m or rad; 0 = not stated
-  MeasuredShape shape = MeasuredShape::other;         // of a mode without excitation
-  int order = 0;                                      // of that mode
-  double value = 0, log_value = 0;                    // measured, in `unit`
+  double stroke = 0; // stiffness: m or rad; 0 = not stated. Of a rig the amplitude; 0 = small
+  RigRun rig = {};
+  MeasuredShape shape = MeasuredShape::other; // of a mode without excitation
+  int order = 0;                              // of that mode
+  double value = 0, log_value = 0;            // measured, in `unit`
   double paired_as = 0; // Hz, of a mode without excitation: what chooses its mode; 0 = its value
   double sigma = 0;     // of the logarithm, of the measurement
   bool assumed = false; // sigma: the test states none
   bool held_out = false;
 };
+
+inline bool is_of_rig(const Reading& r) {
+  return r.kind == ReadingKind::dynamic_stiffness || r.kind == ReadingKind::loss;
+}
 
 struct TestReadings {
   std::vector<TestRun> runs;

@@ -2,6 +2,7 @@
 
 #include "diagnose/readings/repeats.hpp"
 #include "diagnose/readings/response_readings.hpp"
+#include "diagnose/readings/stiffness_readings.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -52,9 +53,7 @@ public:
       list_.all.warnings.push_back("the levels of " + levels +
                                    " say nothing without `base`: these modes are compared with the "
                                    "structure at rest, and what they differ by counts as scatter");
-    for (std::size_t i = 0; i < measured_.stiffness.size(); ++i)
-      list_.all.warnings.push_back(entry_name("stiffness", i) +
-                                   ": a diagnosis reads no dynamic stiffness; `plica fit` does");
+    add_stiffness_readings(measured_, list_);
     modes_of_runs();
     for (std::size_t i = 0; i < measured_.peaks.size(); ++i) peaks(i);
     add_response_readings(test_, list_);

@@ -69,7 +69,8 @@ struct LocatedGap {
   std::string component; // by hypotheses at that place; else empty and
   std::string direction; // of base, with that of the response where it differs: "y", "x to z"
   std::string band;      // peak and its frequency
-  std::string kind;      // mass, stiffness, frequency, damping, amplitude, cross
+  // mass, stiffness, frequency, damping, amplitude, cross, dynamic stiffness, loss
+  std::string kind;
   std::optional<double> level;
   std::string state;
   double z = 0;             // signed: above zero, the test shows more than the model

@@ -28,9 +28,12 @@ double stated_error(ReadingKind kind, double of_frequency) {
     return of_frequency;
   case ReadingKind::stiffness:
     return 2 * of_frequency;
+  case ReadingKind::dynamic_stiffness:
+    return 2 * of_frequency;
   case ReadingKind::frequency:
     return of_frequency;
   case ReadingKind::damping:
+  case ReadingKind::loss:
     return damping_error;
   case ReadingKind::amplitude:
     return amplitude_error;
@@ -41,8 +44,9 @@ double stated_error(ReadingKind kind, double of_frequency) {
 }
 
 const char* plural(ReadingKind kind) {
-  constexpr std::array names{"masses",  "static stiffnesses", "frequencies",
-                             "damping", "heights of peaks",   "responses along other axes"};
+  constexpr std::array names{
+      "masses",           "static stiffnesses",         "frequencies",         "damping",
+      "heights of peaks", "responses along other axes", "dynamic stiffnesses", "losses"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -80,7 +84,8 @@ public:
   BaselineFound found() {
     BaselineFound found;
     for (ReadingKind kind : {ReadingKind::mass, ReadingKind::stiffness, ReadingKind::frequency,
-                             ReadingKind::damping, ReadingKind::amplitude, ReadingKind::cross})
+                             ReadingKind::damping, ReadingKind::amplitude, ReadingKind::cross,
+                             ReadingKind::dynamic_stiffness, ReadingKind::loss})
       add_model_error(kind, found);
     u_.change_error = request_.change_error;
     if (before_.empty()) return found;
@@ -216,6 +221,9 @@ double most_of(const Remounting& seen) {
 
 bool same_thing(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.kind != b.kind || a.direction != b.direction || (a.run < 0) != (b.run < 0)) return false;
+  if (is_of_rig(a))
+    return a.axis == b.axis && a.stroke == b.stroke && a.rig.hertz == b.rig.hertz &&
+           a.rig.driving_point == b.rig.driving_point && a.rig.ends == b.rig.ends;
   if (a.run < 0) return true;
   const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
   const bool of_mode = a.kind == ReadingKind::frequency || a.kind == ReadingKind::damping;

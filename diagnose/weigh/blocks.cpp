@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/printf.h>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 namespace plica {
@@ -17,7 +18,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 const char* kind_name(ReadingKind kind) {
-  constexpr std::array names{"mass", "stiffness", "frequency", "damping", "amplitude", "cross"};
+  constexpr std::array names{"mass",      "stiffness", "frequency",         "damping",
+                             "amplitude", "cross",     "dynamic stiffness", "loss"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -28,6 +30,14 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   if (r.kind == ReadingKind::stiffness) {
     constexpr std::array directions{"y", "x", "z", "rx", "rz", "ry"};
     label.direction = directions[static_cast<std::size_t>(r.direction)];
+  }
+  if (is_of_rig(r)) {
+    constexpr std::array directions{"x", "y", "z", "rx", "ry", "rz"};
+    label.direction = directions[std::size_t(r.axis)];
+    label.band = r.rig.driving_point ? "driving point" : "transfer";
+    if (r.stroke > 0)
+      label.band += fmt::sprintf(r.axis < 3 ? ", %g mm" : ", %g deg",
+                                 r.stroke * (r.axis < 3 ? 1e3 : 180 / std::numbers::pi));
   }
   if (r.run < 0) return label;
   const TestRun& run = test.runs[std::size_t(r.run)];

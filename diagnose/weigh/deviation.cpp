@@ -25,6 +25,7 @@ double share_of_change(ReadingKind kind, double stated) {
     return std::max(0.1, 2 * stated);
   case ReadingKind::frequency:
   case ReadingKind::stiffness:
+  case ReadingKind::dynamic_stiffness:
     return stated > 0 ? stated : 0.02;
   default:
     return 0;
@@ -100,7 +101,7 @@ VectorXd Deviation::change_error(const VectorXd& y) const {
   if (!(u.change_error > 0)) return change;
   for (Index i = 0; i < change.size(); ++i) {
     const ReadingKind kind = context_.test.readings[std::size_t(i)].kind;
-    if (kind == ReadingKind::damping)
+    if (kind == ReadingKind::damping || kind == ReadingKind::loss)
       change[i] = std::min(most_damping, damping_per_change * largest);
     if (kind == ReadingKind::frequency)
       change[i] =

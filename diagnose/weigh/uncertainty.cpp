@@ -2,6 +2,7 @@
 
 #include "diagnose/weigh/damping_weights.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
+#include "diagnose/weigh/rig_errors.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "run/analyses/run.hpp"
 #include "run/study/error_bars.hpp"
@@ -40,12 +41,20 @@ bool same_way(const TestReadings& test, const Reading& a, const Reading& b) {
          test.runs[std::size_t(a.run)].input == test.runs[std::size_t(b.run)].input;
 }
 
-// Numbers of the series of readings that differ in nothing but the level.
+// Numbers of the series of readings that differ in nothing but the level, or of a rig the
+// frequency.
 std::vector<int> series_of(const TestReadings& test) {
   using Run = std::tuple<Input, int, bool, std::string>;
   std::map<std::tuple<ReadingKind, std::string, std::string, int, Run, bool, bool, int>, int> known;
   std::vector<int> series;
   for (const Reading& r : test.readings) {
+    if (is_of_rig(r)) {
+      const int next = int(known.size());
+      series.push_back(
+          known.try_emplace({r.kind, r.state, rig_motion(r), r.axis, Run(), false, false, 0}, next)
+              .first->second);
+      continue;
+    }
     if (r.run < 0 ||
         (!test.runs[std::size_t(r.run)].input.any() && test.runs[std::size_t(r.run)].level == 0)) {
       series.push_back(-1 - int(series.size())); // alone
@@ -104,15 +113,15 @@ MatrixXd shared_damping(const TestReadings& test, const MatrixXd& weights, doubl
 }
 
 // What the mesh of the case gives more than the coarse one: of frequencies by the name of their
-// mode, of static stiffnesses, of the mass. It is solved as `plica run` does, by symmetry where
-// there is one.
-VectorXd mesh_correction(const Case& data, const Nominal& nominal, const TestReadings& test,
-                         const VectorXd& coarse) {
+// mode, of static and dynamic stiffnesses, of the mass. It is solved as `plica run` does, by
+// symmetry where there is one.
+VectorXd mesh_correction(const Case& data, const Nominal& nominal, const Measured& measured,
+                         const TestReadings& test, const VectorXd& coarse) {
   Case plain = for_headline(data);
   if (!plain.analyses.modes) plain.analyses.modes = Modes{.count = 10, .proof = false};
   const Results own = run(plain, [](const std::string&) {});
   const std::vector<int> modes = Predictor(nominal, test, {}).nominal_modes();
-  VectorXd correction = VectorXd::Zero(coarse.size());
+  VectorXd correction = rig_mesh_correction(plain, measured, test, coarse);
   for (Index i = 0; i < coarse.size(); ++i) {
     const Reading& r = test.readings[std::size_t(i)];
     if (r.kind == ReadingKind::mass)
@@ -169,7 +178,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   const VectorXd coarse = *Predictor(nominal, test, {})(VectorXd());
   u.correction = VectorXd::Zero(n);
   if (nominal.coarse && !has_friction(data))
-    u.correction = mesh_correction(data, nominal, test, coarse);
+    u.correction = mesh_correction(data, nominal, measured, test, coarse);
   u.nominal = coarse + u.correction;
   u.bias = VectorXd::Zero(n);
   for (Index i = 0; i < n; ++i)
@@ -178,6 +187,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   u.measurement = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
     u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
+  add_common_rig_error(test, u.measurement);
   using namespace test_sigma;
   const MatrixXd weights = damping_weights(nominal, test);
   const auto always = [](const Reading&, const Reading&) { return true; };
@@ -191,20 +201,24 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   u.reassembly = shared_frequency(test, remounting.frequency, assembled) +
                  shared_damping(test, weights, remounting.damping, by_base(assembled)) +
                  shared_frequency(test, run_frequency, at_once) +
-                 shared_damping(test, weights, run_damping, by_base(at_once));
+                 shared_damping(test, weights, run_damping, by_base(at_once)) +
+                 shared_rig_loss(test, remounting.damping);
   if (without.contains("reassembly")) u.reassembly.setZero();
   u.numeric = shared_frequency(test, numeric_frequency, always) +
-              shared_damping(test, weights, numeric_damping, by_base(always));
+              shared_damping(test, weights, numeric_damping, by_base(always)) +
+              shared_rig_loss(test, numeric_damping);
   for (Index i : u.cross)
     for (Index j : u.cross)
       if (same_way(test, test.readings[std::size_t(i)], test.readings[std::size_t(j)]))
         u.numeric(i, j) += std::pow(numeric_cross, 2);
   for (Index i = 0; i < n; ++i) {
     u.numeric(i, i) += std::pow(share_of_correction * u.correction[i], 2);
-    if (test.readings[std::size_t(i)].kind == ReadingKind::stiffness)
+    const ReadingKind kind = test.readings[std::size_t(i)].kind;
+    if (kind == ReadingKind::stiffness || kind == ReadingKind::dynamic_stiffness)
       u.numeric(i, i) += std::pow(numeric_stiffness, 2);
   }
-  const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always);
+  const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always) +
+                               shared_rig_loss(test, scatters::mode_damping);
 
   std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
   std::erase_if(varied, [&](const Hypothesis& h) {

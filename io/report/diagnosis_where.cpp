@@ -59,18 +59,16 @@ std::string heat_map(const Diagnosis& d, const std::string& kind) {
          html_table("", columns, rows) + "</div>\n";
 }
 
-// Mass and static stiffness: no runs, one column.
+// Mass, stiffness and what a rig reads: no runs, one column.
 std::string still_readings(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   for (const LocatedGap& b : d.where)
-    if (b.component.empty() && (b.kind == "mass" || b.kind == "stiffness"))
-      rows.push_back({{html_escape(b.kind + (b.direction.empty() ? "" : " in " + b.direction) +
-                                   (b.state.empty() ? "" : ", " + b.state)),
-                       score(b)},
-                      ""});
+    if (b.component.empty() && (b.kind == "mass" || b.kind == "stiffness" ||
+                                b.kind == "dynamic stiffness" || b.kind == "loss"))
+      rows.push_back({{html_escape(name_of(b)), score(b)}, ""});
   if (rows.empty()) return "";
-  return "<div><h3>mass and static stiffness</h3>\n" +
-         html_table("", {{"", "", false}, {"z", ""}}, rows) + "</div>\n";
+  return "<div><h3>mass and stiffness</h3>\n" + html_table("", {{"", "", false}, {"z", ""}}, rows) +
+         "</div>\n";
 }
 
 std::string drifts_table(const Diagnosis& d) {
