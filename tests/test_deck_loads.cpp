@@ -1,10 +1,8 @@
 // Loads of decks as static analyses: beams and plates in closed form, the same deck in CalculiX.
+#include "tests/calculix_steps.hpp"
 #include "tests/deck_loads.hpp"
 
 #include <cmath>
-#include <cstdlib>
-#include <map>
-#include <sstream>
 
 namespace plica::test {
 namespace deck_loads {
@@ -241,25 +239,6 @@ std::string calculix_plate() {
                      "*STEP\n*STATIC\n*CLOAD, OP=NEW\n*DLOAD, OP=NEW\n*BOUNDARY\n{}, 3, 3, "
                      "4.\n*NODE PRINT, NSET=WATCHED, GLOBAL=YES\nU\n*END STEP\n",
                      corner, corner, corner);
-}
-
-// Displacements of the two nodes that are watched, step by step; empty where CalculiX is not there.
-std::vector<std::map<int, Eigen::Vector3d>> calculix_steps(const std::string& deck) {
-  const TemporaryFolder folder("calculix_loads");
-  write_whole(folder.path / "model.inp", deck);
-  const std::string command =
-      "cd '" + folder.path.string() + "' && OMP_NUM_THREADS=1 ccx -i model >log 2>&1";
-  if (std::system(command.c_str()) != 0) return {};
-  std::istringstream stream(read_whole(folder.path / "model.dat"));
-  std::vector<std::map<int, Eigen::Vector3d>> steps;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.find("displacements") != std::string::npos) steps.emplace_back();
-    std::istringstream fields(line);
-    int node = 0;
-    Eigen::Vector3d u;
-    if (!steps.empty() && fields >> node >> u[0] >> u[1] >> u[2]) steps.back()[node] = u;
-  }
-  return steps;
 }
 
 TEST(CalculixLoads, steps_of_forces_pressure_weight_and_moved_nodes_give_its_displacements) {

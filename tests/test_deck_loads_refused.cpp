@@ -17,14 +17,14 @@ std::vector<InputProblem> problems_of(const std::string& file, const std::string
 
 TEST(DeckLoads, what_acts_and_is_not_had_is_refused_with_its_lines_all_at_once) {
   const std::string deck =
-      bar("SPC = 1\nLOAD = 10\n", "FORCE,10,99,0,60.,0.,1.,0.\nPLOAD1,10,1,FY,FR,0.,1.,1.,1.\n"
+      bar("SPC = 1\nLOAD = 10\n", "FORCE,10,99,0,60.,0.,1.,0.\nRFORCE,10,1,,1.,0.,1.,1.\n"
                                   "PLOAD4,10,5,1.\nSPCD,10,11,2,1.\n");
   const auto problems = problems_of("bar.bdf", deck);
   ASSERT_EQ(problems.size(), 4U);
   for (const InputProblem& p : problems) EXPECT_EQ(p.key, "analyses.static");
   std::string all;
   for (const InputProblem& p : problems) all += p.wrong + "\n";
-  for (const char* part : {"bar.bdf:33: FORCE: there is no grid point 99", "bar.bdf:34: PLOAD1",
+  for (const char* part : {"bar.bdf:33: FORCE: there is no grid point 99", "bar.bdf:34: RFORCE",
                            "element 5, which is no shell", "11 2, which no SPC holds"})
     EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
 }
@@ -71,7 +71,7 @@ TEST(DeckLoads, a_set_that_is_not_there_and_a_deck_without_loads_are_refused) {
   const auto warm = problems_of("bar.bdf", bar("SPC = 1\nLOAD = 10\nTEMP(LOAD) = 3\nDEFORM = 4\n",
                                                "FORCE,10,11,0,60.,0.,1.,0.\n"));
   ASSERT_EQ(warm.size(), 2U);
-  EXPECT_NE(warm[0].wrong.find("TEMPERATURE(LOAD) is not had"), std::string::npos);
+  EXPECT_NE(warm[0].wrong.find("there is no temperature of set 3"), std::string::npos);
   EXPECT_NE(warm[1].wrong.find("DEFORM is not had"), std::string::npos);
   const TemporaryFolder folder("deck_loads");
   write_whole(

@@ -110,18 +110,23 @@ Eigen::Vector3d AbaqusSections::beam_offset(const Keyword& k, const std::string&
 
 void AbaqusSections::beam_section(const Keyword& k) {
   const bool general = k.name == "BEAM GENERAL SECTION";
-  const std::string shape = k.word_or("SECTION", general ? "GENERAL" : "");
+  std::string shape = k.word_or("SECTION", general ? "GENERAL" : "");
+  for (const char* known : {"RECT", "CIRC"}) // of RECTANGULAR CalculiX reads as much
+    if (shape.starts_with(known)) shape = known;
   BeamMaterial m;
+  DeckExpansion expansion;
   if (general) {
     m.E = number_in(k, data_line(k, 2), 0);
     const double G = number_in(k, data_line(k, 2), 1, m.E / 2.6);
     if (!(m.E > 0 && G > 0))
       deck_error(k.data[2].at, "*" + k.name, "has no stiffness", "E and G above 0");
     m.nu = m.E / (2 * G) - 1;
+    expansion.alpha = number_in(k, data_line(k, 2), 2, 0);
     m.rho = k.has("DENSITY") ? number_in(k, {k.at, {k.word("DENSITY")}}, 0) : 0;
   } else {
     const Material& from = isotropic_material_of(k);
     m = {from.E, from.nu, from.rho};
+    expansion = from.expansion;
   }
   open_thickness_ = 0;
   const TurnedSection section = profile(k, shape, m);
@@ -132,7 +137,7 @@ void AbaqusSections::beam_section(const Keyword& k) {
   n1 = mesh_.turn(k) * n1;
   open_beams_.clear();
   const Vector3d beside = beam_offset(k, shape);
-  for (const AbaqusElement* e : mesh_.elements_for(k, beam_types)) {
+  for (AbaqusElement* e : mesh_.elements_for(k, beam_types)) {
     if ((e->type == "U1") != (shape == "GENERAL" && !general))
       deck_error(k.at, "*" + k.name, "SECTION=" + shape + " is of " + e->type,
                  "SECTION=GENERAL of U1 alone");
@@ -147,6 +152,8 @@ void AbaqusSections::beam_section(const Keyword& k) {
                    "n1 across the axis");
       const Vector3d y = z.cross(axis).normalized();
       open_beams_.push_back(deck_.beams.size());
+      e->beams.push_back(int(deck_.beams.size()));
+      deck_.of_beams[e->beams.back()] = {e->label, e->origin, expansion, y};
       deck_.beams.push_back(
           {.node1 = e->nodes[i],
            .node2 = e->nodes[i + 1],

@@ -33,19 +33,6 @@ std::vector<int> dofs_of(const Keyword& k) {
 
 } // namespace
 
-KeywordHandlers AbaqusJoints::surfaces() {
-  return {{"SURFACE",
-           {[this](const Keyword& k) {
-              const auto [known, is_new] = surfaces_.try_emplace({k.scope, k.word("NAME")}, k);
-              if (!is_new)
-                deck_error(k.at, "*SURFACE",
-                           "surface " + k.word("NAME") + " is there already in line " +
-                               std::to_string(known->second.at.line),
-                           "a name once");
-            },
-            {"NAME", "TYPE", "INTERNAL"}}}};
-}
-
 KeywordHandlers AbaqusJoints::handlers() {
   const auto by = [this](void (AbaqusJoints::*read)(const Keyword&)) {
     return [this, read](const Keyword& k) { (this->*read)(k); };
@@ -120,53 +107,6 @@ void AbaqusJoints::no_open_coupling() const {
 Keyword AbaqusJoints::take_coupling(const Keyword& k) {
   if (!coupling_) deck_error(k.at, "*" + k.name, "follows no *COUPLING", "*COUPLING before it");
   return *std::exchange(coupling_, std::nullopt);
-}
-
-AbaqusJoints::SurfaceNodes AbaqusJoints::surface_nodes(const Keyword& of,
-                                                       const std::string& name) const {
-  auto found = surfaces_.find({of.scope, name});
-  if (const std::size_t dot = name.find('.'); dot != std::string::npos && found == surfaces_.end())
-    found = surfaces_.find({name.substr(0, dot), name.substr(dot + 1)});
-  if (found == surfaces_.end()) found = surfaces_.find({"", name});
-  if (found == surfaces_.end())
-    deck_error(of.at, "*" + of.name, "there is no surface " + name, "*SURFACE, NAME=...");
-  const Keyword& k = found->second;
-  const std::string type = k.word_or("TYPE", "ELEMENT");
-  std::map<int, double> area;
-  std::set<int> nodes;
-  for (const DataLine& line : k.data) {
-    if (type == "NODE") {
-      for (int n : mesh_.nodes(k, line, line.fields.at(0))) nodes.insert(n);
-      if (line.fields.size() > 1 && number_in(k, line, 1) != 1)
-        deck_error(line.at, "*SURFACE", "gives a weight to nodes", "nodes alone");
-    } else if (type == "ELEMENT") {
-      for (int label : mesh_.elements(k, line, line.fields.at(0))) {
-        const AbaqusElement& e = mesh_.element(label);
-        if (line.fields.size() > 1 && line.fields[1].size() == 2)
-          deck_error(line.at, "*SURFACE", "is on an edge of elements", "SPOS, SNEG or nodes");
-        for (int n : e.nodes) {
-          nodes.insert(n);
-          area[n] += shell_area(e) / double(e.nodes.size());
-        }
-      }
-    } else {
-      deck_error(k.at, "*SURFACE", "has TYPE=" + type, "TYPE=NODE or TYPE=ELEMENT");
-    }
-  }
-  SurfaceNodes all{{nodes.begin(), nodes.end()}, {}};
-  if (type == "ELEMENT")
-    for (int n : all.nodes) all.weights.push_back(area[n]);
-  return all;
-}
-
-double AbaqusJoints::shell_area(const AbaqusElement& e) const {
-  const auto& x = deck_.nodes;
-  if (e.nodes.size() < 3)
-    deck_error(e.at, "*SURFACE", "is on an element that is no shell", "shells or nodes");
-  const bool quad = e.nodes.size() == 4 || e.nodes.size() == 8;
-  const Vector3d a = x[e.nodes[2]] - x[e.nodes[0]];
-  const Vector3d b = quad ? x[e.nodes[3]] - x[e.nodes[1]] : x[e.nodes[1]] - x[e.nodes[0]];
-  return a.cross(b).norm() / 2;
 }
 
 int AbaqusJoints::reference(const Keyword& k) const {

@@ -19,6 +19,9 @@ public:
   // Displacements other than zero, by node and DOF, as they are after the keywords so far.
   const std::map<std::pair<int, int>, double>& moved() const { return values_; }
   void move_by(std::map<std::pair<int, int>, double> values) { values_ = std::move(values); }
+  // Of a surface of shells, by elements: whether it is the side that their normal points away from.
+  std::vector<std::pair<int, bool>> shell_faces(const Keyword& of, const DataLine& line,
+                                                const std::string& name) const;
   // What is wrong with prescribed displacements of the step that is open; forgotten once asked for.
   std::vector<std::string> take_doubts() { return std::exchange(doubts_, {}); }
 
@@ -28,6 +31,7 @@ private:
     std::vector<double> weights; // area of the wall that belongs to each; empty = equal
   };
 
+  const Keyword& surface(const Keyword& of, const DeckPosition& at, const std::string& name) const;
   SurfaceNodes surface_nodes(const Keyword& of, const std::string& name) const;
   double shell_area(const AbaqusElement& element) const;
   int reference(const Keyword& keyword) const;

@@ -1,5 +1,6 @@
 #include "io/decks/abaqus_loads.hpp"
 
+#include "io/decks/deck_beam_loads.hpp"
 #include "io/decks/deck_pressure.hpp"
 
 #include <algorithm>
@@ -9,9 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-const std::set<std::string> loads_that_are_not_had{
-    "DSLOAD",        "TEMPERATURE",   "CHANGE FRICTION", "INERTIA RELIEF",
-    "EMBEDDED LOAD", "SECTION FORCE", "INCIDENT WAVE",   "LOAD CASE"};
+const std::set<std::string> loads_that_are_not_had{"CHANGE FRICTION", "INERTIA RELIEF",
+                                                   "EMBEDDED LOAD",   "SECTION FORCE",
+                                                   "INCIDENT WAVE",   "LOAD CASE"};
 
 // Their steps are small changes of the state before, and leave nothing of their own to those
 // behind.
@@ -22,7 +23,9 @@ const std::set<std::string> perturbations{
 } // namespace
 
 bool is_load_keyword(const std::string& name) {
-  return name == "CLOAD" || name == "DLOAD" || loads_that_are_not_had.contains(name);
+  static const std::set<std::string> followed{"CLOAD", "DLOAD", "DSLOAD", "TEMPERATURE",
+                                              "EXPANSION"};
+  return followed.contains(name) || loads_that_are_not_had.contains(name);
 }
 
 KeywordHandlers AbaqusLoads::with(KeywordHandlers joints) {
@@ -43,6 +46,9 @@ KeywordHandlers AbaqusLoads::with(KeywordHandlers joints) {
     both(name.c_str(), [this](const Keyword&) { perturbation_ = true; });
   both("CLOAD", [this](const Keyword& k) { read(k, &AbaqusLoads::cload); });
   both("DLOAD", [this](const Keyword& k) { read(k, &AbaqusLoads::dload); });
+  both("DSLOAD", [this](const Keyword& k) { read(k, &AbaqusLoads::dsload); });
+  both("TEMPERATURE", [this](const Keyword& k) { read(k, &AbaqusLoads::temperature); });
+  both("INITIAL CONDITIONS", [this](const Keyword& k) { initial_conditions(k); });
   for (const std::string& name : loads_that_are_not_had)
     both(name.c_str(), [this](const Keyword& k) {
       if (open_)
@@ -96,19 +102,16 @@ void AbaqusLoads::add_case() {
     (at.second < 3 ? f.force : f.moment) = value * axis;
     made.forces.push_back(f);
   }
-  for (const auto& [index, p] : now_.pressures)
-    for (int shell : mesh_.element(index).shells) {
-      const std::vector<int>& nodes = deck_.shells[std::size_t(shell)].nodes;
-      add_pressure(made.forces, deck_.nodes, nodes, std::vector(nodes.size(), p),
-                   Vector3d(0, 0, 0));
-    }
+  add_distributed(made);
+  add_strains(made);
   for (const auto& [elements, g] : now_.gravity) made.gravity += g;
   if (large_) made.notes = {"asks for large displacements (NLGEOM) and is solved linearly"};
   if (riks_) made.notes.emplace_back("asks for RIKS; its loads act once, without a load factor");
   made.supports = deck_.supports;
   made.moved = joints_.moved();
-  made.not_had.assign(now_.not_had.begin(), now_.not_had.end());
-  if (made.forces.empty() && made.gravity.isZero(0) && made.moved.empty() && made.not_had.empty())
+  made.not_had.insert(made.not_had.end(), now_.not_had.begin(), now_.not_had.end());
+  if (made.forces.empty() && made.strains.empty() && made.gravity.isZero(0) && made.moved.empty() &&
+      made.not_had.empty())
     return; // nothing acts
   deck_.load_cases.push_back(std::move(made));
 }
@@ -128,10 +131,13 @@ void AbaqusLoads::read(const Keyword& k, void (AbaqusLoads::*how)(const Keyword&
       deck_error(k.at, "*" + k.name, "has LOAD CASE=" + k.word("LOAD CASE"), "LOAD CASE=1");
     if (k.word_or("OP", "MOD") == "NEW" && new_.insert(k.name).second) {
       if (k.name == "CLOAD") now_.forces.clear();
+      const auto of_sides = [](const auto& p) { return p.first.second[0] == 'S'; };
       if (k.name == "DLOAD") {
-        now_.pressures.clear();
+        std::erase_if(now_.pressures, [&](const auto& p) { return !of_sides(p); });
         now_.gravity.clear();
       }
+      if (k.name == "DSLOAD") std::erase_if(now_.pressures, of_sides);
+      if (k.name == "TEMPERATURE") now_.temperatures.clear();
     }
     (this->*how)(k);
   } catch (const InputError& error) {
@@ -159,15 +165,59 @@ void AbaqusLoads::dload(const Keyword& k) {
       gravity(k, line);
       continue;
     }
-    if (label != "P")
-      deck_error(line.at, "*DLOAD", "is of the kind \"" + label + "\"", "P on shells, GRAV");
+    static const std::set<std::string> of_beams{"PX", "PY", "PZ", "P1", "P2"};
+    const bool beam = of_beams.contains(label);
+    if (label != "P" && !beam)
+      deck_error(line.at, "*DLOAD", "is of the kind \"" + label + "\"",
+                 "P on shells, PX, PY, PZ, P1, P2 on beams, GRAV");
     const double p = number_in(k, line, 2);
     for (int index : mesh_.elements(k, line, line.fields[0])) {
-      if (mesh_.element(index).shells.empty())
+      const AbaqusElement& e = mesh_.element(index);
+      if (beam ? e.beams.empty() : e.shells.empty())
         deck_error(line.at, "*DLOAD",
-                   "presses on " + mesh_.element(index).origin + ", which is no shell", "shells");
-      double& pressure = now_.pressures[index];
-      pressure = (pressures_of_step_.insert(index).second ? 0 : pressure) + p;
+                   "acts by " + label + " on " + e.origin + ", which is no " +
+                       (beam ? "beam" : "shell"),
+                   "P on shells, PX, PY, PZ, P1, P2 on beams");
+      press(index, label, p);
+    }
+  }
+}
+
+// Pressure into a side of shells.
+void AbaqusLoads::dsload(const Keyword& k) {
+  for (const DataLine& line : k.data) {
+    const std::string label = line.fields.size() > 1 ? in_capitals(line.fields[1]) : "";
+    if (label != "P") deck_error(line.at, "*DSLOAD", "is of the kind \"" + label + "\"", "P");
+    for (const auto& [index, positive] : joints_.shell_faces(k, line, in_capitals(line.fields[0])))
+      press(index, positive ? "SPOS" : "SNEG", number_in(k, line, 2));
+  }
+}
+
+void AbaqusLoads::press(int element, const std::string& label, double value) {
+  double& pressure = now_.pressures[{element, label}];
+  pressure = (pressures_of_step_.insert({element, label}).second ? 0 : pressure) + value;
+}
+
+void AbaqusLoads::add_distributed(DeckLoadCase& made) const {
+  for (const auto& [of, value] : now_.pressures) {
+    const auto& [index, label] = of;
+    const AbaqusElement& e = mesh_.element(index);
+    for (int shell : e.shells) {
+      const std::vector<int>& nodes = deck_.shells[std::size_t(shell)].nodes;
+      const double p = label == "SPOS" ? -value : value;
+      add_pressure(made.forces, deck_.nodes, nodes, std::vector(nodes.size(), p),
+                   Vector3d(0, 0, 0));
+    }
+    for (int i : e.beams) {
+      const BeamElement& beam = deck_.beams[std::size_t(i)];
+      const Vector3d axis = deck_.nodes[std::size_t(beam.node2)] -
+                            deck_.nodes[std::size_t(beam.node1)],
+                     first = deck_.of_beams.at(i).y;
+      const Vector3d along = label == "P1"   ? first
+                             : label == "P2" ? Vector3d(axis.cross(first).normalized())
+                                             : Vector3d(Vector3d::Unit(label[1] - 'X'));
+      add_beam_load(made.forces, deck_, beam, {.p1 = value, .p2 = value, .direction = along});
+      made.along_beams = true;
     }
   }
 }

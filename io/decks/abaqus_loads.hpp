@@ -27,11 +27,20 @@ private:
   void read(const Keyword& keyword, void (AbaqusLoads::*how)(const Keyword&));
   void cload(const Keyword& keyword);
   void dload(const Keyword& keyword);
+  void dsload(const Keyword& keyword);
   void gravity(const Keyword& keyword, const DataLine& line);
+  void temperature(const Keyword& keyword);
+  void initial_conditions(const Keyword& keyword);
+  void press(int element, const std::string& label, double value);
+  void add_distributed(DeckLoadCase& made) const;
+  void add_strains(DeckLoadCase& made) const;
 
   struct Loads {
-    std::map<std::pair<int, int>, double> forces;   // by node and DOF, along its axes
-    std::map<int, double> pressures;                // by element
+    std::map<std::pair<int, int>, double> forces; // by node and DOF, along its axes
+    // By element and what acts: "P" along the normal of a shell, "SPOS", "SNEG" on a side of it,
+    // "PX" .. "P2" of a beam.
+    std::map<std::pair<int, std::string>, double> pressures;
+    std::map<int, double> temperatures;             // by node
     std::map<std::string, Eigen::Vector3d> gravity; // by the name of its elements
     std::set<std::string> not_had;
   };
@@ -46,9 +55,11 @@ private:
   bool open_ = false, static_ = false, riks_ = false, large_ = false, perturbation_ = false;
   // Given in this step already: what comes again adds.
   std::set<std::pair<int, int>> forces_of_step_;
-  std::set<int> pressures_of_step_;
+  std::set<std::pair<int, std::string>> pressures_of_step_;
   std::set<std::string> gravity_of_step_;
-  std::set<std::string> new_; // keywords with OP=NEW in this step
+  std::set<std::string> new_;                // keywords with OP=NEW in this step
+  std::map<int, double> initial_;            // temperatures by node
+  std::vector<std::string> unknown_initial_; // what of them is not had
 };
 
 } // namespace plica

@@ -16,9 +16,11 @@ struct AbaqusElement {
   std::string type;
   std::string origin; // for messages: "element 12 in line 34"
   int label = 0;
-  std::vector<int> nodes;  // indices
-  std::vector<int> shells; // indices into DeckModel::shells, more than one where it is split
-  int towards = -1;        // a node that a beam names after its own: n1 of its section points there
+  std::vector<int> nodes;      // indices
+  std::vector<int> shells;     // indices into DeckModel::shells, more than one where it is split
+  std::vector<int> beams = {}; // likewise
+  std::vector<int> bars = {};  // into springs: of a truss, a membrane of three nodes
+  int towards = -1; // a node that a beam names after its own: n1 of its section points there
 };
 
 class AbaqusMesh {

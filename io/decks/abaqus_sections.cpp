@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace plica {
 namespace {
@@ -27,7 +28,10 @@ KeywordHandlers AbaqusSections::materials() {
       {"ORIENTATION",
        {[this](const Keyword& k) { orientation(k); },
         {"NAME", "SYSTEM", "DEFINITION", "LOCAL DIRECTIONS"}}},
-      {"DENSITY", {[this](const Keyword& k) { density(k); }, {"DEPENDENCIES"}}}};
+      {"DENSITY", {[this](const Keyword& k) { density(k); }, {"DEPENDENCIES"}}},
+      {"EXPANSION",
+       {[this](const Keyword& k) { expansion(k); },
+        {"TYPE", "ZERO", "DEPENDENCIES", "USER", "PORE FLUID"}}}};
 }
 
 KeywordHandlers AbaqusSections::handlers() {
@@ -50,7 +54,7 @@ KeywordHandlers AbaqusSections::handlers() {
         {"ELSET", "MATERIAL", "OFFSET", "NODAL THICKNESS", "CONTROLS", "COMPOSITE", "ORIENTATION",
          "POISSON", "DENSITY", "SYMMETRIC", "LAYUP"}}},
       {"MEMBRANE SECTION",
-       {by(&S::membrane_section), {"ELSET", "MATERIAL", "CONTROLS", "ORIENTATION"}}},
+       {by(&S::membrane_section), {"ELSET", "MATERIAL", "CONTROLS", "ORIENTATION", "OFFSET"}}},
       {"SOLID SECTION",
        {by(&S::solid_section), {"ELSET", "MATERIAL", "CONTROLS", "ORIENTATION", "REF NODE"}}},
       {"NODAL THICKNESS", {by(&S::nodal_thickness), {}}},
@@ -134,6 +138,18 @@ void AbaqusSections::density(const Keyword& k) {
   if (m.rho < 0) deck_error(k.data[0].at, "*DENSITY", "is below zero", "0 or more");
 }
 
+// What is not one number for all directions and temperatures concerns who asks for these alone.
+void AbaqusSections::expansion(const Keyword& k) {
+  if (material_.empty()) return;
+  const std::string type = k.word_or("TYPE", "ISO");
+  double& alpha = materials_.at(material_).expansion.alpha;
+  alpha = std::numeric_limits<double>::quiet_NaN();
+  if ((type == "ISO" || type == "ISOTROPIC") && !k.has("USER") && k.data.size() == 1) try {
+      alpha = number_in(k, k.data[0], 0, 0);
+    } catch (const InputError&) {
+    }
+}
+
 const AbaqusSections::Material& AbaqusSections::material_of(const Keyword& k) const {
   const auto found = materials_.find(k.word("MATERIAL"));
   if (found == materials_.end() || !found->second.elastic)
@@ -157,11 +173,13 @@ void AbaqusSections::solid_section(const Keyword& k) {
   const Material& m = isotropic_material_of(k);
   const double A = k.data.empty() ? 1 : number_in(k, data_line(k, 0), 0, 1);
   if (!(A > 0)) deck_error(k.data[0].at, "*" + k.name, "has no area", "above 0");
-  for (const AbaqusElement* e : trusses) {
+  for (AbaqusElement* e : trusses) {
     for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i) {
       const int a = e->nodes[i], b = e->nodes[i + 1];
       if (!((deck_.nodes[a] - deck_.nodes[b]).norm() > 0))
         deck_error(e->at, "*ELEMENT", "is a truss without length", "two places");
+      e->bars.push_back(int(deck_.springs.size()));
+      deck_.of_springs[e->bars.back()] = {e->label, e->origin, m.expansion};
       deck_.springs.push_back(truss({a, b}, deck_.nodes[a], deck_.nodes[b], m.E * A, 0, m.rho * A));
     }
     if (e->type.starts_with("T2D")) hold_in_plane(*e);
@@ -260,6 +278,7 @@ void AbaqusSections::finish() {
       shell.normal[std::size_t(at - shell.nodes.begin())] = n;
     }
   }
+  check_beam_normals();
   if (split_shells_ > 0)
     deck_.notes.push_back(
         std::to_string(split_shells_) +

@@ -19,7 +19,8 @@ public:
 private:
   struct Material : BeamMaterial {
     bool elastic = false;
-    std::optional<PlyMaterial> ply;   // where it is not isotropic
+    std::optional<PlyMaterial> ply; // where it is not isotropic
+    DeckExpansion expansion;
     std::map<std::string, int> lines; // of what is given of it
   };
   struct Normal {
@@ -41,6 +42,7 @@ private:
   Eigen::Vector3d first_axis(const AbaqusElement& element, const Keyword* orientation);
   void note_first_of_many(const Keyword& keyword, std::size_t fields);
   void density(const Keyword& keyword);
+  void expansion(const Keyword& keyword);
   void shell_section(const Keyword& keyword);
   void membrane_section(const Keyword& keyword);
   void solid_section(const Keyword& keyword); // of trusses
@@ -55,17 +57,20 @@ private:
   ShellLaminate given_matrix(const Keyword& keyword, double& thickness) const;
   int add_laminate(const ShellLaminate& wall);
   void laminated_section(const Keyword& keyword);
-  void isotropic_wall(const Keyword& keyword, const ShellSection& section, double thickness);
+  void isotropic_wall(const Keyword& keyword, const ShellSection& section, double thickness,
+                      const DeckExpansion& expansion);
   void wall_shear(const Keyword& keyword);
   struct ShellWall { // of the parts of an element
     int section = 0, laminate = -1;
     double thickness = 0, offset = 0;
     Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    DeckExpansion expansion = {};
   };
   void add_shells(AbaqusElement& element, const ShellWall& wall);
   void hold_in_plane(const AbaqusElement& element); // of the elements of plane frames
   void nodal_thickness(const Keyword& keyword);
   void normal(const Keyword& keyword);
+  void check_beam_normals();
   void beam_section(const Keyword& keyword);
   Eigen::Vector3d beam_offset(const Keyword& keyword, const std::string& shape) const;
   void user_element(const Keyword& keyword);
@@ -89,6 +94,7 @@ private:
   int split_shells_ = 0, split_beams_ = 0;
   std::map<int, double> thickness_; // by node
   std::vector<Normal> normals_;
+  std::vector<std::pair<int, Keyword>> beam_normals_; // elements
 };
 
 } // namespace plica

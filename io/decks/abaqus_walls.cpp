@@ -4,11 +4,14 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace plica {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double by_plies = std::numeric_limits<double>::quiet_NaN(); // DeckExpansion
 
 const std::set<std::string> shell_types{"S4", "S4R", "S4R5",   "S3",  "S3R", "STRI3",
                                         "S6", "S8",  "STRI65", "S8R", "S8R5"};
@@ -24,15 +27,17 @@ double offset(const Keyword& k) {
 
 } // namespace
 
-void AbaqusSections::isotropic_wall(const Keyword& k, const ShellSection& section,
-                                    double thickness) {
+void AbaqusSections::isotropic_wall(const Keyword& k, const ShellSection& section, double thickness,
+                                    const DeckExpansion& expansion) {
   open_thickness_ = thickness;
   open_section_ = static_cast<int>(deck_.sections.size());
   first_of_section_ = deck_.laminates.size();
   deck_.sections.push_back(section);
   for (AbaqusElement* e : mesh_.elements_for(k, shell_types))
-    add_shells(*e,
-               {.section = open_section_, .thickness = thickness, .offset = offset(k) * thickness});
+    add_shells(*e, {.section = open_section_,
+                    .thickness = thickness,
+                    .offset = offset(k) * thickness,
+                    .expansion = expansion});
 }
 
 // Of plies, of a material that is not isotropic, or of a given matrix.
@@ -46,7 +51,11 @@ void AbaqusSections::laminated_section(const Keyword& k) {
   else if (!given)
     plies = {{&material_of(k), number_in(k, data_line(k, 0), 0), 0, nullptr}};
   double t = 0;
-  for (const Ply& ply : plies) t += ply.thickness;
+  DeckExpansion expansion;
+  for (const Ply& ply : plies) {
+    t += ply.thickness;
+    if (ply.material->expansion.alpha != 0) expansion.alpha = by_plies;
+  }
   std::optional<ShellLaminate> matrix;
   if (given) matrix = given_matrix(k, t);
   if (!(t > 0)) deck_error(data_line(k, 0).at, "*" + k.name, "has no thickness", "above 0");
@@ -57,7 +66,8 @@ void AbaqusSections::laminated_section(const Keyword& k) {
     add_shells(*e, {.laminate = add_laminate(matrix ? *matrix : laminate_of(plies, *e, along)),
                     .thickness = t,
                     .offset = offset(k) * t,
-                    .along = along});
+                    .along = along,
+                    .expansion = expansion});
   }
 }
 
@@ -67,8 +77,11 @@ void AbaqusSections::shell_section(const Keyword& k) {
   if (k.has("COMPOSITE")) {
     std::vector<LaminatePly> plies;
     bool isotropic = true;
+    std::optional<DeckExpansion> expansion;
     for (const Ply& ply : plies_of(k)) {
       const Material& m = *ply.material;
+      if (!expansion) expansion = m.expansion;
+      if (expansion->alpha != m.expansion.alpha) expansion->alpha = by_plies;
       isotropic = isotropic && !m.ply;
       plies.push_back({m.E, m.nu, m.rho, m.E / (2 * (1 + m.nu)), ply.thickness});
     }
@@ -76,7 +89,7 @@ void AbaqusSections::shell_section(const Keyword& k) {
                                            ? isotropic_laminate(plies)
                                            : IsotropicLaminate{.section = {}, .refusal = "is not"};
     if (laminate.refusal.empty())
-      isotropic_wall(k, laminate.section, laminate.thickness);
+      isotropic_wall(k, laminate.section, laminate.thickness, expansion.value_or(DeckExpansion()));
     else
       laminated_section(k);
   } else if ((!k.has("MATERIAL") && k.name == "SHELL GENERAL SECTION") || material_of(k).ply) {
@@ -85,7 +98,7 @@ void AbaqusSections::shell_section(const Keyword& k) {
     const Material& m = material_of(k);
     const double t = number_in(k, data_line(k, 0), 0);
     if (!(t > 0)) deck_error(data_line(k, 0).at, "*" + k.name, "has no thickness", "above 0");
-    isotropic_wall(k, {.E = m.E, .nu = m.nu, .rho = m.rho}, t);
+    isotropic_wall(k, {.E = m.E, .nu = m.nu, .rho = m.rho}, t, m.expansion);
   }
   if (k.has("NODAL THICKNESS"))
     for (std::size_t i = before; i < deck_.shells.size(); ++i)
@@ -119,7 +132,8 @@ void AbaqusSections::add_shells(AbaqusElement& e, const ShellWall& wall) {
                             .origin = e.origin,
                             .normal = {},
                             .laminate = wall.laminate,
-                            .along = wall.along});
+                            .along = wall.along,
+                            .expansion = wall.expansion});
   }
 }
 
@@ -137,13 +151,20 @@ void AbaqusSections::membrane_section(const Keyword& k) {
   deck_.sections.push_back(section);
   for (AbaqusElement* e : mesh_.elements_for(k, {"M3D3", "M3D4", "M3D4R"})) {
     if (e->nodes.size() == 4) {
-      add_shells(*e, {.section = index, .thickness = t});
+      add_shells(
+          *e,
+          {.section = index, .thickness = t, .offset = offset(k) * t, .expansion = m.expansion});
       continue;
     }
+    if (offset(k) != 0)
+      deck_error(k.at, "*MEMBRANE SECTION", "has OFFSET for " + e->origin + " of three nodes",
+                 "elements of four nodes, or no OFFSET");
     Eigen::Matrix3d x;
     for (int i = 0; i < 3; ++i) x.col(i) = deck_.nodes[e->nodes[i]];
     if (!((x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).norm() > 0))
       deck_error(e->at, "*ELEMENT", e->origin + " has no area", "three corners");
+    e->bars.push_back(int(deck_.springs.size()));
+    deck_.of_springs[e->bars.back()] = {e->label, e->origin, m.expansion};
     deck_.springs.push_back(membrane_triangle(e->nodes, x, section, t));
   }
 }
@@ -168,7 +189,19 @@ void AbaqusSections::normal(const Keyword& k) {
       if (shell_types.contains(e.type))
         normals_.push_back({label, std::size_t(corner - e.nodes.begin()), n.normalized()});
       else
-        left_out_.note(k, "is given to a beam", "the direction n1 of its section");
+        beam_normals_.push_back({label, {k.at, k.name, {}, {}}});
+    }
+}
+
+// Abaqus takes it for the second axis of the section, CalculiX for the first: where both are alike
+// it says nothing.
+void AbaqusSections::check_beam_normals() {
+  for (const auto& [element, k] : beam_normals_)
+    for (int i : mesh_.element(element).beams) {
+      const BeamProperties& s = deck_.beams[std::size_t(i)].section;
+      if (s.EI_y != s.EI_z || s.GA_y != s.GA_z)
+        return left_out_.note(k, "is given to a beam whose section has two different axes",
+                              "the direction n1 of its section");
     }
 }
 

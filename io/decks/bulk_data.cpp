@@ -213,7 +213,8 @@ private:
     std::string name = trimmed(text.substr(0, equals));
     if (name == "TEMPERATURE" || name.ends_with("(LOAD)") || name.ends_with("(BOTH)"))
       name = "TEMP";
-    static const std::set<std::string> kinds{"LOAD", "SPC", "MPC", "TEMP", "DEFORM"};
+    if (name.ends_with("(INIT)") || name.ends_with("(INITIAL)")) name = "INITIAL";
+    static const std::set<std::string> kinds{"LOAD", "SPC", "MPC", "TEMP", "INITIAL", "DEFORM"};
     if (!kinds.contains(name)) return;
     if (const auto set = whole_number_of(trimmed(text.substr(equals + 1))))
       data.subcases.back().chosen[name] = *set;

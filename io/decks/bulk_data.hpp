@@ -31,6 +31,7 @@ public:
   std::vector<int> list(std::size_t first) const;
   bool is_real(std::size_t field) const; // a number with a point or exponent
 
+  std::string origin() const; // for messages: "CBAR 12 in line 34"
   [[noreturn]] void wrong(const std::string& what, const std::string& allowed) const;
 };
 
@@ -41,7 +42,7 @@ struct DirectMatrices {
   std::vector<std::pair<double, std::string>> chosen;
 };
 
-// What one subcase chooses: LOAD, SPC, MPC, TEMP (as a load), DEFORM.
+// What one subcase chooses: LOAD, SPC, MPC, TEMP (as a load), INITIAL (temperatures), DEFORM.
 struct Subcase {
   int number = 0;
   std::map<std::string, int> chosen;

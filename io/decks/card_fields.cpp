@@ -13,6 +13,10 @@ void Card::wrong(const std::string& what, const std::string& allowed) const {
   deck_error(at, name, what, allowed);
 }
 
+std::string Card::origin() const {
+  return name + " " + text(0) + " in line " + std::to_string(at.line);
+}
+
 std::string Card::text(std::size_t field) const {
   return field < fields.size() ? fields[field] : "";
 }

@@ -64,11 +64,17 @@ void beam(const NastranReading& r, const Card& card) {
     beam.up = std::cos(section->turn) * z - std::sin(section->turn) * y;
   }
   const std::vector<int> free = released(card);
-  if (free.empty())
+  const Vector3d y = axis.cross(up).cross(axis).normalized();
+  const DeckBar bar{card.whole(0), card.origin(),
+                    r.properties.expansion_of_beam(by.has(1) ? by.whole(1) : card.whole(0)), y};
+  if (free.empty()) {
+    r.deck.of_beams[int(r.deck.beams.size())] = bar;
     r.deck.beams.push_back(beam);
-  else
+  } else {
+    r.deck.of_springs[int(r.deck.springs.size())] = bar;
     r.deck.springs.push_back(
         released_beam({r.deck.nodes[beam.node1], r.deck.nodes[beam.node2]}, beam, up, free));
+  }
 }
 
 void add_rod(const NastranReading& r, const Card& card, int node1, int node2,
@@ -76,6 +82,7 @@ void add_rod(const NastranReading& r, const Card& card, int node1, int node2,
   const Vector3d &x1 = r.deck.nodes[node1], &x2 = r.deck.nodes[node2];
   if (!((x2 - x1).norm() > 0)) card.wrong("has no length", "two places");
   if (!(rod.EA >= 0 && rod.GJ >= 0 && rod.mass >= 0)) card.wrong("is below zero", "0 or more");
+  r.deck.of_springs[int(r.deck.springs.size())] = {card.whole(0), card.origin(), rod.expansion};
   r.deck.springs.push_back(truss({node1, node2}, x1, x2, rod.EA, rod.GJ, rod.mass,
                                  r.coupled_mass ? TrussMass::consistent : TrussMass::lumped));
 }

@@ -1,8 +1,10 @@
 #include "io/decks/nastran_loads.hpp"
 
+#include "io/decks/deck_beam_loads.hpp"
 #include "io/decks/deck_pressure.hpp"
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_cards.hpp"
+#include "io/decks/nastran_temperatures.hpp"
 
 #include <Eigen/Geometry>
 
@@ -16,8 +18,8 @@ using Eigen::Vector3d;
 
 const std::set<std::string> followed_loads{"FORCE",   "FORCE1", "FORCE2", "MOMENT", "MOMENT1",
                                            "MOMENT2", "LOAD",   "GRAV",   "PLOAD",  "PLOAD2",
-                                           "PLOAD4",  "SLOAD",  "SPCD"};
-const std::set<std::string> loads_not_had{"RFORCE",  "ACCEL",   "ACCEL1", "PLOAD1",
+                                           "PLOAD1",  "PLOAD4", "SLOAD",  "SPCD"};
+const std::set<std::string> loads_not_had{"RFORCE",  "ACCEL",   "ACCEL1",
                                           "PLOADX1", "PLOADB3", "FORCDST"};
 
 Vector3d vector_of(const Card& card, std::size_t first) {
@@ -36,6 +38,7 @@ public:
     const auto& shells = r.deck.shells;
     for (std::size_t i = 0; i < shells.size(); ++i)
       shells_[shells[i].element].push_back(static_cast<int>(i));
+    for (const auto& [i, bar] : r.deck.of_beams) beams_[bar.element] = i;
     for (const char* name :
          {"CTRIA3", "CQUAD4", "CTRIA6", "CQUAD8", "CTRIAR", "CQUADR", "CSHEAR", "CTRMEM", "CQDMEM"})
       if (const auto found = r.cards.find(name); found != r.cards.end())
@@ -110,6 +113,7 @@ private:
         if (c.has(i)) spcd(c, i, factor);
     });
     add_pressures(set, factor);
+    each_of("PLOAD1", set, [&](const Card& c) { on_beam(c, factor); });
     for (const std::string& name : loads_not_had)
       each_of(name, set, [](const Card& c) { c.wrong("is not had", "loads that are"); });
   }
@@ -178,6 +182,41 @@ private:
     });
   }
 
+  void on_beam(const Card& c, double factor) {
+    const int element = c.whole(1);
+    const auto found = beams_.find(element);
+    if (found == beams_.end())
+      c.wrong("acts on element " + std::to_string(element) +
+                  ", which is no beam of the deck, or one with released ends",
+              "CBAR and CBEAM without pin flags");
+    const BeamElement& beam = r_.deck.beams[std::size_t(found->second)];
+    const std::string type = in_capitals(c.text(2)), scale = in_capitals(c.text(3));
+    static const std::set<std::string> types{"FX", "FY", "FZ", "FXE", "FYE", "FZE"};
+    if (!types.contains(type)) c.wrong("acts as " + c.text(2), "FX, FY, FZ, FXE, FYE, FZE, forces");
+    if (scale != "LE" && scale != "FR")
+      c.wrong("is given over " + c.text(3), "LE or FR, along the beam");
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    const Vector3d x = r_.deck.nodes[std::size_t(beam.node2)] + beam.offset2 -
+                       r_.deck.nodes[std::size_t(beam.node1)] - beam.offset1;
+    const double L = x.norm();
+    if (type.size() == 3) {
+      axes.col(0) = x / L;
+      axes.col(1) = r_.deck.of_beams.at(found->second).y;
+      axes.col(2) = axes.col(0).cross(axes.col(1));
+    }
+    const double unit = scale == "LE" ? L : 1;
+    BeamLine load{.start = c.real(4, 0) / unit,
+                  .p1 = factor * c.real(5),
+                  .direction = axes.col(type[1] - 'X')};
+    load.end = c.has(6) ? c.real(6) / unit : load.start;
+    load.p2 = load.end > load.start ? factor * c.real(7, c.real(5)) : load.p1;
+    constexpr double rounding = 1e-6;
+    if (!(load.start >= 0 && load.end >= load.start && load.end <= 1 + rounding))
+      c.wrong("goes from " + c.text(4) + " to " + c.text(6), "places on the beam, X1 before X2");
+    add_beam_load(into_.forces, r_.deck, beam, load);
+    into_.along_beams = true;
+  }
+
   using Along = std::function<Vector3d(const Vector3d&)>; // by place; zero: along the normal
 
   // `range`: of a range of numbers those count that there are.
@@ -215,6 +254,7 @@ private:
   const CardsByName& loads_;
   DeckLoadCase& into_;
   std::map<int, std::vector<int>> shells_; // by the number of their element
+  std::map<int, int> beams_;               // likewise
   std::set<int> surfaces_;                 // numbers of all elements that are surfaces
   bool acts_ = false;
 };
@@ -238,7 +278,7 @@ int chosen(const Subcase& above, const Subcase& own, const std::string& kind) {
 } // namespace
 
 bool is_load_card(const std::string& name) {
-  return followed_loads.contains(name) || loads_not_had.contains(name);
+  return followed_loads.contains(name) || loads_not_had.contains(name) || is_temperature_card(name);
 }
 
 HeldBySets held_by(const NastranReading& r, const std::set<int>& sets,
@@ -282,10 +322,14 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
   };
   if (!bulk.has_control) {
     std::set<int> sums, single;
-    for (const auto& of_name : loads)
+    bool warm = false;
+    for (const auto& of_name : loads) {
+      warm = warm || is_temperature_card(of_name.first);
+      if (is_temperature_card(of_name.first)) continue;
       for (const Card* card : of_name.second)
         r.problems.collect(
             [&] { (of_name.first == "LOAD" ? sums : single).insert(card->whole(0)); });
+    }
     const std::set<int>& there = sums.empty() ? single : sums;
     DeckLoadCase open;
     std::set<int> holding;
@@ -294,13 +338,14 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
     HeldBySets held = held_by(r, holding, supports);
     open.supports = std::move(held.supports);
     open.moved = std::move(held.moved);
-    if (there.empty() && open.moved.empty()) return;
+    if (warm) open.not_had = {"has temperatures, which no case control chooses"};
+    if (there.empty() && open.moved.empty() && !warm) return;
     if (there.empty()) return add("its supports", 0, open);
     if (there.size() == 1)
       return add("load " + std::to_string(*there.begin()), *there.begin(), open);
     open.name = "its loads";
-    open.not_had = {"belong to " + std::to_string(there.size()) +
-                    " sets, and no case control chooses one"};
+    open.not_had.push_back("belong to " + std::to_string(there.size()) +
+                           " sets, and no case control chooses one");
     return r.deck.load_cases.push_back(open);
   }
   if (bulk.subcases.empty()) return;
@@ -316,8 +361,8 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
     HeldBySets held;
     const std::size_t before = r.problems.count();
     if (spc != 0) held = held_by(r, sums_spelt_out(r, spc), supports);
-    const bool warm = own.chosen.contains("TEMP") || own.chosen.contains("DEFORM");
-    if (load == 0 && held.moved.empty() && !warm) continue;
+    const int warm = chosen(above, own, "TEMP");
+    if (load == 0 && held.moved.empty() && warm == 0 && !own.chosen.contains("DEFORM")) continue;
     if (r.problems.count() > before)
       made.not_had.push_back("cards of SPC " + std::to_string(spc) + " are wrong");
     made.supports = spc != 0 ? std::move(held.supports) : supports;
@@ -327,11 +372,12 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
                              std::to_string(mpc_in_force));
     for (const std::string& what : bulk.control_not_had)
       made.not_had.push_back(what + " of case control is not had");
-    if (chosen(above, own, "TEMP") != 0) made.not_had.push_back("TEMPERATURE(LOAD) is not had");
+    if (warm != 0) read_temperatures(r, loads, warm, chosen(above, own, "INITIAL"), made);
     if (chosen(above, own, "DEFORM") != 0) made.not_had.push_back("DEFORM is not had");
-    add(!alone      ? "subcase " + std::to_string(own.number)
-        : load == 0 ? "its supports"
-                    : "load " + std::to_string(load),
+    add(!alone                   ? "subcase " + std::to_string(own.number)
+        : load == 0 && warm != 0 ? "temperature " + std::to_string(warm)
+        : load == 0              ? "its supports"
+                                 : "load " + std::to_string(load),
         load, std::move(made));
   }
 }

@@ -7,12 +7,20 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace plica {
 namespace {
 
 constexpr double rounded = 0.02; // of constants that a deck gives with few digits
+constexpr double in_some_way = std::numeric_limits<double>::quiet_NaN(); // DeckExpansion
+
+// Of a wall that is made of one material, or is not: then it does not expand in one way.
+DeckExpansion of_all(const DeckExpansion& so_far, const DeckExpansion& other) {
+  const bool same = so_far.alpha == other.alpha && so_far.reference == other.reference;
+  return same || (so_far.alpha == 0 && other.alpha == 0) ? so_far : DeckExpansion{in_some_way, 0};
+}
 
 // Runs over all cards of a name and keeps what `make` gives, or none where it throws.
 template <class Made, class F>
@@ -61,7 +69,10 @@ NastranProperties::NastranProperties(const CardsByName& cards, double mass_facto
   for (const char* name : {"PQUAD2", "PTRIA2", "PQDMEM", "PQDMEM1", "PQDMEM2", "PTRMEM"})
     make_all(cards, name, walls_, problems, [&](const Card& card) { return pquad2(card); });
   for (const char* name : {"PBAR", "PBARL", "PBEAM", "PBEAML"})
-    make_all(cards, name, beams_, problems, [&](const Card& card) { return beam_of(card); });
+    make_all(cards, name, beams_, problems, [&](const Card& card) {
+      expansions_[card.whole(0)] = material(card, 1).expansion;
+      return beam_of(card);
+    });
   make_all(cards, "PROD", rods_["PROD"], problems, [&](const Card& card) {
     return rod(material(card, 1), card.real(2), card.real(3, 0), card.real(5, 0));
   });
@@ -98,6 +109,7 @@ void NastranProperties::read_mat1(const Card& card) {
   m.G = card.real(2, 0);
   m.nu = card.real(3, 0);
   m.rho = mass_factor_ * card.real(4, 0);
+  m.expansion = {card.real(5, 0), card.real(6, 0)};
   if (m.E == 0 && m.G == 0) {
     m.not_a_wall = "has no stiffness";
     return add_material(card, m);
@@ -122,6 +134,8 @@ void NastranProperties::read_mat2(const Card& card) {
   const double G11 = card.real(1, 0), G12 = card.real(2, 0), G22 = card.real(4, 0),
                G33 = card.real(6, 0);
   m.rho = mass_factor_ * card.real(7, 0);
+  if (card.real(8, 0) != 0 || card.real(9, 0) != 0 || card.real(10, 0) != 0)
+    m.expansion.alpha = in_some_way;
   m.nu = G11 > 0 ? G12 / G11 : 0;
   m.E = G11 * (1 - m.nu * m.nu);
   m.G = G33;
@@ -143,6 +157,7 @@ void NastranProperties::read_mat8(const Card& card) {
   m.nu = card.real(3, 0);
   m.G = card.real(4, 0);
   m.rho = mass_factor_ * card.real(7, 0);
+  if (card.real(8, 0) != 0 || card.real(9, 0) != 0) m.expansion.alpha = in_some_way;
   const bool isotropic = m.E > 0 && std::abs(card.real(2, 0) / m.E - 1) < rounded && m.nu < 0.5 &&
                          std::abs(m.G / m.isotropic_shear() - 1) < rounded;
   if (!isotropic) m.not_a_wall = "is orthotropic (MAT8)";
@@ -231,6 +246,8 @@ NastranWall NastranProperties::pshell(const Card& card) const {
   if (!membrane && !bends) card.wrong("has neither MID1 nor MID2", "a material");
   if (bends && card.whole(3) < 0)
     card.wrong("is in plane strain (MID2 -1)", "a wall in plane stress");
+  wall.expansion = material(card, membrane ? 1 : 3).expansion;
+  if (membrane && bends) wall.expansion = of_all(wall.expansion, material(card, 3).expansion);
   wall.kind = !bends ? WallKind::membrane : membrane ? WallKind::all : WallKind::bending;
   const auto is_odd = [&](std::size_t field) { return !material(card, field).not_a_wall.empty(); };
   const bool other_nu = membrane && bends && !is_odd(1) && !is_odd(3) &&
@@ -262,7 +279,9 @@ NastranWall NastranProperties::pshell(const Card& card) const {
 // Of one material all through, without flexibility in shear; PQDMEM and its like without bending.
 NastranWall NastranProperties::pquad2(const Card& card) const {
   const NastranMaterial& m = material(card, 1);
-  NastranWall wall{.section = {.E = m.E, .nu = m.nu, .rho = m.rho}, .thickness = card.real(2)};
+  NastranWall wall{.section = {.E = m.E, .nu = m.nu, .rho = m.rho},
+                   .thickness = card.real(2),
+                   .expansion = m.expansion};
   if (!(wall.thickness > 0)) card.wrong("has no thickness", "T above 0");
   wall.section.rho += mass_factor_ * card.real(3, 0) / wall.thickness;
   wall.section.shear_correction = rigid_in_shear;
@@ -293,6 +312,7 @@ NastranWall NastranProperties::pcomp(const Card& card) const {
   std::vector<GeneralPly> general;
   double last = 0;
   bool isotropic = form != "MEM" && form != "SMEAR";
+  std::optional<DeckExpansion> expansion;
   for (std::size_t i = 8; i < card.fields.size(); i += step) {
     if (!card.has(i) && !card.has(i + 1) && !card.has(i + 2)) continue;
     std::size_t named = i + shift;
@@ -301,6 +321,7 @@ NastranWall NastranProperties::pcomp(const Card& card) const {
     last = card.real(i + shift + 1, last);
     if (!(last > 0)) card.wrong("has a ply without thickness", "T above 0");
     isotropic = isotropic && m.not_a_wall.empty();
+    expansion = expansion ? of_all(*expansion, m.expansion) : m.expansion;
     plies.push_back({m.E, m.nu, m.rho, m.G, last});
     general.push_back(
         {ply_material(card, named), last, card.real(i + shift + 2, 0) * std::numbers::pi / 180});
@@ -311,7 +332,9 @@ NastranWall NastranProperties::pcomp(const Card& card) const {
     general.insert(general.end(), general.rbegin(), general.rend());
   }
   const IsotropicLaminate laminate = isotropic_laminate(plies);
-  NastranWall wall{.section = laminate.section, .thickness = laminate.thickness};
+  NastranWall wall{.section = laminate.section,
+                   .thickness = laminate.thickness,
+                   .expansion = expansion.value_or(DeckExpansion())};
   const double extra = mass_factor_ * card.real(2, 0) / wall.thickness;
   wall.section.rho += extra;
   wall.offset = card.has(1) ? card.real(1) + wall.thickness / 2 : 0;
@@ -339,6 +362,11 @@ std::optional<TurnedSection> NastranProperties::beam(const Card& asker, int numb
                "PBAR, PBARL, PBEAM, PBEAML");
 }
 
+DeckExpansion NastranProperties::expansion_of_beam(int number) const {
+  const auto found = expansions_.find(number);
+  return found == expansions_.end() ? DeckExpansion() : found->second;
+}
+
 std::optional<NastranRod> NastranProperties::rod(const Card& asker, int number) const {
   const std::string name = asker.name == "CTUBE" ? "PTUBE" : "PROD";
   return known(rods_.at(name), asker, number, name + " " + std::to_string(number),
@@ -347,7 +375,7 @@ std::optional<NastranRod> NastranProperties::rod(const Card& asker, int number) 
 
 NastranRod NastranProperties::rod(const NastranMaterial& m, double A, double J,
                                   double extra) const {
-  return {m.E * A, m.G * J, m.rho * A + mass_factor_ * extra};
+  return {m.E * A, m.G * J, m.rho * A + mass_factor_ * extra, m.expansion};
 }
 
 } // namespace plica

@@ -4,6 +4,7 @@
 #include "io/decks/deck_sections.hpp"
 #include "io/decks/nastran_grids.hpp"
 #include "io/decks/nastran_laminate.hpp"
+#include "model/description/deck_model.hpp"
 
 namespace plica {
 
@@ -12,6 +13,7 @@ namespace plica {
 struct NastranMaterial : BeamMaterial {
   double G = 0;
   int line = 0;
+  DeckExpansion expansion;
   std::string not_a_wall;         // why no isotropic wall is made of it; empty: one is
   std::optional<PlyMaterial> ply; // in plane stress, where it is a material there
   double isotropic_shear() const { return E / (2 * (1 + nu)); }
@@ -26,10 +28,12 @@ struct NastranWall {
   double thickness = 0;                       // 0: of the elements
   double offset = 0;                          // nodes to the middle, along the normal
   std::optional<ShellLaminate> laminate = {}; // where it is not isotropic; section: of no meaning
+  DeckExpansion expansion = {};
 };
 
 struct NastranRod {
   double EA = 0, GJ = 0, mass = 0; // per length
+  DeckExpansion expansion = {};
 };
 
 class NastranProperties {
@@ -43,6 +47,7 @@ public:
   // Of a number; none where the property was refused. InputError when there is none.
   std::optional<NastranWall> wall(const Card& asker, int number) const;
   std::optional<TurnedSection> beam(const Card& asker, int number) const;
+  DeckExpansion expansion_of_beam(int number) const;
   std::optional<NastranRod> rod(const Card& asker, int number) const; // of PROD or PTUBE
   NastranRod rod(const NastranMaterial& m, double A, double J, double extra) const;
   const Card& card(const char* name, int number, const Card& asker) const;
@@ -70,6 +75,7 @@ private:
   std::map<int, NastranMaterial> materials_;
   std::map<int, std::optional<NastranWall>> walls_;
   std::map<int, std::optional<TurnedSection>> beams_;
+  std::map<int, DeckExpansion> expansions_; // of beams
   std::map<std::string, std::map<int, std::optional<NastranRod>>> rods_;
 };
 

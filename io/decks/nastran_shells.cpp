@@ -49,10 +49,10 @@ void add_wall(const NastranReading& r, const Card& card, const NastranWall& wall
   DeckShell made{.nodes = shell.nodes,
                  .thickness = shell.thickness,
                  .offset = offset,
-                 .origin =
-                     card.name + " " + card.text(0) + " in line " + std::to_string(card.at.line),
+                 .origin = card.origin(),
                  .normal = {},
-                 .element = card.whole(0)};
+                 .element = card.whole(0),
+                 .expansion = wall.expansion};
   if (wall.laminate) {
     made.laminate = index_of(deck.laminates, *wall.laminate, [](const auto& a, const auto& b) {
       return a.A == b.A && a.B == b.B && a.D == b.D && a.S == b.S && a.rho == b.rho &&
@@ -74,6 +74,7 @@ void add_wall(const NastranReading& r, const Card& card, const NastranWall& wall
                  : Eigen::Vector3d((x.col(2) - x.col(0)).cross(x.col(3) - x.col(1)));
     if (!(across.norm() > 1e-9 * (x.col(1) - x.col(0)).squaredNorm()))
       card.wrong("has no area", "corners that span one");
+    deck.of_springs[int(deck.springs.size())] = {made.element, made.origin, wall.expansion};
     deck.springs.push_back(
         wall.kind == WallKind::bending
             ? plate_alone(shell.nodes, x, wall.section, shell.thickness[0])
@@ -188,6 +189,7 @@ void panel(const NastranReading& r, const Card& card) {
     const std::size_t from[2] = {0, k == 0 ? 3U : 1U}, to[2] = {k == 0 ? 1U : 3U, 2};
     for (std::size_t bar = 0; bar < 2; ++bar) {
       const int a = nodes[from[bar]], b = nodes[to[bar]];
+      r.deck.of_springs[int(r.deck.springs.size())] = {card.whole(0), card.origin(), m.expansion};
       r.deck.springs.push_back(truss({a, b}, r.deck.nodes[a], r.deck.nodes[b], m.E * area, 0, 0));
     }
   }

@@ -16,9 +16,19 @@ struct DeckForce {
   Eigen::Vector3d force{0, 0, 0}, moment{0, 0, 0};
 };
 
+// Strain of free expansion, the same in all directions and all over an element.
+struct DeckStrain {
+  enum class Of { shell, beam, spring };
+  Of of = Of::shell;
+  int index = 0; // into DeckModel::shells, beams, springs
+  double strain = 0;
+};
+
 struct DeckLoadCase {
   std::string name; // "subcase 2", "step 1"
   std::vector<DeckForce> forces;
+  std::vector<DeckStrain> strains;             // other than zero
+  bool along_beams = false;                    // some of the forces act between nodes of beams
   Eigen::Vector3d gravity{0, 0, 0};            // acceleration that acts on all masses
   std::vector<Constraint> supports;            // in place of those of the deck
   std::map<std::pair<int, int>, double> moved; // by node and DOF that a support holds: how far

@@ -16,6 +16,20 @@
 
 namespace plica {
 
+// alpha (T - reference): strain of a material at a temperature. Not a number: it expands, and not
+// in all directions alike.
+struct DeckExpansion {
+  double alpha = 0, reference = 0; // 1 over a degree of the deck, degrees
+};
+
+// What a beam, or a bar among the springs, is in its deck.
+struct DeckBar {
+  int element = 0;    // its number
+  std::string origin; // for messages: "CBAR 12 in line 34"
+  DeckExpansion expansion = {};
+  Eigen::Vector3d y{0, 0, 0}; // of a beam: the first axis of its section, as the deck has it
+};
+
 struct DeckShell {
   std::vector<int> nodes;        // three or four
   int section = 0;               // index into DeckModel::sections
@@ -26,6 +40,7 @@ struct DeckShell {
   int laminate = -1; // index into DeckModel::laminates, in place of the section: a matrix
   Eigen::Vector3d along = Eigen::Vector3d::Zero(); // axis 1 of the laminate, not yet projected
   int element = 0;                                 // its number in a Nastran deck
+  DeckExpansion expansion = {};
 };
 
 struct DeckCoupling {
@@ -46,8 +61,9 @@ struct DeckModel {
   std::vector<DeckShell> shells;
   std::vector<BeamElement> beams;
   std::vector<MassElement> masses;
-  std::vector<BushingElement> bushings; // their law acts in the middle
-  std::vector<MatrixElement> springs;   // and bars, masses of single DOFs: global axes
+  std::vector<BushingElement> bushings;        // their law acts in the middle
+  std::vector<MatrixElement> springs;          // and bars, masses of single DOFs: global axes
+  std::map<int, DeckBar> of_beams, of_springs; // by index; of springs those that are bars or walls
   std::vector<DeckCoupling> couplings;
   std::vector<Constraint> equations;
   std::vector<Constraint> supports;

@@ -4,6 +4,7 @@
 #include "model/shape/build_deck.hpp"
 #include "model/shape/constraint_clash.hpp"
 #include "model/shape/deck.hpp"
+#include "run/analyses/deck_expansion.hpp"
 #include "run/routes/route.hpp"
 #include "run/stages.hpp"
 #include "solve/modes.hpp"
@@ -38,6 +39,8 @@ struct HeldCase {
   int moved = -1;        // node of the coordinate c, the last of the model; none: nothing moves
   double coordinate = 0; // c, so that a value in the units of the deck is one in SI
   std::vector<int> numbers = {}; // of each node of the deck in the model, -1: nothing uses it
+  Model placed = {};             // what the deck alone makes,
+  std::vector<int> all = {};     // and the numbers of its nodes in the model
 };
 
 // Rows of the supports with the coordinate that moves them, by node and DOF of the model.
@@ -82,11 +85,11 @@ HeldCase held_case(const Case& data, std::size_t number, const DeckLoadCase& loa
   deck->supports = loads.supports;
   part.content = deck;
   HeldCase held{.built = build(changed)};
-  place(*deck, placing_of(part), &held.numbers);
-  const std::vector<int> all = held.built.model.mesh.sets.at(changed.parts[number].name + ".all");
+  held.placed = place(*deck, placing_of(part), &held.numbers);
+  held.all = held.built.model.mesh.sets.at(changed.parts[number].name + ".all");
   for (int& node : held.numbers)
-    if (node >= 0) node = all[std::size_t(node)];
-  if (part.held && !loads.moved.empty()) let_move(held, part, loads, all);
+    if (node >= 0) node = held.all[std::size_t(node)];
+  if (part.held && !loads.moved.empty()) let_move(held, part, loads, held.all);
   return held;
 }
 
@@ -137,7 +140,8 @@ public:
 
   // Displacements over the DOFs of the case, to `u`.
   DeckLoadResult solve(const DeckLoadCase& loads, VectorXd& u) const {
-    const VectorXd F = force(loads);
+    const ExpansionLoads hot = expansion_loads(*deck_.content, held_.placed, loads.strains);
+    const VectorXd grown = over_the_model(hot.force), F = force(loads) + grown;
     VectorXd q = VectorXd::Zero(system_.map.size());
     if (held_.moved >= 0) q[system_.map.independent[6 * held_.moved]] = held_.coordinate;
     const VectorXd rest = gather(system_.map, F) - VectorXd(symmetric_product(system_.K, q));
@@ -149,6 +153,7 @@ public:
     DeckLoadResult result;
     result.residual = f.norm() > 0 ? (f - symmetric_product(K_, x)).norm() / f.norm() : 0;
     fill(result, F, u);
+    result.energy += hot.energy - u.dot(grown);
     u.conservativeResize(own_dofs());
     return result;
   }
@@ -161,6 +166,13 @@ private:
     scale.setIdentity();
     scale.diagonal() = K_.diagonal();
     return scale;
+  }
+
+  VectorXd over_the_model(const VectorXd& of_deck) const {
+    VectorXd F = VectorXd::Zero(dof_count(model_));
+    for (std::size_t node = 0; node < held_.all.size(); ++node)
+      F.segment<6>(6 * held_.all[node]) = of_deck.segment<6>(6 * Eigen::Index(node));
+    return F;
   }
 
   Eigen::Index own_dofs() const { return dof_count(model_) - (held_.moved >= 0 ? 6 : 0); }
@@ -269,6 +281,10 @@ void refuse_what_is_not_had(const Case& data) {
       if (!deck->held && !loads.moved.empty())
         add(part.name + ", " + loads.name + ": moves its supports, which `held: false` lets go",
             "held: true");
+      if (!loads.strains.empty() && data.analyses.stress)
+        add(part.name + ", " + loads.name +
+                ": has temperatures, and stress of what expands is not had",
+            "no stress, or loads without temperatures");
       for (const DeckForce& f : loads.forces)
         if (numbers[std::size_t(f.node)] < 0)
           add(part.name + ", " + loads.name + ": a force acts on node " +
@@ -300,6 +316,10 @@ DeckStatics deck_statics(const Case& data, const BuiltCase& built,
       of = &loads;
       solved.results.push_back(held->solve(loads, fields.emplace_back()));
       solved.results.back().name = data.parts[p].name + ", " + loads.name;
+      if (loads.along_beams && data.analyses.stress)
+        solved.notes.push_back(solved.results.back().name +
+                               ": stresses of beams are those of forces on their nodes, without "
+                               "what a force along them bends between");
       for (const std::string& note : loads.notes)
         solved.notes.push_back(solved.results.back().name + ": " + note);
     }
