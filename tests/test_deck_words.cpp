@@ -233,4 +233,43 @@ TEST(DeckWords, plies_of_no_thickness_and_moduli_across_the_wall_that_are_blank)
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(theirs[i] / plain[i], 1, deck_agreement);
 }
 
+// A normal of a beam turns its section, which of a round one says nothing.
+TEST(DeckWords, a_normal_of_a_beam_whose_axes_are_alike) {
+  const auto beam = [](const std::string& section, const std::string& normal) {
+    return cantilever(4, "B31",
+                      "*BEAM SECTION, ELSET=BEAM, MATERIAL=M, SECTION=" + section +
+                          "\n0., 1., 0.\n*NORMAL, TYPE=ELEMENT\n3, 4, " + normal + "\n");
+  };
+  const Eigen::VectorXd plain = hertz_of(beam("CIRC\n0.05", "0., 1., 0."), 4),
+                        turned = hertz_of(beam("CIRC\n0.05", "0., 0., 1."), 4);
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(turned[i] / plain[i], 1, deck_agreement);
+  try {
+    abaqus::read_text(beam("RECT\n0.05, 0.08", "0., 0., 1."));
+    ADD_FAILURE() << "a section that turns was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("two different axes"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(DeckWords, a_rectangle_in_full) {
+  const auto beam = [](const std::string& shape) {
+    return hertz_of(cantilever(4, "B31",
+                               "*BEAM SECTION, ELSET=BEAM, MATERIAL=M, SECTION=" + shape +
+                                   "\n0.05, 0.08\n0., 1., 0.\n"),
+                    2);
+  };
+  EXPECT_EQ(beam("RECTANGULAR"), beam("RECT"));
+}
+
+// A membrane beside its nodes: its middle is half a thickness above them.
+TEST(DeckWords, a_membrane_beside_its_nodes) {
+  const DeckModel deck = abaqus::read_text(
+      "*NODE\n1, 0.\n2, 1.\n3, 1., 1.\n4, 0., 1.\n*ELEMENT, TYPE=M3D4, ELSET=M\n1, 1, 2, 3, 4\n"
+      "*MATERIAL, NAME=M\n*ELASTIC\n2.e11, 0.3\n*MEMBRANE SECTION, ELSET=M, MATERIAL=M, "
+      "OFFSET=-0.5\n0.02\n");
+  ASSERT_EQ(deck.shells.size(), 1U);
+  EXPECT_NEAR(deck.shells[0].offset, 0.01, 1e-15);
+}
+
 } // namespace plica::test

@@ -32,6 +32,31 @@ void add_translation_mass(MatrixElement& element, double diagonal, double beside
       element.M.block<3, 3>(6 * a, 6 * b).diagonal().array() += a == b ? diagonal : beside;
 }
 
+// Motion of the ends of a beam's axis by that of its nodes: u + theta x arm.
+MatrixXd arms_of(const BeamElement& beam) {
+  MatrixXd arm = MatrixXd::Identity(12, 12);
+  for (Index n = 0; n < 2; ++n) {
+    const Vector3d& o = n == 0 ? beam.offset1 : beam.offset2;
+    arm.block<3, 3>(6 * n, 6 * n + 3) << 0, o.z(), -o.y(), -o.z(), 0, o.x(), o.y(), -o.x(), 0;
+  }
+  return arm;
+}
+
+BeamProperties section_at(const Taper& taper, double x) {
+  std::size_t i = 1;
+  while (i + 1 < taper.size() && taper[i].first < x) ++i;
+  const auto& [x1, a] = taper[i - 1];
+  const auto& [x2, b] = taper[i];
+  const double t = (x - x1) / (x2 - x1);
+  BeamProperties s = a;
+  for (double BeamProperties::*number :
+       {&BeamProperties::EA, &BeamProperties::EI_y, &BeamProperties::EI_z, &BeamProperties::GJ,
+        &BeamProperties::GA_y, &BeamProperties::GA_z, &BeamProperties::mass,
+        &BeamProperties::inertia_x, &BeamProperties::inertia_y, &BeamProperties::inertia_z})
+    if (a.*number != b.*number) s.*number += t * (b.*number - a.*number);
+  return s;
+}
+
 } // namespace
 
 MatrixElement membrane_triangle(const std::vector<int>& nodes, const Matrix3d& x,
@@ -121,18 +146,14 @@ MatrixElement truss(const std::vector<int>& nodes, const Vector3d& x1, const Vec
 
 MatrixElement released_beam(const std::vector<Vector3d>& nodes, const BeamElement& beam,
                             const Vector3d& up, const std::vector<int>& released) {
-  const std::vector<Vector3d> arms{beam.offset1, beam.offset2};
-  const BeamGeometry ends{.node1 = nodes[0] + arms[0], .node2 = nodes[1] + arms[1], .up = beam.up};
+  const BeamGeometry ends{
+      .node1 = nodes[0] + beam.offset1, .node2 = nodes[1] + beam.offset2, .up = beam.up};
   Matrix3d axes; // x along the beam, z towards `up`
   axes.col(0) = (ends.node2 - ends.node1).normalized();
   axes.col(1) = up.cross(axes.col(0)).normalized();
   axes.col(2) = axes.col(0).cross(axes.col(1));
-  MatrixXd R = MatrixXd::Zero(12, 12), arm = MatrixXd::Identity(12, 12);
+  MatrixXd R = MatrixXd::Zero(12, 12);
   for (Index i = 0; i < 12; i += 3) R.block<3, 3>(i, i) = axes;
-  for (Index n = 0; n < 2; ++n) { // u + theta x arm
-    const Vector3d& o = arms[std::size_t(n)];
-    arm.block<3, 3>(6 * n, 6 * n + 3) << 0, o.z(), -o.y(), -o.z(), 0, o.x(), o.y(), -o.x(), 0;
-  }
   const MatrixXd K = R.transpose() * beam_stiffness(ends, beam.section) * R;
   const MatrixXd M = R.transpose() * beam_mass(ends, beam.section) * R;
   const auto n = static_cast<Index>(released.size());
@@ -145,7 +166,33 @@ MatrixElement released_beam(const std::vector<Vector3d>& nodes, const BeamElemen
   inner.setThreshold(1e-10);
   inner.compute(free.transpose() * K * free);
   const MatrixXd T = follow - free * inner.solve(free.transpose() * K * follow);
-  const MatrixXd whole = T * R.transpose() * arm;
+  const MatrixXd whole = T * R.transpose() * arms_of(beam);
+  return {.nodes = {beam.node1, beam.node2},
+          .K = whole.transpose() * K * whole,
+          .M = whole.transpose() * M * whole};
+}
+
+MatrixElement tapered_beam(const std::vector<Vector3d>& nodes, const BeamElement& beam,
+                           const Taper& taper) {
+  constexpr Index pieces = 16, size = 6 * (pieces + 1);
+  const Vector3d first = nodes[0] + beam.offset1, last = nodes[1] + beam.offset2;
+  MatrixXd K = MatrixXd::Zero(size, size), M = K;
+  for (Index p = 0; p < pieces; ++p) {
+    const auto place = [&](Index i) {
+      return Vector3d(first + double(i) / double(pieces) * (last - first));
+    };
+    const BeamGeometry piece{.node1 = place(p), .node2 = place(p + 1), .up = beam.up};
+    const BeamProperties section = section_at(taper, (double(p) + 0.5) / double(pieces));
+    K.block<12, 12>(6 * p, 6 * p) += beam_stiffness(piece, section);
+    M.block<12, 12>(6 * p, 6 * p) += beam_mass(piece, section);
+  }
+  MatrixXd shapes = MatrixXd::Zero(size, 12);
+  shapes.topLeftCorner<6, 6>().setIdentity();
+  shapes.bottomRightCorner<6, 6>().setIdentity();
+  const Index inner = size - 12;
+  const Eigen::LLT<MatrixXd> inside(MatrixXd(K.block(6, 6, inner, inner)));
+  shapes.middleRows(6, inner) = -inside.solve(MatrixXd((K * shapes).middleRows(6, inner)));
+  const MatrixXd whole = shapes * arms_of(beam);
   return {.nodes = {beam.node1, beam.node2},
           .K = whole.transpose() * K * whole,
           .M = whole.transpose() * M * whole};

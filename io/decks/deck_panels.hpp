@@ -1,5 +1,5 @@
-// Flat elements that decks have and Model has not, as matrices: membranes and plates of three and
-// four nodes, panels in shear, trusses. Each in the units of its deck, global axes, six DOFs a
+// Elements that decks have and Model has not, as matrices: membranes and plates of three and four
+// nodes, panels in shear, trusses, beams with released ends or a taper. Each in the units of its deck, global axes, six DOFs a
 // node.
 #pragma once
 
@@ -35,6 +35,14 @@ MatrixElement truss(const std::vector<int>& nodes, const Eigen::Vector3d& x1,
 // the local axes, 0..5 of node 1 and 6..11 of node 2, after the offsets.
 MatrixElement released_beam(const std::vector<Eigen::Vector3d>& nodes, const BeamElement& beam,
                             const Eigen::Vector3d& up, const std::vector<int>& released);
+
+// A section along a beam: straight between stations, which go from 0 to 1 of its length.
+using Taper = std::vector<std::pair<double, BeamProperties>>;
+
+// A beam whose section varies: sixteen short ones, each with the section in its middle, condensed
+// with the static shapes of the whole.
+MatrixElement tapered_beam(const std::vector<Eigen::Vector3d>& nodes, const BeamElement& beam,
+                           const Taper& taper);
 
 // Says how many shells have walls that are not isotropic, and what that means.
 void note_laminates(DeckModel& deck);

@@ -65,9 +65,16 @@ void beam(const NastranReading& r, const Card& card) {
   }
   const std::vector<int> free = released(card);
   const Vector3d y = axis.cross(up).cross(axis).normalized();
-  const DeckBar bar{card.whole(0), card.origin(),
-                    r.properties.expansion_of_beam(by.has(1) ? by.whole(1) : card.whole(0)), y};
-  if (free.empty()) {
+  const int number = by.has(1) ? by.whole(1) : card.whole(0);
+  const DeckBar bar{card.whole(0), card.origin(), r.properties.expansion_of_beam(number), y};
+  const Taper* taper = r.properties.taper_of_beam(number);
+  if (taper != nullptr) {
+    if (!free.empty())
+      card.wrong("is tapered and has released ends", "a constant section, or no pin flags");
+    r.deck.of_springs[int(r.deck.springs.size())] = bar;
+    r.deck.springs.push_back(
+        tapered_beam({r.deck.nodes[beam.node1], r.deck.nodes[beam.node2]}, beam, *taper));
+  } else if (free.empty()) {
     r.deck.of_beams[int(r.deck.beams.size())] = bar;
     r.deck.beams.push_back(beam);
   } else {

@@ -1,7 +1,9 @@
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_properties.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace plica {
 namespace {
@@ -18,18 +20,71 @@ void set_shear(const Card& card, TurnedSection& section, double K1, double K2, d
   if (K2 > 0) section.properties.GA_y = K2 * GA;
 }
 
+// What a card gives at a place along the beam, as a share of its length.
+struct Station {
+  double x = 0;
+  std::vector<double> numbers;
+};
+
+// `count` numbers at the stations from `field` on, SO and X/XB before them; first those of end A.
+// Blank ones are those of end A at end B, between them on the straight line. Leaves `field` behind
+// them. `step`: fields of a station, given whether stresses are asked for there.
+template <class Step>
+std::vector<Station> stations_of(const Card& card, const std::vector<double>& at_a,
+                                 std::size_t& field, Step&& step) {
+  struct Given {
+    double x = 0;
+    std::vector<std::optional<double>> numbers;
+  };
+  std::vector<Given> given;
+  while (field < card.fields.size() && card.has(field) &&
+         std::isalpha(static_cast<unsigned char>(card.text(field)[0]))) {
+    Given& station = given.emplace_back();
+    station.x = card.real(field + 1, 1);
+    for (std::size_t i = 0; i < at_a.size(); ++i)
+      station.numbers.push_back(card.has(field + 2 + i) ? std::optional(card.real(field + 2 + i))
+                                                        : std::nullopt);
+    field += step(in_capitals(card.text(field)) == "YES");
+  }
+  std::sort(given.begin(), given.end(), [](const Given& a, const Given& b) { return a.x < b.x; });
+  std::vector<Station> all{{0, at_a}};
+  if (given.empty()) return all;
+  std::vector<double> at_b = at_a;
+  for (std::size_t i = 0; i < at_b.size(); ++i) at_b[i] = given.back().numbers[i].value_or(at_a[i]);
+  for (const Given& g : given) {
+    if (!(g.x > all.back().x && g.x <= 1))
+      card.wrong("has a station at X/XB " + std::to_string(g.x), "one of each place above 0, to 1");
+    Station& station = all.emplace_back(Station{g.x, {}});
+    for (std::size_t i = 0; i < at_a.size(); ++i)
+      station.numbers.push_back(g.numbers[i].value_or(at_a[i] + g.x * (at_b[i] - at_a[i])));
+  }
+  if (all.back().x != 1) all.push_back({1, at_b});
+  return all;
+}
+
+bool is_tapered(const std::vector<Station>& stations) {
+  return std::any_of(stations.begin(), stations.end(), [&](const Station& s) {
+    return !std::equal(s.numbers.begin(), s.numbers.end(), stations.front().numbers.begin(), alike);
+  });
+}
+
 } // namespace
 
 // Our local z is the y of the element, the direction of its orientation vector, our y its -z.
-TurnedSection NastranProperties::beam_of(const Card& card) const {
+TurnedSection NastranProperties::beam_of(const Card& card) {
   const NastranMaterial& m = material(card, 1);
   TurnedSection section = card.name == "PBAR"    ? pbar(card, m)
                           : card.name == "PBEAM" ? pbeam(card, m)
                                                  : shaped(card, m);
   const double shear = m.isotropic_shear() > 0 ? m.G / m.isotropic_shear() : 1;
-  section.properties.GJ *= shear;
-  section.properties.GA_y *= shear;
-  section.properties.GA_z *= shear;
+  const auto scale = [shear](BeamProperties& s) {
+    s.GJ *= shear;
+    s.GA_y *= shear;
+    s.GA_z *= shear;
+  };
+  scale(section.properties);
+  if (const auto taper = tapers_.find(card.whole(0)); taper != tapers_.end())
+    for (auto& [x, s] : taper->second) scale(s);
   return section;
 }
 
@@ -42,42 +97,41 @@ TurnedSection NastranProperties::pbar(const Card& card, const NastranMaterial& m
   return section;
 }
 
-// Stations along the beam, from `field` on, have to repeat its first end; leaves `field` behind
-// them.
-double NastranProperties::constant_along(const Card& card, std::size_t& field) const {
-  while (field < card.fields.size() && card.has(field) &&
-         std::isalpha(static_cast<unsigned char>(card.text(field)[0]))) {
-    for (std::size_t i = 2; i < 8; ++i)
-      if (card.has(field + i) && !alike(card.real(field + i), card.real(i, 0)))
-        card.wrong("is tapered: it has stations along the beam with other values",
-                   "a constant section");
-    field += in_capitals(card.text(field)) == "YES" ? 16 : 8; // with points of stress, or without
-  }
-  return card.real(7, 0);
-}
-
-TurnedSection NastranProperties::pbeam(const Card& card, const NastranMaterial& m) const {
-  const double A = card.real(2);
+TurnedSection NastranProperties::pbeam(const Card& card, const NastranMaterial& m) {
   std::size_t field = 16;
   const bool has_stress =
       !card.has(8) || !std::isalpha(static_cast<unsigned char>(card.text(8)[0]));
   if (!has_stress) field = 8;
-  const double extra = constant_along(card, field);
-  TurnedSection section =
-      principal_section(m, A, card.real(3), card.real(4, 0), -card.real(5, 0), card.real(6, 0));
-  section.properties.mass += mass_factor_ * extra;
+  const std::vector<Station> stations =
+      stations_of(card,
+                  {card.real(2), card.real(3), card.real(4, 0), card.real(5, 0), card.real(6, 0),
+                   card.real(7, 0)},
+                  field, [](bool stress) { return stress ? 16U : 8U; });
   for (std::size_t i = 8; i < 16; ++i)
     if (card.real(field + i, 0) != 0)
       card.wrong("has a neutral axis or a centre of mass beside the shear centre (N, M)",
                  "M1, M2, N1, N2 blank");
   for (std::size_t i = field + 16; i < card.fields.size(); ++i)
-    if (card.has(i)) card.wrong("goes on with \"" + card.text(i) + "\"", "a constant section");
-  section.properties.inertia_x += mass_factor_ * card.real(field + 4, 0);
-  set_shear(card, section, card.real(field, 1), card.real(field + 1, 1), m.isotropic_shear() * A);
-  return section;
+    if (card.has(i)) card.wrong("goes on with \"" + card.text(i) + "\"", "stations");
+  const auto section = [&](const Station& s) { // A, I1, I2, I12, J, NSM
+    const std::vector<double>& n = s.numbers;
+    TurnedSection made = principal_section(m, n[0], n[1], n[2], -n[3], n[4]);
+    made.properties.mass += mass_factor_ * n[5];
+    const double spread = card.real(field + 4, 0);
+    made.properties.inertia_x +=
+        mass_factor_ * (spread + s.x * (card.real(field + 5, spread) - spread));
+    set_shear(card, made, card.real(field, 1), card.real(field + 1, 1), m.isotropic_shear() * n[0]);
+    if (made.turn != 0 && is_tapered(stations))
+      card.wrong("is tapered and has a product of inertia", "I12 blank, or a constant section");
+    return made;
+  };
+  if (is_tapered(stations))
+    for (const Station& s : stations)
+      tapers_[card.whole(0)].emplace_back(s.x, section(s).properties);
+  return section(stations.front());
 }
 
-TurnedSection NastranProperties::shaped(const Card& card, const NastranMaterial& m) const {
+TurnedSection NastranProperties::shaped(const Card& card, const NastranMaterial& m) {
   const std::size_t count = sizes_of_profile(card);
   const std::string type = in_capitals(card.text(3));
   static const std::set<std::string> symmetric{"ROD",  "TUBE", "TUBE2", "BAR",   "BOX",
@@ -92,21 +146,23 @@ TurnedSection NastranProperties::shaped(const Card& card, const NastranMaterial&
   if (card.name == "PBEAML" && (!symmetric.contains(type) || uneven))
     card.wrong("has the shape " + type + ", whose shear centre lies beside its centroid",
                "a shape with two axes of symmetry, or PBARL");
-  TurnedSection section = nastran_profile(card, m, sizes);
-  section.properties.mass += mass_factor_ * card.real(8 + count, 0);
-  for (std::size_t i = 9 + count; i < card.fields.size();) { // SO, X/XB, sizes, NSM of a station
-    if (!card.has(i) || card.name != "PBEAML") {
-      if (card.has(i)) card.wrong("goes on with \"" + card.text(i) + "\"", "a constant section");
-      ++i;
-      continue;
-    }
-    for (std::size_t k = 0; k <= count; ++k)
-      if (card.has(i + 2 + k) && !alike(card.real(i + 2 + k), card.real(8 + k, 0)))
-        card.wrong("is tapered: it has stations along the beam with other sizes",
-                   "a constant section");
-    i += 3 + count;
-  }
-  return section;
+  sizes.push_back(card.real(8 + count, 0)); // and NSM
+  std::size_t field = 9 + count;
+  std::vector<Station> stations{{0, sizes}};
+  if (card.name == "PBEAML") // SO, X/XB, sizes, NSM of a station
+    stations = stations_of(card, sizes, field, [count](bool) { return 3 + count; });
+  for (; field < card.fields.size(); ++field)
+    if (card.has(field)) card.wrong("goes on with \"" + card.text(field) + "\"", "stations");
+  const auto section = [&](const Station& s) {
+    TurnedSection made =
+        nastran_profile(card, m, {s.numbers.begin(), s.numbers.end() - 1});
+    made.properties.mass += mass_factor_ * s.numbers.back();
+    return made;
+  };
+  if (is_tapered(stations))
+    for (const Station& s : stations)
+      tapers_[card.whole(0)].emplace_back(s.x, section(s).properties);
+  return section(stations.front());
 }
 
 } // namespace plica

@@ -187,8 +187,8 @@ private:
     const auto found = beams_.find(element);
     if (found == beams_.end())
       c.wrong("acts on element " + std::to_string(element) +
-                  ", which is no beam of the deck, or one with released ends",
-              "CBAR and CBEAM without pin flags");
+                  ", which is no beam of the deck, or one with released ends or a taper",
+              "CBAR and CBEAM without pin flags, of a constant section");
     const BeamElement& beam = r_.deck.beams[std::size_t(found->second)];
     const std::string type = in_capitals(c.text(2)), scale = in_capitals(c.text(3));
     static const std::set<std::string> types{"FX", "FY", "FZ", "FXE", "FYE", "FZE"};

@@ -367,6 +367,11 @@ DeckExpansion NastranProperties::expansion_of_beam(int number) const {
   return found == expansions_.end() ? DeckExpansion() : found->second;
 }
 
+const Taper* NastranProperties::taper_of_beam(int number) const {
+  const auto found = tapers_.find(number);
+  return found == tapers_.end() ? nullptr : &found->second;
+}
+
 std::optional<NastranRod> NastranProperties::rod(const Card& asker, int number) const {
   const std::string name = asker.name == "CTUBE" ? "PTUBE" : "PROD";
   return known(rods_.at(name), asker, number, name + " " + std::to_string(number),

@@ -1,6 +1,7 @@
 // Materials and properties of a Nastran deck, by their numbers.
 #pragma once
 
+#include "io/decks/deck_panels.hpp"
 #include "io/decks/deck_sections.hpp"
 #include "io/decks/nastran_grids.hpp"
 #include "io/decks/nastran_laminate.hpp"
@@ -48,6 +49,7 @@ public:
   std::optional<NastranWall> wall(const Card& asker, int number) const;
   std::optional<TurnedSection> beam(const Card& asker, int number) const;
   DeckExpansion expansion_of_beam(int number) const;
+  const Taper* taper_of_beam(int number) const; // null: its section is the same all along
   std::optional<NastranRod> rod(const Card& asker, int number) const; // of PROD or PTUBE
   NastranRod rod(const NastranMaterial& m, double A, double J, double extra) const;
   const Card& card(const char* name, int number, const Card& asker) const;
@@ -64,11 +66,10 @@ private:
   NastranWall general_pshell(const Card& card, NastranWall wall) const;
   NastranWall pcomp(const Card& card) const;
   NastranWall pquad2(const Card& card) const;
-  TurnedSection beam_of(const Card& card) const;
+  TurnedSection beam_of(const Card& card);
   TurnedSection pbar(const Card& card, const NastranMaterial& m) const;
-  TurnedSection pbeam(const Card& card, const NastranMaterial& m) const;
-  double constant_along(const Card& card, std::size_t& field) const;
-  TurnedSection shaped(const Card& card, const NastranMaterial& m) const;
+  TurnedSection pbeam(const Card& card, const NastranMaterial& m);
+  TurnedSection shaped(const Card& card, const NastranMaterial& m);
 
   const CardsByName& cards_;
   double mass_factor_;
@@ -76,6 +77,7 @@ private:
   std::map<int, std::optional<NastranWall>> walls_;
   std::map<int, std::optional<TurnedSection>> beams_;
   std::map<int, DeckExpansion> expansions_; // of beams
+  std::map<int, Taper> tapers_;             // of those that have one
   std::map<std::string, std::map<int, std::optional<NastranRod>>> rods_;
 };
 
