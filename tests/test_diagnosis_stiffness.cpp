@@ -183,7 +183,6 @@ TEST(RigAnswers, of_damped_modes_and_dampers_are_those_of_the_part) {
   for (Index i = 0; i < y.size(); ++i) {
     const Reading& r = readings[std::size_t(i)];
     const double tolerance = r.kind == ReadingKind::loss ? 0.03 : 0.01;
-    print_for_table("rig of a damped lap, " + r.name, y[i], r.value, tolerance);
     EXPECT_NEAR(y[i] / r.value, 1, tolerance) << r.name;
   }
 }

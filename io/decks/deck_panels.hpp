@@ -1,6 +1,6 @@
 // Elements that decks have and Model has not, as matrices: membranes and plates of three and four
-// nodes, panels in shear, trusses, beams with released ends or a taper. Each in the units of its deck, global axes, six DOFs a
-// node.
+// nodes, panels in shear, trusses, beams with released ends or a taper. Each in the units of its
+// deck, global axes, six DOFs a node.
 #pragma once
 
 #include "elements/shell_section.hpp"

@@ -154,8 +154,7 @@ TurnedSection NastranProperties::shaped(const Card& card, const NastranMaterial&
   for (; field < card.fields.size(); ++field)
     if (card.has(field)) card.wrong("goes on with \"" + card.text(field) + "\"", "stations");
   const auto section = [&](const Station& s) {
-    TurnedSection made =
-        nastran_profile(card, m, {s.numbers.begin(), s.numbers.end() - 1});
+    TurnedSection made = nastran_profile(card, m, {s.numbers.begin(), s.numbers.end() - 1});
     made.properties.mass += mass_factor_ * s.numbers.back();
     return made;
   };
