@@ -224,7 +224,7 @@ MatrixXd symmetric_product(const SparseMatrix& lower, const MatrixXd& x) {
   if (x.cols() < width / 2) return lower.selfadjointView<Eigen::Lower>() * x;
   MatrixXd y(lower.rows(), x.cols());
   const int blocks = int((x.cols() + width - 1) / width);
-#pragma omp parallel for schedule(dynamic) if (!omp_in_parallel())
+#pragma omp parallel for schedule(dynamic) if (blocks > 1 && !omp_in_parallel())
   for (int b = 0; b < blocks; ++b) {
     const auto columns =
         Eigen::seqN(b * width, std::min<Eigen::Index>(width, x.cols() - b * width));

@@ -107,17 +107,18 @@ InertiaCount count_schur(const Partition& part, const SparseFactor& factor) {
 // on one side of sigma to the other.
 bool is_exact_enough(const SignedCholesky& factor, const SparseMatrix& K, const SparseMatrix& M,
                      double sigma, const MatrixXd& vectors) {
-  constexpr double most_growth = 1e6, safety = 10, eps = std::numeric_limits<double>::epsilon();
-  const VectorXd& squares = factor.squares();
-  const VectorXd diagonal = VectorXd(K.diagonal()).cwiseAbs().cwiseMax(1e-300);
-  if (!(squares.cwiseQuotient(diagonal).maxCoeff() < most_growth)) return false;
-  const VectorXd root = squares.cwiseSqrt();
-  for (Eigen::Index j = 0; j < vectors.cols(); ++j) {
-    const VectorXd x = vectors.col(j);
-    const double mass = std::abs(x.dot(symmetric_product(M, x).col(0)));
-    const double stiffness = x.dot(symmetric_product(K, x).col(0));
-    const double error = safety * eps * root.cwiseProduct(x).squaredNorm();
-    if (!(error < std::abs(stiffness - sigma * mass))) return false;
+  constexpr double safety = 10, eps = std::numeric_limits<double>::epsilon();
+  constexpr Eigen::Index stripe = 32;
+  const VectorXd root = factor.squares().cwiseSqrt();
+  for (Eigen::Index first = 0; first < vectors.cols(); first += stripe) {
+    const MatrixXd X = vectors.middleCols(first, std::min(stripe, vectors.cols() - first));
+    const auto form = [&](const SparseMatrix& A) {
+      return VectorXd(X.cwiseProduct(symmetric_product(A, X)).colwise().sum());
+    };
+    const VectorXd error =
+        safety * eps * (root.asDiagonal() * X).colwise().squaredNorm().transpose();
+    const VectorXd distance = (form(K) - sigma * form(M).cwiseAbs()).cwiseAbs();
+    if (!(error.array() < distance.array()).all()) return false;
   }
   return true;
 }
@@ -135,8 +136,10 @@ SparseMatrix shifted(const SparseMatrix& K, const SparseMatrix& M, double sigma)
 InertiaCount count_below(const SparseMatrix& K, const SparseMatrix& M, double sigma,
                          const MatrixXd& vectors, SparseFactor& factor) {
   const SignedCholesky signs(shifted(K, M, sigma), factor.order());
-  if (!signs.ok() || !is_exact_enough(signs, K, M, sigma, vectors))
-    return count_below_by_schur(K, M, sigma, vectors, factor);
+  constexpr Eigen::Index many = 200; // vectors: to choose DOFs by them would take longer than LDL'
+  if (!signs.keeps_digits(K) || !is_exact_enough(signs, K, M, sigma, vectors))
+    return vectors.cols() < many ? count_below_by_schur(K, M, sigma, vectors, factor)
+                                 : count_below_ldlt(K, M, sigma);
   InertiaCount count;
   count.below = signs.negative_pivots();
   return count;

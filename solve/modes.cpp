@@ -2,8 +2,10 @@
 
 #include "solve/block_lanczos.hpp"
 #include "solve/dense_modes.hpp"
+#include "solve/dense_product.hpp"
 #include "solve/model_error.hpp"
 #include "solve/modes_search.hpp"
+#include "solve/spectrum_slices.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/short_text.hpp"
 
@@ -24,6 +26,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index worth_blocks = 5000; // unknowns
+constexpr int worth_slices = 500;    // modes
+constexpr Index stripe = 64;         // columns at a time: of many modes no second copy is made
 
 double spectrum_scale(const SparseMatrix& K, const SparseMatrix& M) {
   const double scale = median_ratio(K.diagonal(), M.diagonal());
@@ -45,12 +49,68 @@ bool is_definite(const SparseMatrix& K, const SparseMatrix& M, const SparseFacto
 
 VectorXd residuals(const SparseMatrix& K, const SparseMatrix& M, const VectorXd& lambda,
                    const MatrixXd& Phi, double shift) {
-  const MatrixXd MPhi = symmetric_product(M, Phi);
-  const MatrixXd R = symmetric_product(K, Phi) - MPhi * lambda.asDiagonal();
   VectorXd r(lambda.size());
-  for (Index i = 0; i < r.size(); ++i)
-    r[i] = R.col(i).norm() / ((std::abs(lambda[i]) + std::abs(shift)) * MPhi.col(i).norm());
+  for (Index first = 0; first < r.size(); first += stripe) {
+    const Index count = std::min(stripe, r.size() - first);
+    const MatrixXd X = Phi.middleCols(first, count), MX = symmetric_product(M, X);
+    const VectorXd values = lambda.segment(first, count);
+    const MatrixXd R = symmetric_product(K, X) - MX * values.asDiagonal();
+    r.segment(first, count) =
+        R.colwise().norm().transpose().array() /
+        ((values.cwiseAbs().array() + std::abs(shift)) * MX.colwise().norm().transpose().array());
+  }
   return r;
+}
+
+// max |Phi' M Phi - I|
+double orthogonality(const SparseMatrix& M, const MatrixXd& Phi) {
+  double largest = 0;
+  for (Index first = 0; first < Phi.cols(); first += stripe) {
+    const Index count = std::min(stripe, Phi.cols() - first);
+    const MatrixXd MX = symmetric_product(M, Phi.middleCols(first, count));
+    MatrixXd gram = transposed_product(Phi.rightCols(Phi.cols() - first), MX);
+    gram.topRows(count) -= MatrixXd::Identity(count, count);
+    largest = std::max(largest, gram.cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+// By the way that suits the size. The first attempts at many modes by slices, the last without.
+EigenPairs find_pairs(const SparseMatrix& K, const SparseMatrix& M, const BaseFactor& base,
+                      const LanczosSettings& settings, bool by_slices) {
+  if (better_dense(K, M)) return dense_modes(K, M, base.sigma);
+  if (K.rows() < worth_blocks) return lanczos(M, base.factor, base.sigma, settings);
+  if (by_slices && settings.count > worth_slices)
+    return spectrum_slices(K, M, base.factor, base.sigma,
+                           {.count = settings.count, .seed = settings.seed});
+  return block_lanczos(M, base.factor, base.sigma, settings);
+}
+
+// How many modes to look for where `found` do not fill the band.
+int modes_in_band(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
+                  const SparseFactor& factor, int found) {
+  const int more = 2 * found;
+  if (request.count > 0 || K.rows() < worth_blocks) return more;
+  const std::optional<int> below = count_roughly(K, M, eigenvalue(request.band[1]), factor);
+  return below ? std::max(*below, found) + guard_modes : more;
+}
+
+// Without a copy of K, which is large; the sums over blocks of columns have one order.
+VectorXd rounding_of_stripe(const SparseMatrix& K, const Eigen::Ref<const MatrixXd>& Phi) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Rows size = Phi.cwiseAbs();
+  constexpr int width = 4096;
+  const int blocks = static_cast<int>((K.cols() + width - 1) / width);
+  Rows sums = Rows::Zero(blocks, Phi.cols());
+#pragma omp parallel for schedule(dynamic) if (!omp_in_parallel())
+  for (int b = 0; b < blocks; ++b)
+    for (Index j = Index(b) * width; j < std::min<Index>(K.cols(), Index(b + 1) * width); ++j) {
+      Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(Phi.cols());
+      for (SparseMatrix::InnerIterator it(K, j); it; ++it)
+        force += std::abs(it.value()) * (it.row() == j ? 1. : 2.) * size.row(it.row());
+      sums.row(b) += force.cwiseProduct(size.row(j));
+    }
+  return std::numeric_limits<double>::epsilon() * sums.colwise().sum().transpose();
 }
 
 // A free body: put the shift near the lowest elastic mode, where Lanczos is accurate and fast.
@@ -157,22 +217,13 @@ void judge_accuracy(ModesProof& proof) {
                     "mount: rigid) or softer, leave the small mass away";
 }
 
-// Without a copy of K, which is large; the sums over blocks of columns have one order.
 VectorXd rounding_errors(const SparseMatrix& K, const MatrixXd& Phi) {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Rows size = Phi.cwiseAbs();
-  constexpr int width = 4096;
-  const int blocks = static_cast<int>((K.cols() + width - 1) / width);
-  Rows sums = Rows::Zero(blocks, Phi.cols());
-#pragma omp parallel for schedule(dynamic) if (!omp_in_parallel())
-  for (int b = 0; b < blocks; ++b)
-    for (Index j = Index(b) * width; j < std::min<Index>(K.cols(), Index(b + 1) * width); ++j) {
-      Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(Phi.cols());
-      for (SparseMatrix::InnerIterator it(K, j); it; ++it)
-        force += std::abs(it.value()) * (it.row() == j ? 1. : 2.) * size.row(it.row());
-      sums.row(b) += force.cwiseProduct(size.row(j));
-    }
-  return std::numeric_limits<double>::epsilon() * sums.colwise().sum().transpose();
+  VectorXd errors(Phi.cols());
+  for (Index first = 0; first < Phi.cols(); first += stripe) {
+    const Index count = std::min(stripe, Phi.cols() - first);
+    errors.segment(first, count) = rounding_of_stripe(K, Phi.middleCols(first, count));
+  }
+  return errors;
 }
 
 double relative_rounding(const VectorXd& lambda, const VectorXd& errors, double small) {
@@ -204,17 +255,16 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
   const int least = base.sigma < 0 ? 6 : 1;
   settings.count =
       std::min(most, (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes);
-  constexpr int attempts = 3;
+  constexpr int attempts = 3, few = 24;
   bool scaled = base.sigma == 0;
   double factored_at = base.sigma;
   for (int attempt = 0; attempt < attempts;) {
     if (factored_at != base.sigma && !base.factor.factorise(shifted(K, M, base.sigma)).ok)
       throw ModelError("the stiffness is lost in its rounding: its factor could not be made again");
     factored_at = base.sigma;
-    const EigenPairs pairs = better_dense(K, M) ? dense_modes(K, M, base.sigma)
-                             : K.rows() < worth_blocks
-                                 ? lanczos(M, base.factor, base.sigma, settings)
-                                 : block_lanczos(M, base.factor, base.sigma, settings);
+    LanczosSettings now = settings;
+    if (!scaled && settings.count > worth_slices) now.count = few; // no more are needed to scale
+    const EigenPairs pairs = find_pairs(K, M, base, now, attempt + 1 < attempts);
     modes.operations += pairs.operations;
     watch.lap(modes.timing, "lanczos");
     if (!scaled && pairs.converged) {
@@ -229,7 +279,7 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     const int keep = modes_asked(request, pairs.values, small);
     if (pairs.converged && !better_dense(K, M) && keep == pairs.values.size() &&
         pairs.values.size() < most) {
-      settings.count = std::min(2 * settings.count, most);
+      settings.count = std::min(modes_in_band(K, M, request, base.factor, settings.count), most);
       continue;
     }
     modes.lambda = pairs.values.head(keep);
@@ -246,8 +296,7 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
     if (keep > 0) {
       modes.proof.max_residual = modes.residual.maxCoeff();
       modes.proof.rounding = relative_rounding(modes.lambda, modes.rounding, small);
-      const MatrixXd gram = modes.Phi.transpose() * symmetric_product(M, modes.Phi);
-      modes.proof.orthogonality = (gram - MatrixXd::Identity(keep, keep)).cwiseAbs().maxCoeff();
+      modes.proof.orthogonality = orthogonality(M, modes.Phi);
     }
     if (!pairs.converged) modes.proof.reason = pairs.reason;
     if (pairs.converged && (!request.proof || modes.proof.passed)) break;
