@@ -50,10 +50,12 @@ TEST(DiagnoseCases, finds_the_slip_of_the_bolted_lap) {
   })) << d.warnings.size();
 }
 
-// A real frame whose cause nobody stated: a lower modulus is tempting and is exposed.
+// A real frame whose cause nobody stated: a lower modulus is tempting and is exposed, and nothing
+// is sure. A fixture of four parameters meets three frequencies, and foretells none of them.
 TEST(DiagnoseCases, does_not_take_a_soft_frame_for_a_soft_material) {
   const Diagnosis d = diagnosis_of("three_storey_frame");
-  EXPECT_EQ(d.verdict, Verdict::unknown) << d.headline;
+  EXPECT_TRUE(d.verdict == Verdict::unknown || d.verdict == Verdict::ambiguous) << d.headline;
+  EXPECT_NE(d.headline.find("foretold no better"), std::string::npos) << d.headline;
   ASSERT_FALSE(d.compensators.empty());
   EXPECT_EQ(d.compensators.front().name, "Young's modulus");
   EXPECT_GT(d.compensators.front().prior_sigmas, 3);
