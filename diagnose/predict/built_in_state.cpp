@@ -8,10 +8,17 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-// Forces of beams along their axes, and of springs along theirs.
+// What an element has of stiffness and bears along its axes.
+struct BorneByBeam {
+  double stiffness = 0, force = 0;
+};
+struct BorneBySpring {
+  Matrix6 law = Matrix6::Zero();
+  Vector6 force = Vector6::Zero();
+};
 struct Borne {
-  std::vector<double> beams;
-  std::vector<Vector6> springs;
+  std::vector<BorneByBeam> beams;
+  std::vector<BorneBySpring> springs;
 };
 
 Vector6 force_of(const Model& model, const BushingElement& b) {
@@ -21,21 +28,23 @@ Vector6 force_of(const Model& model, const BushingElement& b) {
 Borne borne_by(const Model& model) {
   Borne borne;
   for (const BeamElement& b : model.beams)
-    borne.beams.push_back(b.section.EA * (axial_strain(model, b) - b.section.thermal_strain));
-  for (const BushingElement& b : model.bushings) borne.springs.push_back(force_of(model, b));
+    borne.beams.push_back(
+        {b.section.EA, b.section.EA * (axial_strain(model, b) - b.section.thermal_strain)});
+  for (const BushingElement& b : model.bushings)
+    borne.springs.push_back({b.bushing.law, force_of(model, b)});
   return borne;
 }
 
 void bear(const Borne& before, Model& model) {
   for (std::size_t i = 0; i < before.beams.size(); ++i) {
     BeamElement& b = model.beams[i];
-    if (b.section.EA > 0)
-      b.section.thermal_strain = axial_strain(model, b) - before.beams[i] / b.section.EA;
+    if (b.section.EA > 0 && b.section.EA != before.beams[i].stiffness)
+      b.section.thermal_strain = axial_strain(model, b) - before.beams[i].force / b.section.EA;
   }
   for (std::size_t i = 0; i < model.bushings.size(); ++i) {
     BushingElement& b = model.bushings[i];
-    const Vector6 bore = i < before.springs.size() ? before.springs[i] : Vector6(Vector6::Zero());
-    b.bushing.preload += bore - force_of(model, b);
+    const BorneBySpring bore = i < before.springs.size() ? before.springs[i] : BorneBySpring();
+    if (b.bushing.law != bore.law) b.bushing.preload += bore.force - force_of(model, b);
   }
 }
 

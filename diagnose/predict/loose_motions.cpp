@@ -37,8 +37,9 @@ Model on_a_soft_spring(Model model, Index loose) {
   const VectorXd mass = (R.transpose() * symmetric_product(system.M, R)).diagonal();
   constexpr double softer = 1e-6;
   const double k = softer * set.lambda[loose];
-  BushingElement spring{.node1 = model.beams.empty() ? model.mesh.quads.front().nodes[0]
-                                                     : model.beams.front().node1};
+  BushingElement spring;
+  spring.node1 =
+      model.beams.empty() ? model.mesh.quads.front().nodes[0] : model.beams.front().node1;
   for (int d = 0; d < 6; ++d)
     spring.bushing.law(d, d) = k * (d < 3 ? mass.head(3) : mass.tail(3)).maxCoeff();
   model.bushings.push_back(spring);
