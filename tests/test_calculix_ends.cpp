@@ -5,14 +5,12 @@
 // critical act on what moves against them, as here. The ground behind springs moves in the deck
 // that Plica writes by the force of the springs, which CalculiX takes as it stands.
 #include "tests/bellows_case.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/run_calculix.hpp"
 
 #include "io/decks/abaqus.hpp"
-#include "io/files/files.hpp"
 
 #include <cmath>
 #include <complex>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <numbers>
 #include <sstream>
@@ -66,12 +64,7 @@ using Motions = std::vector<std::pair<double, std::array<Complex, 3>>>; // Hz, u
 
 // What CalculiX prints of the sensor; empty where it is not installed or breaks off.
 Motions calculix_motions(const std::string& deck) {
-  const TemporaryFolder folder("calculix_ends");
-  write_whole(folder.path / "model.inp", deck);
-  const std::string command =
-      "cd '" + folder.path.string() + "' && OMP_NUM_THREADS=2 ccx -i model >log 2>&1";
-  if (std::system(command.c_str()) != 0) return {};
-  std::istringstream stream(read_whole(folder.path / "model.dat"));
+  std::istringstream stream(calculix_output(deck));
   Motions motions;
   bool imaginary = false;
   for (std::string line; std::getline(stream, line);) {

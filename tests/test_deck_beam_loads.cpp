@@ -1,5 +1,6 @@
 // Forces along beams and temperatures of decks: closed forms, the same deck in CalculiX.
 #include "tests/calculix_steps.hpp"
+#include "tests/curved_plate.hpp"
 #include "tests/deck_loads.hpp"
 #include "words/input_error.hpp"
 
@@ -259,40 +260,23 @@ TEST(DeckTemperatures, of_abaqus_go_on_from_step_to_step) {
 
 // --- beside CalculiX: a curved plate of S8R that is hot, and pressed by its surface
 
-std::string curved_plate(const std::string& steps) {
-  constexpr int along = 24, across = 16;
-  std::string nodes = "*NODE, NSET=ALL\n", elements = "*ELEMENT, TYPE=S8R, ELSET=PLATE\n", held;
-  const auto number = [](int i, int j) { return 1000 * j + i + 1; };
-  for (int j = 0; j <= 2 * across; ++j)
-    for (int i = 0; i <= 2 * along; ++i) {
-      if (i % 2 == 1 && j % 2 == 1) continue;
-      nodes += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", number(i, j), 150. * i / along,
-                           100. * j / across, 20. * i * i / (4. * along * along));
-      if (i == 0) held += fmt::format("{}, 1, 6\n", number(i, j));
-    }
-  for (int j = 0, e = 0; j < 2 * across; j += 2)
-    for (int i = 0; i < 2 * along; i += 2)
-      elements +=
-          fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}\n", ++e, number(i, j), number(i + 2, j),
-                      number(i + 2, j + 2), number(i, j + 2), number(i + 1, j),
-                      number(i + 2, j + 1), number(i + 1, j + 2), number(i, j + 1));
-  return nodes + elements +
-         fmt::format("*NSET, NSET=WATCHED\n{}, {}\n", number(2 * along, 0),
-                     number(2 * along, 2 * across)) +
+std::string hot_plate(const std::string& steps) {
+  const CurvedPlate plate = curved_plate();
+  return plate.mesh + fmt::format("*NSET, NSET=WATCHED\n{}, {}\n", plate.corner, plate.other) +
          "*SURFACE, NAME=UPPER, TYPE=ELEMENT\nPLATE, SPOS\n*SURFACE, NAME=LOWER, "
          "TYPE=ELEMENT\nPLATE, SNEG\n*MATERIAL, NAME=STEEL\n*ELASTIC\n200000., .3\n*EXPANSION\n"
          "1.2e-5\n*SHELL SECTION, ELSET=PLATE, MATERIAL=STEEL\n2.\n"
          "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nALL, 20.\n*BOUNDARY\n" +
-         held + steps;
+         plate.held + steps;
 }
 
 TEST(CalculixLoads, of_hot_shells_and_of_their_sides_give_its_displacements) {
   const std::string print = "*NODE PRINT, NSET=WATCHED, GLOBAL=YES\nU\n*END STEP\n";
   const std::string deck =
-      curved_plate("*STEP\n*STATIC\n*TEMPERATURE\nALL, 120.\n" + print +
-                   "*STEP\n*STATIC\n*TEMPERATURE\nALL, 20.\n*DSLOAD\nUPPER, "
-                   "P, 0.001\n" +
-                   print + "*STEP\n*STATIC\n*DSLOAD, OP=NEW\nLOWER, P, 0.003\n" + print);
+      hot_plate("*STEP\n*STATIC\n*TEMPERATURE\nALL, 120.\n" + print +
+                "*STEP\n*STATIC\n*TEMPERATURE\nALL, 20.\n*DSLOAD\nUPPER, "
+                "P, 0.001\n" +
+                print + "*STEP\n*STATIC\n*DSLOAD, OP=NEW\nLOWER, P, 0.003\n" + print);
   const auto theirs = calculix_steps(deck);
   ASSERT_EQ(theirs.size(), 3U) << "CalculiX (ccx) is not there, or broke off";
   const Results ours = loads_of("model.inp", deck);

@@ -5,13 +5,11 @@
 #include "io/decks/nastran_cards.hpp"
 #include "io/decks/nastran_laminate.hpp"
 #include "io/decks/read_deck.hpp"
-#include "io/files/files.hpp"
 #include "tests/deck_text.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/run_calculix.hpp"
 
 #include <Eigen/Cholesky>
 
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -246,12 +244,7 @@ std::string eight_node_plate(const std::vector<TurnedPly>& plies) {
 
 // Of the table of eigenvalues; empty where CalculiX is not installed or breaks off.
 std::vector<double> calculix_ply_hertz(const std::string& deck) {
-  const TemporaryFolder folder("calculix_plies");
-  write_whole(folder.path / "model.inp", deck);
-  const std::string command =
-      "cd '" + folder.path.string() + "' && OMP_NUM_THREADS=1 ccx -i model >log 2>&1";
-  if (std::system(command.c_str()) != 0) return {};
-  std::istringstream stream(read_whole(folder.path / "model.dat"));
+  std::istringstream stream(calculix_output(deck));
   std::vector<double> all;
   for (std::string line; std::getline(stream, line);) {
     std::istringstream fields(line);

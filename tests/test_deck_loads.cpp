@@ -1,5 +1,6 @@
 // Loads of decks as static analyses: beams and plates in closed form, the same deck in CalculiX.
 #include "tests/calculix_steps.hpp"
+#include "tests/curved_plate.hpp"
 #include "tests/deck_loads.hpp"
 
 #include <cmath>
@@ -206,30 +207,15 @@ TEST(DeckLoads, perturbations_have_their_own_loads_and_leave_none) {
 // --- beside CalculiX on the same deck: a plate of S8R held at one side, one of its nodes turned
 
 std::string calculix_plate() {
-  constexpr int along = 24, across = 16;
-  std::string nodes = "*NODE, NSET=ALL\n", elements = "*ELEMENT, TYPE=S8R, ELSET=PLATE\n", held;
-  const auto number = [](int i, int j) { return 1000 * j + i + 1; };
-  for (int j = 0; j <= 2 * across; ++j)
-    for (int i = 0; i <= 2 * along; ++i) {
-      if (i % 2 == 1 && j % 2 == 1) continue;
-      nodes += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", number(i, j), 150. * i / along,
-                           100. * j / across, 20. * i * i / (4. * along * along));
-      if (i == 0) held += fmt::format("{}, 1, 6\n", number(i, j));
-    }
-  for (int j = 0, e = 0; j < 2 * across; j += 2)
-    for (int i = 0; i < 2 * along; i += 2)
-      elements +=
-          fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}\n", ++e, number(i, j), number(i + 2, j),
-                      number(i + 2, j + 2), number(i, j + 2), number(i + 1, j),
-                      number(i + 2, j + 1), number(i + 1, j + 2), number(i, j + 1));
-  const int corner = number(2 * along, 0), other = number(2 * along, 2 * across);
-  return nodes + elements +
-         fmt::format("*NSET, NSET=WATCHED\n{}, {}\n*NSET, NSET=END\n{}\n", corner, other, other) +
+  const CurvedPlate plate = curved_plate();
+  return plate.mesh +
+         fmt::format("*NSET, NSET=WATCHED\n{}, {}\n*NSET, NSET=END\n{}\n", plate.corner,
+                     plate.other, plate.other) +
          "*MATERIAL, NAME=STEEL\n*ELASTIC\n200000., .3\n*DENSITY\n8e-9\n"
          "*SHELL SECTION, ELSET=PLATE, MATERIAL=STEEL\n2.\n"
          "*TRANSFORM, NSET=END\n0.6, 0., 0.8, 0., 1., 0.\n"
          "*BOUNDARY\n" +
-         held +
+         plate.held +
          fmt::format("*STEP\n*STATIC\n*CLOAD\n{}, 3, 2.\nEND, 1, 3.\n*NODE PRINT, NSET=WATCHED, "
                      "GLOBAL=YES\nU\n*END STEP\n"
                      "*STEP\n*STATIC\n*DLOAD\nPLATE, P, 0.001\n*CLOAD\n{}, 3, 1.\n*NODE PRINT, "
@@ -238,7 +224,7 @@ std::string calculix_plate() {
                      "-0.8\n*NODE PRINT, NSET=WATCHED, GLOBAL=YES\nU\n*END STEP\n"
                      "*STEP\n*STATIC\n*CLOAD, OP=NEW\n*DLOAD, OP=NEW\n*BOUNDARY\n{}, 3, 3, "
                      "4.\n*NODE PRINT, NSET=WATCHED, GLOBAL=YES\nU\n*END STEP\n",
-                     corner, corner, corner);
+                     plate.corner, plate.corner, plate.corner);
 }
 
 TEST(CalculixLoads, steps_of_forces_pressure_weight_and_moved_nodes_give_its_displacements) {

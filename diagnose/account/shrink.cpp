@@ -1,4 +1,5 @@
 #include "diagnose/account/shrink.hpp"
+#include "diagnose/effects/beam_stiffness.hpp"
 
 #include "compare/search/search.hpp"
 #include "diagnose/effects/places.hpp"
@@ -220,10 +221,7 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
   };
   add("Young's modulus", scatters::modulus, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.E *= 2;
-    for (BeamElement& b : m.beams)
-      for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z, &b.section.GJ,
-                        &b.section.GA_y, &b.section.GA_z})
-        *n *= 2;
+    for (BeamElement& b : m.beams) scale_stiffness(b.section, 2);
   });
   add("density", scatters::density, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.rho *= 2;

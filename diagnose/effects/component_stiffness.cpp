@@ -1,3 +1,4 @@
+#include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/effects/places.hpp"
 #include "lab/measured/states.hpp"
 
@@ -9,10 +10,7 @@ ModelChange doubled(const PartGroup& group) {
             for (ShellProperties& shell : model.shells)
               if (group.holds(model, shell.component)) shell.section.E *= 2;
             for (BeamElement& b : model.beams)
-              if (group.holds(model, b.component))
-                for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z, &b.section.GJ,
-                                  &b.section.GA_y, &b.section.GA_z})
-                  *n *= 2;
+              if (group.holds(model, b.component)) scale_stiffness(b.section, 2);
           },
           Follow::modes};
 }

@@ -1,3 +1,4 @@
+#include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/effects/in_state.hpp"
 #include "diagnose/effects/places.hpp"
 
@@ -31,10 +32,7 @@ Hypothesis softer() {
   Hypothesis h = warmer();
   h.changes = {{[](Model& model) {
                   for (ShellProperties& s : model.shells) s.section.E *= 0.9;
-                  for (BeamElement& b : model.beams)
-                    for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z,
-                                      &b.section.GJ, &b.section.GA_y, &b.section.GA_z})
-                      *n *= 0.9;
+                  for (BeamElement& b : model.beams) scale_stiffness(b.section, 0.9);
                 },
                 Follow::series}};
   h.coefficients = [](const Eigen::VectorXd& v) {

@@ -1,4 +1,5 @@
 #include "diagnose/predict/rig_loss.hpp"
+#include "diagnose/effects/beam_stiffness.hpp"
 
 #include <algorithm>
 
@@ -17,10 +18,7 @@ ModelChange component_twice(int component) {
             for (ShellProperties& s : model.shells)
               if (s.component == component) s.section.E *= 2;
             for (BeamElement& b : model.beams)
-              if (b.component == component)
-                for (double* n : {&b.section.EA, &b.section.EI_y, &b.section.EI_z, &b.section.GJ,
-                                  &b.section.GA_y, &b.section.GA_z})
-                  *n *= 2;
+              if (b.component == component) scale_stiffness(b.section, 2);
             for (BushingElement& b : model.bushings)
               if (b.component == component) b.bushing.law *= 2;
           },

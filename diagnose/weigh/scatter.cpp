@@ -1,4 +1,5 @@
 #include "diagnose/weigh/scatter.hpp"
+#include "diagnose/effects/beam_stiffness.hpp"
 
 #include "diagnose/effects/places.hpp"
 #include "diagnose/results/normal_distribution.hpp"
@@ -41,7 +42,7 @@ Hypothesis of_the_test(const std::string& what, const std::string& place, double
 }
 
 void scale_beam(BeamProperties& b, double stiffness, double mass) {
-  for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ, &b.GA_y, &b.GA_z}) *n *= stiffness;
+  scale_stiffness(b, stiffness);
   for (double* n : {&b.mass, &b.inertia_x, &b.inertia_y, &b.inertia_z}) *n *= mass;
 }
 

@@ -2,8 +2,8 @@
 
 #include "io/decks/deck_beam_loads.hpp"
 #include "io/decks/deck_pressure.hpp"
-#include "io/decks/keywords.hpp"
 #include "io/decks/nastran_cards.hpp"
+#include "io/decks/nastran_load_cards.hpp"
 #include "io/decks/nastran_temperatures.hpp"
 
 #include <Eigen/Geometry>
@@ -68,13 +68,7 @@ public:
 
 private:
   template <class F> void each(const std::string& name, F&& f) {
-    const auto found = loads_.find(name);
-    if (found == loads_.end()) return;
-    for (const Card* card : found->second) try {
-        f(*card);
-      } catch (const InputError& error) {
-        for (const InputProblem& p : error.problems()) into_.not_had.push_back(to_string(p));
-      }
+    each_load_card(loads_, name, into_, f);
   }
 
   template <class F> void each_of(const std::string& name, int set, F&& f) {

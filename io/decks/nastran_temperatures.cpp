@@ -1,6 +1,6 @@
 #include "io/decks/nastran_temperatures.hpp"
 
-#include "io/decks/keywords.hpp"
+#include "io/decks/nastran_load_cards.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +61,7 @@ private:
     });
   }
   template <class F> void every(const std::string& name, F&& f) {
-    const auto found = loads_.find(name);
-    if (found == loads_.end()) return;
-    for (const Card* card : found->second) try {
-        f(*card);
-      } catch (const InputError& error) {
-        for (const InputProblem& p : error.problems()) into_.not_had.push_back(to_string(p));
-      }
+    each_load_card(loads_, name, into_, f);
   }
   template <class F> void each_pair(const std::string& name, F&& f) {
     every(name, [&](const Card& c) {
