@@ -51,7 +51,8 @@ TEST(DiagnoseCases, finds_the_slip_of_the_bolted_lap) {
 }
 
 // A real frame whose cause nobody stated: a lower modulus is tempting and is exposed, and nothing
-// is sure. A fixture of four parameters meets three frequencies, and foretells none of them.
+// is sure. A fixture of four parameters meets three frequencies, not the shapes; what meets both
+// foretells neither.
 TEST(DiagnoseCases, does_not_take_a_soft_frame_for_a_soft_material) {
   const Diagnosis d = diagnosis_of("three_storey_frame");
   EXPECT_TRUE(d.verdict == Verdict::unknown || d.verdict == Verdict::ambiguous) << d.headline;

@@ -2,12 +2,14 @@
 
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/growth.hpp"
+#include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/states.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace plica {
@@ -18,15 +20,18 @@ using Eigen::VectorXd;
 
 // Readings that the model answers; what it does not is said.
 TestReadings answered(const Nominal& nominal, TestReadings test) {
-  const auto y = Predictor(nominal, test, {})(VectorXd());
+  auto y = Predictor(nominal, test, {})(VectorXd());
   if (!y) throw std::runtime_error("the nominal structure has no stable answer");
+  leave_out_unlike_shapes(*y, test);
+  y = Predictor(nominal, test, {})(VectorXd());
   std::vector<Reading> kept;
+  std::set<int> shapes; // of which it is said
   for (std::size_t i = 0; i < test.readings.size(); ++i) {
+    const Reading& r = test.readings[i];
     if (std::isfinite((*y)[Index(i)]))
-      kept.push_back(test.readings[i]);
-    else
-      test.warnings.push_back("the model gives no " + test.readings[i].name + " (" +
-                              test.readings[i].entry + ")");
+      kept.push_back(r);
+    else if (r.kind != ReadingKind::component || shapes.insert(r.of_shape).second)
+      test.warnings.push_back("the model gives no " + r.name + " (" + r.entry + ")");
   }
   test.readings = std::move(kept);
   if (test.readings.empty())

@@ -20,7 +20,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double shape_sigma = 0.03;      // of the largest motion of a shape
 constexpr double allowed_residual = 0.02; // eps: forces out of balance, of the elastic ones
 constexpr int admissible = 200;
 constexpr double alike = 0.7; // correlation of shapes that are the same mode

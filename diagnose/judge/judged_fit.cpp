@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <tuple>
 
 namespace plica {
 namespace {
@@ -29,6 +30,29 @@ int free_parameters(const HypothesisFit& fit) {
   for (Eigen::Index k = 0; k < fit.z.size(); ++k)
     count += std::sqrt(fit.covariance(k, k)) < threshold::narrower ||
              fit.J.col(k).cwiseAbs().maxCoeff() > threshold::moves;
+  return count;
+}
+
+// Readings that are fitted, of which a shape is one, and those that the fit moves.
+std::pair<Eigen::Index, Eigen::Index> readings_of(const HypothesisFit& fit,
+                                                  const FitContext& context) {
+  std::map<int, bool> shapes; // whether it is moved
+  std::pair<Eigen::Index, Eigen::Index> count{0, 0};
+  for (Eigen::Index k = 0; k < fit.error.size(); ++k) {
+    const Eigen::Index row = context.fitted.rows()[std::size_t(k)];
+    const bool moves = k < fit.J.rows() && fit.J.cols() > 0 &&
+                       fit.J.row(k).cwiseAbs().maxCoeff() > threshold::moves;
+    if (const int shape = context.test.readings[std::size_t(row)].of_shape; shape >= 0) {
+      shapes[shape] = shapes[shape] || moves;
+      continue;
+    }
+    ++count.first;
+    count.second += moves;
+  }
+  for (const auto& [shape, moves] : shapes) {
+    ++count.first;
+    count.second += moves;
+  }
   return count;
 }
 
@@ -80,6 +104,7 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
                 j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
   j.absurd = j.fit.farthest > threshold::absurd_z;
   j.free_parameters = free_parameters(j.fit);
+  std::tie(j.readings, j.moved) = readings_of(j.fit, context);
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {
     const double n = double(held_out.rows().size());
@@ -134,17 +159,13 @@ bool JudgedFit::leaves_cause_open() const {
 }
 
 bool JudgedFit::too_free() const {
-  return fit.error.size() > 0 && threshold::readings_each * free_parameters > fit.error.size();
+  return readings > 0 && threshold::readings_each * free_parameters > readings;
 }
 
 std::string JudgedFit::saturated() const {
-  const Eigen::Index readings = fit.error.size();
   if (readings == 0) return "";
   if (free_parameters >= readings)
     return fmt::format("{} free parameters for {} fitted readings", free_parameters, readings);
-  Eigen::Index moved = 0;
-  for (Eigen::Index i = 0; i < fit.J.rows() && fit.J.cols() > 0; ++i)
-    moved += fit.J.row(i).cwiseAbs().maxCoeff() > threshold::moves;
   if (free_parameters < 2 || free_parameters + threshold::spare_readings <= moved) return "";
   return fmt::format("{} free parameters for {} readings that they move", free_parameters, moved);
 }

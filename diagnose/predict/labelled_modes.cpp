@@ -2,10 +2,12 @@
 #include "diagnose/predict/state_answers.hpp"
 
 #include "diagnose/predict/peak_choice.hpp"
+#include "diagnose/predict/sensor_axes.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace plica {
@@ -50,14 +52,44 @@ std::vector<Index> StateAnswers::modes_of_kind(const AffineModes& m, MeasuredSha
 
 // Modes known by their kind: in their order, as they lie nearest.
 bool StateAnswers::labelled(const Reading& reading, double& value) {
-  if (acting_.group && test_.runs[std::size_t(reading.run)].level > 0)
+  const bool is_component = reading.kind == ReadingKind::component;
+  if (acting_.group && test_.runs[std::size_t(reading.run)].level > 0 && !is_component)
     return slipping_mode(reading, value);
   const AffineModes* m = linear_modes();
   if (!m) return false;
   const Index mode = labelled_mode(*m, reading);
-  if (mode >= 0)
+  if (mode >= 0 && is_component)
+    value = component(*m, mode, reading);
+  else if (mode >= 0)
     value = std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
   return true;
+}
+
+// A component of the shape of a mode as its sensor shows it, scaled as the measured shape is by
+// least squares over the channels that the model has.
+double StateAnswers::component(const AffineModes& m, Index mode, const Reading& reading) const {
+  constexpr double moves = 1e-12; // of the square of all motions: below is rounding
+  const ReadShape& shape = test_.shapes[std::size_t(reading.of_shape)];
+  double along = 0, own = 0, here = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t c = 0; c < shape.values.size(); ++c) {
+    const int sensor = own_.nominal->number_of(shape.sensors[c]);
+    if (sensor < 0) continue;
+    const Index row = 6 * Index(sensor);
+    Eigen::Vector3d u = m.marked.block<3, 1>(row, mode);
+    if (const auto moved = acting_.setup.moved.find(shape.sensors[c]);
+        moved != acting_.setup.moved.end())
+      u += Eigen::Vector3d(m.marked.block<3, 1>(row + 3, mode)).cross(moved->second);
+    const auto turned = acting_.setup.reading.find(shape.sensors[c]);
+    const double phi = seen_along(own_.nominal->axes[std::size_t(sensor)],
+                                  turned == acting_.setup.reading.end() ? nullptr : &turned->second,
+                                  shape.axes[c], u.cast<std::complex<double>>())[0]
+                           .real();
+    along += phi * shape.values[c];
+    own += phi * phi;
+    if (int(c) == reading.channel) here = phi;
+  }
+  if (own <= moves * m.marked.col(mode).squaredNorm()) return std::isfinite(here) ? 0 : here;
+  return here * along / own;
 }
 
 // Where the kind of motion is known the order that the test states binds; where it states no

@@ -132,12 +132,52 @@ VectorXd damping_of_springs(const BuiltCase& built, const Model& model, const Ve
   return zeta;
 }
 
-// The sensors, and where one might be put besides.
-void observe(NominalState& state, const Measured& measured) {
+// Where a test sees shapes and the case has no sensor, as sensors without mass.
+std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
+  std::set<std::string> seen;
+  for (const MeasuredMode& mode : measured.modes)
+    if (mode.vector)
+      for (const std::string& channel : mode.vector->channels)
+        seen.insert(channel.substr(0, channel.rfind('.')));
+  for (const Sensor& sensor : data.sensors) seen.erase(sensor.name);
+  std::vector<Sensor> stations;
+  for (const MeasuredSensor& m : measured.sensors)
+    if (seen.contains(m.name)) stations.push_back({.name = m.name, .at = m.at});
+  return stations;
+}
+
+// Builds the case of the state, with the stations of the test where all of them lie on it.
+std::vector<BuiltSensor> build_with_stations(NominalState& state, const Measured& measured) {
+  const std::vector<Sensor> stations = stations_of(state.data, measured);
+  if (stations.empty()) {
+    state.built = build_on_table(state.data);
+    return {};
+  }
+  const Case plain = state.data;
+  state.data.sensors.insert(state.data.sensors.end(), stations.begin(), stations.end());
+  try {
+    state.built = build_on_table(state.data);
+  } catch (const InputError&) { // one lies beside it: what shows there is no reading
+    state.data = plain;
+    state.built = build_on_table(state.data);
+    return {};
+  }
+  std::vector<BuiltSensor>& all = state.built.sensors;
+  const auto first = all.end() - std::ptrdiff_t(stations.size());
+  std::vector<BuiltSensor> built(first, all.end());
+  all.erase(first, all.end());
+  return built;
+}
+
+// The sensors, where one might be put besides, and the stations.
+void observe(NominalState& state, const std::vector<BuiltSensor>& stations,
+             const Measured& measured) {
   state.observed = state.built.sensors;
   for (BuiltSensor& place :
        further_places({.data = state.data, .built = state.built, .measured = measured}))
     state.observed.push_back(std::move(place));
+  state.observed.insert(state.observed.end(), stations.begin(), stations.end());
+  state.stations = stations.size();
   for (const BuiltSensor& s : state.observed) state.axes.push_back(axes_of(s, measured));
 }
 
@@ -188,8 +228,7 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   state.name = name;
   state.data = std::move(data);
   state.data.analyses.damping.coupled = false; // all of it acts mode by mode
-  state.built = build_on_table(state.data);
-  observe(state, measured);
+  observe(state, build_with_stations(state, measured), measured);
   state.model = reduced_model(state, measured);
   const Model& model = state.model->model();
   const VectorXd& lambda = state.model->lambda();
@@ -214,7 +253,7 @@ int NominalState::number_of(const std::string& sensor) const {
 
 std::vector<std::string> NominalState::further_places() const {
   std::vector<std::string> names;
-  for (std::size_t i = built.sensors.size(); i < observed.size(); ++i)
+  for (std::size_t i = built.sensors.size(); i + stations < observed.size(); ++i)
     names.push_back(observed[i].name);
   return names;
 }

@@ -23,8 +23,10 @@ struct NominalState {
   std::vector<RigLoss> losses;            // these on a rig, where the test has one
   std::vector<ModeLabel> labels;
   std::vector<int> kinds; // of each label: a number for its shape and direction
-  // The sensors of the case, then places where one might be put: massless, named by the place.
+  // The sensors of the case, then places where one might be put, massless and named by the place,
+  // then the stations of a test: where it sees shapes and the case has no sensor.
   std::vector<BuiltSensor> observed;
+  std::size_t stations = 0;
   std::vector<Eigen::Matrix3d> axes; // of each: rows are its own axes
 
   int number_of(const std::string& observed) const; // -1: none is called so

@@ -250,6 +250,10 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
   if (!find_peaks(reading.run)) return false;
   Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
   if (peak.mode < 0) return true;
+  if (reading.kind == ReadingKind::component) {
+    value = component(*peak.modes, peak.mode, reading);
+    return true;
+  }
   if (reading.kind == ReadingKind::damping) {
     value = std::log(peak.damping());
     return true;

@@ -103,6 +103,7 @@ private:
   std::vector<Eigen::Index> modes_of_kind(const AffineModes& m, MeasuredShape shape, int axis);
   Eigen::Index labelled_mode(const AffineModes& m, const Reading& reading);
   double seen_at(const AffineModes& m, Eigen::Index mode, int sensor, int axis) const;
+  double component(const AffineModes& m, Eigen::Index mode, const Reading& reading) const;
 
   const StateModel& own_;
   const TestReadings& test_;

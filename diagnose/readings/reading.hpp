@@ -1,6 +1,6 @@
 // What was measured, as numbers that a model answers with the same: logarithms of mass, static
 // stiffness, dynamic stiffness and its loss, frequencies, damping ratios and heights of peaks, and
-// of what shows along other axes.
+// of what shows along other axes; components of mode shapes as they are.
 //
 // Responses enter by their strong peaks, not line by line: neighbouring lines say the same, and a
 // static stiffness must not be outvoted by eight hundred of them.
@@ -23,7 +23,8 @@ enum class ReadingKind {
   amplitude,
   cross,
   dynamic_stiffness,
-  loss
+  loss,
+  component
 };
 
 // What a measured response is a response to: the table along an axis, or a force in a channel.
@@ -59,6 +60,13 @@ struct RigRun {
   bool storage = false;       // the real part in place of the magnitude
 };
 
+// A mode shape as it was measured, its largest component one.
+struct ReadShape {
+  std::vector<std::string> sensors; // of each channel
+  std::vector<int> axes;            // 0..2, of the sensor
+  std::vector<double> values;
+};
+
 struct Reading {
   ReadingKind kind = ReadingKind::frequency;
   std::string name, unit, entry; // entry: path in measured.yaml, "frf[3]"
@@ -73,11 +81,13 @@ struct Reading {
   StaticDirection direction = StaticDirection::axial; // stiffness
   double stroke = 0; // stiffness: m or rad; 0 = not stated. Of a rig the amplitude; 0 = small
   RigRun rig = {};
+  int of_shape = -1, channel = 0;             // component: of which of TestReadings::shapes
   MeasuredShape shape = MeasuredShape::other; // of a mode without excitation
   int order = 0;                              // of that mode
-  double value = 0, log_value = 0;            // measured, in `unit`
-  double paired_as = 0; // Hz, of a mode without excitation: what chooses its mode; 0 = its value
-  double sigma = 0;     // of the logarithm, of the measurement
+  double value = 0, log_value = 0; // measured, in `unit`; of a component both are its value
+  // Hz, of a mode without excitation: what chooses its mode; 0 = its value, which is a frequency.
+  double paired_as = 0;
+  double sigma = 0;     // of `log_value`, of the measurement
   bool assumed = false; // sigma: the test states none
   bool held_out = false;
 };
@@ -89,6 +99,7 @@ inline bool is_of_rig(const Reading& r) {
 struct TestReadings {
   std::vector<TestRun> runs;
   std::vector<Reading> readings;
+  std::vector<ReadShape> shapes = {};
   std::vector<std::string> warnings;
 };
 
@@ -99,6 +110,8 @@ constexpr double cross_floor = 0.02;
 std::string word_of(const Input& input);
 // In its unit, what its logarithm stands for.
 double value_of(const Reading& reading, double log_value);
+// How well a component of a mode shape is measured, of the largest.
+constexpr double shape_sigma = 0.03;
 // How far from a peak a cross response is looked for, relative.
 constexpr double cross_window = 0.12;
 // The same where the other axis resonates.

@@ -9,8 +9,12 @@
 namespace plica {
 
 void ReadingList::add(Reading reading) {
-  if (!(reading.value > 0)) return;
-  if (reading.kind != ReadingKind::cross) reading.log_value = std::log(reading.value);
+  const bool is_component = reading.kind == ReadingKind::component;
+  if (!is_component && !(reading.value > 0)) return;
+  if (is_component)
+    reading.log_value = reading.value;
+  else if (reading.kind != ReadingKind::cross)
+    reading.log_value = std::log(reading.value);
   const std::string& where = reading.entry;
   reading.held_out =
       std::any_of(measured_.hold_out.begin(), measured_.hold_out.end(), [&](const std::string& h) {
@@ -21,6 +25,7 @@ void ReadingList::add(Reading reading) {
 }
 
 double value_of(const Reading& reading, double log_value) {
+  if (reading.kind == ReadingKind::component) return log_value;
   const double value = std::exp(log_value);
   return reading.kind == ReadingKind::cross ? std::max(0., value - cross_floor) : value;
 }

@@ -10,7 +10,7 @@ public:
   explicit ReadingList(const Measured& measured) : measured_(measured) {}
 
   // With its logarithm, unless it is a cross response, whether it is held out, and its state in its
-  // name. What is not above zero is left out.
+  // name. What is not above zero is left out, unless it is a component of a shape.
   void add(Reading reading);
 
   TestReadings all;

@@ -2,6 +2,7 @@
 
 #include "diagnose/readings/repeats.hpp"
 #include "diagnose/readings/response_readings.hpp"
+#include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/readings/stiffness_readings.hpp"
 #include "lab/measured/measured_words.hpp"
 
@@ -126,12 +127,14 @@ private:
     if (driven.level > 0) reading.name += at_level(driven) + " at " + m.drive;
     list_.add(reading);
     add_damping(reading, m.damping, m.sigma_damping);
+    add_shape_readings(m, reading, list_);
   }
 
   void add_damping(Reading reading, const std::optional<double>& damping,
                    const std::optional<double>& sigma) {
     if (!damping || !(*damping > 0)) return;
     reading.kind = ReadingKind::damping;
+    reading.paired_as = reading.value;
     reading.name = "damping of " + reading.name;
     reading.unit = "";
     reading.value = *damping;
@@ -186,6 +189,7 @@ private:
                         .assumed = !mode.sigma};
         list_.add(reading);
         add_damping(reading, mode.damping, mode.sigma_damping);
+        add_shape_readings(mode, reading, list_);
       }
       list_.all.runs.push_back(std::move(run));
     }

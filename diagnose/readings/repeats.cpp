@@ -70,7 +70,7 @@ void pool_repeats(TestReadings& test) {
   std::vector<int> count;
   for (const Reading& r : test.readings) {
     std::size_t k = kept.size();
-    if (known_by_kind(test, r) && !may_be_of_a_pair(r))
+    if (known_by_kind(test, r) && !may_be_of_a_pair(r) && r.kind != ReadingKind::component)
       k = first.try_emplace({r.kind, r.held_out, thing_of(test, r)}, k).first->second;
     const double own = 1 / (r.sigma * r.sigma);
     if (k == kept.size()) {

@@ -21,6 +21,7 @@ using Eigen::VectorXd;
 // Errors of a model of a real structure beside that of its frequencies, relative. A damping ratio
 // is a guess, and the height of a peak goes with it.
 constexpr double damping_error = 0.3, amplitude_error = 0.3, cross_error = 0.5;
+constexpr double component_error = 0.05; // of the largest of a shape
 
 double stated_error(ReadingKind kind, double of_frequency) {
   switch (kind) {
@@ -37,6 +38,8 @@ double stated_error(ReadingKind kind, double of_frequency) {
     return damping_error;
   case ReadingKind::amplitude:
     return amplitude_error;
+  case ReadingKind::component:
+    return component_error;
   case ReadingKind::cross:
     break;
   }
@@ -46,8 +49,15 @@ double stated_error(ReadingKind kind, double of_frequency) {
 const char* plural(ReadingKind kind) {
   constexpr std::array names{
       "masses",           "static stiffnesses",         "frequencies",         "damping",
-      "heights of peaks", "responses along other axes", "dynamic stiffnesses", "losses"};
+      "heights of peaks", "responses along other axes", "dynamic stiffnesses", "losses",
+      "mode shapes"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+// Sensor and axis that a component of a shape is of.
+std::pair<std::string, int> channel_of(const TestReadings& test, const Reading& r) {
+  const ReadShape& shape = test.shapes[std::size_t(r.of_shape)];
+  return {shape.sensors[std::size_t(r.channel)], shape.axes[std::size_t(r.channel)]};
 }
 
 // Readings numbered so that those of one thing share a number.
@@ -83,9 +93,10 @@ public:
 
   BaselineFound found() {
     BaselineFound found;
-    for (ReadingKind kind : {ReadingKind::mass, ReadingKind::stiffness, ReadingKind::frequency,
-                             ReadingKind::damping, ReadingKind::amplitude, ReadingKind::cross,
-                             ReadingKind::dynamic_stiffness, ReadingKind::loss})
+    for (ReadingKind kind :
+         {ReadingKind::mass, ReadingKind::stiffness, ReadingKind::frequency, ReadingKind::damping,
+          ReadingKind::amplitude, ReadingKind::cross, ReadingKind::dynamic_stiffness,
+          ReadingKind::loss, ReadingKind::component})
       add_model_error(kind, found);
     u_.change_error = request_.change_error;
     if (before_.empty()) return found;
@@ -225,6 +236,7 @@ bool same_thing(const TestReadings& test, const Reading& a, const Reading& b) {
     return a.axis == b.axis && a.stroke == b.stroke && a.rig.hertz == b.rig.hertz &&
            a.rig.driving_point == b.rig.driving_point && a.rig.ends == b.rig.ends;
   if (a.run < 0) return true;
+  if (a.kind == ReadingKind::component && channel_of(test, a) != channel_of(test, b)) return false;
   const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
   const bool of_mode = a.kind == ReadingKind::frequency || a.kind == ReadingKind::damping;
   if (of_mode && (a.mode >= 0 || b.mode >= 0)) return a.mode == b.mode;
@@ -289,6 +301,11 @@ void pair_like_baselines(const Nominal& nominal, const Measured& measured, TestR
     r.paired_as = r.value * std::exp(-stretch);
     peaks[std::size_t(r.run)][std::size_t(r.peak)] = r.paired_as;
   }
+  std::map<std::string, double> paired_as; // what else was read of a mode goes with its frequency
+  for (const Reading& r : test.readings)
+    if (r.kind == ReadingKind::frequency && r.paired_as > 0) paired_as[r.entry] = r.paired_as;
+  for (Reading& r : test.readings)
+    if (const auto own = paired_as.find(r.entry); own != paired_as.end()) r.paired_as = own->second;
   // Readings know their peaks by number, so that these keep their order or stay as they are.
   for (std::size_t k = 0; k < peaks.size(); ++k)
     if (test.runs[k].input.any() && std::is_sorted(peaks[k].begin(), peaks[k].end()))

@@ -19,7 +19,8 @@ using Eigen::VectorXd;
 
 const char* kind_name(ReadingKind kind) {
   constexpr std::array names{"mass",      "stiffness", "frequency",         "damping",
-                             "amplitude", "cross",     "dynamic stiffness", "loss"};
+                             "amplitude", "cross",     "dynamic stiffness", "loss",
+                             "shape"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -43,7 +44,7 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   const TestRun& run = test.runs[std::size_t(r.run)];
   if (!run.input.any()) {
     label.band = r.name.substr(r.name.find("damping of ") == 0 ? 11 : 0);
-    label.band = label.band.substr(0, label.band.find(','));
+    label.band = label.band.substr(0, label.band.find_first_of(r.of_shape < 0 ? "," : ":,"));
     if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
     if (run.level > 0 && !run.by_force) label.level = run.level;
     if (r.axis >= 0) label.direction = axis_word(r.axis);

@@ -22,6 +22,7 @@ double share_of_change(ReadingKind kind, double stated) {
   case ReadingKind::cross:
     return std::max(0.3, stated);
   case ReadingKind::amplitude:
+  case ReadingKind::component:
     return std::max(0.1, 2 * stated);
   case ReadingKind::frequency:
   case ReadingKind::stiffness:

@@ -55,7 +55,7 @@ std::vector<int> series_of(const TestReadings& test) {
               .first->second);
       continue;
     }
-    if (r.run < 0 ||
+    if (r.run < 0 || r.kind == ReadingKind::component ||
         (!test.runs[std::size_t(r.run)].input.any() && test.runs[std::size_t(r.run)].level == 0)) {
       series.push_back(-1 - int(series.size())); // alone
       continue;
@@ -216,6 +216,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
     const ReadingKind kind = test.readings[std::size_t(i)].kind;
     if (kind == ReadingKind::stiffness || kind == ReadingKind::dynamic_stiffness)
       u.numeric(i, i) += std::pow(numeric_stiffness, 2);
+    if (kind == ReadingKind::component) u.numeric(i, i) += std::pow(numeric_component, 2);
   }
   const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always) +
                                shared_rig_loss(test, scatters::mode_damping);

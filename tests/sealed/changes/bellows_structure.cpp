@@ -29,7 +29,7 @@ public:
       all.push_back(fmt::format("shape: transverse, direction: {}, order: 1", axis));
     return all;
   }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
+  FoundModes modes(const Mechanism& m, const Effect& change) const override {
     Specimen specimen{.structure = "short_bellows"};
     if (change.name == "component_mass" || change.name == "joint_stiffness")
       specimen.effects = {change};
@@ -50,7 +50,7 @@ public:
       add_springs(s, s.places.at("right") - s.places.at("station.3"), 1e6 * m.amount * liner());
     if (change.name == "added_mass")
       add_mass(s, s.places.at(change.place), change.value.at("mass"));
-    return labelled(s);
+    return {.frequencies = labelled(s)};
   }
   Change draw_change(Draws& draws) const override {
     switch (draws.below(4)) {

@@ -10,8 +10,6 @@
 namespace sealed {
 namespace {
 
-using Eigen::VectorXd;
-
 // Four floors of 5.2 kg on legs that bend; floors move across alone.
 class Frame final : public ChangedStructure {
 public:
@@ -36,7 +34,10 @@ public:
       all.push_back(fmt::format("shape: other, direction: x, order: {}", k));
     return all;
   }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
+  std::vector<std::string> channels(std::size_t /*mode*/) const override {
+    return {"floor1.x", "floor2.x", "floor3.x", "floor4.x"};
+  }
+  FoundModes modes(const Mechanism& m, const Effect& change) const override {
     LineModel model;
     const int hit = number_in(change.place, "legs.stretch");
     double y = 0;
@@ -66,7 +67,7 @@ public:
       else if (!turns)
         model.fix(node, false, true);
     }
-    return model.frequencies(4);
+    return model.modes(4, {floors.begin() + 1, floors.end()});
   }
   Change draw_change(Draws& draws) const override {
     if (draws.below(2)) return damage_of(fmt::format("legs.stretch[{}]", 1 + draws.below(4)));

@@ -103,14 +103,38 @@ void LineModel::fix(int node, bool deflection, bool rotation) {
   if (rotation) fixed_.push_back(2 * node + 1);
 }
 
-Eigen::VectorXd LineModel::frequencies(int count) const {
+Eigen::VectorXd LineModel::weights_at(double s) const {
+  int before = -1, after = -1;
+  for (int i = 0; i < int(s_.size()); ++i) {
+    const double own = s_[std::size_t(i)];
+    if (own <= s && (before < 0 || own > s_[std::size_t(before)])) before = i;
+    if (own >= s && (after < 0 || own < s_[std::size_t(after)])) after = i;
+  }
+  if (before < 0) before = after;
+  if (after < 0) after = before;
+  const double a = s_[std::size_t(before)], b = s_[std::size_t(after)];
+  const double share = b > a ? (s - a) / (b - a) : 0;
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(K_.rows());
+  weights[2 * before] += 1 - share;
+  weights[2 * after] += share;
+  return weights;
+}
+
+FoundModes LineModel::modes(int count, const std::vector<double>& seen_at) const {
   std::vector<int> free;
   for (int i = 0; i < int(K_.rows()); ++i)
     if (std::find(fixed_.begin(), fixed_.end(), i) == fixed_.end()) free.push_back(i);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-      K_(free, free), M_(free, free), Eigen::EigenvaluesOnly);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K_(free, free),
+                                                                        M_(free, free));
   constexpr double turn = 6.283185307179586;
-  return eigen.eigenvalues().head(count).cwiseMax(0).cwiseSqrt() / turn;
+  FoundModes found{.frequencies = eigen.eigenvalues().head(count).cwiseMax(0).cwiseSqrt() / turn};
+  for (int k = 0; k < count; ++k) {
+    Eigen::VectorXd shape(seen_at.size());
+    for (std::size_t i = 0; i < seen_at.size(); ++i)
+      shape[Eigen::Index(i)] = weights_at(seen_at[i])(free).dot(eigen.eigenvectors().col(k));
+    found.shapes.push_back(shape);
+  }
+  return found;
 }
 
 } // namespace sealed

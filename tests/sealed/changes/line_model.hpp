@@ -3,6 +3,8 @@
 // along the line.
 #pragma once
 
+#include "structures.hpp"
+
 #include <Eigen/Dense>
 #include <functional>
 
@@ -28,9 +30,11 @@ public:
   void add_joint(int a, int b, double translation, double rotation);
   void fix(int node, bool deflection, bool rotation);
 
-  Eigen::VectorXd frequencies(int count) const; // Hz, the lowest; rigid motions are near zero
+  // The lowest, with what they show at these places along the line; rigid motions are near zero.
+  FoundModes modes(int count, const std::vector<double>& seen_at) const;
 
 private:
+  Eigen::VectorXd weights_at(double s) const; // of the unknowns in the deflection there
   Eigen::MatrixXd K_ = Eigen::MatrixXd(0, 0), M_ = Eigen::MatrixXd(0, 0);
   std::vector<double> s_; // of each node; two unknowns a node: deflection, rotation
   std::vector<int> fixed_;

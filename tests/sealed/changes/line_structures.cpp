@@ -58,9 +58,23 @@ std::string transverse(char direction, int order) {
   return fmt::format("shape: transverse, direction: {}, order: {}", direction, order);
 }
 
-VectorXd joined(const VectorXd& a, const VectorXd& b) {
-  VectorXd all(a.size() + b.size());
-  all << a, b;
+FoundModes joined(FoundModes a, const FoundModes& b) {
+  VectorXd all(a.frequencies.size() + b.frequencies.size());
+  all << a.frequencies, b.frequencies;
+  a.frequencies = all;
+  a.shapes.insert(a.shapes.end(), b.shapes.begin(), b.shapes.end());
+  return a;
+}
+
+std::vector<Station> stations_at(const std::vector<double>& places) {
+  std::vector<Station> all;
+  for (const double s : places) all.push_back({fmt::format("h{}", all.size() + 1), s});
+  return all;
+}
+
+std::vector<std::string> channels_of(const std::vector<double>& places, char axis) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < places.size(); ++i) all.push_back(fmt::format("h{}.{}", i + 1, axis));
   return all;
 }
 
@@ -74,8 +88,13 @@ public:
     return {transverse('z', 1), transverse('z', 2), transverse('z', 3), transverse('z', 4),
             transverse('x', 1), transverse('x', 2), transverse('x', 3)};
   }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
-    return joined(bending(m, change, 'z').frequencies(4), bending(m, change, 'x').frequencies(3));
+  std::vector<Station> stations() const override { return stations_at(struck()); }
+  std::vector<std::string> channels(std::size_t mode) const override {
+    return channels_of(struck(), mode < 4 ? 'z' : 'x');
+  }
+  FoundModes modes(const Mechanism& m, const Effect& change) const override {
+    return joined(bending(m, change, 'z').modes(4, struck()),
+                  bending(m, change, 'x').modes(3, struck()));
   }
   Change draw_change(Draws& draws) const override {
     switch (draws.below(5)) {
@@ -102,6 +121,7 @@ public:
   }
 
 private:
+  static std::vector<double> struck() { return {0.15, 0.3, 0.45, 0.6}; }
   static Line line(bool is_z) {
     return {.length = 0.6,
             .across = is_z ? 0.025 : 0.015,
@@ -169,7 +189,11 @@ public:
     for (int k = 1; k <= 6; ++k) all.push_back(transverse('z', k));
     return all;
   }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
+  std::vector<Station> stations() const override { return stations_at(struck()); }
+  std::vector<std::string> channels(std::size_t /*mode*/) const override {
+    return channels_of(struck(), 'z');
+  }
+  FoundModes modes(const Mechanism& m, const Effect& change) const override {
     LineModel model;
     const double off = m.name == "places" ? m.amount : 0;
     const auto at = change.value.find("at");
@@ -193,7 +217,10 @@ public:
     if (m.name == "theory") // a stud with what is screwed on it stiffens the beam
       model.add_joint(model.node(0.24), model.node(0.288), 0,
                       m.amount * rectangle(0.0254, 0.0127).EI / 0.048);
-    return model.frequencies(8).tail(6);
+    FoundModes found = model.modes(8, struck());
+    found.frequencies = VectorXd(found.frequencies.tail(6));
+    found.shapes.erase(found.shapes.begin(), found.shapes.begin() + 2);
+    return found;
   }
   Change draw_change(Draws& draws) const override {
     if (draws.below(2)) return mass_at("beam", draws.between(0, 0.72), 0.35);
@@ -202,6 +229,7 @@ public:
   double position(const std::string& place) const override { return line().position(place); }
 
 private:
+  static std::vector<double> struck() { return {0, 0.144, 0.288, 0.432, 0.576, 0.72}; }
   static Line line() { return {.length = 0.72, .across = 0.0254, .depth = 0.0127, .stretches = 5}; }
 };
 
@@ -217,7 +245,11 @@ public:
     for (int k = 1; k <= 6; ++k) all.push_back(transverse('z', k));
     return all;
   }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
+  std::vector<Station> stations() const override { return stations_at(struck()); }
+  std::vector<std::string> channels(std::size_t /*mode*/) const override {
+    return channels_of(struck(), 'z');
+  }
+  FoundModes modes(const Mechanism& m, const Effect& change) const override {
     LineModel model;
     const auto at = change.value.find("at");
     const double middle = 0.25 + (m.name == "places" ? m.amount : 0);
@@ -256,7 +288,7 @@ public:
       if (compliance > 0) model.add_springs(end, 0, 1 / compliance);
       model.fix(end, true, compliance == 0);
     }
-    return model.frequencies(6);
+    return model.modes(6, struck());
   }
   Change draw_change(Draws& draws) const override {
     switch (draws.below(4)) {
@@ -279,6 +311,7 @@ public:
   }
 
 private:
+  static std::vector<double> struck() { return {0.05, 0.125, 0.2, 0.3, 0.375, 0.45}; }
   static Line line() { return {.length = 0.5, .across = 0.04, .depth = 0.008, .stretches = 4}; }
   static Line half(const std::string& part) {
     return {.length = 0.25, .across = 0.04, .depth = 0.008, .stretches = 2, .part = part};

@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 using nlohmann::json;
 
 constexpr double of_measurement = 0.001; // of a frequency
+constexpr double of_shape = 0.03;        // of the largest component
 constexpr double one_error = 1.645;      // the 90 % error of a size, in standard deviations
 
 double log_between(Draws& draws, double low, double high) {
@@ -37,18 +38,20 @@ template <typename Grows> double where(double target, double least, double most,
 struct Day { // one mounting of a specimen
   std::string state;
   VectorXd frequencies, damping;
+  std::vector<VectorXd> shapes = {}; // their largest component is one
 };
 
 class SpecimenMaker {
 public:
   SpecimenMaker(const ChangedStructure& structure, const std::string& mechanism, bool changes,
                 std::uint64_t seed, const std::string& id)
-      : structure_(structure), draws_(seed, "change." + id), changes_(changes) {
+      : structure_(structure), draws_(seed, "change." + id), shape_draws_(seed, "shape." + id),
+        changes_(changes) {
     mechanism_ = {.name = mechanism, .amount = 0, .seed = seed ^ fnv1a(id)};
     err();
     scatter_ = log_between(draws_, 0.003, 0.01);
     baselines_ = 1 + draws_.below(2);
-    before_ = structure_.frequencies(mechanism_, {});
+    before_ = structure_.modes(mechanism_, {});
     after_ = before_;
     if (changes_) draw_change();
     measure();
@@ -86,18 +89,30 @@ public:
     out.print("states:\n");
     for (const Day& day : days_)
       out.print("  - {{name: {}{}}}\n", day.state, day.state == "after" ? "" : ", baseline: true");
+    if (const auto stations = structure_.stations(); !stations.empty()) {
+      out.print("sensors:\n");
+      for (const Station& s : stations)
+        out.print("  - {{name: {}, at: [0, {:.6g}, 0]}}\n", s.name, s.along);
+    }
     out.print("modes:\n");
     const auto labels = structure_.labels();
     for (const Day& day : days_)
       for (std::size_t k = 0; k < labels.size(); ++k) {
         const double f = day.frequencies[Eigen::Index(k)], z = day.damping[Eigen::Index(k)];
         out.print("  - {{frequency: {:.6g}, sigma: {:.3g}, damping: {:.4g}, sigma_damping: {:.2g}, "
-                  "{}, state: {}}}\n",
-                  f, of_measurement * f, z, 0.05 * z, labels[k], day.state);
+                  "{}, state: {}{}}}\n",
+                  f, of_measurement * f, z, 0.05 * z, labels[k], day.state, vector_of(day, k));
       }
   }
 
 private:
+  std::string vector_of(const Day& day, std::size_t mode) const {
+    const auto channels = structure_.channels(mode);
+    if (channels.empty()) return "";
+    return fmt::format(", vector: {{channels: [{}], real: [{:.4f}]}}", fmt::join(channels, ", "),
+                       fmt::join(day.shapes[mode], ", "));
+  }
+
   void err() {
     error_ = log_between(draws_, 0.01, 0.04);
     const VectorXd right = structure_.frequencies({}, {});
@@ -126,8 +141,9 @@ private:
         return e;
       };
       const auto seen = [&](double size) {
-        const VectorXd moved =
-            (structure_.frequencies(mechanism_, changed(size)).array() / before_.array()).log();
+        const VectorXd moved = (structure_.frequencies(mechanism_, changed(size)).array() /
+                                before_.frequencies.array())
+                                   .log();
         return moved.norm() / sigma() / one_error;
       };
       const double size = where(wanted, open.smallest, open.largest, seen);
@@ -135,38 +151,42 @@ private:
       change_ = changed(size);
       if (ratio_ >= 0.3) break;
     }
-    after_ = structure_.frequencies(mechanism_, change_);
+    after_ = structure_.modes(mechanism_, change_);
   }
 
   void measure() {
-    VectorXd zeta(before_.size());
+    VectorXd zeta(before_.frequencies.size());
     for (double& z : zeta) z = structure_.damping() * std::exp(0.3 * draws_.normal());
-    const auto day = [&](const std::string& state, const VectorXd& f) {
-      Day d{.state = state, .frequencies = f, .damping = zeta};
+    const auto day = [&](const std::string& state, const FoundModes& found) {
+      Day d{.state = state, .frequencies = found.frequencies, .damping = zeta};
       for (double& v : d.frequencies)
         v *= 1 + scatter_ * draws_.normal() + of_measurement * draws_.normal();
       for (double& z : d.damping) z *= std::exp(0.12 * draws_.normal());
+      for (const VectorXd& shape : found.shapes) {
+        d.shapes.emplace_back(shape / shape.cwiseAbs().maxCoeff());
+        for (double& v : d.shapes.back()) v += of_shape * shape_draws_.normal();
+      }
       days_.push_back(d);
     };
     day("as_delivered", before_);
     if (baselines_ > 1) day("mounted_anew", before_);
     day("after", after_);
-    VectorXd mean = VectorXd::Zero(before_.size());
+    VectorXd mean = VectorXd::Zero(before_.frequencies.size());
     for (int b = 0; b < baselines_; ++b)
       mean.array() += days_[std::size_t(b)].frequencies.array().log() / baselines_;
-    const VectorXd change = (after_.array() / before_.array()).log(),
+    const VectorXd change = (after_.frequencies.array() / before_.frequencies.array()).log(),
                    seen = days_.back().frequencies.array().log() - mean.array();
     detectable_ = changes_ && (seen.squaredNorm() - (seen - change).squaredNorm()) / 2 >
                                   std::log(10.) * sigma() * sigma();
   }
 
   const ChangedStructure& structure_;
-  Draws draws_;
+  Draws draws_, shape_draws_;
   bool changes_, detectable_ = false;
   Mechanism mechanism_;
   double error_ = 0, scatter_ = 0, ratio_ = 0;
   int baselines_ = 1;
-  VectorXd before_, after_;
+  FoundModes before_, after_;
   Effect change_;
   std::vector<Day> days_;
 };

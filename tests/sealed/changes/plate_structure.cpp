@@ -82,7 +82,12 @@ public:
       all.push_back(fmt::format("shape: other, direction: z, order: {}", k));
     return all;
   }
-  VectorXd frequencies(const Mechanism& m, const Effect& change) const override {
+  std::vector<std::string> channels(std::size_t /*mode*/) const override {
+    std::vector<std::string> all;
+    for (const Sensor& sensor : sensors) all.push_back(std::string(sensor.name) + ".z");
+    return all;
+  }
+  FoundModes modes(const Mechanism& m, const Effect& change) const override {
     const Index n = per_axis * per_axis;
     MatrixXd K = MatrixXd::Zero(n, n), M = MatrixXd::Zero(n, n);
     const Points rule = gauss();
@@ -126,17 +131,23 @@ public:
       K += rule.weight[std::size_t(j)] * across *
            (rigid * w * w.transpose() + turn * turn.transpose() / compliance);
     }
-    for (const Sensor& sensor : sensors) {
+    MatrixXd seen(Index(sensors.size()), n);
+    for (std::size_t k = 0; k < sensors.size(); ++k) {
+      const Sensor& sensor = sensors[k];
       const VectorXd w =
           product(polynomials(sensor.x / lx).value, polynomials(sensor.y / ly).value);
+      seen.row(Index(k)) = w;
       double mass = sensor_mass_;
       if (change.name == "added_mass" && change.place == std::string("sensor.") + sensor.name)
         mass += change.value.at("mass");
       M += mass * w * w.transpose();
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(K, M, Eigen::EigenvaluesOnly);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(K, M);
     constexpr double turn = 6.283185307179586;
-    return eigen.eigenvalues().head(7).cwiseSqrt() / turn;
+    constexpr int count = 7;
+    FoundModes found{.frequencies = eigen.eigenvalues().head(count).cwiseSqrt() / turn};
+    for (Index k = 0; k < count; ++k) found.shapes.emplace_back(seen * eigen.eigenvectors().col(k));
+    return found;
   }
   Change draw_change(Draws& draws) const override {
     if (draws.below(3) == 0)

@@ -40,6 +40,19 @@ struct Change {
   double value(double s) const;
 };
 
+// What a test of modes finds: frequencies, Hz, and of each mode what its channels show; no shapes
+// where the test lists frequencies alone.
+struct FoundModes {
+  Eigen::VectorXd frequencies;
+  std::vector<Eigen::VectorXd> shapes = {};
+};
+
+// Where a hammer strikes that the case knows no sensor at.
+struct Station {
+  std::string name;
+  double along = 0; // m
+};
+
 class ChangedStructure {
 public:
   virtual ~ChangedStructure() = default;
@@ -47,7 +60,13 @@ public:
   // Of the modes in a row, as keys of an entry of `modes`.
   virtual std::vector<std::string> labels() const = 0;
   virtual double damping() const = 0;
-  virtual Eigen::VectorXd frequencies(const Mechanism& mechanism, const Effect& change) const = 0;
+  virtual FoundModes modes(const Mechanism& mechanism, const Effect& change) const = 0;
+  Eigen::VectorXd frequencies(const Mechanism& mechanism, const Effect& change) const {
+    return modes(mechanism, change).frequencies;
+  }
+  virtual std::vector<Station> stations() const { return {}; }
+  // Of the shape of a mode, counted from 0.
+  virtual std::vector<std::string> channels(std::size_t /*mode*/) const { return {}; }
   virtual Change draw_change(Draws& draws) const = 0;
   // Where a place of a diagnosis is, m along the structure; NaN: nowhere.
   virtual double position(const std::string& place) const = 0;
