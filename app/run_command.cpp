@@ -18,6 +18,7 @@
 #include "lab/measured/states.hpp"
 #include "run/analyses/run.hpp"
 #include "run/routes/operating_state.hpp"
+#include "run/routes/state_loads.hpp"
 #include "run/stages.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/life_intervals.hpp"
@@ -126,14 +127,26 @@ bool add_error_bars_and_variants(Results& results, const CaseFile& file, const P
   return state_found;
 }
 
+// Of the whole model at rest, or in the state of the case.
+std::string deck_text(const Case& data, bool nastran) {
+  if (nastran)
+    require_rest(data,
+                 "a deck for Nastran (whose modes under load, SOL 103 with STATSUB, are those "
+                 "around a linear state; --write-deck abaqus takes it)");
+  BuiltCase built = build(data);
+  if (nastran) return nastran_model(data, built);
+  if (!data.state) return abaqus_model(data, built);
+  StateResult words;
+  const StateLoads loads = state_loads(data, built, words);
+  return abaqus_model_in_state(data, built, loads);
+}
+
 int write_deck(const CaseFile& file, const RunOptions& options) {
   const bool nastran = options.deck == "nastran";
   const std::string name = nastran ? "model.bdf" : "model.inp";
-  located(file, [&] { require_rest(file.data, "a deck"); });
   OutputFolder out(options.out.folder,
                    {.command = "deck", .inputs = files_of(file), .names = {name}});
-  const BuiltCase built = build(file.data);
-  out.add(name, nastran ? nastran_model(file.data, built) : abaqus_model(file.data, built));
+  out.add(name, deck_text(file.data, nastran));
   out.commit();
   if (!options.out.quiet) print((out.path() / name).string() + "\n");
   return 0;

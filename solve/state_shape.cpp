@@ -43,22 +43,6 @@ std::optional<int> leader_of(const Constraint& row, const std::vector<Vector3d>&
   return expected.norm() <= 1e-9 * (1 + arm.norm()) ? std::optional(leader) : std::nullopt;
 }
 
-// Nodes that follow another rigidly in all six DOFs, with that node.
-std::vector<std::pair<int, int>> rigid_followers(const Model& at_rest) {
-  std::map<std::pair<int, int>, int> rows;
-  for (const Constraint& row : at_rest.constraints)
-    if (const auto leader = leader_of(row, at_rest.mesh.nodes)) ++rows[{row.node, *leader}];
-  std::vector<std::pair<int, int>> pairs;
-  std::map<int, int> leader;
-  for (const auto& [pair, count] : rows)
-    if (count == 6) leader.insert(pair);
-  for (auto [follower, first] : leader) { // one that follows itself passes it on
-    while (leader.contains(first)) first = leader.at(first);
-    pairs.emplace_back(follower, first);
-  }
-  return pairs;
-}
-
 Constraint at_present(const Constraint& row, const std::vector<Vector3d>& rest,
                       const std::vector<Vector3d>& now) {
   const auto leader = row.dof < 3 ? leader_of(row, rest) : std::nullopt;
@@ -107,6 +91,21 @@ void bear_joints(const Model& now, BushingElement& b) {
 }
 
 } // namespace
+
+std::vector<std::pair<int, int>> rigid_followers(const Model& at_rest) {
+  std::map<std::pair<int, int>, int> rows;
+  for (const Constraint& row : at_rest.constraints)
+    if (const auto leader = leader_of(row, at_rest.mesh.nodes)) ++rows[{row.node, *leader}];
+  std::vector<std::pair<int, int>> pairs;
+  std::map<int, int> leader;
+  for (const auto& [pair, count] : rows)
+    if (count == 6) leader.insert(pair);
+  for (auto [follower, first] : leader) { // one that follows itself passes it on
+    while (leader.contains(first)) first = leader.at(first);
+    pairs.emplace_back(follower, first);
+  }
+  return pairs;
+}
 
 double size_of(const Model& model) {
   Vector3d low = model.mesh.nodes.front(), high = low;

@@ -10,6 +10,10 @@ namespace plica {
 Model model_at(const Model& at_rest, std::vector<Eigen::Vector3d> nodes,
                std::vector<Eigen::Matrix3d> turned, double share);
 
+// Nodes that follow another rigidly in all six DOFs, with that node; one that itself follows passes
+// it on.
+std::vector<std::pair<int, int>> rigid_followers(const Model& at_rest);
+
 class StateShape {
 public:
   // At rest; both must outlive it.

@@ -2,23 +2,17 @@
 #pragma once
 
 #include "io/decks/abaqus.hpp"
-#include "io/files/files.hpp"
 #include "model/shape/build.hpp"
+#include "tests/run_calculix.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <sstream>
 #include <vector>
 
 namespace plica::test {
 
-// Eigenfrequencies in Hz; empty where CalculiX is not installed, or breaks off.
-inline std::vector<double> calculix_frequencies(const Case& data,
-                                                const std::filesystem::path& folder) {
-  write_whole(folder / "model.inp", abaqus_model(data, build(data)));
-  const std::string command = "cd '" + folder.string() + "' && OMP_NUM_THREADS=2 ccx -i model >log";
-  if (std::system(command.c_str()) != 0) return {};
-  std::istringstream stream(read_whole(folder / "model.dat"));
+// Eigenfrequencies in Hz, of what it has printed of a deck.
+inline std::vector<double> frequencies_in(const std::string& printed) {
+  std::istringstream stream(printed);
   std::vector<double> hertz;
   for (std::string line; std::getline(stream, line);) {
     std::istringstream fields(line);
@@ -27,6 +21,11 @@ inline std::vector<double> calculix_frequencies(const Case& data,
     if (fields >> mode >> lambda >> omega >> f >> imaginary) hertz.push_back(f);
   }
   return hertz;
+}
+
+// Of a case; empty where CalculiX is not installed, or breaks off.
+inline std::vector<double> calculix_frequencies(const Case& data) {
+  return frequencies_in(calculix_output(abaqus_model(data, build(data))));
 }
 
 } // namespace plica::test

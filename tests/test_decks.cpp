@@ -2,7 +2,6 @@
 // are read field by field.
 #include "tests/bellows_case.hpp"
 #include "tests/calculix_frequencies.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 #include "io/decks/nastran.hpp"
 #include "io/decks/nastran_cards.hpp"
@@ -43,10 +42,9 @@ Case pipe_with_body() {
 // Bending, torsion and stretching of the pipe under a body with products of inertia, beside its
 // node, on springs. The elements differ by less than 1 % on this mesh.
 TEST(AbaqusDeck, solved_by_calculix_has_our_frequencies) {
-  const TemporaryFolder folder("deck");
   const Case data = pipe_with_body();
   const Results ours = run_silently(data);
-  const std::vector<double> theirs = calculix_frequencies(data, folder.path);
+  const std::vector<double> theirs = calculix_frequencies(data);
   ASSERT_EQ(theirs.size(), ours.modes.size());
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     std::printf("| pipe with a body, mode %zu | Plica %.2f Hz | CalculiX %.2f Hz |\n", i + 1,
@@ -55,13 +53,13 @@ TEST(AbaqusDeck, solved_by_calculix_has_our_frequencies) {
   }
 }
 
-double ratio_to_calculix(Case data, const std::filesystem::path& folder, std::size_t modes) {
+double ratio_to_calculix(Case data, std::size_t modes) {
   data.analyses.response.reset();
   data.analyses.stress.reset();
   data.analyses.error_bars = false;
   data.analyses.modes->count = static_cast<int>(modes);
   const Results ours = run_silently(data);
-  const std::vector<double> theirs = calculix_frequencies(data, folder);
+  const std::vector<double> theirs = calculix_frequencies(data);
   if (theirs.size() < modes) return 0;
   double first = 0;
   for (std::size_t i = 0; i < modes; ++i) {
@@ -77,13 +75,11 @@ double ratio_to_calculix(Case data, const std::filesystem::path& folder, std::si
 // shows. The whole pipe, with the rings of its interlock on average ties and its caps, must differ
 // by the same.
 TEST(AbaqusDeckSlow, of_pipe_a2_differs_in_calculix_by_the_elements_alone) {
-  const TemporaryFolder bare_folder("deck_bare");
   const MeshDensity mesh{.around = 24, .arc = 4, .wall = 4};
-  const double bare =
-      ratio_to_calculix(verification_case("a2_slipping_plies", mesh), bare_folder.path, 3);
+  const double bare = ratio_to_calculix(verification_case("a2_slipping_plies", mesh), 3);
   Case a2 = read_case(std::string(PLICA_SOURCE_DIR) + "/cases/bellow_a2/bellow_a2.yaml").data;
   bellows_of(a2).mesh = mesh;
-  const double whole = ratio_to_calculix(a2, bare_folder.path, 3);
+  const double whole = ratio_to_calculix(a2, 3);
   ASSERT_GT(bare, 1);
   EXPECT_NEAR(whole / bare, 1, 0.005);
 }

@@ -1,7 +1,6 @@
 // A line whose parts are superelements, beside the same line unreduced in CalculiX.
 #include "tests/bellows_case.hpp"
 #include "tests/calculix_frequencies.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 
@@ -56,14 +55,13 @@ Case line_of_shells(const Bellows& decoupler, double length, const MeshDensity& 
 
 // The lowest eight modes; superelements within half a percent of the line unreduced.
 void expect_beside_calculix(const Case& data, double cutoff, double tolerance) {
-  const TemporaryFolder folder("line");
   const Results whole = run_silently(data);
   Case reduced_case = data;
   reduced_case.analyses.reduction = SuperelementsInRun{.cutoff = cutoff};
   const Results reduced = run_silently(reduced_case);
   EXPECT_NE(reduced.route.find("3 superelements"), std::string::npos) << reduced.route;
   ASSERT_TRUE(reduced.verification.passed);
-  const std::vector<double> theirs = calculix_frequencies(data, folder.path);
+  const std::vector<double> theirs = calculix_frequencies(data);
   ASSERT_EQ(theirs.size(), whole.modes.size()) << "CalculiX (ccx) is not installed, or broke off";
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     const double own = reduced.modes[i].frequency, unreduced = whole.modes[i].frequency;

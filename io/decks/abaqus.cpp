@@ -1,11 +1,13 @@
 #include "io/decks/abaqus.hpp"
 
+#include "io/decks/abaqus_motion.hpp"
+#include "io/decks/abaqus_state.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -14,8 +16,8 @@ namespace {
 
 class AbaqusText {
 public:
-  AbaqusText(const Case& data, const BuiltCase& built)
-      : case_(data), built_(built), model_(built.model),
+  AbaqusText(const Case& data, const BuiltCase& built, std::optional<AbaqusState> state)
+      : case_(data), built_(built), model_(built.model), state_(std::move(state)),
         has_rotations_(model_.mesh.nodes.size(), false),
         rotation_node_(model_.mesh.nodes.size(), 0),
         next_node_(static_cast<int>(model_.mesh.nodes.size()) + 1) {
@@ -28,6 +30,9 @@ public:
       for (int dof = 0; dof < 6; ++dof) held_.insert({node, dof});
     for (const Constraint& c : model_.constraints)
       if (c.terms.empty()) held_.insert({c.node, c.dof});
+    if (!state_) return;
+    for (const auto& [node, leader] : state_->carried)
+      for (int dof = 0; dof < 6; ++dof) held_.insert({node, dof});
   }
 
   std::string text() {
@@ -43,8 +48,9 @@ public:
     for (const Constraint& c : model_.constraints)
       if (!c.terms.empty()) add_equation(c);
     for (const BuiltSensor& s : built_.sensors)
-      add("*NSET, NSET={}\n{}\n", upper(s.name), s.node + 1);
+      add("*NSET, NSET={}\n{}\n", abaqus_name(s.name), s.node + 1);
     add_held();
+    if (state_) add_state();
     add_steps();
     return std::move(text_);
   }
@@ -52,12 +58,6 @@ public:
 private:
   template <class... Args> void add(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-  }
-
-  static std::string upper(std::string name) {
-    for (char& c : name)
-      c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::toupper(c)) : '_';
-    return name;
   }
 
   void add_node(int number, const Eigen::Vector3d& x) {
@@ -108,8 +108,11 @@ private:
     if (model_.shells.empty()) return;
     std::vector<double> thickness(model_.mesh.nodes.size(), 0), corners(thickness);
     for (std::size_t s = 0; s < model_.shells.size(); ++s) {
+      const int before = elements_;
       add_elements(model_.mesh.quads, static_cast<int>(s), "S4");
       add_elements(model_.mesh.triangles, static_cast<int>(s), "S3");
+      if (elements_ == before) continue; // what was cold at rest
+      heavy_.push_back(fmt::format("SHELL{}", s + 1));
       const ShellSection& section = model_.shells[s].section;
       const double root = std::sqrt(section.bending_factor);
       for_each_shell([&](const auto& shell) {
@@ -119,10 +122,12 @@ private:
           corners[shell.nodes[a]] += 1;
         }
       });
-      add("** {}\n*MATERIAL, NAME=WALL{}\n*ELASTIC\n{:.12e}, {:.12e}\n*DENSITY\n{:.12e}\n"
-          "*SHELL SECTION, ELSET=SHELL{}, MATERIAL=WALL{}, NODAL THICKNESS\n1.\n",
+      add("** {}\n*MATERIAL, NAME=WALL{}\n*ELASTIC\n{:.12e}, {:.12e}\n*DENSITY\n{:.12e}\n",
           model_.components[model_.shells[s].component], s + 1, section.E / root, section.nu,
-          section.rho / root, s + 1, s + 1);
+          section.rho / root);
+      if (section.thermal_strain != 0)
+        add("*EXPANSION, ZERO=0.\n{:.12e}\n", section.thermal_strain);
+      add("*SHELL SECTION, ELSET=SHELL{}, MATERIAL=WALL{}, NODAL THICKNESS\n1.\n", s + 1, s + 1);
     }
     add("*NODAL THICKNESS\n");
     for (std::size_t i = 0; i < thickness.size(); ++i)
@@ -140,9 +145,12 @@ private:
       const Eigen::Vector3d n1 = b.up.cross(x).normalized();
       const int e = ++elements_;
       add("*ELEMENT, TYPE=B31, ELSET=BEAM{}\n{}, {}, {}\n", e, e, b.node1 + 1, b.node2 + 1);
-      add("*BEAM GENERAL SECTION, ELSET=BEAM{}, DENSITY={:.12e}\n{:.12e}, {:.12e}, 0., {:.12e}, "
-          "{:.12e}\n{:.9e}, {:.9e}, {:.9e}\n1., 1.\n",
-          e, p.mass / std::max(p.EA, 1e-300), p.EA, p.EI_y, p.EI_z, p.GJ, n1[0], n1[1], n1[2]);
+      heavy_.push_back(fmt::format("BEAM{}", e));
+      add("*BEAM GENERAL SECTION, ELSET=BEAM{}, DENSITY={:.12e}{}\n{:.12e}, {:.12e}, 0., {:.12e}, "
+          "{:.12e}\n{:.9e}, {:.9e}, {:.9e}\n1., 1.{}\n",
+          e, p.mass / std::max(p.EA, 1e-300), p.thermal_strain != 0 ? ", ZERO=0." : "", p.EA,
+          p.EI_y, p.EI_z, p.GJ, n1[0], n1[1], n1[2],
+          p.thermal_strain != 0 ? fmt::format(", {:.12e}", p.thermal_strain) : "");
       if (std::isfinite(p.GA_y) && std::isfinite(p.GA_z))
         add("*TRANSVERSE SHEAR STIFFNESS\n{:.12e}, {:.12e}\n", p.GA_z, p.GA_y);
       if (p.inertia_x > 0)
@@ -180,7 +188,10 @@ private:
         write_equation(terms);
       }
     }
-    if (m.body.mass > 0) add_point_mass(node, m.body.mass);
+    if (m.body.mass > 0) {
+      add_point_mass(node, m.body.mass);
+      masses_[node] += m.body.mass;
+    }
     if (m.body.inertia.isZero()) return;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(m.body.inertia);
     for (int k = 0; k < 3; ++k) {
@@ -222,8 +233,10 @@ private:
   }
 
   void add_equation(const Constraint& c) {
+    if (state_ && state_->carried.contains(c.node)) return;
     std::vector<Term> terms{{at(c.node, c.dof), 1}};
     for (const ConstraintTerm& t : c.terms) add_term(terms, t.node, t.dof, -t.factor);
+    if (state_ && c.dof < 3) add_growth(terms, c);
     if (terms.size() > 1)
       write_equation(terms);
     else
@@ -232,8 +245,25 @@ private:
 
   using Term = std::pair<Dof, double>;
 
+  // What follows a hot cap is further away from it by a share of its arm.
+  void add_growth(std::vector<Term>& terms, const Constraint& c) {
+    const auto strain = state_->growth.find(c.node);
+    if (strain == state_->growth.end()) return;
+    const auto& x = model_.mesh.nodes;
+    const double arm = x[c.node][c.dof] - x[c.terms.front().node][c.dof];
+    if (std::abs(strain->second * arm) < 1e-15) return;
+    if (heat_ == 0) {
+      heat_ = new_node({0, 0, 0});
+      boundary_.push_back({heat_, 1});
+    }
+    terms.push_back({{heat_, 1}, -strain->second * arm});
+  }
+
   void add_term(std::vector<Term>& terms, int node, int dof, double factor) {
     constexpr double rounding = 1e-15; // m: arms of a circle about its own centre
+    if (state_ && dof >= 3 && state_->turned.contains(node))
+      throw std::runtime_error("a deck in a state holds no couplings that follow a turned cap in "
+                               "part");
     if (std::abs(factor) > rounding && !is_left_out(node, dof))
       terms.push_back({at(node, dof), factor});
   }
@@ -254,111 +284,65 @@ private:
     for (const Dof& h : boundary_) add("{}, {}, {}\n", h.node, h.dof, h.dof);
   }
 
+  void add_state() {
+    const auto place = [&](int node, int dof) -> std::optional<std::pair<int, int>> {
+      if (is_left_out(node, dof)) return std::nullopt;
+      const Dof d = at(node, dof);
+      return std::pair(d.node, d.dof);
+    };
+    const DeckOfState deck{.place = place, .heavy = heavy_, .masses = masses_, .heat = heat_};
+    const std::string step = abaqus_state_step(built_, *state_, deck);
+    add("{}", step);
+  }
+
   void add_steps() {
     if (!case_.analyses.modes) return;
     const Modes& modes = *case_.analyses.modes;
     constexpr int room = 1000; // for a band: as many as there are in it
-    add("*STEP\n** CalculiX: add STORAGE=YES to *FREQUENCY when steps of motion of the base "
-        "or its ends follow.\n"
-        "*FREQUENCY\n");
+    if (state_)
+      add("** modes around it; motion of the base and of ends is left out\n*STEP, PERTURBATION\n");
+    else
+      add("*STEP\n** CalculiX: add STORAGE=YES to *FREQUENCY when steps of motion of the base or "
+          "its ends follow.\n");
+    add("*FREQUENCY\n");
     if (modes.count > 0)
       add("{}\n", modes.count);
     else
       add("{}, {:.9e}, {:.9e}\n", room, modes.band[0], modes.band[1]);
     add("*NODE FILE\nU\n*END STEP\n");
-    if (!case_.analyses.response) return;
-    add_base_steps(*case_.analyses.response, modes.count > 0 ? modes.count : room);
-    add_end_steps(*case_.analyses.response, modes.count > 0 ? modes.count : room);
-  }
-
-  void begin_steady_state(const Response& response, int modes) {
-    add("*STEP\n*STEADY STATE DYNAMICS\n{:.9e}, {:.9e}, 20, 3.\n", response.band[0],
-        response.band[1]);
-    const Damping& damping = case_.analyses.damping;
-    if (!damping.ranges.empty() || !damping.modes.empty() || !damping.loss_factors.empty() ||
-        has_damped_springs(case_))
-      add("** damping by ranges, modes, loss factors and springs is left out\n");
-    add("*MODAL DAMPING\n1, {}, {:.9e}\n", modes, damping.modal);
-  }
-
-  void end_steady_state() {
-    for (const BuiltSensor& s : built_.sensors) add("*NODE PRINT, NSET={}\nU\n", upper(s.name));
-    add("*END STEP\n");
-  }
-
-  void add_base_steps(const Response& response, int modes) {
-    if (response.bases.empty()) return;
-    add("*AMPLITUDE, NAME=BASE\n{:.9e}, {:.9e}, {:.9e}, {:.9e}\n", response.band[0], response.level,
-        response.band[1], response.level);
-    for (int direction : response.bases) {
-      if (direction > 2) {
-        add("** turns of the base are left out\n");
-        continue;
-      }
-      begin_steady_state(response, modes);
-      add("*BASE MOTION, DOF={}, AMPLITUDE=BASE\n", direction + 1);
-      end_steady_state();
-    }
-  }
-
-  // Ends that move by 1 m or 1 rad times their amplitudes: what is printed is the transmissibility.
-  // The ground behind springs moves by the force that it exerts through them.
-  void add_end_steps(const Response& response, int modes) {
-    for (const Motion& motion : response.motions) {
-      add("** motion {}: displacements, so that U is the transmissibility\n", name_of(motion));
-      begin_steady_state(response, modes);
-      std::vector<EndMotion> ends{motion};
-      ends.insert(ends.end(), motion.with.begin(), motion.with.end());
-      for (const auto& [load_case, part] : {std::pair{1, 0.}, {2, std::numbers::pi / 2}}) {
-        std::string moved, pushed;
-        for (const EndMotion& end : ends)
-          for (const std::string& cap : end.move) {
-            const double displacement = end.amplitude * std::cos(end.phase - part);
-            (is_held(cap) ? moved : pushed) += end_line(cap, end.direction, displacement);
-          }
-        if (!moved.empty() && load_case == 2)
-          add("** CalculiX 2.20 breaks off here: give it this part as the load case 1 of a step of "
-              "its own\n");
-        if (!moved.empty()) add("*BOUNDARY, LOAD CASE={}\n{}", load_case, moved);
-        if (!pushed.empty()) add("*CLOAD, LOAD CASE={}\n{}", load_case, pushed);
-      }
-      end_steady_state();
-    }
-  }
-
-  bool is_held(const std::string& cap) const {
-    const int node = built_.cap_nodes.at(cap);
-    return std::find(built_.held_nodes.begin(), built_.held_nodes.end(), node) !=
-           built_.held_nodes.end();
-  }
-
-  std::string end_line(const std::string& cap, int direction, double displacement) {
-    constexpr double rounding = 1e-15;
-    if (std::abs(displacement) < rounding) return "";
-    const Dof d = at(built_.cap_nodes.at(cap), direction);
-    if (is_held(cap))
-      return fmt::format("{}, {}, {}, {:.12e}\n", d.node, d.dof, d.dof, displacement);
-    const auto mount = std::find_if(case_.mount.begin(), case_.mount.end(),
-                                    [&](const Mount& m) { return m.cap == cap; });
-    return fmt::format("{}, {}, {:.12e}\n", d.node, d.dof,
-                       mount->stiffness[std::size_t(direction)] * displacement);
+    if (!case_.analyses.response || state_) return;
+    const std::string motion = abaqus_motion_steps(
+        case_, built_, modes.count > 0 ? modes.count : room, [&](int node, int dof) {
+          const Dof d = at(node, dof);
+          return std::pair(d.node, d.dof);
+        });
+    add("{}", motion);
   }
 
   const Case& case_;
   const BuiltCase& built_;
   const Model& model_;
+  std::optional<AbaqusState> state_;
   std::vector<bool> has_rotations_;
   std::vector<int> rotation_node_; // 0 = none yet
   int next_node_, elements_ = 0;
   std::set<std::pair<int, int>> held_; // DOFs of the model
   std::vector<Dof> boundary_;          // of the deck
+  std::vector<std::string> heavy_;     // sets of elements with mass
+  std::map<int, double> masses_;       // kg, by their nodes in the deck
+  int heat_ = 0;                       // node of the growth of hot caps; 0 = none yet
   std::string text_;
 };
 
 } // namespace
 
 std::string abaqus_model(const Case& data, const BuiltCase& built) {
-  return AbaqusText(data, built).text();
+  return AbaqusText(data, built, std::nullopt).text();
+}
+
+std::string abaqus_model_in_state(const Case& data, const BuiltCase& built,
+                                  const StateLoads& loads) {
+  return AbaqusText(data, built, abaqus_state(data, built, loads)).text();
 }
 
 } // namespace plica

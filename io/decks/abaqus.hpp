@@ -11,6 +11,7 @@
 #pragma once
 
 #include "model/shape/build.hpp"
+#include "solve/acting_loads.hpp"
 
 #include <string>
 
@@ -20,5 +21,11 @@ namespace plica {
 // is longer is cut, exponent first, and CalculiX takes a stiffness without a point for none.
 // Throws std::runtime_error naming what the deck cannot hold.
 std::string abaqus_model(const Case& data, const BuiltCase& built);
+
+// In the state of the case: a static step with its loads, and the modes around it
+// (abaqus_state.hpp). `built`: as state_loads() (run/routes/state_loads.hpp) leaves it. Throws
+// InputError, too.
+std::string abaqus_model_in_state(const Case& data, const BuiltCase& built,
+                                  const StateLoads& loads);
 
 } // namespace plica
