@@ -53,6 +53,13 @@ const EndReaction& reaction(const Results& results, const std::string& cap) {
   throw std::out_of_range(cap);
 }
 
+// A limit of pressure beside the state, Pa; 0: none of this kind.
+double pressure_limit(const Results& results, const std::string& kind) {
+  for (const SquirmResult& squirm : results.state->squirm)
+    if (squirm.kind == kind) return squirm.limit;
+  return 0;
+}
+
 } // namespace
 
 // Of a cylinder of length L whose ends cannot widen: hoop stress falls short of p r / t over 2/beta
@@ -159,6 +166,33 @@ TEST(OperatingState, ColumnSquirm) {
   compare("bellows A, both ends clamped", "column squirm", results.state->buckling[0].factor * 1e6,
           4 * M_PI * M_PI * 1.5367 / (L * L) / area, 0.05);
   EXPECT_GT(results.state->buckling[0].sideways, 0.3);
+  EXPECT_EQ(pressure_limit(results, "elastic column"), results.state->buckling[0].factor * 1e6);
+  EXPECT_EQ(pressure_limit(results, "elastic in plane"), 0);
+}
+
+// Three convolutions are too short for a column: the lowest load with one wave around tilts them
+// against each other, long before Haringx's, and far above EJMA's limit, where the wall yields.
+TEST(OperatingState, InPlaneSquirm) {
+  const auto squirming = [](int around, int fine) {
+    Case data = without_modes(
+        verification_case("bellows_a", {.around = around, .arc = fine, .wall = fine}));
+    bellows_of(data).profile[0].count = 3;
+    data.analyses.statics = false;
+    data.analyses.error_bars = false;
+    data.state.emplace();
+    data.state->pressure = 1e6;
+    data.state->buckling = 12;
+    data.state->yield = 400e6;
+    return run_silently(data);
+  };
+  const Results results = squirming(40, 3);
+  const double limit = pressure_limit(results, "elastic in plane");
+  const double area = M_PI * 0.0305 * 0.0305, L = 0.018;
+  EXPECT_GT(limit, 0);
+  EXPECT_LT(limit, 4 * M_PI * M_PI * 1.5367 / (L * L) / area);
+  EXPECT_LT(limit, pressure_limit(results, "elastic column"));
+  EXPECT_GT(limit, 10 * pressure_limit(results, "in plane"));
+  EXPECT_NEAR(pressure_limit(squirming(48, 4), "elastic in plane") / limit, 1, 0.02);
 }
 
 // Stretched and under pressure: by symmetry and on the full mesh the same.

@@ -138,10 +138,14 @@ std::vector<std::string> buckling_sentences(const StateResult& s) {
     sentences.push_back(fmt::format("buckles at {} times these loads, {} % of the motion across "
                                     "the axis",
                                     significant(b.factor, 4), significant(100 * b.sideways, 2)));
-  for (const SquirmResult& q : s.squirm)
-    sentences.push_back(fmt::format("{} squirm of {} by EJMA: limit {} bar, {} times the pressure",
-                                    q.kind, q.bellows, significant(q.limit / 1e5, 4),
-                                    significant(q.factor, 4)));
+  for (const SquirmResult& q : s.squirm) {
+    const bool elastic = q.kind.starts_with("elastic");
+    sentences.push_back(
+        fmt::format("{} of {} by {}: {}{} bar, {} times the pressure",
+                    q.kind == "elastic wall" ? "elastic buckling of the wall" : q.kind + " squirm",
+                    q.bellows, elastic ? "its shells" : "EJMA", elastic ? "" : "limit ",
+                    significant(q.limit / 1e5, 4), significant(q.factor, 4)));
+  }
   if (!s.buckling_looked_for) return sentences;
   if (s.buckling.empty()) sentences.push_back("no buckling below 1000 times these loads");
   sentences.push_back(s.buckling_proved ? "counted by inertia: none is missing"

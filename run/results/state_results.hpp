@@ -25,10 +25,11 @@ struct BucklingResult {
   double sideways = 0; // share of the motion of its nodes that is not along the axis
 };
 
-// A limit of pressure by EJMA's formulas (model/description/ejma.hpp), beside the pressure.
+// A limit of pressure by EJMA's formulas (model/description/ejma.hpp), or the lowest buckling load
+// of the elastic shells of its kind, as a share of all loads of the state, beside the pressure.
 struct SquirmResult {
-  std::string bellows, kind; // column | in plane
-  double limit = 0;          // Pa, with the margin that the formula has
+  std::string bellows, kind; // column | in plane | elastic column | elastic in plane | elastic wall
+  double limit = 0;          // Pa, of a formula with the margin that it has
   double factor = 0;         // limit / pressure
 };
 

@@ -99,7 +99,7 @@ StateResult move_into_state(const Case& data, BuiltCase& built,
                                        : full_state_solver(built.held_nodes);
   if (data.state->buckling > 0) {
     stage("buckling");
-    add_buckling(data.state->buckling, at_rest, loads, solver, result);
+    add_buckling(data, at_rest, loads, solver, result);
     watch.lap(timing, "buckling");
     stage(stages::state);
   }

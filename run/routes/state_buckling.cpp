@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <optional>
 #include <stdexcept>
 
 namespace plica {
@@ -46,9 +48,96 @@ StateLoads with_share(StateLoads loads, double share) {
   return loads;
 }
 
+// Displacement of a node out from the axis, around and along it.
+Eigen::Vector3d in_cylinder(const Model& model, int node, const VectorXd& u) {
+  const Eigen::Vector3d& x = model.mesh.nodes[std::size_t(node)];
+  const Eigen::Vector3d d = u.segment<3>(6 * node);
+  const auto turn = std::polar(1., std::atan2(x.z(), x.x()));
+  return {turn.real() * d.x() + turn.imag() * d.z(), turn.real() * d.z() - turn.imag() * d.x(),
+          d.y()};
+}
+
+// Motion of the crowns of a bellows in a buckling mode, by harmonics around.
+struct CrownMotion {
+  std::string bellows;
+  double all = 0, uniform = 0, once_around = 0; // mean squares, summed over the crowns
+  double agreement = 0; // of the tilts of neighbours, from -1 (against each other) to 1
+};
+
+CrownMotion crown_motion(const std::string& bellows, const Model& model, const VectorXd& u) {
+  using std::complex;
+  CrownMotion motion{.bellows = bellows};
+  std::vector<complex<double>> tilt;
+  const auto& sets = model.mesh.sets;
+  for (int k = 1; sets.contains(bellows + ".crown[" + std::to_string(k) + "]"); ++k) {
+    const std::vector<int>& circle = sets.at(bellows + ".crown[" + std::to_string(k) + "]");
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Vector3cd first = Eigen::Vector3cd::Zero();
+    const double share = 1 / double(circle.size());
+    for (int node : circle) {
+      const Eigen::Vector3d& x = model.mesh.nodes[std::size_t(node)];
+      const Eigen::Vector3d d = in_cylinder(model, node, u);
+      mean += share * d;
+      first += 2 * share * std::polar(1., std::atan2(x.z(), x.x())) * d.cast<complex<double>>();
+      motion.all += share * d.squaredNorm();
+    }
+    motion.uniform += mean.squaredNorm();
+    motion.once_around += first.squaredNorm() / 2;
+    tilt.push_back(first.z());
+  }
+  double alike = 0, total = 0;
+  for (std::size_t k = 0; k < tilt.size(); ++k) {
+    total += std::norm(tilt[k]);
+    if (k > 0) alike += (tilt[k - 1] * std::conj(tilt[k])).real();
+  }
+  motion.agreement = total > 0 ? alike / total : 0;
+  return motion;
+}
+
+// How the bellows that moves most buckles; none where it is pressed along or nothing moves it.
+std::optional<SquirmResult> elastic_squirm(const Case& data, const Model& model, const VectorXd& u,
+                                           double factor) {
+  CrownMotion most;
+  for (const Part& part : data.parts)
+    if (std::holds_alternative<Bellows>(part.body)) {
+      CrownMotion motion = crown_motion(part.name, model, u);
+      if (motion.all > most.all) most = std::move(motion);
+    }
+  if (!(most.all > 0) || most.uniform > most.all / 2) return std::nullopt;
+  constexpr double against = -0.25; // tilts in waves of less than 3.5 convolutions
+  const char* kind = most.once_around < most.all / 2 ? "elastic wall"
+                     : most.agreement > against      ? "elastic column"
+                                                     : "elastic in plane";
+  return SquirmResult{most.bellows, kind, factor * data.state->pressure, factor};
+}
+
+// The lowest of each kind.
+void add_elastic_squirm(const Case& data, const Model& model, const VectorXd& u, double factor,
+                        StateResult& result) {
+  if (!(data.state->pressure > 0)) return;
+  const auto found = elastic_squirm(data, model, u, factor);
+  const auto is_same = [&](const SquirmResult& s) {
+    return s.bellows == found->bellows && s.kind == found->kind;
+  };
+  if (found && std::none_of(result.squirm.begin(), result.squirm.end(), is_same))
+    result.squirm.push_back(*found);
+}
+
+// Waves around that are shorter than four elements are those of the mesh: their loads grow with the
+// square of its number around.
+bool is_resolved(const Model& model, const VectorXd& u) {
+  double alike = 0;
+  for (const Ring& ring : model.mesh.rings)
+    for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
+      const int node = ring.nodes[i], next = ring.nodes[(i + 1) % ring.nodes.size()];
+      alike += in_cylinder(model, node, u).dot(in_cylinder(model, next, u));
+    }
+  return alike >= 0;
+}
+
 } // namespace
 
-void add_buckling(int count, const Model& at_rest, const StateLoads& acting,
+void add_buckling(const Case& data, const Model& at_rest, const StateLoads& acting,
                   const StateSolver& solver, StateResult& result) {
   constexpr double share = 1e-3, beyond = 1000;
   BaseState little =
@@ -67,18 +156,21 @@ void add_buckling(int count, const Model& at_rest, const StateLoads& acting,
   std::vector<int> holds;
   for (const MovedHold& hold : acting.holds) holds.push_back(hold.node);
   const std::vector<int> free = complement(now.map.size(), node_dofs(now.map, holds));
-  const BucklingLoads loads = buckling_loads(
-      restrict_to(rest.K, free), SparseMatrix(restrict_to(now.K, free) / share), count, beyond);
+  const BucklingLoads loads =
+      buckling_loads(restrict_to(rest.K, free), SparseMatrix(restrict_to(now.K, free) / share),
+                     data.state->buckling, beyond);
   for (Eigen::Index k = 0; k < loads.factor.size(); ++k) {
     VectorXd q = VectorXd::Zero(now.map.size());
     q(free) = loads.shapes.col(k);
     const VectorXd u = expand(now.map, q).col(0);
+    if (!is_resolved(at_rest, u)) continue;
     double across = 0, all = 0;
     for (Eigen::Index n = 0; n < u.size(); n += 6) {
       across += u[n] * u[n] + u[n + 2] * u[n + 2];
       all += u.segment<3>(n).squaredNorm();
     }
     result.buckling.push_back({loads.factor[k], all > 0 ? across / all : 0});
+    add_elastic_squirm(data, at_rest, u, loads.factor[k], result);
   }
   result.buckling_looked_for = true;
   result.buckling_proved = loads.proved;

@@ -7,8 +7,11 @@
 
 namespace plica {
 
-// `acting`: on the model at rest.
-void add_buckling(int count, const Model& at_rest, const StateLoads& acting,
+// As many loads as the state asks for; `acting`: on the model at rest. Bellows under pressure get
+// the lowest of each kind in `squirm`, by the motion of their crowns: most of it once around and
+// the tilts of neighbours alike, column, or against each other, in plane; most of it more often
+// around, wall.
+void add_buckling(const Case& data, const Model& at_rest, const StateLoads& acting,
                   const StateSolver& solver, StateResult& result);
 
 // Of every bellows under pressure for which the formulas hold; the modulus is that at its highest
