@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <matio.h>
 
 #include <complex>
 #include <numbers>
@@ -337,54 +336,6 @@ TEST_F(LabFiles, matlab_variables_have_their_units_beside_them) {
   expect_si(load_frfs(m, folder_.path).at(0), 9.80665);
   { load("V"); }
   EXPECT_THROW(load_frfs(m, folder_.path), InputError);
-}
-
-// A structure with these fields, which it takes over.
-MatlabVariable structure(const char* name,
-                         std::vector<std::pair<const char*, MatlabVariable>> fields) {
-  std::vector<const char*> names;
-  for (const auto& field : fields) names.push_back(field.first);
-  std::array<std::size_t, 2> one{1, 1};
-  MatlabVariable made(
-      Mat_VarCreateStruct(name, 2, one.data(), names.data(), unsigned(names.size())));
-  for (auto& [field, value] : fields)
-    Mat_VarSetStructFieldByName(made.get(), field, 0, value.release());
-  return made;
-}
-MatlabVariable number(double x) {
-  return matlab_matrix(nullptr, Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, x)));
-}
-
-// As Simcenter Testlab exports a function: no frequencies, but where they begin and how they grow.
-TEST_F(LabFiles, a_matlab_structure_says_where_the_abscissa_begins_and_how_it_grows) {
-  const auto save = [&](double values_stated) {
-    std::vector<std::pair<const char*, MatlabVariable>> x, y, quantity_x, quantity_y, frf;
-    quantity_x.emplace_back("label", matlab_text(nullptr, "Hz"));
-    quantity_y.emplace_back("label", matlab_text(nullptr, "g/N"));
-    x.emplace_back("start_value", number(10));
-    x.emplace_back("increment", number(1));
-    x.emplace_back("number_of_values", number(values_stated));
-    x.emplace_back("quantity", structure(nullptr, std::move(quantity_x)));
-    y.emplace_back("values", matlab_matrix(nullptr, Eigen::MatrixXcd(
-                                                        Eigen::Vector3cd({1, 0}, {2, 1}, {3, 0}))));
-    y.emplace_back("quantity", structure(nullptr, std::move(quantity_y)));
-    frf.emplace_back("x_values", structure(nullptr, std::move(x)));
-    frf.emplace_back("y_values", structure(nullptr, std::move(y)));
-    MatlabWriter mat(folder_.path / "h.mat", "MATLAB 5.0 MAT-file");
-    mat.put(structure("FRF", std::move(frf)));
-  };
-  const Measured m = test_with({.abscissa = "FRF.x_values", .values = "FRF.y_values.values"});
-  save(3);
-  const FrfSet set = load_frfs(m, folder_.path).at(0);
-  expect_si(set, 9.80665);
-  EXPECT_EQ(set.hertz, Eigen::VectorXd(Eigen::Vector3d(10, 11, 12)));
-  save(4);
-  try {
-    load_frfs(m, folder_.path);
-    ADD_FAILURE() << "four values where there are three";
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("states 4 values"), std::string::npos) << e.what();
-  }
 }
 
 } // namespace

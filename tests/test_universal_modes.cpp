@@ -115,6 +115,37 @@ TEST(UniversalModes, of_results_at_nodes_turn_with_their_axes) {
   EXPECT_THROW(read(folder, universal_text(places(7)) + results), InputError); // axes not stated
 }
 
+// As Code_Aster writes them: the name of the node behind its label, numbers that touch, exponents
+// of three digits, the largest double for a mass that is not known; nodes by a data set 781.
+TEST(UniversalModes, of_Code_Aster_have_comments_behind_their_nodes) {
+  const TemporaryFolder folder("exchange");
+  const std::string nodes =
+      "    -1\n   781   %NOEUDS REAL*8\n         7         0         0        11\n"
+      "  0.0E+00  2.5E-01  0.0E+00\n    -1\n";
+  const std::string mode =
+      "    -1\n    55   %VALEURS AUX NOEUDS\nA\nDEPL - DX DY DZ DRX DRY DRZ\nC\nD\n"
+      "NUMERO D'ORDRE: 1 NUME_MODE: 1 FREQ:  9.31250E+00\n"
+      "         1         2         3         8         2         6\n"
+      "         2         4         1         1\n"
+      "  0.93125D+01  0.17977+309  0.00000D+00  0.00000D+00\n"
+      "         7     % NOEUD NO7     \n"
+      "-8.67361E-027 3.12866E-002-5.09971E-002-4.54747E-021 4.80940E-001 2.96859E-017\n"
+      "         9     % NOEUD NO9     \n"
+      " 0.00000E+000 0.00000E+000-1.81060E-001 0.00000E+000 0.00000E+000 0.00000E+000\n    -1\n";
+  const Measured m = read(folder, nodes + mode);
+  ASSERT_EQ(m.modes.size(), 1);
+  EXPECT_EQ(m.modes[0].frequency, 9.3125);
+  ASSERT_EQ(m.modes[0].vector->channels.size(), 6);
+  EXPECT_EQ(m.modes[0].vector->channels[3], "node9.x");
+  EXPECT_EQ(m.modes[0].vector->real[1], 3.12866e-2);
+  EXPECT_EQ(m.modes[0].vector->real[5], -0.18106);
+  ASSERT_EQ(m.sensors.size(), 1);
+  EXPECT_EQ(m.sensors[0].at[1], 0.25);
+  std::string far = mode;
+  far.replace(far.find("+309"), 4, "+310"); // no rounding makes this
+  EXPECT_THROW(read(folder, far), InputError);
+}
+
 TEST(UniversalModes, are_called_as_the_sensors_where_they_stand) {
   const TemporaryFolder folder("exchange");
   const Measured test =

@@ -249,8 +249,8 @@ std::optional<LabUnit> lab_unit(std::string_view text) {
 
 bool states_no_unit(std::string_view text) {
   const std::string word = small(without_blanks(text));
-  constexpr std::array words{"",   "none", "(none)", "<none>", "n/a",     "na", "-",
-                             "--", "?",    "no",     "null",   "unknown", "eu", "1"};
+  constexpr std::array words{"",  "none", "(none)", "<none>",  "n/a", "na", "-", "--",
+                             "?", "no",   "null",   "unknown", "eu",  "1",  "/"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 

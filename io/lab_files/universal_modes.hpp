@@ -1,6 +1,6 @@
 // Modes of a universal file as a test: data sets 55 and 2414 (normal and complex modes,
-// displacements, velocities or accelerations at nodes), places of the nodes from 15 and 2411, axes
-// of their displacements from 18 and 2420, units from 164.
+// displacements, velocities or accelerations at nodes), places of the nodes from 15, 781 and 2411,
+// axes of their displacements from 18 and 2420, units from 164.
 #pragma once
 
 #include "lab/measured/measured.hpp"

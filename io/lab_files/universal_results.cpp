@@ -1,5 +1,6 @@
 #include "io/lab_files/universal_results.hpp"
 
+#include "io/universal/numbers.hpp"
 #include "words/input_error.hpp"
 
 #include <sstream>
@@ -81,12 +82,14 @@ private:
   }
   std::vector<double> numbers(std::size_t least) {
     if (!next()) fail("ends early");
-    for (char& c : line_)
-      if (c == 'D' || c == 'd') c = 'E';
-    std::istringstream fields(line_);
     std::vector<double> list;
-    for (double x = 0; fields >> x;) list.push_back(x);
-    if (list.size() < least || !fields.eof())
+    const char* at = line_.data();
+    const char* const end = at + line_.size();
+    universal::ScannedNumber number;
+    universal::Scan scan = universal::scan_number(at, end, number);
+    for (; scan == universal::Scan::number; scan = universal::scan_number(at, end, number))
+      list.push_back(number.value);
+    if (list.size() < least || scan != universal::Scan::end)
       fail("'" + line_ + "' does not hold " + std::to_string(least) + " numbers");
     return list;
   }

@@ -4,7 +4,7 @@
 //   number      type                here
 //   58, 58b     UniversalFunction   functions at a degree of freedom, ASCII or IEEE binary
 //   55          UniversalShape      data at nodes: mode shapes, deflection shapes
-//   15, 2411    UniversalNodes      single and double precision
+//   15, 2411    UniversalNodes      single and double precision; 781 as 2411
 //   2412        UniversalElements
 //   82          UniversalTraceline
 //   164         UniversalUnits

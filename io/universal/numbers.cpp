@@ -69,16 +69,23 @@ const char* scan_exponent(const char* p, const char* end, bool point, int& expon
 }
 
 // The rest of all numbers: many digits or far exponents. `magnitude` is the power of ten of the
-// first digit; it tells too large (refused) from too small (zero).
+// first digit; it tells too large (refused) from too small (zero). The largest double, which some
+// write for "not known", is read back also where rounding to their digits carried it beyond
+// (0.17977+309 of Code_Aster).
 bool convert(const char* begin, const char* end, int exponent, int magnitude, double& value) {
   std::string text(begin, end);
   text += 'e' + std::to_string(exponent);
   const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (last != text.data() + text.size()) return false;
   if (error == std::errc::result_out_of_range) {
-    if (magnitude > 0) return false;
     value = 0;
-    return true;
+    if (magnitude <= 0) return true;
+    if (magnitude != std::numeric_limits<double>::max_exponent10 + 1) return false;
+    constexpr double rounded_up = 1.8e298, lower = 10;
+    double less = 0;
+    if (!convert(begin, end, exponent - int(lower), magnitude - int(lower), less)) return false;
+    value = std::numeric_limits<double>::max();
+    return less <= rounded_up;
   }
   return error == std::errc();
 }

@@ -21,7 +21,7 @@ struct Opening {
 };
 
 bool is_known(int number) {
-  constexpr std::array known{15, 55, 58, 82, 151, 164, 2411, 2412};
+  constexpr std::array known{15, 55, 58, 82, 151, 164, 781, 2411, 2412};
   return std::find(known.begin(), known.end(), number) != known.end();
 }
 
@@ -68,6 +68,7 @@ UniversalDataset read_set(Lines& lines, const SetHeader& header) {
   case 55:
     return read_shape(lines, header);
   case 15:
+  case 781:
   case 2411:
     return read_nodes(lines, header);
   case 2412:

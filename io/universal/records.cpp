@@ -76,8 +76,12 @@ int append_numbers(const Lines& lines, const std::string& record, std::vector<do
   return decimals;
 }
 
+std::string_view without_comment(std::string_view line) {
+  return line.substr(0, line.find('%'));
+}
+
 bool is_label(std::string_view line) {
-  const auto fields = tokens(line);
+  const auto fields = tokens(without_comment(line));
   return fields.size() == 1 && whole_number(fields[0]).has_value();
 }
 

@@ -39,6 +39,9 @@ std::vector<double> numbers_of(const Lines& lines, const std::string& record,
 // All numbers of the current line behind those of `values`; the largest number of decimals seen.
 int append_numbers(const Lines& lines, const std::string& record, std::vector<double>& values);
 
+// What stands before a %, behind which Code_Aster names the node once more.
+std::string_view without_comment(std::string_view line);
+
 // A line that is one integer: a node's label where values are expected.
 bool is_label(std::string_view line);
 

@@ -118,7 +118,7 @@ UniversalShape read_shape(Lines& lines, const SetHeader& header) {
   const Index parts = is_complex(s.data_type) ? 2 : 1;
   std::vector<double> values;
   while (next_entry(lines, "record 9", s.warnings)) {
-    const auto label = whole_numbers(lines.text());
+    const auto label = whole_numbers(without_comment(lines.text()));
     if (!label || label->size() != 1)
       lines.fail("record 9", in_quotes(lines.text()) + " is not the label of a node",
                  "one integer");
