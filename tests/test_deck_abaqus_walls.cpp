@@ -1,6 +1,7 @@
 // Walls of an Abaqus deck beside their nodes, of varying thickness, with normals given or averaged.
 #include "tests/abaqus_plate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plica::test::abaqus {
@@ -42,6 +43,34 @@ TEST(AbaqusReader, nodal_thickness) {
     for (int a = 0; a < 4; ++a) quad.thickness[a] = thickness(own.mesh.nodes[quad.nodes[a]]);
   hold(own, "edge4", all_dofs);
   expect_same_frequencies(read_text(text), own);
+}
+
+// The middle of eight nodes, which no deck names, is as thick as they make it.
+TEST(AbaqusReader, nodal_thickness_of_eight_nodes) {
+  const std::string nodes =
+      "*NODE\n1, 0, 0\n2, .2, 0\n3, .2, .1\n4, 0, .1\n5, .1, 0\n6, .2, .05\n"
+      "7, .1, .1\n8, 0, .05\n*NSET, NSET=N, GENERATE\n1, 8\n*ELEMENT, TYPE=S8R, "
+      "ELSET=WALL\n1, 1, 2, 3, 4, 5, 6, 7, 8\n" +
+      steel + "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL";
+  const std::string held = "*BOUNDARY\n1, 1, 6\n4, 1, 6\n8, 1, 6\n";
+  const auto thickest = [&](const std::string& rest) {
+    const Mesh mesh = place(read_text(nodes + rest + held), {}).mesh;
+    double t = 0, middle = 0;
+    for (const ShellQuad& quad : mesh.quads)
+      for (int a = 0; a < 4; ++a) {
+        t = std::max(t, quad.thickness[a]);
+        if ((mesh.nodes[quad.nodes[a]] - Vector3d(0.1, 0.05, 0)).norm() < 1e-9)
+          middle = quad.thickness[a];
+      }
+    return std::pair{t, middle};
+  };
+  const auto alike = thickest(", NODAL THICKNESS\n2.e-3\n*NODAL THICKNESS\nN, 3.e-3\n");
+  EXPECT_NEAR(alike.first, 3e-3, 1e-15);
+  EXPECT_NEAR(alike.second, 3e-3, 1e-15);
+  const auto tapered = thickest(", NODAL THICKNESS\n2.e-3\n*NODAL THICKNESS\nN, 3.e-3\n2, 5.e-3\n"
+                                "3, 5.e-3\n6, 5.e-3\n5, 4.e-3\n7, 4.e-3\n");
+  EXPECT_NEAR(tapered.first, 5e-3, 1e-15);
+  EXPECT_NEAR(tapered.second, 4e-3, 1e-15);
 }
 
 // A quarter of a cylinder.

@@ -262,6 +262,16 @@ void AbaqusSections::spring(const Keyword& k) {
 
 void AbaqusSections::finish() {
   note_laminates(deck_);
+  for (const Middle& m : middles_) { // by the shape functions of eight nodes
+    double t = 0;
+    bool given = false;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto own = thickness_.find(m.around[i]);
+      given = given || own != thickness_.end();
+      t += (i < 4 ? -0.25 : 0.5) * (own == thickness_.end() ? m.thickness : own->second);
+    }
+    if (given && t > 0) thickness_[m.node] = t;
+  }
   for (int s : of_nodal_thickness_) {
     DeckShell& shell = deck_.shells[s];
     for (std::size_t a = 0; a < shell.nodes.size(); ++a)

@@ -91,6 +91,12 @@ private:
   std::size_t first_of_section_ = 0;
   double open_thickness_ = 0;
   std::vector<int> of_nodal_thickness_; // shells
+  struct Middle {
+    int node = 0;
+    std::vector<int> around; // four corners, four amid the sides
+    double thickness = 0;    // where no node says its own
+  };
+  std::vector<Middle> middles_; // of eight-node shells
   int split_shells_ = 0, split_beams_ = 0;
   std::map<int, double> thickness_; // by node
   std::vector<Normal> normals_;

@@ -117,6 +117,7 @@ void AbaqusSections::add_shells(AbaqusElement& e, const ShellWall& wall) {
     const int middle = static_cast<int>(deck_.nodes.size());
     deck_.nodes.push_back(x);
     deck_.labels.push_back(0);
+    middles_.push_back({middle, n, wall.thickness});
     parts = {{n[0], n[4], middle, n[7]},
              {n[1], n[5], middle, n[4]},
              {n[2], n[6], middle, n[5]},
