@@ -3,6 +3,7 @@
 #include "compare/compare_stiffness.hpp"
 #include "diagnose/diagnose.hpp"
 #include "diagnose/predict/predictor.hpp"
+#include "diagnose/weigh/rig_errors.hpp"
 #include "run/study/part_stiffness.hpp"
 #include "tests/sliding_chain.hpp"
 #include "tests/tube_case.hpp"
@@ -158,6 +159,23 @@ Case lapped_tube() {
                                         {.of = "second", .value = 0.02},
                                         {.of = "caps.lap", .value = 0.02}};
   return data;
+}
+
+// A mount between the ends: the diagnosis goes on without the table, and says so.
+TEST(RigErrors, of_a_part_that_is_held_elsewhere_say_why) {
+  Case data = lapped_tube();
+  data.mount.push_back({.cap = "lap"});
+  Measured test;
+  MeasuredStiffnessTable& table = test.stiffness.emplace_back();
+  table.ends = {"tip", "root"};
+  add_complex(table, 50, 1, StiffnessKind::transfer, {1e6, 1e4});
+  const TestReadings readings = rig_readings(test);
+  const RigMeshCorrection found =
+      rig_mesh_correction(data, test, readings, VectorXd::Zero(Index(readings.readings.size())));
+  EXPECT_EQ(found.log, VectorXd::Zero(found.log.size()));
+  ASSERT_EQ(found.refused.size(), readings.readings.size());
+  for (const std::string& why : found.refused)
+    EXPECT_NE(why.find("mount.lap: holds the part besides its two ends"), std::string::npos) << why;
 }
 
 // As by the modes of the part alone (run/study/part_stiffness.hpp), with ratios of modes and

@@ -64,11 +64,35 @@ TestReadings chosen_readings(const TestData& test, const std::set<std::string>& 
   return readings;
 }
 
+// Tables of a rig that the mesh of the case cannot answer, each once.
+void set_aside(TestReadings& test, const std::vector<std::string>& refused) {
+  std::vector<Reading> kept;
+  std::set<std::string> said;
+  for (std::size_t i = 0; i < refused.size(); ++i) {
+    const Reading& r = test.readings[i];
+    if (refused[i].empty())
+      kept.push_back(r);
+    else if (said.insert(r.entry).second)
+      test.warnings.push_back(r.entry +
+                              " is set aside, for the stiffness between its ends cannot "
+                              "be computed on the mesh of the case: " +
+                              refused[i]);
+  }
+  test.readings = std::move(kept);
+}
+
 // What the scatter of readings rests on comes first; readings of baselines go with it.
 void state_errors(GapProblem& p, const std::set<std::string>& without) {
   const Measured& measured = p.test.data;
   p.remounting = remounting_of(p.readings, measured, p.data.diagnose);
   p.uncertainty = uncertainty_of(p.data, p.nominal, p.readings, measured, without, p.remounting);
+  if (!p.uncertainty.refused.empty()) {
+    set_aside(p.readings, p.uncertainty.refused);
+    if (p.readings.readings.empty())
+      throw std::invalid_argument("the model gives none of the measured quantities: " +
+                                  p.readings.warnings.back());
+    p.uncertainty = uncertainty_of(p.data, p.nominal, p.readings, measured, without, p.remounting);
+  }
   p.baseline = given_baselines(measured, p.data.diagnose, p.readings, p.uncertainty);
   if (p.readings.readings.empty())
     throw std::invalid_argument("the model gives none of what was measured after the baseline");

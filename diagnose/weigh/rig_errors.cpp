@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -56,15 +57,16 @@ MatrixXd shared_rig_loss(const TestReadings& test, double sigma) {
   return S;
 }
 
-VectorXd rig_mesh_correction(const Case& data, const Measured& measured, const TestReadings& test,
-                             const VectorXd& coarse) {
+RigMeshCorrection rig_mesh_correction(const Case& data, const Measured& measured,
+                                      const TestReadings& test, const VectorXd& coarse) {
   const auto corrected = [&](const Reading& r) {
     return is_of_rig(r) && std::none_of(measured.states.begin(), measured.states.end(),
                                         [&](const MeasuredState& s) {
                                           return s.name == r.state && !s.numbers.empty();
                                         });
   };
-  VectorXd correction = VectorXd::Zero(coarse.size());
+  RigMeshCorrection correction{VectorXd::Zero(coarse.size()),
+                               std::vector<std::string>(std::size_t(coarse.size()))};
   std::set<std::vector<std::string>> ends;
   for (const Reading& r : test.readings)
     if (corrected(r)) ends.insert(r.rig.ends);
@@ -81,15 +83,20 @@ VectorXd rig_mesh_correction(const Case& data, const Measured& measured, const T
       rows.push_back(i);
       request.hertz[0] = std::max(request.hertz[0], r.rig.hertz);
     }
-    const EndDynamicStiffness found = part_stiffness(data, request, [](const std::string&) {});
-    const std::vector<StiffnessComparison> fine =
-        compare_stiffness(found, numbers, request.harmonics, request.samples);
+    std::vector<StiffnessComparison> fine;
+    try {
+      const EndDynamicStiffness found = part_stiffness(data, request, [](const std::string&) {});
+      fine = compare_stiffness(found, numbers, request.harmonics, request.samples);
+    } catch (const std::runtime_error& error) { // what the case says, or no equilibrium
+      for (const Index i : rows) correction.refused[std::size_t(i)] = error.what();
+      continue;
+    }
     constexpr double so_far = 0.3; // more is another resonance
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const bool loss = numbers[k].quantity == StiffnessQuantity::loss_angle;
       const double value = loss ? std::sin(fine[k].computed) : fine[k].computed;
       const double off = std::log(std::abs(value)) - coarse[rows[k]];
-      if (std::abs(off) < so_far) correction[rows[k]] = off;
+      if (std::abs(off) < so_far) correction.log[rows[k]] = off;
     }
   }
   return correction;

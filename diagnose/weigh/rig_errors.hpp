@@ -19,9 +19,13 @@ void add_common_rig_error(const TestReadings& test, Eigen::MatrixXd& measurement
 Eigen::MatrixXd shared_rig_loss(const TestReadings& test, double sigma);
 
 // Logarithms that the mesh of the case gives more than the coarse one, whose readings are `coarse`;
-// zero for all other readings and in states that a known change sets apart. Throws as
-// part_stiffness() does.
-Eigen::VectorXd rig_mesh_correction(const Case& data, const Measured& measured,
-                                    const TestReadings& test, const Eigen::VectorXd& coarse);
+// zero for all other readings and in states that a known change sets apart. `refused`: of each
+// reading, why the part between its ends cannot be solved on that mesh; mostly empty.
+struct RigMeshCorrection {
+  Eigen::VectorXd log;
+  std::vector<std::string> refused;
+};
+RigMeshCorrection rig_mesh_correction(const Case& data, const Measured& measured,
+                                      const TestReadings& test, const Eigen::VectorXd& coarse);
 
 } // namespace plica

@@ -116,12 +116,16 @@ MatrixXd shared_damping(const TestReadings& test, const MatrixXd& weights, doubl
 // mode, of static and dynamic stiffnesses, of the mass. It is solved as `plica run` does, by
 // symmetry where there is one.
 VectorXd mesh_correction(const Case& data, const Nominal& nominal, const Measured& measured,
-                         const TestReadings& test, const VectorXd& coarse) {
+                         const TestReadings& test, const VectorXd& coarse,
+                         std::vector<std::string>& refused) {
   Case plain = for_headline(data);
   if (!plain.analyses.modes) plain.analyses.modes = Modes{.count = 10, .proof = false};
   const Results own = run(plain, [](const std::string&) {});
   const std::vector<int> modes = Predictor(nominal, test, {}).nominal_modes();
-  VectorXd correction = rig_mesh_correction(plain, measured, test, coarse);
+  RigMeshCorrection rig = rig_mesh_correction(plain, measured, test, coarse);
+  VectorXd correction = std::move(rig.log);
+  const auto any = [](const std::string& why) { return !why.empty(); };
+  if (std::any_of(rig.refused.begin(), rig.refused.end(), any)) refused = std::move(rig.refused);
   for (Index i = 0; i < coarse.size(); ++i) {
     const Reading& r = test.readings[std::size_t(i)];
     if (r.kind == ReadingKind::mass)
@@ -178,7 +182,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   const VectorXd coarse = *Predictor(nominal, test, {})(VectorXd());
   u.correction = VectorXd::Zero(n);
   if (nominal.coarse && !has_friction(data))
-    u.correction = mesh_correction(data, nominal, measured, test, coarse);
+    u.correction = mesh_correction(data, nominal, measured, test, coarse, u.refused);
   u.nominal = coarse + u.correction;
   u.bias = VectorXd::Zero(n);
   for (Index i = 0; i < n; ++i)

@@ -21,10 +21,11 @@ struct Remounting {
 };
 
 struct Uncertainty {
-  Eigen::VectorXd nominal;         // log readings of the case on its own mesh
-  Eigen::VectorXd correction;      // what the own mesh differs by from the coarse one
-  Eigen::VectorXd bias;            // mean of the admissible specimens, less the nominal one
-  std::vector<Eigen::Index> cross; // readings along other axes
+  Eigen::VectorXd nominal;          // log readings of the case on its own mesh
+  Eigen::VectorXd correction;       // what the own mesh differs by from the coarse one
+  std::vector<std::string> refused; // of each reading, why that cannot be known; empty: all are
+  Eigen::VectorXd bias;             // mean of the admissible specimens, less the nominal one
+  std::vector<Eigen::Index> cross;  // readings along other axes
   std::vector<int> series; // of each reading: those that differ in level only share a number
   Eigen::MatrixXd measurement, reassembly, numeric, form;
   Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
