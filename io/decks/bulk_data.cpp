@@ -145,6 +145,34 @@ std::vector<std::pair<double, std::string>> chosen_matrices(const DeckPosition& 
   return all;
 }
 
+// INPUTT4='super.op4', UNIT=101 of an ASSIGN; nothing of any other.
+std::optional<AssignedMatrices> assigned_matrices(const DeckPosition& at, const std::string& text) {
+  const std::string capitals = in_capitals(text);
+  const auto file = capitals.find("INPUTT4");
+  if (!capitals.starts_with("ASSIGN") || file == std::string::npos) return std::nullopt;
+  const auto open = text.find_first_of("'\"", file);
+  const auto close = open == std::string::npos ? open : text.find(text[open], open + 1);
+  if (close == std::string::npos)
+    deck_error(at, "ASSIGN", "names no file", "INPUTT4='file.op4', UNIT=101");
+  const std::filesystem::path folder = std::filesystem::path(at.file).parent_path();
+  AssignedMatrices assigned{at, folder / text.substr(open + 1, close - open - 1), 0};
+  if (const auto unit = capitals.find("UNIT", close); unit != std::string::npos) {
+    const auto digits = capitals.find_first_of("0123456789", unit);
+    const auto end = capitals.find_first_not_of("0123456789", digits);
+    if (digits != std::string::npos)
+      assigned.unit = whole_number_of(capitals.substr(digits, end - digits)).value_or(0);
+  }
+  return assigned;
+}
+
+// Of BEGIN SUPER=101, BEGIN SUPER 101; 0 of BEGIN BULK.
+int superelement_of(const std::string& begin) {
+  const auto digits = begin.find_last_not_of("0123456789 ");
+  return digits == std::string::npos
+             ? 0
+             : whole_number_of(trimmed(begin.substr(digits + 1))).value_or(0);
+}
+
 // Replication: "=" as the card before, "==" so from here on, "*(x)" that of the card before and x.
 // The first field of a card that is replicated is "="; "=(n)" repeats the last one n times.
 bool replicates(const std::string& first) {
@@ -175,6 +203,7 @@ public:
     for (auto line = begin == lines.end() ? lines.begin() : begin + 1; line != lines.end();
          ++line) {
       if (name_of(line->text) == "ENDDATA") break;
+      if (name_of(line->text) == "BEGIN") super_ = superelement_of(line->text);
       bulk(*line);
     }
   }
@@ -185,6 +214,7 @@ private:
   void control(const Line& line) {
     const std::string text = in_capitals(trimmed(line.text));
     if (data.subcases.empty()) data.subcases.emplace_back();
+    assign(line);
     if (text.starts_with("SUBCASE")) {
       ++subcases_;
       const auto number = whole_number_of(trimmed(text.substr(std::string("SUBCASE").size())));
@@ -206,6 +236,15 @@ private:
       std::vector<int>& chosen = data.chosen[name];
       chosen.insert(subcases_ > 1 ? chosen.end() : chosen.begin(), *set);
     }
+  }
+
+  // A statement that ends in a comma goes on in the next line.
+  void assign(const Line& line) {
+    statement_ += trimmed(line.text);
+    if (statement_.ends_with(',')) return;
+    if (auto assigned = assigned_matrices(line.at, statement_))
+      data.assigned.push_back(std::move(*assigned));
+    statement_.clear();
   }
 
   void choose(const std::string& text) {
@@ -244,6 +283,7 @@ private:
       card.at = line.at;
       card.name = name_of(line.text);
       card.fields = std::move(read.fields);
+      card.super = super_;
       open_ = data.cards.size();
       rules_.clear();
       data.cards.push_back(std::move(card));
@@ -305,7 +345,8 @@ private:
   std::string last_awaits_;                    // named by the line before
   std::vector<std::string> rules_;             // of the last replica
   std::size_t open_ = 0;                       // card that a line without a name continues
-  int subcases_ = 0;
+  std::string statement_;                      // of the executive control, as far as it goes
+  int subcases_ = 0, super_ = 0;
 };
 
 } // namespace

@@ -18,6 +18,7 @@ public:
   DeckPosition at;
   std::string name;
   std::vector<std::string> fields;
+  int super = 0; // superelement of the part (BEGIN SUPER) that it stands in
 
   std::string text(std::size_t field) const;
   bool has(std::size_t field) const { return !text(field).empty(); }
@@ -42,6 +43,13 @@ struct DirectMatrices {
   std::vector<std::pair<double, std::string>> chosen;
 };
 
+// ASSIGN INPUTT4='super.op4',UNIT=101
+struct AssignedMatrices {
+  DeckPosition at;
+  std::filesystem::path path;
+  int unit = 0; // 0: none is stated
+};
+
 // What one subcase chooses: LOAD, SPC, MPC, TEMP (as a load), INITIAL (temperatures), DEFORM.
 struct Subcase {
   int number = 0;
@@ -56,6 +64,7 @@ struct BulkData {
   std::vector<Subcase> subcases;         // the first: what stands above them all
   std::set<std::string> control_not_had; // SYM, SUBCOM, P2G ...: would change the loads
   std::vector<DirectMatrices> matrices;
+  std::vector<AssignedMatrices> assigned;
   std::vector<std::string> notes;
 };
 

@@ -1,7 +1,11 @@
 #include "io/decks/deck_average.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
+#include <cmath>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 namespace plica {
@@ -62,6 +66,40 @@ std::vector<Constraint> average_rows(const DeckModel& deck, int point, const std
         if (std::abs(G(row.dof, d)) > 1e-14) row.terms.push_back({nodes[i].node, d, G(row.dof, d)});
   }
   return rows;
+}
+
+std::vector<Constraint> solved_for(const std::vector<NodeDof>& following,
+                                   const std::vector<Constraint>& rows) {
+  if (following.size() != rows.size() ||
+      std::set<NodeDof>(following.begin(), following.end()).size() != rows.size())
+    throw std::invalid_argument("UM names " + std::to_string(following.size()) +
+                                " components, not the " + std::to_string(rows.size()) + " of REFC");
+  std::map<NodeDof, Eigen::Index> place; // columns: those that follow first
+  for (const NodeDof& f : following) place.try_emplace(f, Eigen::Index(place.size()));
+  for (const Constraint& row : rows) {
+    place.try_emplace({row.node, row.dof}, Eigen::Index(place.size()));
+    for (const ConstraintTerm& t : row.terms)
+      place.try_emplace({t.node, t.dof}, Eigen::Index(place.size()));
+  }
+  const auto count = Eigen::Index(rows.size());
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(count, Eigen::Index(place.size()));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Constraint& row = rows[std::size_t(i)];
+    C(i, place.at({row.node, row.dof})) += 1;
+    for (const ConstraintTerm& t : row.terms) C(i, place.at({t.node, t.dof})) -= t.factor;
+  }
+  Eigen::FullPivLU<Eigen::MatrixXd> led(C.leftCols(count));
+  led.setThreshold(1e-9);
+  if (!led.isInvertible())
+    throw std::invalid_argument("the components of UM do not follow from it");
+  const Eigen::MatrixXd X = -led.solve(C.rightCols(C.cols() - count));
+  std::vector<Constraint> solved;
+  for (const NodeDof& f : following) solved.push_back({f.node, f.dof, {}, rows.front().origin});
+  for (const auto& [dof, column] : place)
+    for (Eigen::Index i = 0; i < count && column >= count; ++i)
+      if (const double x = X(i, column - count); std::abs(x) > 1e-14)
+        solved[std::size_t(i)].terms.push_back({dof.node, dof.dof, x});
+  return solved;
 }
 
 } // namespace plica

@@ -24,4 +24,13 @@ std::vector<Constraint> average_rows(const DeckModel& deck, int point, const std
                                      const std::vector<AveragedNode>& nodes,
                                      const std::string& origin);
 
+// The same rows, solved for other DOFs than those that lead them, as many (UM of RBE3). Throws
+// std::invalid_argument where the rows do not determine them.
+struct NodeDof {
+  int node = 0, dof = 0;
+  auto operator<=>(const NodeDof&) const = default;
+};
+std::vector<Constraint> solved_for(const std::vector<NodeDof>& following,
+                                   const std::vector<Constraint>& rows);
+
 } // namespace plica

@@ -66,10 +66,42 @@ void crigd1(const Card& card, const NastranGrids& grids, DeckModel& deck) {
                             .origin = origin(card)});
 }
 
+// EID, IG, G1, C1, G2, C2 ...: each with the components that follow.
+void crigd2(const Card& card, const NastranGrids& grids, DeckModel& deck) {
+  const int reference = grids.at(card, 1);
+  for (std::size_t field = 2; field < card.fields.size(); field += 2) {
+    if (!card.has(field)) continue;
+    const std::vector<int> dofs = card.dofs(field + 1);
+    if (dofs.empty()) card.wrong("ties nothing of point " + card.text(field), "components");
+    deck.couplings.push_back({.reference = reference,
+                              .nodes = {grids.at(card, field)},
+                              .weights = {},
+                              .dofs = dofs,
+                              .origin = origin(card)});
+  }
+}
+
+// UM, G1, C1, G2, C2 ...: what follows in place of REFC.
+std::vector<NodeDof> followers(const Card& card, std::size_t field, const NastranGrids& grids) {
+  std::vector<NodeDof> all;
+  for (; field < card.fields.size(); ++field) {
+    if (!card.has(field)) continue;
+    if (in_capitals(card.text(field)) == "ALPHA") break;
+    const int node = grids.at(card, field);
+    do ++field;
+    while (field < card.fields.size() && !card.has(field));
+    const std::vector<int> dofs = card.dofs(field);
+    if (dofs.empty()) card.wrong("has no component of " + card.text(field - 1), "UM, G1, C1 ...");
+    for (int dof : dofs) all.push_back({node, dof});
+  }
+  return all;
+}
+
 // Of translations alone, to a point with all its DOFs or translations: a coupling. Of any
 // components: rows.
 void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
   std::vector<AveragedNode> averaged;
+  std::vector<NodeDof> following; // UM
   bool translations = true;
   DeckCoupling c{.distributing = true,
                  .reference = grids.at(card, 2),
@@ -85,6 +117,10 @@ void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
       continue;
     }
     if (in_capitals(card.text(field)) == "ALPHA") break; // expansion
+    if (in_capitals(card.text(field)) == "UM") {
+      following = followers(card, field + 1, grids);
+      break;
+    }
     if (std::isalpha(static_cast<unsigned char>(card.text(field)[0])))
       card.wrong("has " + card.text(field), "weights, components 123 and grid points");
     const double weight = card.real(field++);
@@ -98,14 +134,15 @@ void rbe3(const Card& card, const NastranGrids& grids, DeckModel& deck) {
     }
   }
   deck.sets["RBE3[" + card.text(0) + "]"] = {c.reference};
-  if (translations && (c.dofs == six_dofs || c.dofs == std::vector{0, 1, 2}))
+  if (following.empty() && translations && (c.dofs == six_dofs || c.dofs == std::vector{0, 1, 2}))
     return deck.couplings.push_back(std::move(c));
   try {
-    for (Constraint& row : average_rows(deck, c.reference, c.dofs, averaged, c.origin))
-      deck.equations.push_back(std::move(row));
+    std::vector<Constraint> rows = average_rows(deck, c.reference, c.dofs, averaged, c.origin);
+    if (!following.empty()) rows = solved_for(following, rows);
+    for (Constraint& row : rows) deck.equations.push_back(std::move(row));
   } catch (const std::invalid_argument& error) {
     card.wrong("averages what does not suffice: " + std::string(error.what()),
-               "more grid points, or components 123456");
+               "more grid points, components 123456, other components in UM");
   }
 }
 
@@ -183,6 +220,7 @@ void read_rigid_elements(const NastranReading& r) {
   r.each("RBE2", [&](const Card& card) { rbe2(card, r.grids, r.deck); });
   r.each("RBE3", [&](const Card& card) { rbe3(card, r.grids, r.deck); });
   r.each("RBAR", [&](const Card& card) { rbar(card, r.grids, r.deck); });
+  r.each("CRIGD2", [&](const Card& card) { crigd2(card, r.grids, r.deck); });
   r.each("CRIGD1", [&](const Card& card) { crigd1(card, r.grids, r.deck); });
 }
 

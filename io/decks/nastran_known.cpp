@@ -8,13 +8,14 @@ namespace {
 const std::set<std::string> followed{
     "DMIG",    "GRID",    "GRDSET", "SPOINT", "CORD1R",  "CORD1C",  "CORD1S", "CORD2R", "CORD2C",
     "CORD2S",  "MAT1",    "MAT2",   "MAT8",   "PSHELL",  "PCOMP",   "PCOMPG", "CQUAD4", "CQUADR",
-    "CTRIA3",  "CTRIAR",  "CQUAD8", "CTRIA6", "CQUAD2",  "CTRIA2",  "PQUAD2", "PTRIA2", "CQDMEM",
-    "CQDMEM1", "CQDMEM2", "CTRMEM", "PQDMEM", "PQDMEM1", "PQDMEM2", "PTRMEM", "CSHEAR", "PSHEAR",
-    "PBAR",    "PBARL",   "PBEAM",  "PBEAML", "CBAR",    "CBEAM",   "BAROR",  "BEAMOR", "PROD",
-    "CROD",    "CONROD",  "PTUBE",  "CTUBE",  "CONM1",   "CONM2",   "PMASS",  "CMASS1", "CMASS2",
-    "CMASS3",  "CMASS4",  "PBUSH",  "CBUSH",  "PELAS",   "CELAS1",  "CELAS2", "CELAS3", "CELAS4",
-    "RBE2",    "RBE3",    "RBAR",   "CRIGD1", "MPC",     "MPCADD",  "SPC",    "SPC1",   "SPCADD",
-    "PARAM"};
+    "CTRIA3",  "CTRIAR",  "CQUAD8", "CTRIA6", "CQUAD2",  "CTRIA2",  "CQUAD1", "CTRIA1", "PQUAD1",
+    "PTRIA1",  "PQUAD2",  "PTRIA2", "CQDMEM", "CQDMEM1", "CQDMEM2", "CTRMEM", "PQDMEM", "PQDMEM1",
+    "PQDMEM2", "PTRMEM",  "CSHEAR", "PSHEAR", "PBAR",    "PBARL",   "PBEAM",  "PBEAML", "CBAR",
+    "CBEAM",   "BAROR",   "BEAMOR", "PROD",   "CROD",    "CONROD",  "PTUBE",  "CTUBE",  "CONM1",
+    "CONM2",   "PMASS",   "CMASS1", "CMASS2", "CMASS3",  "CMASS4",  "PBUSH",  "CBUSH",  "PELAS",
+    "CELAS1",  "CELAS2",  "CELAS3", "CELAS4", "RBE2",    "RBE3",    "RBAR",   "CRIGD1", "CRIGD2",
+    "CBUSH1D", "PBUSH1D", "MPC",    "MPCADD", "SPC",     "SPC1",    "SPCADD", "PARAM",  "SEBULK",
+    "SECONCT", "EXTRN"};
 
 // Beginnings of names are enough where all cards that begin so are passed over.
 const std::set<std::string> passed_over{
@@ -27,11 +28,12 @@ const std::set<std::string> passed_over{
     "RADSET", "CHBDYE", "CHBDYG", "CHBDYP", "PHBDY", "LOADCYN", "LOADCYH", "LOADT", "FORCDST",
     // what to compute
     "EIGR", "EIGRL", "EIGB", "EIGC", "EIGP", "FREQ", "FREQ1", "FREQ2", "FREQ3", "FREQ4", "FREQ5",
-    "TSTEP", "TSTEP1", "TSTEPNL", "TIC", "TF", "NLPARM", "NLPCI", "NLCNTL", "NLSTEP", "NLADAPT",
-    "RANDPS", "RANDT1", "RCROSS", "ASET", "ASET1", "OMIT", "OMIT1", "BSET", "BSET1", "CSET",
-    "CSET1", "QSET", "QSET1", "USET", "USET1", "SUPORT", "SUPORT1", "SUPAX", "SEQGP", "MDLPRM",
-    "DYNRED", "ITER", "DTI", "DMI", "DMIJ", "DMIJI", "DMIK", "TABLEST", "SNORM", "MODTRAK",
-    "CSUPER", "RVDOF", "RVDOF1", "CMREL", "BNDFREE", "BNDFIX", "BNDFIX1", "BNDFREE1", "CYSUP",
+    "TSTEP", "TSTEP1", "EPOINT", "PLFACT", "NOLIN1", "NOLIN2", "NOLIN3", "NOLIN4", "TSTEPNL", "TIC",
+    "TF", "NLPARM", "NLPCI", "NLCNTL", "NLSTEP", "NLADAPT", "RANDPS", "RANDT1", "RCROSS", "ASET",
+    "ASET1", "OMIT", "OMIT1", "BSET", "BSET1", "CSET", "CSET1", "QSET", "QSET1", "USET", "USET1",
+    "SUPORT", "SUPORT1", "SUPAX", "SEQGP", "MDLPRM", "DYNRED", "ITER", "DTI", "DMI", "DMIJ",
+    "DMIJI", "DMIK", "TABLEST", "SNORM", "MODTRAK", "CSUPER", "RVDOF", "RVDOF1", "CMREL", "BNDFREE",
+    "BNDFIX", "BNDFIX1", "BNDFREE1", "CYSUP",
     // tables, damping, temperature and plasticity of materials
     "TABLED1", "TABLED2", "TABLED3", "TABLED4", "TABLEM1", "TABLEM2", "TABLEM3", "TABLEM4",
     "TABLES1", "TABRND1", "TABRNDG", "TABDMP1", "TABLEH1", "TABLEG", "TABL3D", "CDAMP1", "CDAMP2",
@@ -45,10 +47,11 @@ const std::set<std::string> passed_over{
     "INIT", "VECTOR", "UNGLUE", "CSCALE", "MONPNT1", "MONPNT2", "MONPNT3", "MONDSP1", "MONSUM",
     "MONCNCM", "NSMLX", "SYSNOISE", "FEFREQ", "ENFMOTN", "NLCNTLG",
     // optimisation
-    "DESVAR", "DLINK", "DEQATN", "DRESP1", "DRESP2", "DRESP3", "DCONSTR", "DCONADD", "DVPREL1",
-    "DVPREL2", "DVMREL1", "DVMREL2", "DVCREL1", "DVCREL2", "DVGRID", "DVBSHAP", "DVSHAP", "DVSET",
-    "DOPTPRM", "DSCREEN", "DTABLE", "DDVAL", "DTABLE2", "DVGEOM", "TOPVAR", "DTPL", "DSIZE",
-    "DSHUFFL", "BMFACE", "DVSHAP1", "DCONADDX", "TOMVAR", "BEADVAR", "DSELECT"};
+    "DESVAR", "PLIMIT", "POPT", "DLINK", "DEQATN", "DRESP1", "DRESP2", "DRESP3", "DCONSTR",
+    "DCONADD", "DVPREL1", "DVPREL2", "DVMREL1", "DVMREL2", "DVCREL1", "DVCREL2", "DVGRID",
+    "DVBSHAP", "DVSHAP", "DVSET", "DOPTPRM", "DSCREEN", "DTABLE", "DDVAL", "DTABLE2", "DVGEOM",
+    "TOPVAR", "DTPL", "DSIZE", "DSHUFFL", "BMFACE", "DVSHAP1", "DCONADDX", "TOMVAR", "BEADVAR",
+    "DSELECT"};
 
 // Beginnings of names of cards of aeroelasticity.
 const std::vector<std::string> aero{
@@ -56,7 +59,8 @@ const std::vector<std::string> aero{
     "DIVERG", "GUST",    "CSSCHD",  "UXVEC",   "CAER",    "PANLST",  "PAFOIL",  "MLD",
     "ASE",    "CONCT",   "BODY7",   "SEGMESH", "BLKWAKE", "BLKLAY",  "SURFSET", "ATTACH",
     "FLTFST", "PLTAERO", "PLTMODE", "PLTFLUT", "PLTSURF", "PLTTRIM", "PLTTIME", "PLTVG",
-    "PLTCP",  "TRIMFLT", "TRIMVAR", "ACOORD",  "RAERO",   "LOADMOD", "BBODY"};
+    "PLTCP",  "TRIMFLT", "TRIMVAR", "ACOORD",  "RAERO",   "LOADMOD", "BBODY",   "STFLOW",
+    "BLKSEQ", "GENGAF",  "CELLWNG", "CELLBOX"};
 
 const std::set<std::string> solids{
     "CHEXA",   "CHEXA20", "CHEXA1",  "CHEXA2",  "CHEX8",   "CHEX20",  "CTETRA",  "CPENTA",
@@ -68,22 +72,21 @@ const std::set<std::string> solids{
 
 // Names that do not begin as elements or rigid elements do, or that would be taken for such.
 const std::set<std::string> not_had{
-    "GENEL",   "RBE1",     "RROD",    "RSPLINE",  "RSSCON",  "RTRPLT",   "RTRPLT1", "RJOINT",
-    "RBAR1",   "CRBE1",    "CRBE3",   "CRIGD2",   "CRIGD3",  "CRIGDR",   "CRROD",   "CRBAR",
-    "CRTRPLT", "CRSPLINE", "CYJOIN",  "CYAX",     "CYSYM",   "BCTABLE",  "BCTADD",  "BCTSET",
-    "BGSET",   "BGADD",    "BCONP",   "BCONTACT", "BCBODY",  "BLSEG",    "BFRIC",   "BSURF",
-    "BSURFS",  "BCPROP",   "BCPARA",  "BGPARM",   "BCTPARM", "BCTPARA",  "BCRPARA", "BCSCAP",
-    "BOLT",    "BOLTFOR",  "NSM",     "NSM1",     "NSML",    "NSML1",    "NSMADD",  "ADUM1",
-    "GRIDF",   "GRIDS",    "AXIC",    "AXIF",     "AXSLOT",  "RINGAX",   "RINGFL",  "SECTAX",
-    "POINTAX", "FSLIST",   "ACMODL",  "EPOINT",   "GRIDA",   "SEBULK",   "SECONCT", "SEELT",
-    "SEEXCLD", "SELOC",    "SEMPLN",  "SETREE",   "SEBSET",  "SECSET",   "SEQSET",  "SEUSET",
-    "SENQSET", "SELOAD",   "SELABEL", "RELEASE",  "CGEN",    "BEGIN",    "CONTACT", "TIE",
-    "MAT3",    "MAT9",     "MAT10",   "MAT11",    "MATHE",   "MATHP",    "MATG",    "MATORT",
-    "ROTOR",   "ROTORG",   "ROTORD",  "RSPINR",   "UNBALNC", "BEAMSECT", "PBMSECT", "PBRSECT",
-    "PBCOMP",  "PBEAM3",   "PBEND",   "PGAP",     "PWELD",   "PFAST",    "PSEAM",   "PBUSH1D",
-    "PBUSH2D", "PCONEAX",  "PSHEARN", "PRAC2D",   "PRAC3D",  "PQUAD1",   "PTRIA1",  "PTRBSC",
-    "PQDPLT",  "PTRPLT",   "PTWIST",  "PTRSHL",   "PTRIM6",  "PTRPLT1",  "PTORDRG", "PFLUID",
-    "MFLUID",  "ELIST1",   "PACABS",  "PACBAR",   "PHBDYX",  "MATDIGI"};
+    "GENEL",    "RBE1",     "RROD",     "RSPLINE", "RSSCON",  "RTRPLT",  "RTRPLT1", "RJOINT",
+    "RBAR1",    "CRBE1",    "CRBE3",    "CRIGD3",  "CRIGDR",  "CRROD",   "CRBAR",   "CRTRPLT",
+    "CRSPLINE", "CYJOIN",   "CYAX",     "CYSYM",   "BCTABLE", "BCTADD",  "BCTSET",  "BGSET",
+    "BGADD",    "BCONP",    "BCONTACT", "BCBODY",  "BLSEG",   "BFRIC",   "BSURF",   "BSURFS",
+    "BCPROP",   "BCPARA",   "BGPARM",   "BCTPARM", "BCTPARA", "BCRPARA", "BCSCAP",  "BOLT",
+    "BOLTFOR",  "NSM",      "NSM1",     "NSML",    "NSML1",   "NSMADD",  "ADUM1",   "GRIDF",
+    "GRIDS",    "AXIC",     "AXIF",     "AXSLOT",  "RINGAX",  "RINGFL",  "SECTAX",  "POINTAX",
+    "FSLIST",   "ACMODL",   "GRIDA",    "SEELT",   "SEEXCLD", "SELOC",   "SEMPLN",  "SETREE",
+    "SEBSET",   "SECSET",   "SEQSET",   "SEUSET",  "SENQSET", "SELOAD",  "SELABEL", "RELEASE",
+    "CGEN",     "BEGIN",    "CONTACT",  "TIE",     "MAT3",    "MAT9",    "MAT10",   "MAT11",
+    "MATHE",    "MATHP",    "MATG",     "MATORT",  "ROTOR",   "ROTORG",  "ROTORD",  "RSPINR",
+    "UNBALNC",  "BEAMSECT", "PBMSECT",  "PBRSECT", "PBCOMP",  "PBEAM3",  "PBEND",   "PGAP",
+    "PWELD",    "PFAST",    "PSEAM",    "PBUSH2D", "PCONEAX", "PSHEARN", "PRAC2D",  "PRAC3D",
+    "PTRBSC",   "PQDPLT",   "PTRPLT",   "PTWIST",  "PTRSHL",  "PTRIM6",  "PTRPLT1", "PTORDRG",
+    "PFLUID",   "MFLUID",   "ELIST1",   "PACABS",  "PACBAR",  "PHBDYX",  "MATDIGI"};
 
 bool begins_as(const std::string& name, const std::vector<std::string>& beginnings) {
   return std::any_of(beginnings.begin(), beginnings.end(),
@@ -112,7 +115,13 @@ bool is_element(const std::string& card) {
       "CIS2D8", "CTRSHL", "CFHEX",  "CFTETRA", "CFWEDGE", "CAXIF",   "CSLOT",   "CHAC",   "CTRIM6",
       "CTRAX",  "CINTC",  "CAABSF", "CCRSFIL"};
   return begins_as(card, beginnings) || card == "RBE2" || card == "RBE3" || card == "RBAR" ||
-         card == "RBE1" || card == "CRIGD1";
+         card == "RBE1" || card == "CRIGD1" || card == "CRIGD2";
+}
+
+bool is_analysis_set(const std::string& card) {
+  static const std::set<std::string> all{"ASET", "ASET1", "BSET", "BSET1",
+                                         "CSET", "CSET1", "QSET", "QSET1"};
+  return all.contains(card);
 }
 
 bool is_structural_parameter(const std::string& name) {
@@ -123,11 +132,12 @@ bool is_structural_parameter(const std::string& name) {
 
 std::string group_of_numbers(const std::string& card) {
   static const std::map<std::string, std::string> groups{
-      {"PSHELL", "shell"},  {"PCOMP", "shell"},   {"PCOMPG", "shell"},  {"PBUSH", "PBUSH"},
-      {"CORD2R", "CORD"},   {"CORD2C", "CORD"},   {"CORD2S", "CORD"},   {"CORD1R", "CORD"},
-      {"CORD1C", "CORD"},   {"CORD1S", "CORD"},   {"PBAR", "beam"},     {"PBARL", "beam"},
-      {"PBEAM", "beam"},    {"PBEAML", "beam"},   {"PROD", "PROD"},     {"PTUBE", "PTUBE"},
-      {"PSHEAR", "PSHEAR"}, {"PQUAD2", "PQUAD2"}, {"PQDMEM", "PQDMEM"}, {"PTRIA2", "PTRIA2"}};
+      {"PSHELL", "shell"},  {"PCOMP", "shell"},   {"PCOMPG", "shell"},   {"PBUSH", "PBUSH"},
+      {"CORD2R", "CORD"},   {"CORD2C", "CORD"},   {"CORD2S", "CORD"},    {"CORD1R", "CORD"},
+      {"CORD1C", "CORD"},   {"CORD1S", "CORD"},   {"PBAR", "beam"},      {"PBARL", "beam"},
+      {"PBEAM", "beam"},    {"PBEAML", "beam"},   {"PROD", "PROD"},      {"PTUBE", "PTUBE"},
+      {"PSHEAR", "PSHEAR"}, {"PQUAD2", "PQUAD2"}, {"PQDMEM", "PQDMEM"},  {"PTRIA2", "PTRIA2"},
+      {"PQUAD1", "PQUAD1"}, {"PTRIA1", "PTRIA1"}, {"PBUSH1D", "PBUSH1D"}};
   const auto group = groups.find(card);
   if (group != groups.end()) return group->second;
   const bool sides = card == "CORD1R" || card == "CORD1C" || card == "CORD1S";

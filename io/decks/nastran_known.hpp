@@ -16,6 +16,7 @@ enum class CardKind {
 CardKind kind_of(const std::string& card);
 bool is_element(const std::string& card); // with a number of its own, solids included
 const std::set<std::string>& followed_cards();
+bool is_analysis_set(const std::string& card); // what of a structure a reduction keeps: ASET, QSET1
 
 // Parameters that change stiffness or mass and are not followed.
 bool is_structural_parameter(const std::string& name);

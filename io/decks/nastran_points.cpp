@@ -2,7 +2,10 @@
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_elements.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+
+#include <cmath>
 
 namespace plica {
 namespace {
@@ -10,8 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr const char* no_body =
-    "a mass of at least 0, moments of inertia none above the sum of the other two";
+constexpr const char* no_body = "a mass of at least 0, moments of inertia none below 0";
 
 void conm2(const NastranReading& r, const Card& card) {
   const double factor = r.properties.mass_factor();
@@ -28,20 +30,22 @@ void conm2(const NastranReading& r, const Card& card) {
   // Products of inertia are integrals: the matrix has them with the other sign.
   body.inertia << J(8), -J(9), -J(11), -J(9), J(10), -J(12), -J(11), -J(12), J(13);
   body.inertia = axes * body.inertia * axes.transpose();
-  const Eigen::Vector3d spread = body.inertia.diagonal();
-  const bool diagonal = body.inertia.isDiagonal(1e-12);
-  // Some decks give one moment of inertia alone: no body, and yet a matrix of mass.
-  if (body.mass >= 0 && diagonal && spread.minCoeff() >= 0 && !is_body(body) &&
-      body.offset.isZero()) {
-    MatrixElement mass{.nodes = {element.node},
-                       .K = Eigen::MatrixXd::Zero(6, 6),
-                       .M = Eigen::MatrixXd::Zero(6, 6)};
-    mass.M.diagonal() << Vector3d::Constant(body.mass), spread;
-    r.deck.springs.push_back(std::move(mass));
-    return;
-  }
-  if (!is_body(body)) card.wrong("is no body", no_body);
-  r.deck.masses.push_back(element);
+  if (is_body(body)) return r.deck.masses.push_back(element);
+  // Some decks give moments of inertia of no body (one alone), and yet a matrix of mass.
+  const Eigen::Vector3d spread =
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(body.inertia).eigenvalues();
+  if (!(body.mass >= 0 && spread.allFinite() && spread[0] >= -1e-12 * std::abs(spread[2])))
+    card.wrong("is no body", no_body);
+  Eigen::MatrixXd to_centre = Eigen::MatrixXd::Identity(6, 6); // motion of the centre of mass
+  const Vector3d& arm = body.offset;
+  to_centre.topRightCorner<3, 3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(),
+      0;
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(6, 6);
+  own.topLeftCorner<3, 3>().diagonal().setConstant(body.mass);
+  own.bottomRightCorner<3, 3>() = body.inertia;
+  r.deck.springs.push_back({.nodes = {element.node},
+                            .K = Eigen::MatrixXd::Zero(6, 6),
+                            .M = to_centre.transpose() * own * to_centre});
 }
 
 // A symmetric matrix of 6 x 6 by its lower triangle, in the axes of a system.
@@ -143,12 +147,35 @@ void bush(const NastranReading& r, const Card& card) {
   add_bush(r, card, element, has_length);
 }
 
+// Along the line between its points, or along x of CID; K in small motion, whatever its table says.
+void bush1d(const NastranReading& r, const Card& card) {
+  const Card& property = r.properties.card("PBUSH1D", card.whole(1, card.whole(0)), card);
+  if (property.real(3, 0) != 0) property.wrong("has a mass", "K; masses by CONM2");
+  std::vector<int> nodes;
+  for (std::size_t field : {2, 3})
+    if (card.has(field)) nodes.push_back(r.grids.at(card, field));
+  if (nodes.empty()) card.wrong("is tied to nothing", "a grid point");
+  Vector3d line = nodes.size() == 2 ? Vector3d(r.deck.nodes[nodes[1]] - r.deck.nodes[nodes[0]])
+                                    : Vector3d(0, 0, 0);
+  if (card.has(4)) line = r.grids.axes(card, 4, r.deck.nodes[nodes[0]]).col(0);
+  if (!(line.norm() > 0)) card.wrong("has no direction", "CID, or points that lie apart");
+  std::vector<SpringEnd> ends;
+  for (int node : nodes) {
+    ends.push_back({.node = node});
+    ends.back().direction.head<3>() = line.normalized();
+  }
+  const Eigen::MatrixXd K = spring_matrix(ends, property.real(1, 0));
+  r.deck.springs.push_back(
+      {.nodes = nodes, .K = K, .M = Eigen::MatrixXd::Zero(K.rows(), K.cols())});
+}
+
 } // namespace
 
 void read_points(const NastranReading& r) {
   r.each("CONM2", [&](const Card& card) { conm2(r, card); });
   r.each("CONM1", [&](const Card& card) { conm1(r, card); });
   r.each("CBUSH", [&](const Card& card) { bush(r, card); });
+  r.each("CBUSH1D", [&](const Card& card) { bush1d(r, card); });
   const auto value = [&](const char* name, const Card& card) {
     // Up to two PELAS, four PMASS stand in a card.
     const std::size_t step = std::string(name) == "PELAS" ? 4 : 2;

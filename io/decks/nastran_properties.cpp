@@ -66,6 +66,8 @@ NastranProperties::NastranProperties(const CardsByName& cards, double mass_facto
   make_all(cards, "PSHELL", walls_, problems, [&](const Card& card) { return pshell(card); });
   for (const char* name : {"PCOMP", "PCOMPG"})
     make_all(cards, name, walls_, problems, [&](const Card& card) { return pcomp(card); });
+  for (const char* name : {"PQUAD1", "PTRIA1"})
+    make_all(cards, name, walls_, problems, [&](const Card& card) { return pquad1(card); });
   for (const char* name : {"PQUAD2", "PTRIA2", "PQDMEM", "PQDMEM1", "PQDMEM2", "PTRMEM"})
     make_all(cards, name, walls_, problems, [&](const Card& card) { return pquad2(card); });
   for (const char* name : {"PBAR", "PBARL", "PBEAM", "PBEAML"})
@@ -273,31 +275,6 @@ NastranWall NastranProperties::pshell(const Card& card) const {
       flexible ? card.real(6, 5. / 6) * material(card, 5).G / m.isotropic_shear() : rigid_in_shear;
   if (!(s.bending_factor > 0 && s.shear_correction > 0))
     card.wrong("has a factor of zero", "12I/T**3 and TS/T above 0");
-  return wall;
-}
-
-// Of one material all through, without flexibility in shear; PQDMEM and its like without bending.
-NastranWall NastranProperties::pquad2(const Card& card) const {
-  const NastranMaterial& m = material(card, 1);
-  NastranWall wall{.section = {.E = m.E, .nu = m.nu, .rho = m.rho},
-                   .thickness = card.real(2),
-                   .expansion = m.expansion};
-  if (!(wall.thickness > 0)) card.wrong("has no thickness", "T above 0");
-  wall.section.rho += mass_factor_ * card.real(3, 0) / wall.thickness;
-  wall.section.shear_correction = rigid_in_shear;
-  if (card.name.find("MEM") != std::string::npos) {
-    wall.kind = WallKind::membrane;
-    wall.section.bending_factor = wall.section.shear_correction = wall.section.drilling = 0;
-  }
-  if (m.not_a_wall.empty()) return wall;
-  ShellLaminate all = solid_wall({ply_material(card, 1).Q, Eigen::Matrix2d::Zero(), 0});
-  all.rho = wall.section.rho;
-  if (wall.kind == WallKind::membrane) {
-    all.D.setZero();
-    all.S.setZero();
-    all.drilling = 0;
-  }
-  wall.laminate = all;
   return wall;
 }
 

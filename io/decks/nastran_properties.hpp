@@ -65,6 +65,7 @@ private:
   NastranWall pshell(const Card& card) const;
   NastranWall general_pshell(const Card& card, NastranWall wall) const;
   NastranWall pcomp(const Card& card) const;
+  NastranWall pquad1(const Card& card) const;
   NastranWall pquad2(const Card& card) const;
   TurnedSection beam_of(const Card& card);
   TurnedSection pbar(const Card& card, const NastranMaterial& m) const;

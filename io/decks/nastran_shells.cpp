@@ -110,7 +110,8 @@ ShellCard corners(const NastranReading& r, const Card& card, const NastranWall& 
 }
 
 void shell(const NastranReading& r, const Card& card) {
-  const bool old = card.name.ends_with("2") || card.name.find("MEM") != std::string::npos;
+  const bool old = card.name.ends_with("1") || card.name.ends_with("2") ||
+                   card.name.find("MEM") != std::string::npos;
   const std::size_t n = card.name.starts_with("CQ") ? 4 : 3;
   const auto wall = wall_of(r, card);
   if (!wall) return;
@@ -198,8 +199,8 @@ void panel(const NastranReading& r, const Card& card) {
 } // namespace
 
 void read_shells(const NastranReading& r) {
-  for (const char* name : {"CQUAD4", "CQUADR", "CTRIA3", "CTRIAR", "CQUAD2", "CTRIA2", "CQDMEM",
-                           "CQDMEM1", "CQDMEM2", "CTRMEM"})
+  for (const char* name : {"CQUAD4", "CQUADR", "CTRIA3", "CTRIAR", "CQUAD1", "CTRIA1", "CQUAD2",
+                           "CTRIA2", "CQDMEM", "CQDMEM1", "CQDMEM2", "CTRMEM"})
     r.each(name, [&](const Card& card) { shell(r, card); });
   std::size_t split = 0;
   for (const char* name : {"CQUAD8", "CTRIA6"}) {

@@ -23,6 +23,9 @@ public:
       if (line.card != "K2GG" && line.card != "M2GG")
         missing_.add(line.card, "adds matrices of the deck (DMIG)", line.at);
     }
+    for (const Card& card : bulk.cards)
+      if (card.name == "SEBULK" && in_capitals(card.text(1)) == "EXTOP4")
+        external_.insert(card.whole(0));
     for (const Card& card : bulk.cards) problems_.collect([&] { sort(card); });
     for_each("PARAM", [&](const Card& card) { parameter(card); });
     missing_.finish(problems_, deck, "cards of docs/decks.md, or unknown_cards: list");
@@ -41,11 +44,17 @@ private:
 
   void sort(const Card& card) {
     if (card.name == "DMIG" && !added_.contains(in_capitals(card.text(0))))
-      return passed_.add("DMIG"); // nothing adds it
-    const CardKind kind = kind_of(card.name);
+      return passed_.add("DMIG");                                       // nothing adds it
+    if (card.name == "BEGIN" && card.super == 0) return;                // BEGIN BULK once more
+    if (external_.contains(card.super) && card.name != "EXTRN") return; // its matrices say it all
+    CardKind kind = kind_of(card.name);
+    if ((card.name == "SEBULK" || card.name == "SECONCT") && !external_.contains(card.whole(0)))
+      kind = CardKind::structural;
+    if (card.name == "EXTRN" && !external_.contains(card.super)) kind = CardKind::structural;
     if (kind == CardKind::followed) missing_.count_element(is_element(card.name));
     switch (kind) {
     case CardKind::passed:
+      if (is_analysis_set(card.name)) cards_[card.name].push_back(&card); // rows of an OP4
       if (!is_load_card(card.name)) return passed_.add(card.name);
       loads_[card.name].push_back(&card);
       return acting_.add(card.name);
@@ -131,6 +140,7 @@ private:
   CardsByName cards_, loads_;                                  // followed; that act in static: deck
   std::map<std::pair<std::string, int>, const Card*> numbers_; // by group
   std::set<std::string> added_; // matrices of the deck, by case control
+  std::set<int> external_;      // superelements whose matrices stand in a file
   double mass_factor_ = 1;
   bool coupled_mass_ = false;
   int wtmass_line_ = 0;
