@@ -244,6 +244,10 @@ TEST(Op4, is_the_matrix_of_an_external_superelement) {
   const auto deck = op4_deck(folder, op4_external + "BEGIN SUPER=9\nEXTRN,3,1,5,1\n"
                                                     "GRID,3,,0.,0.,0.\nASET1,1,3,5\nENDDATA\n");
   expect_chain(*deck);
+  std::string chosen = op4_external;
+  chosen.insert(chosen.find("BEGIN BULK"), "MPC = 701\n"); // of a superelement
+  expect_chain(*op4_deck(folder, chosen + "MPC,702,20,2,1.,10,2,-1.\nBEGIN SUPER=9\n"
+                                          "EXTRN,3,1,5,1\nENDDATA\n"));
   for (const MatrixElement& e : deck->springs) // point 3 of it is point 20 of the deck
     if (e.M.norm() > 0) {
       EXPECT_EQ(e.M(0, 0), 2);

@@ -206,6 +206,11 @@ std::set<int> in_force(const CardsByName& cards, const BulkData& bulk, const std
   });
   if (std::none_of(sets.begin(), sets.end(), [&](int set) { return there.contains(set); }) &&
       chosen.front() != 0) {
+    if (cards.contains("SEBULK")) { // case control is that of its superelements as well
+      deck.notes.push_back(kind + " = " + std::to_string(chosen.front()) +
+                           " of case control is not in the deck: taken for that of a superelement");
+      return {};
+    }
     std::string known;
     for (int set : there) known += (known.empty() ? "" : ", ") + std::to_string(set);
     any->wrong("is not of set " + std::to_string(*sets.begin()) + ", which case control chooses",

@@ -11,6 +11,7 @@ namespace plica {
 namespace {
 
 using Dofs = std::vector<GivenMatrix::Dof>;
+using Rows = std::map<std::pair<int, int>, GivenMatrix::Dof>; // by number and component
 
 GivenMatrix::Dof dof_at(const NastranReading& r, const Card& card, std::size_t field) {
   const int node = r.grids.at(card, field);
@@ -40,17 +41,19 @@ void read_entries(const NastranReading& r, const Card& card, Direct& direct) {
     if (card.has(i)) direct.matrix.add(dof_at(r, card, i), column, card.real(i + 2));
 }
 
-// The components in a field of one point; of a scalar one, and where none are wanted, its own.
-void add_components(const NastranReading& r, const Card& card, int node, std::size_t field,
-                    std::map<std::pair<int, int>, GivenMatrix::Dof>& rows) {
-  const int label = r.deck.labels[std::size_t(node)];
-  if (r.deck.scalars.contains(node))
-    rows[{label, 0}] = {node, 0};
+// A point by the number that orders it, with the components in a field; a scalar one has its own.
+struct NumberedPoint {
+  int number = 0, node = 0;
+};
+void add_components(const NastranReading& r, const Card& card, const NumberedPoint& point,
+                    std::size_t field, Rows& rows) {
+  if (r.deck.scalars.contains(point.node))
+    rows[{point.number, 0}] = {point.node, 0};
   else
-    for (int dof : card.dofs(field)) rows[{label, dof}] = {node, dof};
+    for (int dof : card.dofs(field)) rows[{point.number, dof}] = {point.node, dof};
 }
 
-Dofs in_order(const std::map<std::pair<int, int>, GivenMatrix::Dof>& rows) {
+Dofs in_order(const Rows& rows) {
   Dofs all;
   for (const auto& [place, dof] : rows) all.push_back(dof);
   return all;
@@ -58,23 +61,25 @@ Dofs in_order(const std::map<std::pair<int, int>, GivenMatrix::Dof>& rows) {
 
 // Rows of a matrix without names: those of ASET and its like, or of all points, by their numbers.
 Dofs rows_of_sets(const NastranReading& r) {
-  std::map<std::pair<int, int>, GivenMatrix::Dof> rows;
+  Rows rows;
   for (const char* name : {"ASET", "BSET", "CSET", "QSET"}) {
     r.each(name, [&](const Card& card) {
       for (std::size_t i = 0; i < card.fields.size(); i += 2)
-        if (card.has(i)) add_components(r, card, r.grids.at(card, i), i + 1, rows);
+        if (card.has(i)) add_components(r, card, {card.whole(i), r.grids.at(card, i)}, i + 1, rows);
     });
     r.each((name + std::string("1")).c_str(), [&](const Card& card) {
-      for (int node : r.grids.list(card, 1)) add_components(r, card, node, 0, rows);
+      for (int node : r.grids.list(card, 1))
+        add_components(r, card, {r.deck.labels[std::size_t(node)], node}, 0, rows);
     });
   }
   return in_order(rows);
 }
 Dofs rows_of_points(const NastranReading& r) {
-  std::map<std::pair<int, int>, GivenMatrix::Dof> rows;
+  Rows rows;
   for (int node = 0; node < int(r.deck.nodes.size()); ++node)
-    for (int dof = 0; dof < (r.deck.scalars.contains(node) ? 1 : 6); ++dof)
-      rows[{r.deck.labels[std::size_t(node)], dof}] = {node, dof};
+    if (const int label = r.deck.labels[std::size_t(node)]; label != 0) // 0: added to split a shell
+      for (int dof = 0; dof < (r.deck.scalars.contains(node) ? 1 : 6); ++dof)
+        rows[{label, dof}] = {node, dof};
   return in_order(rows);
 }
 
@@ -96,7 +101,12 @@ Named assigned_matrices(const NastranReading& r, const BulkData& bulk) {
   Named all;
   if (!wanted.empty())
     for (const AssignedMatrices& file : bulk.assigned)
-      r.problems.collect([&] { all.merge(read_op4_file(file.path, wanted)); });
+      r.problems.collect([&] {
+        for (auto& [name, A] : read_op4_file(file.path, wanted))
+          if (!all.try_emplace(name, std::move(A)).second)
+            deck_error(file.at, "ASSIGN", "has a matrix " + name + " that another file has too",
+                       "a name in one file");
+      });
   return all;
 }
 
@@ -127,7 +137,7 @@ std::map<int, int> outer_points(const NastranReading& r, int id) {
 
 Dofs rows_of_external(const NastranReading& r, const Card& bulk_card) {
   const std::map<int, int> outer = outer_points(r, bulk_card.whole(0));
-  std::map<std::pair<int, int>, GivenMatrix::Dof> rows; // by the numbers within the superelement
+  Rows rows; // by the numbers within the superelement
   r.each("EXTRN", [&](const Card& card) {
     if (card.super != bulk_card.whole(0)) return;
     for (std::size_t i = 0; i < card.fields.size(); i += 2) {
@@ -135,10 +145,7 @@ Dofs rows_of_external(const NastranReading& r, const Card& bulk_card) {
       const int inner = card.whole(i);
       const auto found = outer.find(inner);
       const int node = r.grids.find(card, found == outer.end() ? inner : found->second);
-      if (r.deck.scalars.contains(node))
-        rows[{inner, 0}] = {node, 0};
-      else
-        for (int dof : card.dofs(i + 1)) rows[{inner, dof}] = {node, dof};
+      add_components(r, card, {inner, node}, i + 1, rows);
     }
   });
   return in_order(rows);
