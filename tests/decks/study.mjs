@@ -1,7 +1,7 @@
 // How many decks of a folder are read, and what bars the others.
 //
 //   node tests/decks/study.mjs PLICA FOLDER [--half a|b|both] [--list] [--seconds 20]
-//        [--references FOLDER] [--light] [--code abaqus|nastran]
+//        [--references FOLDER] [--calculix ccx] [--light] [--code abaqus|nastran]
 //
 // Every deck below FOLDER (.inp .bdf .dat .nas .fem; the same text once) becomes the only part of a
 // case, which PLICA checks with what it does by default. The halves go by a hash of the path, so
@@ -9,7 +9,9 @@
 // --light leaves away decks that hold other elements than these.
 // --references runs what is read and has a listing of Nastran with a table of real eigenvalues, of
 // the name of the deck beside it, or alone of that name below that folder: each of its five lowest frequencies has to have one of
-// the twelve lowest of PLICA within 1 %.
+// the twelve lowest of PLICA within 1 %. --calculix does so with Abaqus decks beside CalculiX, on the
+// same model with what its first step holds, in a step of *FREQUENCY; where no material has a
+// density all have that of 1, in a copy beside the deck for as long as it takes.
 import { createHash } from "node:crypto";
 import { execFile } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -83,7 +85,7 @@ for (const file of decksBelow(folder)) {
 
 const scratch = mkdtempSync(join(tmpdir(), "decks-"));
 const caseOf = (deck, modes) =>
-  `case: deck\nparts:\n  all: {type: deck, file: ${JSON.stringify(deck.file)}, length_unit: 1 m, mass_unit: 1 kg}\n` +
+  `case: deck\nparts:\n  all: {type: deck, file: ${JSON.stringify(deck.heavy ?? deck.file)}, length_unit: 1 m, mass_unit: 1 kg}\n` +
   `analyses: {static: false, modes: {count: ${modes}}}\n`;
 const check = (deck, number) =>
   new Promise((done) => {
@@ -106,7 +108,7 @@ function* filesBelow(path) {
   }
 }
 
-// Frequencies above a thousandth of the highest: those of free bodies are rounding.
+// Frequencies above 1e-5 of the highest: those of free bodies are rounding.
 function frequenciesOf(listing) {
   const begin = listing.search(/R E A L +E I G E N V A L U E S/);
   if (begin < 0) return [];
@@ -117,7 +119,7 @@ function frequenciesOf(listing) {
     else if (all.length && /E I G E N V E C T O R|S U B C A S E|SUBCASE/.test(line)) break;
   }
   const top = Math.max(...all, 0);
-  return all.filter((f) => f > 1e-3 * top).sort((a, b) => a - b);
+  return all.filter((f) => f > 1e-5 * top).sort((a, b) => a - b);
 }
 
 // Listings by the stem of their names: the one beside the deck, or the only one of its name.
@@ -132,20 +134,88 @@ function listingOf(deck) {
   return beside[0] ?? (all.length === 1 ? all[0] : undefined);
 }
 
-const compare = (deck, number) =>
+// --- agreement with CalculiX
+
+// Every material weighs something.
+function withDensity(text) {
+  if (/^\*DENSITY/im.test(text)) return text;
+  const all = [];
+  let elastic = false;
+  for (const line of [...text.split(/\r?\n/), "*"]) {
+    if (elastic && line.startsWith("*") && !line.startsWith("**")) all.push("*DENSITY", "1.");
+    if (line.startsWith("*") && !line.startsWith("**")) elastic = /^\*ELASTIC\b/i.test(line);
+    all.push(line);
+  }
+  return all.slice(0, -1).join("\n");
+}
+
+// The model of a deck, what its first step holds, and its frequencies.
+function frequencyDeck(text) {
+  const lines = text.split(/\r?\n/), first = lines.findIndex((line) => /^\*STEP\b/i.test(line));
+  const model = first < 0 ? lines : lines.slice(0, first), held = [];
+  let inside = false;
+  for (const line of first < 0 ? [] : lines.slice(first)) {
+    if (/^\*END\s*STEP/i.test(line)) break;
+    if (line.startsWith("**")) continue;
+    if (line.startsWith("*")) {
+      inside = /^\*BOUNDARY\b/i.test(line);
+      if (inside) held.push("*BOUNDARY");
+    } else if (inside) held.push(line.split(",").slice(0, 3).join(","));
+  }
+  return [...model, ...held, "*STEP", "*FREQUENCY", "20", "*END STEP", ""].join("\n");
+}
+
+const calculix = option("--calculix", "");
+const frequenciesOfCalculix = (deck, number) =>
   new Promise((done) => {
-    const listing = listingOf(deck);
-    const theirs = listing ? frequenciesOf(readFileSync(listing, "latin1")).slice(0, 5) : [];
+    const name = join(scratch, `ccx${number}`);
+    writeFileSync(name + ".inp", frequencyDeck(readFileSync(deck.heavy ?? deck.file, "latin1")), "latin1");
+    const settings = { cwd: dirname(deck.file), timeout: 3 * seconds * 1000, maxBuffer: 1e8 };
+    execFile(calculix, ["-i", name], settings, () => {
+      let all = [];
+      try {
+        const table = readFileSync(name + ".dat", "latin1").split(/E I G E N V A L U E +O U T P U T/)[1] ?? "";
+        for (const line of table.split("\n")) {
+          const m = line.match(/^\s*\d+\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)\s*$/);
+          if (m && Number(m[3]) > 0) all.push(Number(m[3]));
+          else if (all.length && /P A R T I C I P A T I O N/.test(line)) break;
+        }
+      } catch { /* it solved nothing */ }
+      const top = Math.max(...all, 0);
+      done(all.filter((f) => f > 1e-5 * top).sort((a, b) => a - b));
+    });
+  });
+
+async function theirFrequencies(deck, number) {
+  const listing = listingOf(deck);
+  if (listing) return frequenciesOf(readFileSync(listing, "latin1"));
+  if (!calculix || deck.code !== "abaqus" || deck.code_of_exit !== 0 || !deck.light) return [];
+  const text = readFileSync(deck.file, "latin1"), heavy = withDensity(text);
+  if (heavy !== text) {
+    deck.heavy = join(dirname(deck.file), `with_density_${number}.inp`);
+    writeFileSync(deck.heavy, heavy, "latin1");
+  }
+  return frequenciesOfCalculix(deck, number);
+}
+
+const compare = async (deck, number) => {
+  const theirs = (await theirFrequencies(deck, number)).slice(0, 5);
+  await ours(deck, number, theirs);
+  if (deck.heavy) rmSync(deck.heavy);
+};
+
+const ours = (deck, number, theirs) =>
+  new Promise((done) => {
     if (deck.code_of_exit !== 0 || !deck.light || theirs.length === 0) return done();
     const name = join(scratch, `${number}.yaml`), out = join(scratch, `${number}`);
     writeFileSync(name, caseOf(deck, 12));
     execFile(plica, ["run", name, "--out", out, "--quiet"], { timeout: 3 * seconds * 1000, maxBuffer: 1e8 }, (error, text, err) => {
       deck.compared = true;
       try {
-        const ours = JSON.parse(readFileSync(join(out, "results.json"), "utf8")).modes.map((m) => m.frequency);
-        const miss = theirs.map((f) => ours.reduce((best, x) => Math.min(best, Math.abs(x / f - 1)), Infinity));
+        const found = JSON.parse(readFileSync(join(out, "results.json"), "utf8")).modes.map((m) => m.frequency);
+        const miss = theirs.map((f) => found.reduce((best, x) => Math.min(best, Math.abs(x / f - 1)), Infinity));
         deck.worst = Math.max(...miss);
-        deck.lowest = [theirs[0], ours.find((x) => x > 1e-3 * theirs[0])];
+        deck.lowest = [theirs[0], found.find((x) => x > 1e-3 * theirs[0])];
       } catch {
         deck.worst = Infinity;
         deck.text = (error ? text + err : "").slice(0, 500);
@@ -162,7 +232,7 @@ async function twoAtATime(work) {
   await Promise.all([worker(), worker()]);
 }
 await twoAtATime(check);
-if (listings.size > 0) await twoAtATime(compare);
+if (listings.size > 0 || calculix) await twoAtATime(compare);
 rmSync(scratch, { recursive: true });
 
 const share = (part, whole) => `${part} of ${whole}` + (whole ? ` (${((100 * part) / whole).toFixed(0)} %)` : "");
@@ -178,7 +248,7 @@ for (const code of ["abaqus", "nastran"])
       `of those with all their materials, properties and files ${share(read(whole), whole.length)}`);
     const compared = own.filter((d) => d.compared);
     if (compared.length)
-      console.log(`  frequencies within 1 % of a listing: ${share(compared.filter((d) => d.worst <= 0.01).length, compared.length)}`);
+      console.log(`  frequencies within 1 % of their reference: ${share(compared.filter((d) => d.worst <= 0.01).length, compared.length)}`);
     const odd = all.filter((d) => ![0, 1].includes(d.code_of_exit));
     if (odd.length) console.log(`  neither read nor refused: ${odd.map((d) => d.path + " " + d.code_of_exit).join(", ")}`);
   }
