@@ -290,10 +290,10 @@ Results run_by_route(const Case& data, const StageListener& stage, const RouteCh
   Case at_rest = data;
   at_rest.state.reset();
   Results results = Run(at_rest, stage, choose).results();
-  results.state = StateResult{
-      .name = data.state->name,
-      .route = "at rest",
-      .displacement = Eigen::MatrixXd::Zero(Eigen::Index(results.mesh.nodes.size()), 3)};
+  StateResult& idle = results.state.emplace();
+  idle.name = data.state->name;
+  idle.route = "at rest";
+  idle.displacement = Eigen::MatrixXd::Zero(Eigen::Index(results.mesh.nodes.size()), 3);
   return results;
 }
 
