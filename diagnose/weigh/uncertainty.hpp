@@ -51,7 +51,7 @@ constexpr double run_frequency = 0.0003, run_damping = 0.01; // from run to run
 constexpr double numeric_frequency = 0.002, numeric_damping = 0.015, numeric_stiffness = 0.004;
 // Of what shows along other axes: modes that are nearly alike turn among each other by trifles.
 constexpr double numeric_cross = 0.2;
-constexpr double numeric_component = 0.01; // of the largest of a shape
+constexpr double numeric_component = 0.01;  // of the largest of a shape
 constexpr double share_of_correction = 0.1; // of the difference of meshes that may be wrong
 } // namespace test_sigma
 
