@@ -18,9 +18,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 const char* kind_name(ReadingKind kind) {
-  constexpr std::array names{"mass",      "stiffness", "frequency",         "damping",
-                             "amplitude", "cross",     "dynamic stiffness", "loss",
-                             "shape"};
+  constexpr std::array names{"mass",  "stiffness",         "frequency", "damping", "amplitude",
+                             "cross", "dynamic stiffness", "loss",      "shape"};
   return names[static_cast<std::size_t>(kind)];
 }
 
