@@ -170,6 +170,26 @@ TEST(OperatingState, ColumnSquirm) {
   EXPECT_EQ(pressure_limit(results, "elastic in plane"), 0);
 }
 
+// Beyond squirm the state is one of balance all round, and the part falls aside from it: what was
+// asked of it first says so.
+TEST(OperatingState, BeyondSquirmThereIsNoResult) {
+  for (const bool statics : {true, false}) {
+    Case data = verification_case("bellows_a", {.around = 12, .arc = 2, .wall = 2}, 4);
+    data.mount = {{.cap = "left"}, {.cap = "right"}};
+    data.analyses.error_bars = false;
+    data.analyses.statics = statics;
+    data.state.emplace();
+    data.state->pressure = 1e7;
+    try {
+      run_silently(data);
+      FAIL() << "statics: " << statics;
+    } catch (const StateError& error) {
+      EXPECT_NE(std::string(error.what()).find("it has buckled"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 // Three convolutions are too short for a column: the lowest load with one wave around tilts them
 // against each other, long before Haringx's, and far above EJMA's limit, where the wall yields.
 TEST(OperatingState, InPlaneSquirm) {

@@ -48,7 +48,8 @@ public:
     if (case_.state && case_.analyses.stress) add_state_stress(case_, built_, results_);
     if (case_.analyses.life) life_.emplace(case_, built_);
     const bool moved = case_.analyses.life && needs_statics(*case_.analyses.life);
-    if ((case_.analyses.statics.value_or(true) || moved) && case_.caps.size() == 2) statics();
+    if ((case_.analyses.statics.value_or(true) || moved) && case_.caps.size() == 2)
+      around_state([this] { statics(); });
     if (case_.analyses.deck_loads) loads_of_decks();
     if (case_.analyses.modes) dynamics();
     if (const auto& asked = case_.analyses.levels;
@@ -60,15 +61,23 @@ public:
   }
 
 private:
-  void dynamics() {
+  // What cannot be solved around a state for want of stability: the state lies beyond buckling,
+  // which by symmetry shows in other harmonics than that of the state.
+  template <class Work> void around_state(const Work& work) const {
     try {
-      run_dynamics(case_, built_, *route_, stage_, life_ ? &*life_ : nullptr, results_);
+      work();
     } catch (const ModelError& error) {
       if (!case_.state) throw;
       throw StateError(std::string("around the state the part is not stable, it has buckled "
                                    "(state.buckling says at which loads): ") +
                        error.what());
     }
+  }
+
+  void dynamics() {
+    around_state([this] {
+      run_dynamics(case_, built_, *route_, stage_, life_ ? &*life_ : nullptr, results_);
+    });
     watch_ = Stopwatch();
   }
 
