@@ -91,6 +91,11 @@ TEST(ShapeReadings,
   EXPECT_TRUE(components_of(none).empty());
   ASSERT_FALSE(none.warnings.empty());
   EXPECT_NE(none.warnings.back().find("out of phase"), std::string::npos) << none.warnings.back();
+  const Measured nameless =
+      one_mode({.channels = {"h1", "h2.rz"}, .real = {0.5, 1}, .imaginary = {}});
+  const TestReadings neither = readings_of({.data = nameless, .responses = {}});
+  EXPECT_TRUE(components_of(neither).empty());
+  EXPECT_NE(neither.warnings.back().find("channel h1 is no"), std::string::npos);
 }
 
 TEST(ShapeReadings, a_shape_that_the_paired_mode_does_not_look_like_is_left_out) {
@@ -102,6 +107,26 @@ TEST(ShapeReadings, a_shape_that_the_paired_mode_does_not_look_like_is_left_out)
   EXPECT_EQ(readings.readings.size(), 1U);
   EXPECT_NE(readings.warnings.back().find("MAC 0.0"), std::string::npos)
       << readings.warnings.back();
+}
+
+// A lab's list of many channels: eight of those along the mode, the same in every state.
+TEST(ShapeReadings, of_many_channels_eight_along_the_mode_are_read) {
+  Measured m;
+  m.specimen = "beam";
+  MeasuredVector v;
+  for (int k = 0; k < 40; ++k)
+    for (const char axis : {'x', 'y', 'z'}) {
+      v.channels.push_back("p" + std::to_string(k) + "." + axis);
+      v.real.push_back(axis == 'z' ? std::pow(k / 39., 2) : 0.01);
+    }
+  m.modes.push_back(bending(Axis::z, 1, "", 10));
+  m.modes.back().vector = v;
+  const TestReadings readings = readings_of({.data = m, .responses = {}});
+  ASSERT_EQ(components_of(readings).size(), 8U);
+  EXPECT_EQ(readings.shapes[0].axes, std::vector<int>(8, 2));
+  EXPECT_EQ(readings.shapes[0].sensors.front(), "p0");
+  EXPECT_EQ(readings.shapes[0].sensors.back(), "p39");
+  EXPECT_EQ(readings.shapes[0].values.back(), 1);
 }
 
 // Frequencies do not tell the halves of a free beam apart (Baseline,

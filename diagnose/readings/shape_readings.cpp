@@ -1,6 +1,7 @@
 #include "diagnose/readings/shape_readings.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
@@ -26,6 +27,32 @@ Turned turned(const MeasuredVector& v) {
   return {z.real(), z.imag().norm() / std::max(z.norm(), 1e-300)};
 }
 
+// "mid.y", as diagnosis knows channels; not "mid" or "mid.ry".
+bool is_translation(const std::string& channel) {
+  const std::size_t n = channel.size();
+  return n > 2 && channel[n - 2] == '.' && channel[n - 1] >= 'x' && channel[n - 1] <= 'z';
+}
+
+// Channels that are read: those along the direction of the mode where they show most of it, and of
+// many some that lie evenly along the list, for neighbours say the same.
+std::vector<std::size_t> read_channels(const MeasuredVector& v, const VectorXd& real, int axis) {
+  constexpr std::size_t most = 8;
+  std::vector<std::size_t> all, along;
+  double seen = 0;
+  for (std::size_t i = 0; i < v.channels.size(); ++i) {
+    all.push_back(i);
+    if (v.channels[i].back() - 'x' != axis) continue;
+    along.push_back(i);
+    seen += std::pow(real[Eigen::Index(i)], 2);
+  }
+  const std::vector<std::size_t>& own =
+      along.size() >= 2 && seen > real.squaredNorm() / 2 ? along : all;
+  if (own.size() <= most) return own;
+  std::vector<std::size_t> spread;
+  for (std::size_t k = 0; k < most; ++k) spread.push_back(own[k * (own.size() - 1) / (most - 1)]);
+  return spread;
+}
+
 // The sign of a shape is nobody's: that of an earlier one of the same mode, which looks like it.
 void turn_like_an_earlier_one(ReadShape& shape, const std::vector<ReadShape>& earlier) {
   constexpr double alike = 0.7; // correlation
@@ -49,27 +76,39 @@ void turn_like_an_earlier_one(ReadShape& shape, const std::vector<ReadShape>& ea
 
 void add_shape_readings(const MeasuredMode& mode, const Reading& frequency, ReadingList& list) {
   if (!mode.vector || mode.vector->channels.size() < 2) return;
+  for (const std::string& channel : mode.vector->channels)
+    if (!is_translation(channel)) {
+      list.all.warnings.push_back(
+          fmt::format("the shape of {} ({}) is no reading: channel {} is no "
+                      "sensor and axis, such as mid.y",
+                      frequency.name, frequency.entry, channel));
+      return;
+    }
   constexpr double nearly_real = 0.3;
   const Turned shape = turned(*mode.vector);
-  const double largest = shape.real.cwiseAbs().maxCoeff();
-  if (!(largest > 0)) return;
+  if (!(shape.real.cwiseAbs().maxCoeff() > 0)) return;
   if (shape.complexity > nearly_real) {
     list.all.warnings.push_back(fmt::format(
         "the shape of {} ({}) is no reading: {:.0f} % of it is out of phase, more than {:.0f}",
         frequency.name, frequency.entry, 100 * shape.complexity, 100 * nearly_real));
     return;
   }
+  const std::vector<std::size_t> chosen = read_channels(*mode.vector, shape.real, frequency.axis);
+  double largest = 0;
+  for (std::size_t i : chosen) largest = std::max(largest, std::abs(shape.real[Eigen::Index(i)]));
+  if (!(largest > 0)) return;
   ReadShape read;
-  for (const std::string& channel : mode.vector->channels) {
+  for (std::size_t i : chosen) {
+    const std::string& channel = mode.vector->channels[i];
     read.sensors.push_back(channel.substr(0, channel.rfind('.')));
     read.axes.push_back(channel.back() - 'x');
-    read.values.push_back(shape.real[Eigen::Index(read.values.size())] / largest);
+    read.values.push_back(shape.real[Eigen::Index(i)] / largest);
   }
   turn_like_an_earlier_one(read, list.all.shapes);
   for (std::size_t c = 0; c < read.values.size(); ++c) {
     Reading reading = frequency;
     reading.kind = ReadingKind::component;
-    reading.name = frequency.name + ": " + mode.vector->channels[c];
+    reading.name = frequency.name + ": " + mode.vector->channels[chosen[c]];
     reading.unit = "";
     reading.of_shape = int(list.all.shapes.size());
     reading.channel = int(c);

@@ -10,9 +10,9 @@
 
 namespace plica {
 
-// One reading per channel of the mode's vector, of two channels or more. Complex ones are turned to
-// where they are most real; one that stays complex is left out with a warning. `frequency`: the
-// reading of the mode's frequency, whose mode the components are of.
+// One reading per channel of the mode's vector, of two channels or more; of more than eight, eight.
+// Complex ones are turned to where they are most real; one that stays complex is left out with a
+// warning. `frequency`: the reading of the mode's frequency, whose mode the components are of.
 void add_shape_readings(const MeasuredMode& mode, const Reading& frequency, ReadingList& list);
 
 // Leaves out shapes that the modes they are paired with do not look like, with a warning: the mode
