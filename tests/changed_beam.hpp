@@ -46,6 +46,17 @@ inline void add_masses(Case& c) {
   }
 }
 
+// The same beam with a mass, kg, at a new point of it, m along, that becomes its third.
+inline Case with_third_point(Case c, double along, double mass) {
+  std::vector<Triple>& points = std::get<BeamPart>(c.parts[0].body).points;
+  points.insert(points.begin() + 2, {0, along, 0});
+  PointMass body;
+  body.at = "beam.point[3]";
+  body.mass = mass;
+  c.parts.push_back({"clamp", body});
+  return c;
+}
+
 inline MeasuredMode bending(Axis axis, int order, const std::string& state, double frequency = 1) {
   MeasuredMode mode;
   mode.shape = MeasuredShape::transverse;

@@ -81,13 +81,7 @@ TEST(Baseline, damage_near_a_clamp_and_a_mass_near_the_free_end_are_told_beside_
 // Frequencies do not tell the two halves of a free beam apart.
 TEST(Baseline, a_place_that_answers_like_its_mirror_image_is_stated_with_it) {
   const Case nominal = beam_of(4, 0.6, 0.025, 0.012, false);
-  Case heavier = nominal;
-  std::get<BeamPart>(heavier.parts[0].body)
-      .points.insert(std::get<BeamPart>(heavier.parts[0].body).points.begin() + 2, {0, 0.22, 0});
-  PointMass mass;
-  mass.at = "beam.point[3]";
-  mass.mass = 0.1;
-  heavier.parts.push_back({"clamp", mass});
+  const Case heavier = with_third_point(nominal, 0.22, 0.1);
   const Diagnosis d = diagnosis_of(nominal, before_and_after(nominal, heavier));
   ASSERT_FALSE(d.effects.empty()) << d.headline;
   ASSERT_EQ(d.effects.front().name, "added_mass") << d.headline;

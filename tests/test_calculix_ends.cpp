@@ -4,7 +4,7 @@
 // (40,000 times the pipe) and a force pushes each with the acceleration it is to have; fractions of
 // critical act on what moves against them, as here. The ground behind springs moves in the deck
 // that Plica writes by the force of the springs, which CalculiX takes as it stands.
-#include "tests/bellows_case.hpp"
+#include "tests/pipe_case.hpp"
 #include "tests/run_calculix.hpp"
 
 #include "io/decks/abaqus.hpp"
@@ -25,21 +25,9 @@ constexpr double seismic = 1e5; // kg
 
 // A pipe of 0.3 m between two rigid ends, watched in its middle.
 Case pipe_between_ends() {
-  Case data = verification_case("bellows_a");
-  Bellows& pipe = bellows_of(data);
-  MeridianSection cuff;
-  cuff.shape = SectionShape::cuff;
-  cuff.length = 0.3;
-  cuff.elements = 24;
-  pipe.profile = {cuff};
-  pipe.root_radius = 0.03;
-  pipe.wall = {.plies = {2e-3}, .bond = 1};
-  pipe.mesh = {.around = 32, .arc = 1, .wall = 24};
-  data.name = "pipe";
+  Case data = pipe_of({2e-3});
   data.mount = {{.cap = "left"}, {.cap = "right"}};
   data.sensors = {{.name = "mid", .at = {0.03, 0.15, 0}}};
-  data.analyses.statics = false;
-  data.analyses.error_bars = false;
   data.analyses.modes = Modes{.count = 16};
   data.analyses.damping.modal = 0.02;
   return data;

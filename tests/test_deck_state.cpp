@@ -1,8 +1,8 @@
 // Decks of cases in their state: what CalculiX makes of the static step, and of the modes around
 // it.
 #include "run/routes/state_loads.hpp"
-#include "tests/bellows_case.hpp"
 #include "tests/calculix_frequencies.hpp"
+#include "tests/pipe_case.hpp"
 
 #include "words/input_error.hpp"
 
@@ -17,22 +17,10 @@ using std::numbers::pi;
 
 // A pipe of 0.3 m between two held caps, watched at its middle.
 Case held_pipe(double wall) {
-  Case data = verification_case("bellows_a");
-  data.name = "pipe";
-  Bellows& pipe = bellows_of(data);
-  MeridianSection cuff;
-  cuff.shape = SectionShape::cuff;
-  cuff.length = 0.3;
-  cuff.elements = 24;
-  pipe.profile = {cuff};
-  pipe.root_radius = 0.03;
-  pipe.wall = {.plies = {wall}, .bond = 1};
-  pipe.mesh = {.around = 32, .arc = 1, .wall = 24};
-  pipe.material = "1.4301";
+  Case data = pipe_of({wall});
+  bellows_of(data).material = "1.4301";
   add_known_steels(data.parts, data.materials);
   data.sensors = {{.name = "mid", .at = {0.03, 0.15, 0}}};
-  data.analyses.statics = false;
-  data.analyses.error_bars = false;
   data.analyses.modes = Modes{.count = 4, .band = {}};
   data.state.emplace();
   return data;

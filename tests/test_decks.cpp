@@ -1,7 +1,7 @@
 // Decks of the whole model: CalculiX solves what is written for Abaqus, and the cards for Nastran
 // are read field by field.
-#include "tests/bellows_case.hpp"
 #include "tests/calculix_frequencies.hpp"
+#include "tests/pipe_case.hpp"
 
 #include "io/decks/nastran.hpp"
 #include "io/decks/nastran_cards.hpp"
@@ -15,17 +15,7 @@ namespace {
 
 // A stiff pipe, one cap held, the other with a lopsided body on springs.
 Case pipe_with_body() {
-  Case data = verification_case("bellows_a");
-  data.name = "pipe";
-  Bellows& pipe = bellows_of(data);
-  MeridianSection cuff;
-  cuff.shape = SectionShape::cuff;
-  cuff.length = 0.3;
-  cuff.elements = 24;
-  pipe.profile = {cuff};
-  pipe.root_radius = 0.03;
-  pipe.wall = {.plies = {1e-3, 1e-3}, .bond = 1};
-  pipe.mesh = {.around = 32, .arc = 1, .wall = 24};
+  Case data = pipe_of({1e-3, 1e-3});
   data.caps[1].mass = 1.5;
   data.caps[1].inertia = {2e-3, 1e-3, 3e-3, 2e-4, 0, 0};
   data.caps[1].offset = {0.01, 0.02, 0};
@@ -33,8 +23,6 @@ Case pipe_with_body() {
       {.cap = "left", .kind = MountKind::rigid, .stiffness = {}},
       {.cap = "right", .kind = MountKind::springs, .stiffness = {1e6, 2e6, 5e5, 0, 3e3, 0}}};
   data.sensors = {{.name = "end", .at = {0.03, 0.3, 0}}};
-  data.analyses.statics = false;
-  data.analyses.error_bars = false;
   data.analyses.modes = Modes{.count = 5, .band = {}};
   return data;
 }

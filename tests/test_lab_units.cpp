@@ -5,6 +5,7 @@
 #include "io/lab_files/measured_data.hpp"
 #include "io/matlab/matlab_file.hpp"
 #include "io/universal/writer.hpp"
+#include "tests/matlab_response.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "words/input_error.hpp"
 
@@ -312,17 +313,6 @@ TEST_F(LabFiles, time_signals_are_brought_to_SI) {
               1e-12);
 }
 
-// One response of a force, in h.mat.
-Measured test_with(const MatlabVariables& variables) {
-  Measured m;
-  m.frf.resize(1);
-  m.frf[0].file = "h.mat";
-  m.frf[0].force = "a.z";
-  m.frf[0].channels = {"a.z"};
-  m.frf[0].variables = variables;
-  return m;
-}
-
 TEST_F(LabFiles, matlab_variables_have_their_units_beside_them) {
   const auto load = [&](const std::string& unit) {
     MatlabWriter mat(folder_.path / "h.mat", "MATLAB 5.0 MAT-file");
@@ -331,7 +321,7 @@ TEST_F(LabFiles, matlab_variables_have_their_units_beside_them) {
     mat.put(matlab_text("H_unit", unit));
     return mat;
   };
-  const Measured m = test_with({.abscissa = "f", .values = "H"});
+  const Measured m = test_by_force({.abscissa = "f", .values = "H"});
   { load("g/N"); }
   expect_si(load_frfs(m, folder_.path).at(0), 9.80665);
   { load("V"); }

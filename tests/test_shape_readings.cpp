@@ -133,13 +133,7 @@ TEST(ShapeReadings, of_many_channels_eight_along_the_mode_are_read) {
 // a_place_that_answers_like_its_mirror_image_is_stated_with_it), shapes do.
 TEST(ShapeReadings, a_mass_on_a_free_beam_is_told_from_its_mirror_image) {
   const Case nominal = beam_of(4, 0.6, 0.025, 0.012, false);
-  Case heavier = nominal;
-  std::get<BeamPart>(heavier.parts[0].body)
-      .points.insert(std::get<BeamPart>(heavier.parts[0].body).points.begin() + 2, {0, 0.22, 0});
-  PointMass mass;
-  mass.at = "beam.point[3]";
-  mass.mass = 0.1;
-  heavier.parts.push_back({"clamp", mass});
+  const Case heavier = with_third_point(nominal, 0.22, 0.1);
   Measured m = before_and_after(nominal, heavier);
   add_stations(m, {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
   add_shapes(m, nominal, "before");

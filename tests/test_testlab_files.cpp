@@ -1,6 +1,7 @@
 // Functions in MATLAB files as Simcenter Testlab exports them.
 #include "io/lab_files/measured_data.hpp"
 #include "io/matlab/matlab_file.hpp"
+#include "tests/matlab_response.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "words/input_error.hpp"
 
@@ -50,17 +51,6 @@ MatlabVariable testlab_function(const char* name, double values_stated, const ch
   frf.emplace_back("x_values", testlab_structure(nullptr, std::move(x)));
   frf.emplace_back("y_values", testlab_structure(nullptr, std::move(y)));
   return testlab_structure(name, std::move(frf));
-}
-
-// One response of a force, in h.mat.
-Measured test_by_force(const MatlabVariables& variables) {
-  Measured m;
-  m.frf.resize(1);
-  m.frf[0].file = "h.mat";
-  m.frf[0].force = "a.z";
-  m.frf[0].channels = {"a.z"};
-  m.frf[0].variables = variables;
-  return m;
 }
 
 void expect_testlab_SI(const FrfSet& set, double factor) {

@@ -20,20 +20,22 @@ using Eigen::VectorXd;
 
 // Readings that the model answers; what it does not is said.
 TestReadings answered(const Nominal& nominal, TestReadings test) {
-  auto y = Predictor(nominal, test, {})(VectorXd());
+  const auto y = Predictor(nominal, test, {})(VectorXd());
   if (!y) throw std::runtime_error("the nominal structure has no stable answer");
-  leave_out_unlike_shapes(*y, test);
-  y = Predictor(nominal, test, {})(VectorXd());
   std::vector<Reading> kept;
-  std::set<int> shapes; // of which it is said
+  std::vector<Index> rows; // of what is kept
+  std::set<int> shapes;    // of which it is said
   for (std::size_t i = 0; i < test.readings.size(); ++i) {
     const Reading& r = test.readings[i];
-    if (std::isfinite((*y)[Index(i)]))
+    if (std::isfinite((*y)[Index(i)])) {
       kept.push_back(r);
-    else if (r.kind != ReadingKind::component || shapes.insert(r.of_shape).second)
+      rows.push_back(Index(i));
+    } else if (r.kind != ReadingKind::component || shapes.insert(r.of_shape).second) {
       test.warnings.push_back("the model gives no " + r.name + " (" + r.entry + ")");
+    }
   }
   test.readings = std::move(kept);
+  leave_out_unlike_shapes((*y)(rows), test);
   if (test.readings.empty())
     throw std::invalid_argument("the model gives none of the measured quantities");
   return test;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace plica {
@@ -33,27 +34,20 @@ int free_parameters(const HypothesisFit& fit) {
   return count;
 }
 
-// Readings that are fitted, of which a shape is one, and those that the fit moves.
-std::pair<Eigen::Index, Eigen::Index> readings_of(const HypothesisFit& fit,
-                                                  const FitContext& context) {
-  std::map<int, bool> shapes; // whether it is moved
-  std::pair<Eigen::Index, Eigen::Index> count{0, 0};
+// How many readings are fitted, and how many of them the fit moves: a shape stands for all of its
+// components.
+std::pair<Eigen::Index, Eigen::Index> fitted_and_moved(const HypothesisFit& fit,
+                                                       const FitContext& context) {
+  std::set<Eigen::Index> fitted, moved;
   for (Eigen::Index k = 0; k < fit.error.size(); ++k) {
     const Eigen::Index row = context.fitted.rows()[std::size_t(k)];
-    const bool moves = k < fit.J.rows() && fit.J.cols() > 0 &&
-                       fit.J.row(k).cwiseAbs().maxCoeff() > threshold::moves;
-    if (const int shape = context.test.readings[std::size_t(row)].of_shape; shape >= 0) {
-      shapes[shape] = shapes[shape] || moves;
-      continue;
-    }
-    ++count.first;
-    count.second += moves;
+    const int shape = context.test.readings[std::size_t(row)].of_shape;
+    const Eigen::Index number = shape < 0 ? row : -1 - shape;
+    fitted.insert(number);
+    if (fit.J.cols() > 0 && fit.J.row(k).cwiseAbs().maxCoeff() > threshold::moves)
+      moved.insert(number);
   }
-  for (const auto& [shape, moves] : shapes) {
-    ++count.first;
-    count.second += moves;
-  }
-  return count;
+  return {Eigen::Index(fitted.size()), Eigen::Index(moved.size())};
 }
 
 } // namespace
@@ -104,7 +98,7 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
                 j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
   j.absurd = j.fit.farthest > threshold::absurd_z;
   j.free_parameters = free_parameters(j.fit);
-  std::tie(j.readings, j.moved) = readings_of(j.fit, context);
+  std::tie(j.readings, j.moved) = fitted_and_moved(j.fit, context);
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {
     const double n = double(held_out.rows().size());

@@ -33,8 +33,7 @@ struct JudgedFit {
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;
   int free_parameters = 0;
-  Eigen::Index readings = 0,
-               moved = 0; // fitted ones, and those that it moves; a shape counts as one
+  Eigen::Index readings = 0, moved = 0; // fitted, and that it moves; a shape counts as one
   // It closes nothing of the gap, or less than a tenth where the nominal case does not explain the
   // test: what it is allowed to be off (evidence.hpp) is larger than what it explains.
   bool explains_nothing = false;

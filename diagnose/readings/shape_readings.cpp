@@ -6,6 +6,7 @@
 #include <complex>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 namespace plica {
 namespace {
@@ -131,25 +132,23 @@ void leave_out_unlike_shapes(const VectorXd& nominal, TestReadings& test) {
   for (std::size_t i = 0; i < test.readings.size(); ++i) {
     const Reading& r = test.readings[i];
     const double model = nominal[Eigen::Index(i)];
-    if (r.kind != ReadingKind::component || !std::isfinite(model)) continue;
+    if (r.kind != ReadingKind::component) continue;
     Likeness& own = all[r.of_shape];
     own.measured += r.value * r.value;
     own.modelled += model * model; // scaled by least squares: its square is MAC times the other
     if (!own.first) own.first = &r;
   }
-  std::map<int, bool> left_out;
+  std::set<int> left_out;
   for (const auto& [shape, own] : all) {
-    left_out[shape] = own.modelled < alike * own.measured;
-    if (left_out[shape])
-      test.warnings.push_back(fmt::format(
-          "the shape of {} ({}) is no reading: the mode of the model that it is paired with looks "
-          "different, MAC {:.2f}; it may be another mode, or one of a pair that lies close",
-          own.first->name.substr(0, own.first->name.find(':')), own.first->entry,
-          own.modelled / own.measured));
+    if (own.modelled >= alike * own.measured) continue;
+    left_out.insert(shape);
+    test.warnings.push_back(fmt::format(
+        "the shape of {} ({}) is no reading: the mode of the model that it is paired with looks "
+        "different, MAC {:.2f}; it may be another mode, or one of a pair that lies close",
+        own.first->name.substr(0, own.first->name.find(':')), own.first->entry,
+        own.modelled / own.measured));
   }
-  std::erase_if(test.readings, [&](const Reading& r) {
-    return r.kind == ReadingKind::component && left_out[r.of_shape];
-  });
+  std::erase_if(test.readings, [&](const Reading& r) { return left_out.contains(r.of_shape); });
 }
 
 } // namespace plica

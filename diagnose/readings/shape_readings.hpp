@@ -17,7 +17,7 @@ void add_shape_readings(const MeasuredMode& mode, const Reading& frequency, Read
 
 // Leaves out shapes that the modes they are paired with do not look like, with a warning: the mode
 // may be another one, or the shape that of a pair of modes that lie close. `nominal`: what the
-// model gives for each reading, not a number where it gives none.
+// model gives for each.
 void leave_out_unlike_shapes(const Eigen::VectorXd& nominal, TestReadings& test);
 
 } // namespace plica
