@@ -15,24 +15,26 @@
 namespace plica {
 namespace {
 
-enum class Shown { hertz, percent_of_critical, decibel, points, percent };
+enum class Shown { hertz, percent_of_critical, decibel, points, of_a_shape, percent };
 
 // How a reading is shown; the kinds by the names that readings.cpp gives them.
 Shown shown_as(const ComparedReading& r) {
   if (r.unit == "Hz") return Shown::hertz;
+  if (is_of_a_shape(r)) return Shown::of_a_shape;
   if (r.name.starts_with("damping")) return Shown::percent_of_critical;
   if (r.name.starts_with("amplitude")) return Shown::decibel;
   return r.name.starts_with("share in") ? Shown::points : Shown::percent;
 }
 
-// Model over test, as the readings are compared.
-double log_difference(const ComparedReading& r, double model) {
+// Model less test, as the readings are compared: by logarithms, components of shapes as they are.
+double difference(const ComparedReading& r, double model) {
+  if (shown_as(r) == Shown::of_a_shape) return model - r.measured;
   const double floor = shown_as(r) == Shown::points ? cross_floor : 0;
   return std::log((model + floor) / (r.measured + floor));
 }
 
 bool within(const ComparedReading& r, double model) {
-  return std::abs(log_difference(r, model)) <= 2 * r.sigma;
+  return std::abs(difference(r, model)) <= 2 * r.sigma;
 }
 
 std::string percent(double share) {
@@ -49,6 +51,7 @@ std::string difference_html(const ComparedReading& r, double model) {
   case Shown::decibel:
     return html_signed(20 * std::log10(model / r.measured), 1) + "\u00a0dB";
   case Shown::points:
+  case Shown::of_a_shape:
     return html_signed(100 * (model - r.measured), 1) + "\u00a0points";
   default:
     return percent(ratio);
@@ -63,6 +66,8 @@ std::string sigma_html(const ComparedReading& r) {
     return html_number(20 / std::log(10.) * r.sigma, 2) + "\u00a0dB";
   case Shown::points:
     return html_number(100 * r.sigma * (r.measured + cross_floor), 2) + "\u00a0points";
+  case Shown::of_a_shape:
+    return html_number(100 * r.sigma, 2) + "\u00a0points";
   default:
     return html_number(100 * r.sigma, 2) + "\u00a0%";
   }
@@ -79,7 +84,8 @@ std::string within_text(const ComparedReading& r) {
 HtmlRow row_of(const ComparedReading& r) {
   const Shown shown = shown_as(r);
   ShownUnit unit = shown_unit(r.measured, r.unit);
-  if (shown == Shown::percent_of_critical || shown == Shown::points) unit = {100, "%"};
+  if (shown == Shown::percent_of_critical || shown == Shown::points || shown == Shown::of_a_shape)
+    unit = {100, "%"};
   const auto value = [&](double x) { return html_number(unit.factor * x, 4); };
   return {{html_escape(r.name) + (r.held_out ? " <b>(held out)</b>" : ""), html_escape(unit.unit),
            value(r.measured), value(r.nominal), value(r.best), r.second ? value(*r.second) : "–",

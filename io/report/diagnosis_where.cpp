@@ -98,7 +98,8 @@ std::string drifts_table(const Diagnosis& d) {
 
 std::string blocks_html(const Diagnosis& d) {
   std::string html = still_readings(d);
-  for (const char* kind : {"frequency", "damping", "amplitude", "cross"}) html += heat_map(d, kind);
+  for (const char* kind : {"frequency", "damping", "amplitude", "cross", "shape"})
+    html += heat_map(d, kind);
   if (html.empty()) return "";
   return "<p class=\"note\">Standard scores of the readings against admissible specimens, nominal "
          "case. Above zero the test shows more than the model. ▲ ▼ and bold: significant at 5 % "
