@@ -1,0 +1,328 @@
+// Decks that are damaged at random, a card of nearly every kind in them.
+#pragma once
+
+#include <array>
+
+namespace plica::test {
+
+struct DeckSeed {
+  const char* text;
+  bool nastran;
+};
+
+inline constexpr std::array deck_seeds{
+    // Parts, instances, shells of every shape, loads of two steps.
+    DeckSeed{R"(*HEADING
+plates
+*PART, NAME=PLATE
+*NODE
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 1., 1., 0.
+4, 0., 1., 0.
+5, .5, 0., 0.
+6, 1., .5, 0.
+7, .5, 1., 0.
+8, 0., .5, 0.
+9, 2., 0., 0.
+10, 2., 1., 0.
+*ELEMENT, TYPE=S8R, ELSET=WALL
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*ELEMENT, TYPE=S3, ELSET=WALL
+2, 2, 9, 3
+3, 9, 10, 3
+*NSET, NSET=EDGE, GENERATE
+1, 4, 1
+*NSET, NSET=BOTTOM
+1, 2, 5
+*NSET, NSET=TOP
+4, 3, 7
+*SURFACE, NAME=BELOW, TYPE=NODE
+BOTTOM, 1.
+*SURFACE, NAME=ABOVE, TYPE=NODE
+TOP, 1.
+*ELSET, ELSET=BOTH, GENERATE
+1, 3, 1
+*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL, OFFSET=0.1
+0.01, 5
+*END PART
+*ASSEMBLY, NAME=A
+*INSTANCE, NAME=ONE, PART=PLATE
+*END INSTANCE
+*INSTANCE, NAME=TWO, PART=PLATE
+0., 1., 0.
+*END INSTANCE
+*INSTANCE, NAME=THREE, PART=PLATE
+0., 0., 1.
+0., 0., 1., 1., 0., 1., 30.
+*END INSTANCE
+*TIE, NAME=T
+TWO.BELOW, ONE.ABOVE
+*END ASSEMBLY
+*MATERIAL, NAME=STEEL
+*ELASTIC
+2.e11, 0.3
+*DENSITY
+7800.,
+*AMPLITUDE, NAME=UP
+0., 0., 1., 1.
+*STEP
+*STATIC
+*BOUNDARY
+ONE.EDGE, 1, 6
+*DLOAD
+ONE.WALL, P, 1.e3
+TWO.WALL, GRAV, 9.81, 0., 0., -1.
+*END STEP
+*STEP, PERTURBATION
+*STATIC
+*CLOAD, OP=NEW
+TWO.3, 3, -5.
+*END STEP
+)",
+             false},
+    // Axes, beams, springs, masses, couplings, equations, matrices.
+    DeckSeed{R"(*NODE, NSET=ALL, SYSTEM=C
+1, 1., 0., 0.
+2, 1., 45., 0.
+3, 1., 90., 0.
+4, 0., 0., 1.
+*SYSTEM
+0., 0., 0., 1., 0., 0., 0., 1., 0.
+*NODE, NSET=ALL
+5, 0., 0., 2.
+6, 0., 1., 2.
+7, 1., 0., 3.
+8, 9., 9., 9.
+*TRANSFORM, NSET=ALL, TYPE=R
+0., 1., 0., -1., 0., 0.
+*ELEMENT, TYPE=B31, ELSET=BARS
+1, 1, 2
+2, 2, 3
+*ELEMENT, TYPE=B32, ELSET=BOWED
+3, 4, 5, 6
+*BEAM SECTION, ELSET=BARS, SECTION=PIPE, MATERIAL=M
+0.02, 0.002
+0., 0., 1.
+*BEAM GENERAL SECTION, ELSET=BOWED, SECTION=GENERAL, DENSITY=1000.
+1.e-3, 1.e-8, 0., 2.e-8, 3.e-8
+1., 0., 0.
+2.e11, 8.e10
+*ELEMENT, TYPE=SPRING1, ELSET=K1
+11, 1
+*SPRING, ELSET=K1
+2
+1.e5
+*ELEMENT, TYPE=SPRING2, ELSET=K2
+12, 3, 4
+*SPRING, ELSET=K2
+1, 1
+1.e4
+*ELEMENT, TYPE=SPRINGA, ELSET=KA
+13, 6, 7
+*SPRING, ELSET=KA
+
+5.e5
+*ELEMENT, TYPE=MASS, ELSET=LUMP
+21, 5
+*MASS, ELSET=LUMP
+0.5
+*ELEMENT, TYPE=ROTARYI, ELSET=TURN
+22, 5
+*ROTARY INERTIA, ELSET=TURN
+1e-3, 1e-3, 2e-3
+*MATERIAL, NAME=M
+*ELASTIC, TYPE=ISOTROPIC
+2.e11, 0.3
+*DENSITY
+7800.
+*NSET, NSET=HELD
+1, 4
+*SURFACE, NAME=ENDS, TYPE=NODE
+5, 1.
+6, 1.
+2, 1.
+*COUPLING, CONSTRAINT NAME=A, REF NODE=7, SURFACE=ENDS
+*DISTRIBUTING
+1, 3
+*KINEMATIC COUPLING, REF NODE=3
+2, 1, 3
+*RIGID BODY, REF NODE=4, TIE NSET=HELD
+*MPC
+BEAM, 6, 5
+*EQUATION
+2
+6, 1, 1., 7, 1, -1.
+*BOUNDARY
+HELD, ENCASTRE
+8, 2, 3
+*MATRIX INPUT, NAME=K
+8, 1, 8, 1, 3.
+*MATRIX ASSEMBLE, STIFFNESS=K
+)",
+             false},
+    // Plies, orthotropic walls, axes of materials.
+    DeckSeed{R"(*NODE
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 1., 1., 0.
+4, 0., 1., 0.
+5, 2., 0., 0.
+6, 2., 1., 0.
+*ELEMENT, TYPE=S4R, ELSET=WALL
+1, 1, 2, 3, 4
+*ELEMENT, TYPE=S4, ELSET=SKIN
+2, 2, 5, 6, 3
+*MATERIAL, NAME=C
+*ELASTIC, TYPE=ENGINEERING CONSTANTS
+14e10, 1e10, 1e10, .3, .3, .4, 5e9, 5e9
+3e9
+*DENSITY
+1600.
+*MATERIAL, NAME=L
+*ELASTIC, TYPE=LAMINA
+14e10, 1e10, .3, 5e9, 5e9, 3e9
+*ORIENTATION, NAME=O
+1., 0., 0., 0., 1., 0.
+3, 20.
+*SHELL SECTION, ELSET=WALL, COMPOSITE, ORIENTATION=O
+1e-3, 3, C, 45.
+1e-3, 3, C, O
+*TRANSVERSE SHEAR STIFFNESS
+1e6, 2e6, 0.
+*SHELL SECTION, ELSET=SKIN, MATERIAL=L, ORIENTATION=O, NODAL THICKNESS
+2e-3
+*NODAL THICKNESS
+2, 2e-3
+3, 2e-3
+5, 1e-3
+6, 1e-3
+*NORMAL
+SKIN, 2, 0., 0., 1.
+*BOUNDARY
+1, 1, 6
+4, PINNED
+)",
+             false},
+    // Coordinate systems, shells, bars of every description, rigid elements, springs, masses.
+    DeckSeed{R"(SOL 103
+CEND
+SPC = 1
+MPC = 5
+BEGIN BULK
+PARAM,WTMASS,1.
+GRDSET,,,,,,,456
+CORD2R,1,,0.,0.,0.,0.,0.,1.,
+,1.,0.,0.
+CORD2C,2,1,0.,0.,0.,0.,0.,1.,
+,1.,0.,0.
+CORD1R,3,1,2,3
+GRID,1,,0.,0.,0.,,,0
+GRID,2,,1.,0.,0.,1
+GRID,3,,1.,1.,0.
+GRID,4,1,0.,1.,0.,,6
+GRID,5,2,1.,45.,2.
+GRID,6,,2.,0.,0.
+GRID,7,,2.,1.,0.
+GRID,8,,3.,0.,0.
+GRID,9,,3.,1.,0.
+=(3),*(1),,=,*(.5),==
+SPOINT,101,THRU,104
+CQUAD4,1,1,1,2,3,4,30.,.01
+CTRIA3,2,1,2,6,3
+CTRIA3,3,1,6,7,3
+PSHELL,1,1,.001,1,1.2,1,.8,.5
+MAT1,1,2.+11,,.3,7800.
+CBAR,11,2,1,2,0.,0.,1.
+,5
+CBAR,12,3,2,3,5
+PBAR,2,1,1.-3,1.-8,2.-8,3.-8,.1
+PBARL,3,1,,TUBE
+,.02,.01
+CBEAM,13,4,3,4,0.,0.,1.
+PBEAM,4,1,1.-3,1.-8,2.-8,,3.-8
+CROD,14,5,4,5
+PROD,5,1,1.-3,1.-8
+CONROD,15,5,6,1,1.-3
+CBUSH,16,6,6,7,,,,0
+PBUSH,6,K,1.+5,1.+5,1.+5,1.+3,1.+3,1.+3
+CELAS1,17,7,6,1,7,1
+PELAS,7,1.+4
+CELAS2,18,1.+4,101,,102
+CONM2,21,7,,2.5,.1,0.,0.
+,1.-2,,1.-2,,,1.-2
+CMASS2,22,3.,103
+CMASS4,23,2.,104
+RBE2,31,8,123456,9,10
+RBE3,32,,11,123,1.,123,1,2
+,3,1.,123456,4
+,UM,11,12,3,3
+CRIGD2,34,8,12,123456
+CQUAD1,5,8,2,6,7,3
+PQUAD1,8,1,.001,1,1.-10,1,.001
+CBUSH1D,19,19,6,7
+PBUSH1D,19,1.+4,2.
+RBAR,33,5,6,123456,,,123456
+MPC,5,7,1,1.,8,1,-1.
+MPCADD,6,5
+SPC1,1,123456,1,THRU,2
+SPC,1,4,3,0.
+SPCADD,2,1
+ENDDATA
+)",
+             true},
+    // Plies, shells with middle nodes, shear panels, matrices, loads of two subcases.
+    DeckSeed{R"(SOL 101
+CEND
+K2GG = 2.*KX, KY
+SPC = 1
+SUBCASE 1
+ LOAD = 10
+SUBCASE 2
+ LOAD = 13
+BEGIN BULK
+GRID*                  1                              0.              0.
+*                     0.
+GRID,2,,1.,0.,0.
+GRID,3,,1.,1.,0.
+GRID,4,,0.,1.,0.
+GRID,5,,.5,0.,0.
+GRID,6,,1.,.5,0.
+GRID,7,,.5,1.,0.
+GRID,8,,0.,.5,0.
+GRID,9,,2.,0.,0.
+GRID,10,,2.,1.,0.
+GRID,11,,1.5,.5,0.
+GRID,12,,1.5,0.,0.
+CQUAD8,1,1,1,2,3,4,5,6
+,7,8
+CTRIA6,2,1,2,9,3,12,11,6
+CQUAD4,3,2,2,9,10,3
+CSHEAR,4,3,2,9,10,3
+PSHEAR,3,1,.002
+MAT1,1,2.+11,,.3,7800.,1.-5
+MAT2,5,4.+10,1.+10,0.,4.+10,0.,2.+10
+MAT8,4,14.+10,1.+10,.3,5.+9,5.+9,3.+9,1600.
+PCOMP,1,,,,,,,SYM
+,4,.001,45.,,4,.001,-45.
+PSHELL,2,5,.001,5
+DMIG,KX,0,6,2,0
+DMIG,KX,1,1,,1,1,3.
+,2,1,2.,0.
+DMIG,KX,2,1,,2,1,9.
+DMIG    KY             0       6       2       0
+DMIG*   KY                             3               1
+*                      3               1         1.5D+03
+FORCE,11,3,0,5.,0.,0.,1.
+MOMENT,11,9,0,2.,1.,0.,0.
+PLOAD4,12,1,100.
+PLOAD2,12,50.,3
+GRAV,13,0,9.81,0.,0.,-1.
+LOAD,10,1.,2.,11,1.,12
+SPC1,1,123456,1,4,8
+SPC,1,2,3,.001
+ENDDATA
+)",
+             true}};
+
+} // namespace plica::test
