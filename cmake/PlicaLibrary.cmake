@@ -10,6 +10,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # headers.
   target_compile_options(plica_options INTERFACE
     $<BUILD_INTERFACE:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
+  # Its garbage is collected from 2 GB on: a twentieth of the time.
+  target_compile_options(plica_options INTERFACE
+    $<BUILD_INTERFACE:--param=ggc-min-heapsize=2000000>)
 endif()
 if(CMAKE_UNITY_BUILD)
   # What one source names, another that is compiled with it may name too; locals are nobody else's.
