@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace plica {
 namespace {
 
@@ -76,6 +78,17 @@ TEST(ShapeReadings, a_cantilever_answers_its_shape_scaled_to_the_measured_one) {
   // Scaled by least squares: what it leaves is across the shape.
   const Eigen::Vector2d left(components[0].value - y[1], components[1].value - y[2]);
   EXPECT_NEAR(left.dot(y.tail(2)), 0, 1e-9);
+}
+
+TEST(ShapeReadings, a_station_that_lies_beside_the_part_takes_no_other_with_it) {
+  const Case beam = beam_of(4, 1, 0.02, 0.01, true);
+  Measured m =
+      one_mode({.channels = {"h1.z", "beside.z", "h2.z"}, .real = {0.34, 0.7, 1}, .imaginary = {}});
+  m.sensors.push_back({.name = "beside", .at = {0.3, 0.7, 0}});
+  const Eigen::VectorXd y = read_by(beam, m);
+  ASSERT_EQ(y.size(), 4);
+  EXPECT_NEAR(y[1] / y[3], 0.339523, 2e-3);
+  EXPECT_TRUE(std::isnan(y[2]));
 }
 
 TEST(ShapeReadings,

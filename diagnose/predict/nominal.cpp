@@ -16,8 +16,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 namespace plica {
 namespace {
@@ -146,21 +148,31 @@ std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
   return stations;
 }
 
-// Builds the case of the state, with the stations of the test where all of them lie on it.
+// Whose place the model has not, of the sensors from `first` on; none: something else is wrong.
+std::optional<std::size_t> misplaced(const InputError& error, std::size_t first) {
+  const std::string& key = error.problems().front().key;
+  constexpr std::string_view list = "sensors[";
+  if (!key.starts_with(list)) return std::nullopt;
+  const std::size_t number = std::stoul(key.substr(list.size()));
+  return number >= first ? std::optional(number - first) : std::nullopt;
+}
+
+// Builds the case of the state, with the stations of the test that lie on it: what shows at one
+// beside it is no reading.
 std::vector<BuiltSensor> build_with_stations(NominalState& state, const Measured& measured) {
-  const std::vector<Sensor> stations = stations_of(state.data, measured);
-  if (stations.empty()) {
-    state.built = build_on_table(state.data);
-    return {};
-  }
-  const Case plain = state.data;
-  state.data.sensors.insert(state.data.sensors.end(), stations.begin(), stations.end());
-  try {
-    state.built = build_on_table(state.data);
-  } catch (const InputError&) { // one lies beside it: what shows there is no reading
-    state.data = plain;
-    state.built = build_on_table(state.data);
-    return {};
+  std::vector<Sensor> stations = stations_of(state.data, measured);
+  const std::vector<Sensor> own = state.data.sensors;
+  for (;;) {
+    state.data.sensors = own;
+    state.data.sensors.insert(state.data.sensors.end(), stations.begin(), stations.end());
+    try {
+      state.built = build_on_table(state.data);
+      break;
+    } catch (const InputError& error) {
+      const auto off = misplaced(error, own.size());
+      if (!off) throw;
+      stations.erase(stations.begin() + std::ptrdiff_t(*off));
+    }
   }
   std::vector<BuiltSensor>& all = state.built.sensors;
   const auto first = all.end() - std::ptrdiff_t(stations.size());

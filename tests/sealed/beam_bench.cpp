@@ -128,10 +128,23 @@ Bench beam_bench(const Specimen& s, const State& state, Draws draws) {
   test.places[std::string("sensor.") + name] = rows;
   add_mass(test, rows, 0.005);
   test.weighed = body.weighed += 0.005;
+  std::vector<std::string> sensors{name};
+  if (s.mounted) {
+    for (const auto& [own, end] : {std::pair{"foot", "left"}, std::pair{"head", "right"}}) {
+      test.places[std::string("sensor.") + own] = rows_on_cap(test, end, Vector3d::Zero());
+      add_mass(test, test.places.at(std::string("sensor.") + own), 0.005);
+      test.weighed = body.weighed += 0.005;
+      sensors.push_back(own);
+    }
+    VectorXd k(6);
+    k << VectorXd::Constant(3, 5e7), VectorXd::Constant(3, 5e4);
+    mount_on_springs(test, s, "right", k, draws);
+  }
   add_surroundings(test, s);
   if (const Effect* e = find(s, "joint_friction"); e && is_lap) add_lap_friction(test, *e);
-  const MatrixXd wide = test.places.at(std::string("sensor.") + name);
-  bench.probes.push_back(probe_of(s, name, wide, Vector3d::UnitZ(), draws));
+  for (const std::string& own : sensors)
+    bench.probes.push_back(
+        probe_of(s, own, test.places.at("sensor." + own), Vector3d::UnitZ(), draws));
   add_table_and_damping(bench, s, is_lap ? 0.008 : 0.005, draws);
   return bench;
 }

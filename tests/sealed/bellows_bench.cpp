@@ -106,6 +106,21 @@ void add_liner_strangers(Structure& test, const Specimen& s) {
   }
 }
 
+// The right end on springs; sensors between the axes and on both ends.
+void add_mounting(Bench& bench, const Specimen& s, const ReducedWall& wall, Draws& draws) {
+  Structure& test = bench.test;
+  const double along = 0.7e-3 * draws.normal(), around = 0.7e-3 * draws.normal();
+  test.places["sensor.slant"] = off_place(wall, "slant", along, around);
+  test.places["sensor.foot"] = rows_on_cap(test, "left", {0, 0, WallShape{}.root_radius});
+  test.places["sensor.head"] = rows_on_cap(test, "right", {0, 0, WallShape{}.root_radius});
+  for (const char* name : {"slant", "foot", "head"})
+    add_mass(test, test.places.at(std::string("sensor.") + name), sensor_mass);
+  bench.body.weighed += 3 * sensor_mass;
+  VectorXd k(6);
+  k << VectorXd::Constant(3, 4e7), VectorXd::Constant(3, 7e4);
+  mount_on_springs(test, s, "right", k, draws);
+}
+
 } // namespace
 
 Bench bellows_bench(const Specimen& s, const ReducedWall& wall, const State& state, Draws draws) {
@@ -142,12 +157,18 @@ Bench bellows_bench(const Specimen& s, const ReducedWall& wall, const State& sta
     test.places[std::string("sensor.") + name] = rows;
     add_mass(test, rows, sensor_mass);
   }
+  if (s.mounted) add_mounting(bench, s, wall, draws);
   add_liner_strangers(test, s);
   add_surroundings(test, s);
   if (const Effect* e = find(s, "joint_friction"); e) add_liner_friction(test, *e, EA);
-  for (const char* name : {"mid", "quarter"})
-    bench.probes.push_back(probe_of(s, name, test.places.at(std::string("sensor.") + name),
-                                    name[0] == 'm' ? Vector3d::UnitZ() : Vector3d::UnitX(), draws));
+  std::vector<std::pair<std::string, Vector3d>> normals{{"mid", Vector3d::UnitZ()},
+                                                        {"quarter", Vector3d::UnitX()}};
+  if (s.mounted)
+    normals.insert(normals.end(), {{"slant", Vector3d(1, 0, 1).normalized()},
+                                   {"foot", Vector3d::UnitZ()},
+                                   {"head", Vector3d::UnitZ()}});
+  for (const auto& [name, normal] : normals)
+    bench.probes.push_back(probe_of(s, name, test.places.at("sensor." + name), normal, draws));
   add_table_and_damping(bench, s, 0.01, draws);
   return bench;
 }

@@ -32,6 +32,34 @@ void add_nonlinear(Structure& test, const Effect& e, Law law) {
 
 } // namespace
 
+void mount_on_springs(Structure& test, const Specimen& s, const std::string& end, VectorXd k,
+                      Draws& draws) {
+  for (double& own : k) own *= 1 + 0.05 * draws.normal();
+  for (const Effect& e : s.effects)
+    if (e.name == "boundary_compliance" && e.place == "mount." + end)
+      for (Eigen::Index d = 0; d < 6; ++d)
+        k[d] = 1 / (1 / k[d] + 1 / e.value.at(d < 3 ? "k_translation" : "k_rotation"));
+  const int foot = add_unknowns(test, 6);
+  const MatrixXd rows = place(test, end);
+  std::erase_if(test.held, [&](int i) { return rows.col(i).cwiseAbs().maxCoeff() > 0; });
+  MatrixXd own = MatrixXd::Zero(6, test.K.cols());
+  own.middleCols(foot, 6).setIdentity();
+  test.R.middleRows(foot, 6) = rows * test.R;
+  for (int d = 0; d < 6; ++d) test.held.push_back(foot + d);
+  add_springs(test, rows - own, k);
+  test.places["foot." + end] = own;
+}
+
+MatrixXd rows_on_cap(const Structure& s, const std::string& end, const Vector3d& offset) {
+  const MatrixXd& cap = place(s, end);
+  MatrixXd rows = cap.topRows(3);
+  for (int axis = 0; axis < 3; ++axis) { // turn x offset
+    const Vector3d moved = Vector3d(Vector3d::Unit(axis)).cross(offset);
+    rows += moved * cap.row(3 + axis);
+  }
+  return rows;
+}
+
 Probe probe_of(const Specimen& s, const std::string& name, const MatrixXd& rows,
                const Vector3d& normal, Draws& draws) {
   Probe probe{.name = name, .rows = rows, .reading = Matrix3d::Identity()};
@@ -66,8 +94,9 @@ void add_table_and_damping(Bench& bench, const Specimen& s, double zeta, Draws& 
 void add_surroundings(Structure& test, const Specimen& s) {
   for (const Effect& e : s.effects) {
     const auto end = e.place.substr(e.place.find('.') + 1);
-    if (e.name == "fixture_flexibility") add_fixture(test, e, end);
-    if (e.name == "boundary_compliance")
+    const bool on_springs = test.places.contains("foot." + end);
+    if (e.name == "fixture_flexibility") add_fixture(test, e, on_springs ? "foot." + end : end);
+    if (e.name == "boundary_compliance" && !on_springs)
       stand_on_springs(test, end, e.value.at("k_translation"), e.value.at("k_rotation"));
     if (e.name == "extra_support")
       add_springs(test, place(test, e.place).topRows(3), VectorXd::Constant(3, e.value.at("k")));

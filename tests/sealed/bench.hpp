@@ -39,6 +39,12 @@ Bench beam_bench(const Specimen& s, const State& state, Draws draws);
 Probe probe_of(const Specimen& s, const std::string& name, const MatrixXd& rows,
                const Vector3d& normal, Draws& draws);
 void add_table_and_damping(Bench& bench, const Specimen& s, double zeta, Draws& draws);
+// An end on springs of six stiffnesses, N/m and Nm/rad, each 5 % off, whose foot the table holds:
+// the place "foot.<end>". A compliance of that mount is in series with them.
+void mount_on_springs(Structure& test, const Specimen& s, const std::string& end, VectorXd k,
+                      Draws& draws);
+// A sensor on a cap, `offset` from its reference.
+MatrixXd rows_on_cap(const Structure& s, const std::string& end, const Vector3d& offset);
 // Fixtures, compliant mounts, supports and strangers that name a place of the structure.
 void add_surroundings(Structure& test, const Specimen& s);
 // The friction of a joint between two places of six rows; `stiffness` of the six directions.

@@ -20,10 +20,16 @@ struct Campaign {
   bool only_across = false; // not those that move along or turn about the beam
 };
 
-Campaign campaign_of(const std::string& structure, const std::string& name = "");
+Campaign campaign_of(const Specimen& s);
+
+struct PlacedSensor {
+  std::string name, at; // as a case says it
+  double mass = 0;      // kg
+};
+std::vector<PlacedSensor> placed_sensors(const Specimen& s);
 
 // Keys of measured.yaml.
-std::string sensors_of(const std::string& structure);
+std::string sensors_of(const Specimen& s);
 std::string states_of(const Campaign& c);
 
 } // namespace sealed

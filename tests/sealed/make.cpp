@@ -1,3 +1,4 @@
+#include "campaign.hpp"
 #include "files.hpp"
 #include "measure.hpp"
 
@@ -40,6 +41,26 @@ std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
+// How a case says what is other in specimens that are mounted: a line in place of another.
+std::string as_mounted(const std::string& line, const Specimen& s) {
+  const bool bellows = s.structure == "short_bellows";
+  if (line.starts_with("mount:"))
+    return fmt::format(
+        "mount: {{left: rigid, right: {{stiffness: [{0}, {0}, {0}, {1}, {1}, {1}]}}}}",
+        bellows ? "40 MN/m +- 8.5 %" : "50 MN/m +- 8.5 %",
+        bellows ? "70 kNm/rad +- 8.5 %" : "50 kNm/rad +- 8.5 %");
+  if (line.starts_with("  damping:"))
+    return fmt::format("  damping: {{modal: {} % +- 20 %}}", bellows ? "1" : "0.8");
+  if (!line.starts_with("  - {name:") || line.find("mass:") == std::string::npos) return line;
+  std::string all = line;
+  for (const PlacedSensor& sensor : placed_sensors(s))
+    if (sensor.name != "mid" && sensor.name != "quarter" && sensor.name != "joint" &&
+        (!bellows || line.find("quarter") != std::string::npos))
+      all += fmt::format("\n  - {{name: {}, at: [{}], mass: {:g} g}}", sensor.name, sensor.at,
+                         1000 * sensor.mass);
+  return all;
+}
+
 // What a case leaves out it may not name a prior of.
 void write_case(const fs::path& data, const Specimen& s) {
   const fs::path source = PLICA_SOURCE_DIR;
@@ -57,7 +78,10 @@ void write_case(const fs::path& data, const Specimen& s) {
     if (line.starts_with("measured:")) continue; // each specimen has its own
     if (!s.without.empty() && line.find("effect: " + s.without + ",") != std::string::npos)
       continue;
-    out << (line.starts_with("case: ") ? "case: " + case_of(s) : line) << '\n';
+    out << (line.starts_with("case: ") ? "case: " + case_of(s)
+            : s.mounted                ? as_mounted(line, s)
+                                       : line)
+        << '\n';
     if (!s.without.empty() && line.starts_with("diagnose:"))
       out << "  without: [" << s.without << "]\n";
   }
@@ -67,7 +91,7 @@ void write_cases(const fs::path& data, const Suite& suite) {
   for (const char* structure : {"short_bellows", "cantilever_masses", "bolted_lap"})
     write_case(data, {.structure = structure});
   for (const Specimen& s : suite.specimens)
-    if (!s.without.empty()) write_case(data, s);
+    if (!s.without.empty() || s.mounted) write_case(data, s);
 }
 
 } // namespace

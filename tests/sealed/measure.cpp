@@ -149,7 +149,7 @@ std::map<std::string, double> measure(const Specimen& s, const ReducedWall* wall
                                       std::uint64_t seed, const fs::path& data) {
   const fs::path folder = data / s.id;
   fs::create_directories(folder);
-  const Campaign campaign = campaign_of(s.structure, s.campaign);
+  const Campaign campaign = campaign_of(s);
   const std::string name = "specimen." + s.id;
   const Builder build = [&](const State& state) {
     const Draws healthy(seed, name + ".healthy");
@@ -165,7 +165,7 @@ std::map<std::string, double> measure(const Specimen& s, const ReducedWall* wall
   const double weighed = bench.body.weighed * (1 + 0.002 * noise.normal());
   std::string text =
       fmt::format("{}specimen: {}\nsource: sealed suite, specimen {}\n", header, case_of(s), s.id);
-  text += sensors_of(s.structure) + states_of(campaign);
+  text += sensors_of(s) + states_of(campaign);
   text += fmt::format("mass: {{value: {:.6g}, sigma: {:.3g}}} # with its sensors\n", weighed,
                       0.002 * weighed);
   if (wall) text += static_tests(bench, noise);

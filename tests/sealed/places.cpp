@@ -63,7 +63,6 @@ void add_patch(FullWall& wall, const std::string& name, const std::array<Circle,
   const Eigen::Vector3d here = circles[1].x[middle];
   wall.spacing[name] = {(circles[2].x[middle] - circles[0].x[middle]).norm() / 2,
                         (circles[1].x[(middle + 1) % count] - here).norm()};
-  wall.loaded["point." + name] = at_node(circles[1].nodes[middle], displacement, unknowns);
 }
 
 } // namespace
@@ -76,6 +75,9 @@ void add_places(FullWall& wall, const WallSpots& spots, const Displacement& disp
     wall.loaded["station." + std::to_string(k)] = mean_motion(circle, displacement, unknowns);
   add_patch(wall, "mid", spots.mid, pi / 2, displacement, unknowns);
   add_patch(wall, "quarter", spots.quarter, 0, displacement, unknowns);
+  add_patch(wall, "slant", spots.quarter, pi / 4, displacement, unknowns);
+  for (const char* sensor : {"mid", "quarter"})
+    wall.loaded[std::string("point.") + sensor] = wall.read.at(std::string(sensor) + ".11");
   const Circle& low = spots.crowns.at(6);
   wall.loaded["point.low"] = at_node(low.nodes[at_angle(low, 3 * pi / 2)], displacement, unknowns);
 }

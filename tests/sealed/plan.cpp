@@ -109,7 +109,8 @@ void plan_smoke(Planner& p) {
 } // namespace
 
 std::string case_of(const Specimen& s) {
-  return s.structure + (s.without.empty() ? "" : "_without_" + s.without);
+  return s.structure + (s.mounted ? "_mounted" : "") +
+         (s.without.empty() ? "" : "_without_" + s.without);
 }
 
 bool needs_wall(const Effect& e) {

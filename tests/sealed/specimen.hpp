@@ -23,6 +23,10 @@ struct Specimen {
   bool linear = true;
   std::string without = {};  // an effect that its case leaves out
   std::string campaign = {}; // "sets": more modes and states of the cantilever
+  // The right end stands on springs, sensors sit on both ends and between the axes, the level that
+  // is held out is not the highest, and the case says how well damping is known.
+  bool mounted = false;
+  int level_out = -1; // number of the level held out, from 0; -1: the highest
 };
 
 // The case that a specimen is diagnosed by.
@@ -42,6 +46,7 @@ struct Suite {
 Suite plan_suite(std::uint64_t seed, bool smoke);
 void keep_first(Suite& suite, int count); // their order is random
 void keep_beams(Suite& suite);            // without those that need a wall
+Suite plan_mounted(std::uint64_t seed);   // specimens that are mounted, all of them
 
 // Effects that are made of a wall of its own, and what that is called.
 bool needs_wall(const Effect& e);
