@@ -309,7 +309,8 @@ private:
       const auto value = [&](const HypothesisFit& fit) {
         return value_of(r, problem_.log_measured[Index(i)] - fit.deviation[Index(i)]);
       };
-      ComparedReading row{.name = r.name,
+      ComparedReading row{.kind = r.kind,
+                          .name = r.name,
                           .unit = r.unit,
                           .measured = r.value,
                           .nominal = value(nominal.fit),

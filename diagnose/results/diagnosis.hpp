@@ -2,6 +2,7 @@
 // much of it goes when the effect is modelled, and what to measure next.
 #pragma once
 
+#include "diagnose/readings/reading.hpp"
 #include "mesh/mesh.hpp"
 #include "model/description/case_edit.hpp"
 
@@ -123,6 +124,7 @@ struct Ledger {
 
 // One reading beside the models.
 struct ComparedReading {
+  ReadingKind kind = ReadingKind::frequency;
   std::string name, unit;
   double measured = 0, nominal = 0, best = 0;
   std::optional<double> second;

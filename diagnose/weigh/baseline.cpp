@@ -170,7 +170,8 @@ private:
     const MatrixXd total = u_.total();
     for (Index i : before_) {
       const double model = value_of(reading(i), reading(i).log_value - deviation_[i]);
-      found.readings.push_back({.name = reading(i).name,
+      found.readings.push_back({.kind = reading(i).kind,
+                                .name = reading(i).name,
                                 .unit = reading(i).unit,
                                 .measured = reading(i).value,
                                 .nominal = model,

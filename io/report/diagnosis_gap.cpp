@@ -17,13 +17,21 @@ namespace {
 
 enum class Shown { hertz, percent_of_critical, decibel, points, of_a_shape, percent };
 
-// How a reading is shown; the kinds by the names that readings.cpp gives them.
 Shown shown_as(const ComparedReading& r) {
-  if (r.unit == "Hz") return Shown::hertz;
-  if (is_of_a_shape(r)) return Shown::of_a_shape;
-  if (r.name.starts_with("damping")) return Shown::percent_of_critical;
-  if (r.name.starts_with("amplitude")) return Shown::decibel;
-  return r.name.starts_with("share in") ? Shown::points : Shown::percent;
+  switch (r.kind) {
+  case ReadingKind::frequency:
+    return Shown::hertz;
+  case ReadingKind::component:
+    return Shown::of_a_shape;
+  case ReadingKind::damping:
+    return Shown::percent_of_critical;
+  case ReadingKind::amplitude:
+    return Shown::decibel;
+  case ReadingKind::cross:
+    return Shown::points;
+  default:
+    return Shown::percent;
+  }
 }
 
 // Model less test, as the readings are compared: by logarithms, components of shapes as they are.

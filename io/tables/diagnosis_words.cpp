@@ -100,10 +100,10 @@ std::string baseline_text(const Diagnosis& d) {
   if (d.baseline.readings.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"", "unit", "test", "model", "off %"}};
   for (const ComparedReading& r : d.baseline.readings)
-    rows.push_back(
-        {r.name, r.unit, significant(r.measured, 5), significant(r.nominal, 5),
-         with_sign(100 * (is_of_a_shape(r) ? r.nominal - r.measured : r.nominal / r.measured - 1),
-                   1)});
+    rows.push_back({r.name, r.unit, significant(r.measured, 5), significant(r.nominal, 5),
+                    with_sign(100 * (r.kind == ReadingKind::component ? r.nominal - r.measured
+                                                                      : r.nominal / r.measured - 1),
+                              1)});
   std::string text = "\nBaseline: the change from it is explained\n" + text_table(rows, 2);
   for (const std::string& w : d.baseline.words) text += "  " + w + "\n";
   return text;
@@ -150,10 +150,6 @@ std::string next_text(const Diagnosis& d) {
 }
 
 } // namespace
-
-bool is_of_a_shape(const ComparedReading& reading) {
-  return reading.name.find(": ") != std::string::npos; // "transverse mode 1 in z: mid.z"
-}
 
 ShownUnit handy_unit(double value, const std::string& unit) {
   const double size = std::abs(value);

@@ -32,9 +32,6 @@ ShownUnit handy_unit(double value, const std::string& unit);
 // What the gap is closed with (Diagnosis::best); null for the nominal case.
 const TriedHypothesis* best_hypothesis(const Diagnosis& d);
 
-// A component of a mode shape, in terms of the largest: compared as it is, not by its logarithm.
-bool is_of_a_shape(const ComparedReading& reading);
-
 // Blocks of readings without the components, and components alone; each with the farthest first.
 std::vector<LocatedGap> located_blocks(const Diagnosis& d);
 std::vector<LocatedGap> located_components(const Diagnosis& d);
