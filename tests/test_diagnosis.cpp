@@ -6,6 +6,7 @@
 #include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
+#include "diagnose/weigh/interval.hpp"
 #include "model/description/case.hpp"
 #include "model/description/case_path.hpp"
 

@@ -165,6 +165,26 @@ TEST(HeldEnds, damping_left_free_is_weighed_by_what_is_said_of_its_scatter) {
   }));
 }
 
+// An even distribution over a fifth either way: the logarithm's standard deviation is about 0.11.
+TEST(HeldEnds, a_tolerance_of_damping_is_how_far_all_damping_scatters) {
+  Case data = lapped_beam();
+  const double modal = data.analyses.damping.modal;
+  EXPECT_EQ(scatters::all_damping_of(data), 0.08);
+  data.tolerances.push_back({"analyses.damping.modal", modal, 0.8 * modal, 1.2 * modal, false});
+  EXPECT_NEAR(scatters::all_damping_of(data), std::log(1.18 / 0.82) / (2 * 1.645), 1e-9);
+  data.tolerances.push_back({"analyses.damping.loss_factors[0].value", 0.1, 0.05, 0.2, true});
+  DiagnosisSettings settings;
+  settings.plan_next = false;
+  const Diagnosis d = diagnose(data, sweeps_of(data, 0.012, 0.012), settings);
+  const auto says = [&](const std::string& words) {
+    return std::any_of(d.assumptions.begin(), d.assumptions.end(),
+                       [&](const std::string& a) { return a.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("damping 11 % of all modes alike"));
+  EXPECT_TRUE(says("the tolerance of analyses.damping.loss_factors[0].value is not used"));
+  EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+}
+
 // The height of the tip's peak falls as damping rises, the root's reading stays.
 TEST(HeldEnds, readings_answer_to_damping_as_the_model_says) {
   const Case data = lapped_beam();

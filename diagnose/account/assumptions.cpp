@@ -22,10 +22,15 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
       specimens, percent(scatters::modulus), percent(scatters::density),
       percent(scatters::thickness), percent(scatters::field), percent(scatters::masses),
       percent(scatters::joints), problem.data.tolerances.size());
-  add("damping %g %% of all modes alike and %g %% of each; sensors %g %%, %g degree and %g mm, "
+  add("damping %.2g %% of all modes alike and %g %% of each; sensors %g %%, %g degree and %g mm, "
       "table %g %% along other axes",
-      percent(scatters::all_damping), percent(scatters::mode_damping), percent(scatters::gain),
-      scatters::turn, 1e3 * scatters::off_place, percent(scatters::other_axes));
+      percent(scatters::all_damping_of(problem.data)), percent(scatters::mode_damping),
+      percent(scatters::gain), scatters::turn, 1e3 * scatters::off_place,
+      percent(scatters::other_axes));
+  for (const Tolerance& t : problem.data.tolerances)
+    if (is_of_damping(t) && t.path != "analyses.damping.modal")
+      add("the tolerance of %s is not used: of damping that of analyses.damping.modal alone is",
+          t.path);
   add("reassembly %g %% of frequencies and %g %% of damping, runs %g %% and %g %%",
       percent(problem.remounting.frequency), percent(problem.remounting.damping),
       percent(test_sigma::run_frequency), percent(test_sigma::run_damping));

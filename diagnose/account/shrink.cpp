@@ -230,8 +230,8 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
            {&b.section.mass, &b.section.inertia_x, &b.section.inertia_y, &b.section.inertia_z})
         *n *= 2;
   });
-  candidates.push_back(
-      {"all damping", scatters::all_damping, damping().hypotheses(structure).front()});
+  candidates.push_back({"all damping", scatters::all_damping_of(structure.data),
+                        damping().hypotheses(structure).front()});
   candidates.back().hypothesis.parameters.front().prior = free;
   const BlockScores scores(context.test, context.uncertainty);
   std::vector<std::optional<Compensator>> tried(candidates.size());

@@ -63,6 +63,7 @@ bool moves_nodes(const Structure& s, const std::function<void(Case&)>& change) {
 void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
   constexpr double low_point = 0.05, high_point = 0.95;
   for (const Tolerance& t : s.data.tolerances) {
+    if (is_of_damping(t)) continue; // stiffness and mass know nothing of it
     const double low = quantile(t, low_point) - t.value, high = quantile(t, high_point) - t.value;
     if (!(low < 0 && high > 0)) continue;
     // A narrow one is straight enough.
@@ -175,7 +176,7 @@ void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
 }
 
 void add_test(std::vector<Hypothesis>& all, const Structure& s) {
-  all.push_back(of_the_test("damping", "all", scatters::all_damping,
+  all.push_back(of_the_test("damping", "all", scatters::all_damping_of(s.data),
                             [](TestSetup& setup, double v) { setup.damping *= std::exp(v); }));
   for (const BuiltSensor& sensor : s.built.sensors) {
     const auto reading = [name = sensor.name](TestSetup& setup) -> Eigen::Matrix3d& {
@@ -206,6 +207,18 @@ void add_test(std::vector<Hypothesis>& all, const Structure& s) {
 }
 
 } // namespace
+
+bool is_of_damping(const Tolerance& tolerance) {
+  return tolerance.path.starts_with("analyses.damping.");
+}
+
+double scatters::all_damping_of(const Case& data) {
+  constexpr double tail = 0.05, of_tail = 1.645; // standard deviations there
+  for (const Tolerance& t : data.tolerances)
+    if (t.path == "analyses.damping.modal" && quantile(t, tail) > 0)
+      return std::log(quantile(t, 1 - tail) / quantile(t, tail)) / (2 * of_tail);
+  return all_damping;
+}
 
 std::vector<Hypothesis> scatter(const Structure& s) {
   std::vector<Hypothesis> all;

@@ -14,10 +14,17 @@ std::vector<Hypothesis> scatter(const Structure& s);
 namespace scatters {
 constexpr double modulus = 0.01, density = 0.005, thickness = 0.01, field = 0.02, masses = 0.01,
                  joints = 0.05;
-constexpr double all_damping = 0.08;              // of all modes alike,
+constexpr double all_damping =
+    0.08; // of all modes alike, where the case says nothing (all_damping_of),
 constexpr double mode_damping = 0.12;             // and of each on its own
 constexpr double gain = 0.01, other_axes = 0.005; // of a sensor; of the table along other axes
 constexpr double turn = 1, off_place = 1e-3;      // of a sensor: degrees about each axis, m
+// Standard deviation of the logarithm of all damping: by the tolerance of analyses.damping.modal,
+// where it has one.
+double all_damping_of(const Case& data);
 } // namespace scatters
+
+// Of damping only that of analyses.damping.modal counts.
+bool is_of_damping(const Tolerance& tolerance);
 
 } // namespace plica

@@ -107,8 +107,11 @@ bool FieldReader::number(const YamlNode& node, const std::string& path, double& 
   }
   if (const auto& limits = toleranced.limits) {
     if (outside(limits->low) || outside(limits->high)) {
-      log_.add(node.line, path, kind_of(node) + " has a tolerance that leads out of range",
-               "allowed: " + describe(q, unit));
+      const bool in_points = std::count(node.text.begin(), node.text.end(), '%') > 1;
+      log_.add(
+          node.line, path, kind_of(node) + " has a tolerance that leads out of range",
+          "allowed: " + describe(q, unit) +
+              (in_points ? "; beside a number in % the tolerance is in points: 1 % +- 0.2 %" : ""));
       return false;
     }
     log_.tolerances.push_back({path, parsed.value, limits->low, limits->high, limits->interval});

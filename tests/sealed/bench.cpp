@@ -86,7 +86,8 @@ void add_table_and_damping(Bench& bench, const Specimen& s, double zeta, Draws& 
     bench.table[d] = motion;
   }
   const double ratio = value_of(s, "damping", "all", "ratio", 1) *
-                       (1 + 0.005 * value_of(s, "temperature", "all", "delta_T", 0));
+                       (1 + 0.005 * value_of(s, "temperature", "all", "delta_T", 0)) *
+                       (s.mounted ? 1 + 0.2 * (2 * draws.uniform() - 1) : 1);
   bench.zeta.resize(600);
   for (double& z : bench.zeta) z = zeta * ratio * std::exp(0.12 * draws.normal());
 }

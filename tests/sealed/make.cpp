@@ -50,7 +50,8 @@ std::string as_mounted(const std::string& line, const Specimen& s) {
         bellows ? "40 MN/m +- 8.5 %" : "50 MN/m +- 8.5 %",
         bellows ? "70 kNm/rad +- 8.5 %" : "50 kNm/rad +- 8.5 %");
   if (line.starts_with("  damping:"))
-    return fmt::format("  damping: {{modal: {} % +- 20 %}}", bellows ? "1" : "0.8");
+    return fmt::format("  damping: {{modal: {} % +- {} %}}", bellows ? "1" : "0.8",
+                       bellows ? "0.2" : "0.16");
   if (!line.starts_with("  - {name:") || line.find("mass:") == std::string::npos) return line;
   std::string all = line;
   for (const PlacedSensor& sensor : placed_sensors(s))
