@@ -1,6 +1,7 @@
 #include "compare/compare.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "lab/measured/slope_at.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/connector_curve.hpp"
 
@@ -37,16 +38,18 @@ StaticEntry static_entry(const StaticStiffness& k, StaticDirection direction) {
   return {"axial stiffness", "N/m", k.k_axial};
 }
 
-// Force over displacement at a stroke where the model has a curve for that direction; none
-// otherwise.
-std::optional<double> secant(const Results& results, const MeasuredStatic& k) {
+// Force over displacement at a stroke, or how it grows there, where the model has a curve for that
+// direction; none otherwise.
+std::optional<double> over_stroke_of(const Results& results, const MeasuredStatic& k) {
   if (!k.stroke) return std::nullopt;
   const bool across =
       k.direction == StaticDirection::transverse_x || k.direction == StaticDirection::transverse_z;
   if (!across && k.direction != StaticDirection::axial) return std::nullopt;
   for (const StrokeCurve& c : results.strokes)
     if (c.direction == (across ? "transverse" : "axial"))
-      return force_at(c.points, *k.stroke) / *k.stroke;
+      return k.slope == StaticSlope::secant
+                 ? force_at(c.points, *k.stroke) / *k.stroke
+                 : slope_at([&](double x) { return force_at(c.points, x); }, *k.stroke);
   return std::nullopt;
 }
 
@@ -228,9 +231,10 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
     if (!results.statics) break;
     if (!as_drawn(measured, k.state)) continue;
     const StaticEntry found = static_entry(*results.statics, k.direction);
-    const std::optional<double> over_stroke = secant(results, k);
+    const std::optional<double> over_stroke = over_stroke_of(results, k);
     std::string name = found.name;
-    if (over_stroke) name += " over " + millimetres_of(*k.stroke);
+    if (over_stroke)
+      name += (k.slope == StaticSlope::secant ? " over " : " at ") + millimetres_of(*k.stroke);
     rows.push_back({.quantity = name,
                     .unit = found.unit,
                     .measured = k.value,

@@ -4,6 +4,7 @@
 #include "diagnose/judge/identifiability.hpp"
 #include "diagnose/predict/menu.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "model/description/end_caps.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
     number(ReadingKind::mass, {});
     words.emplace_back("the mass");
   }
-  if (plan.pulled && data.caps.size() == 2) {
+  if (plan.pulled && !end_caps(data).empty()) {
     number(ReadingKind::stiffness, StaticDirection::axial);
     number(ReadingKind::stiffness, StaticDirection::transverse_x);
     words.emplace_back("the static stiffness along and across");

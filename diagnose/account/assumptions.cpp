@@ -27,10 +27,6 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
       percent(scatters::all_damping_of(problem.data)), percent(scatters::mode_damping),
       percent(scatters::gain), scatters::turn, 1e3 * scatters::off_place,
       percent(scatters::other_axes));
-  for (const Tolerance& t : problem.data.tolerances)
-    if (is_of_damping(t) && t.path != "analyses.damping.modal")
-      add("the tolerance of %s is not used: of damping that of analyses.damping.modal alone is",
-          t.path);
   add("reassembly %g %% of frequencies and %g %% of damping, runs %g %% and %g %%",
       percent(problem.remounting.frequency), percent(problem.remounting.damping),
       percent(test_sigma::run_frequency), percent(test_sigma::run_damping));

@@ -1,6 +1,7 @@
 #include "diagnose/predict/menu.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "model/description/end_caps.hpp"
 
 #include <algorithm>
 #include <fmt/printf.h>
@@ -24,7 +25,7 @@ public:
   std::vector<Offer> offers(const std::vector<std::string>& further) const {
     std::vector<Offer> all;
     if (!measured_.mass) all.push_back({"weigh the specimen", 0.2, numbers(ReadingKind::mass, {})});
-    if (case_.caps.size() == 2)
+    if (!end_caps(case_).empty())
       for (const auto& [direction, name] :
            {std::pair{StaticDirection::axial, "static stiffness along the axis"},
             {StaticDirection::transverse_x, "static stiffness across, in x"},

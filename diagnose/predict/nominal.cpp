@@ -6,6 +6,7 @@
 #include "diagnose/predict/loose_motions.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
 #include "model/description/case_path.hpp"
+#include "model/description/end_caps.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "run/analyses/damping.hpp"
 #include "solve/model_error.hpp"
@@ -62,8 +63,7 @@ std::vector<int> boundary_of(const BuiltCase& built, const Case& data, const Mea
     for (const std::string& end : table.ends)
       if (const auto cap = built.cap_nodes.find(end); cap != built.cap_nodes.end())
         nodes.push_back(cap->second);
-  if (data.caps.size() == 2)
-    for (const auto& [name, node] : built.cap_nodes) nodes.push_back(node);
+  for (const std::string& end : end_caps(data)) nodes.push_back(built.cap_nodes.at(end));
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   std::set<int> dependent;

@@ -1,5 +1,7 @@
 #include "diagnose/predict/rig_stiffness.hpp"
 
+#include "model/description/end_caps.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <stdexcept>
@@ -27,8 +29,7 @@ double along(const EndStiffness& k, StaticDirection direction) {
 }
 
 std::vector<int> cap_coordinates(const NominalState& state, std::vector<std::string> names) {
-  if (names.empty())
-    for (const Cap& cap : state.data.caps) names.push_back(cap.name);
+  if (names.empty()) names = end_caps(state.data);
   if (names.size() != 2 || names[0] == names[1]) return {};
   std::vector<int> rows;
   const std::vector<int>& boundary = state.model->boundary();

@@ -3,6 +3,7 @@
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/rig_stiffness.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
+#include "lab/measured/slope_at.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,11 +125,15 @@ double StateAnswers::static_stiffness(const Reading& reading) {
   const double stretch = reading.stroke * std::sqrt(std::max(0., (*stuck - *softer) / (1 - less)) /
                                                     acting_.group->stiffness);
   const double share = acting_.softening.share;
-  const double kept = reading.stroke > 0
-                          ? 1 - share * (1 - Sliders(acting_.softening).kept(stretch).real())
-                          : 1 - share;
-  const auto value = stiffness_at(reading.direction, kept);
-  return value ? std::log(*value) : none;
+  const auto secant = [&](double of_stroke) -> double {
+    const double kept =
+        reading.stroke > 0
+            ? 1 - share * (1 - Sliders(acting_.softening).kept(of_stroke * stretch).real())
+            : 1 - share;
+    return stiffness_at(reading.direction, kept).value_or(none);
+  };
+  if (!reading.tangent) return std::log(secant(1));
+  return std::log(slope_at([&](double of_stroke) { return secant(of_stroke) * of_stroke; }, 1));
 }
 
 // The sensor at which a force drives; -1: none is called so.

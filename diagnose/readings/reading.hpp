@@ -79,7 +79,8 @@ struct Reading {
   std::string sensor;   // amplitude, cross
   int axis = 0;         // of the response; of a rig 0..5 = x y z rx ry rz
   StaticDirection direction = StaticDirection::axial; // stiffness
-  double stroke = 0; // stiffness: m or rad; 0 = not stated. Of a rig the amplitude; 0 = small
+  double stroke = 0;    // stiffness: m or rad; 0 = not stated. Of a rig the amplitude; 0 = small
+  bool tangent = false; // stiffness: how the force grows at the stroke, not the force over it
   RigRun rig = {};
   int of_shape = -1, channel = 0;             // component: of which of TestReadings::shapes
   MeasuredShape shape = MeasuredShape::other; // of a mode without excitation
@@ -101,6 +102,7 @@ struct TestReadings {
   std::vector<Reading> readings;
   std::vector<ReadShape> shapes = {};
   std::vector<std::string> warnings;
+  double level_sigma = 0; // relative, of the level of each run
 };
 
 // What a cross response adds to before the logarithm: below a fiftieth of the main motion it is

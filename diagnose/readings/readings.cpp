@@ -58,6 +58,7 @@ public:
     modes_of_runs();
     for (std::size_t i = 0; i < measured_.peaks.size(); ++i) peaks(i);
     add_response_readings(test_, list_);
+    list_.all.level_sigma = measured_.level_sigma;
     widen_by_repeats(list_.all);
     hold_out_by_level();
     pool_repeats(list_.all);
@@ -85,6 +86,7 @@ private:
                  .sensor = "",
                  .direction = k.direction,
                  .stroke = k.stroke.value_or(0),
+                 .tangent = k.slope == StaticSlope::tangent,
                  .value = k.value,
                  .sigma = relative(k.sigma, k.value, stiffness_sigma)});
     }

@@ -24,7 +24,4 @@ constexpr double turn = 1, off_place = 1e-3;      // of a sensor: degrees about 
 double all_damping_of(const Case& data);
 } // namespace scatters
 
-// Of damping only that of analyses.damping.modal counts.
-bool is_of_damping(const Tolerance& tolerance);
-
 } // namespace plica

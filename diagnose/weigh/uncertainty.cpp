@@ -1,6 +1,7 @@
 #include "diagnose/weigh/uncertainty.hpp"
 
 #include "diagnose/weigh/damping_weights.hpp"
+#include "diagnose/weigh/level_errors.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
 #include "diagnose/weigh/rig_errors.hpp"
 #include "diagnose/weigh/scatter.hpp"
@@ -119,6 +120,9 @@ VectorXd mesh_correction(const Case& data, const Nominal& nominal, const Measure
                          const TestReadings& test, const VectorXd& coarse,
                          std::vector<std::string>& refused) {
   Case plain = for_headline(data);
+  plain.analyses.statics =
+      std::any_of(test.readings.begin(), test.readings.end(),
+                  [](const Reading& r) { return r.kind == ReadingKind::stiffness; });
   if (!plain.analyses.modes) plain.analyses.modes = Modes{.count = 10, .proof = false};
   const Results own = run(plain, [](const std::string&) {});
   const std::vector<int> modes = Predictor(nominal, test, {}).nominal_modes();
@@ -192,6 +196,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   for (Index i = 0; i < n; ++i)
     u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
   add_common_rig_error(test, u.measurement);
+  add_error_of_levels(test, u.series, u.measurement);
   using namespace test_sigma;
   const MatrixXd weights = damping_weights(nominal, test);
   const auto always = [](const Reading&, const Reading&) { return true; };

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double default_accuracy = 0.01;
 constexpr std::array toleranced_keys{"materials", "parts", "caps", "mount"};
+constexpr const char* toleranced_damping = "analyses.damping.modal";
 
 // Keys that could not be read.
 std::vector<std::string> bad_keys(const ReadLog& log) {
@@ -119,11 +120,13 @@ void check_tolerances(const YamlNode& tree, const Case& data, const std::string&
                       const ReadLog& nominal, ReadLog& log) {
   for (const Tolerance& t : data.tolerances) {
     const bool physical =
+        t.path == toleranced_damping ||
         std::any_of(toleranced_keys.begin(), toleranced_keys.end(),
                     [&](const char* key) { return t.path.starts_with(std::string(key) + "."); });
     if (!physical) {
       log.add(line_of(t.path, nominal.lines), t.path, "takes no tolerance",
-              "numbers under materials, parts, caps and mount do");
+              std::string("numbers under materials, parts, caps and mount do, and ") +
+                  toleranced_damping);
       continue;
     }
     for (const double limit : {t.low, t.high}) {

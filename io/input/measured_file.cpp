@@ -242,6 +242,24 @@ void take_all_repeats(Measured& m, ReadLog& log) {
     take_repeats(m.modes[i].repeats, m.modes[i].frequency, m.modes[i].sigma, item("modes", i), log);
 }
 
+// What the scale did not see comes besides.
+void weigh_sensors(Measured& m, ReadLog& log) {
+  if (!m.mass || !m.mass->without_sensors) return;
+  double sensors = 0;
+  for (const MeasuredSensor& s : m.sensors) sensors += s.mass;
+  if (sensors == 0)
+    log.add("mass.without_sensors", "says that the sensors were not weighed, and none has a mass",
+            "sensors with a mass");
+  m.mass->value += sensors;
+}
+
+void check_slopes(const Measured& m, ReadLog& log) {
+  for (std::size_t i = 0; i < m.statics.size(); ++i)
+    if (m.statics[i].slope == StaticSlope::tangent && !m.statics[i].stroke)
+      log.add(item("static", i) + ".slope", "is that at a stroke, which is not stated",
+              "a stroke beside it");
+}
+
 void check_hold_out(const Measured& m, ReadLog& log) {
   std::vector<std::string> entries;
   for (const auto& [key, where] : log.lines)
@@ -275,6 +293,8 @@ MeasuredFile read_measured_file(const std::string& path) {
   check_responses(data, path, log);
   read_stiffness(data, path, log);
   take_all_repeats(data, log);
+  weigh_sensors(data, log);
+  check_slopes(data, log);
   check_hold_out(data, log);
   for (const Tolerance& t : log.tolerances) log.add(t.path, "takes no tolerance", "give its sigma");
   if (!log.problems.empty()) {

@@ -45,13 +45,19 @@ struct MeasuredMass {
   std::optional<double> sigma;
   std::vector<double> repeats;
   std::string state = {}; // empty = the specimen as it stands, here and below
+  // The scale did not see the sensors; once a file is read their masses are in `value`.
+  bool without_sensors = false;
 };
+
+// Force over displacement at the stroke, or how it grows there.
+enum class StaticSlope { secant, tangent };
 
 struct MeasuredStatic {
   StaticDirection direction = StaticDirection::axial;
   double value = 0; // N/m; bending and torsion Nm/rad
   std::optional<double> sigma;
   std::optional<double> stroke; // m; rad for bending and torsion
+  StaticSlope slope = StaticSlope::secant;
   std::vector<double> repeats;
   std::string state;
   std::string note;
@@ -151,6 +157,7 @@ struct Measured {
   std::vector<MeasuredPeaks> peaks;
   std::vector<MeasuredFrf> frf;
   std::vector<MeasuredSignals> signals;
+  double level_sigma = 0;            // relative, of the level of each run
   std::vector<std::string> hold_out; // paths of entries that no fit may use
   std::vector<std::string> caveats;  // in words, printed in the report
 };

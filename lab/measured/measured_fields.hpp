@@ -53,6 +53,9 @@ template <class V> void fields(V& v, MeasuredMass& m) {
                {.unit = Dimension::mass, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results, where no sigma is given");
   v.text(m.state, "state", {}, state_meaning);
+  v.flag(m.without_sensors, "without_sensors",
+         "the sensors were not on the scale: their masses, which `sensors` has to state, come "
+         "besides");
 }
 
 template <class V> void fields(V& v, MeasuredStatic& s) {
@@ -74,6 +77,9 @@ template <class V> void fields(V& v, MeasuredStatic& s) {
       s.stroke, "stroke",
       {.unit = turns ? Dimension::angle : Dimension::length, .min = 0, .exclusive_min = true},
       "largest displacement or rotation of the test");
+  v.choice(s.slope, "slope", {{StaticSlope::secant, "secant"}, {StaticSlope::tangent, "tangent"}},
+           optional_key,
+           "force over displacement at the stroke, or how the force grows there as it is reached");
   v.quantities(s.repeats, "repeats",
                {.unit = unit, .min = 0, .exclusive_min = true, .min_items = 2},
                "single results, where no sigma is given");
@@ -216,6 +222,8 @@ template <class V> void fields(V& v, Measured& m) {
   v.list(m.peaks, "peaks", optional_key, "peaks against the level of excitation");
   v.list(m.frf, "frf", optional_key, "measured frequency responses");
   v.list(m.signals, "signals", optional_key, "time signals");
+  v.quantity(m.level_sigma, "level_sigma", {.unit = Dimension::ratio, .min = 0, .max = 1},
+             "standard deviation of the level of each run: of levels, accelerations and forces");
   v.texts(m.hold_out, "hold_out", "paths of entries that no fit may use, e.g. modes[1]");
   v.texts(m.caveats, "caveats", "what a user of these numbers must know");
 }

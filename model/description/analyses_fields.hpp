@@ -187,8 +187,9 @@ template <class V> void fields(V& v, Analyses& a) {
   v.object(a.reduction, "reduction", optional_key,
            "solve with a superelement in place of every part between caps");
   v.flag_or(a.statics, a.deck_loads, "static", "deck",
-            "static stiffness between the two caps, by default where there are two; deck: what the "
-            "loads of a deck do as well, as its subcases or steps say");
+            "static stiffness between the two caps, by default where there are two; of more, where "
+            "asked for, between the two that are mounted; deck: what the loads of a deck do as "
+            "well, as its subcases or steps say");
   v.object(a.modes, "modes", optional_key, "natural modes");
   v.object(a.damping, "damping", optional_key, "damping of the modes");
   v.object(a.response, "response", optional_key,

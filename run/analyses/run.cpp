@@ -1,6 +1,7 @@
 #include "run/analyses/run.hpp"
 
 #include "model/description/connector_curve.hpp"
+#include "model/description/end_caps.hpp"
 #include "model/shape/doubts.hpp"
 #include "run/analyses/deck_statics.hpp"
 #include "run/analyses/dynamics.hpp"
@@ -48,8 +49,7 @@ public:
     if (case_.state && case_.analyses.stress) add_state_stress(case_, built_, results_);
     if (case_.analyses.life) life_.emplace(case_, built_);
     const bool moved = case_.analyses.life && needs_statics(*case_.analyses.life);
-    if ((case_.analyses.statics.value_or(true) || moved) && case_.caps.size() == 2)
-      around_state([this] { statics(); });
+    if (ask_statics() || moved) around_state([this] { statics(); });
     if (case_.analyses.deck_loads) loads_of_decks();
     if (case_.analyses.modes) dynamics();
     if (const auto& asked = case_.analyses.levels;
@@ -144,11 +144,20 @@ private:
         all.push_back(j.place + " " + j.motion);
   }
 
+  // Where a case says nothing, between the caps of those that have two.
+  bool ask_statics() {
+    if (!case_.analyses.statics) return case_.caps.size() == 2;
+    if (!*case_.analyses.statics || !end_caps(case_).empty()) return *case_.analyses.statics;
+    results_.warnings.push_back("static stiffness left out: it is that between two ends, the caps "
+                                "of a case that has two, or the two that are mounted");
+    return false;
+  }
+
   void statics() {
     const BuiltCase& built = slipping_ ? *slipping_ : built_;
     Route& route = slipping_ ? *slipping_route_ : *route_;
-    const std::array<int, 2> caps{built.cap_nodes.at(case_.caps[0].name),
-                                  built.cap_nodes.at(case_.caps[1].name)};
+    const std::vector<std::string> ends = end_caps(case_);
+    const std::array<int, 2> caps{built.cap_nodes.at(ends[0]), built.cap_nodes.at(ends[1])};
     const std::optional<Matrix1212> K = route.end_stiffness(caps);
     if (!K && life_ && needs_statics(*case_.analyses.life))
       input_error("analyses.life", "moves an end that a support holds", "ends that are free to");

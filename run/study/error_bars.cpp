@@ -109,8 +109,12 @@ void add_interval(ErrorBar& bar, const std::vector<Tolerance>& tolerances, const
 }
 
 void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
-  const Case data = with_coarse_bellows(fine);
+  Case data = with_coarse_bellows(fine);
+  // No stiffness, mode or stress feels damping.
+  std::erase_if(data.tolerances,
+                [](const Tolerance& t) { return t.path.starts_with("analyses.damping."); });
   const std::vector<Tolerance>& tolerances = data.tolerances;
+  if (tolerances.empty()) return;
   stage("tolerances");
   const Headline nominal = headline_of(data);
   std::map<std::string, Effects> effects;
