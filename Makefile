@@ -34,7 +34,9 @@ slow: check-deps build
 # The sealed suite of the diagnosis: specimens made, diagnosed, scored; then with guards left out.
 sealed: build
 	ctest --preset slow -R sealed_suite --verbose
+	ctest --preset slow -R sealed_mounted --verbose
 	ctest --preset slow -R sealed_changes --verbose
+	ctest --preset slow -R sealed_sets --verbose
 	ctest --preset slow -R sealed_ablations --verbose
 
 # What the tests of mechanics found beside what their sources say.
