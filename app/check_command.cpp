@@ -9,6 +9,7 @@
 #include "lab/measured/states.hpp"
 #include "mesh/machine_memory.hpp"
 #include "model/shape/doubts.hpp"
+#include "run/analyses/seen_enough.hpp"
 #include "run/routes/memory_need.hpp"
 #include "run/routes/route.hpp"
 #include "run/study/estimate.hpp"
@@ -24,6 +25,7 @@ struct CheckOptions {
   ChosenCase chosen;
   int threads = 0;
   bool json = false;
+  bool json_only = false; // the run that is asked about writes nothing else
 };
 
 // What is said of a case that is valid.
@@ -42,17 +44,19 @@ struct Checked {
   bool error_bars = false;
 };
 
-Checked checked(const CaseFile& file) {
+Checked checked(const CaseFile& file, bool json_only) {
   const BuiltCase built = located(file, [&] { return build(file.data); });
   const auto symmetry = located(file, [&] {
     return symmetric_view(built.model, file.data.analyses.reduction ? Symmetry::automatic
                                                                     : file.data.analyses.symmetry);
   });
+  const bool seen =
+      json_only && !file.data.analyses.error_bars && seen_enough(file.data, built).has_value();
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& x : built.model.mesh.nodes) box.extend(x);
   const std::size_t limits = 2 * file.data.tolerances.size();
   Checked found{
-      .cost = located(file, [&] { return estimate(built, file.data.analyses, symmetry); }),
+      .cost = located(file, [&] { return estimate(built, file.data.analyses, symmetry, seen); }),
       .limit = memory_limit(),
       .too_large = "",
       .quality = mesh_quality(built.model.mesh),
@@ -67,7 +71,7 @@ Checked checked(const CaseFile& file) {
       .error_bars = file.data.analyses.error_bars,
   };
   try {
-    require_memory_for(built, file.data.analyses, symmetry);
+    require_memory_for(built, file.data.analyses, symmetry, seen);
   } catch (const TooLarge& error) {
     found.too_large = error.what();
   }
@@ -162,7 +166,7 @@ int check(const CheckOptions& options) {
     const CaseFile& file = tested.file;
     if (const auto& test = tested.test)
       load_frfs(measured_as_drawn(test->data), test->path.parent_path());
-    const Checked found = checked(file);
+    const Checked found = checked(file, options.json_only);
     if (options.json)
       print(json_text(json_of(found)));
     else
@@ -192,6 +196,13 @@ void add_check_command(CommandLine& line) {
   add_state(command, options->chosen);
   add_threads(command, options->threads);
   command.add_flag("--json", options->json, "print JSON in place of words, also of what is wrong");
+  command
+      .add_option_function<std::string>(
+          "--only", [options](const std::string&) { options->json_only = true; },
+          "estimate a run with `--only json`, which leaves the shapes of all nodes out where "
+          "superelements let it")
+      ->check(CLI::IsMember({"json"}))
+      ->type_name("");
 }
 
 } // namespace plica

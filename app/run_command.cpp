@@ -41,8 +41,9 @@ VariantResult run_variant(const CaseFile& file, const Case& changed, const std::
                           const std::optional<MeasuredFile>& measured, Progress& progress) {
   progress.title(file.data.name + ", " + name);
   const Results results = located(file, [&] {
-    return run(measured ? for_comparison(changed) : for_headline(changed),
-               [&](const std::string& s) { progress.stage(s); });
+    return run(
+        measured ? for_comparison(changed) : for_headline(changed),
+        [&](const std::string& s) { progress.stage(s); }, nullptr, Shapes::left_out);
   });
   VariantResult result{
       .name = name, .set = std::move(set), .headline = headline(results), .comparison = {}};
@@ -64,6 +65,8 @@ double work_of(const std::string& stage) {
 struct Plan {
   Plan(const Case& data, const RunOptions& options)
       : bars(options.error_bars && data.analyses.error_bars),
+        shapes(options.out.json_only && options.geometry.empty() && !bars ? Shapes::left_out
+                                                                          : Shapes::kept),
         at_rest(options.variants && data.state), states(options.variants ? data.states.size() : 0),
         variants(options.variants ? data.variants.size() : 0) {
     const double tolerances = double(data.tolerances.size());
@@ -71,7 +74,9 @@ struct Plan {
     all = first + of_bars + double(variants + states) + (at_rest ? 1 : 0) + writing;
   }
 
-  bool bars, at_rest;
+  bool bars;
+  Shapes shapes; // error bars find the modes of finer meshes by them
+  bool at_rest;
   std::size_t states, variants;
   double first = 1.5, of_bars = 0, writing = 0.1, all = 0;
 };
@@ -172,10 +177,13 @@ Results run_resolved(CaseFile& file, const Plan& plan, Progress& progress) {
   const auto run_it = [&] {
     RunShares shares(file.data);
     return located(file, [&] {
-      return run(file.data, [&](const std::string& s) {
-        progress.share(plan.first / plan.all * shares.at(s));
-        progress.stage(s);
-      });
+      return run(
+          file.data,
+          [&](const std::string& s) {
+            progress.share(plan.first / plan.all * shares.at(s));
+            progress.stage(s);
+          },
+          nullptr, plan.shapes);
     });
   };
   Results results = run_it();

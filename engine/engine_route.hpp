@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/distributed_model.hpp"
+#include "model/description/case.hpp"
 
 namespace plica {
 
@@ -19,12 +20,15 @@ struct EngineSettings {
 // caller's to say. False: the first rank has trouble.
 bool agree_on_model(const Ranks& ranks, const BuiltCase* built, const std::string& trouble);
 
-// On the first rank, after agree_on_model().
-std::unique_ptr<Route> engine_route(const BuiltCase& built, const Ranks& ranks,
+// On the first rank, after agree_on_model(): of the full mesh or, where the analyses ask for them,
+// of superelements that are reduced over ranks. `seen`: as RouteSettings has it.
+std::unique_ptr<Route> engine_route(const BuiltCase& built, const SeenCase* seen,
+                                    const Analyses& analyses, const Ranks& ranks,
                                     const EngineSettings& settings, const StageListener& stage,
                                     Timing& timing);
 
 // On the others: answers until the route of the first rank ends.
-void serve(const BuiltCase& built, const Ranks& ranks, const EngineSettings& settings);
+void serve(const Case& data, const BuiltCase& built, const Ranks& ranks,
+           const EngineSettings& settings);
 
 } // namespace plica

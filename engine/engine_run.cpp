@@ -5,6 +5,7 @@
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "engine/engine_route.hpp"
+#include "engine/shared_direct.hpp"
 #include "io/tables/summary.hpp"
 #include "io/write/write_results.hpp"
 #include "mesh/machine_memory.hpp"
@@ -70,12 +71,8 @@ void require_known(const Case& data) {
   refuse(a.levels && !(a.levels->bases.empty() && a.levels->forces.empty()), "analyses.levels",
          "has no responses at levels", "plica run");
   refuse(a.life.has_value(), "analyses.life", "counts no life", "plica run");
-  refuse(a.reduction.has_value(), "analyses.reduction",
-         "solves the full mesh and makes no superelements", "no reduction, or plica run");
-  refuse(a.symmetry == Symmetry::required, "analyses.symmetry",
-         "solves the full mesh and uses no symmetry", "automatic or off");
-  refuse(a.response && a.response->referee > 0, "analyses.response.referee",
-         "makes no direct solution beside the modal one", "0");
+  refuse(a.symmetry == Symmetry::required && !a.reduction, "analyses.symmetry",
+         "solves the full mesh and uses no symmetry", "automatic or off, or a reduction");
   if (!problems.empty()) throw InputError(problems);
 }
 
@@ -126,7 +123,7 @@ private:
       const Trouble trouble = trouble_of([&] { built.emplace(build(file_.data)); });
       if (!agree_on_model(ranks_, built ? &*built : nullptr, trouble.text))
         return ranks_.broadcast(std::vector<int>{}).front(); // of tell_next()
-      serve(*built, ranks_, settings());
+      serve(file_.data, *built, ranks_, settings());
       built.reset();
       // The exit code, or the waves around that a finer mesh is to resolve.
       const std::vector<int> next = ranks_.broadcast(std::vector<int>{});
@@ -168,13 +165,15 @@ private:
     const StageListener stage = [&](const std::string& s) { progress.stage(s); };
     const EngineSettings own = settings();
     return located(file_, [&] {
-      return run_by_route(file_.data, stage,
-                          [&](const BuiltCase& built, const Analyses&,
-                              const StageListener& listener, Timing& timing) {
-                            agreed_ = true;
-                            agree_on_model(ranks_, &built, "");
-                            return engine_route(built, ranks_, own, listener, timing);
-                          });
+      const RouteChoice route = [&](const BuiltCase& built, const SeenCase* seen,
+                                    const Analyses& analyses, const StageListener& listener,
+                                    Timing& timing) {
+        agreed_ = true;
+        agree_on_model(ranks_, &built, "");
+        return engine_route(built, seen, analyses, ranks_, own, listener, timing);
+      };
+      return run_by_route(file_.data, stage, {.route = route, .direct = direct_over_ranks(ranks_)},
+                          options_.out.json_only ? Shapes::left_out : Shapes::kept);
     });
   }
 

@@ -33,8 +33,12 @@ double memory_of_rank(double unknowns, int ranks) {
 }
 
 void require_memory_of_nodes(double unknowns, const Ranks& ranks) {
+  require_memory_of_nodes(memory_of_rank(unknowns, ranks.size()), unknowns, ranks);
+}
+
+void require_memory_of_nodes(double bytes, double unknowns, const Ranks& ranks) {
   const int here = ranks_of_this_node(ranks);
-  const double need = here * memory_of_rank(unknowns, ranks.size());
+  const double need = here * bytes;
   const MemoryLimit limit = memory_limit();
   const std::string words =
       need <= limit.bytes

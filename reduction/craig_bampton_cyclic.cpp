@@ -232,11 +232,16 @@ private:
       }
       return u;
     };
-    r.field_at = [model = model_, families = families_, unknowns_of,
-                  T](const MatrixXd& c, const std::vector<int>& nodes) {
+    r.field_at = [model = model_, families = families_, unknowns_of, T, na,
+                  nw](const MatrixXd& c, const std::vector<int>& nodes) {
       const MatrixXd q = *T * c;
       MatrixXd u = MatrixXd::Zero(6 * Index(nodes.size()), c.cols());
-      for (const Family& f : *families) u += model->expand(f.system, unknowns_of(f, q), nodes);
+      for (const Family& f : *families) {
+        const std::vector<int> columns = moved_columns(f, q, na + nw);
+        if (columns.empty()) continue;
+        const MatrixXd own = model->expand(f.system, unknowns_of(f, q(Eigen::all, columns)), nodes);
+        for (std::size_t k = 0; k < columns.size(); ++k) u.col(columns[k]) += own.col(Index(k));
+      }
       return u;
     };
   }

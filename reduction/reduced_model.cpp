@@ -2,16 +2,48 @@
 #include "reduction/substructures.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace plica {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::shared_ptr<const PartReduction> reduce(const Substructure& part,
-                                            const ReductionRequest& asked) {
+std::vector<int> rows_of(const Instance& instance, const std::vector<int>& number) {
+  std::vector<int> rows;
+  for (int node : instance.part->boundary)
+    for (int d = 0; d < 6; ++d) rows.push_back(6 * number[instance.part->nodes[node]] + d);
+  const int modal = instance.reduced->reduction.element.modal();
+  for (int k = 0; k < modal; ++k) rows.push_back(6 * instance.scalar_nodes[k / 6] + k % 6);
+  return rows;
+}
+
+namespace {
+
+// Those of some nodes of the whole that lie inside an instance.
+struct Inside {
+  std::vector<int> own;        // numbers in the part
+  std::vector<std::size_t> at; // places in the list
+};
+
+Inside inside(const Instance& instance, const std::vector<int>& number,
+              const std::vector<int>& nodes) {
+  Inside found;
+  const std::vector<int>& known = instance.part->nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto place = std::lower_bound(known.begin(), known.end(), nodes[i]);
+    if (number[nodes[i]] >= 0 || place == known.end() || *place != nodes[i]) continue;
+    found.own.push_back(static_cast<int>(place - known.begin()));
+    found.at.push_back(i);
+  }
+  return found;
+}
+
+} // namespace
+
+std::shared_ptr<const PartReduction> reduce_part(const Substructure& part,
+                                                 const ReductionRequest& asked) {
   auto reduced = std::make_shared<PartReduction>();
   if (asked.symmetry) {
     auto view = cyclic_model(part.model);
@@ -28,42 +60,49 @@ std::shared_ptr<const PartReduction> reduce(const Substructure& part,
   return reduced;
 }
 
-// Coordinates of an instance: DOFs of its boundary nodes, then its modal ones.
-std::vector<int> rows_of(const Instance& instance, const std::vector<int>& number) {
-  std::vector<int> rows;
-  for (int node : instance.part->boundary)
-    for (int d = 0; d < 6; ++d) rows.push_back(6 * number[instance.part->nodes[node]] + d);
-  const int modal = instance.reduced->reduction.element.modal();
-  for (int k = 0; k < modal; ++k) rows.push_back(6 * instance.scalar_nodes[k / 6] + k % 6);
-  return rows;
+PartReducer reduce_here(ReductionMemory* memory) {
+  return [memory](const std::vector<std::shared_ptr<const Substructure>>& parts,
+                  const ReductionRequest& request) {
+    std::vector<std::shared_ptr<const PartReduction>> reductions;
+    for (const std::shared_ptr<const Substructure>& part : parts) {
+      std::shared_ptr<const PartReduction> known = memory ? memory->find(*part, request) : nullptr;
+      if (!known) {
+        known = reduce_part(*part, request);
+        if (memory) memory->keep(part, request, known);
+      }
+      reductions.push_back(std::move(known));
+    }
+    return reductions;
+  };
 }
 
-} // namespace
+DifferentParts different_parts(std::vector<Substructure> pieces) {
+  DifferentParts all;
+  for (Substructure& piece : pieces) {
+    const auto part = std::make_shared<const Substructure>(std::move(piece));
+    const auto same = std::find_if(all.different.begin(), all.different.end(),
+                                   [&](const auto& other) { return is_copy(*other, *part); });
+    all.place.push_back(std::size_t(same - all.different.begin()));
+    if (same == all.different.end()) all.different.push_back(part);
+    all.parts.push_back(part);
+  }
+  return all;
+}
 
-ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
-                                  const ReductionRequest& request, ReductionMemory* memory) {
-  CutModel pieces = cut(model, interface_nodes);
+ReducedModel reduce_substructures(CutModel pieces, const ReductionRequest& request,
+                                  const PartReducer& reduce) {
   ReducedModel reduced{.model = std::move(pieces.frame),
                        .number = std::move(pieces.number),
                        .instances = {},
                        .reductions = 0,
                        .proved = true,
                        .reason = ""};
-  for (Substructure& piece : pieces.parts) {
-    Instance instance{.part = std::make_shared<const Substructure>(std::move(piece)),
-                      .reduced = nullptr,
-                      .scalar_nodes = {}};
-    for (const Instance& other : reduced.instances)
-      if (!instance.reduced && is_copy(*other.part, *instance.part))
-        instance.reduced = other.reduced;
-    if (!instance.reduced) {
-      if (memory) instance.reduced = memory->find(*instance.part, request);
-      if (!instance.reduced) {
-        instance.reduced = reduce(*instance.part, request);
-        if (memory) memory->keep(instance.part, request, instance.reduced);
-      }
-      ++reduced.reductions;
-    }
+  const DifferentParts parts = different_parts(std::move(pieces.parts));
+  const auto reductions = reduce(parts.different, request);
+  reduced.reductions = static_cast<int>(parts.different.size());
+  for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+    Instance instance{
+        .part = parts.parts[i], .reduced = reductions[parts.place[i]], .scalar_nodes = {}};
     const Reduction& r = instance.reduced->reduction;
     if (!r.proved) {
       reduced.proved = false;
@@ -100,20 +139,12 @@ MatrixXd ReducedModel::field_at(const MatrixXd& q, const std::vector<int>& nodes
     if (number[nodes[i]] >= 0)
       u.middleRows<6>(6 * Index(i)) = q.middleRows<6>(6 * Index(number[nodes[i]]));
   for (const Instance& instance : instances) {
-    std::vector<int> own;        // numbers in the part
-    std::vector<std::size_t> to; // places in the list
-    const std::vector<int>& known = instance.part->nodes;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto found = std::lower_bound(known.begin(), known.end(), nodes[i]);
-      if (number[nodes[i]] >= 0 || found == known.end() || *found != nodes[i]) continue;
-      own.push_back(static_cast<int>(found - known.begin()));
-      to.push_back(i);
-    }
-    if (own.empty()) continue;
+    const Inside chosen = inside(instance, number, nodes);
+    if (chosen.own.empty()) continue;
     const MatrixXd rows =
-        instance.reduced->reduction.field_at(q(rows_of(instance, number), Eigen::all), own);
-    for (std::size_t i = 0; i < to.size(); ++i)
-      u.middleRows<6>(6 * Index(to[i])) = rows.middleRows<6>(6 * Index(i));
+        instance.reduced->reduction.field_at(q(rows_of(instance, number), Eigen::all), chosen.own);
+    for (std::size_t i = 0; i < chosen.at.size(); ++i)
+      u.middleRows<6>(6 * Index(chosen.at[i])) = rows.middleRows<6>(6 * Index(i));
   }
   return u;
 }
@@ -140,23 +171,32 @@ Reduction craig_bampton(const std::shared_ptr<const ReducedModel>& model,
 }
 
 MatrixXd ReducedModel::gather(const MatrixXd& force) const {
+  std::vector<int> all(number.size());
+  std::iota(all.begin(), all.end(), 0);
+  return gather_at(force, all);
+}
+
+MatrixXd ReducedModel::gather_at(const MatrixXd& force, const std::vector<int>& nodes) const {
+  std::vector<int> loaded;
+  std::vector<Index> at; // rows of their forces
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (const Index row = 6 * Index(i); !force.middleRows<6>(row).isZero(0)) {
+      loaded.push_back(nodes[i]);
+      at.push_back(row);
+    }
   MatrixXd q = MatrixXd::Zero(dof_count(model), force.cols());
-  for (std::size_t node = 0; node < number.size(); ++node)
-    if (number[node] >= 0)
-      q.middleRows<6>(6 * Index(number[node])) = force.middleRows<6>(6 * Index(node));
+  for (std::size_t i = 0; i < loaded.size(); ++i)
+    if (const int frame_node = number[loaded[i]]; frame_node >= 0)
+      q.middleRows<6>(6 * Index(frame_node)) = force.middleRows<6>(at[i]);
   for (const Instance& instance : instances) {
-    const std::vector<int>& nodes = instance.part->nodes;
-    std::vector<int> loaded;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (number[nodes[i]] < 0 && !force.middleRows<6>(6 * Index(nodes[i])).isZero(0))
-        loaded.push_back(static_cast<int>(i));
-    if (loaded.empty()) continue;
+    const Inside chosen = inside(instance, number, loaded);
+    if (chosen.own.empty()) continue;
     const Reduction& r = instance.reduced->reduction;
     const Index size = r.element.K.rows();
-    const MatrixXd shapes = r.field_at(MatrixXd::Identity(size, size), loaded);
+    const MatrixXd shapes = r.field_at(MatrixXd::Identity(size, size), chosen.own);
     MatrixXd own(shapes.rows(), force.cols());
-    for (std::size_t i = 0; i < loaded.size(); ++i)
-      own.middleRows<6>(6 * Index(i)) = force.middleRows<6>(6 * Index(nodes[loaded[i]]));
+    for (std::size_t i = 0; i < chosen.own.size(); ++i)
+      own.middleRows<6>(6 * Index(i)) = force.middleRows<6>(at[chosen.at[i]]);
     q(rows_of(instance, number), Eigen::all) += shapes.transpose() * own;
   }
   return q;

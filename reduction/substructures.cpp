@@ -58,31 +58,30 @@ template <class F> void for_each_item(const Model& model, F&& f) {
   for (const Constraint& x : model.constraints) f(x);
 }
 
-using Numbers = std::vector<int>; // new number per node, -1 = not there
-
-void renumber(ShellQuad& q, const Numbers& to) {
-  for (int& node : q.nodes) node = to[node];
+// The nodes of an item by their new numbers, `to(node)`.
+template <class To> void renumber(ShellQuad& q, const To& to) {
+  for (int& node : q.nodes) node = to(node);
 }
-void renumber(ShellTriangle& t, const Numbers& to) {
-  for (int& node : t.nodes) node = to[node];
+template <class To> void renumber(ShellTriangle& t, const To& to) {
+  for (int& node : t.nodes) node = to(node);
 }
-void renumber(BeamElement& b, const Numbers& to) {
-  b.node1 = to[b.node1];
-  b.node2 = to[b.node2];
+template <class To> void renumber(BeamElement& b, const To& to) {
+  b.node1 = to(b.node1);
+  b.node2 = to(b.node2);
 }
-void renumber(MassElement& m, const Numbers& to) {
-  m.node = to[m.node];
+template <class To> void renumber(MassElement& m, const To& to) {
+  m.node = to(m.node);
 }
-void renumber(BushingElement& b, const Numbers& to) {
-  b.node1 = to[b.node1];
-  if (b.node2 >= 0) b.node2 = to[b.node2];
+template <class To> void renumber(BushingElement& b, const To& to) {
+  b.node1 = to(b.node1);
+  if (b.node2 >= 0) b.node2 = to(b.node2);
 }
-void renumber(MatrixElement& m, const Numbers& to) {
-  for (int& node : m.nodes) node = to[node];
+template <class To> void renumber(MatrixElement& m, const To& to) {
+  for (int& node : m.nodes) node = to(node);
 }
-void renumber(Constraint& c, const Numbers& to) {
-  c.node = to[c.node];
-  for (ConstraintTerm& t : c.terms) t.node = to[t.node];
+template <class To> void renumber(Constraint& c, const To& to) {
+  c.node = to(c.node);
+  for (ConstraintTerm& t : c.terms) t.node = to(t.node);
 }
 
 void add(Model& model, ShellQuad x) {
@@ -126,7 +125,7 @@ public:
     for_each_item(model_, [&](const auto& item) {
       const int group = group_of(item);
       auto copy = item;
-      renumber(copy, group < 0 ? cut_.number : numbers_[group]);
+      renumber(copy, [&](int node) { return number_in(group, node); });
       add(group < 0 ? cut_.frame : cut_.parts[group].model, std::move(copy));
     });
     return std::move(cut_);
@@ -204,34 +203,48 @@ private:
 
   void number_nodes() {
     const auto all = static_cast<int>(group_.size());
-    numbers_.assign(cut_.parts.size(), Numbers(all, -1));
+    inner_.assign(all, -1);
+    at_interface_.resize(cut_.parts.size());
     cut_.number.assign(all, -1);
     const auto put = [&](int part, int node) {
       Substructure& s = cut_.parts[part];
-      numbers_[part][node] = add_node(s.model, model_.mesh.nodes[node]);
-      if (model_.scalar_nodes.contains(node)) s.model.scalar_nodes.insert(numbers_[part][node]);
+      const int number = add_node(s.model, model_.mesh.nodes[node]);
+      if (model_.scalar_nodes.contains(node)) s.model.scalar_nodes.insert(number);
       s.nodes.push_back(node);
+      return number;
     };
     for (int node = 0; node < all; ++node) {
-      if (group_[node] >= 0) put(group_[node], node);
+      if (group_[node] >= 0) inner_[node] = put(group_[node], node);
       if (!is_interface_[node]) continue;
       cut_.number[node] = add_node(cut_.frame, model_.mesh.nodes[node]);
       for (int part = 0; part < static_cast<int>(cut_.parts.size()); ++part)
-        if (interface_of_[part].contains(node)) put(part, node);
+        if (interface_of_[part].contains(node)) at_interface_[part][node] = put(part, node);
     }
     for (std::size_t part = 0; part < cut_.parts.size(); ++part)
       for (int node : interface_of_[part])
-        cut_.parts[part].boundary.push_back(numbers_[part][node]);
+        cut_.parts[part].boundary.push_back(at_interface_[part].at(node));
+  }
+
+  // In a part, or with -1 in the frame; -1 = not there.
+  int number_in(int part, int node) const {
+    if (part < 0) return cut_.number[node];
+    if (group_[node] == part) return inner_[node];
+    const auto found = at_interface_[part].find(node);
+    return found == at_interface_[part].end() ? -1 : found->second;
   }
 
   void copy_rings() {
-    for (const Ring& ring : model_.mesh.rings)
-      for (std::size_t part = 0; part < cut_.parts.size(); ++part) {
+    for (const Ring& ring : model_.mesh.rings) {
+      const auto inner = std::find_if(ring.nodes.begin(), ring.nodes.end(),
+                                      [&](int node) { return group_[node] >= 0; });
+      for (int part = 0; part < static_cast<int>(cut_.parts.size()); ++part) {
+        if (inner != ring.nodes.end() && group_[*inner] != part) continue;
         Ring own = ring;
-        for (int& node : own.nodes) node = numbers_[part][node];
+        for (int& node : own.nodes) node = number_in(part, node);
         if (std::find(own.nodes.begin(), own.nodes.end(), -1) == own.nodes.end())
           cut_.parts[part].model.mesh.rings.push_back(std::move(own));
       }
+    }
   }
 
   const Model& model_;
@@ -239,7 +252,8 @@ private:
   std::vector<int> group_;             // per node, -1 = interface
   std::map<int, std::set<int>> meets_; // interface nodes by root of the set
   std::vector<std::set<int>> interface_of_;
-  std::vector<Numbers> numbers_; // per group
+  std::vector<int> inner_;                       // own number of a node in its group
+  std::vector<std::map<int, int>> at_interface_; // per group: own numbers of interface nodes
   CutModel cut_;
 };
 

@@ -46,6 +46,10 @@ struct Instance {
   std::vector<int> scalar_nodes; // of its modal coordinates in the frame
 };
 
+// Its coordinates among the DOFs of the reduced model: of its boundary nodes, then modal ones.
+// `number`: as ReducedModel has it.
+std::vector<int> rows_of(const Instance& instance, const std::vector<int>& number);
+
 struct ReducedModel {
   Model model; // the frame with the superelements
   std::vector<int> number;
@@ -54,12 +58,17 @@ struct ReducedModel {
   bool proved = false; // of every substructure
   std::string reason;
 
-  // All DOFs of the whole, or the six of chosen nodes, from those of the reduced model; and forces
-  // the other way.
+  // All DOFs of the whole, or the six of chosen nodes (increasing), from those of the reduced
+  // model; and forces the other way.
   Eigen::MatrixXd field(const Eigen::MatrixXd& reduced) const;
   Eigen::MatrixXd field_at(const Eigen::MatrixXd& reduced, const std::vector<int>& nodes) const;
   Eigen::MatrixXd gather(const Eigen::MatrixXd& force) const;
+  Eigen::MatrixXd gather_at(const Eigen::MatrixXd& force, const std::vector<int>& nodes) const;
 };
+
+// u' K_c u of the field of the whole, by component (rows) and column of the reduced model's DOFs: a
+// superelement with one component has it in its own matrix.
+Eigen::MatrixXd strain_energy(const ReducedModel& model, const Eigen::MatrixXd& reduced);
 
 // Nodes that keep a local break of the symmetry out of the superelements: of every ring that has
 // left its circle (a dent) and the ring on either side, with the axis nodes tied to them. Taken
@@ -101,9 +110,28 @@ private:
   std::mutex mutex_;
 };
 
-// Throws as cut() and craig_bampton(). `memory`: what it knows is not reduced again.
-ReducedModel reduce_substructures(const Model& model, const std::vector<int>& interface_nodes,
-                                  const ReductionRequest& request,
-                                  ReductionMemory* memory = nullptr);
+// Reduces substructures of which none is a copy of another; the reductions stand in their order.
+using PartReducer = std::function<std::vector<std::shared_ptr<const PartReduction>>(
+    const std::vector<std::shared_ptr<const Substructure>>& parts,
+    const ReductionRequest& request)>;
+
+// Of one. Throws as craig_bampton(). The part outlives it.
+std::shared_ptr<const PartReduction> reduce_part(const Substructure& part,
+                                                 const ReductionRequest& request);
+
+// One after the other in this process. `memory`, which outlives it: what it knows is not reduced
+// again.
+PartReducer reduce_here(ReductionMemory* memory = nullptr);
+
+// Parts with those of them that are no copy of an earlier one.
+struct DifferentParts {
+  std::vector<std::shared_ptr<const Substructure>> parts, different;
+  std::vector<std::size_t> place; // per part: among the different ones
+};
+DifferentParts different_parts(std::vector<Substructure> pieces);
+
+// Throws as `reduce`.
+ReducedModel reduce_substructures(CutModel pieces, const ReductionRequest& request,
+                                  const PartReducer& reduce = reduce_here());
 
 } // namespace plica

@@ -1,10 +1,8 @@
 #include "solve/drilling.hpp"
 
 #include <map>
-#include <set>
 
 namespace plica {
-namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -19,6 +17,8 @@ std::set<int> nodes_with_something(const Model& model) {
     for (const ConstraintTerm& t : c.terms) nodes.insert(t.node);
   return nodes;
 }
+
+namespace {
 
 ShellSection without_drilling(ShellSection section) {
   section.drilling = 0;

@@ -8,7 +8,12 @@
 
 #include "solve/model.hpp"
 
+#include <set>
+
 namespace plica {
+
+// Nodes that masses, beams, springs, matrices or couplings reach.
+std::set<int> nodes_with_something(const Model& model);
 
 struct DrillingShare {
   double share = 0; // of the strain energy, in the shells that meet at one node
@@ -16,7 +21,7 @@ struct DrillingShare {
 };
 
 // One per column of u (all DOFs). `energy`: u' K u of each. Looked at are the shell nodes that
-// masses, beams, springs, matrices or couplings reach.
+// something sits on.
 std::vector<DrillingShare> drilling_shares(const Model& model, const Eigen::MatrixXd& u,
                                            const Eigen::VectorXd& energy);
 

@@ -5,6 +5,7 @@
 #include "reduction/substructures.hpp"
 #include "run/routes/built_reduced.hpp"
 #include "run/routes/route.hpp"
+#include "solve/strain_energy.hpp"
 
 #include <set>
 
@@ -64,9 +65,9 @@ TEST(ReducedAssembly, what_a_variant_leaves_as_it_is_is_not_reduced_again) {
   const auto new_reductions = [&](const Case& variant) {
     const BuiltCase built = build(variant);
     const std::size_t before = known.size();
-    for (const Instance& i :
-         reduced_model(built, interface_nodes(built, true), {.cutoff = 1000}, &memory).instances)
-      known.insert(i.reduced.get());
+    const ReducedModel model =
+        reduced_model(built, interface_nodes(built, true), {.cutoff = 1000}, reduce_here(&memory));
+    for (const Instance& i : model.instances) known.insert(i.reduced.get());
     return known.size() - before;
   };
   EXPECT_EQ(new_reductions(data), 3U);
@@ -78,6 +79,19 @@ TEST(ReducedAssembly, what_a_variant_leaves_as_it_is_is_not_reduced_again) {
   for (Part& part : thicker.parts)
     if (part.name == "outer_right") std::get<Bellows>(part.body).wall.plies = {2e-3};
   EXPECT_EQ(new_reductions(thicker), 1U);
+}
+
+// By component, the liners' beside the shells'.
+TEST(ReducedAssembly, strain_energy_is_that_of_its_fields) {
+  const Case data = assembly_case({.around = 16, .arc = 2, .wall = 3});
+  const BuiltCase built = build(data);
+  const ReducedModel model = reduced_model(built, interface_nodes(built, true), {.cutoff = 1000});
+  const Eigen::MatrixXd q = Eigen::MatrixXd::Random(dof_count(model.model), 20);
+  const Eigen::MatrixXd by_parts = strain_energy(model, q),
+                        by_fields = strain_energy(built.model, model.field(q));
+  ASSERT_EQ(by_parts.rows(), by_fields.rows());
+  for (Eigen::Index j = 0; j < q.cols(); ++j)
+    EXPECT_LT((by_parts - by_fields).col(j).norm(), 1e-7 * by_fields.col(j).norm()) << j;
 }
 
 TEST(ReducedAssembly, remembered_reductions_give_the_numbers_of_new_ones) {

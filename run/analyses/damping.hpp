@@ -3,6 +3,8 @@
 
 #include "model/shape/build.hpp"
 
+#include <functional>
+
 namespace plica {
 
 // "mount.engine", "caps.clamp": a component that is springs.
@@ -23,5 +25,12 @@ struct ModalDamping {
 // Throws InputError for a loss factor of what is not a component.
 ModalDamping modal_damping(const Damping& damping, const Model& model,
                            const Eigen::VectorXd& lambda, const Eigen::MatrixXd& u, int numbered);
+
+// With phi_j' K_c phi_j by component (rows) of some of the columns from 0, asked for where a loss
+// factor needs it.
+ModalDamping
+modal_damping(const Damping& damping, const Model& model, const Eigen::VectorXd& lambda,
+              const std::function<Eigen::MatrixXd(const std::vector<int>& columns)>& energy,
+              int numbered);
 
 } // namespace plica

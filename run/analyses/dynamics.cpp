@@ -24,8 +24,9 @@ using Eigen::MatrixXd;
 class Dynamics {
 public:
   Dynamics(const Case& data, const BuiltCase& built, Route& route, const StageListener& stage,
-           LifeCount* life, Results& results)
-      : case_(data), built_(built), route_(route), stage_(stage), life_(life), results_(results) {}
+           LifeCount* life, Results& results, const DirectSolver& direct)
+      : case_(data), built_(built), route_(route), stage_(stage), life_(life), results_(results),
+        direct_(direct) {}
 
   void run() {
     const Modes& asked = *case_.analyses.modes;
@@ -63,8 +64,10 @@ private:
 
   DampedModes damped_modes(const ModalSolution& solution, const Excitations* excited) {
     const Damping& asked = case_.analyses.damping;
-    ModalDamping modal =
-        modal_damping(asked, built_.model, solution.lambda, solution.u, solution.modes);
+    ModalDamping modal = modal_damping(
+        asked, built_.model, solution.lambda,
+        [&](const std::vector<int>& columns) { return strain_energy(solution, built_, columns); },
+        solution.modes);
     DampedModes modes{solution,
                       std::move(modal.zeta),
                       std::move(modal.eta),
@@ -159,8 +162,8 @@ private:
                       const Excitations& excited) {
     stage_(stages::direct_solution);
     try {
-      hold_against_direct_solution(asked, built_, case_.analyses.damping, model, modes, excited,
-                                   results_.responses);
+      hold_against_direct_solution(asked, model, {built_, case_.analyses.damping, modes, excited},
+                                   direct_, results_.responses);
     } catch (const std::runtime_error& error) { // the response itself is good
       results_.warnings.push_back(std::string("direct solution left out: ") + error.what());
     }
@@ -224,11 +227,13 @@ private:
       if (!damped.complex.empty()) mode.damped_frequency = frequency_of(damped, int(i));
       std::copy(m.begin(), m.end(), mode.effective_mass.begin());
       results_.modes.push_back(mode);
+      if (results_.mesh.nodes.empty()) continue; // all nodes are not seen
       Eigen::MatrixXd shape =
           Eigen::Map<const MatrixXd>(s.u.col(i).data(), 6, s.u.rows() / 6).transpose();
       results_.shapes.push_back(std::move(shape));
     }
-    tell_apart(results_.modes, built_.model, s.u);
+    tell_apart(results_.modes, built_.model.components,
+               [&](const std::vector<int>& columns) { return strain_energy(s, built_, columns); });
     std::copy(s.free_mass.begin(), s.free_mass.end(), results_.free_mass.begin());
     const Eigen::RowVectorXd sum = effective.colwise().sum();
     std::copy(sum.begin(), sum.end(), results_.effective_mass_sum.begin());
@@ -279,14 +284,16 @@ private:
   const StageListener& stage_;
   LifeCount* life_;
   Results& results_;
+  const DirectSolver& direct_;
   Stopwatch watch_;
 };
 
 } // namespace
 
 void run_dynamics(const Case& data, const BuiltCase& built, Route& route,
-                  const StageListener& stage, LifeCount* life, Results& results) {
-  Dynamics(data, built, route, stage, life, results).run();
+                  const StageListener& stage, LifeCount* life, Results& results,
+                  const DirectSolver& direct) {
+  Dynamics(data, built, route, stage, life, results, direct).run();
 }
 
 } // namespace plica

@@ -1,7 +1,5 @@
 #include "run/analyses/mode_names.hpp"
 
-#include "solve/strain_energy.hpp"
-
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -9,20 +7,19 @@
 namespace plica {
 namespace {
 
-using Eigen::MatrixXd;
-using Same = std::vector<Eigen::Index>; // modes of one name
+using Same = std::vector<int>; // modes of one name
 
 // False when all are strained most in the same part.
-bool name_by_part(std::vector<ModeResult>& modes, const Same& same, const Model& model,
-                  const MatrixXd& u) {
-  if (model.components.size() < 2) return false;
-  const MatrixXd energy = strain_energy(model, u(Eigen::all, same));
+bool name_by_part(std::vector<ModeResult>& modes, const Same& same,
+                  const std::vector<std::string>& components, const EnergyOfModes& energy_of) {
+  if (components.size() < 2) return false;
+  const Eigen::MatrixXd energy = energy_of(same);
   std::vector<Eigen::Index> most(same.size());
   for (std::size_t i = 0; i < same.size(); ++i) energy.col(Eigen::Index(i)).maxCoeff(&most[i]);
   if (std::all_of(most.begin(), most.end(), [&](Eigen::Index m) { return m == most[0]; }))
     return false;
   for (std::size_t i = 0; i < same.size(); ++i)
-    modes[std::size_t(same[i])].place = model.components[std::size_t(most[i])];
+    modes[std::size_t(same[i])].place = components[std::size_t(most[i])];
   return true;
 }
 
@@ -39,13 +36,15 @@ void name_by_number(std::vector<ModeResult>& modes, const Same& same) {
 
 } // namespace
 
-void tell_apart(std::vector<ModeResult>& modes, const Model& model, const MatrixXd& u) {
+void tell_apart(std::vector<ModeResult>& modes, const std::vector<std::string>& components,
+                const EnergyOfModes& energy) {
   std::map<std::tuple<std::string, std::string, int, int>, Same> named;
   for (std::size_t i = 0; i < modes.size(); ++i)
     if (const ModeResult& m = modes[i]; m.shape != "rigid")
-      named[{m.shape, m.direction, m.order, m.harmonic}].push_back(Eigen::Index(i));
+      named[{m.shape, m.direction, m.order, m.harmonic}].push_back(static_cast<int>(i));
   for (const auto& [name, same] : named)
-    if (same.size() > 1 && !name_by_part(modes, same, model, u) && std::get<0>(name) != "mode")
+    if (same.size() > 1 && !name_by_part(modes, same, components, energy) &&
+        std::get<0>(name) != "mode")
       name_by_number(modes, same);
 }
 

@@ -32,8 +32,8 @@ using Eigen::MatrixXd;
 
 class Run {
 public:
-  Run(const Case& data, const StageListener& stage, const RouteChoice& choose)
-      : case_(data), stage_(stage), choose_(choose) {}
+  Run(const Case& data, const StageListener& stage, const Solvers& solvers, Shapes shapes)
+      : case_(data), stage_(stage), solvers_(solvers), shapes_(shapes) {}
 
   Results results() {
     stage_(stages::mesh);
@@ -43,7 +43,9 @@ public:
       results_.state = move_into_state(case_, built_, stage_, results_.timing);
       watch_ = Stopwatch();
     }
-    route_ = choose_(built_, case_.analyses, stage_, results_.timing);
+    if (shapes_ == Shapes::left_out) seen_ = seen_enough(case_, built_);
+    route_ =
+        solvers_.route(built_, seen_ ? &*seen_ : nullptr, case_.analyses, stage_, results_.timing);
     describe();
     if (has_friction(case_)) let_slip();
     if (case_.state && case_.analyses.stress) add_state_stress(case_, built_, results_);
@@ -76,7 +78,8 @@ private:
 
   void dynamics() {
     around_state([this] {
-      run_dynamics(case_, built_, *route_, stage_, life_ ? &*life_ : nullptr, results_);
+      run_dynamics(case_, seen_ ? seen_->built : built_, *route_, stage_, life_ ? &*life_ : nullptr,
+                   results_, solvers_.direct);
     });
     watch_ = Stopwatch();
   }
@@ -129,14 +132,14 @@ private:
     if (!std::isfinite(results_.model.mass))
       input_error("parts", "have a mass that is no finite number",
                   "sizes, densities and masses of a structure");
-    results_.mesh = built_.model.mesh;
+    if (!seen_) results_.mesh = built_.model.mesh;
   }
 
   // Small motion sticks, a test rig and high levels slip: the second state has its own model.
   void let_slip() {
     stage_(stages::mesh);
     slipping_ = case_.state ? slipping_in_state(built_) : slipping_case(case_);
-    slipping_route_ = choose_(*slipping_, case_.analyses, stage_, results_.timing);
+    slipping_route_ = solvers_.route(*slipping_, nullptr, case_.analyses, stage_, results_.timing);
     results_.slipping.emplace();
     for (const BuiltJoint& j : slipping_->joints)
       if (std::vector<std::string>& all = results_.slipping->joints;
@@ -282,9 +285,11 @@ private:
 
   const Case& case_;
   const StageListener& stage_;
-  const RouteChoice& choose_;
+  const Solvers& solvers_;
+  Shapes shapes_;
   Stopwatch watch_;
   BuiltCase built_;
+  std::optional<SeenCase> seen_; // none: all nodes are
   std::unique_ptr<Route> route_;
   // With joints that slip; none: the case has no friction.
   std::optional<BuiltCase> slipping_;
@@ -296,18 +301,24 @@ private:
 } // namespace
 
 Results run(const Case& data, const std::function<void(const std::string&)>& stage,
-            ReductionMemory* memory) {
+            ReductionMemory* memory, Shapes shapes) {
   return run_by_route(
       data, stage,
-      [memory](const BuiltCase& built, const Analyses& analyses, const StageListener& listener,
-               Timing& timing) { return choose_route(built, analyses, listener, timing, memory); });
+      {.route =
+           [memory](const BuiltCase& built, const SeenCase* seen, const Analyses& analyses,
+                    const StageListener& listener, Timing& timing) {
+             return choose_route(built, analyses, listener, timing,
+                                 {.seen = seen, .reduce = reduce_here(memory)});
+           }},
+      shapes);
 }
 
-Results run_by_route(const Case& data, const StageListener& stage, const RouteChoice& choose) {
-  if (!data.state || acts(*data.state)) return Run(data, stage, choose).results();
+Results run_by_route(const Case& data, const StageListener& stage, const Solvers& solvers,
+                     Shapes shapes) {
+  if (!data.state || acts(*data.state)) return Run(data, stage, solvers, shapes).results();
   Case at_rest = data;
   at_rest.state.reset();
-  Results results = Run(at_rest, stage, choose).results();
+  Results results = Run(at_rest, stage, solvers, Shapes::kept).results();
   StateResult& idle = results.state.emplace();
   idle.name = data.state->name;
   idle.route = "at rest";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/shape/build.hpp"
+#include "run/analyses/seen_enough.hpp"
 #include "run/results/results.hpp"
 
 #include <functional>
@@ -14,7 +15,8 @@ class ReductionMemory; // reduction/substructures.hpp
 // sentence; TooLarge for what the machine's memory does not hold, before anything is assembled;
 // std::runtime_error for numerical trouble that leaves no result. A proof that failed is
 // in Results::verification. `memory`: reductions of earlier runs, none of which is repeated.
+// `shapes`: where they are left out, Results::mesh is empty, too; all numbers are the same.
 Results run(const Case& data, const std::function<void(const std::string&)>& stage,
-            ReductionMemory* memory = nullptr);
+            ReductionMemory* memory = nullptr, Shapes shapes = Shapes::kept);
 
 } // namespace plica

@@ -10,9 +10,18 @@ namespace plica {
 // dent: where parts meet or symmetry would end.
 std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry);
 
+// As a run asks for it.
+ReductionRequest reduction_request(const Analyses& analyses);
+
 // Throws InputError for a part that no cap joins.
+CutModel cut_between_caps(const BuiltCase& built, bool symmetry);
+
+// Throws InputError for a part that cannot be reduced.
+ReducedModel reduced_model(CutModel pieces, const ReductionRequest& request,
+                           const PartReducer& reduce = reduce_here());
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           const ReductionRequest& request, ReductionMemory* memory = nullptr);
+                           const ReductionRequest& request,
+                           const PartReducer& reduce = reduce_here());
 
 // "5 superelements of 3 reductions; rotational symmetry, 40 sectors"
 std::string route_name(const ReducedModel& reduced);

@@ -20,19 +20,53 @@ int modes_of(const Analyses& analyses) {
   return analyses.modes ? analyses.modes->count : 0;
 }
 
-// The largest part is reduced while the whole mesh is held; then the modes are recovered on it.
-double memory_of_superelements(const BuiltCase& built, const Analyses& analyses) {
+} // namespace
+
+// The largest part is reduced while the whole mesh and its pieces are held; then the modes are
+// recovered on it, or on the nodes that are seen.
+double memory_of_superelements(const CutModel& pieces, double unknowns, const Analyses& analyses,
+                               bool seen) {
   constexpr int modes_of_a_part = 60;
-  const bool symmetry = analyses.symmetry != Symmetry::off;
+  constexpr double of_meshes = 130; // bytes an unknown: the whole and its pieces
   double largest = 0;
-  for (const Substructure& part : cut(built.model, interface_nodes(built, symmetry)).parts) {
-    const double unknowns = unknowns_of(part.model);
-    const bool symmetric = symmetry && std::holds_alternative<CyclicModel>(
-                                           symmetric_view(part.model, Symmetry::automatic));
-    largest = std::max(largest,
-                       symmetric ? 200 * unknowns : memory_of_full_mesh(unknowns, modes_of_a_part));
+  std::vector<const Substructure*> different;
+  for (const Substructure& part : pieces.parts) {
+    if (std::any_of(different.begin(), different.end(),
+                    [&](const Substructure* other) { return is_copy(*other, part); }))
+      continue;
+    different.push_back(&part);
+    const double own = unknowns_of(part.model);
+    const bool symmetric =
+        analyses.symmetry != Symmetry::off &&
+        std::holds_alternative<CyclicModel>(symmetric_view(part.model, Symmetry::automatic));
+    largest = std::max(largest, symmetric ? 200 * own : memory_of_full_mesh(own, modes_of_a_part));
   }
-  return largest + memory_by_symmetry(unknowns_of(built.model), modes_of(analyses));
+  if (seen) return largest + program + of_meshes * unknowns;
+  return largest + memory_by_symmetry(unknowns, modes_of(analyses));
+}
+
+namespace {
+
+MemoryNeed need_of_superelements(const BuiltCase& built, const CutModel& pieces,
+                                 const Analyses& analyses, bool seen) {
+  return {memory_of_superelements(pieces, unknowns_of(built.model), analyses, seen),
+          seen ? "Caps that cut the part into more superelements and a coarser mesh need less."
+               : "Results without the shapes of all nodes ('--only json'), caps that cut the part "
+                 "into more superelements and a coarser mesh need less."};
+}
+
+// Whichever way, the machine has it.
+bool fits_anyhow(const BuiltCase& built, const Analyses& analyses) {
+  constexpr int most_modes = 60; // of a part that is reduced
+  return memory_of_full_mesh(unknowns_of(built.model), std::max(modes_of(analyses), most_modes)) <
+         memory_limit().bytes;
+}
+
+void require(const BuiltCase& built, const MemoryNeed& need) {
+  require_memory(need.bytes,
+                 "the run of this model (" + std::to_string(long(unknowns_of(built.model))) +
+                     " unknowns)",
+                 need.instead);
 }
 
 } // namespace
@@ -50,12 +84,12 @@ double memory_by_symmetry(double unknowns, int modes) {
   return program + (400 + 24. * modes) * unknowns;
 }
 
-MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses,
-                       const SymmetricView& view) {
+MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view,
+                       bool seen) {
   const double unknowns = unknowns_of(built.model);
   if (analyses.reduction)
-    return {memory_of_superelements(built, analyses),
-            "Caps that cut the part into more superelements and a coarser mesh need less."};
+    return need_of_superelements(built, cut_between_caps(built, analyses.symmetry != Symmetry::off),
+                                 analyses, seen);
   if (std::holds_alternative<CyclicModel>(view))
     return {memory_by_symmetry(unknowns, modes_of(analyses)),
             "A coarser mesh and fewer modes need less."};
@@ -67,17 +101,15 @@ MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses,
           symmetry + "superelements ('reduction'), a coarser mesh and fewer modes need less."};
 }
 
-void require_memory_for(const BuiltCase& built, const Analyses& analyses,
-                        const SymmetricView& view) {
-  const double unknowns = unknowns_of(built.model);
-  constexpr int most_modes = 60; // of a part that is reduced
-  if (memory_of_full_mesh(unknowns, std::max(modes_of(analyses), most_modes)) <
-      memory_limit().bytes)
-    return; // whichever way
-  const MemoryNeed need = memory_need(built, analyses, view);
-  require_memory(need.bytes,
-                 "the run of this model (" + std::to_string(long(unknowns)) + " unknowns)",
-                 need.instead);
+void require_memory_for(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view,
+                        bool seen) {
+  if (!fits_anyhow(built, analyses)) require(built, memory_need(built, analyses, view, seen));
+}
+
+void require_memory_for(const BuiltCase& built, const CutModel& pieces, const Analyses& analyses,
+                        bool seen) {
+  if (!fits_anyhow(built, analyses))
+    require(built, need_of_superelements(built, pieces, analyses, seen));
 }
 
 } // namespace plica

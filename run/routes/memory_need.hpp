@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/shape/built_case.hpp"
+#include "reduction/substructures.hpp"
 #include "run/routes/symmetric_view.hpp"
 
 #include <string>
@@ -22,11 +23,20 @@ struct MemoryNeed {
 
 // By symmetry, by superelements or on the full mesh, as choose_route() takes it. `view`: what
 // symmetric_view() finds of the model and the symmetry that the analyses ask for; of no matter to
-// superelements.
-MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view);
+// superelements. `seen`: fields are those of some nodes alone (seen_case.hpp).
+MemoryNeed memory_need(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view,
+                       bool seen = false);
+
+// Of superelements that are cut already.
+double memory_of_superelements(const CutModel& pieces, double unknowns, const Analyses& analyses,
+                               bool seen); // bytes
 
 // Throws TooLarge (mesh/machine_memory.hpp) when the machine does not have it.
-void require_memory_for(const BuiltCase& built, const Analyses& analyses,
-                        const SymmetricView& view);
+void require_memory_for(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view,
+                        bool seen = false);
+
+// As of superelements that are cut already.
+void require_memory_for(const BuiltCase& built, const CutModel& pieces, const Analyses& analyses,
+                        bool seen);
 
 } // namespace plica

@@ -26,11 +26,12 @@ std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry) {
   if (!symmetry) return {nodes.begin(), nodes.end()};
   const std::vector<int> broken = nodes_around_breaks(built.model);
   nodes.insert(broken.begin(), broken.end());
-  std::set<int> wall;
-  for (const Ring& ring : built.model.mesh.rings) wall.insert(ring.nodes.begin(), ring.nodes.end());
-  for (const Constraint& c : built.model.constraints) wall.erase(c.node);
+  std::vector<char> wall(built.model.mesh.nodes.size(), 0);
+  for (const Ring& ring : built.model.mesh.rings)
+    for (int node : ring.nodes) wall[node] = 1;
+  for (const Constraint& c : built.model.constraints) wall[c.node] = 0;
   const auto attached = [&](int node) {
-    if (wall.contains(node)) nodes.insert(node);
+    if (node >= 0 && wall[node]) nodes.insert(node);
   };
   for (const MassElement& m : built.model.masses) attached(m.node);
   for (const BushingElement& b : built.model.bushings) {
@@ -44,16 +45,48 @@ std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry) {
   return {nodes.begin(), nodes.end()};
 }
 
-ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           const ReductionRequest& request, ReductionMemory* memory) {
+namespace {
+
+// What cannot be cut or reduced is said of the key that asks for it.
+template <class Work> auto of_reduction(const Work& work) {
   try {
-    return reduce_substructures(built.model, interface_nodes, request, memory);
+    return work();
   } catch (const std::invalid_argument& error) {
     input_error("analyses.reduction", error.what(), "parts that are joined by caps");
   }
 }
 
+} // namespace
+
+ReductionRequest reduction_request(const Analyses& analyses) {
+  return {.cutoff = reduction_cutoff(analyses),
+          .symmetry = analyses.symmetry != Symmetry::off,
+          .all_harmonics = true};
+}
+
+CutModel cut_between_caps(const BuiltCase& built, bool symmetry) {
+  return of_reduction([&] { return cut(built.model, interface_nodes(built, symmetry)); });
+}
+
+ReducedModel reduced_model(CutModel pieces, const ReductionRequest& request,
+                           const PartReducer& reduce) {
+  return of_reduction([&] { return reduce_substructures(std::move(pieces), request, reduce); });
+}
+
+ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
+                           const ReductionRequest& request, const PartReducer& reduce) {
+  return reduced_model(of_reduction([&] { return cut(built.model, interface_nodes); }), request,
+                       reduce);
+}
+
 namespace {
+
+// Independent DOFs of a model that eliminate() takes, without its map.
+int independent_count(const Model& model) {
+  std::vector<char> held(std::size_t(dof_count(model)), 0);
+  for (const Constraint& row : model.constraints) held[std::size_t(6 * row.node + row.dof)] = 1;
+  return static_cast<int>(std::count(held.begin(), held.end(), 0));
+}
 
 std::string route_name(const PartReduction& part) {
   return part.sectors > 0 ? "rotational symmetry, " + std::to_string(part.sectors) + " sectors"
@@ -73,19 +106,88 @@ std::string route_name(const ReducedModel& reduced) {
 
 namespace {
 
+// Forces of masses that move with what the mount does not hold, by the coordinates of the frame.
+struct RigidWeight {
+  MatrixXd force;        // DOFs of the frame x 6: T' M r, r about the origin
+  Matrix66 about_origin; // r' M r
+};
+
+// M r of the whole by the matrices of the reduced model, in which a rigid motion is one of its
+// coordinates; less what the held nodes, and what follows them, have of it.
+class RigidMotions {
+public:
+  RigidMotions(const ReducedModel& reduced, const std::vector<int>& held)
+      : reduced_(reduced), held_(held.begin(), held.end()) {}
+
+  RigidWeight weight() {
+    const Model& frame = reduced_.model;
+    const DofMap map = eliminate(frame);
+    const MatrixXd whole = expand(map, rigid_body_motions(frame, map, Eigen::Vector3d::Zero()));
+    RigidWeight weight{.force = mass_product(frame, whole), .about_origin = {}};
+    weight.about_origin = whole.transpose() * weight.force;
+    add_held_frame();
+    for (const Instance& instance : reduced_.instances) add_held(instance);
+    const MatrixXd cross = whole.transpose() * held_force_;
+    weight.force -= held_force_;
+    weight.about_origin += held_about_origin_ - cross - cross.transpose();
+    return weight;
+  }
+
+private:
+  // The rigid motions of a model whose nodes move as `held` says, its own numbers; nothing else.
+  static MatrixXd moved(const Model& model, const std::vector<int>& held) {
+    const DofMap map = eliminate(model);
+    MatrixXd r = rigid_body_motions(model, map, Eigen::Vector3d::Zero());
+    MatrixXd of_held = MatrixXd::Zero(r.rows(), 6);
+    for (int dof : node_dofs(map, held)) of_held.row(dof) = r.row(dof);
+    return expand(map, of_held);
+  }
+
+  void add_held_frame() {
+    Model frame = reduced_.model; // but for the superelements, which stand last
+    frame.matrices.resize(frame.matrices.size() - reduced_.instances.size());
+    std::vector<int> own;
+    for (int node : held_) own.push_back(reduced_.number[node]);
+    const MatrixXd r = moved(frame, own);
+    held_force_ = mass_product(frame, r);
+    held_about_origin_ = r.transpose() * held_force_;
+  }
+
+  void add_held(const Instance& instance) {
+    const Substructure& part = *instance.part;
+    std::vector<int> own;
+    for (int node : part.boundary)
+      if (held_.contains(part.nodes[node])) own.push_back(node);
+    if (own.empty()) return;
+    const MatrixXd r = moved(part.model, own), force = mass_product(part.model, r);
+    held_about_origin_ += r.transpose() * force;
+    std::vector<int> loaded;
+    for (Index node = 0; node < Index(part.nodes.size()); ++node)
+      if (!force.middleRows<6>(6 * node).isZero(0)) loaded.push_back(int(node));
+    MatrixXd at(6 * Index(loaded.size()), 6);
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+      at.middleRows<6>(6 * Index(i)) = force.middleRows<6>(6 * loaded[i]);
+    const Reduction& reduction = instance.reduced->reduction;
+    const Index size = reduction.element.K.rows();
+    held_force_(rows_of(instance, reduced_.number), Eigen::all) +=
+        reduction.field_at(MatrixXd::Identity(size, size), loaded).transpose() * at;
+  }
+
+  const ReducedModel& reduced_;
+  std::set<int> held_; // nodes of the whole
+  MatrixXd held_force_;
+  Matrix66 held_about_origin_;
+};
+
 // Solves the full route's way what is left when every part between caps is a superelement.
 class ReducedRoute : public Route {
 public:
-  ReducedRoute(const BuiltCase& built, double cutoff, Symmetry symmetry, const StageListener& stage,
-               Timing& timing, ReductionMemory* memory)
-      : built_(built), cutoff_(cutoff), stage_(stage), timing_(timing),
-        map_(eliminate(built.model)) {
-    stage_(stages::reduction);
-    const bool symmetric = symmetry != Symmetry::off;
-    reduced_ =
-        reduced_model(built, interface_nodes(built, symmetric),
-                      {.cutoff = cutoff, .symmetry = symmetric, .all_harmonics = true}, memory);
-    if (symmetry == Symmetry::required) require_symmetry();
+  ReducedRoute(const BuiltCase& built, CutModel pieces, const Analyses& analyses,
+               const StageListener& stage, Timing& timing, const RouteSettings& settings)
+      : built_(built), seen_(settings.seen), cutoff_(reduction_cutoff(analyses)), stage_(stage),
+        timing_(timing) {
+    reduced_ = reduced_model(std::move(pieces), reduction_request(analyses), settings.reduce);
+    if (analyses.symmetry == Symmetry::required) require_symmetry();
     watch_.lap(timing_, "reduction");
     frame_.model = reduced_.model;
     for (const auto& [name, node] : built.cap_nodes) frame_.cap_nodes[name] = reduced_.number[node];
@@ -102,26 +204,26 @@ public:
     for (const Instance& i : reduced_.instances) r.superelements.push_back(described(i));
     return r;
   }
-  int unknowns() const override { return map_.size(); }
+  int unknowns() const override { return independent_count(built_.model); }
   double mass() const override { return frame_route_->mass(); }
 
   std::optional<Matrix1212> end_stiffness(const std::array<int, 2>& caps) override {
     return frame_route_->end_stiffness(in_frame(caps));
   }
   MatrixXd follow(const std::array<int, 2>& caps, const MatrixXd& motion) override {
-    return reduced_.field(frame_route_->follow(in_frame(caps), motion));
+    return field(frame_route_->follow(in_frame(caps), motion));
   }
 
   ModalSolution modes(const ModesRequest& request, const Loads& loads,
                       const std::vector<int>& sensors) override {
-    const bool supported = supported_inside();
-    const RigidMotion rigid = rigid_motion();
-    const Loads reduced{.base = supported ? std::vector<int>(loads.base.size(), -1) : loads.base,
-                        .force =
-                            loads.base.empty()
-                                ? MatrixXd()
-                                : reduced_.gather(supported ? forces(loads, rigid) : loads.force),
-                        .rigid = {}};
+    Loads reduced{.base = loads.base, .force = {}, .rigid = {}};
+    std::optional<WholeMotion> whole; // where a rigid motion is none of the reduced model
+    if (supported_inside()) {
+      whole = whole_motion();
+      reduced.base.assign(loads.base.size(), -1);
+    }
+    if (!loads.base.empty())
+      reduced.force = whole ? reduced_.gather(forces(loads, *whole)) : gather(loads.force);
     ModalSolution s = frame_route_->modes(request, reduced, {});
     if (!reduced_.proved) {
       s.proof.passed = false;
@@ -129,25 +231,41 @@ public:
     }
     stage_(stages::recovery);
     watch_ = Stopwatch();
-    s.u = reduced_.field(s.u);
-    weigh(s, rigid);
-    orient(sensors, s);
+    MatrixXd q = std::move(s.u);
+    s.u = field(q);
+    if (whole)
+      weigh(s, s.u.leftCols(s.modes).transpose() * whole->M_free,
+            whole->free.transpose() * whole->M_free);
+    else
+      weigh(s, RigidMotions(reduced_, built_.held_nodes).weight(), q);
+    orient(sensors, s, q);
+    s.energy = [this, q = std::move(q)](const std::vector<int>& columns) {
+      return strain_energy(reduced_, q(Eigen::all, columns));
+    };
     watch_.lap(s.timing, "recovery");
     return s;
   }
 
 private:
-  // Of the whole about the origin, all DOFs x 6.
-  struct RigidMotion {
+  MatrixXd field(const MatrixXd& q) const {
+    return seen_ ? reduced_.field_at(q, seen_->nodes) : reduced_.field(q);
+  }
+  MatrixXd gather(const MatrixXd& force) const {
+    return seen_ ? reduced_.gather_at(force, seen_->nodes) : reduced_.gather(force);
+  }
+
+  // Rigid motions of the whole about the origin, all DOFs x 6.
+  struct WholeMotion {
     MatrixXd free;            // of what the mount does not hold
     MatrixXd M_free, M_whole; // masses times it, and times that of what is held, too
   };
-  RigidMotion rigid_motion() const {
-    MatrixXd free = rigid_body_motions(built_.model, map_, Eigen::Vector3d::Zero());
+  WholeMotion whole_motion() const {
+    const DofMap map = eliminate(built_.model);
+    MatrixXd free = rigid_body_motions(built_.model, map, Eigen::Vector3d::Zero());
     MatrixXd held = MatrixXd::Zero(free.rows(), 6);
-    for (int dof : node_dofs(map_, built_.held_nodes)) held.row(dof).swap(free.row(dof));
+    for (int dof : node_dofs(map, built_.held_nodes)) held.row(dof).swap(free.row(dof));
     MatrixXd both(dof_count(built_.model), 12);
-    both << expand(map_, free), expand(map_, held);
+    both << expand(map, free), expand(map, held);
     const MatrixXd M = mass_product(built_.model, both);
     return {both.leftCols(6), M.leftCols(6), M.leftCols(6) + M.rightCols(6)};
   }
@@ -159,19 +277,21 @@ private:
   }
 
   // With the motion of the base by the masses of the whole.
-  static MatrixXd forces(const Loads& loads, const RigidMotion& rigid) {
+  static MatrixXd forces(const Loads& loads, const WholeMotion& whole) {
     MatrixXd force = loads.force;
     for (std::size_t k = 0; k < loads.base.size(); ++k)
-      if (loads.base[k] >= 0) force.col(Index(k)) = -rigid.M_whole.col(loads.base[k]);
+      if (loads.base[k] >= 0) force.col(Index(k)) = -whole.M_whole.col(loads.base[k]);
     return force;
   }
 
   // Effective masses are those of the whole: the coordinates of a superelement are not free and
   // held ones, its modal ones move with both.
-  static void weigh(ModalSolution& s, const RigidMotion& rigid) {
-    s.participation = s.u.leftCols(s.modes).transpose() * rigid.M_free;
-    const CentralMass free =
-        refer_to_centre(rigid.free.transpose() * rigid.M_free, s.participation);
+  static void weigh(ModalSolution& s, const RigidWeight& rigid, const MatrixXd& q) {
+    weigh(s, q.leftCols(s.modes).transpose() * rigid.force, rigid.about_origin);
+  }
+  static void weigh(ModalSolution& s, const MatrixXd& participation, const Matrix66& about_origin) {
+    s.participation = participation;
+    const CentralMass free = refer_to_centre(about_origin, s.participation);
     s.mass = free.mass;
     s.free_mass = free.total;
   }
@@ -204,7 +324,7 @@ private:
                               .between = {},
                               .boundary = r.element.boundary(),
                               .modes = r.element.modal(),
-                              .unknowns = eliminate(own).size(),
+                              .unknowns = independent_count(own),
                               .copy_of = 0,
                               .route = route_name(*instance.reduced),
                               .proved = r.proved};
@@ -219,24 +339,26 @@ private:
     return result;
   }
 
-  // What turns with the vectors of a pair: their inputs and participations.
-  void orient(const std::vector<int>& sensors, ModalSolution& s) const {
+  // What turns with the vectors of a pair: their inputs, participations and coordinates.
+  void orient(const std::vector<int>& sensors, ModalSolution& s, MatrixXd& q) const {
     const Index loads = s.input.cols();
-    MatrixXd along(loads + 6, s.modes);
-    along << s.input.topRows(s.modes).transpose(), s.participation.transpose();
+    MatrixXd along(loads + 6 + q.rows(), s.modes);
+    along << s.input.topRows(s.modes).transpose(), s.participation.transpose(), q.leftCols(s.modes);
     MatrixXd u = s.u.leftCols(s.modes);
-    orient_modes(built_.model, sensors, s.lambda.head(s.modes), along, u);
+    orient_modes(seen_ ? seen_->built.model : built_.model, sensors, s.lambda.head(s.modes), along,
+                 u);
     s.u.leftCols(s.modes) = u;
     s.input.topRows(s.modes) = along.topRows(loads).transpose();
-    s.participation = along.bottomRows(6).transpose();
+    s.participation = along.middleRows(loads, 6).transpose();
+    q.leftCols(s.modes) = along.bottomRows(q.rows());
   }
 
   const BuiltCase& built_;
+  const SeenCase* seen_;
   double cutoff_;
   const StageListener& stage_;
   Timing& timing_;
   Stopwatch watch_;
-  DofMap map_; // of the whole
   ReducedModel reduced_;
   BuiltCase frame_;
   std::unique_ptr<Route> frame_route_;
@@ -244,10 +366,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<Route> reduced_route(const BuiltCase& built, double cutoff, Symmetry symmetry,
-                                     const StageListener& stage, Timing& timing,
-                                     ReductionMemory* memory) {
-  return std::make_unique<ReducedRoute>(built, cutoff, symmetry, stage, timing, memory);
+std::unique_ptr<Route> reduced_route(const BuiltCase& built, CutModel pieces,
+                                     const Analyses& analyses, const StageListener& stage,
+                                     Timing& timing, const RouteSettings& settings) {
+  return std::make_unique<ReducedRoute>(built, std::move(pieces), analyses, stage, timing,
+                                        settings);
 }
 
 } // namespace plica

@@ -1,9 +1,11 @@
 #include "run/routes/route.hpp"
 
+#include "run/routes/built_reduced.hpp"
 #include "run/routes/memory_need.hpp"
 #include "run/stages.hpp"
 #include "solve/effective_mass.hpp"
 #include "solve/stopwatch.hpp"
+#include "solve/strain_energy.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -53,13 +55,21 @@ void require_held(bool free_body, const BuiltCase& built) {
       "a mount or supports that leave no rigid motion free");
 }
 
+Eigen::MatrixXd strain_energy(const ModalSolution& solution, const BuiltCase& built,
+                              const std::vector<int>& columns) {
+  if (solution.energy) return solution.energy(columns);
+  return strain_energy(built.model, solution.u(Eigen::all, columns));
+}
+
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing,
-                                    ReductionMemory* memory) {
+                                    const RouteSettings& settings) {
   const Symmetry symmetry = analyses.symmetry;
   if (analyses.reduction) {
-    require_memory_for(built, analyses, "superelements");
-    return reduced_route(built, reduction_cutoff(analyses), symmetry, stage, timing, memory);
+    stage(stages::reduction);
+    CutModel pieces = cut_between_caps(built, symmetry != Symmetry::off);
+    require_memory_for(built, pieces, analyses, settings.seen != nullptr);
+    return reduced_route(built, std::move(pieces), analyses, stage, timing, settings);
   }
   Stopwatch watch;
   if (symmetry != Symmetry::off) stage(stages::symmetry);

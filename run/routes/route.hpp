@@ -3,7 +3,9 @@
 #pragma once
 
 #include "model/shape/build.hpp"
+#include "reduction/substructures.hpp"
 #include "run/results/results.hpp"
+#include "run/routes/seen_case.hpp"
 #include "run/routes/symmetric_view.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
@@ -37,8 +39,14 @@ struct ModalSolution {
   Eigen::MatrixXd participation;
   double mass = 0;
   Eigen::Matrix<double, 6, 1> free_mass;
+  // u' K_c u by component (rows) of these columns, while the route lives; none: u is asked.
+  std::function<Eigen::MatrixXd(const std::vector<int>& columns)> energy;
   std::map<std::string, double> timing;
 };
+
+// u' K_c u by component (rows) of these columns; `built`: what the solution is of.
+Eigen::MatrixXd strain_energy(const ModalSolution& solution, const BuiltCase& built,
+                              const std::vector<int>& columns);
 
 class Route {
 public:
@@ -66,14 +74,19 @@ public:
 using StageListener = std::function<void(const std::string&)>;
 using Timing = std::map<std::string, double>;
 
-class ReductionMemory; // reduction/substructures.hpp
+// What a route gives of the fields, and by whom substructures are reduced.
+struct RouteSettings {
+  // Fields and forces are those of its nodes, in place of all: superelements alone can leave the
+  // others out. Outlives the route.
+  const SeenCase* seen = nullptr;
+  PartReducer reduce = reduce_here();
+};
 
-// `stage` hears what begins; times go into `timing`, which must outlive the route. `memory`:
-// reductions of earlier runs. Throws InputError when the case asks for symmetry and the part has
-// none, and as assemble() does.
+// `stage` hears what begins; times go into `timing`, which must outlive the route. Throws
+// InputError when the case asks for symmetry and the part has none, and as assemble() does.
 std::unique_ptr<Route> choose_route(const BuiltCase& built, const Analyses& analyses,
                                     const StageListener& stage, Timing& timing,
-                                    ReductionMemory* memory = nullptr);
+                                    const RouteSettings& settings = {});
 
 // Independent DOFs of the nodes, increasing.
 std::vector<int> node_dofs(const DofMap& map, const std::vector<int>& nodes);
@@ -86,8 +99,9 @@ std::unique_ptr<Route> full_route(const BuiltCase& built, const std::string& rea
                                   const StageListener& stage, Timing& timing);
 std::unique_ptr<Route> cyclic_route(const BuiltCase& built, CyclicModel model,
                                     const StageListener& stage, Timing& timing);
-std::unique_ptr<Route> reduced_route(const BuiltCase& built, double cutoff, Symmetry symmetry,
-                                     const StageListener& stage, Timing& timing,
-                                     ReductionMemory* memory = nullptr);
+// `pieces`: of cut_between_caps() (built_reduced.hpp).
+std::unique_ptr<Route> reduced_route(const BuiltCase& built, CutModel pieces,
+                                     const Analyses& analyses, const StageListener& stage,
+                                     Timing& timing, const RouteSettings& settings = {});
 
 } // namespace plica

@@ -10,8 +10,6 @@
 #include "solve/mode_labels.hpp"
 #include "solve/supports.hpp"
 
-#include <algorithm>
-
 namespace plica {
 
 using Eigen::Index;
@@ -26,80 +24,6 @@ bool has_to_run_whole(const Case& data) {
   return !a.reduction || data.state || has_friction(data) || has_damped_springs(data) ||
          !a.damping.loss_factors.empty() || !data.supports.empty() || a.stress || a.response ||
          a.levels || a.life || !a.transients.empty() || !a.run_ups.empty();
-}
-
-// Nodes that labels and signs of modes are read from, increasing: of every so manieth ring, and all
-// that lie on no wall. Empty when a shell belongs to no ring.
-struct Watched {
-  std::vector<int> nodes;
-  std::vector<Ring> rings; // by these nodes
-};
-
-Watched watched_of(const BuiltCase& built) {
-  constexpr std::size_t most_rings = 64;
-  const Mesh& mesh = built.model.mesh;
-  std::vector<char> on_ring(mesh.nodes.size(), 0), seen(mesh.nodes.size(), 1);
-  for (const Ring& ring : mesh.rings)
-    for (int node : ring.nodes) {
-      on_ring[std::size_t(node)] = 1;
-      seen[std::size_t(node)] = 0;
-    }
-  const auto revolved = [&](const auto& shell) {
-    return std::all_of(shell.nodes.begin(), shell.nodes.end(),
-                       [&](int node) { return on_ring[std::size_t(node)] != 0; });
-  };
-  if (!std::all_of(mesh.quads.begin(), mesh.quads.end(), revolved) ||
-      !std::all_of(mesh.triangles.begin(), mesh.triangles.end(), revolved))
-    return {};
-  Watched watched;
-  const std::size_t stride = (mesh.rings.size() + most_rings - 1) / most_rings;
-  for (std::size_t i = 0; i < mesh.rings.size(); i += std::max<std::size_t>(stride, 1)) {
-    watched.rings.push_back(mesh.rings[i]);
-    for (int node : mesh.rings[i].nodes) seen[std::size_t(node)] = 1;
-  }
-  for (const BuiltSensor& sensor : built.sensors) seen[std::size_t(sensor.node)] = 1;
-  for (std::size_t node = 0; node < seen.size(); ++node)
-    if (seen[node]) watched.nodes.push_back(static_cast<int>(node));
-  return watched;
-}
-
-int number_in(const std::vector<int>& nodes, int node) {
-  const auto at = std::lower_bound(nodes.begin(), nodes.end(), node);
-  return at != nodes.end() && *at == node ? static_cast<int>(at - nodes.begin()) : -1;
-}
-
-// The watched nodes as a model without walls, which names modes as the whole does.
-BuiltCase watched_case(const BuiltCase& whole, Watched watched) {
-  BuiltCase built;
-  const auto renumber = [&](int node) { return number_in(watched.nodes, node); };
-  for (int node : watched.nodes)
-    built.model.mesh.nodes.push_back(whole.model.mesh.nodes[std::size_t(node)]);
-  built.model.components = {"assembly"};
-  for (Ring& ring : watched.rings) {
-    for (int& node : ring.nodes) node = renumber(node);
-    built.model.mesh.rings.push_back(std::move(ring));
-  }
-  for (BeamElement beam : whole.model.beams) {
-    beam.node1 = renumber(beam.node1);
-    beam.node2 = renumber(beam.node2);
-    beam.component = 0;
-    if (beam.node1 >= 0 && beam.node2 >= 0) built.model.beams.push_back(beam);
-  }
-  for (BushingElement spring : whole.model.bushings) {
-    spring.node1 = renumber(spring.node1);
-    if (spring.node2 >= 0) spring.node2 = renumber(spring.node2);
-    spring.component = 0;
-    if (spring.node1 >= 0) built.model.bushings.push_back(spring);
-  }
-  for (MassElement mass : whole.model.masses)
-    if ((mass.node = renumber(mass.node)) >= 0) built.model.masses.push_back(mass);
-  for (const auto& [name, node] : whole.cap_nodes) built.cap_nodes[name] = renumber(node);
-  for (int node : whole.held_nodes) built.held_nodes.push_back(renumber(node));
-  for (BuiltSensor sensor : whole.sensors) {
-    sensor.node = renumber(sensor.node);
-    built.sensors.push_back(sensor);
-  }
-  return built;
 }
 
 // What recovers the watched nodes from the reduced model, a stretch of its coordinates at a time.
@@ -208,15 +132,13 @@ std::unique_ptr<const AssemblyStudy> AssemblyStudy::of(const Case& data, const S
   stage(stages::mesh);
   BuiltCase built = build(data);
   if (has_supports(built.model) || !built.dampers.empty() || !built.joints.empty()) return nullptr;
-  Watched watched = watched_of(built);
-  if (watched.nodes.empty()) return nullptr;
+  std::optional<SeenCase> seen = seen_case(built, {});
+  if (!seen || seen->nodes.empty()) return nullptr;
   stage(stages::reduction);
   const bool symmetric = data.analyses.symmetry != Symmetry::off;
   if (data.analyses.symmetry == Symmetry::required) return nullptr; // the route checks that
-  const double cutoff = reduction_cutoff(data.analyses);
-  const ReducedModel reduced =
-      reduced_model(built, interface_nodes(built, symmetric),
-                    {.cutoff = cutoff, .symmetry = symmetric, .all_harmonics = true}, memory);
+  const ReducedModel reduced = reduced_model(cut_between_caps(built, symmetric),
+                                             reduction_request(data.analyses), reduce_here(memory));
   auto kept = std::make_unique<Kept>();
   kept->data = data;
   const DofMap map = eliminate(built.model);
@@ -225,13 +147,14 @@ std::unique_ptr<const AssemblyStudy> AssemblyStudy::of(const Case& data, const S
                 .dofs = map.size(),
                 .mass = 0};
   kept->route = route_name(reduced);
-  kept->reduced.cutoff = cutoff;
+  kept->reduced.cutoff = reduction_cutoff(data.analyses);
   if (!reduced.proved) kept->not_proved = "a substructure: " + reduced.reason;
   kept->frame = frame_of(built, reduced);
   if (eliminate(kept->frame.model).size() <= 6 * int(kept->frame.held_nodes.size()))
     return nullptr; // nothing could move: the route says so
-  kept->recovery = recovery_of(reduced, watched.nodes);
-  kept->watched = watched_case(built, std::move(watched));
+  kept->recovery = recovery_of(reduced, seen->nodes);
+  kept->watched = std::move(seen->built);
+  kept->watched.model.components = {"assembly"}; // no places
   // As ReducedRoute weighs: what is held moves with nothing.
   MatrixXd free = rigid_body_motions(built.model, map, Eigen::Vector3d::Zero());
   for (int dof : node_dofs(map, built.held_nodes)) free.row(dof).setZero();

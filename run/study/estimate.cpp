@@ -7,12 +7,13 @@
 
 namespace plica {
 
-Estimate estimate(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view) {
+Estimate estimate(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view,
+                  bool seen) {
   Estimate cost;
   cost.nodes = static_cast<int>(built.model.mesh.nodes.size());
   cost.elements = element_count(built.model);
   cost.dofs = eliminate_constraints(built.model).size();
-  cost.memory = memory_need(built, analyses, view).bytes;
+  cost.memory = memory_need(built, analyses, view, seen).bytes;
   if (!analyses.reduction && std::holds_alternative<CyclicModel>(view)) {
     cost.seconds = 0.5 + 6e-6 * cost.dofs;
     return cost;

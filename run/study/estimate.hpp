@@ -13,7 +13,9 @@ struct Estimate {
 };
 
 // By the way that the run is solved, fitted to measured runs (docs/speed.md). `view`: what
-// symmetric_view() finds of the model and the symmetry that the analyses ask for.
-Estimate estimate(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view);
+// symmetric_view() finds of the model and the symmetry that the analyses ask for. `seen`: fields
+// are those of some nodes alone.
+Estimate estimate(const BuiltCase& built, const Analyses& analyses, const SymmetricView& view,
+                  bool seen = false);
 
 } // namespace plica

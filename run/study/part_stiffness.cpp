@@ -107,8 +107,9 @@ VectorXd viscous_damping(const Damping& damping, const Model& model, const PartB
   const MatrixXd J = part.joints.bottomRows(part.lambda.size());
   for (Index j = 0; j < J.cols(); ++j)
     stuck += part.laws[std::size_t(j)].stuck_stiffness() * J.col(j).cwiseAbs2();
-  const VectorXd zeta =
-      modal_damping({.modal = damping.modal, .ranges = damping.ranges}, model, stuck, {}, 0).zeta;
+  const VectorXd zeta = modal_damping({.modal = damping.modal, .ranges = damping.ranges}, model,
+                                      stuck, Eigen::MatrixXd(), 0)
+                            .zeta;
   return 2 * zeta.cwiseProduct(stuck.cwiseSqrt());
 }
 

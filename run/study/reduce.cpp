@@ -212,8 +212,8 @@ void complete(Superelement& s, const Reduction& reduction, const BuiltCase& buil
   add_loads(s, reduction, built, analyses.response);
   const Damping& damping = analyses.damping;
   const VectorXd lambda = reduction.lambda;
-  const ModalDamping modal =
-      modal_damping({.modal = damping.modal, .ranges = damping.ranges}, built.model, lambda, {}, 0);
+  const ModalDamping modal = modal_damping({.modal = damping.modal, .ranges = damping.ranges},
+                                           built.model, lambda, Eigen::MatrixXd(), 0);
   if (modal.zeta.size() > 0 && modal.zeta.maxCoeff() > 0) {
     s.C = MatrixXd::Zero(size, size);
     s.C.diagonal().tail(lambda.size()) = 2 * modal.zeta.cwiseProduct(lambda.cwiseSqrt());

@@ -27,7 +27,7 @@ std::shared_ptr<VariantRuns::Assembly> VariantRuns::assembly_of(const Changes& c
 }
 
 Results VariantRuns::run(const Case& variant, const Changes& changes, const StageListener& stage) {
-  if (!headline_) return plica::run(variant, stage, &memory_);
+  if (!headline_) return plica::run(variant, stage, &memory_, Shapes::left_out);
   Case data = for_headline(variant);
   if (variant.analyses.modes) data.analyses.modes->proof = variant.analyses.modes->proof;
   if (data.analyses.reduction) {
@@ -41,7 +41,7 @@ Results VariantRuns::run(const Case& variant, const Changes& changes, const Stag
       if (std::optional<Results> results = assembly->study->run(data, stage))
         return std::move(*results);
   }
-  return plica::run(data, stage, &memory_);
+  return plica::run(data, stage, &memory_, Shapes::left_out);
 }
 
 } // namespace plica
