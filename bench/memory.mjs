@@ -13,6 +13,11 @@ const whole = join(dirname(fileURLToPath(import.meta.url)), 'a2_peer.yaml');
 const reduced = join(work, 'reduced.yaml');
 writeFileSync(reduced, readFileSync(whole, 'utf8').replace('  static: true', '  static: true\n  reduction: {cutoff: 2000 Hz}'));
 
+const lineOf = (around) => {
+  const file = join(work, `line_${around}.yaml`);
+  execFileSync(process.execPath, [join(dirname(whole), 'line_case.mjs'), file, '50', `${around}`]);
+  return file;
+};
 const fine = ['parts.bellows.mesh.wall=8', 'parts.bellows.mesh.arc=4'];
 const symmetric = 'analyses.symmetry=automatic';
 const runs = [
@@ -22,13 +27,14 @@ const runs = [
   ...[40, 100].map((count) => [whole, [symmetric, ...fine, 'parts.bellows.mesh.around=192', `analyses.modes.count=${count}`]]),
   ...[48, 96].map((around) => [reduced, [`parts.bellows.mesh.around=${around}`, 'analyses.modes.count=30']]),
   ...[192, 576].map((around) => [reduced, [symmetric, `parts.bellows.mesh.around=${around}`, 'analyses.modes.count=30']]),
+  ...[48, 400].map((around) => [lineOf(around), []]),
 ];
 
 console.log('unknowns modes    GB  foretold      s  how');
 try {
   for (const [file, set] of runs) {
     const options = set.flatMap((s) => ['--set', s]);
-    const check = JSON.parse(execFileSync(plica, ['check', file, '--json', ...options], { encoding: 'utf8' }));
+    const check = JSON.parse(execFileSync(plica, ['check', file, '--json', '--only', 'json', ...options], { encoding: 'utf8' }));
     execFileSync(plica, ['run', file, '--threads', '2', '--quiet', '--only', 'json', '--out', join(work, 'out'), ...options], { stdio: 'ignore' });
     const r = JSON.parse(readFileSync(join(work, 'out', 'results.json'), 'utf8'));
     const seconds = Object.values(r.timing).reduce((a, b) => a + b, 0);

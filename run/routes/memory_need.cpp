@@ -27,7 +27,7 @@ int modes_of(const Analyses& analyses) {
 double memory_of_superelements(const CutModel& pieces, double unknowns, const Analyses& analyses,
                                bool seen) {
   constexpr int modes_of_a_part = 60;
-  constexpr double of_meshes = 130; // bytes an unknown: the whole and its pieces
+  const double of_symmetric_part = seen ? 490 : 200; // bytes an unknown
   double largest = 0;
   std::vector<const Substructure*> different;
   for (const Substructure& part : pieces.parts) {
@@ -39,9 +39,16 @@ double memory_of_superelements(const CutModel& pieces, double unknowns, const An
     const bool symmetric =
         analyses.symmetry != Symmetry::off &&
         std::holds_alternative<CyclicModel>(symmetric_view(part.model, Symmetry::automatic));
-    largest = std::max(largest, symmetric ? 200 * own : memory_of_full_mesh(own, modes_of_a_part));
+    largest = std::max(largest, symmetric ? of_symmetric_part * own
+                                          : memory_of_full_mesh(own, modes_of_a_part));
   }
-  if (seen) return largest + program + of_meshes * unknowns;
+  if (seen) {
+    constexpr double of_meshes = 110;     // bytes an unknown: the whole and its pieces
+    constexpr double most_seen = 6 * 3e4; // unknowns
+    constexpr int modes_of_a_band = 100;
+    const int modes = modes_of(analyses) > 0 ? modes_of(analyses) : modes_of_a_band;
+    return largest + program + of_meshes * unknowns + 8 * std::min(unknowns, most_seen) * modes;
+  }
   return largest + memory_by_symmetry(unknowns, modes_of(analyses));
 }
 
