@@ -27,7 +27,10 @@ int modes_of(const Analyses& analyses) {
 double memory_of_superelements(const CutModel& pieces, double unknowns, const Analyses& analyses,
                                bool seen) {
   constexpr int modes_of_a_part = 60;
+  constexpr int modes_of_a_band = 100;
   const double of_symmetric_part = seen ? 490 : 200; // bytes an unknown
+  const int modes =
+      modes_of(analyses) > 0 || !analyses.modes ? modes_of(analyses) : modes_of_a_band;
   double largest = 0;
   std::vector<const Substructure*> different;
   for (const Substructure& part : pieces.parts) {
@@ -45,11 +48,9 @@ double memory_of_superelements(const CutModel& pieces, double unknowns, const An
   if (seen) {
     constexpr double of_meshes = 110;     // bytes an unknown: the whole and its pieces
     constexpr double most_seen = 6 * 3e4; // unknowns
-    constexpr int modes_of_a_band = 100;
-    const int modes = modes_of(analyses) > 0 ? modes_of(analyses) : modes_of_a_band;
     return largest + program + of_meshes * unknowns + 8 * std::min(unknowns, most_seen) * modes;
   }
-  return largest + memory_by_symmetry(unknowns, modes_of(analyses));
+  return largest + memory_by_symmetry(unknowns, modes);
 }
 
 namespace {
