@@ -1,6 +1,6 @@
 #!/bin/sh
-# Kernels, cost against size, many modes, sweeps, memory, and Plica beside its peers on one mesh, in one run; or parts of it.
-#   bench/run.sh [kernels] [size] [sweep] [memory] [many] [peer]
+# Kernels, cost against size, many modes, sweeps, memory, a line of superelements, and Plica beside its peers on one mesh, in one run; or parts of it.
+#   bench/run.sh [kernels] [size] [sweep] [memory] [many] [line] [peer]
 # LARGEST is the size, in unknowns, that `size` goes up to (1e6). MYSTRAN names an executable to stand beside CalculiX.
 set -eu
 cd "$(dirname "$0")/.."
@@ -35,6 +35,8 @@ many() {
     "$work/many/results.json" "$seconds"
 }
 
+line() { bench/line.sh; }
+
 calculix() { (cd "$work" && OMP_NUM_THREADS=2 ccx -i a2); }
 
 mystran() {
@@ -66,10 +68,10 @@ peer() {
   awk -F, 'NR > 1 {printf "    %s", $2} END {print ""}' "$work/plica/modes.csv"
 }
 
-[ $# -gt 0 ] || set -- kernels size sweep memory many peer
+[ $# -gt 0 ] || set -- kernels size sweep memory many line peer
 for part in "$@"; do
   case $part in
-    kernels | size | sweep | memory | many | peer) "$part" ;;
-    *) echo "bench/run.sh: no part is called $part: kernels, size, sweep, memory, many, peer" >&2; exit 2 ;;
+    kernels | size | sweep | memory | many | line | peer) "$part" ;;
+    *) echo "bench/run.sh: no part is called $part: kernels, size, sweep, memory, many, line, peer" >&2; exit 2 ;;
   esac
 done
