@@ -1,7 +1,7 @@
 // Cards and keywords that real decks have: the same structure drawn another way has the same
 // frequencies, or a closed form says them.
 #include "io/decks/deck_panels.hpp"
-#include "io/decks/deck_sections.hpp"
+#include "io/decks/deck_profiles.hpp"
 #include "io/decks/nastran_cards.hpp"
 #include "io/decks/read_deck.hpp"
 #include "io/files/files.hpp"
@@ -223,7 +223,7 @@ TEST(PeopleDeck, membranes_and_panels_store_the_energy_of_uniform_strain) {
   EXPECT_NEAR(u.dot(t.K * u) / 2 / energy, 1, 1e-12);
   Eigen::Matrix<double, 3, 4> corners;
   corners << 0, 0.3, 0.3, 0, 0, 0, 0.2, 0.2, 0, 0, 0, 0;
-  const MatrixElement p = shear_panel({0, 1, 2, 3}, R * corners, 8e10, 0.002, 16);
+  const MatrixElement p = shear_panel({0, 1, 2, 3}, R * corners, 8e10, 0.3, 0.002, 16);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(24), moved = v;
   for (int i = 0; i < 4; ++i) {
     v.segment<3>(6 * i) = R * field(corners.col(i));
@@ -255,7 +255,7 @@ TEST(PeopleDeck, profiles_of_rectangles) {
   EXPECT_NEAR(I.EA, 2 * 480 + 420, 1e-9);
   EXPECT_NEAR(I.EI_y, (60 * 1e6 - 55 * std::pow(84, 3)) / 12, 1e-6);
   EXPECT_NEAR(I.EI_z, (2 * 8 * std::pow(60, 3) + 84 * 125.) / 12, 1e-6);
-  const BeamProperties box = box_section(m, 40, 60, 2, 3).properties;
+  const BeamProperties box = profile_section(m, box_profile(40, 60, {2, 3, 2, 3})).properties;
   EXPECT_NEAR(box.EI_y, (40 * std::pow(60, 3) - 36 * std::pow(54, 3)) / 12, 1e-6);
   EXPECT_NEAR(box.GJ, 0.5 * 4 * 38 * 38 * 57 * 57 / (2 * 38 / 3. + 2 * 57 / 2.), 1e-6);
   // A rectangle whose axes are turned by 30 degrees comes back turned.

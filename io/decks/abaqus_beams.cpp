@@ -1,13 +1,15 @@
 // Sections of the beams of an Abaqus deck, and of those of CalculiX.
 #include "io/decks/abaqus_sections.hpp"
 
-#include "io/decks/deck_sections.hpp"
+#include "io/decks/deck_panels.hpp"
+#include "io/decks/deck_profiles.hpp"
 
 #include <Eigen/Geometry>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -29,7 +31,48 @@ BeamProperties ellipse(const BeamMaterial& m, double width, double depth) {
   return p;
 }
 
-TurnedSection profile(const Keyword& k, const std::string& shape, const BeamMaterial& m) {
+// A section, and where the line of the nodes is in its drawing, m.
+struct DrawnSection {
+  TurnedSection section;
+  std::array<double, 2> line{};
+};
+
+double section_size(const BeamProperties& p) {
+  return std::sqrt((p.EI_y + p.EI_z) / p.EA);
+}
+
+// Of BOX the walls right, up, left, down; the line of the nodes is in its middle, of I at `l` above
+// the lower edge, of L where the middles of its legs meet.
+DrawnSection walled_profile(const Keyword& k, const std::string& shape, const BeamMaterial& m) {
+  const DataLine& line = data_line(k, 0);
+  const auto size = [&](std::size_t i, std::size_t otherwise) {
+    const bool given = i < line.fields.size() && !line.fields[i].empty();
+    const double value = number_in(k, line, given ? i : otherwise);
+    if (!(value > 0))
+      deck_error(line.at, "*" + k.name, "has a size that is not above 0", "above 0");
+    return value;
+  };
+  try {
+    if (shape == "BOX") {
+      const double t1 = size(2, 2), t2 = size(3, 2);
+      const BoxWalls walls{.right = t1, .top = t2, .left = size(4, 2), .bottom = size(5, 3)};
+      return {profile_section(m, box_profile(size(0, 0), size(1, 1), walls))};
+    }
+    if (shape == "L") {
+      const double foot = size(2, 2), leg = size(3, 2);
+      return {profile_section(m, l_profile(size(0, 0), size(1, 1), foot, leg)),
+              {leg / 2, foot / 2}};
+    }
+    return {profile_section(m, i_profile(size(1, 1), size(6, 6), {size(2, 2), size(4, 4)},
+                                         {size(3, 3), size(5, 5)})),
+            {0, number_in(k, line, 0)}};
+  } catch (const std::invalid_argument&) {
+    deck_error(line.at, "*" + k.name, "has sizes that do not fit its shape " + shape,
+               "walls and flanges within the height and width, that leave room between them");
+  }
+}
+
+DrawnSection profile(const Keyword& k, const std::string& shape, const BeamMaterial& m) {
   const DataLine& line = data_line(k, 0);
   const auto size = [&](std::size_t i) {
     const double value = number_in(k, line, i);
@@ -39,48 +82,32 @@ TurnedSection profile(const Keyword& k, const std::string& shape, const BeamMate
   };
   if (shape == "CIRC") {
     // Of Abaqus: its radius. Two numbers are of CalculiX alone: its thicknesses along 1 and 2.
-    if (line.fields.size() > 1 && !line.fields[1].empty()) return {ellipse(m, size(0), size(1)), 0};
-    return {round_section(m, size(0)), 0};
+    if (line.fields.size() > 1 && !line.fields[1].empty()) return {{ellipse(m, size(0), size(1))}};
+    return {{round_section(m, size(0))}};
   }
-  if (shape == "RECT") return {rectangle_section(m, size(0), size(1)), 0};
+  if (shape == "RECT") return {{rectangle_section(m, size(0), size(1))}};
   if (shape == "PIPE") {
     const double radius = size(0), wall = size(1);
     if (wall >= radius)
       deck_error(line.at, "*" + k.name, "has a wall that fills the pipe",
                  "a wall below the outer radius, or SECTION=CIRC");
-    return {pipe_section(m, radius - wall / 2, wall), 0};
+    return {{pipe_section(m, radius - wall / 2, wall)}};
   }
-  if (shape == "BOX") {
-    const double t = size(2);
-    if (size(4) != t ||
-        number_in(k, line, 3, t) != number_in(k, line, 5, number_in(k, line, 3, t)) ||
-        size(0) <= 2 * t || size(1) <= 2 * number_in(k, line, 3, t))
-      deck_error(line.at, "*" + k.name, "is a box of walls that do not fit, or uneven ones",
-                 "walls alike on both sides that leave a hole");
-    return box_section(m, size(0), size(1), t, number_in(k, line, 3, t));
-  }
-  if (shape == "I") {
-    const double h = size(1), b1 = size(2), b2 = size(3), t1 = size(4), t2 = size(5), t3 = size(6);
-    const bool even = b1 == b2 && t1 == t2 && std::abs(number_in(k, line, 0) - h / 2) < 1e-6 * h;
-    if (!even || h <= t1 + t2)
-      deck_error(line.at, "*" + k.name, "is an I with uneven flanges or beside its node line",
-                 "l = h/2, flanges alike");
-    const double at = (h - t1) / 2;
-    return rectangles_section(m, {{0, -at, b1, t1}, {0, at, b2, t2}, {0, 0, t3, h - t1 - t2}});
-  }
+  if (shape == "BOX" || shape == "I" || shape == "L") return walled_profile(k, shape, m);
   if (shape == "GENERAL" && k.name == "BEAM SECTION") { // U1 of CalculiX
-    TurnedSection s = principal_section(m, size(0), size(1), size(3), 0, size(1) + size(3));
-    s.properties.GA_y = s.properties.GA_z = size(4) * m.E / (2 * (1 + m.nu)) * size(0);
+    DrawnSection s{principal_section(m, size(0), size(1), size(3), 0, size(1) + size(3))};
+    s.section.properties.GA_y = s.section.properties.GA_z =
+        size(4) * m.E / (2 * (1 + m.nu)) * size(0);
     if (number_in(k, line, 2) != 0)
       deck_error(line.at, "*BEAM SECTION", "has a product of inertia", "0, as in CalculiX");
     return s;
   }
   if (shape != "GENERAL")
     deck_error(k.at, "*" + k.name, "has SECTION=" + shape,
-               "CIRC, PIPE, RECT, BOX, I, or GENERAL with "
+               "CIRC, PIPE, RECT, BOX, I, L, or GENERAL with "
                "*BEAM GENERAL SECTION");
-  return principal_section(m, size(0), size(1), size(3), -number_in(k, line, 2, 0),
-                           number_in(k, line, 4));
+  return {principal_section(m, size(0), size(1), size(3), -number_in(k, line, 2, 0),
+                            number_in(k, line, 4))};
 }
 
 } // namespace
@@ -129,7 +156,7 @@ void AbaqusSections::beam_section(const Keyword& k) {
     expansion = from.expansion;
   }
   open_thickness_ = 0;
-  const TurnedSection section = profile(k, shape, m);
+  const DrawnSection drawn = profile(k, shape, m);
   Vector3d n1(0, 0, -1);
   if (k.data.size() > 1)
     n1 = {number_in(k, k.data[1], 0, 0), number_in(k, k.data[1], 1, 0),
@@ -137,43 +164,60 @@ void AbaqusSections::beam_section(const Keyword& k) {
   n1 = mesh_.turn(k) * n1;
   open_beams_.clear();
   const Vector3d beside = beam_offset(k, shape);
+  const auto from = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    const Vector3d arm(a[0] - b[0], a[1] - b[1], 0); // what is rounding is none
+    return Vector3d((arm.array().abs() > 1e-9 * section_size(drawn.section.properties))
+                        .select(arm, Vector3d::Zero()));
+  };
+  const Vector3d to_shear_centre = beside + from(drawn.section.shear_centre, drawn.line);
+  const Vector3d to_neutral = from(drawn.section.centroid, drawn.section.shear_centre);
   for (AbaqusElement* e : mesh_.elements_for(k, beam_types)) {
     if ((e->type == "U1") != (shape == "GENERAL" && !general))
       deck_error(k.at, "*" + k.name, "SECTION=" + shape + " is of " + e->type,
                  "SECTION=GENERAL of U1 alone");
     split_beams_ += e->nodes.size() > 2;
     const Vector3d own = e->towards < 0 ? n1 : deck_.nodes[e->towards] - deck_.nodes[e->nodes[0]];
-    for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i) {
-      const Vector3d axis = deck_.nodes[e->nodes[i + 1]] - deck_.nodes[e->nodes[i]];
-      // The local 1 is our y, so that our z is axis x n1.
-      const Vector3d z = axis.cross(own);
-      if (!(z.norm() > 1e-6 * axis.norm() * own.norm()))
-        deck_error(e->at, "*ELEMENT", "is a beam without length, or along the n1 of its section",
-                   "n1 across the axis");
-      const Vector3d y = z.cross(axis).normalized();
-      open_beams_.push_back(deck_.beams.size());
-      e->beams.push_back(int(deck_.beams.size()));
-      deck_.of_beams[e->beams.back()] = {e->label, e->origin, expansion, y};
-      deck_.beams.push_back(
-          {.node1 = e->nodes[i],
-           .node2 = e->nodes[i + 1],
-           .section = section.properties,
-           .up = std::cos(section.turn) * z.normalized() - std::sin(section.turn) * y,
-           .offset1 = beside[0] * y + beside[1] * z.normalized(),
-           .offset2 = beside[0] * y + beside[1] * z.normalized()});
-      if (e->type.find("33") != std::string::npos || e->type == "B23") {
-        BeamProperties& slender = deck_.beams.back().section;
-        slender.GA_y = slender.GA_z = std::numeric_limits<double>::infinity();
-      }
-    }
+    for (std::size_t i = 0; i + 1 < e->nodes.size(); ++i)
+      add_beam(*e, i, own, drawn.section, to_shear_centre, to_neutral, expansion);
     if (e->type.starts_with("B2")) hold_in_plane(*e);
   }
+}
+
+// Between two nodes of an element. The local 1 is our y, so that our z is axis x n1.
+void AbaqusSections::add_beam(AbaqusElement& e, std::size_t first, const Vector3d& n1,
+                              const TurnedSection& section, const Vector3d& to_shear_centre,
+                              const Vector3d& to_neutral, const DeckExpansion& expansion) {
+  BeamElement beam{
+      .node1 = e.nodes[first], .node2 = e.nodes[first + 1], .section = section.properties};
+  const std::vector<Vector3d> ends{deck_.nodes[beam.node1], deck_.nodes[beam.node2]};
+  const Vector3d axis = ends[1] - ends[0], across = axis.cross(n1);
+  if (!(across.norm() > 1e-6 * axis.norm() * n1.norm()))
+    deck_error(e.at, "*ELEMENT", "is a beam without length, or along the n1 of its section",
+               "n1 across the axis");
+  const Vector3d z = across.normalized(), y = z.cross(axis).normalized();
+  beam.up = std::cos(section.turn) * z - std::sin(section.turn) * y;
+  beam.offset1 = beam.offset2 = to_shear_centre[0] * y + to_shear_centre[1] * z;
+  if (e.type.find("33") != std::string::npos || e.type == "B23")
+    beam.section.GA_y = beam.section.GA_z = std::numeric_limits<double>::infinity();
+  const DeckBar bar{e.label, e.origin, expansion, y};
+  if (!to_neutral.isZero(0)) {
+    e.bars.push_back(int(deck_.springs.size()));
+    deck_.of_springs[e.bars.back()] = bar;
+    deck_.springs.push_back(
+        beam_beside_its_line(ends, beam, {.neutral = to_neutral[0] * y + to_neutral[1] * z}));
+    return;
+  }
+  open_beams_.push_back(deck_.beams.size());
+  e.beams.push_back(int(deck_.beams.size()));
+  deck_.of_beams[e.beams.back()] = bar;
+  deck_.beams.push_back(beam);
 }
 
 void AbaqusSections::transverse_shear(const Keyword& k) {
   if (open_beams_.empty() && open_thickness_ > 0) return wall_shear(k);
   if (open_beams_.empty())
-    deck_error(k.at, "*" + k.name, "follows no section",
+    deck_error(k.at, "*" + k.name,
+               "follows no section, or one of beams that bear beside the line of their nodes",
                "after *BEAM SECTION, *SHELL SECTION or *SHELL GENERAL SECTION");
   const double K23 = number_in(k, data_line(k, 0), 0);
   const double K13 = number_in(k, data_line(k, 0), 1, K23);

@@ -3,6 +3,7 @@
 
 #include "elements/beam_section.hpp"
 #include "io/decks/abaqus_mesh.hpp"
+#include "io/decks/deck_sections.hpp"
 #include "io/decks/nastran_laminate.hpp"
 
 namespace plica {
@@ -72,6 +73,9 @@ private:
   void normal(const Keyword& keyword);
   void check_beam_normals();
   void beam_section(const Keyword& keyword);
+  void add_beam(AbaqusElement& element, std::size_t first, const Eigen::Vector3d& n1,
+                const TurnedSection& section, const Eigen::Vector3d& to_shear_centre,
+                const Eigen::Vector3d& to_neutral, const DeckExpansion& expansion);
   Eigen::Vector3d beam_offset(const Keyword& keyword, const std::string& shape) const;
   void user_element(const Keyword& keyword);
   double slope_at_rest(const Keyword& keyword, std::size_t first); // line of the curve

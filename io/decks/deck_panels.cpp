@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace plica {
@@ -42,19 +44,65 @@ MatrixXd arms_of(const BeamElement& beam) {
   return arm;
 }
 
-BeamProperties section_at(const Taper& taper, double x) {
+BeamStation station_at(const Taper& taper, double x) {
   std::size_t i = 1;
-  while (i + 1 < taper.size() && taper[i].first < x) ++i;
-  const auto& [x1, a] = taper[i - 1];
-  const auto& [x2, b] = taper[i];
-  const double t = (x - x1) / (x2 - x1);
-  BeamProperties s = a;
+  while (i + 1 < taper.size() && taper[i].x < x) ++i;
+  const BeamStation &a = taper[i - 1], &b = taper[i];
+  const double t = (x - a.x) / (b.x - a.x);
+  BeamStation s = a;
   for (double BeamProperties::*number :
        {&BeamProperties::EA, &BeamProperties::EI_y, &BeamProperties::EI_z, &BeamProperties::GJ,
         &BeamProperties::GA_y, &BeamProperties::GA_z, &BeamProperties::mass,
         &BeamProperties::inertia_x, &BeamProperties::inertia_y, &BeamProperties::inertia_z})
-    if (a.*number != b.*number) s.*number += t * (b.*number - a.*number);
+    if (a.section.*number != b.section.*number)
+      s.section.*number += t * (b.section.*number - a.section.*number);
+  const Eccentricity &from = a.eccentricity, &to = b.eccentricity;
+  s.eccentricity = {from.neutral + t * (to.neutral - from.neutral),
+                    from.extra + t * (to.extra - from.extra),
+                    from.extra_mass + t * (to.extra_mass - from.extra_mass),
+                    from.extra_inertia + t * (to.extra_inertia - from.extra_inertia)};
   return s;
+}
+
+// Where the line through two points or, in homogeneous coordinates, the point of two lines is.
+Vector3d meet(const Vector3d& a, const Vector3d& b) {
+  return a.cross(b);
+}
+
+// Energy times two of a panel whose edge 1-2 bears a mean flow of one, times G t. `at`: corners in
+// their plane, homogeneous.
+double panel_compliance(const Eigen::Matrix<double, 3, 4>& at, double nu) {
+  const auto edge = [&](Index i, Index j) {
+    return meet(Vector3d(at.col(i)), Vector3d(at.col(j)));
+  };
+  const Vector3d P = meet(edge(0, 1), edge(2, 3)), Q = meet(edge(1, 2), edge(3, 0));
+  const Vector3d base = meet(P, Q);
+  const double reference = base.dot(at.col(0)) * base.dot(at.col(1));
+  const auto towards = [](const Vector3d& point, const Vector3d& x) {
+    return Eigen::Vector2d(point.head<2>() - point[2] * x.head<2>()).normalized();
+  };
+  constexpr std::array<double, 4> place{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                                        0.9305681557970263};
+  constexpr std::array<double, 4> weight{0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                                         0.1739274225687269};
+  constexpr int pieces = 4; // along either side, four points of Gauss each
+  double sum = 0;
+  for (int a = 0; a < 4 * pieces; ++a)
+    for (int b = 0; b < 4 * pieces; ++b) {
+      const double s = (a / 4 + place[std::size_t(a % 4)]) / pieces;
+      const double t = (b / 4 + place[std::size_t(b % 4)]) / pieces;
+      const Vector3d x = (1 - t) * ((1 - s) * at.col(0) + s * at.col(1)) +
+                         t * (s * at.col(2) + (1 - s) * at.col(3));
+      const Vector3d by_s = (1 - t) * (at.col(1) - at.col(0)) + t * (at.col(2) - at.col(3));
+      const Vector3d by_t = (1 - s) * (at.col(3) - at.col(0)) + s * (at.col(2) - at.col(1));
+      const double area = by_s.cross(by_t)[2] * weight[std::size_t(a % 4)] *
+                          weight[std::size_t(b % 4)] / (pieces * pieces);
+      const Eigen::Vector2d p = towards(P, x), q = towards(Q, x);
+      const double cosine = p.dot(q), flow = reference / std::pow(base.dot(x), 2);
+      const double cot2 = cosine * cosine / (1 - cosine * cosine);
+      sum += area * flow * flow * (1 + 2 * cot2 / (1 + nu));
+    }
+  return sum;
 }
 
 } // namespace
@@ -112,20 +160,28 @@ MatrixElement plate_alone(const std::vector<int>& nodes, const MatrixXd& x,
 }
 
 MatrixElement shear_panel(const std::vector<int>& nodes, const Eigen::Matrix<double, 3, 4>& x,
-                          double G, double thickness, double mass_per_area) {
-  const Vector3d along = x.col(1) - x.col(0), up = x.col(3) - x.col(0);
-  const double a = along.norm(), b = up.norm();
-  constexpr double square = 1e-3;
-  if ((x.col(2) - x.col(1) - up).norm() > square * b || std::abs(along.dot(up)) > square * a * b)
-    throw std::invalid_argument("is no rectangle");
-  const Vector3d e1 = along / a, e2 = up / b;
-  Eigen::VectorXd gamma = Eigen::VectorXd::Zero(24);
-  for (int i = 0; i < 4; ++i)
-    gamma.segment<3>(6 * i) =
-        (i < 2 ? -1 : 1) * e1 / (2 * b) + (i == 1 || i == 2 ? 1 : -1) * e2 / (2 * a);
+                          double G, double nu, double thickness, double mass_per_area) {
+  const Vector3d d13 = x.col(2) - x.col(0), d24 = x.col(3) - x.col(1);
+  const Matrix3d axes = plane_of(d13, d24);
+  Eigen::Matrix<double, 3, 4> at = axes.transpose() * (x.colwise() - Vector3d(x.col(0)));
+  at /= d13.norm();
+  at.row(2).setOnes();
+  const auto twice = [&](Index i, Index j, Index k) { // area of a triangle
+    return at.col(i).dot(at.col(j).cross(at.col(k)));
+  };
+  const double a124 = twice(0, 1, 3), a134 = twice(0, 2, 3);
+  const double a123 = twice(0, 1, 2), a234 = twice(1, 2, 3);
+  if (!(std::min({a124, a134, a123, a234}) > 1e-6))
+    throw std::invalid_argument("has a corner that points inward");
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(24); // under a mean flow of one along edge 1-2
+  forces.segment<3>(0) = -d13 * a124 / (2 * a134);
+  forces.segment<3>(12) = -forces.segment<3>(0);
+  forces.segment<3>(6) = d24 * a123 / (2 * a234);
+  forces.segment<3>(18) = -forces.segment<3>(6);
+  const double size = d13.squaredNorm(), area = d13.cross(d24).norm() / 2;
   MatrixElement element = empty(nodes);
-  element.K = G * thickness * a * b * gamma * gamma.transpose();
-  add_translation_mass(element, mass_per_area * a * b / 4, 0);
+  element.K = G * thickness / (size * panel_compliance(at, nu)) * forces * forces.transpose();
+  add_translation_mass(element, mass_per_area * area / 4, 0);
   return element;
 }
 
@@ -144,8 +200,20 @@ MatrixElement truss(const std::vector<int>& nodes, const Vector3d& x1, const Vec
   return element;
 }
 
+MatrixElement beam_beside_its_line(const std::vector<Vector3d>& nodes, const BeamElement& beam,
+                                   const Eccentricity& eccentricity) {
+  const BeamGeometry ends{
+      .node1 = nodes[0] + beam.offset1, .node2 = nodes[1] + beam.offset2, .up = beam.up};
+  const BeamMatrices own = eccentric_beam(ends, beam.section, eccentricity);
+  const MatrixXd arms = arms_of(beam);
+  return {.nodes = {beam.node1, beam.node2},
+          .K = arms.transpose() * own.K * arms,
+          .M = arms.transpose() * own.M * arms};
+}
+
 MatrixElement released_beam(const std::vector<Vector3d>& nodes, const BeamElement& beam,
-                            const Vector3d& up, const std::vector<int>& released) {
+                            const Vector3d& up, const std::vector<int>& released,
+                            const Eccentricity& eccentricity) {
   const BeamGeometry ends{
       .node1 = nodes[0] + beam.offset1, .node2 = nodes[1] + beam.offset2, .up = beam.up};
   Matrix3d axes; // x along the beam, z towards `up`
@@ -154,8 +222,8 @@ MatrixElement released_beam(const std::vector<Vector3d>& nodes, const BeamElemen
   axes.col(2) = axes.col(0).cross(axes.col(1));
   MatrixXd R = MatrixXd::Zero(12, 12);
   for (Index i = 0; i < 12; i += 3) R.block<3, 3>(i, i) = axes;
-  const MatrixXd K = R.transpose() * beam_stiffness(ends, beam.section) * R;
-  const MatrixXd M = R.transpose() * beam_mass(ends, beam.section) * R;
+  const BeamMatrices own = eccentric_beam(ends, beam.section, eccentricity);
+  const MatrixXd K = R.transpose() * own.K * R, M = R.transpose() * own.M * R;
   const auto n = static_cast<Index>(released.size());
   MatrixXd free = MatrixXd::Zero(12, n), follow = MatrixXd::Identity(12, 12);
   for (Index i = 0; i < n; ++i) {
@@ -182,9 +250,10 @@ MatrixElement tapered_beam(const std::vector<Vector3d>& nodes, const BeamElement
       return Vector3d(first + double(i) / double(pieces) * (last - first));
     };
     const BeamGeometry piece{.node1 = place(p), .node2 = place(p + 1), .up = beam.up};
-    const BeamProperties section = section_at(taper, (double(p) + 0.5) / double(pieces));
-    K.block<12, 12>(6 * p, 6 * p) += beam_stiffness(piece, section);
-    M.block<12, 12>(6 * p, 6 * p) += beam_mass(piece, section);
+    const BeamStation here = station_at(taper, (double(p) + 0.5) / double(pieces));
+    const BeamMatrices own = eccentric_beam(piece, here.section, here.eccentricity);
+    K.block<12, 12>(6 * p, 6 * p) += own.K;
+    M.block<12, 12>(6 * p, 6 * p) += own.M;
   }
   MatrixXd shapes = MatrixXd::Zero(size, 12);
   shapes.topLeftCorner<6, 6>().setIdentity();

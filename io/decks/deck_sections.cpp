@@ -45,6 +45,7 @@ TurnedSection rectangles_section(const BeamMaterial& m, const std::vector<Profil
     open += a * t * t / 3;
   }
   TurnedSection section = principal_section(m, A, I_y, I_z, I_yz, J > 0 ? J : open);
+  section.centroid = {y, z};
   const double c = std::cos(section.turn), s = std::sin(section.turn);
   for (const ProfileRectangle& r : all)
     for (double sign_y : {-0.5, 0.5})
@@ -53,18 +54,6 @@ TurnedSection rectangles_section(const BeamMaterial& m, const std::vector<Profil
         section.properties.fibres.push_back({c * u + s * v, c * v - s * u});
       }
   return section;
-}
-
-TurnedSection box_section(const BeamMaterial& m, double width, double depth, double side,
-                          double top) {
-  const double b = width - side, h = depth - top; // between the middles of the walls
-  const double J = 4 * b * b * h * h / (2 * b / top + 2 * h / side);
-  return rectangles_section(m,
-                            {{.y = -b / 2, .z = 0, .width = side, .depth = depth},
-                             {.y = b / 2, .z = 0, .width = side, .depth = depth},
-                             {.y = 0, .z = -h / 2, .width = width - 2 * side, .depth = top},
-                             {.y = 0, .z = h / 2, .width = width - 2 * side, .depth = top}},
-                            J);
 }
 
 } // namespace plica

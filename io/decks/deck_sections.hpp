@@ -3,6 +3,8 @@
 
 #include "elements/beam_section.hpp"
 
+#include <array>
+
 namespace plica {
 
 // A section of stiffness: area, second moments about the local y and z, torsion constant. Rotary
@@ -11,10 +13,12 @@ BeamProperties general_section(const BeamMaterial& material, double A, double I_
                                double J);
 
 // The same about axes that are not principal: I_yz = integral of y z. The properties are along the
-// principal axes, which lie `turn` further, rad, from y to z.
+// principal axes, which lie `turn` further, rad, from y to z. Where the section is drawn: its
+// centroid, and the point about which it twists, (y, z), m.
 struct TurnedSection {
   BeamProperties properties;
   double turn = 0;
+  std::array<double, 2> centroid{}, shear_centre{};
 };
 TurnedSection principal_section(const BeamMaterial& material, double A, double I_y, double I_z,
                                 double I_yz, double J);
@@ -28,9 +32,5 @@ struct ProfileRectangle {
 // is above zero (closed walls: Bredt, 4 A^2 / sum of s/t). Rigid in shear. Fibres at the corners.
 TurnedSection rectangles_section(const BeamMaterial& material,
                                  const std::vector<ProfileRectangle>& rectangles, double J = 0);
-
-// A closed box by its outer sizes along y and z and its walls; Bredt's J.
-TurnedSection box_section(const BeamMaterial& material, double width, double depth,
-                          double wall_side, double wall_top);
 
 } // namespace plica

@@ -40,6 +40,44 @@ std::vector<int> released(const Card& card) {
   return all;
 }
 
+// From the local axes, of which y is the first of the section in the deck, to the global ones.
+Eccentricity in_global(Eccentricity at, const Vector3d& axis, const Vector3d& up) {
+  Eigen::Matrix3d axes;
+  axes.col(0) = axis.normalized();
+  axes.col(2) = up;
+  axes.col(1) = up.cross(axes.col(0));
+  at.neutral = axes * at.neutral;
+  at.extra = axes * at.extra;
+  return at;
+}
+
+// As a beam, or as a matrix where it tapers, has released ends or bears beside its line.
+void add_beam(const NastranReading& r, const Card& card, const BeamElement& beam,
+              const Eccentricity& local, const Taper* taper, const DeckBar& bar) {
+  const std::vector<int> free = released(card);
+  const std::vector<Vector3d> ends{r.deck.nodes[beam.node1], r.deck.nodes[beam.node2]};
+  const Vector3d axis = ends[1] + beam.offset2 - ends[0] - beam.offset1;
+  if (taper == nullptr && free.empty() && local.is_none()) {
+    r.deck.of_beams[int(r.deck.beams.size())] = bar;
+    r.deck.beams.push_back(beam);
+    return;
+  }
+  const auto matrix = [&]() -> MatrixElement {
+    const Eccentricity at = in_global(local, axis, bar.y);
+    if (taper == nullptr)
+      return free.empty() ? beam_beside_its_line(ends, beam, at)
+                          : released_beam(ends, beam, bar.y, free, at);
+    if (!free.empty())
+      card.wrong("is tapered and has released ends", "a constant section, or no pin flags");
+    Taper turned = *taper;
+    for (BeamStation& station : turned)
+      station.eccentricity = in_global(station.eccentricity, axis, bar.y);
+    return tapered_beam(ends, beam, turned);
+  };
+  r.deck.of_springs[int(r.deck.springs.size())] = bar;
+  r.deck.springs.push_back(matrix());
+}
+
 void beam(const NastranReading& r, const Card& card) {
   const Card& by = given(r, card, 1);
   const auto section = r.properties.beam(card, by.has(1) ? by.whole(1) : card.whole(0));
@@ -63,25 +101,10 @@ void beam(const NastranReading& r, const Card& card) {
     const Vector3d y = up.cross(axis).normalized(), z = axis.cross(y).normalized();
     beam.up = std::cos(section->turn) * z - std::sin(section->turn) * y;
   }
-  const std::vector<int> free = released(card);
   const Vector3d y = axis.cross(up).cross(axis).normalized();
   const int number = by.has(1) ? by.whole(1) : card.whole(0);
   const DeckBar bar{card.whole(0), card.origin(), r.properties.expansion_of_beam(number), y};
-  const Taper* taper = r.properties.taper_of_beam(number);
-  if (taper != nullptr) {
-    if (!free.empty())
-      card.wrong("is tapered and has released ends", "a constant section, or no pin flags");
-    r.deck.of_springs[int(r.deck.springs.size())] = bar;
-    r.deck.springs.push_back(
-        tapered_beam({r.deck.nodes[beam.node1], r.deck.nodes[beam.node2]}, beam, *taper));
-  } else if (free.empty()) {
-    r.deck.of_beams[int(r.deck.beams.size())] = bar;
-    r.deck.beams.push_back(beam);
-  } else {
-    r.deck.of_springs[int(r.deck.springs.size())] = bar;
-    r.deck.springs.push_back(
-        released_beam({r.deck.nodes[beam.node1], r.deck.nodes[beam.node2]}, beam, up, free));
-  }
+  add_beam(r, card, beam, section->eccentricity, r.properties.taper_of_beam(number), bar);
 }
 
 void add_rod(const NastranReading& r, const Card& card, int node1, int node2,

@@ -68,14 +68,63 @@ bool is_tapered(const std::vector<Station>& stations) {
   });
 }
 
+// Of ends A and B, `step` fields apart, straight between; blank at B: as at A.
+double between(const Card& card, std::size_t field, std::size_t step, double x) {
+  const double a = card.real(field, 0);
+  return a + x * (card.real(field + step, a) - a);
+}
+
+// Element y and z of both ends, in our axes.
+Eigen::Vector3d place_at(const Card& card, std::size_t field, double x) {
+  return {0, -between(card, field + 1, 2, x), between(card, field, 2, x)};
+}
+
+// Whether N, or what the mass that does not bear has, changes between the ends.
+bool ends_differ(const Card& card, std::size_t field) {
+  const bool mass = card.real(7, 0) != 0;
+  return place_at(card, field + 12, 0) != place_at(card, field + 12, 1) ||
+         (mass && place_at(card, field + 8, 0) != place_at(card, field + 8, 1)) ||
+         between(card, field + 4, 1, 0) != between(card, field + 4, 1, 1);
+}
+
+// Centroid from shear centre; what is rounding is none.
+Eigen::Vector3d from_shear_centre(const TurnedSection& s) {
+  const double y = s.centroid[0] - s.shear_centre[0], z = s.centroid[1] - s.shear_centre[1];
+  const double least = 1e-9 * std::sqrt((s.properties.EI_y + s.properties.EI_z) / s.properties.EA);
+  return {0, std::abs(y) > least ? y : 0, std::abs(z) > least ? z : 0};
+}
+
+// A plain beam carries what does not bear along its own axis.
+NastranBeam whole(NastranBeam section) {
+  Eccentricity& at = section.eccentricity;
+  if (!at.is_none()) return section;
+  section.properties.mass += at.extra_mass;
+  section.properties.inertia_x += at.extra_inertia;
+  at = {};
+  return section;
+}
+
+template <class F> Taper taper_of(const std::vector<Station>& stations, F&& section) {
+  Taper taper;
+  for (const Station& s : stations) {
+    const NastranBeam beam = section(s);
+    taper.push_back({s.x, beam.properties, beam.eccentricity});
+  }
+  if (taper.back().x != 1) {
+    const NastranBeam beam = section(Station{1, stations.back().numbers});
+    taper.push_back({1, beam.properties, beam.eccentricity});
+  }
+  return taper;
+}
+
 } // namespace
 
 // Our local z is the y of the element, the direction of its orientation vector, our y its -z.
-TurnedSection NastranProperties::beam_of(const Card& card) {
+NastranBeam NastranProperties::beam_of(const Card& card) {
   const NastranMaterial& m = material(card, 1);
-  TurnedSection section = card.name == "PBAR"    ? pbar(card, m)
-                          : card.name == "PBEAM" ? pbeam(card, m)
-                                                 : shaped(card, m);
+  NastranBeam section = card.name == "PBAR"    ? pbar(card, m)
+                        : card.name == "PBEAM" ? pbeam(card, m)
+                                               : shaped(card, m);
   const double shear = m.isotropic_shear() > 0 ? m.G / m.isotropic_shear() : 1;
   const auto scale = [shear](BeamProperties& s) {
     s.GJ *= shear;
@@ -84,20 +133,20 @@ TurnedSection NastranProperties::beam_of(const Card& card) {
   };
   scale(section.properties);
   if (const auto taper = tapers_.find(card.whole(0)); taper != tapers_.end())
-    for (auto& [x, s] : taper->second) scale(s);
+    for (BeamStation& station : taper->second) scale(station.section);
   return section;
 }
 
-TurnedSection NastranProperties::pbar(const Card& card, const NastranMaterial& m) const {
+NastranBeam NastranProperties::pbar(const Card& card, const NastranMaterial& m) const {
   const double A = card.real(2, 0);
-  TurnedSection section =
-      principal_section(m, A, card.real(3, 0), card.real(4, 0), -card.real(18, 0), card.real(5, 0));
+  NastranBeam section{principal_section(m, A, card.real(3, 0), card.real(4, 0), -card.real(18, 0),
+                                        card.real(5, 0))};
   section.properties.mass += mass_factor_ * card.real(6, 0);
   set_shear(card, section, card.real(16, 0), card.real(17, 0), m.isotropic_shear() * A);
   return section;
 }
 
-TurnedSection NastranProperties::pbeam(const Card& card, const NastranMaterial& m) {
+NastranBeam NastranProperties::pbeam(const Card& card, const NastranMaterial& m) {
   std::size_t field = 16;
   const bool has_stress =
       !card.has(8) || !std::isalpha(static_cast<unsigned char>(card.text(8)[0]));
@@ -107,45 +156,35 @@ TurnedSection NastranProperties::pbeam(const Card& card, const NastranMaterial& 
                   {card.real(2), card.real(3), card.real(4, 0), card.real(5, 0), card.real(6, 0),
                    card.real(7, 0)},
                   field, [](bool stress) { return stress ? 16U : 8U; });
-  for (std::size_t i = 8; i < 16; ++i)
-    if (card.real(field + i, 0) != 0)
-      card.wrong("has a neutral axis or a centre of mass beside the shear centre (N, M)",
-                 "M1, M2, N1, N2 blank");
   for (std::size_t i = field + 16; i < card.fields.size(); ++i)
     if (card.has(i)) card.wrong("goes on with \"" + card.text(i) + "\"", "stations");
+  const bool tapered = is_tapered(stations) || ends_differ(card, field);
   const auto section = [&](const Station& s) { // A, I1, I2, I12, J, NSM
     const std::vector<double>& n = s.numbers;
-    TurnedSection made = principal_section(m, n[0], n[1], n[2], -n[3], n[4]);
-    made.properties.mass += mass_factor_ * n[5];
-    const double spread = card.real(field + 4, 0);
-    made.properties.inertia_x +=
-        mass_factor_ * (spread + s.x * (card.real(field + 5, spread) - spread));
+    NastranBeam made{principal_section(m, n[0], n[1], n[2], -n[3], n[4])};
     set_shear(card, made, card.real(field, 1), card.real(field + 1, 1), m.isotropic_shear() * n[0]);
-    if (made.turn != 0 && is_tapered(stations))
+    if (made.turn != 0 && tapered)
       card.wrong("is tapered and has a product of inertia", "I12 blank, or a constant section");
+    made.eccentricity = {.neutral = place_at(card, field + 12, s.x),
+                         .extra = place_at(card, field + 8, s.x),
+                         .extra_mass = mass_factor_ * n[5],
+                         .extra_inertia = mass_factor_ * between(card, field + 4, 1, s.x)};
     return made;
   };
-  if (is_tapered(stations))
-    for (const Station& s : stations)
-      tapers_[card.whole(0)].emplace_back(s.x, section(s).properties);
+  if (!tapered) return whole(section(stations.front()));
+  tapers_[card.whole(0)] = taper_of(stations, section);
   return section(stations.front());
 }
 
-TurnedSection NastranProperties::shaped(const Card& card, const NastranMaterial& m) {
+NastranBeam NastranProperties::shaped(const Card& card, const NastranMaterial& m) {
   const std::size_t count = sizes_of_profile(card);
   const std::string type = in_capitals(card.text(3));
-  static const std::set<std::string> symmetric{"ROD",  "TUBE", "TUBE2", "BAR",   "BOX",
-                                               "BOX1", "I1",   "H",     "CROSS", "I"};
   std::vector<double> sizes;
   for (std::size_t i = 0; i < count; ++i) {
     if (!(card.real(8 + i) > 0) && !(type == "TUBE" && i == 1 && card.real(8 + i) == 0))
       card.wrong("has a size of " + card.text(8 + i), "above 0");
     sizes.push_back(card.real(8 + i));
   }
-  const bool uneven = type == "I" && (!alike(sizes[1], sizes[2]) || !alike(sizes[4], sizes[5]));
-  if (card.name == "PBEAML" && (!symmetric.contains(type) || uneven))
-    card.wrong("has the shape " + type + ", whose shear centre lies beside its centroid",
-               "a shape with two axes of symmetry, or PBARL");
   sizes.push_back(card.real(8 + count, 0)); // and NSM
   std::size_t field = 9 + count;
   std::vector<Station> stations{{0, sizes}};
@@ -154,13 +193,15 @@ TurnedSection NastranProperties::shaped(const Card& card, const NastranMaterial&
   for (; field < card.fields.size(); ++field)
     if (card.has(field)) card.wrong("goes on with \"" + card.text(field) + "\"", "stations");
   const auto section = [&](const Station& s) {
-    TurnedSection made = nastran_profile(card, m, {s.numbers.begin(), s.numbers.end() - 1});
-    made.properties.mass += mass_factor_ * s.numbers.back();
+    NastranBeam made{nastran_profile(card, m, {s.numbers.begin(), s.numbers.end() - 1})};
+    if (is_tapered(stations) && made.turn != 0)
+      card.wrong("is tapered and has no axis of symmetry", "a constant section");
+    made.eccentricity.extra_mass = mass_factor_ * s.numbers.back();
+    if (card.name == "PBEAML") made.eccentricity.neutral = from_shear_centre(made);
     return made;
   };
-  if (is_tapered(stations))
-    for (const Station& s : stations)
-      tapers_[card.whole(0)].emplace_back(s.x, section(s).properties);
+  if (!is_tapered(stations)) return whole(section(stations.front()));
+  tapers_[card.whole(0)] = taper_of(stations, section);
   return section(stations.front());
 }
 

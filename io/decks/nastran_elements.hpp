@@ -19,9 +19,10 @@ struct NastranReading {
   }
 };
 
-void read_shells(const NastranReading& reading); // and shear panels
-void read_bars(const NastranReading& reading);   // beams, rods
-void read_points(const NastranReading& reading); // masses and springs
+void read_shells(const NastranReading& reading);           // and shear panels
+void read_bars(const NastranReading& reading);             // beams, rods
+void read_points(const NastranReading& reading);           // masses and springs
+void read_general_elements(const NastranReading& reading); // GENEL
 // DMIG that case control adds by K2GG and M2GG, as elements; of assigned OP4 as well, which name
 // neither points nor components: their rows are those of ASET and its like, else of all points, by
 // number. External superelements (SEBULK, EXTOP4), whose rows are those of EXTRN.

@@ -227,6 +227,7 @@ void read_rigid_elements(const NastranReading& r) {
   r.each("RBAR", [&](const Card& card) { rbar(card, r.grids, r.deck); });
   r.each("CRIGD2", [&](const Card& card) { crigd2(card, r.grids, r.deck); });
   r.each("CRIGD1", [&](const Card& card) { crigd1(card, r.grids, r.deck); });
+  read_rigid_bodies(r);
 }
 
 std::vector<Constraint> read_constraints(const NastranReading& r, const BulkData& bulk) {

@@ -6,6 +6,8 @@
 namespace plica {
 
 void read_rigid_elements(const NastranReading& reading);
+// RBE1, CRIGD3, RROD, CRIGDR: rows between single degrees of freedom.
+void read_rigid_bodies(const NastranReading& reading);
 
 // Of the sets that the first subcase chooses, or, in a file without case control, of the only one
 // there is. A set that is chosen and not there is an error; what is not chosen is noted. Gives what

@@ -15,7 +15,7 @@ const std::set<std::string> followed{
     "CONM2",   "PMASS",   "CMASS1", "CMASS2", "CMASS3",  "CMASS4",  "PBUSH",  "CBUSH",  "PELAS",
     "CELAS1",  "CELAS2",  "CELAS3", "CELAS4", "RBE2",    "RBE3",    "RBAR",   "CRIGD1", "CRIGD2",
     "CBUSH1D", "PBUSH1D", "MPC",    "MPCADD", "SPC",     "SPC1",    "SPCADD", "PARAM",  "SEBULK",
-    "SECONCT", "EXTRN"};
+    "SECONCT", "EXTRN",   "GENEL",  "RBE1",   "CRIGD3",  "RROD",    "CRIGDR"};
 
 // Beginnings of names are enough where all cards that begin so are passed over.
 const std::set<std::string> passed_over{
@@ -72,21 +72,21 @@ const std::set<std::string> solids{
 
 // Names that do not begin as elements or rigid elements do, or that would be taken for such.
 const std::set<std::string> not_had{
-    "GENEL",    "RBE1",     "RROD",     "RSPLINE", "RSSCON",  "RTRPLT",  "RTRPLT1", "RJOINT",
-    "RBAR1",    "CRBE1",    "CRBE3",    "CRIGD3",  "CRIGDR",  "CRROD",   "CRBAR",   "CRTRPLT",
-    "CRSPLINE", "CYJOIN",   "CYAX",     "CYSYM",   "BCTABLE", "BCTADD",  "BCTSET",  "BGSET",
-    "BGADD",    "BCONP",    "BCONTACT", "BCBODY",  "BLSEG",   "BFRIC",   "BSURF",   "BSURFS",
-    "BCPROP",   "BCPARA",   "BGPARM",   "BCTPARM", "BCTPARA", "BCRPARA", "BCSCAP",  "BOLT",
-    "BOLTFOR",  "NSM",      "NSM1",     "NSML",    "NSML1",   "NSMADD",  "ADUM1",   "GRIDF",
-    "GRIDS",    "AXIC",     "AXIF",     "AXSLOT",  "RINGAX",  "RINGFL",  "SECTAX",  "POINTAX",
-    "FSLIST",   "ACMODL",   "GRIDA",    "SEELT",   "SEEXCLD", "SELOC",   "SEMPLN",  "SETREE",
-    "SEBSET",   "SECSET",   "SEQSET",   "SEUSET",  "SENQSET", "SELOAD",  "SELABEL", "RELEASE",
-    "CGEN",     "BEGIN",    "CONTACT",  "TIE",     "MAT3",    "MAT9",    "MAT10",   "MAT11",
-    "MATHE",    "MATHP",    "MATG",     "MATORT",  "ROTOR",   "ROTORG",  "ROTORD",  "RSPINR",
-    "UNBALNC",  "BEAMSECT", "PBMSECT",  "PBRSECT", "PBCOMP",  "PBEAM3",  "PBEND",   "PGAP",
-    "PWELD",    "PFAST",    "PSEAM",    "PBUSH2D", "PCONEAX", "PSHEARN", "PRAC2D",  "PRAC3D",
-    "PTRBSC",   "PQDPLT",   "PTRPLT",   "PTWIST",  "PTRSHL",  "PTRIM6",  "PTRPLT1", "PTORDRG",
-    "PFLUID",   "MFLUID",   "ELIST1",   "PACABS",  "PACBAR",  "PHBDYX",  "MATDIGI"};
+    "RSPLINE", "RSSCON",  "RTRPLT",  "RTRPLT1",  "RJOINT",   "RBAR1",    "CRBE1",   "CRBE3",
+    "CRROD",   "CRBAR",   "CRTRPLT", "CRSPLINE", "CYJOIN",   "CYAX",     "CYSYM",   "BCTABLE",
+    "BCTADD",  "BCTSET",  "BGSET",   "BGADD",    "BCONP",    "BCONTACT", "BCBODY",  "BLSEG",
+    "BFRIC",   "BSURF",   "BSURFS",  "BCPROP",   "BCPARA",   "BGPARM",   "BCTPARM", "BCTPARA",
+    "BCRPARA", "BCSCAP",  "BOLT",    "BOLTFOR",  "NSM",      "NSM1",     "NSML",    "NSML1",
+    "NSMADD",  "ADUM1",   "GRIDF",   "GRIDS",    "AXIC",     "AXIF",     "AXSLOT",  "RINGAX",
+    "RINGFL",  "SECTAX",  "POINTAX", "FSLIST",   "ACMODL",   "GRIDA",    "SEELT",   "SEEXCLD",
+    "SELOC",   "SEMPLN",  "SETREE",  "SEBSET",   "SECSET",   "SEQSET",   "SEUSET",  "SENQSET",
+    "SELOAD",  "SELABEL", "RELEASE", "CGEN",     "BEGIN",    "CONTACT",  "TIE",     "MAT3",
+    "MAT9",    "MAT10",   "MAT11",   "MATHE",    "MATHP",    "MATG",     "MATORT",  "ROTOR",
+    "ROTORG",  "ROTORD",  "RSPINR",  "UNBALNC",  "BEAMSECT", "PBMSECT",  "PBRSECT", "PBCOMP",
+    "PBEAM3",  "PBEND",   "PGAP",    "PWELD",    "PFAST",    "PSEAM",    "PBUSH2D", "PCONEAX",
+    "PSHEARN", "PRAC2D",  "PRAC3D",  "PTRBSC",   "PQDPLT",   "PTRPLT",   "PTWIST",  "PTRSHL",
+    "PTRIM6",  "PTRPLT1", "PTORDRG", "PFLUID",   "MFLUID",   "ELIST1",   "PACABS",  "PACBAR",
+    "PHBDYX",  "MATDIGI"};
 
 bool begins_as(const std::string& name, const std::vector<std::string>& beginnings) {
   return std::any_of(beginnings.begin(), beginnings.end(),
@@ -115,7 +115,8 @@ bool is_element(const std::string& card) {
       "CIS2D8", "CTRSHL", "CFHEX",  "CFTETRA", "CFWEDGE", "CAXIF",   "CSLOT",   "CHAC",   "CTRIM6",
       "CTRAX",  "CINTC",  "CAABSF", "CCRSFIL"};
   return begins_as(card, beginnings) || card == "RBE2" || card == "RBE3" || card == "RBAR" ||
-         card == "RBE1" || card == "CRIGD1" || card == "CRIGD2";
+         card == "RBE1" || card == "CRIGD1" || card == "CRIGD2" || card == "CRIGD3" ||
+         card == "RROD" || card == "CRIGDR" || card == "GENEL";
 }
 
 bool is_analysis_set(const std::string& card) {

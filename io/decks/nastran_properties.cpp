@@ -334,7 +334,7 @@ std::optional<NastranWall> NastranProperties::wall(const Card& asker, int number
 
 // --- bars
 
-std::optional<TurnedSection> NastranProperties::beam(const Card& asker, int number) const {
+std::optional<NastranBeam> NastranProperties::beam(const Card& asker, int number) const {
   return known(beams_, asker, number, "property " + std::to_string(number) + " of a beam",
                "PBAR, PBARL, PBEAM, PBEAML");
 }

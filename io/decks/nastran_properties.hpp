@@ -37,6 +37,11 @@ struct NastranRod {
   DeckExpansion expansion = {};
 };
 
+// About the line of shear centres; the eccentricity along the unturned local axes (x, y, z).
+struct NastranBeam : TurnedSection {
+  Eccentricity eccentricity = {};
+};
+
 class NastranProperties {
 public:
   // What is wrong goes into `problems`; what was refused is not complained of again where it is
@@ -47,7 +52,7 @@ public:
   const NastranMaterial& material(const Card& asker, std::size_t field) const;
   // Of a number; none where the property was refused. InputError when there is none.
   std::optional<NastranWall> wall(const Card& asker, int number) const;
-  std::optional<TurnedSection> beam(const Card& asker, int number) const;
+  std::optional<NastranBeam> beam(const Card& asker, int number) const;
   DeckExpansion expansion_of_beam(int number) const;
   const Taper* taper_of_beam(int number) const; // null: its section is the same all along
   std::optional<NastranRod> rod(const Card& asker, int number) const; // of PROD or PTUBE
@@ -67,23 +72,23 @@ private:
   NastranWall pcomp(const Card& card) const;
   NastranWall pquad1(const Card& card) const;
   NastranWall pquad2(const Card& card) const;
-  TurnedSection beam_of(const Card& card);
-  TurnedSection pbar(const Card& card, const NastranMaterial& m) const;
-  TurnedSection pbeam(const Card& card, const NastranMaterial& m);
-  TurnedSection shaped(const Card& card, const NastranMaterial& m);
+  NastranBeam beam_of(const Card& card);
+  NastranBeam pbar(const Card& card, const NastranMaterial& m) const;
+  NastranBeam pbeam(const Card& card, const NastranMaterial& m);
+  NastranBeam shaped(const Card& card, const NastranMaterial& m);
 
   const CardsByName& cards_;
   double mass_factor_;
   std::map<int, NastranMaterial> materials_;
   std::map<int, std::optional<NastranWall>> walls_;
-  std::map<int, std::optional<TurnedSection>> beams_;
+  std::map<int, std::optional<NastranBeam>> beams_;
   std::map<int, DeckExpansion> expansions_; // of beams
   std::map<int, Taper> tapers_;             // of those that have one
   std::map<std::string, std::map<int, std::optional<NastranRod>>> rods_;
 };
 
 // Profile of PBARL and PBEAML by the name and sizes of the MSC manual; the local z is the y of the
-// element. Throws InputError for one that is not had.
+// element, whose z points the other way than our y. Throws InputError for one that is not had.
 TurnedSection nastran_profile(const Card& card, const NastranMaterial& material,
                               const std::vector<double>& sizes);
 std::size_t sizes_of_profile(const Card& card); // InputError for one that is not had

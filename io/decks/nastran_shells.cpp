@@ -163,7 +163,8 @@ void quadratic_shell(const NastranReading& r, const Card& card) {
          {c.thickness[i], t[i], thickness, t[(i + 3) % 4]});
 }
 
-// F1, F2: shares of the panel that act as bars along its edges.
+// F1, F2: shares of the panel that act as bars along its edges; above 1.01 of the square of its
+// thickness.
 void panel(const NastranReading& r, const Card& card) {
   const Card& p = r.properties.card("PSHEAR", card.whole(1, card.whole(0)), card);
   const NastranMaterial& m = r.properties.material(p, 1);
@@ -176,22 +177,27 @@ void panel(const NastranReading& r, const Card& card) {
   }
   try {
     r.deck.springs.push_back(
-        shear_panel(nodes, x, m.G, t, m.rho * t + r.properties.mass_factor() * p.real(3, 0)));
-  } catch (const std::invalid_argument&) {
-    card.wrong("is a shear panel that is no rectangle", "a rectangle");
+        shear_panel(nodes, x, m.G, m.nu, t, m.rho * t + r.properties.mass_factor() * p.real(3, 0)));
+  } catch (const std::invalid_argument& error) {
+    card.wrong("is a shear panel that " + std::string(error.what()),
+               "corners in turn, all outward");
   }
-  const double sides[2] = {(x.col(1) - x.col(0)).norm(), (x.col(3) - x.col(0)).norm()};
+  const Eigen::Vector3d d13 = x.col(2) - x.col(0), d24 = x.col(3) - x.col(1);
+  const double area = d13.cross(d24).norm() / 2;
   for (std::size_t k = 0; k < 2; ++k) {
     const double share = p.real(4 + k, 0);
-    if (share < 0 || share > 1.01)
-      card.wrong("has bars along its edges of F above 1.01", "F1 and F2 at most 1");
+    if (share < 0) card.wrong("has bars along its edges of F below 0", "F1 and F2 of 0 or more");
     if (share == 0) continue;
-    const double area = share * t * sides[1 - k] / 2; // of either bar
-    const std::size_t from[2] = {0, k == 0 ? 3U : 1U}, to[2] = {k == 0 ? 1U : 3U, 2};
+    const std::size_t from[2] = {k, k == 0 ? 3U : 0U}, to[2] = {k + 1, k == 0 ? 2U : 3U};
+    double lengths = 0;
+    for (std::size_t bar = 0; bar < 2; ++bar)
+      lengths += (x.col(Eigen::Index(to[bar])) - x.col(Eigen::Index(from[bar]))).norm();
+    const double section = share > 1.01 ? share * t * t / 2 : share * t * area / lengths;
     for (std::size_t bar = 0; bar < 2; ++bar) {
       const int a = nodes[from[bar]], b = nodes[to[bar]];
       r.deck.of_springs[int(r.deck.springs.size())] = {card.whole(0), card.origin(), m.expansion};
-      r.deck.springs.push_back(truss({a, b}, r.deck.nodes[a], r.deck.nodes[b], m.E * area, 0, 0));
+      r.deck.springs.push_back(
+          truss({a, b}, r.deck.nodes[a], r.deck.nodes[b], m.E * section, 0, 0));
     }
   }
 }

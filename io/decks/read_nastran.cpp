@@ -127,6 +127,7 @@ private:
     read_shells(reading);
     read_bars(reading);
     read_points(reading);
+    read_general_elements(reading);
     read_matrices(reading, bulk);
     read_rigid_elements(reading);
     const std::vector<Constraint> without_spc = read_constraints(reading, bulk);
