@@ -300,11 +300,17 @@ MatrixXd CyclicModel::expand(const HarmonicSystem& s, const MatrixXd& q,
 
 MatrixXd CyclicModel::gather(const HarmonicSystem& s, const MatrixXd& force) const {
   MatrixXd all = MatrixXd::Zero(s.T.rows(), force.cols());
-  for (int step = 0; step < around_; ++step) {
-    const Eigen::Matrix<double, 6, 6> B = components(s.harmonic, step);
+  std::vector<Eigen::Matrix<double, 6, 6>> onto; // transposed, of every step
+  for (int step = 0; step < around_; ++step)
+    onto.emplace_back(components(s.harmonic, step).transpose());
+  for (Eigen::Index k = 0; k < force.cols(); ++k) {
+    const auto own = force.col(k);
     for (int ring = 0; ring < rings_; ++ring)
-      all.middleRows<6>(6 * Eigen::Index(ring)) +=
-          B.transpose() * force.middleRows<6>(6 * model_->mesh.rings[ring].nodes[step]);
+      for (int step = 0; step < around_; ++step) {
+        const Vector6 f = own.segment<6>(6 * model_->mesh.rings[ring].nodes[step]);
+        if (!f.isZero(0)) // forces of joints act on few nodes
+          all.col(k).segment<6>(6 * Eigen::Index(ring)) += onto[std::size_t(step)] * f;
+      }
   }
   for (std::size_t k = 0; k < s.axis.size(); ++k)
     all.row(6 * rings_ + k) +=
