@@ -226,7 +226,7 @@ TEST(AbaqusReader, beam_general_section) {
               "1.e-4, 3.e-9, 0., 1.e-9, 2.5e-9\n1., 0., 0.\n7.e10, 2.5e10\n",
               p);
   expect_beam("B31",
-              "*BEAM GENERAL SECTION, ELSET=ROD, SECTION=RECT, DENSITY=8000.\n"
+              "*BEAM GENERAL SECTION, ELSET=ROD, SECTION=RECT, DENSITY=8000., LUMPED=NO\n"
               "5.e-3, 12.e-3\n1., 0., 0.\n2.e11, 76923076923.0769\n",
               rectangle_section({2e11, 0.3, 8000}, 5e-3, 12e-3));
 }

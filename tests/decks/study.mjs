@@ -108,7 +108,7 @@ function* filesBelow(path) {
   }
 }
 
-// Frequencies above 1e-5 of the highest: those of free bodies are rounding.
+// Frequencies above 1e-4 of the highest: those of free bodies are rounding.
 function frequenciesOf(listing) {
   const begin = listing.search(/R E A L +E I G E N V A L U E S/);
   if (begin < 0) return [];
@@ -119,7 +119,7 @@ function frequenciesOf(listing) {
     else if (all.length && /E I G E N V E C T O R|S U B C A S E|SUBCASE/.test(line)) break;
   }
   const top = Math.max(...all, 0);
-  return all.filter((f) => f > 1e-5 * top).sort((a, b) => a - b);
+  return all.filter((f) => f > 1e-4 * top).sort((a, b) => a - b);
 }
 
 // Listings by the stem of their names: the one beside the deck, or the only one of its name.
