@@ -21,7 +21,7 @@ template <class Shells> bool all_of_revolution(const Shells& shells, const std::
   });
 }
 
-// Every so manieth node, from the first on, so that `least` remain; the steps stay equal.
+// Every n-th node, from the first on, so that `least` remain; the steps stay equal.
 Ring thinned(const Ring& ring, std::size_t least) {
   std::size_t stride = 1;
   for (std::size_t k = 2; ring.nodes.size() / k >= least; ++k)
