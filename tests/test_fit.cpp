@@ -57,7 +57,8 @@ Measured measured_on(const Case& data, double noise, std::mt19937_64& random) {
   m.mass = MeasuredMass{
       .value = r.model.mass * (1 + normal(random)), .sigma = noise * r.model.mass, .repeats = {}};
   const auto add = [&](StaticDirection direction, double value) {
-    m.statics.push_back({direction, value * (1 + normal(random)), noise * value, {}, {}, {}, {}});
+    m.statics.push_back(
+        {direction, value * (1 + normal(random)), noise * value, {}, {}, {}, {}, {}});
   };
   add(StaticDirection::axial, r.statics->k_axial);
   add(StaticDirection::torsion, r.statics->k_torsion);
@@ -121,7 +122,7 @@ TEST(Fit, states_the_uncertainty_of_one_number_exactly) {
   std::get<EquivalentPipe>(data.parts[0].body).inner.reset();
   std::get<EquivalentPipe>(data.parts[0].body).convoluted = 0.182;
   Measured measured;
-  measured.statics.push_back({StaticDirection::axial, 6e4, 600, {}, {}, {}, {}});
+  measured.statics.push_back({StaticDirection::axial, 6e4, 600, {}, {}, {}, {}, {}});
   FitRequest request;
   request.parameters = {fit_parameter("parts.bellows.outer.axial", 2e4, 9e4)};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});
@@ -138,7 +139,7 @@ TEST(Fit, states_the_uncertainty_of_one_number_exactly) {
 TEST(Fit, says_what_the_data_cannot_determine) {
   const Case data = small_pipe();
   Measured measured;
-  measured.statics.push_back({StaticDirection::axial, 7e4, 700, {}, {}, {}, {}});
+  measured.statics.push_back({StaticDirection::axial, 7e4, 700, {}, {}, {}, {}, {}});
   FitRequest request;
   request.parameters = {fit_parameter("parts.bellows.outer.axial", 1e4, 9e4),
                         fit_parameter("parts.bellows.inner.axial", 1e3, 8.1e4)};
@@ -189,8 +190,8 @@ TEST(Fit, keeps_two_strokes_apart) {
   data.parts = {{"bellows", c}};
   Measured measured;
   measured.statics.resize(2);
-  measured.statics[0] = {StaticDirection::axial, 1e5, 1e3, 1e-3, {}, {}, {}};
-  measured.statics[1] = {StaticDirection::axial, 400 / 0.01, 400, 0.01, {}, {}, {}};
+  measured.statics[0] = {StaticDirection::axial, 1e5, 1e3, 1e-3, {}, {}, {}, {}};
+  measured.statics[1] = {StaticDirection::axial, 400 / 0.01, 400, 0.01, {}, {}, {}, {}};
   FitRequest request;
   request.parameters = {fit_parameter("parts.bellows.spring.axial_curve[4][1]", 150, 900)};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});

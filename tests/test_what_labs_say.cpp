@@ -103,8 +103,10 @@ Case lap_between_held_ends() {
     beam.points = {{0, from, 0}, {0, from + 0.3, 0}};
     beam.elements = 4;
     beam.up = {0, 0, 1};
-    beam.section = {
-        .shape = BeamShape::rectangle, .material = "steel", .width = 0.02, .depth = 0.01};
+    beam.section.shape = BeamShape::rectangle;
+    beam.section.material = "steel";
+    beam.section.width = 0.02;
+    beam.section.depth = 0.01;
     c.parts.push_back({name, beam});
   }
   Cap left, lap, right;
