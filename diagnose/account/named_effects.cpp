@@ -113,10 +113,10 @@ void NamedEffects::add_other_places(NamedEffect& e) const {
   for (const JudgedFit& j : found_.fits)
     if (j.fit.together[0]->effect == e.name && j.fit.together[0]->place == e.place)
       own = std::max(own, j.fit.log_evidence);
-  constexpr double as_well = 3;
   for (const JudgedFit& j : found_.fits) {
     const Hypothesis& h = *j.fit.together[0];
-    if (h.effect == e.name && h.place != e.place && own - j.fit.log_evidence < as_well &&
+    if (h.effect == e.name && h.place != e.place &&
+        own - j.fit.log_evidence < found_.standards.apart &&
         std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
       e.other_places.push_back(h.place);
   }

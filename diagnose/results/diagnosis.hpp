@@ -33,7 +33,7 @@ struct NamedEffect {
   std::string name, place, way;
   double probability = 0; // of effect and place
   std::vector<EstimatedParameter> parameters;
-  std::vector<std::string> other_places = {}; // where it explains the test as well, within 3 nats
+  std::vector<std::string> other_places = {}; // where it explains as well (Standards::apart)
   double anywhere = 0;                        // probability of the effect, wherever it sits
   std::vector<int> nodes = {}; // of Diagnosis::mesh, where it sits; none: everywhere, or outside
   // What a case says in its place (Hypothesis::in_case), at these values.
