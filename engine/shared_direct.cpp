@@ -10,7 +10,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Frequencies of the rank: every so manieth.
+// Frequencies of the rank: every n-th of n ranks.
 std::vector<double> share_of(const std::vector<double>& hertz, int rank, int ranks) {
   std::vector<double> own;
   for (auto k = std::size_t(rank); k < hertz.size(); k += std::size_t(ranks))

@@ -1,5 +1,7 @@
 #include "diagnose/weigh/blocks.hpp"
 
+#include "diagnose/weigh/weighted_line.hpp"
+
 #include "diagnose/results/normal_distribution.hpp"
 #include "lab/measured/measured_words.hpp"
 
@@ -172,10 +174,7 @@ std::vector<LocatedGap> located(const BlockScores& scores, const VectorXd& devia
 }
 
 std::vector<LevelTrend> level_trends(const TestReadings& test) {
-  struct Points {
-    std::vector<double> x, y, sigma;
-  };
-  std::map<std::string, Points> series;
+  std::map<std::string, WeightedLine> series;
   for (const Reading& r : test.readings) {
     if (r.run < 0 || (r.kind != ReadingKind::frequency && r.kind != ReadingKind::damping)) continue;
     const TestRun& run = test.runs[std::size_t(r.run)];
@@ -186,26 +185,11 @@ std::vector<LevelTrend> level_trends(const TestReadings& test) {
         (run.input.any() ? "peak " + std::to_string(r.peak + 1) + ", " + word_of(run.input)
                          : mode.substr(0, mode.find(','))) +
         (r.state.empty() ? "" : ", " + r.state);
-    Points& p = series[name];
-    p.x.push_back(std::log(run.level));
-    p.y.push_back(r.log_value);
-    p.sigma.push_back(r.sigma);
+    series[name].add(std::log(run.level), r.log_value, r.sigma);
   }
   std::vector<LevelTrend> trends;
-  for (const auto& [name, p] : series) {
-    double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
-    for (std::size_t i = 0; i < p.x.size(); ++i) {
-      const double weight = 1 / (p.sigma[i] * p.sigma[i]);
-      w += weight;
-      wx += weight * p.x[i];
-      wy += weight * p.y[i];
-      wxx += weight * p.x[i] * p.x[i];
-      wxy += weight * p.x[i] * p.y[i];
-    }
-    const double spread = w * wxx - wx * wx;
-    if (p.x.size() < 2 || spread < 1e-9 * w * wxx) continue;
-    trends.push_back({name, (w * wxy - wx * wy) / spread, std::sqrt(w / spread)});
-  }
+  for (const auto& [name, line] : series)
+    if (const auto slope = line.slope()) trends.push_back({name, slope->value, slope->sigma});
   return trends;
 }
 

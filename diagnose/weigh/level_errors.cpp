@@ -1,5 +1,7 @@
 #include "diagnose/weigh/level_errors.hpp"
 
+#include "diagnose/weigh/weighted_line.hpp"
+
 #include <cmath>
 #include <map>
 
@@ -12,31 +14,18 @@ using Eigen::VectorXd;
 // What each reading shifts by where the levels of its run are a standard deviation off: the slope
 // of its series over the logarithm of the level, as the test has it.
 VectorXd shift_by_level(const TestReadings& test, const std::vector<int>& series) {
-  struct Line {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  };
   const auto level = [&](const Reading& r) {
     return r.run < 0 ? 0. : test.runs[std::size_t(r.run)].level;
   };
-  std::map<int, Line> lines;
+  std::map<int, WeightedLine> lines;
   for (std::size_t i = 0; i < series.size(); ++i)
-    if (const Reading& r = test.readings[i]; level(r) > 0) {
-      const double x = std::log(level(r)), weight = 1 / (r.sigma * r.sigma);
-      Line& line = lines[series[i]];
-      line.n += weight;
-      line.x += weight * x;
-      line.y += weight * r.log_value;
-      line.xx += weight * x * x;
-      line.xy += weight * x * r.log_value;
-    }
+    if (const Reading& r = test.readings[i]; level(r) > 0)
+      lines[series[i]].add(std::log(level(r)), r.log_value, r.sigma);
   VectorXd shift = VectorXd::Zero(Index(series.size()));
   for (std::size_t i = 0; i < series.size(); ++i)
-    if (const Reading& r = test.readings[i]; level(r) > 0) {
-      const Line& line = lines[series[i]];
-      const double spread = line.n * line.xx - line.x * line.x;
-      if (spread > 1e-9 * line.n * line.xx)
-        shift[Index(i)] = test.level_sigma * (line.n * line.xy - line.x * line.y) / spread;
-    }
+    if (const auto line = lines.find(series[i]); line != lines.end() && level(test.readings[i]) > 0)
+      if (const auto slope = line->second.slope())
+        shift[Index(i)] = test.level_sigma * slope->value;
   return shift;
 }
 

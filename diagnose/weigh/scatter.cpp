@@ -4,6 +4,7 @@
 #include "diagnose/effects/places.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "model/description/case_path.hpp"
+#include "model/description/toleranced_damping.hpp"
 #include "run/study/error_bars.hpp"
 
 #include <Eigen/Geometry>
@@ -17,7 +18,6 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double radians = std::numbers::pi / 180;
-constexpr const char* damping_path = "analyses.damping.modal";
 constexpr int waves = 4;      // half waves of a field of stiffness
 constexpr double step = 0.02; // of the change that stands for a small one
 
@@ -64,7 +64,7 @@ bool moves_nodes(const Structure& s, const std::function<void(Case&)>& change) {
 void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
   constexpr double low_point = 0.05, high_point = 0.95;
   for (const Tolerance& t : s.data.tolerances) {
-    if (t.path == damping_path) continue; // stiffness and mass know nothing of it
+    if (t.path == toleranced_damping) continue; // stiffness and mass know nothing of it
     const double low = quantile(t, low_point) - t.value, high = quantile(t, high_point) - t.value;
     if (!(low < 0 && high > 0)) continue;
     // A narrow one is straight enough.
@@ -212,7 +212,7 @@ void add_test(std::vector<Hypothesis>& all, const Structure& s) {
 double scatters::all_damping_of(const Case& data) {
   constexpr double tail = 0.05, of_tail = 1.645; // standard deviations there
   for (const Tolerance& t : data.tolerances)
-    if (t.path == damping_path && quantile(t, tail) > 0)
+    if (t.path == toleranced_damping && quantile(t, tail) > 0)
       return std::log(quantile(t, 1 - tail) / quantile(t, tail)) / (2 * of_tail);
   return all_damping;
 }

@@ -9,6 +9,7 @@
 #include "model/description/case_checks.hpp"
 #include "model/description/case_fields.hpp"
 #include "model/description/check_log.hpp"
+#include "model/description/toleranced_damping.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/short_text.hpp"
 
@@ -23,7 +24,6 @@ namespace {
 
 constexpr double default_accuracy = 0.01;
 constexpr std::array toleranced_keys{"materials", "parts", "caps", "mount"};
-constexpr const char* toleranced_damping = "analyses.damping.modal";
 
 // Keys that could not be read.
 std::vector<std::string> bad_keys(const ReadLog& log) {

@@ -6,6 +6,7 @@
 #include "words/input_error.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace plica {
 namespace {
@@ -60,10 +61,19 @@ const std::vector<int>& Building::set(const std::string& name, const std::string
 }
 
 bool Building::follows_others(int node) const {
-  const auto& rows = built.model.constraints;
-  return std::count_if(rows.begin(), rows.end(), [&](const Constraint& row) {
-           return row.node == node && !row.terms.empty();
-         }) == 6;
+  return !followers_among({node}).empty();
+}
+
+std::set<int> Building::followers_among(const std::vector<int>& nodes) const {
+  std::unordered_map<int, int> rows;
+  for (const int node : nodes) rows[node] = 0;
+  for (const Constraint& row : built.model.constraints)
+    if (const auto own = rows.find(row.node); own != rows.end() && !row.terms.empty())
+      ++own->second;
+  std::set<int> followers;
+  for (const auto& [node, count] : rows)
+    if (count == 6) followers.insert(node);
+  return followers;
 }
 
 bool Building::is_on_wall(int node) const {

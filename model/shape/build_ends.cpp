@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <limits>
-#include <unordered_map>
 
 namespace plica {
 namespace {
@@ -23,23 +22,10 @@ bool has_mass(double mass, const Sextuple& J) {
   return mass > 0 || std::any_of(J.begin(), J.end(), [](double v) { return v != 0; });
 }
 
-// Those that follow others in all directions (Building::follows_others), in one walk over the rows.
-std::set<int> followers_among(const Model& model, const std::vector<int>& nodes) {
-  std::unordered_map<int, int> rows;
-  for (const int node : nodes) rows[node] = 0;
-  for (const Constraint& row : model.constraints)
-    if (const auto own = rows.find(row.node); own != rows.end() && !row.terms.empty())
-      ++own->second;
-  std::set<int> followers;
-  for (const auto& [node, count] : rows)
-    if (count == 6) followers.insert(node);
-  return followers;
-}
-
 // Reference node in the middle of the circles, tied rigidly to them. One that follows others, or
 // may have to as places on shells do, cannot follow it too: it leads them.
 int add_spider(Building& b, const std::string& cap, const std::vector<int>& circles) {
-  const std::set<int> followers = followers_among(b.built.model, circles);
+  const std::set<int> followers = b.followers_among(circles);
   const auto leads = [&](int node) { return followers.contains(node) || b.is_on_wall(node); };
   if (const auto leader = std::find_if(circles.begin(), circles.end(), leads);
       leader != circles.end() && std::none_of(leader + 1, circles.end(), leads)) {

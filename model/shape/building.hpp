@@ -4,6 +4,8 @@
 
 #include "model/shape/built_case.hpp"
 
+#include <set>
+
 namespace plica {
 
 // A node of a place on shells that is to be tied to them.
@@ -30,6 +32,8 @@ struct Building {
 
   // A node that follows others in all directions, such as the reference of an RBE3.
   bool follows_others(int node) const;
+  // Those of the nodes that do, in one walk over the rows.
+  std::set<int> followers_among(const std::vector<int>& nodes) const;
 
   bool is_on_wall(int node) const; // the node of a place
 };

@@ -9,7 +9,7 @@
 
 namespace plica {
 
-// Which of the rings of the wall are seen: of every so manieth one nodes in equal steps around.
+// Which of the rings of the wall are seen: of every n-th one, nodes in equal steps around.
 struct SeenRings {
   std::size_t most = 64;          // rings
   std::size_t around = 100000000; // nodes of each, at least, where it has them

@@ -1,6 +1,7 @@
 #include "run/study/error_bars.hpp"
 
 #include "model/description/case_path.hpp"
+#include "model/description/toleranced_damping.hpp"
 #include "model/shape/mesh_choice.hpp"
 #include "run/analyses/run.hpp"
 #include "run/stages.hpp"
@@ -111,8 +112,7 @@ void add_interval(ErrorBar& bar, const std::vector<Tolerance>& tolerances, const
 void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
   Case data = with_coarse_bellows(fine);
   // No stiffness, mode or stress feels damping.
-  std::erase_if(data.tolerances,
-                [](const Tolerance& t) { return t.path.starts_with("analyses.damping."); });
+  std::erase_if(data.tolerances, [](const Tolerance& t) { return t.path == toleranced_damping; });
   const std::vector<Tolerance>& tolerances = data.tolerances;
   if (tolerances.empty()) return;
   stage("tolerances");
