@@ -282,6 +282,24 @@ TEST(Judge, takes_a_set_beside_what_explains_the_test_only_beyond_chance) {
   EXPECT_EQ(fits.judgement(false).verdict, Verdict::several);
 }
 
+// Beside damping ten effects would do: one just met the held-out readings and was named for sure.
+TEST(Judge, names_no_set_of_which_too_many_are_as_good) {
+  Fits fits;
+  fits.add("damping", 10, false);
+  fits.add_set({"damping", "local_damage"}, 20);
+  fits.add_set({"damping", "forming_thinning"}, 22).held_out_shrink = 0.29;
+  fits.add_set({"damping", "ply_slip"}, 21).held_out_shrink = 0.29;
+  Judgement j = fits.judgement(false);
+  ASSERT_EQ(j.named.size(), 3u) << "rivals are listed whatever they foretell";
+  EXPECT_EQ(j.named[0]->fit.together[1]->effect, "local_damage");
+  EXPECT_LT(probability(j, "local_damage"), 0.1);
+  fits.add_set({"damping", "temperature"}, 17.1).held_out_shrink = 0.29;
+  j = fits.judgement(false);
+  EXPECT_NE(j.verdict, Verdict::several);
+  EXPECT_LT(probability(j, "local_damage"), 0.1);
+  EXPECT_GT(probability(j, "damping"), 0.9);
+}
+
 TEST(Judge, says_of_a_search_that_was_stopped_what_came_nearest) {
   Fits fits;
   JudgedFit nominal = fits.nominal(false);

@@ -1,6 +1,7 @@
 // Which modes of a model are the peaks of a measured channel.
 #include "diagnose/predict/peak_choice.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace plica {
@@ -29,6 +30,18 @@ TEST(PeakChoice, takes_the_first_ones_when_the_test_says_so) {
 TEST(PeakChoice, repeats_the_last_where_the_model_has_too_few_and_minus_one_where_none) {
   EXPECT_EQ(paired({100, 200, 300}, {110, 190}, false), (Peaks{0, 1, 1}));
   EXPECT_EQ(paired({100, 200}, {}, false), (Peaks{-1, -1}));
+}
+
+// Plies that slip made the second mode of a mounted bellows weaker than a share of the first: its
+// peak jumped by a quarter to the next mode, and slip was stopped there or given a mass besides.
+TEST(PeakChoice, takes_a_weak_mode_where_the_strong_one_is_far) {
+  const VectorXd height{{1, 0.06, 0.3}};
+  const std::vector<Index> modes{0, 1, 2};
+  const std::vector<double> cost = handicaps(height, modes, 0.12);
+  EXPECT_NEAR(cost[1], 0.1 * std::log(2), 1e-12);
+  EXPECT_EQ(cost[0] + cost[2], 0);
+  EXPECT_EQ(paired({108, 142}, {109, 144, 187}, false, cost), (Peaks{0, 1}));
+  EXPECT_EQ(paired({108, 142}, {109, 144, 150}, false, cost), (Peaks{0, 2}));
 }
 
 TEST(PeakChoice, leaves_out_what_is_below_twelve_percent_of_the_highest) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace plica {
 namespace {
@@ -49,26 +50,31 @@ bool foretold(const JudgedFit& set) {
   return set.held_out_met && set.held_out_shrink.value_or(0) >= threshold::set_shrink;
 }
 
-// The best set that explains the test and is far enough ahead of all smaller ones, and behind it
-// all that are not told apart from it: of these some may be too far out of a prior.
+// The best set that explains the test, foretells it and is far enough ahead of all smaller ones,
+// and behind it all that are not told apart from it: of these some may be too far out of a prior,
+// or foretell less. None where more than three of different effects come within 3 nats: then
+// nothing says what acts beside what they share.
 std::vector<const JudgedFit*> standing_sets(double none, const std::vector<EffectFits>& effects,
                                             const std::vector<JudgedFit>& sets, double apart) {
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& set : sets)
-    if (set.fit.solved && set.stands() && !set.too_free() && foretold(set) &&
-        all_needed(set, effects, sets))
+    if (set.fit.solved && set.stands() && !set.too_free() && all_needed(set, effects, sets))
       standing.push_back(&set);
   std::stable_sort(standing.begin(), standing.end(), [](const JudgedFit* a, const JudgedFit* b) {
     return evidence_of(a->fit) > evidence_of(b->fit);
   });
   const auto lead = std::find_if(standing.begin(), standing.end(), [&](const JudgedFit* set) {
-    return set->credible() && is_ahead(*set, none, effects, sets);
+    return set->credible() && foretold(*set) && is_ahead(*set, none, effects, sets);
   });
   if (lead == standing.end()) return {};
+  const double most = evidence_of((*lead)->fit);
   std::rotate(standing.begin(), lead, lead + 1);
-  const double most = evidence_of(standing.front()->fit);
   std::erase_if(standing,
                 [&](const JudgedFit* set) { return most - evidence_of(set->fit) >= apart; });
+  std::set<std::vector<std::string>> different;
+  for (const JudgedFit* set : standing)
+    if (most - evidence_of(set->fit) < threshold::told_apart) different.insert(set->fit.effects());
+  if (different.size() > threshold::most_listed) return {};
   return standing;
 }
 

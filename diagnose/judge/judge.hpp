@@ -9,7 +9,9 @@
 //               is adequate (among so many effects some nats turn up by chance), each member worth
 //               3, held-out readings met and better by three tenths, or where nothing is held out
 //               readings in turn (the interval of their shrink above zero), and three readings for
-//               each free parameter; with it all such sets within 5 of it
+//               each free parameter; with it all sets within 5 of it that are as adequate, whether
+//               or not held-out readings speak for them. Where more than three of different effects
+//               come within 3 nothing says what acts beside what they share: mostly, or unknown
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met.
 //               What is beyond |z| = 3 can be no cause that is sure, but has to be told apart

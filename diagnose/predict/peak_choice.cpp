@@ -9,7 +9,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 std::vector<Index> paired(const std::vector<double>& measured, const std::vector<double>& model,
-                          bool first) {
+                          bool first, const std::vector<double>& handicaps) {
   const std::size_t m = measured.size(), n = model.size();
   std::vector<Index> pairs(m, 0);
   if (n == 0) return std::vector<Index>(m, -1);
@@ -23,7 +23,8 @@ std::vector<Index> paired(const std::vector<double>& measured, const std::vector
     for (std::size_t j = 0; j <= n; ++j) {
       cost[i][j] = far;
       if (j < i) continue;
-      const double pair = cost[i - 1][j - 1] + std::abs(std::log(measured[i - 1] / model[j - 1]));
+      const double pair = cost[i - 1][j - 1] + std::abs(std::log(measured[i - 1] / model[j - 1])) +
+                          (handicaps.empty() ? 0 : handicaps[j - 1]);
       cost[i][j] = std::min(pair, j > i ? cost[i][j - 1] : far);
     }
   std::size_t j = n;
@@ -59,6 +60,17 @@ std::vector<Index> strong_peaks(const VectorXd& hertz, const VectorXd& zeta, con
   }
   std::sort(peaks.begin(), peaks.end());
   return peaks;
+}
+
+std::vector<double> handicaps(const VectorXd& height, const std::vector<Index>& modes,
+                              double share) {
+  constexpr double of_weakness = 0.1;
+  double highest = 0;
+  for (Index i : modes) highest = std::max(highest, height[i]);
+  std::vector<double> all;
+  for (Index i : modes)
+    all.push_back(of_weakness * std::max(0., std::log(share * highest / height[i])));
+  return all;
 }
 
 } // namespace plica

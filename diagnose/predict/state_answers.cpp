@@ -210,13 +210,15 @@ std::vector<Index> StateAnswers::peak_modes(const AffineModes& m, const TestRun&
     hertz[i] = m.hertz(i);
     height[i] = std::abs(in[i] * out) / m.zeta[i];
   }
-  const std::vector<Index> candidates =
-      strong_peaks(hertz, m.zeta, height, band_of(run), run.planned() ? 1 : run.peaks.size(),
-                   run.input.base < 0 ? strong_under_force : strong_on_table);
+  // Those that are the first of their channel, and those of a planned test, are strong ones.
+  const double share = run.input.base < 0 ? strong_under_force : strong_on_table;
+  const double least = run.first || run.planned() ? share : faint * share;
+  const std::vector<Index> candidates = strong_peaks(hertz, m.zeta, height, band_of(run),
+                                                     run.planned() ? 1 : run.peaks.size(), least);
   std::vector<double> model;
   for (Index i : candidates) model.push_back(hertz[i]);
   std::vector<Index> result;
-  for (Index pair : paired(run.peaks, model, run.first))
+  for (Index pair : paired(run.peaks, model, run.first, handicaps(height, candidates, share)))
     result.push_back(pair < 0 ? -1 : candidates[std::size_t(pair)]);
   return result;
 }

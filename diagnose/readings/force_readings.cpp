@@ -83,12 +83,11 @@ void ForceReadings::add(const ResponseEntry& entry) {
 // Where the peak is, over its height: the shape of its mode.
 void ForceReadings::add_others(const ResponseEntry& entry, const TestRun& run, int peak,
                                const FittedPeak& found) {
-  const double width = std::max(2 * found.damping, 1e-3);
   for (const std::string& sensor : entry.sensors())
     for (int axis = 0; axis < 3; ++axis) {
       const Index c = entry.column(sensor, axis);
       if (c < 0 || (sensor == run.sensor && axis == run.axis)) continue;
-      const double height = entry.largest(c, found.frequency, width);
+      const double height = entry.height_at(c, found);
       const double ratio = height / found.amplitude;
       if (!(ratio > 0)) continue;
       const double noise = entry.stated_noise(height);

@@ -43,6 +43,10 @@ double ResponseEntry::largest(Index column, double hertz, double distance) const
   return value;
 }
 
+double ResponseEntry::height_at(Index column, const FittedPeak& peak) const {
+  return plica::height_at(peak, set->hertz, response(column));
+}
+
 double ResponseEntry::stated_noise(double amplitude) const {
   const auto& sigma = stated->sigma;
   return sigma ? std::hypot(sigma->relative, sigma->floor / amplitude) : 0;

@@ -21,6 +21,8 @@ struct ResponseEntry {
   Eigen::VectorXcd response(Eigen::Index column) const;
   // Largest response within a relative distance of a frequency.
   double largest(Eigen::Index column, double hertz, double distance) const;
+  // Of a response at a resonance that was fitted to another.
+  double height_at(Eigen::Index column, const FittedPeak& peak) const;
   // Relative noise of a response near its peaks, as stated; else none.
   double stated_noise(double amplitude) const;
 

@@ -2,6 +2,7 @@
 
 #include "lab/identification/peak_picking.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,29 @@ struct OneMode {
   Complex a, b;
   Complex at(double w) const { return (a + b * w * w) / denominator(w); }
   Complex denominator(double w) const { return {lambda - w * w, w * c}; }
+  double natural() const { return std::sqrt(lambda); }
+  double damping() const { return c / (2 * natural()); }
 };
+
+// Where the response of a mode is highest, and how high.
+std::pair<double, double> summit_of(const OneMode& mode) {
+  constexpr int steps = 60;
+  std::pair<double, double> summit;
+  for (int i = -steps; i <= steps; ++i) {
+    const double w = mode.natural() * (1 + mode.damping() * i / steps);
+    if (const double height = std::abs(mode.at(w)); height > summit.second) summit = {w, height};
+  }
+  return summit;
+}
+
+// Whether a mode is as high as the highest line: three tenths more or less, and more where lines
+// lie so far apart that they may miss the top.
+bool believable(double height, double line, const VectorXd& w, const OneMode& mode) {
+  constexpr double off = 0.3;
+  const double step = (w[w.size() - 1] - w[0]) / double(w.size() - 1);
+  const double missed = std::hypot(1, step / mode.c);
+  return height > (1 - off) * line && height < (1 + off) * missed * line;
+}
 
 // One step of the weighted linear problem.
 OneMode refit(const VectorXd& w, const VectorXcd& H, const OneMode& last) {
@@ -80,24 +103,32 @@ std::vector<FittedPeak> response_peaks(const VectorXd& hertz, const VectorXcd& H
       if (!(next.lambda > 0.5 && next.lambda < 2 && next.c > 1e-5)) break;
       mode = next;
     }
-    const double natural = std::sqrt(mode.lambda), zeta = mode.c / (2 * natural);
-    FittedPeak peak{.frequency = picked.frequency, .amplitude = picked.amplitude, .damping = zeta};
-    double highest = 0;
-    constexpr int steps = 60;
-    for (int i = -steps; i <= steps; ++i) {
-      const double at = natural * (1 + zeta * i / steps);
-      if (const double size = std::abs(mode.at(at)); size > highest) {
-        highest = size;
-        peak.frequency = at * picked.frequency;
-      }
-    }
-    peak.amplitude = highest;
-    peak.noise = left_by(mode, w, h);
-    peak.lines = int(w.size());
-    constexpr double believable = 0.3; // of the picked height
-    if (std::abs(highest / picked.amplitude - 1) < believable) found.push_back(peak);
+    const auto [at, highest] = summit_of(mode);
+    if (believable(highest, picked.amplitude, w, mode))
+      found.push_back({.frequency = at * picked.frequency,
+                       .amplitude = highest,
+                       .damping = mode.damping(),
+                       .noise = left_by(mode, w, h),
+                       .natural = mode.natural() * picked.frequency,
+                       .first = int(first),
+                       .lines = int(w.size())});
   }
   return found;
+}
+
+double height_at(const FittedPeak& peak, const VectorXd& hertz, const VectorXcd& H) {
+  const VectorXd w = hertz.segment(peak.first, peak.lines) / peak.natural;
+  const VectorXcd h = H.segment(peak.first, peak.lines);
+  OneMode mode{.lambda = 1, .c = 2 * peak.damping, .a = {}, .b = {}};
+  Eigen::MatrixX2cd A(w.size(), 2); // of a + b and b
+  for (Index k = 0; k < w.size(); ++k)
+    A.row(k) << 1. / mode.denominator(w[k]), (w[k] * w[k] - 1) / mode.denominator(w[k]);
+  const Eigen::Matrix2cd normal = A.adjoint() * A;
+  const Eigen::Vector2cd x = normal.inverse() * (A.adjoint() * h);
+  mode.a = x[0] - x[1];
+  mode.b = x[1];
+  const double line = h.cwiseAbs().maxCoeff(), height = summit_of(mode).second;
+  return believable(height, line, w, mode) ? height : line;
 }
 
 } // namespace plica

@@ -9,7 +9,8 @@ namespace plica {
 struct FittedPeak {
   double frequency = 0, amplitude = 0, damping = 0; // Hz, of |H|, fraction of critical
   double noise = 0;                                 // relative, of a line: what the fit leaves
-  int lines = 0;                                    // that were fitted
+  double natural = 0;                               // Hz, of the mode
+  int first = 0, lines = 0;                         // those that were fitted
 };
 
 // Peaks that reach `share` of the highest, by frequency. Each is fitted over a few of its
@@ -20,5 +21,10 @@ struct FittedPeak {
 // that has its height and width.
 std::vector<FittedPeak> response_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXcd& H,
                                        double share);
+
+// Height of another response at the same resonance: the mode of the peak with two numbers of its
+// own, a and b, over the lines of the peak. Lines that lie a bandwidth apart miss the top by a
+// quarter. Where the mode is not as high as the highest line there, that line.
+double height_at(const FittedPeak& peak, const Eigen::VectorXd& hertz, const Eigen::VectorXcd& H);
 
 } // namespace plica

@@ -162,7 +162,7 @@ private:
                   const FittedPeak& peak) {
     const Index main = entry.column(sensor, run.axis);
     if (main < 0) return;
-    const double height = entry.largest(main, peak.frequency, std::max(2 * peak.damping, 0.01));
+    const double height = entry.height_at(main, peak);
     if (!(height > 0)) return;
     const double noise = entry.stated_noise(height);
     Reading reading = entry.blank(run, int(list_.all.runs.size()), 0);
@@ -178,7 +178,9 @@ private:
     for (int axis = 0; axis < 3; ++axis) {
       const Index c = axis == run.axis ? -1 : entry.column(sensor, axis);
       if (c < 0) continue;
-      const double ratio = entry.largest(c, peak.frequency, cross_window) / height;
+      const double ratio =
+          std::max(entry.largest(c, peak.frequency, cross_window), entry.height_at(c, peak)) /
+          height;
       reading.kind = ReadingKind::cross;
       reading.axis = axis;
       reading.name = std::string("share in ") + axis_word(axis) + of;
