@@ -3,6 +3,7 @@
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/rig_stiffness.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
+#include "diagnose/readings/response_peaks.hpp"
 #include "lab/measured/slope_at.hpp"
 
 #include <algorithm>
@@ -262,7 +263,7 @@ bool StateAnswers::dynamic(const Reading& reading, double& value) {
     return true;
   }
   if (reading.kind == ReadingKind::damping) {
-    value = std::log(peak.damping());
+    value = std::log(width(peak, run));
     return true;
   }
   const int sensor = own_.nominal->number_of(reading.sensor);
@@ -313,6 +314,34 @@ bool StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, i
   const double cross = reading_of(own, sensor, reading.axis).cwiseAbs().maxCoeff();
   value = std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
   return true;
+}
+
+// Damping of a peak as it is read: that of its mode, or what the width says where another mode
+// shows beside it.
+double StateAnswers::width(const Peak& peak, const TestRun& run) const {
+  const int sensor = own_.nominal->number_of(run.sensor);
+  if (sensor < 0 || !run.seen_along()) return peak.damping();
+  const AffineModes& m = *peak.modes;
+  const VectorXd in = input_of(m, run);
+  const auto height = [&](Index i) {
+    return std::abs(in[i] * seen_at(m, i, sensor, run.axis)) / peak.zeta[i];
+  };
+  constexpr double shows = 0.05; // of the height of the peak
+  bool alone = true;
+  for (Index j = 0; j < m.lambda.size(); ++j)
+    alone = alone && (j == peak.mode ||
+                      std::abs(m.omega(j) / peak.omega() - 1) >
+                          fitted_reach * peak.damping() + 2 * peak.zeta[j] ||
+                      height(j) < shows * height(peak.mode));
+  if (alone) return peak.damping();
+  constexpr int steps = 10; // to either side
+  std::vector<double> omega;
+  for (int i = -steps; i <= steps; ++i)
+    omega.push_back(peak.omega() * (1 + fitted_reach * peak.damping() * i / steps));
+  const VectorXd hertz = VectorXd::Map(omega.data(), Index(omega.size())) / (2 * std::numbers::pi);
+  return apparent_damping(
+      hertz, reading_of(motion(m, peak.zeta, run, omega), sensor, run.axis).transpose(),
+      m.hertz(peak.mode), peak.damping());
 }
 
 // Of the resonances within the band, as they are at a peak.

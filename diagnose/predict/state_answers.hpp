@@ -96,6 +96,7 @@ private:
   void respond(Peak& peak, const TestRun& run) const;
   void respond_around(Peak& peak, const TestRun& run) const;
   std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;
+  double width(const Peak& peak, const TestRun& run) const;
   double highest(const Peak& peak, const TestRun& run, int sensor, int axis) const;
   bool dynamic(const Reading& reading, double& value);
   bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);

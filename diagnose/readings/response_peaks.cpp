@@ -65,6 +65,17 @@ OneMode refit(const VectorXd& w, const VectorXcd& H, const OneMode& last) {
   return {x[0], x[1], {x[2], x[3]}, {x[4], x[5]}};
 }
 
+OneMode fitted(const VectorXd& w, const VectorXcd& H, double guess) {
+  OneMode mode{.lambda = 1, .c = 2 * guess, .a = {}, .b = {}};
+  constexpr int rounds = 6;
+  for (int i = 0; i < rounds; ++i) {
+    const OneMode next = refit(w, H, mode);
+    if (!(next.lambda > 0.5 && next.lambda < 2 && next.c > 1e-5)) break;
+    mode = next;
+  }
+  return mode;
+}
+
 // What the fit leaves of a line, over the highest.
 double left_by(const OneMode& mode, const VectorXd& w, const VectorXcd& H) {
   double left = 0, level = 0;
@@ -78,7 +89,7 @@ double left_by(const OneMode& mode, const VectorXd& w, const VectorXcd& H) {
 } // namespace
 
 std::vector<FittedPeak> response_peaks(const VectorXd& hertz, const VectorXcd& H, double share) {
-  constexpr double prominence = 1.5, bandwidths = 2.5;
+  constexpr double prominence = 1.5;
   constexpr Index fewest = 9;
   std::vector<FittedPeak> found;
   const VectorXd magnitude = H.cwiseAbs();
@@ -88,7 +99,7 @@ std::vector<FittedPeak> response_peaks(const VectorXd& hertz, const VectorXcd& H
     Index first = 0, last = hertz.size() - 1;
     Index middle = 0;
     (hertz.array() - picked.frequency).abs().minCoeff(&middle);
-    const double reach = 2 * bandwidths * guess * picked.frequency;
+    const double reach = fitted_reach * guess * picked.frequency;
     while (first + 1 < middle && hertz[first] < picked.frequency - reach) ++first;
     while (last > middle + 1 && hertz[last] > picked.frequency + reach) --last;
     first = std::max<Index>(0, std::min(first, middle - fewest / 2));
@@ -96,13 +107,7 @@ std::vector<FittedPeak> response_peaks(const VectorXd& hertz, const VectorXcd& H
     if (last - first + 1 < 6) continue;
     const VectorXd w = hertz.segment(first, last - first + 1) / picked.frequency;
     const VectorXcd h = H.segment(first, last - first + 1);
-    OneMode mode{.lambda = 1, .c = 2 * guess, .a = {}, .b = {}};
-    constexpr int rounds = 6;
-    for (int i = 0; i < rounds; ++i) {
-      const OneMode next = refit(w, h, mode);
-      if (!(next.lambda > 0.5 && next.lambda < 2 && next.c > 1e-5)) break;
-      mode = next;
-    }
+    const OneMode mode = fitted(w, h, guess);
     const auto [at, highest] = summit_of(mode);
     if (believable(highest, picked.amplitude, w, mode))
       found.push_back({.frequency = at * picked.frequency,
@@ -114,6 +119,10 @@ std::vector<FittedPeak> response_peaks(const VectorXd& hertz, const VectorXcd& H
                        .lines = int(w.size())});
   }
   return found;
+}
+
+double apparent_damping(const VectorXd& hertz, const VectorXcd& H, double frequency, double guess) {
+  return fitted(hertz / frequency, H, guess).damping();
 }
 
 double height_at(const FittedPeak& peak, const VectorXd& hertz, const VectorXcd& H) {

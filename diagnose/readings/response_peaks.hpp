@@ -22,6 +22,13 @@ struct FittedPeak {
 std::vector<FittedPeak> response_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXcd& H,
                                        double share);
 
+// The damping that such a fit gives over its lines about a peak, which is no mode's own where
+// another one shows beside it: two modes of 1 % that lie within their widths look like one of 2 %.
+double apparent_damping(const Eigen::VectorXd& hertz, const Eigen::VectorXcd& H, double frequency,
+                        double guess);
+// Lines that lie so many times the damping off the peak are fitted.
+inline constexpr double fitted_reach = 5;
+
 // Height of another response at the same resonance: the mode of the peak with two numbers of its
 // own, a and b, over the lines of the peak. Lines that lie a bandwidth apart miss the top by a
 // quarter. Where the mode is not as high as the highest line there, that line.
