@@ -55,8 +55,7 @@ void rigid_body(const NastranReading& r, const Card& card, const std::string& wo
                "six, and " + word + " before those that follow");
   const std::vector<NodeDof> follow = dofs_up_to_a_word(r, card, ++field);
   if (follow.empty()) card.wrong("ties nothing", word + " with points and components");
-  Vector3d about(0, 0, 0);
-  for (const NodeDof& d : lead) about += r.deck.nodes[d.node] / 6;
+  const Vector3d about = r.deck.nodes[lead.front().node];
   double size = 0;
   for (const NodeDof& d : lead) size = std::max(size, (r.deck.nodes[d.node] - about).norm());
   MatrixXd body = by_the_body(r, lead, about);
