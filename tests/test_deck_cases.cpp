@@ -224,6 +224,10 @@ TEST(DeckCase, says_in_the_case_what_is_wrong_there) {
   expect("file: plate.step, " + units, "is no deck that can be read");
   expect("file: none.inp, " + units, "there is no file");
   expect("file: plate.inp, " + units, "*CONTACT PAIR: is not had");
+  write_whole(folder.path / "many.inp", plate_deck() + "*GASKET SECTION\n*CONTACT PAIR\nA, B\n"
+                                                       "*CONTACT PAIR\nA, B\n");
+  const std::string many = refusal("file: many.inp, " + units); // most frequent first
+  EXPECT_LT(many.find("*CONTACT PAIR: is not had, 2 times"), many.find("*GASKET SECTION"));
   const std::string listed = units + ", unknown_cards: list";
   const Results run = run_text("case: plate\nparts:\n  web: {type: deck, file: plate.inp, " +
                                    listed + "}\n" + asked,

@@ -43,7 +43,7 @@ Benchmark read_benchmark(const std::string& path) {
   for (std::size_t i = 0; i < data.tables.size(); ++i)
     check_table(data.tables[i], item("tables", i), std::filesystem::path(path).parent_path(), log);
   if (!log.problems.empty()) {
-    sort_by_line(log.problems);
+    sort_by_line(log.problems, log.file);
     throw InputError(std::move(log.problems));
   }
   return data;

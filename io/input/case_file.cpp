@@ -277,7 +277,7 @@ CaseFile read(const std::string& path, const std::string& model, const Replaceme
   if (whole && model.empty()) check_models(root, path, log, changed);
   log.problems.insert(log.problems.end(), changed.problems.begin(), changed.problems.end());
   if (!log.problems.empty()) {
-    sort_by_line(log.problems);
+    sort_by_line(log.problems, log.file);
     throw InputError(std::move(log.problems));
   }
   file.lines = std::move(log.lines);

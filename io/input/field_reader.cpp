@@ -34,8 +34,10 @@ void ReadLog::add(int line, std::string key, std::string wrong, std::string allo
   problems.push_back({file, line, std::move(key), std::move(wrong), std::move(allowed)});
 }
 
-void sort_by_line(std::vector<InputProblem>& problems) {
-  std::stable_sort(problems.begin(), problems.end(),
+void sort_by_line(std::vector<InputProblem>& problems, const std::string& file) {
+  const auto others = std::stable_partition(problems.begin(), problems.end(),
+                                            [&](const InputProblem& p) { return p.file == file; });
+  std::stable_sort(problems.begin(), others,
                    [](const InputProblem& a, const InputProblem& b) { return a.line < b.line; });
 }
 

@@ -32,8 +32,9 @@ struct ReadLog {
   void add(std::string key, std::string wrong, std::string allowed); // at the line of the key
 };
 
-// Sorts by line, keeps the order within a line.
-void sort_by_line(std::vector<InputProblem>& problems);
+// Sorts those of a file by line and keeps their order within a line; those of others come behind
+// them in the order in which they were found: decks say first what is missing most often.
+void sort_by_line(std::vector<InputProblem>& problems, const std::string& file);
 
 // One map of the file. Call `finish` when its struct has been visited.
 class FieldReader {

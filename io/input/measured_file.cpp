@@ -298,7 +298,7 @@ MeasuredFile read_measured_file(const std::string& path) {
   check_hold_out(data, log);
   for (const Tolerance& t : log.tolerances) log.add(t.path, "takes no tolerance", "give its sigma");
   if (!log.problems.empty()) {
-    sort_by_line(log.problems);
+    sort_by_line(log.problems, log.file);
     throw InputError(std::move(log.problems));
   }
   file.lines = std::move(log.lines);

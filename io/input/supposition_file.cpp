@@ -12,7 +12,7 @@ SuppositionFile read_supposition(const std::string& path) {
   SuppositionFile file{.data = {}, .path = path, .lines = {}};
   FieldReader::read(root, "", file.data, log);
   if (!log.problems.empty()) {
-    sort_by_line(log.problems);
+    sort_by_line(log.problems, log.file);
     throw InputError(std::move(log.problems));
   }
   file.lines = std::move(log.lines);
