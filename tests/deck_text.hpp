@@ -27,6 +27,11 @@ inline Model own_plate(Mesh mesh = deck_plate()) {
   return model;
 }
 
+// A Nastran deck whose elements have consistent mass, as those put together by hand.
+inline std::string of_consistent_mass(std::string bulk) {
+  return bulk.insert(std::min(bulk.find("ENDDATA"), bulk.size()), "PARAM,COUPMASS,1\n");
+}
+
 // Number in a deck of the node at a point of the plate.
 inline int number_at(double x, double y) {
   return node_at(deck_plate(), {x, y, 0}) + 1;

@@ -285,7 +285,7 @@ TEST(PeopleDeck, quadratic_shells_are_split) {
       elements += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, n[0], n[1], n[2], n[3], n[4],
                               n[5], n[6], n[7]);
     }
-  std::string text = nastran_plate(false, "") + spc_of("edge4", "123456");
+  std::string text = of_consistent_mass(nastran_plate(false, "") + spc_of("edge4", "123456"));
   const Eigen::VectorXd plain = hertz_of(people_deck("a.bdf", text), 6);
   const std::size_t first = text.find("CQUAD4"), last = text.find("MAT1");
   text.replace(first, last - first, quads);

@@ -102,7 +102,7 @@ std::string ply_abaqus(const std::string& section) {
 
 DeckModel ply_deck(const std::string& name, const std::string& text) {
   const TemporaryFolder folder("laminates");
-  write_whole(folder.path / name, text);
+  write_whole(folder.path / name, name.ends_with(".bdf") ? of_consistent_mass(text) : text);
   return *read_deck(folder.path / name, UnknownCards::error);
 }
 

@@ -56,7 +56,7 @@ const std::string pshell = "PSHELL  1       1       .002    1               1\n"
 
 DeckModel read_text(const std::string& text, UnknownCards unknown = UnknownCards::error) {
   const TemporaryFolder folder("nastran");
-  write_whole(folder.path / "model.bdf", text);
+  write_whole(folder.path / "model.bdf", of_consistent_mass(text));
   return read_nastran(folder.path / "model.bdf", unknown);
 }
 
@@ -131,7 +131,7 @@ TEST(NastranReader, include_spcadd_thru_and_permanent_constraints) {
                      "SPCADD  3       1       2\n" + spc1(deck_plate(), "edge4", "123456") +
                      "SPC1    2       2       1       THRU    3\n" +
                      fmt::format("SPC,2,{},6,0.,{},4\n", corner, other) + "ENDDATA\n";
-  write_whole(folder.path / "model.bdf", text);
+  write_whole(folder.path / "model.bdf", of_consistent_mass(text));
   Model own = own_plate();
   hold(own, "edge4", all_dofs);
   add_support(own, {0, 1, 2}, {1}, "row");

@@ -260,19 +260,21 @@ Eigen::VectorXd hertz_of_deck(const std::string& text, int count) {
   return find_modes(place(*read_deck(folder.path / "a.bdf", UnknownCards::error), {}), count).hertz;
 }
 
-const std::string posts = "MAT1,1,2.+11,,.3,8000.\nPBARL,1,1,,ROD\n,.01\nGRID,1,,0.,0.,0.\n"
-                          "GRID,2,,.3,0.,0.\nGRID,3,,0.,.3,.05\nGRID,9,,.1,.15,.1\n"
-                          "GRID,21,,0.,0.,.4\nGRID,22,,.3,0.,.5\nGRID,23,,0.,.3,.45\n"
-                          "GRID,29,,.1,.15,.5\nCBAR,1,1,1,21,1.,0.,0.\nCBAR,2,1,2,22,1.,0.,0.\n"
-                          "CBAR,3,1,3,23,1.,0.,0.\nCBAR,5,1,9,29,1.,0.,0.\n"
-                          "CONM2,90,9,,2.,.01,.02\n,.02,,.03,,,.04\nSPC1,1,123456,21,22,23,29\n";
+const std::string posts =
+    "PARAM,COUPMASS,1\nMAT1,1,2.+11,,.3,8000.\nPBARL,1,1,,ROD\n,.01\nGRID,1,,0.,0.,0.\n"
+    "GRID,2,,.3,0.,0.\nGRID,3,,0.,.3,.05\nGRID,9,,.1,.15,.1\n"
+    "GRID,21,,0.,0.,.4\nGRID,22,,.3,0.,.5\nGRID,23,,0.,.3,.45\n"
+    "GRID,29,,.1,.15,.5\nCBAR,1,1,1,21,1.,0.,0.\nCBAR,2,1,2,22,1.,0.,0.\n"
+    "CBAR,3,1,3,23,1.,0.,0.\nCBAR,5,1,9,29,1.,0.,0.\n"
+    "CONM2,90,9,,2.,.01,.02\n,.02,,.03,,,.04\nSPC1,1,123456,21,22,23,29\n";
 
 // Six DOFs of three points move the fourth: as the fourth moves all three, rigidly.
 TEST(NumbersAlone, RBE1_and_CRIGD3_are_rigid_bodies) {
   const Eigen::VectorXd tied = hertz_of_deck(posts + "RBE2,7,9,123456,1,2,3\n", 8);
   const std::string lead = ",7,1,123,2,23,3,3\n", follow = ",1,456,2,1456,3,12456\n,9,123456\n";
   for (const std::string& text :
-       {"RBE1" + lead + ",UM" + follow, "CRIGD3" + lead + ",MSET" + follow}) {
+       {"RBE1" + lead + ",UM" + follow, "CRIGD3" + lead + ",MSET" + follow,
+        std::string("RBE1,7,9,123456\n,UM,1,123456,2,123456,3,123456\n")}) {
     const Eigen::VectorXd found = hertz_of_deck(posts + text, 8);
     EXPECT_LT((found - tied).norm(), 1e-9 * tied.norm()) << text;
   }

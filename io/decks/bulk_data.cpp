@@ -215,6 +215,7 @@ private:
     const std::string text = in_capitals(trimmed(line.text));
     if (data.subcases.empty()) data.subcases.emplace_back();
     assign(line);
+    if (text.starts_with("PARAM") && text.find(',') != std::string::npos) bulk(line);
     if (text.starts_with("SUBCASE")) {
       ++subcases_;
       const auto number = whole_number_of(trimmed(text.substr(std::string("SUBCASE").size())));

@@ -51,6 +51,32 @@ Eccentricity in_global(Eccentricity at, const Vector3d& axis, const Vector3d& up
   return at;
 }
 
+// From a node to where the end of its beam weighs.
+Vector3d arm_of_mass(const Vector3d& offset, const BeamProperties& section,
+                     const Eccentricity& at) {
+  const double mass = section.mass + at.extra_mass;
+  if (!(mass > 0)) return offset;
+  return offset + (section.mass * at.neutral + at.extra_mass * at.extra) / mass;
+}
+
+// Masses at its ends in place of those of a bar: of a taper, straight between stations, the
+// integrals of the mass times 1 - x and x.
+Eigen::MatrixXd mass_at_the_ends(const Taper& taper, double length) {
+  double first = 0, second = 0;
+  for (std::size_t i = 1; i < taper.size(); ++i) {
+    const BeamStation &a = taper[i - 1], &b = taper[i];
+    const double of_a = a.section.mass + a.eccentricity.extra_mass,
+                 of_b = b.section.mass + b.eccentricity.extra_mass, mean = (of_a + of_b) / 2,
+                 middle = (a.x + b.x) / 2, share = length * (b.x - a.x) / 6;
+    first += share * (of_a * (1 - a.x) + 4 * mean * (1 - middle) + of_b * (1 - b.x));
+    second += share * (of_a * a.x + 4 * mean * middle + of_b * b.x);
+  }
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(12, 12);
+  M.diagonal().segment<3>(0).setConstant(first);
+  M.diagonal().segment<3>(6).setConstant(second);
+  return M;
+}
+
 // As a beam, or as a matrix where it tapers, has released ends or bears beside its line.
 void add_beam(const NastranReading& r, const Card& card, const BeamElement& beam,
               const Eccentricity& local, const Taper* taper, const DeckBar& bar) {
@@ -62,8 +88,11 @@ void add_beam(const NastranReading& r, const Card& card, const BeamElement& beam
     r.deck.beams.push_back(beam);
     return;
   }
+  const Eccentricity at = in_global(local, axis, bar.y);
+  DeckBar& kept = r.deck.of_springs[int(r.deck.springs.size())] = bar;
+  kept.arms = {arm_of_mass(beam.offset1, beam.section, at),
+               arm_of_mass(beam.offset2, beam.section, at)};
   const auto matrix = [&]() -> MatrixElement {
-    const Eccentricity at = in_global(local, axis, bar.y);
     if (taper == nullptr)
       return free.empty() ? beam_beside_its_line(ends, beam, at)
                           : released_beam(ends, beam, bar.y, free, at);
@@ -72,10 +101,16 @@ void add_beam(const NastranReading& r, const Card& card, const BeamElement& beam
     Taper turned = *taper;
     for (BeamStation& station : turned)
       station.eccentricity = in_global(station.eccentricity, axis, bar.y);
+    const BeamStation &a = turned.front(), &b = turned.back();
+    kept.arms = {arm_of_mass(beam.offset1, a.section, a.eccentricity),
+                 arm_of_mass(beam.offset2, b.section, b.eccentricity)};
     return tapered_beam(ends, beam, turned);
   };
-  r.deck.of_springs[int(r.deck.springs.size())] = bar;
-  r.deck.springs.push_back(matrix());
+  MatrixElement& made = r.deck.springs.emplace_back(matrix());
+  if (!r.deck.lumped_mass) return;
+  const BeamStation end{0, beam.section, at};
+  made.M =
+      mass_at_the_ends(taper != nullptr ? *taper : Taper{end, {1, beam.section, at}}, axis.norm());
 }
 
 void beam(const NastranReading& r, const Card& card) {

@@ -17,6 +17,7 @@ public:
   NastranReader(const BulkData& bulk, UnknownCards unknown)
       : missing_(unknown == UnknownCards::list) {
     deck.holds_what_has_no_stiffness = true; // AUTOSPC
+    deck.lumped_mass = true;                 // but for PARAM COUPMASS
     deck.notes = bulk.notes;
     for (const DirectMatrices& line : bulk.matrices) {
       for (const auto& [factor, name] : line.chosen) added_.insert(name);
@@ -107,7 +108,9 @@ private:
       mass_factor_ = card.real(1);
       if (!(mass_factor_ > 0)) card.wrong("WTMASS is " + card.text(1), "above 0");
     } else if (name == "COUPMASS") {
-      coupled_mass_ = card.has(1) && card.whole(1) > 0;
+      coupled_mass_ = card.has(1) && (in_capitals(card.text(1)) == "YES" ||
+                                      (in_capitals(card.text(1)) != "NO" && card.whole(1) > 0));
+      deck.lumped_mass = !coupled_mass_;
     } else if (name == "AUTOSPC") {
       deck.holds_what_has_no_stiffness = !in_capitals(card.text(1)).starts_with("N");
     } else if (is_structural_parameter(name) && (!card.has(1) || card.real(1) != 1))

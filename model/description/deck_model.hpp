@@ -7,6 +7,7 @@
 #include "model/description/deck_loads.hpp"
 #include "solve/model.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -28,6 +29,8 @@ struct DeckBar {
   std::string origin; // for messages: "CBAR 12 in line 34"
   DeckExpansion expansion = {};
   Eigen::Vector3d y{0, 0, 0}; // of a beam: the first axis of its section, as the deck has it
+  // Of a beam among the springs: from its nodes to where its ends weigh.
+  std::array<Eigen::Vector3d, 2> arms = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 0)};
 };
 
 struct DeckShell {
@@ -72,6 +75,8 @@ struct DeckModel {
   // of a matrix in place of the global axes.
   std::map<int, Eigen::Matrix3d> axes;
   std::set<int> scalars; // nodes without a place, of one DOF, their first
+  // Shells, beams and bars have their mass at their nodes alone, as in Nastran without COUPMASS.
+  bool lumped_mass = false;
   // DOFs with mass and without stiffness are held, as AUTOSPC of Nastran does.
   bool holds_what_has_no_stiffness = false;
   std::set<std::string> files;       // that it was read from

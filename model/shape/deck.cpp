@@ -1,6 +1,7 @@
 #include "model/shape/deck.hpp"
 
 #include "model/shape/deck_constraints.hpp"
+#include "model/shape/lumped_mass.hpp"
 #include "model/shape/unused_nodes.hpp"
 #include "solve/couplings.hpp"
 
@@ -38,7 +39,9 @@ public:
     for (BeamElement beam : deck_.beams) add(beam);
     for (MassElement mass : deck_.masses) add(mass);
     for (BushingElement bushing : deck_.bushings) add(bushing);
+    const int first = static_cast<int>(model_.matrices.size()); // those before are walls
     for (const MatrixElement& spring : deck_.springs) add(spring);
+    if (deck_.lumped_mass) lump(first);
     add_deck_constraints(model_, deck_, placing_);
     std::vector<int> kept = drop_unused_nodes(model_);
     kept.resize(deck_.nodes.size()); // those of walls beside their nodes come behind
@@ -219,6 +222,15 @@ private:
       *matrix = R * *matrix * R.transpose();
     }
     model_.matrices.push_back(std::move(spring));
+  }
+
+  // Not the matrices that a deck gives as such; `first`: of the springs of the deck.
+  void lump(int first) {
+    std::map<int, EndArms> matrices;
+    for (int wall = 0; wall < first; ++wall) matrices[wall] = no_arms();
+    for (const auto& [spring, bar] : deck_.of_springs)
+      matrices[first + spring] = {turn_ * (L_ * bar.arms[0]), turn_ * (L_ * bar.arms[1])};
+    lump_masses(model_, matrices);
   }
 
   const DeckModel& deck_;

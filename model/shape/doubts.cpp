@@ -140,10 +140,12 @@ private:
     for (const auto& [name, m] : case_.materials)
       if (!unused.contains(name)) material("material " + name, m.E, m.rho);
     for (const Part& part : case_.parts)
-      if (std::holds_alternative<DeckPart>(part.body))
-        for (const ShellProperties& shell : model_.shells)
-          if (model_.components[std::size_t(shell.component)] == part.name)
-            material("a material of the deck " + part.name, shell.section.E, shell.section.rho);
+      if (const auto* deck = std::get_if<DeckPart>(&part.body))
+        for (const ShellSection& wall : deck->content->sections) {
+          const double L = deck->length_unit, M = deck->mass_unit;
+          material("a material of the deck " + part.name, wall.E * M / L,
+                   wall.rho * M / (L * L * L));
+        }
   }
 
   void walls() {

@@ -1,5 +1,6 @@
 #include "model/shape/symbols.hpp"
 
+#include "model/description/deck_model.hpp"
 #include "model/shape/built_case.hpp"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ public:
         add_mass(part.name, built_.mass_nodes.at(part.name), mass->mass);
       if (std::holds_alternative<ConnectorChain>(part.body))
         list_.push_back({SymbolKind::spring, part.name, end(part, ".left"), end(part, ".right")});
-      if (std::holds_alternative<DeckPart>(part.body)) add_deck(part);
+      if (const auto* deck = std::get_if<DeckPart>(&part.body))
+        add_deck(part, deck->content->masses.size());
     }
     for (const Cap& cap : data_.caps) {
       add_mass(cap.name, built_.cap_nodes.at(cap.name), cap.mass);
@@ -52,13 +54,14 @@ private:
   }
 
   // Unless they are so many that they would hide the part.
-  void add_deck(const Part& part) {
+  void add_deck(const Part& part, std::size_t masses) {
     constexpr std::size_t most = 40;
     const std::size_t before = list_.size();
     const std::vector<int>& own = built_.model.mesh.sets.at(part.name + ".all");
     const std::set<int> nodes(own.begin(), own.end());
+    std::size_t drawn = 0; // the masses of the deck come before those of its elements
     for (const MassElement& m : built_.model.masses)
-      if (nodes.contains(m.node)) add_mass("", m.node, m.body.mass);
+      if (nodes.contains(m.node) && drawn++ < masses) add_mass("", m.node, m.body.mass);
     add_springs(part.name, "");
     if (list_.size() > before + most) list_.resize(before);
   }
