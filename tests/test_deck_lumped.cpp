@@ -109,6 +109,28 @@ TEST(DeckLumped, a_bar_beside_its_nodes_weighs_at_the_ends_of_its_axis) {
   }
 }
 
+// Half the inertia about its axis of a CBEAM is at either end, as in listings of MSC Nastran: w^2 =
+// G J / L / (rho (I1 + I2) L / 2), by two elements that of a chain. Of a CBAR none, so that it does
+// not twist.
+TEST(DeckLumped, a_cbeam_twists_and_a_cbar_does_not) {
+  const std::string held = "GRID,1,,0.,0.,0.,,123456\nGRID,2,,0.,.6,0.,,12346\n"
+                           "GRID,3,,0.,1.2,0.,,12346\nMAT1,1,2.+11,,.3,8000.\n";
+  const double G = 2e11 / 2.6, L = 0.6, wave = std::sqrt(G * 2e-9 / (8000 * 4e-9)) / L / (2 * pi);
+  const std::string plain = "CBEAM,1,1,1,2,1.,0.,0.\n", pinned = "CBEAM,1,1,1,2,1.,0.,0.,,+\n+,5\n";
+  for (const std::string& first : {plain, pinned}) { // what is released bends alone
+    const Eigen::VectorXd found =
+        lumped_hertz(lumped_deck("a.bdf", held + first +
+                                              "CBEAM,2,1,2,3,1.,0.,0.\n"
+                                              "PBEAM,1,1,1.-4,1.-9,3.-9,,2.-9\n"),
+                     2);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(found[k] / (wave * 2 * std::sin((2 * k + 1) * pi / 8)), 1, deck_agreement);
+  }
+  const Model bars = place(
+      lumped_deck("a.bdf", held + "CBAR,1,1,1,2,1.,0.,0.\nPBAR,1,1,1.-4,1.-9,3.-9,2.-9\n"), {});
+  for (const MassElement& m : bars.masses) EXPECT_TRUE(m.body.inertia.isZero(0));
+}
+
 // The heavier end of a tapered bar has more of it, together they have all.
 TEST(DeckLumped, tapered_bars_keep_their_mass) {
   const std::string bar = two_bars + "CBEAM,1,1,1,2,0.,1.,0.\nCBEAM,2,1,2,3,0.,1.,0.\n"

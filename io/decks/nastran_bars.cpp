@@ -59,21 +59,29 @@ Vector3d arm_of_mass(const Vector3d& offset, const BeamProperties& section,
   return offset + (section.mass * at.neutral + at.extra_mass * at.extra) / mass;
 }
 
-// Masses at its ends in place of those of a bar: of a taper, straight between stations, the
-// integrals of the mass times 1 - x and x.
-Eigen::MatrixXd mass_at_the_ends(const Taper& taper, double length) {
-  double first = 0, second = 0;
-  for (std::size_t i = 1; i < taper.size(); ++i) {
-    const BeamStation &a = taper[i - 1], &b = taper[i];
-    const double of_a = a.section.mass + a.eccentricity.extra_mass,
-                 of_b = b.section.mass + b.eccentricity.extra_mass, mean = (of_a + of_b) / 2,
-                 middle = (a.x + b.x) / 2, share = length * (b.x - a.x) / 6;
-    first += share * (of_a * (1 - a.x) + 4 * mean * (1 - middle) + of_b * (1 - b.x));
-    second += share * (of_a * a.x + 4 * mean * middle + of_b * b.x);
-  }
+// Masses, and inertia about its axis, at its ends in place of those of a bar: of a taper, straight
+// between stations, the integrals of both times 1 - x and x.
+Eigen::MatrixXd mass_at_the_ends(const Taper& taper, const Vector3d& axis) {
+  const auto shares = [&](auto&& number) { // by Simpson
+    Eigen::Vector2d all(0, 0);
+    for (std::size_t i = 1; i < taper.size(); ++i) {
+      const BeamStation &a = taper[i - 1], &b = taper[i];
+      const double of_a = number(a), of_b = number(b), share = axis.norm() * (b.x - a.x) / 6;
+      const Eigen::Vector2d at_a(1 - a.x, a.x), at_b(1 - b.x, b.x);
+      all += share * (of_a * at_a + (of_a + of_b) * (at_a + at_b) + of_b * at_b);
+    }
+    return all;
+  };
+  const Eigen::Vector2d mass =
+      shares([](const BeamStation& s) { return s.section.mass + s.eccentricity.extra_mass; });
+  const Eigen::Vector2d inertia = shares(
+      [](const BeamStation& s) { return s.section.inertia_x + s.eccentricity.extra_inertia; });
+  const Vector3d e = axis.normalized();
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(12, 12);
-  M.diagonal().segment<3>(0).setConstant(first);
-  M.diagonal().segment<3>(6).setConstant(second);
+  for (Eigen::Index end = 0; end < 2; ++end) {
+    M.diagonal().segment<3>(6 * end).setConstant(mass[end]);
+    M.block<3, 3>(6 * end + 3, 6 * end + 3) = inertia[end] * e * e.transpose();
+  }
   return M;
 }
 
@@ -109,8 +117,7 @@ void add_beam(const NastranReading& r, const Card& card, const BeamElement& beam
   MatrixElement& made = r.deck.springs.emplace_back(matrix());
   if (!r.deck.lumped_mass) return;
   const BeamStation end{0, beam.section, at};
-  made.M =
-      mass_at_the_ends(taper != nullptr ? *taper : Taper{end, {1, beam.section, at}}, axis.norm());
+  made.M = mass_at_the_ends(taper != nullptr ? *taper : Taper{end, {1, beam.section, at}}, axis);
 }
 
 void beam(const NastranReading& r, const Card& card) {
@@ -119,6 +126,7 @@ void beam(const NastranReading& r, const Card& card) {
   BeamElement beam{.node1 = r.grids.at(card, 2), .node2 = r.grids.at(card, 3), .section = {}};
   if (!section) return;
   beam.section = section->properties;
+  if (r.deck.lumped_mass && card.name == "CBAR") beam.section.inertia_x = 0; // CBEAM has it
   const std::string axes = in_capitals(card.text(7));
   if (!axes.empty() && axes != "GGG" && axes != "BGG" && axes != "1" && axes != "2" &&
       !card.is_real(7)) // 1, 2 in old decks: a vector, a grid point

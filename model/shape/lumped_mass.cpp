@@ -7,34 +7,43 @@ class Lumps {
 public:
   explicit Lumps(Model& model) : model_(model) {}
 
-  template <class Nodes>
-  void take(const Nodes& nodes, const Eigen::MatrixXd& M, const EndArms& arms = no_arms()) {
-    const auto n = Eigen::Index(nodes.size());
-    for (Eigen::Index a = 0; a < n; ++a) {
-      double mass = 0;
-      for (Eigen::Index b = 0; b < n; ++b) mass += M.block<3, 3>(6 * a, 6 * b).trace() / 3;
-      const Eigen::Vector3d arm = a < 2 ? arms[std::size_t(a)] : Eigen::Vector3d::Zero();
-      add(nodes[std::size_t(a)], mass, arm);
+  template <class Nodes> void take(const Nodes& wall, const Eigen::MatrixXd& M) {
+    for (std::size_t a = 0; a < wall.size(); ++a)
+      add(wall[a], {.mass = mass_of(M, a), .offset = {0, 0, 0}});
+  }
+
+  void take(const MatrixElement& bar, const EndArms& arms) {
+    for (std::size_t a = 0; a < 2; ++a) {
+      const auto turns = 6 * Eigen::Index(a) + 3;
+      add(bar.nodes[a], {mass_of(bar.M, a), arms[a], bar.M.block<3, 3>(turns, turns)});
     }
   }
 
-  void add(int node, double mass, const Eigen::Vector3d& arm) {
-    if (mass == 0) return;
-    if (arm.isZero(0))
-      at_nodes_[node] += mass;
-    else
-      beside_.push_back({node, {.mass = mass, .offset = arm}});
+  // Those of a node that stand in the same place are one.
+  void add(int node, const RigidMass& body) {
+    if (body.mass == 0) return;
+    if (!body.offset.isZero(0)) return beside_.push_back({node, body});
+    const auto [known, is_new] = at_nodes_.try_emplace(node, body);
+    if (is_new) return;
+    known->second.mass += body.mass;
+    known->second.inertia += body.inertia;
   }
 
   void finish() {
-    for (const auto& [node, mass] : at_nodes_)
-      model_.masses.push_back({node, {.mass = mass, .offset = {0, 0, 0}}});
+    for (const auto& [node, body] : at_nodes_) model_.masses.push_back({node, body});
     model_.masses.insert(model_.masses.end(), beside_.begin(), beside_.end());
   }
 
 private:
+  static double mass_of(const Eigen::MatrixXd& M, std::size_t node) {
+    double mass = 0;
+    for (Eigen::Index b = 0; b < M.cols(); b += 6)
+      mass += M.block<3, 3>(6 * Eigen::Index(node), b).trace() / 3;
+    return mass;
+  }
+
   Model& model_;
-  std::map<int, double> at_nodes_;
+  std::map<int, RigidMass> at_nodes_;
   std::vector<MassElement> beside_;
 };
 
@@ -49,14 +58,19 @@ void lump_masses(Model& model, const std::map<int, EndArms>& matrices) {
   for (ShellProperties& shell : model.shells) shell.section.rho = 0;
   for (BeamElement& b : model.beams) {
     const BeamGeometry g = beam_geometry(model.mesh, b);
-    const double half = b.section.mass / 2 * (g.node2 + b.offset2 - g.node1 - b.offset1).norm();
-    lumps.add(b.node1, half, b.offset1);
-    lumps.add(b.node2, half, b.offset2);
+    const Eigen::Vector3d axis = g.node2 + b.offset2 - g.node1 - b.offset1, e = axis.normalized();
+    const double half = axis.norm() / 2;
+    const Eigen::Matrix3d inertia = half * b.section.inertia_x * e * e.transpose();
+    lumps.add(b.node1, {half * b.section.mass, b.offset1, inertia});
+    lumps.add(b.node2, {half * b.section.mass, b.offset2, inertia});
     b.section.mass = b.section.inertia_x = b.section.inertia_y = b.section.inertia_z = 0;
   }
   for (const auto& [number, arms] : matrices) {
     MatrixElement& element = model.matrices[std::size_t(number)];
-    lumps.take(element.nodes, element.M, arms);
+    if (element.nodes.size() == 2)
+      lumps.take(element, arms);
+    else
+      lumps.take(element.nodes, element.M);
     element.M.setZero();
   }
   lumps.finish();

@@ -2,8 +2,9 @@
 //
 //   m_a = trace of sum_b M_ab / 3 over the translations = integral of rho t N_a in a shell,
 //
-// half of a bar at either end of its axis, and no inertia: so QUAD4 and BAR of NASTRAN-95 and the
-// elements of MYSTRAN have it without PARAM COUPMASS.
+// half of a bar at either end of its axis, and no inertia but that of a beam about its axis: so
+// QUAD4 and BAR of NASTRAN-95 and the elements of MYSTRAN have it without PARAM COUPMASS, CBEAM of
+// MSC Nastran with rho (I1 + I2) L / 2 about its axis, by its listings.
 #pragma once
 
 #include "solve/model.hpp"

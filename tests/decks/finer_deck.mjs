@@ -12,7 +12,7 @@ const notHad =
   /^(PART|INCLUDE|NGEN|ELGEN|NFILL|NCOPY|ELCOPY|TRANSFORM|TIE|NORMAL|SURFACE|COUPLING|RIGID BODY|SUBMODEL)$/;
 
 // [{name, parameters, header, data}] of a text.
-function keywordsOf(text) {
+export function keywordsOf(text) {
   const all = [];
   let open = false; // the keyword goes on in the next line
   for (const line of text.split(/\r?\n/).map((l) => l.trim())) {
@@ -33,7 +33,7 @@ function keywordsOf(text) {
   return all;
 }
 
-const fieldsOf = (line) => line.split(",").map((x) => x.trim());
+export const fieldsOf = (line) => line.split(",").map((x) => x.trim());
 
 // --- elements: shape functions, places of their children, sides
 

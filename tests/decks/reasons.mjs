@@ -1,6 +1,7 @@
-// Why a deck has other frequencies in CalculiX: what the two say of it on finer nets, with S8R, S6 and B32R in
-// place of its shells and beams, which CalculiX makes solids of, and with radii as radii in both.
+// Why a deck has other frequencies in its reference. Of CalculiX: what the two say of it on finer nets, with S8R,
+// S6 and B32R in place of its shells and beams, which CalculiX makes solids of, and with radii as radii in both.
 import { finerDeck } from "./finer_deck.mjs";
+import { trussFrequencies } from "./trusses.mjs";
 
 const mostNodes = 12000;
 
@@ -18,11 +19,16 @@ export function withDiameters(text) {
 const nodesOf = (text) => text.slice(0, text.indexOf("*ELEMENT")).split("\n").length;
 const percent = (gap) => (gap === undefined ? "none" : `${(100 * gap).toPrecision(2)} %`);
 
-// {kind, gaps: as it is, then on nets of second order as fine, halved and halved again}. `again(text, of
-// CalculiX)`: how far the furthest of the five lowest is off.
-export async function reasonOf(text, worst, within, again) {
-  const gaps = [worst], turned = withDiameters(text);
+// {kind, gaps: as it is, then on nets of second order as fine, halved and halved again}. `found`: frequencies of
+// Plica; `again(text, of CalculiX)`: how far the furthest of the five lowest is off.
+export async function reasonOf(text, worst, found, within, again) {
+  const gaps = [worst], turned = withDiameters(text), bars = trussFrequencies(text);
   const done = (kind) => ({ kind, gaps: gaps.map(percent).join(", ") });
+  if (bars) {
+    const off = bars.slice(0, 5).map((f) => found.reduce((best, x) => Math.min(best, Math.abs(x / f - 1)), Infinity));
+    gaps.push(Math.max(...off));
+    return done(gaps.at(-1) < 1e-4 ? "trusses, whose bars summed up have the frequencies of Plica" : "trusses");
+  }
   if (turned !== text) {
     gaps.push(await again(text, turned));
     if (gaps.at(-1) < worst / 10) return done("a radius that CalculiX takes for a diameter");
@@ -40,4 +46,12 @@ export async function reasonOf(text, worst, within, again) {
   const known = gaps.filter((gap) => gap !== undefined);
   const falls = known.length > 1 && known.at(-1) < 0.6 * known[0] && known.at(-1) <= Math.min(...known);
   return done(falls ? "nearer on every finer net, not yet within 1 %" : "not by the net");
+}
+
+// Of a listing that is not of the modes of the deck as it stands; nothing where there is no such reason.
+export function reasonOfListing(text, theirs) {
+  const because = (kind) => ({ kind, gaps: "" });
+  if (/^\s*(SOL\s+105|PARAM[\s,]+BUCKLE)/im.test(text)) return because("a listing of buckling");
+  if (/^\s*(ASET|OMIT)/im.test(text)) return because("a listing of a model reduced to a few points");
+  return Math.max(...theirs) < 1e-3 ? because("a listing of rigid motions alone") : undefined;
 }

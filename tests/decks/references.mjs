@@ -17,7 +17,8 @@ export function frequenciesOf(listing) {
   const all = [];
   for (const line of listing.slice(begin).split("\n").slice(1, 400)) {
     const m = line.match(/^\s*\d+\s+\d+\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)\s*$/);
-    if (m && Number(m[4]) > 0) all.push(Number(m[3]));
+    const isMode = m && Math.abs(Number(m[2]) / (2 * Math.PI * Number(m[3])) - 1) < 1e-3; // radians and cycles
+    if (isMode && Number(m[4]) > 0) all.push(Number(m[3]));
     else if (all.length && /E I G E N V E C T O R|S U B C A S E|SUBCASE/.test(line)) break;
   }
   return above(all, 1e-4);

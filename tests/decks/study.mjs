@@ -18,7 +18,7 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync
 import { tmpdir } from "node:os";
 import { dirname, join, relative, resolve } from "node:path";
 import { isLight, kindsOf } from "./deck_kinds.mjs";
-import { reasonOf } from "./reasons.mjs";
+import { reasonOf, reasonOfListing } from "./reasons.mjs";
 import { frequenciesOf, frequenciesOfCalculix, Listings, withDensity } from "./references.mjs";
 
 const [plica, given, ...options] = process.argv.slice(2);
@@ -111,12 +111,16 @@ async function compare(deck, number) {
   deck.worst = furthest(pair.theirs, pair.found);
   deck.lowest = [pair.theirs[0], pair.found.find((x) => x > 1e-3 * pair.theirs[0])];
   if (pair.why) deck.text = pair.why;
-  if (deck.worst <= within || listing) return;
+  if (deck.worst <= within) return;
+  if (listing) {
+    deck.reason = reasonOfListing(readFileSync(deck.file, "latin1"), pair.theirs);
+    return;
+  }
   const again = async (text, ofCalculix) => {
     const { theirs, found } = await both(withDensity(text), dirname(deck.file), `${job}r`, withDensity(ofCalculix));
     return theirs.length > 0 && found.length > 0 ? furthest(theirs, found) : undefined;
   };
-  deck.reason = await reasonOf(readFileSync(deck.file, "latin1"), deck.worst, within, again);
+  deck.reason = await reasonOf(readFileSync(deck.file, "latin1"), deck.worst, pair.found, within, again);
 }
 
 async function twoAtATime(work) {
