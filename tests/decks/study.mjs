@@ -1,12 +1,13 @@
 // How many decks of a folder are read, what bars the others, and how near those that are read lie to others.
 //
 //   node tests/decks/study.mjs PLICA FOLDER [--half a|b|both] [--list] [--seconds 20]
-//        [--references FOLDER] [--calculix ccx] [--light] [--code abaqus|nastran]
+//        [--references FOLDER] [--calculix ccx] [--light] [--code abaqus|nastran] [--only PATTERN]
 //
 // Every deck below FOLDER (.inp .bdf .dat .nas .fem; the same text once, whatever its blanks) becomes the only
 // part of a case, which PLICA checks with what it does by default. The halves go by a hash of the path, so that
 // one can be set apart unread. --list prints a line per deck: half, code, kinds, verdict, file.
-// --light leaves away decks that hold other elements than shells, beams, masses, springs and rigid ones.
+// --light leaves away decks that hold other elements than shells, beams, masses, springs and rigid ones, --only
+// those whose path below FOLDER does not match.
 // --references runs what is read and has a listing of Nastran with a table of real eigenvalues, of the name of
 // the deck beside it, or alone of that name below that folder: each of its five lowest frequencies has to have
 // one of the twelve lowest of PLICA within 1 %. --calculix does so with Abaqus decks beside CalculiX, on the same
@@ -50,7 +51,7 @@ function decksBelow(path) {
     decks.push({ file, path: name, half, ...found, light: isLight(found.code, found.kinds) });
   }
   return decks.filter((d) => (wanted === "both" || d.half === wanted) && option("--code", d.code) === d.code &&
-    (d.light || !options.includes("--light")));
+    (d.light || !options.includes("--light")) && new RegExp(option("--only", "")).test(d.path));
 }
 
 const decks = decksBelow(folder), scratch = mkdtempSync(join(tmpdir(), "decks-"));
