@@ -44,6 +44,7 @@ export async function reasonOf(text, worst, found, within, again) {
     return done(`a deck that is not made finer (${error.message})`);
   }
   const known = gaps.filter((gap) => gap !== undefined);
+  if (known.length === 1) return done("not solved on finer nets");
   const falls = known.length > 1 && known.at(-1) < 0.6 * known[0] && known.at(-1) <= Math.min(...known);
   return done(falls ? "nearer on every finer net, not yet within 1 %" : "not by the net");
 }

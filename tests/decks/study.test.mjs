@@ -71,6 +71,7 @@ test("a reason is said with what the nets say of it", async () => {
   const by = await reasonOf(plate, 0.3, [], 0.01, async () => gaps.shift());
   assert.deepEqual(by, { kind: "within 1 % on a finer net of S8R, S6, B32R", gaps: "30 %, 20 %, 5.0 %, 0.80 %" });
   assert.equal((await reasonOf(plate, 0.3, [], 0.01, async () => 0.3)).kind, "not by the net");
+  assert.equal((await reasonOf(plate, 0.3, [], 0.01, async () => undefined)).kind, "not solved on finer nets");
   assert.equal(reasonOfListing("SOL 103\nASET,1,123\n", [1]).kind, "a listing of a model reduced to a few points");
   assert.equal(reasonOfListing("SOL 103\n", [1]), undefined);
 });
