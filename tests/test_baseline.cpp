@@ -279,5 +279,81 @@ TEST(Baseline, several_of_them_say_how_much_mounting_anew_scatters) {
   EXPECT_EQ(remounting_of(test, m, stated).frequency, 0.01);
 }
 
+// A mast of three sections whose braces are what resists shear.
+Case lattice_mast() {
+  Case c = beam_of(3, 9, 0.03, 0.01, true);
+  BeamSection& section = std::get<BeamPart>(c.parts[0].body).section;
+  section = {};
+  section.shape = BeamShape::general;
+  section.EA = 1e8;
+  section.EI = 1.7e6;
+  section.GJ = 2e5;
+  section.GA = 3e6;
+  section.mass_per_length = 10;
+  return c;
+}
+
+std::vector<Hypothesis> losses_in_shear(const Case& c, const Measured& m, const Nominal& model) {
+  std::vector<Hypothesis> found = chosen_effects(model.structure(m)).hypotheses;
+  std::erase_if(found, [](const Hypothesis& h) {
+    return h.effect != "local_damage" || h.way != "shear" || h.parameters.size() != 1;
+  });
+  return found;
+}
+
+TEST(LocalDamage, takes_shear_from_a_lattice_as_its_section_would) {
+  const Case nominal = lattice_mast();
+  Case half = nominal;
+  std::get<BeamPart>(half.parts[0].body).section.GA = 1.5e6;
+  Measured m;
+  m.specimen = "beam";
+  add_modes(m, "");
+  const Nominal model = nominal_of(nominal, m);
+  const std::vector<Hypothesis> each = losses_in_shear(nominal, m, model);
+  ASSERT_EQ(each.size(), 3U);
+  const TestReadings readings = readings_of({.data = m, .responses = {}});
+  const Predictor all(model, readings, {&each[0], &each[1], &each[2]});
+  const VectorXd softer = *all(VectorXd::Constant(3, 0.5)), exact = read_by(half, m);
+  EXPECT_LT((softer - exact).cwiseAbs().maxCoeff(), 2e-3);
+  EXPECT_LT((exact - read_by(nominal, m)).minCoeff(), -0.1);
+}
+
+// What bends without shear has nothing of it to lose.
+TEST(LocalDamage, leaves_the_shear_of_a_slender_beam_alone) {
+  const Case nominal = beam_of(3, 0.5, 0.03, 0.01, true);
+  Measured m;
+  m.specimen = "beam";
+  add_modes(m, "");
+  EXPECT_TRUE(losses_in_shear(nominal, m, nominal_of(nominal, m)).empty());
+}
+
+TEST(Baseline, braces_that_a_lattice_lost_are_found_in_their_section) {
+  const Case nominal = lattice_mast();
+  Measured plain;
+  plain.specimen = "beam";
+  add_modes(plain, "");
+  const Nominal model = nominal_of(nominal, plain);
+  const std::vector<Hypothesis> each = losses_in_shear(nominal, plain, model);
+  ASSERT_EQ(each.size(), 3U);
+  const TestReadings readings = readings_of({.data = plain, .responses = {}});
+  const Predictor without(model, readings, {&each[1]});
+  Measured m;
+  m.specimen = "beam";
+  for (const bool baseline : {true, false}) {
+    const std::string state = baseline ? "before" : "after";
+    m.states.push_back({.name = state, .baseline = baseline, .set = {}, .numbers = {}});
+    add_modes(m, state);
+    const VectorXd y = *without(VectorXd::Constant(1, baseline ? 0 : 0.6));
+    for (Eigen::Index k = 0; k < 5; ++k)
+      m.modes[m.modes.size() - 5 + std::size_t(k)].frequency =
+          std::exp(y[k]) * (k % 2 == 0 ? 1.02 : 0.985);
+  }
+  const Diagnosis d = diagnosis_of(nominal, m);
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "local_damage") << d.headline;
+  EXPECT_EQ(d.effects.front().place, "beam.stretch[2]") << d.headline;
+  EXPECT_EQ(d.effects.front().way, "shear") << d.headline;
+}
+
 } // namespace
 } // namespace plica

@@ -55,7 +55,7 @@ const std::vector<DimensionInfo>& table() {
        {{"Nm/rad", 1}, {"kNm/rad", 1e3}, {"Nm/deg", 1 / degree}}},
       {Dimension::section_stiffness,
        "section stiffness",
-       {{"N m2", 1}, {"kN m2", 1e3}, {"N mm2", 1e-6}}},
+       {{"N m2", 1}, {"kN m2", 1e3}, {"MN m2", 1e6}, {"N mm2", 1e-6}}},
       {Dimension::mass_per_length, "mass per length", {{"kg/m", 1}, {"g/m", 1e-3}, {"g/mm", 1}}},
       {Dimension::inertia_per_length, "moment of inertia per length", {{"kg m", 1}}},
       {Dimension::damping, "damping coefficient", {{"N s/m", 1}, {"kN s/m", 1e3}, {"N s/mm", 1e3}}},

@@ -43,12 +43,23 @@ Hypothesis damage(const std::string& place, const std::string& way, ModelChange 
           .coefficients = [](const Eigen::VectorXd& v) { return Eigen::VectorXd(2 * v); }};
 }
 
+// What a beam loses: a crack takes from bending, a bracing that is gone or a core that comes off
+// from shear.
+enum class Lost { bending, shear };
+
+const char* way_of(Lost what) {
+  return what == Lost::shear ? "shear" : "";
+}
+
 // Elements of beams with half of their stiffness.
-ModelChange halved(const std::vector<int>& elements) {
-  return {[elements](Model& changed) {
+ModelChange halved(const std::vector<int>& elements, Lost what) {
+  return {[elements, what](Model& changed) {
             for (int i : elements) {
               BeamProperties& b = changed.beams[std::size_t(i)].section;
-              for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ}) *n /= 2;
+              if (what == Lost::shear)
+                for (double* n : {&b.GA_y, &b.GA_z}) *n /= 2;
+              else
+                for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ}) *n /= 2;
             }
           },
           Follow::series};
@@ -61,13 +72,36 @@ std::vector<int> elements_of(const Model& model, const std::string& part) {
   return own;
 }
 
-void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Part& part) {
+double length_of(const Model& model, const BeamElement& b) {
+  const auto& x = model.mesh.nodes;
+  return (x[std::size_t(b.node2)] - x[std::size_t(b.node1)]).norm();
+}
+
+// Bending, and shear where it gives way beside bending over the length of the part, as it does in a
+// lattice or a sandwich: else no frequency shows it.
+std::vector<Lost> losses(const Model& model, const std::vector<int>& own) {
+  double length = 0, shear = 0; // of a beam held at both ends: 12 EI / (GA L^2)
+  for (int i : own) length += length_of(model, model.beams[std::size_t(i)]);
+  for (int i : own) {
+    const BeamProperties& b = model.beams[std::size_t(i)].section;
+    const double worst = std::max(b.EI_y / b.GA_z, b.EI_z / b.GA_y);
+    shear = std::max(shear, 12 * worst / (length * length));
+  }
+  constexpr double felt = 0.05;
+  if (shear < felt) return {Lost::bending};
+  return {Lost::bending, Lost::shear};
+}
+
+// A part of one stretch that gives way in bending is softer as a whole; in shear that is no spot.
+void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Part& part,
+                   Lost what) {
   const auto& beam = std::get<BeamPart>(part.body);
+  if (what == Lost::shear && beam.points.size() == 2) return;
   const std::vector<int> own = elements_of(s.built.model, part.name);
   for (std::size_t k = 0; k + 1 < beam.points.size(); ++k) {
     const auto first = own.begin() + std::ptrdiff_t(k) * beam.elements;
-    found.push_back(damage(part.name + ".stretch[" + std::to_string(k + 1) + "]", "",
-                           halved({first, first + beam.elements})));
+    found.push_back(damage(part.name + ".stretch[" + std::to_string(k + 1) + "]", way_of(what),
+                           halved({first, first + beam.elements}, what)));
   }
 }
 
@@ -85,23 +119,22 @@ Eigen::VectorXd lost(const BeamPath& path, double loss, double from, double to) 
 
 // Anywhere along a beam, over a length that is not known either: its points say nothing of where it
 // was damaged. What is local is short.
-void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const BeamPath& path) {
-  const auto& x = s.built.model.mesh.nodes;
+void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const BeamPath& path,
+                  Lost what) {
   std::vector<std::vector<int>> elements(path.at.size() - 1);
   double at = 0;
   for (int i : elements_of(s.built.model, path.part)) {
-    const BeamElement& b = s.built.model.beams[std::size_t(i)];
-    const double length = (x[std::size_t(b.node2)] - x[std::size_t(b.node1)]).norm();
+    const double length = length_of(s.built.model, s.built.model.beams[std::size_t(i)]);
     const auto next = std::upper_bound(path.at.begin() + 1, path.at.end() - 1, at + length / 2);
     elements[std::size_t(next - path.at.begin() - 1)].push_back(i);
     at += length;
   }
   std::vector<ModelChange> changes;
-  for (const std::vector<int>& own : elements) changes.push_back(halved(own));
+  for (const std::vector<int>& own : elements) changes.push_back(halved(own, what));
   constexpr double usual = 0.1, longest = 0.5; // of the beam
   found.push_back({.effect = "local_damage",
                    .place = path.part,
-                   .way = "",
+                   .way = way_of(what),
                    .parameters = {{"loss", "", {PriorKind::uniform, 0, 0.97}},
                                   {"at", "m", {PriorKind::uniform, 0, path.length()}},
                                   {"length",
@@ -118,7 +151,8 @@ void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const Beam
 }
 
 // Young's modulus lost over a quarter of the circumference of a convolution, in eight directions
-// from x towards z; in a beam over a stretch between two of its points, or anywhere along.
+// from x towards z; in a beam over a stretch between two of its points, or anywhere along, in
+// bending or in shear.
 std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
@@ -134,8 +168,12 @@ std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
                                 Follow::series}));
       }
   for (const Part& part : s.data.parts)
-    if (std::holds_alternative<BeamPart>(part.body)) add_stretches(found, s, part);
-  for (const BeamPath& path : beam_paths(s)) add_anywhere(found, s, path);
+    if (std::holds_alternative<BeamPart>(part.body))
+      for (Lost what : losses(s.built.model, elements_of(s.built.model, part.name)))
+        add_stretches(found, s, part, what);
+  for (const BeamPath& path : beam_paths(s))
+    for (Lost what : losses(s.built.model, elements_of(s.built.model, path.part)))
+      add_anywhere(found, s, path, what);
   return found;
 }
 
