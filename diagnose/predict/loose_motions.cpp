@@ -13,19 +13,41 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Vectors of a symmetric matrix whose values are at most this, or above it.
+MatrixXd vectors(const MatrixXd& A, double limit, bool below) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(A);
+  std::vector<Index> found;
+  for (Index i = 0; i < A.rows(); ++i)
+    if ((eigen.eigenvalues()[i] <= limit) == below) found.push_back(i);
+  return eigen.eigenvectors()(Eigen::all, found);
+}
+
+double largest_value(const MatrixXd& A) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+} // namespace
+
 MatrixXd loose_motions(const Model& model) {
   const System system = assemble(model);
   const MatrixXd R = rigid_body_motions(model, system.map, {0, 0, 0});
-  const MatrixXd strain = R.transpose() * symmetric_product(system.K, R);
-  const VectorXd mass = (R.transpose() * symmetric_product(system.M, R)).diagonal();
-  const VectorXd size = mass.cwiseMax(1e-12 * mass.maxCoeff()).cwiseSqrt();
+  const MatrixXd mass = R.transpose() * symmetric_product(system.M, R);
+  const VectorXd most = mass.diagonal();
+  const VectorXd size = most.cwiseMax(1e-12 * most.maxCoeff()).cwiseSqrt();
   const auto scaled = size.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled * strain * scaled);
-  constexpr double rounding = 1e-10; // of the stiffness against the motion that strains most
-  std::vector<Index> found;
-  for (Index i = 0; i < 6; ++i)
-    if (eigen.eigenvalues()[i] <= rounding * eigen.eigenvalues()[5]) found.push_back(i);
-  return scaled * eigen.eigenvectors()(Eigen::all, found);
+  const MatrixXd strain = scaled * (R.transpose() * symmetric_product(system.K, R)) * scaled;
+  // Strain of motions in which every degree of freedom moved alone: what rounding is measured by.
+  const VectorXd alone = R.cwiseAbs2().transpose() * VectorXd(system.K.diagonal());
+  constexpr double small = 1e-10, rounding = 1e-13;
+  const double nothing = std::max(small * largest_value(strain),
+                                  rounding * (alone.array() / size.array().square()).maxCoeff());
+  // What supports take away everywhere moves no mass, and is not loose.
+  const MatrixXd moving = vectors(scaled * mass * scaled, small, false);
+  return scaled * (moving * vectors(moving.transpose() * strain * moving, nothing, true));
 }
 
 Model on_a_soft_spring(Model model, Index loose) {
