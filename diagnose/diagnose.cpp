@@ -77,6 +77,8 @@ public:
     if (judgement.verdict == Verdict::unknown && !stopped && !judgement.nearest &&
         mounted_anew(context, plain, standards))
       judgement.verdict = Verdict::none;
+    else if (judgement.verdict == Verdict::none)
+      ask_for_remounting(context, plain, standards);
     std::vector<JudgedFit> beside;
     if (!judgement.named.empty() && judgement.verdict != Verdict::ambiguous)
       beside = fit_beside(search, *judgement.named.front());
@@ -117,15 +119,37 @@ private:
     });
   }
 
+  // Whether the change is more than this scatter of mounting anew leaves open.
+  bool exceeds(double remounting, const FitContext& context, const HypothesisFit& plain,
+               const Standards& standards) const {
+    const double ratio = remounting / problem_.remounting.frequency;
+    const MatrixXd further = (ratio * ratio - 1) * problem_.uncertainty.reassembly;
+    return context.fitted.widened(further)(plain.deviation).squaredNorm() > standards.chi2;
+  }
+
+  // Beside a baseline, and neither stated nor well known from several.
+  bool remounting_is_supposed() const {
+    return !problem_.baseline.readings.empty() &&
+           most_of(problem_.remounting) > problem_.remounting.frequency;
+  }
+
+  // What was not mounted anew may have changed by less than what mounting anew covers.
+  void ask_for_remounting(const FitContext& context, const HypothesisFit& plain,
+                          const Standards& standards) {
+    constexpr double untouched = 0.001; // drift of a frequency from one day to the next
+    if (!remounting_is_supposed() || !exceeds(untouched, context, plain, standards)) return;
+    problem_.readings.warnings.push_back(fmt::format(
+        "the change lies within what mounting anew usually makes ({:.2g} %), but beyond {:.2g} %: "
+        "if the specimen stayed as it was mounted, state remounting: {:.2g} % in diagnose",
+        100 * problem_.remounting.frequency, 100 * untouched, 100 * untouched));
+  }
+
   // Whether mounting anew alone may have made the change, by as much as one baseline or few leave
   // open.
   bool mounted_anew(const FitContext& context, const HypothesisFit& plain,
                     const Standards& standards) {
     const double most = most_of(problem_.remounting), usual = problem_.remounting.frequency;
-    if (problem_.baseline.readings.empty() || !(most > usual)) return false;
-    const MatrixXd further = (std::pow(most / usual, 2) - 1) * problem_.uncertainty.reassembly;
-    if (context.fitted.widened(further)(plain.deviation).squaredNorm() > standards.chi2)
-      return false;
+    if (!remounting_is_supposed() || exceeds(most, context, plain, standards)) return false;
     problem_.readings.warnings.push_back(fmt::format(
         "the change is larger than mounting anew usually makes it ({:.2g} %), but no effect "
         "comes near it and one baseline cannot exclude {:.2g} %: measure the baseline once more, "

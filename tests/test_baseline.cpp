@@ -187,6 +187,27 @@ TEST(Baseline, a_model_that_is_another_is_warned_of) {
   EXPECT_TRUE(is_warned());
 }
 
+// Who leaves the specimen where it is sees less than who mounts it anew, and has to say so.
+TEST(Baseline, what_mounting_anew_covers_is_asked_for) {
+  const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
+  const auto is_asked = [](const Case& c, const Measured& m) {
+    const Diagnosis d = diagnosis_of(c, m);
+    EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+    return std::any_of(d.warnings.begin(), d.warnings.end(), [](const std::string& w) {
+      return w.find("if the specimen stayed as it was mounted") != std::string::npos;
+    });
+  };
+  Measured m = before_and_after(nominal, nominal);
+  for (std::size_t k = 5; k < 10; ++k) m.modes[k].frequency *= k % 2 == 0 ? 0.993 : 1.005;
+  for (MeasuredMode& mode : m.modes) mode.sigma = 5e-4 * mode.frequency;
+  EXPECT_TRUE(is_asked(nominal, m));
+  Case stated = nominal;
+  stated.diagnose.remounting = 0.004;
+  EXPECT_FALSE(is_asked(stated, m));
+  for (std::size_t k = 0; k < 5; ++k) m.modes[5 + k].frequency = m.modes[k].frequency;
+  EXPECT_FALSE(is_asked(nominal, m));
+}
+
 TEST(Baseline, nothing_is_formed_anew_beside_it) {
   const Case data = test::verification_case("bellows_a", {.around = 16, .arc = 2, .wall = 2}, 4);
   Measured m;
