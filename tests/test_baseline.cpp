@@ -314,7 +314,7 @@ Case lattice_mast() {
   return c;
 }
 
-std::vector<Hypothesis> losses_in_shear(const Case& c, const Measured& m, const Nominal& model) {
+std::vector<Hypothesis> losses_in_shear(const Measured& m, const Nominal& model) {
   std::vector<Hypothesis> found = chosen_effects(model.structure(m)).hypotheses;
   std::erase_if(found, [](const Hypothesis& h) {
     return h.effect != "local_damage" || h.way != "shear" || h.parameters.size() != 1;
@@ -330,7 +330,7 @@ TEST(LocalDamage, takes_shear_from_a_lattice_as_its_section_would) {
   m.specimen = "beam";
   add_modes(m, "");
   const Nominal model = nominal_of(nominal, m);
-  const std::vector<Hypothesis> each = losses_in_shear(nominal, m, model);
+  const std::vector<Hypothesis> each = losses_in_shear(m, model);
   ASSERT_EQ(each.size(), 3U);
   const TestReadings readings = readings_of({.data = m, .responses = {}});
   const Predictor all(model, readings, {&each[0], &each[1], &each[2]});
@@ -345,7 +345,7 @@ TEST(LocalDamage, leaves_the_shear_of_a_slender_beam_alone) {
   Measured m;
   m.specimen = "beam";
   add_modes(m, "");
-  EXPECT_TRUE(losses_in_shear(nominal, m, nominal_of(nominal, m)).empty());
+  EXPECT_TRUE(losses_in_shear(m, nominal_of(nominal, m)).empty());
 }
 
 TEST(Baseline, braces_that_a_lattice_lost_are_found_in_their_section) {
@@ -354,7 +354,7 @@ TEST(Baseline, braces_that_a_lattice_lost_are_found_in_their_section) {
   plain.specimen = "beam";
   add_modes(plain, "");
   const Nominal model = nominal_of(nominal, plain);
-  const std::vector<Hypothesis> each = losses_in_shear(nominal, plain, model);
+  const std::vector<Hypothesis> each = losses_in_shear(plain, model);
   ASSERT_EQ(each.size(), 3U);
   const TestReadings readings = readings_of({.data = plain, .responses = {}});
   const Predictor without(model, readings, {&each[1]});
