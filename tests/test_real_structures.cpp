@@ -215,6 +215,13 @@ TEST(CrackedCantilever, cuts_are_listed_at_their_place_and_nothing_is_sure) {
     const auto damage = std::find_if(d.effects.begin(), d.effects.end(),
                                      [](const NamedEffect& e) { return e.name == "local_damage"; });
     ASSERT_NE(damage, d.effects.end()) << cut << ": " << d.headline;
+    const auto advised = [&](const char* what) {
+      return std::find(d.advice.begin(), d.advice.end(), what) != d.advice.end();
+    };
+    EXPECT_NE(advised("local_damage or added_mass: weigh the part"),
+              advised("added_mass or local_damage: weigh the part"))
+        << cut;
+    EXPECT_FALSE(advised("local_damage or rotated_sensor: turn the sensor")) << "there is none";
     const EstimatedParameter& place = damage->parameters.at(1);
     EXPECT_LE(place.interval[0], at) << cut;
     EXPECT_GE(place.interval[1], at) << cut;

@@ -80,6 +80,7 @@ public:
         result_.posteriors.emplace_back(name_of(fit), std::move(values));
       }
     plan_next(nominal, judgement);
+    advise(judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
     result_.warnings = problem_.readings.warnings;
     add_reach(best);
@@ -344,10 +345,27 @@ private:
     for (const auto& [fit, probability] : found_.inclusion.first(most)) add(*fit, probability);
     result_.next = next_measurements(problem_.data, problem_.nominal, problem_.test.data,
                                      problem_.readings, rivals, problem_.predictors->models());
+  }
+
+  // Beside effects that were tried: what the case has no place for is not told apart from anything.
+  void advise(const Judgement& judgement) {
+    const auto tried = [&](const std::string& effect) {
+      return std::any_of(problem_.hypotheses.begin(), problem_.hypotheses.end(),
+                         [&](const Hypothesis& h) { return h.effect == effect; });
+    };
+    const auto given = [&](const std::string& advice) {
+      return std::find(result_.advice.begin(), result_.advice.end(), advice) !=
+             result_.advice.end();
+    };
     for (const JudgedFit* j : judgement.named)
       for (const Hypothesis* h : j->fit.together)
-        for (const std::string& advice : effect_named(h->effect).look_alikes)
-          result_.advice.push_back(h->effect + " or " + advice);
+        for (const std::string& look_alike : effect_named(h->effect).look_alikes) {
+          const std::size_t colon = look_alike.find(':');
+          const std::string other = look_alike.substr(0, colon), how = look_alike.substr(colon);
+          const std::string advice = h->effect + " or " + other + how;
+          if (tried(other) && !given(advice) && !given(other + " or " + h->effect + how))
+            result_.advice.push_back(advice);
+        }
   }
 
   GapProblem& problem_; // its predictors are made as they are asked for
