@@ -81,7 +81,6 @@ private:
     j.adequate = adequate;
     return j;
   }
-
   std::deque<Hypothesis> hypotheses_;
   JudgedFit nominal_;
   std::vector<EffectFits> effects_;
@@ -123,8 +122,7 @@ TEST(Judge, names_all_that_lie_within_five_nats) {
   EXPECT_EQ(j.named.size(), 2u);
 }
 
-// A mass at the free end and damage at the clamp of a cantilever move its frequencies alike: what
-// speaks for one is that it has a parameter less.
+// A mass at the free end and damage at the clamp of a cantilever move its frequencies alike.
 TEST(Judge, is_sure_of_none_of_a_list) {
   Fits fits;
   fits.add("added_mass", 10);
@@ -188,10 +186,16 @@ TEST(Judge, lists_sets_that_are_too_far_out_of_a_prior_behind_one_that_is_not) {
 TEST(Judge, names_nothing_that_closes_none_of_the_gap) {
   Fits fits;
   fits.add("joint_friction", 12).explains_nothing = true;
-  const Judgement j = fits.judgement(false);
+  Judgement j = fits.judgement(false);
   EXPECT_EQ(j.verdict, Verdict::unknown);
   EXPECT_TRUE(j.named.empty());
   EXPECT_EQ(j.nearest, nullptr);
+  fits.add("damping", 16.9); // is not sure then
+  j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_EQ(j.withheld, "joint_friction at here explains as much, and closes none of the gap");
+  fits.singles.back().fit.log_evidence = 17.1;
+  EXPECT_EQ(fits.judgement(false).verdict, Verdict::identified);
 }
 
 // A mass that was weighed says nothing of a spring: two frequencies and a spring somewhere.
@@ -229,7 +233,6 @@ TEST(Judge, takes_a_pair_only_when_each_half_is_needed) {
   EXPECT_EQ(j.verdict, Verdict::several);
   EXPECT_NEAR(probability(j, "added_mass"), 1, 1e-12);
   EXPECT_NEAR(probability(j, "ply_slip"), 1, 1e-12);
-
   Fits little; // 4.9 more than the best single one
   little.add("added_mass", 10, false);
   little.add_pair("added_mass", "ply_slip", 14.9);
@@ -254,13 +257,11 @@ TEST(Judge, takes_a_larger_set_only_when_each_of_it_is_needed) {
   EXPECT_EQ(j.verdict, Verdict::several);
   ASSERT_EQ(j.named.size(), 1u);
   EXPECT_EQ(j.named[0]->fit.together.size(), 3u);
-
   Fits little; // 4.9 more than the best smaller one
   little.add("added_mass", 10, false);
   little.add_set({"added_mass", "ply_slip"}, 20.2, false);
   little.add_set(three, 25.1);
   EXPECT_EQ(little.judgement(false).verdict, Verdict::unknown);
-
   Fits free; // two readings for each free parameter
   free.add("added_mass", 10, false);
   JudgedFit& set = free.add_set(three, 40);
@@ -322,7 +323,6 @@ TEST(Judge, says_mostly_where_an_effect_far_ahead_closes_half_of_the_gap) {
   ASSERT_EQ(j.named.size(), 1u);
   EXPECT_EQ(j.named[0]->fit.together[0]->effect, "ply_slip");
   EXPECT_GT(j.probability_of("ply_slip"), 0.9);
-
   Fits close; // 10 ln(2.2 / 2) = 1 nat apart
   close.add_gap("ply_slip", 2);
   close.add_gap("temperature", 2.2);

@@ -141,11 +141,22 @@ void weigh_with_doubt(double apart, Judgement& result) {
   for (auto& [name, p] : result.probabilities) p /= sum;
 }
 
+// What explains the test as well as what leads and leaves no less of the gap: it is not named, and
+// what leads is not sure.
+std::string outdone_by(const std::vector<EffectFits>& effects, double best, double apart) {
+  for (const EffectFits& f : effects)
+    if (f.best->adequate && !f.best->fails_held_out && f.best->explains_nothing &&
+        best - f.log_evidence < apart)
+      return name_of(f.best->fit) + " explains as much, and closes none of the gap";
+  return "";
+}
+
 // Effects that are told apart from all others, or a list of those that are not: `rivals` stand, but
-// too far out of their priors to be named alone.
+// too far out of their priors to be named alone; `outdone`: why what leads is not sure.
 void name_singles(const std::vector<const EffectFits*>& credible,
-                  const std::vector<const EffectFits*>& rivals, double none,
-                  const Standards& standards, const Objecting& objecting, Judgement& result) {
+                  const std::vector<const EffectFits*>& rivals, const std::string& outdone,
+                  double none, const Standards& standards, const Objecting& objecting,
+                  Judgement& result) {
   const double best = credible.front()->log_evidence;
   for (const EffectFits* f : credible) {
     const double behind = best - f->log_evidence;
@@ -159,6 +170,7 @@ void name_singles(const std::vector<const EffectFits*>& credible,
     if (best - f->log_evidence < standards.apart && result.named.size() < threshold::most_listed)
       result.named.push_back(f->best);
   result.withheld = result.named.front()->saturated();
+  if (result.withheld.empty()) result.withheld = outdone;
   if (result.withheld.empty() && result.named.size() == 1 && objecting) {
     Objection objection = objecting(*result.named.front());
     result.withheld = std::move(objection.why);
@@ -264,7 +276,8 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     return result;
   }
   if (!credible.empty() && best - none >= standards.evidence) {
-    name_singles(credible, rivals, none, standards, referee.to_all, result);
+    name_singles(credible, rivals, outdone_by(effects, best, standards.apart), none, standards,
+                 referee.to_all, result);
     if (!result.withheld.empty())
       claim_no_more_than_is_closed(nominal, result.named.front(), result);
     return result;

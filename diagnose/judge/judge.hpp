@@ -17,11 +17,12 @@
 //               What is beyond |z| = 3 can be no cause that is sure, but has to be told apart
 //   ambiguous   several adequate effects within that of the best, up to three of them, or all that
 //               are within 3; or what would be identified has as many free parameters as there are
-//               fitted readings, closes less than half of the gap, or foretells readings taken in
-//               turn no better than no effect does: then up to three effects within 8 of it. A
-//               parameter is free where its posterior is narrower than half its prior, or a move
-//               within the prior changes a reading by a tenth of its standard deviation. Of a list
-//               none is sure: 5 nats are odds of nine to one
+//               fitted readings, closes less than half of the gap, foretells readings taken in
+//               turn no better than no effect does, or is within 5 of what is as adequate and
+//               closes nothing: then up to three effects within 8 of it. A parameter is free where
+//               its posterior is narrower than half its prior, or a move within the prior changes a
+//               reading by a tenth of its standard deviation. Of a list none is sure: 5 nats are
+//               odds of nine to one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings
