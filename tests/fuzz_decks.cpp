@@ -22,9 +22,10 @@ void fuzz_decks(unsigned seed, long rounds) {
   const TemporaryFolder folder("fuzz_decks");
   Mutator mutator(seed);
   int read = 0, refused = 0;
+  const std::vector<DeckSeed> seeds = deck_seeds();
   double slowest = 0; // s
   for (long round = 0; round < rounds && !testing::Test::HasFailure(); ++round) {
-    const DeckSeed& own = deck_seeds[mutator.below(deck_seeds.size())];
+    const DeckSeed& own = seeds[mutator.below(seeds.size())];
     std::string text = own.text;
     for (std::size_t k = 0, n = 1 + mutator.below(2); k < n; ++k) mutator.damage(text);
     const auto file = folder.path / (own.nastran ? "model.bdf" : "model.inp");
@@ -61,7 +62,7 @@ void fuzz_decks(unsigned seed, long rounds) {
 
 TEST(DeckFuzz, seeds_are_read_as_they_are) {
   const TemporaryFolder folder("fuzz_decks");
-  for (const DeckSeed& own : deck_seeds) {
+  for (const DeckSeed& own : deck_seeds()) {
     const auto file = folder.path / (own.nastran ? "model.bdf" : "model.inp");
     write_whole(file, own.text);
     try {
