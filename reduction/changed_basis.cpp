@@ -119,15 +119,12 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
   // Rows over [Psi | W | X] to those over q.
   const auto over_q = [&](const MatrixXd& rows) {
     MatrixXd own(rows.rows(), b + k);
-    own << rows.leftCols(b), rows.rightCols(n) * T;
+    own << rows.leftCols(b), plica::product(rows.rightCols(n), T);
     return own;
-  };
-  const auto over_q_both = [&](const MatrixXd& square) -> MatrixXd {
-    return over_q(over_q(square).transpose()).transpose();
   };
   const auto seen_by = [&](const SparseMatrix& A, const MatrixXd& V) -> MatrixXd { // V' A V
     if (A.nonZeros() == 0) return MatrixXd::Zero(b + k, b + k);
-    return over_q_both(transposed_product(V, symmetric_product(A, V)));
+    return transposed_product(V, symmetric_product(A, V));
   };
   const auto side_by_side = [&](const auto& of_Psi, const auto& of_W, const auto& of_X) {
     MatrixXd rows(of_Psi.rows(), b + n);
@@ -147,7 +144,8 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
   affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
   MatrixXd all; // of what reaches everywhere
   const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
-  if (std::any_of(changes.begin(), changes.end(), is_whole)) all = side_by_side(Psi_, W_, X);
+  if (std::any_of(changes.begin(), changes.end(), is_whole))
+    all = over_q(side_by_side(Psi_, W_, X));
   for (const PreparedChange& change : changes)
     if (change.product_of) affine.products.push_back(*change.product_of);
   affine.dK.resize(changes.size());
@@ -157,14 +155,15 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
   in_parallel(int(changes.size()), [&](int i) {
     const PreparedChange& d = changes[std::size_t(i)];
     const bool whole = is_whole(d);
-    const MatrixXd own = whole ? MatrixXd()
-                               : side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
-                                              X(d.dofs, Eigen::all));
+    const MatrixXd own = whole
+                             ? MatrixXd()
+                             : over_q(side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
+                                                   X(d.dofs, Eigen::all)));
     const MatrixXd& V = whole ? all : own;
     const MatrixXd r = rows_at(rigid_, d.dofs).leftCols(3), Mr = symmetric_product(d.M, r);
     affine.dK[std::size_t(i)] = seen_by(d.K, V);
     affine.dM[std::size_t(i)] = seen_by(d.M, V);
-    affine.d_load[std::size_t(i)] = over_q(Mr.transpose() * V).transpose();
+    affine.d_load[std::size_t(i)] = V.transpose() * Mr;
     affine.d_mass[std::size_t(i)] = r.col(along).dot(Mr.col(along));
   });
   const Index modes = nominal_.lambda.size();

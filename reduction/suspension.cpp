@@ -1,7 +1,8 @@
 #include "reduction/suspension.hpp"
 
+#include "solve/symmetric_pairs.hpp"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <vector>
 
@@ -19,10 +20,9 @@ VectorXd Suspension::rigid_shares(const MatrixXd& q) const {
 std::optional<ReducedModes> reduced_modes(const MatrixXd& K, const MatrixXd& M,
                                           const Suspension& suspension, Index most) {
   const MatrixXd shifted = suspension.shift == 0 ? K : MatrixXd(K + suspension.shift * M);
-  if (Eigen::LLT<MatrixXd>(shifted).info() != Eigen::Success) return std::nullopt;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(M, shifted);
-  if (pairs.info() != Eigen::Success) return std::nullopt;
-  const VectorXd& theta = pairs.eigenvalues(); // 1 / (lambda + shift), increasing
+  const auto pairs = symmetric_pairs(M, shifted);
+  if (!pairs) return std::nullopt;
+  const VectorXd& theta = pairs->values; // 1 / (lambda + shift), increasing
   const Index n = theta.size();
   Index count = 0;
   constexpr double finite = 1e-12;
@@ -30,8 +30,8 @@ std::optional<ReducedModes> reduced_modes(const MatrixXd& K, const MatrixXd& M,
   if (count == 0) return std::nullopt;
   ReducedModes modes;
   modes.lambda = theta.tail(count).reverse().cwiseInverse();
-  modes.q = pairs.eigenvectors().rightCols(count).rowwise().reverse() *
-            modes.lambda.cwiseSqrt().asDiagonal();
+  modes.q =
+      pairs->vectors.rightCols(count).rowwise().reverse() * modes.lambda.cwiseSqrt().asDiagonal();
   modes.lambda.array() -= suspension.shift;
   if (!suspension.leaves_rigid) return modes;
   constexpr double is_rigid = 0.5;

@@ -79,7 +79,7 @@ public:
           values.col(k) = predict.values_of(fit.draws.col(k));
         result_.posteriors.emplace_back(name_of(fit), std::move(values));
       }
-    plan_next(nominal, judgement);
+    plan_next(nominal);
     advise(judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
     result_.warnings = problem_.readings.warnings;
@@ -325,7 +325,7 @@ private:
   }
 
   // Among what the test leaves open: the nominal case, sets of effects, their numbers.
-  void plan_next(const JudgedFit& nominal, const Judgement& judgement) {
+  void plan_next(const JudgedFit& nominal) {
     if (!settings_.plan_next || settings_.stop()) return;
     settings_.stage("next measurement", 0.98);
     constexpr std::size_t most = 5;

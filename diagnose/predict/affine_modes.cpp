@@ -25,7 +25,7 @@ double AffineModes::hertz(Index i) const {
 MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const VectorXd& coefficients) {
   MatrixXd sum = A;
   for (std::size_t k = 0; k < dA.size(); ++k)
-    if (coefficients[Index(k)] != 0) sum += coefficients[Index(k)] * dA[k];
+    if (dA[k].size() > 0 && coefficients[Index(k)] != 0) sum += coefficients[Index(k)] * dA[k];
   return sum;
 }
 
@@ -46,9 +46,12 @@ FreeAffineModel::FreeAffineModel(const AffineModel& f, const std::vector<int>& f
       marked_(f.marked(Eigen::all, free)), nominal_(M_ * f.nominal(free, Eigen::all)),
       suspension_(f.suspension), products_(f.products), zeta_(zeta) {
   suspension_.rigid = f.suspension.rigid(free, Eigen::all);
+  const auto kept = [&](const MatrixXd& whole) {
+    return whole.isZero(0) ? MatrixXd() : MatrixXd(whole(free, free));
+  };
   for (std::size_t k = 0; k < f.dK.size(); ++k) {
-    dK_.emplace_back(f.dK[k](free, free));
-    dM_.emplace_back(f.dM[k](free, free));
+    dK_.push_back(kept(f.dK[k]));
+    dM_.push_back(kept(f.dM[k]));
     d_load_.emplace_back(f.d_load[k](free, Eigen::all));
   }
 }
@@ -70,9 +73,11 @@ std::optional<AffineModes> FreeAffineModel::modes(const VectorXd& of_changes, in
 
 MatrixXd FreeAffineModel::group_stiffness(const VectorXd& of_changes, int group) const {
   MatrixXd K = dK_[std::size_t(group)];
+  if (K.size() == 0) K = MatrixXd::Zero(K_.rows(), K_.cols());
   for (std::size_t k = 0; k < products_.size(); ++k) {
     const auto& [a, b] = products_[k];
     const MatrixXd& together = dK_[std::size_t(of_changes.size()) + k];
+    if (together.size() == 0) continue;
     if (a == group) K += of_changes[b] * together;
     if (b == group) K += of_changes[a] * together;
   }

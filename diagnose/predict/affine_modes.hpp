@@ -45,12 +45,12 @@ private:
 
   Eigen::MatrixXd K_, M_, load_, marked_, nominal_; // nominal: M times the nominal modes
   Suspension suspension_;
-  std::vector<Eigen::MatrixXd> dK_, dM_, d_load_;
-  std::vector<std::array<int, 2>> products_; // the last of these are
+  std::vector<Eigen::MatrixXd> dK_, dM_, d_load_; // of dK_ and dM_ those that are zero are empty
+  std::vector<std::array<int, 2>> products_;      // the last of these are
   Eigen::VectorXd zeta_;
 };
 
-// A sum with one term per change.
+// A sum with one term per change that is not empty.
 Eigen::MatrixXd summed(const Eigen::MatrixXd& A, const std::vector<Eigen::MatrixXd>& dA,
                        const Eigen::VectorXd& coefficients);
 

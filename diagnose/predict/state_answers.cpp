@@ -201,16 +201,24 @@ RowVectorXcd StateAnswers::reading_of(const MatrixXcd& motion, int sensor, int a
                     motion.middleRows<3>(3 * Index(sensor)));
 }
 
-// Modes of a run's measured peaks, by how high each stands in the channel of the run.
-std::vector<Index> StateAnswers::peak_modes(const AffineModes& m, const TestRun& run) const {
+// How high each mode stands in the channel of a run.
+VectorXd StateAnswers::heights(const AffineModes& m, const VectorXd& zeta,
+                               const TestRun& run) const {
   const int sensor = own_.nominal->number_of(run.sensor);
   const VectorXd in = run.seen_along() ? input_of(m, run) : VectorXd(m.gamma.col(run.axis));
-  VectorXd hertz(m.lambda.size()), height(m.lambda.size());
+  VectorXd height(m.lambda.size());
   for (Index i = 0; i < height.size(); ++i) {
     const double out = sensor < 0 || !run.seen_along() ? in[i] : seen_at(m, i, sensor, run.axis);
-    hertz[i] = m.hertz(i);
-    height[i] = std::abs(in[i] * out) / m.zeta[i];
+    height[i] = std::abs(in[i] * out) / zeta[i];
   }
+  return height;
+}
+
+// Modes of a run's measured peaks, by how high each stands in the channel of the run.
+std::vector<Index> StateAnswers::peak_modes(const AffineModes& m, const TestRun& run) const {
+  VectorXd hertz(m.lambda.size());
+  for (Index i = 0; i < hertz.size(); ++i) hertz[i] = m.hertz(i);
+  const VectorXd height = heights(m, m.zeta, run);
   // Those that are the first of their channel, and those of a planned test, are strong ones.
   const double share = run.input.base < 0 ? strong_under_force : strong_on_table;
   const double least = run.first || run.planned() ? share : faint * share;
@@ -322,17 +330,14 @@ double StateAnswers::width(const Peak& peak, const TestRun& run) const {
   const int sensor = own_.nominal->number_of(run.sensor);
   if (sensor < 0 || !run.seen_along()) return peak.damping();
   const AffineModes& m = *peak.modes;
-  const VectorXd in = input_of(m, run);
-  const auto height = [&](Index i) {
-    return std::abs(in[i] * seen_at(m, i, sensor, run.axis)) / peak.zeta[i];
-  };
+  const VectorXd height = heights(m, peak.zeta, run);
   constexpr double shows = 0.05; // of the height of the peak
   bool alone = true;
   for (Index j = 0; j < m.lambda.size(); ++j)
     alone = alone && (j == peak.mode ||
                       std::abs(m.omega(j) / peak.omega() - 1) >
                           fitted_reach * peak.damping() + 2 * peak.zeta[j] ||
-                      height(j) < shows * height(peak.mode));
+                      height[j] < shows * height[peak.mode]);
   if (alone) return peak.damping();
   constexpr int steps = 10; // to either side
   std::vector<double> omega;

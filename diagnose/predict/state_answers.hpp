@@ -86,6 +86,8 @@ private:
   Eigen::MatrixXcd motion(const AffineModes& m, const Eigen::VectorXd& zeta, const TestRun& run,
                           const std::vector<double>& omega) const;
   Eigen::RowVectorXcd reading_of(const Eigen::MatrixXcd& motion, int sensor, int axis) const;
+  Eigen::VectorXd heights(const AffineModes& m, const Eigen::VectorXd& zeta,
+                          const TestRun& run) const;
   std::vector<Eigen::Index> peak_modes(const AffineModes& m, const TestRun& run) const;
   std::optional<std::vector<Slipping>> slipping(const Softening& softening, const Driven& driven,
                                                 SlipTable& table) const;
