@@ -28,7 +28,8 @@ if(PLICA_SANITIZE)
   # half the time.
   target_compile_options(plica_options INTERFACE -fsanitize=address,undefined
     -fno-sanitize=null,alignment,vptr,object-size -fno-sanitize-recover=undefined
-    -fno-omit-frame-pointer -O1)
+    -fno-omit-frame-pointer -O1
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/not_sanitized.txt>)
   target_link_options(plica_options INTERFACE -fsanitize=address,undefined)
 endif()
 

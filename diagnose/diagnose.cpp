@@ -6,6 +6,7 @@
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -105,8 +106,9 @@ public:
   }
 
 private:
-  // No single effect explains the test, or one of those that explain it as well as the best leaves
-  // what asks for more. Beside a baseline the latter may be what the change does not do exactly.
+  // No single effect explains the test; or what one that does leaves asks for more; or with a
+  // second one another, which alone does not, would come as near as the best. Beside a baseline the
+  // latter two may be what the change does not do exactly.
   bool wants_several(const std::vector<EffectFits>& ranked, const std::vector<Signature>& all,
                      const Standards& standards) const {
     const auto explains = [](const EffectFits& f) { return f.best->credible(); };
@@ -114,8 +116,11 @@ private:
     if (best == ranked.end()) return true;
     if (!problem_.baseline.readings.empty()) return false;
     return std::any_of(ranked.begin(), ranked.end(), [&](const EffectFits& f) {
-      return f.best->stands() && best->log_evidence - f.log_evidence < standards.apart &&
-             asks_for_more(f.best->fit, all);
+      const double behind = best->log_evidence - f.log_evidence;
+      const double worth = worth_of_one_more(f.best->fit, all);
+      if (f.best->stands()) return behind < standards.apart && worth >= threshold::beyond_chance;
+      return !f.best->adequate && behind < threshold::within_reach &&
+             behind < worth + threshold::told_apart;
     });
   }
 

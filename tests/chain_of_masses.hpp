@@ -89,4 +89,9 @@ inline TimeRecord shaken(const Chain& chain, double rate, Eigen::Index samples, 
   return record_of(chain, rate, y);
 }
 
+// Standard deviation of a sample.
+inline double deviation(const Eigen::VectorXd& x) {
+  return std::sqrt((x.array() - x.mean()).square().sum() / double(x.size() - 1));
+}
+
 } // namespace plica::test

@@ -80,7 +80,7 @@ template <class Geometry> Geometry shape_now(const Geometry& rest, const NodeSta
   return now;
 }
 
-struct Element {
+struct StressedElement {
   NodeStates rest;
   std::function<std::pair<MatrixXd, VectorXd>(const NodeStates&)> tangent;
   MatrixXd at_rest;
@@ -92,7 +92,7 @@ NodeStates nodes_at(std::vector<Vector3d> places) {
   return {std::move(places), turned};
 }
 
-Element quad(MembraneStrain membrane, double bending_factor) {
+StressedElement quad(MembraneStrain membrane, double bending_factor) {
   ShellSection section = steel_wall;
   section.bending_factor = bending_factor;
   const ShellGeometry g = warped_quad();
@@ -107,7 +107,7 @@ Element quad(MembraneStrain membrane, double bending_factor) {
           .length = 0.01};
 }
 
-Element triangle() {
+StressedElement triangle() {
   const TriangleGeometry g = curved_triangle();
   return {.rest = nodes_at({g.X.col(0), g.X.col(1), g.X.col(2)}),
           .tangent =
@@ -120,7 +120,7 @@ Element triangle() {
           .length = 0.01};
 }
 
-Element beam() {
+StressedElement beam() {
   BeamProperties section = rectangle_section({.E = 2e11, .nu = 0.3, .rho = 7900}, 4e-3, 7e-3);
   const BeamGeometry g{.node1 = {0.1, 0.2, 0},
                        .node2 = {0.15, 0.23, 0.02},
@@ -136,7 +136,7 @@ Element beam() {
           .length = 0.05};
 }
 
-Element bushing() {
+StressedElement bushing() {
   Bushing b;
   b.axes = rotation_by({0.3, -0.2, 0.5});
   const MatrixXd half = MatrixXd::Random(6, 6);
@@ -153,7 +153,7 @@ Element bushing() {
           .length = 0.03};
 }
 
-std::vector<Element> all_elements() {
+std::vector<StressedElement> stressed_elements() {
   return {quad(MembraneStrain::displacement, 1),
           quad(MembraneStrain::mitc4_plus, 1),
           quad(MembraneStrain::incompatible, 1),
@@ -164,7 +164,7 @@ std::vector<Element> all_elements() {
 }
 
 // The whole turned by more than a right angle, then strained.
-NodeStates far_state(const Element& e, double strain) {
+NodeStates far_state(const StressedElement& e, double strain) {
   const Matrix3d turn = rotation_by({1.2, -0.9, 1.1});
   NodeStates s = e.rest;
   for (std::size_t i = 0; i < s.place.size(); ++i) {
@@ -177,7 +177,7 @@ NodeStates far_state(const Element& e, double strain) {
 } // namespace
 
 TEST(ElementStates, AtRestTheyAreTheLinearElements) {
-  for (const Element& e : all_elements()) {
+  for (const StressedElement& e : stressed_elements()) {
     const auto [K, force] = e.tangent(e.rest);
     EXPECT_LT((K - e.at_rest).norm(), 1e-12 * e.at_rest.norm());
     EXPECT_LT(force.norm(), 1e-13 * e.at_rest.norm() * e.length);
@@ -185,7 +185,7 @@ TEST(ElementStates, AtRestTheyAreTheLinearElements) {
 }
 
 TEST(ElementStates, RigidMotionsLeaveThemUnstressed) {
-  for (const Element& e : all_elements()) {
+  for (const StressedElement& e : stressed_elements()) {
     const auto [K, force] = e.tangent(far_state(e, 0));
     EXPECT_LT(force.norm(), 1e-9 * e.at_rest.norm() * e.length);
     EXPECT_NEAR(K.norm() / e.at_rest.norm(), 1, 1e-6);
@@ -195,7 +195,7 @@ TEST(ElementStates, RigidMotionsLeaveThemUnstressed) {
 // The stiffness is the symmetric part of the numerical derivative of the forces; the other part
 // belongs to the order of finite rotations.
 TEST(ElementStates, StiffnessIsTheDerivativeOfTheForces) {
-  for (const Element& e : all_elements()) {
+  for (const StressedElement& e : stressed_elements()) {
     const NodeStates s = far_state(e, 0.02);
     const auto [K, force] = e.tangent(s);
     const Eigen::Index n = K.rows();

@@ -19,7 +19,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 const std::string frame_folder = PLICA_SOURCE_DIR "/cases/three_storey_frame/";
-constexpr double damping = 0.002; // as the case says
+constexpr double frame_damping = 0.002; // as the case says
 
 // Three floors on legs, in x: k = 12 EI / h^3 between neighbours, the first to the ground.
 struct Chain {
@@ -39,7 +39,7 @@ struct Chain {
     for (Eigen::Index k = 0; k < hertz.size(); ++k)
       for (int r = 0; r < 3; ++r) {
         const double w = 2 * std::numbers::pi * hertz[k], lambda = modes.eigenvalues()[r];
-        const std::complex<double> under(lambda - w * w, 2 * damping * std::sqrt(lambda) * w);
+        const std::complex<double> under(lambda - w * w, 2 * frame_damping * std::sqrt(lambda) * w);
         const Vector3d phi = modes.eigenvectors().col(r);
         H.row(k) += (-w * w * phi[driven] / under * phi.cast<std::complex<double>>()).transpose();
       }

@@ -1,5 +1,6 @@
 // Modes of free decays, against chains of masses whose modes are known in closed form.
 #include "tests/chain_of_masses.hpp"
+#include "tests/support/refusal.hpp"
 
 #include "lab/identification/decay_fit.hpp"
 #include "lab/identification/free_decays.hpp"
@@ -17,19 +18,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-std::string error_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.problems()[0].key + ": " + error.what();
-  }
-  return "no error";
-}
-
-double deviation(const VectorXd& x) {
-  return std::sqrt((x.array() - x.mean()).square().sum() / double(x.size() - 1));
-}
 
 void expect_modes(const Identification& found, const Chain& chain, double frequency, double damping,
                   double shape) {
@@ -199,7 +187,7 @@ TEST(FreeDecay, refuses_what_no_mode_follows_from) {
   const Chain chain;
   const TimeRecord good = let_go(chain, 0, 256, 6, 0.5);
   const auto refused = [](const TimeRecord& record, const IdentifySettings& settings = {}) {
-    return error_of([&] { identify_decays({record}, "", settings); });
+    return keyed_error_of([&] { identify_decays({record}, "", settings); });
   };
   TimeRecord steady = good;
   steady.samples.setZero();
@@ -224,13 +212,13 @@ TEST(FreeDecay, refuses_what_no_mode_follows_from) {
   EXPECT_NE(refused(slow).find("rate: is too low"), std::string::npos) << refused(slow);
   TimeRecord other = good;
   other.channels[0] = "p.x";
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(keyed_error_of([&] {
               identify_decays({good, other}, "", {});
             }).find("channels: differ"),
             std::string::npos);
   TimeRecord faster = good;
   faster.rate = 300;
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(keyed_error_of([&] {
               identify_decays({good, faster}, "", {});
             }).find("rate: is 300 Hz"),
             std::string::npos);

@@ -1,6 +1,7 @@
 // From the files of a test to a measured.yaml that compare, fit and diagnose read as it is; and
 // what is said, with file, line and key, of signals from which no mode follows.
 #include "tests/chain_of_masses.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include "compare/correlate.hpp"
@@ -18,15 +19,6 @@ namespace plica::test {
 namespace {
 
 using Eigen::Index;
-
-std::string error_of_identified(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "no error";
-}
 
 std::string csv_of(const TimeRecord& record, const std::string& unit = "") {
   std::string text = "time [s]";
@@ -134,7 +126,7 @@ TEST(IdentifiedFile, names_file_line_and_key_of_bad_signals) {
   write_whole(folder.path / "clipped.csv", csv_of(clipped));
   const auto error = [&](const std::string& signals) {
     const MeasuredFile file = read(folder, signals);
-    return error_of_identified([&] { time_runs(on_file(file)); });
+    return error_of([&] { time_runs(on_file(file)); });
   };
   EXPECT_NE(error("  - {file: good.csv, excitation: free_decay}\n"
                   "  - {file: steady.csv, excitation: free_decay}\n")
@@ -162,7 +154,7 @@ TEST(IdentifiedFile, names_file_line_and_key_of_bad_signals) {
             std::string::npos);
   const MeasuredFile file = read(folder, "  - {file: steady.csv, excitation: output_only}\n");
   const std::vector<TimeRun> runs = time_runs(on_file(file));
-  EXPECT_NE(error_of_identified([&] {
+  EXPECT_NE(error_of([&] {
               identified(runs[0], on_file(file), {.high = 80});
             }).find("measured.yaml:10: signals[0].rate: of 128 Hz is too low"),
             std::string::npos);
@@ -172,7 +164,7 @@ TEST(IdentifiedFile, says_what_does_not_go_with_an_excitation) {
   const TemporaryFolder folder("excitation");
   write_whole(folder.path / "a.csv", csv_of(let_go(Chain(), 0, 256, 5, 0.4)));
   const auto error = [&](const std::string& rest) {
-    return error_of_identified([&] { read(folder, "  - {file: a.csv" + rest + "}\n"); });
+    return error_of([&] { read(folder, "  - {file: a.csv" + rest + "}\n"); });
   };
   EXPECT_EQ(error(", excitation: free_decay"), "no error");
   EXPECT_EQ(error(", excitation: output_only, state: warm"), "no error");

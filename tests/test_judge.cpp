@@ -1,96 +1,12 @@
 // The verdict by its published rules (docs/diagnosis.md, judge.hpp), on fits made up for the
 // purpose.
-#include "diagnose/judge/inclusion.hpp"
-#include "diagnose/judge/judge.hpp"
+#include "tests/made_up_fits.hpp"
 
 #include <cmath>
-#include <deque>
 #include <gtest/gtest.h>
 
 namespace plica {
 namespace {
-
-// Fits by effect and evidence; the nominal case has evidence 0.
-class Fits {
-public:
-  JudgedFit nominal(bool adequate) const {
-    JudgedFit j;
-    j.fit.solved = true;
-    j.adequate = adequate;
-    return j;
-  }
-  JudgedFit& add(const std::string& effect, double log_evidence, bool adequate = true,
-                 const std::string& place = "here") {
-    singles.push_back(fit_of({hypothesis(effect, place)}, log_evidence, adequate));
-    return singles.back();
-  }
-  JudgedFit& add_set(const std::vector<std::string>& effects, double log_evidence,
-                     bool adequate = true) {
-    std::vector<const Hypothesis*> together;
-    for (const std::string& effect : effects) together.push_back(hypothesis(effect, "here"));
-    sets.push_back(fit_of(std::move(together), log_evidence, adequate));
-    sets.back().held_out_met = true;
-    sets.back().held_out_shrink = 0.5;
-    return sets.back();
-  }
-  JudgedFit& add_pair(const std::string& a, const std::string& b, double log_evidence) {
-    return add_set({a, b}, log_evidence);
-  }
-  Judgement judgement(bool nominal_adequate, const Referee& referee = {}) {
-    nominal_ = nominal(nominal_adequate);
-    effects_ = fits_by_effect(singles);
-    return judge(nominal_, effects_, sets, Inclusion(nominal_, singles, sets), {}, referee);
-  }
-  // Fits of ten readings that leave this gap each, as log evidences are without their dispersion.
-  Judgement judgement_of_gaps(double nominal_gap, const Referee& referee = {}) {
-    nominal_ = nominal(false);
-    leave(nominal_, nominal_gap);
-    effects_ = fits_by_effect(singles);
-    return judge(nominal_, effects_, sets, Inclusion(nominal_, singles, sets), {}, referee);
-  }
-  static void leave(JudgedFit& j, double gap) {
-    constexpr int readings = 10;
-    j.gap_after = gap;
-    j.fit.error = Eigen::VectorXd::Constant(readings, gap);
-    j.fit.J = Eigen::MatrixXd::Zero(readings, j.fit.z.size());
-    j.fit.chi2 = j.fit.error.squaredNorm();
-    j.readings = readings;
-    j.fit.log_evidence = -j.fit.chi2 / 2;
-  }
-  JudgedFit& add_gap(const std::string& effect, double gap, const std::string& place = "here") {
-    leave(add(effect, 0, false, place), gap);
-    return singles.back();
-  }
-
-  std::vector<JudgedFit> singles, sets;
-
-private:
-  const Hypothesis* hypothesis(const std::string& effect, const std::string& place) {
-    hypotheses_.emplace_back();
-    hypotheses_.back().effect = effect;
-    hypotheses_.back().place = place;
-    return &hypotheses_.back();
-  }
-  static JudgedFit fit_of(std::vector<const Hypothesis*> together, double log_evidence,
-                          bool adequate) {
-    JudgedFit j;
-    j.fit.together = std::move(together);
-    j.fit.solved = true;
-    j.fit.log_evidence = log_evidence;
-    j.log_bayes_factor = log_evidence;
-    j.adequate = adequate;
-    return j;
-  }
-  std::deque<Hypothesis> hypotheses_;
-  JudgedFit nominal_;
-  std::vector<EffectFits> effects_;
-};
-
-double probability(const Judgement& j, const std::string& effect) {
-  for (const auto& [name, p] : j.probabilities)
-    if (name == effect) return p;
-  return 0;
-}
 
 TEST(Judge, says_none_while_no_effect_is_worth_the_threshold) {
   Fits fits;
@@ -167,20 +83,6 @@ TEST(Judge, tells_an_effect_apart_from_what_is_too_far_out_of_its_prior) {
   EXPECT_EQ(j.verdict, Verdict::identified);
 }
 
-TEST(Judge, lists_sets_that_are_too_far_out_of_a_prior_behind_one_that_is_not) {
-  Fits fits;
-  fits.add("added_mass", 10, false);
-  fits.add("ply_slip", 4, false);
-  fits.add_pair("added_mass", "ply_slip", 20);
-  fits.add_pair("added_mass", "temperature", 22).absurd = true;
-  Judgement j = fits.judgement(false);
-  EXPECT_EQ(j.verdict, Verdict::several);
-  ASSERT_EQ(j.named.size(), 2u);
-  EXPECT_EQ(j.named[0]->fit.together[1]->effect, "ply_slip");
-  fits.sets.front().absurd = true;
-  EXPECT_NE(fits.judgement(false).verdict, Verdict::several) << "none is left that may be named";
-}
-
 // An effect may be allowed to be off by more than it explains: A1 of cases/ had "joint_friction,
 // which closes -47 % of the gap" at the head of its list.
 TEST(Judge, names_nothing_that_closes_none_of_the_gap) {
@@ -222,83 +124,6 @@ TEST(Judge, says_unknown_where_nothing_is_credible) {
   Fits fits;
   fits.add("added_mass", 30, false);
   EXPECT_EQ(fits.judgement(false).verdict, Verdict::unknown);
-}
-
-TEST(Judge, takes_a_pair_only_when_each_half_is_needed) {
-  Fits fits;
-  fits.add("added_mass", 10, false);
-  fits.add("ply_slip", 4, false);
-  fits.add_pair("added_mass", "ply_slip", 15.1);
-  Judgement j = fits.judgement(false);
-  EXPECT_EQ(j.verdict, Verdict::several);
-  EXPECT_NEAR(probability(j, "added_mass"), 1, 1e-12);
-  EXPECT_NEAR(probability(j, "ply_slip"), 1, 1e-12);
-  Fits little; // 4.9 more than the best single one
-  little.add("added_mass", 10, false);
-  little.add_pair("added_mass", "ply_slip", 14.9);
-  EXPECT_EQ(little.judgement(false).verdict, Verdict::unknown);
-  Fits unmet;
-  unmet.add("added_mass", 10, false);
-  unmet.add_pair("added_mass", "ply_slip", 20).held_out_met = false;
-  EXPECT_EQ(unmet.judgement(false).verdict, Verdict::unknown);
-  Fits unshrunk;
-  unshrunk.add("added_mass", 10, false);
-  unshrunk.add_pair("added_mass", "ply_slip", 20).held_out_shrink = 0.29;
-  EXPECT_EQ(unshrunk.judgement(false).verdict, Verdict::unknown);
-}
-
-TEST(Judge, takes_a_larger_set_only_when_each_of_it_is_needed) {
-  const std::vector<std::string> three{"added_mass", "ply_slip", "damping"};
-  Fits fits;
-  fits.add("added_mass", 10, false);
-  fits.add_set({"added_mass", "ply_slip"}, 20, false);
-  fits.add_set(three, 25.1);
-  Judgement j = fits.judgement(false);
-  EXPECT_EQ(j.verdict, Verdict::several);
-  ASSERT_EQ(j.named.size(), 1u);
-  EXPECT_EQ(j.named[0]->fit.together.size(), 3u);
-  Fits little; // 4.9 more than the best smaller one
-  little.add("added_mass", 10, false);
-  little.add_set({"added_mass", "ply_slip"}, 20.2, false);
-  little.add_set(three, 25.1);
-  EXPECT_EQ(little.judgement(false).verdict, Verdict::unknown);
-  Fits free; // two readings for each free parameter
-  free.add("added_mass", 10, false);
-  JudgedFit& set = free.add_set(three, 40);
-  set.readings = 6;
-  set.free_parameters = 3;
-  EXPECT_EQ(free.judgement(false).verdict, Verdict::unknown);
-  set.readings = 9;
-  EXPECT_EQ(free.judgement(false).verdict, Verdict::several);
-}
-
-TEST(Judge, takes_a_set_beside_what_explains_the_test_only_beyond_chance) {
-  Fits fits;
-  fits.add("added_mass", 10);
-  fits.add_set({"added_mass", "ply_slip"}, 16.9);
-  EXPECT_EQ(fits.judgement(false).verdict, Verdict::identified);
-  fits.sets.back().fit.log_evidence = 17.1;
-  EXPECT_EQ(fits.judgement(false).verdict, Verdict::several);
-}
-
-// Ten effects would do beside damping: one just met the held-out readings and was named.
-TEST(Judge, names_no_set_of_which_too_many_are_as_good) {
-  Fits fits;
-  fits.add("damping", 10, false);
-  fits.add_set({"damping", "local_damage"}, 20);
-  fits.add_set({"damping", "forming_thinning"}, 22).held_out_shrink = 0.29;
-  fits.add_set({"damping", "ply_slip"}, 21).held_out_shrink = 0.29;
-  Judgement j = fits.judgement(false);
-  ASSERT_EQ(j.named.size(), 3u) << "rivals are listed whatever they foretell";
-  EXPECT_EQ(j.named[0]->fit.together[1]->effect, "local_damage");
-  EXPECT_LT(probability(j, "local_damage"), 0.1);
-  Fits flat; // what they share is left
-  flat.add_gap("damping", 1.3);
-  for (const char* other : {"local_damage", "forming_thinning", "ply_slip", "temperature"})
-    Fits::leave(flat.add_pair("damping", other, 0), 0.3);
-  j = flat.judgement_of_gaps(5);
-  ASSERT_EQ(j.verdict, Verdict::mostly);
-  EXPECT_EQ(j.named[0]->fit.effects(), std::vector<std::string>{"damping"});
 }
 
 TEST(Judge, says_of_a_search_that_was_stopped_what_came_nearest) {

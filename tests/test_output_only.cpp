@@ -1,5 +1,6 @@
 // Modes of responses to noise that nobody measured, against chains of masses known in closed form.
 #include "tests/chain_of_masses.hpp"
+#include "tests/support/refusal.hpp"
 
 #include "lab/identification/mode_correlation.hpp"
 #include "lab/identification/output_only.hpp"
@@ -14,19 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::string error_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.problems()[0].key + ": " + error.what();
-  }
-  return "no error";
-}
-
-double deviation(const VectorXd& x) {
-  return std::sqrt((x.array() - x.mean()).square().sum() / double(x.size() - 1));
-}
 
 bool says(const Identification& found, const std::string& words) {
   return std::any_of(found.warnings.begin(), found.warnings.end(),
@@ -140,7 +128,7 @@ TEST(OutputOnly, refuses_what_no_mode_follows_from) {
   const Chain chain;
   const TimeRecord good = shaken(chain, 128, 1200, 1);
   const auto refused = [](const TimeRecord& record, const IdentifySettings& settings = {}) {
-    return error_of([&] { identify_output(record, settings); });
+    return keyed_error_of([&] { identify_output(record, settings); });
   };
   EXPECT_NE(refused(good).find("file: is too short"), std::string::npos) << refused(good);
   TimeRecord clipped = shaken(chain, 128, 20000, 1);

@@ -143,7 +143,7 @@ TEST(ShellTriangle, square_plates_converge) {
 }
 
 // Roof on two diaphragms under its weight, 0.3024 (Ko, Lee & Bathe 2017; test_shell_statics.cpp).
-double scordelis_lo(int n) {
+double scordelis_lo_of_triangles(int n) {
   const ParametricSurface roof = [](double a, double b) {
     const Vector3d normal(std::sin(a * 40 * pi / 180), 0, std::cos(a * 40 * pi / 180));
     return SurfacePoint{25 * normal + b * 25 * Vector3d::UnitY(), normal};
@@ -158,7 +158,8 @@ double scordelis_lo(int n) {
 }
 
 TEST(ShellTriangle, scordelis_lo_roof) {
-  const double coarse = scordelis_lo(16) / 0.3024, fine = scordelis_lo(32) / 0.3024;
+  const double coarse = scordelis_lo_of_triangles(16) / 0.3024,
+               fine = scordelis_lo_of_triangles(32) / 0.3024;
   std::printf("| MITC3+ Scordelis-Lo | %.4f at 16 | %.4f at 32 |\n", coarse, fine);
   EXPECT_NEAR(coarse, 1, 0.05);
   EXPECT_NEAR(fine, 1, 0.02);

@@ -107,7 +107,7 @@ private:
     if (chosen.empty() && judgement.nearest) chosen.push_back(judgement.nearest);
     std::vector<HypothesisFit> told;
     for (const JudgedFit* j : chosen) told.push_back(j->fit);
-    if (judgement.verdict == Verdict::several || judgement.verdict == Verdict::mostly ||
+    if (judgement.names_sets() || judgement.verdict == Verdict::mostly ||
         judgement.verdict == Verdict::unknown)
       for (HypothesisFit& fit : told)
         sample(found_.context, fit, settings_.particles, 1, dispersion(fit));
@@ -120,7 +120,7 @@ private:
   void keep_ledger(const std::vector<HypothesisFit>& told,
                    const std::vector<std::vector<NamedEffect>>& members) {
     const Judgement& judgement = found_.judgement;
-    const bool list = judgement.verdict == Verdict::ambiguous;
+    const bool list = judgement.verdict == Verdict::ambiguous && !judgement.names_sets();
     std::vector<LedgerSet> sets;
     for (std::size_t k = 0; k < told.size(); ++k) {
       LedgerSet set{.fit = &told[k], .members = in_place_of(members.front(), members[k])};

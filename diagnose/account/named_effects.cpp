@@ -23,13 +23,13 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
   for (std::size_t h = 0; h < fit.together.size(); ++h) {
     const Hypothesis& own = *fit.together[h];
     const double effect = judgement.probability_of(own.effect);
-    const bool place_is_weighed = judgement.verdict != Verdict::several;
+    const bool place_is_weighed = !judgement.names_sets();
     members.push_back(named(
         fit, h, place_is_weighed ? effect * judgement.share_of(own.effect, own.place) : effect,
         found_.fits));
     NamedEffect& e = members.back();
     e.anywhere = effect;
-    if (judgement.verdict == Verdict::several)
+    if (judgement.names_sets())
       add_exchanged_places(e, fit, h);
     else
       add_other_places(e);

@@ -7,11 +7,19 @@
 namespace plica {
 namespace {
 
-constexpr double steel = 7850, gyration_of_cube = 0.41; // kg/m3, radius over edge
+// Of a fixture that rocks: its mass, and how far it spreads, as its radius of gyration over that of
+// a cube of steel of its mass. No body of steel spreads less than a ball.
+constexpr double ball_over_cube = 0.96;
+
+double inertia_of(double mass, double spread) {
+  constexpr double steel = 7850, gyration_of_cube = 0.408; // kg/m3, radius over edge
+  const double gyration = spread * gyration_of_cube * std::cbrt(mass / steel);
+  return mass * gyration * gyration;
+}
 
 // Caps that were held rigidly, with the mass of the fixture, on its springs.
 CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::VectorXd& v) {
-  const double mass = v[0], inertia = v[0] * v[3] * v[3], omega = 2 * std::numbers::pi * v[1];
+  const double mass = v[0], inertia = inertia_of(v[0], v[3]), omega = 2 * std::numbers::pi * v[1];
   const double k = mass * omega * omega, turning = inertia * std::pow(omega * v[2], 2);
   CaseEdits edits;
   for (const Mount& m : mounts_at(now, place)) {
@@ -28,13 +36,13 @@ CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::Ve
 }
 
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
-// straight, with the radius of gyration of a block of its size, nearly. A fixture was there before:
-// what comes loose under it is a compliance of the boundary, and beside a baseline a further mass
+// straight. A fixture was there before: what comes loose under it is a compliance of the boundary,
+// and beside a baseline a further mass
 // on springs would be an absorber for whatever has changed.
 std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (has_baseline(s.measured) && !asked_for(s, "fixture_flexibility")) return found;
-  const double mass = 2 * s.mass, gyration = gyration_of_cube * std::cbrt(mass / steel);
+  const double mass = 2 * s.mass;
   for (const HeldEnds& ends : held_ends(s)) {
     const auto bodies = [nodes = ends.nodes](double kg, double inertia) {
       return ModelChange{[nodes, kg, inertia](Model& model) {
@@ -52,13 +60,13 @@ std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
          .parameters = {{"mass", "kg", {PriorKind::log_normal, mass, 1}},
                         {"frequency", "Hz", {PriorKind::log_normal, 1.5 * s.frequency, 0.8}},
                         {"rocking", "", {PriorKind::log_normal, 1.5, 0.4}},
-                        {"gyration", "m", {PriorKind::log_normal, gyration, 0.7}}},
+                        {"spread", "", {PriorKind::log_normal, 1.3, 0.35, ball_over_cube}}},
          .size = 1,
          .changes = {ground_springs(ends.nodes, 1, 0), bodies(1, 0),
                      ground_springs(ends.nodes, 0, 1), bodies(0, 1)},
          .coefficients =
              [](const Eigen::VectorXd& v) {
-               const double omega = 2 * std::numbers::pi * v[1], inertia = v[0] * v[3] * v[3];
+               const double omega = 2 * std::numbers::pi * v[1], inertia = inertia_of(v[0], v[3]);
                return Eigen::VectorXd(Eigen::Vector4d(
                    v[0] * omega * omega, v[0], inertia * std::pow(omega * v[2], 2), inertia));
              },

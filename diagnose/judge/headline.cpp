@@ -53,7 +53,13 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
     return text + ")" + places(judgement, *j.fit.together[0]);
   }
   case Verdict::ambiguous: {
-    std::string text = "Ambiguous: ";
+    if (judgement.names_sets()) {
+      std::string text = "Ambiguous: ";
+      for (const JudgedFit* j : judgement.named)
+        text += (j == judgement.named.front() ? "" : "; or ") + name_of(j->fit);
+      return text + "; " + judgement.withheld;
+    }
+    std::string text = judgement.named.size() == 1 ? "Perhaps " : "Ambiguous: ";
     for (const JudgedFit* j : judgement.named) {
       const Hypothesis& h = *j->fit.together[0];
       const double p = judgement.probability_of(h.effect) * judgement.share_of(h.effect, h.place);
@@ -86,12 +92,18 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
         "Stopped before all effects were tried; nearest so far comes {}, which closes "
         "{} of the gap",
         name_of(judgement.nearest->fit), closed(nominal, *judgement.nearest));
+  const std::string withheld =
+      judgement.withheld.empty() ? "" : "; not named: " + judgement.withheld;
+  const JudgedFit* j = judgement.nearest;
+  if (j && j->credible())
+    return fmt::format("Not settled: {} would explain the test and close {} of the gap, not far "
+                       "enough ahead of what else would{}",
+                       name_of(j->fit), closed(nominal, *j), withheld);
   std::string text = "None of the effects known here explains the test; it is farthest off in " +
                      nominal.worst.second;
-  if (const JudgedFit* j = judgement.nearest)
-    text += fmt::format("; nearest comes {}, which closes {} of the gap{}{}", name_of(j->fit),
-                        closed(nominal, *j),
-                        judgement.withheld.empty() ? "" : "; not named: ", judgement.withheld);
+  if (j)
+    text += fmt::format("; nearest comes {}, which closes {} of the gap{}", name_of(j->fit),
+                        closed(nominal, *j), withheld);
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/core.h>
 #include <map>
 #include <set>
 
@@ -52,8 +53,7 @@ bool foretold(const JudgedFit& set) {
 
 // The best set that explains the test, foretells it and is far enough ahead of all smaller ones,
 // and behind it all that are not told apart from it: of these some may be too far out of a prior,
-// or foretell less. None where more than three of different effects come within 3 nats: then
-// nothing says what acts beside what they share.
+// or foretell less.
 std::vector<const JudgedFit*> standing_sets(double none, const std::vector<EffectFits>& effects,
                                             const std::vector<JudgedFit>& sets, double apart) {
   std::vector<const JudgedFit*> standing;
@@ -71,11 +71,19 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Effec
   std::rotate(standing.begin(), lead, lead + 1);
   std::erase_if(standing,
                 [&](const JudgedFit* set) { return most - evidence_of(set->fit) >= apart; });
-  std::set<std::vector<std::string>> different;
-  for (const JudgedFit* set : standing)
-    if (most - evidence_of(set->fit) < threshold::told_apart) different.insert(set->fit.effects());
-  if (different.size() > threshold::most_listed) return {};
   return standing;
+}
+
+// Of standing sets the first of each choice of effects that is not told apart from the best. Where
+// these are more than three, nothing says what acts beside what they share.
+std::vector<const JudgedFit*> of_different_effects(const std::vector<const JudgedFit*>& standing) {
+  std::vector<const JudgedFit*> first;
+  std::set<std::vector<std::string>> seen;
+  for (const JudgedFit* set : standing)
+    if (evidence_of(standing.front()->fit) - evidence_of(set->fit) < threshold::told_apart &&
+        seen.insert(set->fit.effects()).second)
+      first.push_back(set);
+  return first;
 }
 
 // Of the effects, over sets that explain as well.
@@ -141,13 +149,22 @@ void weigh_with_doubt(double apart, Judgement& result) {
   for (auto& [name, p] : result.probabilities) p /= sum;
 }
 
-// What explains the test as well as what leads and leaves no less of the gap: it is not named, and
-// what leads is not sure.
-std::string outdone_by(const std::vector<EffectFits>& effects, double best, double apart) {
+// What explains the test as well as what leads: an effect that closes none of the gap, which is not
+// named, or several effects without it. What leads is not sure then.
+std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector<JudgedFit>& sets,
+                       const EffectFits& lead, double apart) {
   for (const EffectFits& f : effects)
     if (f.best->adequate && !f.best->fails_held_out && f.best->explains_nothing &&
-        best - f.log_evidence < apart)
+        lead.log_evidence - f.log_evidence < apart)
       return name_of(f.best->fit) + " explains as much, and closes none of the gap";
+  for (const JudgedFit& set : sets) {
+    const std::vector<std::string> members = set.fit.effects();
+    if (set.fit.solved && set.credible() && !set.too_free() &&
+        lead.log_evidence - evidence_of(set.fit) < threshold::told_apart &&
+        std::find(members.begin(), members.end(), lead.effect) == members.end() &&
+        all_needed(set, effects, sets))
+      return name_of(set.fit) + " explain as much";
+  }
   return "";
 }
 
@@ -269,21 +286,29 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     result.verdict = Verdict::none;
     return result;
   }
-  result.named = standing_sets(none, effects, sets, standards.apart);
-  if (!result.named.empty()) {
+  const auto standing = standing_sets(none, effects, sets, standards.apart);
+  const auto different = of_different_effects(standing);
+  if (!standing.empty() && different.size() <= threshold::most_listed) {
+    result.named = standing;
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);
     return result;
   }
   if (!credible.empty() && best - none >= standards.evidence) {
-    name_singles(credible, rivals, outdone_by(effects, best, standards.apart), none, standards,
-                 referee.to_all, result);
+    name_singles(credible, rivals, outdone_by(effects, sets, *credible.front(), standards.apart),
+                 none, standards, referee.to_all, result);
     if (!result.withheld.empty())
       claim_no_more_than_is_closed(nominal, result.named.front(), result);
     return result;
   }
   take_over(inclusion, result);
   name_most(nominal, inclusion, referee.to_most, result);
+  if (result.verdict == Verdict::unknown && !different.empty()) {
+    result.verdict = Verdict::ambiguous;
+    result.named = different;
+    result.named.resize(threshold::most_listed);
+    result.withheld = fmt::format("{} sets of effects explain the test alike", different.size());
+  }
   if (result.verdict == Verdict::unknown)
     claim_no_more_than_is_closed(nominal, result.nearest, result);
   return result;

@@ -11,7 +11,7 @@
 //               readings in turn (the interval of their shrink above zero), and three readings for
 //               each free parameter; with it all sets within 5 of it that are as adequate, whether
 //               or not held-out readings speak for them. Where more than three of different effects
-//               come within 3 nothing says what acts beside what they share: mostly, or unknown
+//               come within 3 nothing says what acts beside what they share: mostly, or ambiguous
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met.
 //               What is beyond |z| = 3 can be no cause that is sure, but has to be told apart
@@ -19,10 +19,11 @@
 //               are within 3; or what would be identified has as many free parameters as there are
 //               fitted readings, closes less than half of the gap, foretells readings taken in
 //               turn no better than no effect does, or is within 5 of what is as adequate and
-//               closes nothing: then up to three effects within 8 of it. A parameter is free where
-//               its posterior is narrower than half its prior, or a move within the prior changes a
-//               reading by a tenth of its standard deviation. Of a list none is sure: 5 nats are
-//               odds of nine to one
+//               closes nothing, or of a set without it: then up to three effects within 8 of it. Or
+//               sets of which too many explain the test alike to be several. A parameter is free
+//               where its posterior is narrower than half its prior, or a move within the prior
+//               changes a reading by a tenth of its standard deviation. Of a list none is sure: 5
+//               nats are odds of nine to one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings
@@ -44,7 +45,7 @@ namespace plica {
 
 struct Judgement {
   Verdict verdict = Verdict::none;
-  std::vector<const JudgedFit*> named; // one; the ambiguous set; or sets, the best first
+  std::vector<const JudgedFit*> named; // one; an ambiguous list; or sets, the best first
   // Where nothing is named, what comes nearest; null: nothing is better than the nominal case.
   const JudgedFit* nearest = nullptr;
   std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
@@ -53,6 +54,11 @@ struct Judgement {
   std::string withheld;                 // why an effect that leads is not named; empty = nothing is
   std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn
   std::optional<HypothesisFit> sampled; // the same with draws (Objection)
+  // Whether what is named are sets that explain the test.
+  bool names_sets() const {
+    return verdict == Verdict::several ||
+           (verdict == Verdict::ambiguous && named.front()->fit.together.size() > 1);
+  }
   double probability_of(const std::string& effect) const;
   double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };

@@ -103,7 +103,7 @@ public:
       if (size > 2 && !level.empty()) add(found, fitted(smaller(level.front().fit)));
       found.insert(found.end(), level.begin(), level.end());
       const auto explains_all = [&](const JudgedFit& j) {
-        return j.credible() && !asks_for_more(j.fit, all_);
+        return j.credible() && worth_of_one_more(j.fit, all_) < threshold::beyond_chance;
       };
       if (level.empty() || std::any_of(level.begin(), level.end(), explains_all)) break;
       if (dispersed_log_evidence(level.front().fit) < before + worth_growing) break;
@@ -336,11 +336,12 @@ private:
 
 } // namespace
 
-bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all) {
-  return std::any_of(all.begin(), all.end(), [&](const Signature& s) {
-    return !contains(fit.together, s.hypothesis) && !s.hypothesis->softening &&
-           gain(fit, s) >= threshold::beyond_chance;
-  });
+double worth_of_one_more(const HypothesisFit& fit, const std::vector<Signature>& all) {
+  double most = 0;
+  for (const Signature& s : all)
+    if (!contains(fit.together, s.hypothesis) && !s.hypothesis->softening)
+      most = std::max(most, gain(fit, s));
+  return most;
 }
 
 std::vector<JudgedFit> fit_sets(const SetSearch& search) {

@@ -15,8 +15,9 @@
 
 namespace plica {
 
-// Whether what a fit leaves asks for a further effect, by the matched filter of its signature.
-bool asks_for_more(const HypothesisFit& fit, const std::vector<Signature>& all);
+// What one further effect would be worth at most of what a fit leaves, in nats, by the matched
+// filter of its signature.
+double worth_of_one_more(const HypothesisFit& fit, const std::vector<Signature>& all);
 
 // What sets grow from.
 struct SetSearch {

@@ -16,6 +16,8 @@ inline constexpr double far_ahead = 0.9;      // probability of each effect that
 inline constexpr double beyond_chance = 7; // nats, where fewer explain the test
 inline constexpr double set_gain = 5; // nats over the best smaller set, none of which explains it
 inline constexpr double set_shrink = 0.3; // of held-out readings
+// Nats that a second effect may make up, beside one that explains the test.
+inline constexpr double within_reach = 30;
 
 // Of the gap: its square G for what is closed, its root for what is left.
 inline constexpr double most_closed = 0.5;  // share of G that `mostly` closes at least

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 
 namespace plica {
@@ -26,9 +27,10 @@ void conm2(const NastranReading& r, const Card& card) {
   body.mass = factor * card.real(3, 0);
   body.offset = axes * Vector3d(card.real(4, 0), card.real(5, 0), card.real(6, 0));
   if (system == -1) body.offset -= x;
-  const auto J = [&](std::size_t field) { return factor * card.real(field, 0); };
+  std::array<double, 6> J{};
+  for (std::size_t i = 0; i < J.size(); ++i) J[i] = factor * card.real(8 + i, 0);
   // Products of inertia are integrals: the matrix has them with the other sign.
-  body.inertia << J(8), -J(9), -J(11), -J(9), J(10), -J(12), -J(11), -J(12), J(13);
+  body.inertia << J[0], -J[1], -J[3], -J[1], J[2], -J[4], -J[3], -J[4], J[5];
   body.inertia = axes * body.inertia * axes.transpose();
   if (is_body(body)) return r.deck.masses.push_back(element);
   // Some decks give moments of inertia of no body (one alone), and yet a matrix of mass.

@@ -83,9 +83,12 @@ void rigid_rod(const NastranReading& r, const Card& card, bool of_second, const 
   const Vector3d axis = r.deck.nodes[b] - r.deck.nodes[a];
   if (!(axis.norm() > 0)) card.wrong("has no length", "two places");
   const Vector3d e = axis.normalized();
-  const double own = r.grids.axes(follow.node).col(follow.dof).dot(e);
-  if (follow.dof > 2 || std::abs(own) < 1e-3)
-    card.wrong("lets a component follow that lies across it", "1, 2 or 3, along the rod");
+  const bool is_translation = follow.dof <= 2;
+  const double own = is_translation ? r.grids.axes(follow.node).col(follow.dof).dot(e) : 0;
+  if (std::abs(own) < 1e-3)
+    card.wrong(is_translation ? "lets a component follow that lies across it"
+                              : "lets a rotation follow",
+               "1, 2 or 3, along the rod");
   Constraint row{follow.node, follow.dof, {}, card.name + " " + card.text(0)};
   for (const int node : {a, b})
     for (int dof = 0; dof < 3; ++dof) {

@@ -11,20 +11,22 @@
 namespace plica {
 namespace {
 
-const char* verdict_words(Verdict verdict) {
-  switch (verdict) {
+const char* verdict_words(const Diagnosis& d) {
+  switch (d.verdict) {
   case Verdict::none:
     return "none: the nominal case explains the test";
   case Verdict::identified:
     return "identified: one effect explains the test";
   case Verdict::ambiguous:
-    return "ambiguous: several effects explain the test, these data do not tell them apart";
+    return d.effects.size() == 1
+               ? "ambiguous: one effect leads, but these data do not make it sure"
+               : "ambiguous: several effects explain the test, these data do not tell them apart";
   case Verdict::several:
     return "several: these effects together explain the test";
   case Verdict::mostly:
     return "mostly: this closes at least half of the gap, what remains is not explained";
   default:
-    return "unknown: no effect of the library explains the test";
+    return "unknown: nothing that is known here stands out as the cause";
   }
 }
 
@@ -46,7 +48,7 @@ std::string facts(const Diagnosis& d) {
   const auto add = [&](const std::string& name, const std::string& value) {
     rows.push_back({{name, value}, ""});
   };
-  add("verdict", verdict_words(d.verdict));
+  add("verdict", verdict_words(d));
   for (const NamedEffect& e : d.effects) {
     std::string value = html_escape(effect_label(e));
     for (const EstimatedParameter& p : e.parameters)

@@ -42,9 +42,10 @@ json in_words_of_the_library(const json& effect, const std::string& structure) {
   json own{{"effect", name}, {"place", effect["place"]}, {"value", effect["value"]}};
   if (name == "added_mass") return at_spot(own, effect, "");
   if (name == "extra_support") return at_spot(own, effect, "all round");
-  if (name == "fixture_flexibility") { // bench.cpp
+  if (name == "fixture_flexibility") { // bench.cpp: a radius of gyration of 60 mm
+    const double cube = 0.408 * std::cbrt(double(own["value"]["mass"]) / 7850);
     own["value"]["rocking"] = 2.0;
-    own["value"]["gyration"] = 0.06;
+    own["value"]["spread"] = 0.06 / cube;
   }
   if (name == "rotated_sensor") // about the normal of the wall
     own["way"] = effect["place"] == "sensor.mid" ? "about z" : "about x";
