@@ -91,26 +91,14 @@ public:
     for (std::size_t i = 0; i < std::min(grown_sets, ranked_.size()); ++i)
       if (ranked_[i].best->log_bayes_factor >= 1) front.push_back(*ranked_[i].best);
     std::vector<JudgedFit> found;
-    for (std::size_t size = 2; size <= most_effects && size < context_.fitted.rows().size();
-         ++size) {
-      if (front.empty() || settings_.stop()) break;
-      constexpr double begins = 0.58, ends = 0.90; // shares of the work
-      settings_.stage(fmt::format("sets of {} effects", size),
-                      begins + (ends - begins) * double(size - 2) / double(most_effects - 1));
-      const double before = dispersed_log_evidence(front.front().fit);
-      std::vector<JudgedFit> level = fitted(larger(front));
-      add(level, fitted(moved(level)));
-      if (size > 2 && !level.empty()) add(found, fitted(smaller(level.front().fit)));
-      found.insert(found.end(), level.begin(), level.end());
-      const auto explains_all = [&](const JudgedFit& j) {
-        return j.credible() && worth_of_one_more(j.fit, all_) < threshold::beyond_chance;
-      };
-      if (level.empty() || std::any_of(level.begin(), level.end(), explains_all)) break;
-      if (dispersed_log_evidence(level.front().fit) < before + worth_growing) break;
-      front = of_different_effects(level, grown_sets);
-    }
+    const bool explained = grow(std::move(front), found);
     exchange(found);
     solve_anew(found);
+    // What explained the test while changes were added up may not do so solved anew.
+    if (explained && std::none_of(found.begin(), found.end(), explains)) {
+      grow(of_different_effects(found, grown_sets), found);
+      exchange(found);
+    }
     return found;
   }
 
@@ -124,6 +112,35 @@ public:
   }
 
 private:
+  static bool explains(const JudgedFit& j) { return j.credible(); }
+
+  // Adds sets of one effect more to those found, from the front on and then from the best of them,
+  // until one explains the test and asks for no more (true) or one more is worth too little.
+  bool grow(std::vector<JudgedFit> front, std::vector<JudgedFit>& found) {
+    while (!front.empty() && !settings_.stop()) {
+      const std::size_t size = front.front().fit.together.size() + 1;
+      if (size > most_effects || Index(size) >= context_.fitted.rows().size()) break;
+      constexpr double begins = 0.58, ends = 0.90; // shares of the work
+      settings_.stage(fmt::format("sets of {} effects", size),
+                      begins + (ends - begins) * double(size - 2) / double(most_effects - 1));
+      const double before = dispersed_log_evidence(front.front().fit);
+      std::vector<JudgedFit> level = fitted(larger(front));
+      add(level, fitted(moved(level)));
+      if (size > 2 && !level.empty()) add(found, fitted(smaller(level.front().fit)));
+      add(found, level);
+      const auto explains_all = [&](const JudgedFit& j) {
+        return explains(j) && worth_of_one_more(j.fit, all_) < threshold::beyond_chance;
+      };
+      if (std::any_of(level.begin(), level.end(), explains_all)) return true;
+      if (level.empty()) break;
+      constexpr std::size_t tried_anyway = 2; // two of three may do little without the third
+      if (size > tried_anyway && dispersed_log_evidence(level.front().fit) < before + worth_growing)
+        break;
+      front = of_different_effects(level, grown_sets);
+    }
+    return false;
+  }
+
   static void sort(std::vector<JudgedFit>& sets) {
     std::stable_sort(sets.begin(), sets.end(), [](const JudgedFit& a, const JudgedFit& b) {
       return a.fit.log_evidence > b.fit.log_evidence;
