@@ -73,7 +73,7 @@ public:
             [&](const JudgedFit& j) { return objection_to_most(context, plain, tempting, j); }};
     // Before all was tried nothing is known to be the best.
     const bool stopped = settings_.stop();
-    Judgement judgement = stopped ? nearest_so_far(inclusion)
+    Judgement judgement = stopped ? nearest_so_far(nominal, inclusion)
                                   : judge(nominal, ranked, sets, inclusion, standards, referee);
     if (judgement.verdict == Verdict::unknown && !stopped && !judgement.nearest &&
         mounted_anew(context, plain, standards))

@@ -7,6 +7,7 @@
 #include "model/shape/deck.hpp"
 #include "tests/deck_loads.hpp"
 #include "tests/deck_text.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -167,13 +168,9 @@ TEST(DrawnSections, that_do_not_fit_are_refused) {
   for (const char* sizes :
        {"HAT\n,10.,6.,30.,12.\n", "HEXA\n,5.,10.,8.\n", "L\n,4.,60.,8.,6.\n",
         "DBOX\n,40.,40.,39.,4.,6.,2.,8.,4.\n,6.,2.\n", "BOX1\n,40.,60.,50.,14.,6.,2.\n"}) {
-    try {
-      beam_deck("PBARL,1,1,," + std::string(sizes), "CBAR");
-      ADD_FAILURE() << sizes;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find("do not fit its shape"), std::string::npos)
-          << error.what();
-    }
+    const std::string error =
+        error_of([&] { beam_deck("PBARL,1,1,," + std::string(sizes), "CBAR"); });
+    EXPECT_NE(error.find("do not fit its shape"), std::string::npos) << sizes << ": " << error;
   }
 }
 
@@ -287,6 +284,8 @@ TEST(NumbersAlone, RROD_keeps_its_length) {
   EXPECT_LT((rod - stiff).cwiseQuotient(rod).cwiseAbs().maxCoeff(), 1e-4);
   const Eigen::VectorXd older = hertz_of_deck(posts + "CRIGDR,7,1,9,1\n", 8);
   EXPECT_LT((rod - older).norm(), 1e-12 * rod.norm());
+  const std::string turned = error_of([] { hertz_of_deck(posts + "RROD,7,1,9,,4\n", 8); });
+  EXPECT_NE(turned.find("lets a rotation follow"), std::string::npos) << turned;
 }
 
 // k (u1 - u2)^2 / 2 by its stiffness, by its flexibility, and about a base that moves rigidly.

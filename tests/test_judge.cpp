@@ -131,12 +131,13 @@ TEST(Judge, says_of_a_search_that_was_stopped_what_came_nearest) {
   JudgedFit nominal = fits.nominal(false);
   Fits::leave(nominal, 5);
   fits.add_gap("added_mass", 2);
-  const Judgement j = nearest_so_far(Inclusion(nominal, fits.singles, fits.sets));
+  const Judgement j = nearest_so_far(nominal, Inclusion(nominal, fits.singles, fits.sets));
   EXPECT_EQ(j.verdict, Verdict::unknown);
   EXPECT_TRUE(j.stopped);
   EXPECT_TRUE(j.named.empty());
   ASSERT_NE(j.nearest, nullptr);
   EXPECT_EQ(j.nearest->fit.together[0]->effect, "added_mass");
+  EXPECT_LE(j.probability_of("added_mass"), 0.5) << "what was not tried may come nearer";
 }
 
 TEST(Judge, says_mostly_where_an_effect_far_ahead_closes_half_of_the_gap) {

@@ -37,8 +37,7 @@ CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::Ve
 
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
 // straight. A fixture was there before: what comes loose under it is a compliance of the boundary,
-// and beside a baseline a further mass
-// on springs would be an absorber for whatever has changed.
+// and beside a baseline a further mass on springs would be an absorber for whatever has changed.
 std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (has_baseline(s.measured) && !asked_for(s, "fixture_flexibility")) return found;

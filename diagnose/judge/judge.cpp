@@ -258,12 +258,14 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
 
 } // namespace
 
-Judgement nearest_so_far(const Inclusion& inclusion) {
+Judgement nearest_so_far(const JudgedFit& nominal, const Inclusion& inclusion) {
   Judgement result;
   result.verdict = Verdict::unknown;
   result.nearest = inclusion.leading();
   result.stopped = true;
   take_over(inclusion, result);
+  result.withheld = "the search was stopped";
+  claim_no_more_than_is_closed(nominal, result.nearest, result);
   return result;
 }
 

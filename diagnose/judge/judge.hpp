@@ -77,8 +77,9 @@ struct Referee {
   Objecting to_most; // to effects that would explain most
 };
 
-// Of what was tried until the search was stopped: unknown, with what comes nearest.
-Judgement nearest_so_far(const Inclusion& inclusion);
+// Of what was tried until the search was stopped: unknown, with what comes nearest and even odds of
+// it at most.
+Judgement nearest_so_far(const JudgedFit& nominal, const Inclusion& inclusion);
 
 Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects,
                 const std::vector<JudgedFit>& sets, const Inclusion& inclusion,

@@ -119,7 +119,7 @@ private:
   bool grow(std::vector<JudgedFit> front, std::vector<JudgedFit>& found) {
     while (!front.empty() && !settings_.stop()) {
       const std::size_t size = front.front().fit.together.size() + 1;
-      if (size > most_effects || Index(size) >= context_.fitted.rows().size()) break;
+      if (size > most_effects || size >= context_.fitted.rows().size()) break;
       constexpr double begins = 0.58, ends = 0.90; // shares of the work
       settings_.stage(fmt::format("sets of {} effects", size),
                       begins + (ends - begins) * double(size - 2) / double(most_effects - 1));
@@ -133,8 +133,10 @@ private:
       };
       if (std::any_of(level.begin(), level.end(), explains_all)) return true;
       if (level.empty()) break;
-      constexpr std::size_t tried_anyway = 2; // two of three may do little without the third
-      if (size > tried_anyway && dispersed_log_evidence(level.front().fit) < before + worth_growing)
+      // Two of three may do little without the third, where the readings carry three.
+      const bool carries_three = context_.fitted.rows().size() >= 3 * threshold::readings_each;
+      if (!(size == 2 && carries_three) &&
+          dispersed_log_evidence(level.front().fit) < before + worth_growing)
         break;
       front = of_different_effects(level, grown_sets);
     }

@@ -37,7 +37,8 @@ Form read_form(const Lines& lines, const SetHeader& header) {
   if (std::any_of(v.begin(), v.end(), [](double x) { return std::abs(x) > most; }))
     fail(in_quotes(header.text) + " has a number beyond all files", "at most 1e15");
   if (v[0] != 1 && v[0] != 2)
-    fail("unknown byte order " + std::to_string(std::int64_t(v[0])), "1 little endian, 2 big endian");
+    fail("unknown byte order " + std::to_string(std::int64_t(v[0])),
+         "1 little endian, 2 big endian");
   if (v[1] != 2) {
     const std::string name = v[1] == 1   ? "the DEC VMS floating point format"
                              : v[1] == 3 ? "the IBM 5/370 floating point format"
