@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/sysinfo.h>
 
 namespace plica {
 namespace {
@@ -18,7 +19,7 @@ void take_least(MemoryLimit& limit, double bytes, const std::string& set_by) {
   if (bytes > 0 && bytes < limit.bytes) limit = {bytes, set_by};
 }
 
-// MemTotal of /proc/meminfo; 0 = not found.
+// MemTotal of /proc/meminfo, or where /proc is not mounted what the kernel says; 0 = not found.
 double installed_memory(const fs::path& root) {
   std::ifstream in(root / "proc/meminfo");
   std::string line;
@@ -26,6 +27,9 @@ double installed_memory(const fs::path& root) {
     double kibibytes = 0;
     if (std::sscanf(line.c_str(), "MemTotal: %lf kB", &kibibytes) == 1) return 1024 * kibibytes;
   }
+  struct sysinfo machine {};
+  if (root == "/" && sysinfo(&machine) == 0)
+    return double(machine.totalram) * double(machine.mem_unit);
   return 0;
 }
 
