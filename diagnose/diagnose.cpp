@@ -117,10 +117,11 @@ private:
     if (!problem_.baseline.readings.empty()) return false;
     return std::any_of(ranked.begin(), ranked.end(), [&](const EffectFits& f) {
       const double behind = best->log_evidence - f.log_evidence;
-      const double worth = worth_of_one_more(f.best->fit, all);
-      if (f.best->stands()) return behind < standards.apart && worth >= threshold::beyond_chance;
+      if (f.best->stands())
+        return behind < standards.apart &&
+               worth_of_one_more(f.best->fit, all) >= threshold::beyond_chance;
       return !f.best->adequate && behind < threshold::within_reach &&
-             behind < worth + threshold::told_apart;
+             behind < worth_of_one_more(f.best->fit, all) + threshold::told_apart;
     });
   }
 

@@ -76,7 +76,7 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Effec
 
 // Of standing sets the first of each choice of effects that is not told apart from the best. Where
 // these are more than three, nothing says what acts beside what they share.
-std::vector<const JudgedFit*> of_different_effects(const std::vector<const JudgedFit*>& standing) {
+std::vector<const JudgedFit*> choices_alike(const std::vector<const JudgedFit*>& standing) {
   std::vector<const JudgedFit*> first;
   std::set<std::vector<std::string>> seen;
   for (const JudgedFit* set : standing)
@@ -289,7 +289,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     return result;
   }
   const auto standing = standing_sets(none, effects, sets, standards.apart);
-  const auto different = of_different_effects(standing);
+  const auto different = choices_alike(standing);
   if (!standing.empty() && different.size() <= threshold::most_listed) {
     result.named = standing;
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
