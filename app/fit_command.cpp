@@ -9,6 +9,7 @@
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/fit_words.hpp"
 #include "io/write/write_fit.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/measured/states.hpp"
 #include "solve/sparse_factor.hpp"
 
@@ -45,9 +46,8 @@ struct FitOptions {
 TestData fitted_data(const MeasuredFile& file) {
   TestData test{.data = file.data, .responses = {}};
   Measured fitted = test.data;
-  std::erase_if(fitted.frf, [&, i = 0](const MeasuredFrf&) mutable {
-    const auto& held = test.data.hold_out;
-    return std::find(held.begin(), held.end(), "frf[" + std::to_string(i++) + "]") != held.end();
+  std::erase_if(fitted.frf, [&, i = std::size_t(0)](const MeasuredFrf&) mutable {
+    return is_held_out(test.data, entry_name("frf", i++));
   });
   test.responses = load_each_frf(measured_as_drawn(fitted), file.path.parent_path());
   return test;

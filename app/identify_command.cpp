@@ -10,6 +10,7 @@
 #include "io/write/write_identification.hpp"
 #include "lab/identification/identified_measured.hpp"
 #include "lab/identification/linearity.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/signals/frf_of_signals.hpp"
 
 #include <fmt/core.h>
@@ -110,7 +111,7 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
   for (std::size_t i = 0; i < measured.signals.size(); ++i) {
     const MeasuredSignals& entry = measured.signals[i];
     if (!has_input(entry.excitation)) continue;
-    const std::string key = "signals[" + std::to_string(i) + "]";
+    const std::string key = entry_name("signals", i);
     const SignalSet signals = load_signals(entry, measured, folder, key);
     const FrfQuantity quantity = entry.quantity.value_or(entry.base ? FrfQuantity::transmissibility
                                                                     : FrfQuantity::accelerance);
@@ -125,10 +126,9 @@ Tasks tasks_of(const std::string& path, const IdentifyOptions& options) {
     frf.set.warnings = signals.warnings;
     if (!entry.force.empty()) frf.set.references = {entry.force};
     sets.push_back(frf.set);
-    tasks.list.push_back({.title = in_state(title_of(measured.specimen, frf.set), entry.state),
-                          .frf = std::move(frf),
-                          .time = {},
-                          .state = entry.state});
+    std::string title = in_state(title_of(measured.specimen, frf.set), entry.state);
+    tasks.list.push_back(
+        {.title = std::move(title), .frf = std::move(frf), .time = {}, .state = entry.state});
   }
   for (TimeRun& time : time_runs(on_file(file))) {
     std::string title = measured.specimen + ", " + time.records[0].name;

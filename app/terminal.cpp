@@ -43,7 +43,7 @@ bool is_control(std::string_view letter) {
 }
 
 // One whole line at once: a reader never sees half of one.
-void say_json(const char* kind, Json content) {
+void say_json(const char* kind, const Json& content) {
   Json line{{"kind", kind}};
   line.update(content);
   write_to(STDERR_FILENO, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -1,5 +1,6 @@
 #include "compare/compare.hpp"
 
+#include "lab/measured/entries.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "lab/measured/slope_at.hpp"
 #include "lab/measured/states.hpp"
@@ -90,10 +91,6 @@ std::vector<ResponsePeak> largest_peaks(const ResponseResult& r, Axis direction,
   std::sort(kept.begin(), kept.end(),
             [](const ResponsePeak& a, const ResponsePeak& b) { return a.frequency < b.frequency; });
   return kept;
-}
-
-std::string entry(const char* list, std::size_t i) {
-  return std::string(list) + "[" + std::to_string(i) + "]";
 }
 
 void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, const std::string& from,
@@ -240,7 +237,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
                     .measured = k.value,
                     .sigma = k.sigma.value_or(0),
                     .computed = over_stroke.value_or(found.value),
-                    .entry = entry("static", i)});
+                    .entry = entry_name("static", i)});
   }
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {
     const MeasuredMode& m = measured.modes[i];
@@ -256,7 +253,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
            .measured = m.frequency,
            .sigma = m.sigma.value_or(0),
            .computed = mode.frequency,
-           .entry = entry("modes", i)});
+           .entry = entry_name("modes", i)});
       break;
     }
   }
@@ -267,11 +264,12 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
     const PeakPlace place = place_of(m, measured.modes);
     const auto peaks =
         largest_peaks(*response, m.direction.value_or(*m.base), m.sensor, place.count);
-    if (peaks.size() == place.count) add_peak(rows, m, entry("modes", i), peaks[place.rank - 1]);
+    if (peaks.size() == place.count)
+      add_peak(rows, m, entry_name("modes", i), peaks[place.rank - 1]);
   }
   for (std::size_t i = 0; i < measured.peaks.size(); ++i)
     if (as_drawn(measured, measured.peaks[i].state))
-      add_level_peaks(rows, results, measured.peaks[i], entry("peaks", i));
+      add_level_peaks(rows, results, measured.peaks[i], entry_name("peaks", i));
   return rows;
 }
 

@@ -1,5 +1,7 @@
 #include "compare/sensors_by_place.hpp"
 
+#include "lab/measured/measured_words.hpp"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,7 @@ std::pair<std::string, double> channel_as(const std::string& channel,
     const int axis = channel.back() - 'x' + 1;
     for (std::size_t k = 0; k < 3; ++k)
       if (std::abs(r.as->axes[k]) == axis)
-        return {r.as->name + "." + "xyz"[k], r.as->axes[k] < 0 ? -1 : 1};
+        return {r.as->name + "." + axis_word(int(k)), r.as->axes[k] < 0 ? -1 : 1};
   }
   return {"", 1};
 }

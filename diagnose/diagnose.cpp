@@ -67,10 +67,18 @@ public:
     const Inclusion inclusion(nominal, fits, sets);
     const std::vector<Compensator> tempting = compensators(
         context, *problem_.held_out, plain, problem_.nominal.structure(problem_.test.data));
+    std::vector<JudgedFit> beside;
     const Referee referee{
         .to_all = [&](const JudgedFit& j) { return objection(context, plain, tempting, j); },
         .to_most =
-            [&](const JudgedFit& j) { return objection_to_most(context, plain, tempting, j); }};
+            [&](const JudgedFit& j) {
+              Objection found = objection_to_most(context, plain, tempting, j);
+              if (!found.why.empty()) return found;
+              beside = fit_beside(search, j);
+              found.why = closes_too_little(context, plain, *found.sampled,
+                                            sets_beside(j, beside, inclusion));
+              return found;
+            }};
     // Before all was tried nothing is known to be the best.
     const bool stopped = settings_.stop();
     Judgement judgement = stopped ? nearest_so_far(nominal, inclusion)
@@ -80,8 +88,7 @@ public:
       judgement.verdict = Verdict::none;
     else if (judgement.verdict == Verdict::none)
       ask_for_remounting(context, plain, standards);
-    std::vector<JudgedFit> beside;
-    if (!judgement.named.empty() && judgement.verdict != Verdict::ambiguous)
+    if (!judgement.named.empty() && judgement.verdict != Verdict::ambiguous && beside.empty())
       beside = fit_beside(search, *judgement.named.front());
     Diagnosis result = account_of(problem_,
                                   {.context = context,
@@ -241,13 +248,8 @@ private:
     if (std::string other = imitated(tempting, leads); !other.empty()) return {std::move(other)};
     HypothesisFit fit = leads.fit;
     sample(context, fit, settings_.particles, 1, dispersion(fit));
-    const Ledger ledger = ledger_of(context, plain, {{&fit}});
-    constexpr double most = 0.5;
-    if (ledger.explained_interval[0] < most)
-      return {fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]", 100 * ledger.explained,
-                          100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1]),
-              {},
-              std::move(fit)};
+    if (std::string little = closes_too_little(context, plain, fit, {}); !little.empty())
+      return {std::move(little), {}, std::move(fit)};
     if (problem_.held_out->rows().empty()) {
       const GapShrink turn = in_turn(context, plain, leads.fit);
       return {turn.interval[0] > 0 ? "" : "taken in turn, " + foretold_no_better(turn), turn,
@@ -258,6 +260,18 @@ private:
     return {held_out.interval[0] > 0 ? "" : "held-out " + foretold_no_better(held_out),
             {},
             std::move(fit)};
+  }
+
+  // Less than half of the gap, where other effects may act as well.
+  static std::string closes_too_little(const FitContext& context, const HypothesisFit& plain,
+                                       const HypothesisFit& fit, std::vector<LedgerSet> beside) {
+    const bool alone = beside.empty();
+    beside.push_back({.fit = &fit});
+    const Ledger ledger = ledger_of(context, plain, beside);
+    if (ledger.explained_interval[0] >= threshold::most_closed) return "";
+    return fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]{}", 100 * ledger.explained,
+                       100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1],
+                       alone ? "" : " where others may act beside it");
   }
 
   static std::string foretold_no_better(const GapShrink& g) {

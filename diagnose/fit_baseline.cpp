@@ -1,6 +1,7 @@
 #include "diagnose/fit_baseline.hpp"
 
 #include "diagnose/effects/take_over.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/measured/states.hpp"
 #include "words/input_error.hpp"
 
@@ -25,12 +26,9 @@ FittedBaseline fitted_to_baseline(const Case& data, const TestData& test,
     refuse("needs a baseline that differs from the case by no known change",
            "states: [{name: before, baseline: true}] in the measured data");
   TestData baseline{.data = test.data, .responses = {}};
-  const auto held_out = [&](std::size_t i) {
-    const std::vector<std::string>& held = test.data.hold_out;
-    return std::find(held.begin(), held.end(), fmt::format("frf[{}]", i)) != held.end();
-  };
   for (std::size_t i = 0; i < test.data.frf.size(); ++i)
-    if (as_drawn(test.data, test.data.frf[i].state) && !held_out(i))
+    if (as_drawn(test.data, test.data.frf[i].state) &&
+        !is_held_out(test.data, entry_name("frf", i)))
       baseline.responses.push_back(test.responses[i]);
   const FitResult fit = fit_case(data, *data.fit, baseline, settings);
   Eigen::VectorXd values(Eigen::Index(fit.parameters.size()));

@@ -90,7 +90,7 @@ template <class T> struct TiedShear {
   T centre_r, centre_s, twist;
 
   // shear(r, s, along_r): displacement-based 2 e_rz or 2 e_sz.
-  template <class F> explicit TiedShear(F&& shear) {
+  template <class F> explicit TiedShear(const F& shear) {
     constexpr double d = 1e-4;
     const auto rz = [&](double r, double s) -> T { return shear(r, s, true); };
     const auto sz = [&](double r, double s) -> T { return shear(r, s, false); };

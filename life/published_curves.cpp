@@ -33,11 +33,12 @@ PublishedTests pipe(const char* name, const char* title, double factor, double e
 
 PublishedTests design(const char* name, const char* title, const char* source, const char* inside,
                       Points points) {
+  const double fewest = points.front()[0], most = points.back()[0];
   return {.name = name,
           .title = title,
           .source = source,
-          .fewest = points.front()[0],
-          .most = points.back()[0],
+          .fewest = fewest,
+          .most = most,
           .inside = inside,
           .points = std::move(points)};
 }

@@ -77,7 +77,7 @@ std::string label(const Interface_InterfaceModel& model,
 // Failures that OpenCASCADE found while it read the file or made shapes of it.
 void require_no_failure(Interface_CheckIterator checks) {
   for (checks.Start(); checks.More(); checks.Next()) {
-    const Handle(Interface_Check) check = checks.Value();
+    const Handle(Interface_Check)& check = checks.Value();
     if (!check->HasFailed()) continue;
     const Handle(Standard_Transient) entity = check->Entity();
     // Dates and names of the header; colours, layers, notes: not of the shape.

@@ -87,7 +87,8 @@ private:
 
   // Sum of to_harmonics over the samples begin .. end - 1.
   auto sum_to(Index k) const {
-    return VectorXd(basis_.sums.col(k % count_) + double(k / count_) * basis_.sums.col(count_));
+    const Index periods = k / count_;
+    return VectorXd(basis_.sums.col(k % count_) + double(periods) * basis_.sums.col(count_));
   }
 
   // From turn b to the next.

@@ -31,6 +31,45 @@ TEST(BeamPath, weights_of_a_place_are_those_of_polynomials_of_degree_six) {
   EXPECT_NEAR(path.weights(0.3)[6], 1, 1e-12); // on a node
 }
 
+// Closed form: the clamped beam with a spring k at its tip (Blevins, Formulas for Natural Frequency
+// and Mode Shape, table 8-1), kappa = k L^3 / EI: kappa (sin b cosh b - cos b sinh b) +
+// b^3 (1 + cos b cosh b) = 0. Two thirds of what the tip itself has is a touch, and the very end of
+// a beam is where things touch.
+TEST(BeamPath, a_soft_touch_at_the_tip_is_found_as_that) {
+  const double L = 0.8, width = 0.03, depth = 0.005, kappa = 2;
+  const auto off = [&](double b) {
+    return kappa * (std::sin(b) * std::cosh(b) - std::cos(b) * std::sinh(b)) +
+           b * b * b * (1 + std::cos(b) * std::cosh(b));
+  };
+  const Case nominal = beam_of(4, L, width, depth, true);
+  Measured m;
+  m.specimen = "beam";
+  // Between the roots of the beam that is free at its tip, and pinned there.
+  constexpr std::array ends{std::pair{1.8752, 3.9266}, std::pair{4.6942, 7.0685},
+                            std::pair{7.8549, 10.2101}, std::pair{10.9956, 13.3517}};
+  const double unit =
+      std::sqrt(200e9 * depth * depth / (12 * 7850)) / (2 * std::numbers::pi * L * L);
+  for (int k = 0; k < 4; ++k) {
+    auto [low, high] = ends[std::size_t(k)];
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (off(middle) * off(low) > 0 ? low : high) = middle;
+    }
+    m.modes.push_back(bending(Axis::z, k + 1, "", unit * low * low));
+    m.modes.back().sigma = 1e-3 * unit * low * low;
+  }
+  const Diagnosis d = diagnosis_of(nominal, m);
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "extra_support") << d.headline;
+  const double k = kappa * 200e9 * width * depth * depth * depth / 12 / (L * L * L);
+  ASSERT_EQ(e.parameters.front().name, "k");
+  EXPECT_LE(e.parameters.front().interval[0], k);
+  EXPECT_GE(e.parameters.front().interval[1], k);
+  EXPECT_GE(e.parameters.back().value, 0.9 * L) << d.headline;
+  EXPECT_GE(e.parameters.back().interval[1], 0.98 * L) << d.headline;
+}
+
 // Closed form: (beta L)^2 of the free-free beam, Blevins, Formulas for Natural Frequency and Mode
 // Shape, table 8-1. Slender enough for shear and rotary inertia to take 0.1 % of the third.
 TEST(FreeParts, have_the_modes_of_a_free_beam_whether_they_hang_or_not) {
@@ -73,6 +112,10 @@ TEST(Priors, keep_within_their_bounds_and_their_shape) {
   EXPECT_NEAR(value_of(bounded, normal_quantile(0.75)), 5, 0.01); // nearly even between them
   const Prior half{PriorKind::normal, 0, 1, 0, std::numeric_limits<double>::infinity()};
   EXPECT_NEAR(value_of(half, 0), normal_quantile(0.75), 1e-9);
+  const Prior ends{PriorKind::towards_ends, 1, 3}; // arcsine law: a third lies in either quarter
+  EXPECT_NEAR(value_of(ends, 0), 2, 1e-12);
+  EXPECT_NEAR(value_of(ends, normal_quantile(1. / 3)), 1.5, 1e-9);
+  EXPECT_NEAR(value_of(ends, 8), 3, 1e-9);
 }
 
 } // namespace

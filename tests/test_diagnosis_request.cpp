@@ -131,11 +131,14 @@ TEST(States, a_run_is_compared_with_what_belongs_to_the_drawing) {
       {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
   m.modes = {bending(Axis::z, 1, "after", 9), bending(Axis::z, 1, "loaded", 8),
              bending(Axis::z, 1, "before", 10), bending(Axis::z, 2, "before", 60)};
-  m.hold_out = {"modes[0]", "modes[3]"};
+  m.peaks.resize(2);
+  m.peaks[0].state = "after";
+  m.peaks[1].state = "before";
+  m.hold_out = {"modes[0]", "modes[3]", "peaks[0]", "peaks[1].frequency[2]"};
   const Measured own = measured_as_drawn(m);
   ASSERT_EQ(own.modes.size(), 2U);
   EXPECT_EQ(own.modes[0].frequency, 10);
-  EXPECT_EQ(own.hold_out, (std::vector<std::string>{"modes[1]"}));
+  EXPECT_EQ(own.hold_out, (std::vector<std::string>{"modes[1]", "peaks[0].frequency[2]"}));
 
   for (MeasuredState& s : m.states) s.baseline = false;
   m.modes.push_back(bending(Axis::z, 1, "", 11));

@@ -22,7 +22,7 @@ TEST(TemperedChains, of_a_gaussian_give_its_evidence_mean_and_variance) {
     return -std::pow((z[0] - at) / s, 2) / 2;
   };
   const ChainDraws drawn =
-      tempered_chains({{VectorXd::Constant(1, at / (1 + s * s))}, MatrixXd::Constant(1, 1, v)},
+      tempered_chains({{VectorXd::Constant(1, at / (1 + s * s)), MatrixXd::Constant(1, 1, v)}},
                       likelihood, particles, 1);
   ASSERT_TRUE(drawn.log_evidence);
   const double exact = std::log(s / std::sqrt(1 + s * s)) - at * at / (2 * (1 + s * s));
@@ -42,7 +42,7 @@ TEST(TemperedChains, find_an_optimum_that_they_were_not_told_of) {
   for (double z = -8; z < 8; z += step)
     evidence += step * std::exp(density(z) - z * z / 2) / std::sqrt(2 * std::numbers::pi);
   const ChainDraws drawn = tempered_chains(
-      {{VectorXd::Constant(1, at)}, MatrixXd::Constant(1, 1, s * s)},
+      {{VectorXd::Constant(1, at), MatrixXd::Constant(1, 1, s * s)}},
       [&](const VectorXd& z) { return std::optional(density(z[0])); }, particles, 3);
   ASSERT_TRUE(drawn.log_evidence);
   EXPECT_NEAR(*drawn.log_evidence, std::log(evidence), 0.2);
@@ -56,7 +56,7 @@ TEST(TemperedChains, keep_out_of_what_is_impossible) {
     return z[0] > 0 ? std::optional(0.) : std::nullopt;
   };
   const ChainDraws drawn = tempered_chains(
-      {{VectorXd::Constant(1, 0.5)}, MatrixXd::Constant(1, 1, 0.25)}, likelihood, particles, 5);
+      {{VectorXd::Constant(1, 0.5), MatrixXd::Constant(1, 1, 0.25)}}, likelihood, particles, 5);
   ASSERT_TRUE(drawn.log_evidence);
   EXPECT_NEAR(*drawn.log_evidence, std::log(0.5), 0.05); // half of the prior
   EXPECT_GT(drawn.z.minCoeff(), 0);
@@ -64,7 +64,7 @@ TEST(TemperedChains, keep_out_of_what_is_impossible) {
 
 TEST(TemperedChains, hang_on_the_seed_and_not_on_the_threads) {
   const auto likelihood = [](const VectorXd& z) { return std::optional(-z.squaredNorm()); };
-  const ChainStart start{{VectorXd::Zero(3)}, MatrixXd::Identity(3, 3) / 3};
+  const std::vector<ChainStart> start{{VectorXd::Zero(3), MatrixXd::Identity(3, 3) / 3}};
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const ChainDraws alone = tempered_chains(start, likelihood, 100, 7);

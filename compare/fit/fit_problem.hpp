@@ -105,11 +105,15 @@ private:
   bool friction_alone() const;
   Results results_of(const Case& design) const;
   bool is_curve(const std::string& name) const;
+  // Names of what the model gives are added to `known`.
+  void choose_rows(const Results& results, std::string& known);
   void choose_stiffness(const Case& start, std::string& known);
   void choose_responses(const Results& results, std::string& known);
   void add_curve(const FrfSet& set, std::size_t reference, std::size_t response,
                  const std::vector<FrfSet>& simulated, std::string& known);
   void choose_goals(const Case& start, const Results& results);
+  void require_targets() const;
+  void choose_analyses(const Case& start, const Results& results);
   void scale_constraints(const Case& start, const Results& results);
   void remember(FitSample sample);
 

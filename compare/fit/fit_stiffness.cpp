@@ -1,6 +1,7 @@
 #include "compare/fit/fit_stiffness.hpp"
 
 #include "compare/compare_stiffness.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/measured/states.hpp"
 #include "run/study/part_stiffness.hpp"
 
@@ -90,10 +91,8 @@ std::vector<FitStiffness> stiffness_targets(const Measured& measured) {
   std::vector<FitStiffness> targets;
   for (std::size_t i = 0; i < measured.stiffness.size(); ++i) {
     if (!as_drawn(measured, measured.stiffness[i].state)) continue;
-    const std::string entry = fmt::format("stiffness[{}]", i);
-    const bool held_out = std::find(measured.hold_out.begin(), measured.hold_out.end(), entry) !=
-                          measured.hold_out.end();
-    add(measured.stiffness[i], entry, held_out, targets);
+    const std::string entry = entry_name("stiffness", i);
+    add(measured.stiffness[i], entry, is_held_out(measured, entry), targets);
   }
   return targets;
 }

@@ -2,6 +2,7 @@
 #include "compare/compare.hpp"
 #include "compare/fit/fit_problem.hpp"
 #include "compare/simulated.hpp"
+#include "lab/measured/entries.hpp"
 #include "run/analyses/run.hpp"
 #include "run/results/computed_numbers.hpp"
 #include "run/study/error_bars.hpp"
@@ -20,11 +21,6 @@ namespace {
 
 constexpr double response_sigma = 0.1; // relative, where the measured data state none
 
-bool is_held_out(const Measured& measured, const std::string& entry) {
-  return std::find(measured.hold_out.begin(), measured.hold_out.end(), entry) !=
-         measured.hold_out.end();
-}
-
 // "peaks[0]" names "peaks[0].frequency[3]", and each quantity itself.
 bool names(const FitTarget& target, const MeasuredComparison& row) {
   const std::string& name = target.quantity;
@@ -34,7 +30,7 @@ bool names(const FitTarget& target, const MeasuredComparison& row) {
 // Level of a row of the level peaks.
 std::optional<double> level_of(const Measured& measured, const std::string& entry) {
   for (std::size_t i = 0; i < measured.peaks.size(); ++i) {
-    const std::string own = "peaks[" + std::to_string(i) + "].";
+    const std::string own = entry_name("peaks", i) + ".";
     const auto at = entry.find('[', own.size());
     if (entry.starts_with(own) && at != std::string::npos)
       return measured.peaks[i].level[std::stoul(entry.substr(at + 1))];
@@ -58,7 +54,7 @@ bool FitProblem::asks_for_life() const {
                      });
 }
 
-// Rows that the model gives at the start; where targets are named, those.
+// Of what the model gives at the start; where targets are named, those.
 void FitProblem::choose_targets() {
   Case first = with_design(case_, request_, values_of(start()));
   if (const std::string bad = bad_tie(first, request_); !bad.empty())
@@ -67,6 +63,22 @@ void FitProblem::choose_targets() {
   const Results results = run(first, [](const std::string&) {});
   scale_constraints(first, results);
   std::string known;
+  choose_rows(results, known);
+  choose_responses(results, known);
+  choose_stiffness(first, known);
+  for (const FitTarget& t : request_.targets)
+    if (!is_goal(t.quantity) && !is_curve(t.quantity) &&
+        std::none_of(targets_.begin(), targets_.end(), [&](const Target& own) {
+          return names(t, {.quantity = own.quantity, .unit = "", .entry = own.entry});
+        }))
+      throw std::invalid_argument("fit.targets: the model gives no '" + t.quantity +
+                                  "'; there are: " + known);
+  choose_goals(first, results);
+  require_targets();
+  choose_analyses(first, results);
+}
+
+void FitProblem::choose_rows(const Results& results, std::string& known) {
   for (const MeasuredComparison& row : compare(results, measured_)) {
     known += (known.empty() ? "" : ", ") + row.quantity;
     const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
@@ -98,16 +110,9 @@ void FitProblem::choose_targets() {
         }))
       throw std::invalid_argument("fit.hold_out_levels: no peak was measured at " +
                                   std::to_string(away) + " m/s2");
-  choose_responses(results, known);
-  choose_stiffness(first, known);
-  for (const FitTarget& t : request_.targets)
-    if (!is_goal(t.quantity) && !is_curve(t.quantity) &&
-        std::none_of(targets_.begin(), targets_.end(), [&](const Target& own) {
-          return names(t, {.quantity = own.quantity, .unit = "", .entry = own.entry});
-        }))
-      throw std::invalid_argument("fit.targets: the model gives no '" + t.quantity +
-                                  "'; there are: " + known);
-  choose_goals(first, results);
+}
+
+void FitProblem::require_targets() const {
   const bool stiffness = std::any_of(stiffness_.begin(), stiffness_.end(),
                                      [](const FitStiffness& s) { return !s.held_out; });
   if (curves_.empty() && aims_.empty() && !stiffness &&
@@ -116,6 +121,10 @@ void FitProblem::choose_targets() {
                                     ? "nothing to fit: the model gives none of the measured "
                                       "quantities, and there is no goal"
                                     : "nothing to fit: all that was measured is held out");
+}
+
+// What no target needs is not computed in the fit.
+void FitProblem::choose_analyses(const Case& start, const Results& results) {
   const bool peaks =
       std::any_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.of_peak; });
   const bool levels = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
@@ -125,7 +134,7 @@ void FitProblem::choose_targets() {
   if (!peaks && !levels && curves_.empty() && stiffness_.empty()) case_ = for_headline(case_);
   if (asks_for_life()) case_ = with_life(std::move(case_), whole_);
   if (levels && friction_alone()) {
-    friction_.emplace(first);
+    friction_.emplace(start);
     unchanged_ = results;
   }
 }

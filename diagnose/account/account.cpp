@@ -133,12 +133,9 @@ private:
                       [&](std::size_t member) { return member < members[k].size(); }))
         sets.push_back(std::move(set));
     }
-    for (const JudgedFit& j : found_.beside) {
-      LedgerSet set{.fit = &j.fit, .weight = beside_the_first(j)};
-      for (std::size_t i = 0; i + 1 < j.fit.together.size(); ++i) set.members.push_back(i);
-      constexpr double counts = 0.03;
-      if (set.weight >= counts) sets.push_back(std::move(set));
-    }
+    for (LedgerSet& set :
+         sets_beside(*best_of(found_.nominal, judgement), found_.beside, found_.inclusion))
+      sets.push_back(std::move(set));
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
     if (members.empty()) return;
     std::vector<std::vector<NamedEffect>> groups = alternatives(members);

@@ -197,6 +197,20 @@ std::pair<double, std::array<double, 2>> over(const std::vector<OneDraw>& draws,
 
 } // namespace
 
+std::vector<LedgerSet> sets_beside(const JudgedFit& lead, const std::vector<JudgedFit>& beside,
+                                   const Inclusion& inclusion) {
+  constexpr double counts = 0.03;
+  std::vector<LedgerSet> sets;
+  for (const JudgedFit& j : beside) {
+    LedgerSet set{.fit = &j.fit,
+                  .weight = std::exp(inclusion.log_weight(j) - inclusion.log_weight(lead))};
+    if (set.weight < counts) continue;
+    for (std::size_t i = 0; i + 1 < j.fit.together.size(); ++i) set.members.push_back(i);
+    sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
 Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
                  const std::vector<LedgerSet>& sets) {
   const Accounts accounts(context, nominal);

@@ -1,6 +1,8 @@
 // What the gap is made of (results/diagnosis.hpp): the share of each effect, and what is left.
 #pragma once
 
+#include "diagnose/judge/inclusion.hpp"
+#include "diagnose/judge/judged_fit.hpp"
 #include "diagnose/results/diagnosis.hpp"
 #include "diagnose/weigh/evidence.hpp"
 
@@ -15,6 +17,11 @@ struct LedgerSet {
   double weight = 1;
   std::vector<std::size_t> members = {};
 };
+
+// What leads with one effect more beside it (fit_beside), by its probability: the members that lead
+// are accounted for. What is hardly probable is left out.
+std::vector<LedgerSet> sets_beside(const JudgedFit& lead, const std::vector<JudgedFit>& beside,
+                                   const Inclusion& inclusion);
 
 // Rows of effects come first, without their `effects`; none where `sets` is empty.
 Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,

@@ -1,5 +1,6 @@
 #include "diagnose/account/overlays.hpp"
 
+#include "lab/measured/entries.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ std::vector<OverlaidResponse> overlays_of(GapProblem& problem, const HypothesisF
       if (set.references.empty() || overlays.size() >= most) continue;
       const Reading* reading = nullptr;
       for (const Reading& r : problem.readings.readings)
-        if (r.entry == "frf[" + std::to_string(i) + "]" && r.kind == ReadingKind::amplitude) {
+        if (r.entry == entry_name("frf", i) && r.kind == ReadingKind::amplitude) {
           reading = &r;
           break;
         }

@@ -5,6 +5,7 @@
 #include "diagnose/effects/places.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
+#include "diagnose/weigh/nearest_rank.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "solve/parallel.hpp"
@@ -28,9 +29,7 @@ constexpr int bootstraps = 400;
 std::array<double, 2> interval_of(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    return values[std::size_t(share * double(values.size() - 1) + 0.5)];
-  };
+  const auto at = [&](double share) { return values[nearest_rank(values.size(), share)]; };
   return {at(0.05), at(0.95)};
 }
 

@@ -98,7 +98,7 @@ private:
         if (!named(known, p.name)) known.push_back(p.name);
         if (p.name != asked.parameter) continue;
         found = true;
-        if (p.prior.kind == PriorKind::uniform)
+        if (p.prior.lies_between())
           wide = asked.widening.has_value();
         else
           p.prior.width *= asked.widening.value_or(1);
@@ -121,7 +121,7 @@ private:
 
   static bool bound(Prior& prior, const std::vector<double>& between) {
     if (!(between[0] < between[1])) return false;
-    if (prior.kind == PriorKind::uniform) {
+    if (prior.lies_between()) {
       prior.centre = std::max(prior.centre, between[0]);
       prior.width = std::min(prior.width, between[1]);
       return prior.centre < prior.width;

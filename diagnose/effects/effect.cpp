@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace plica {
@@ -40,7 +41,10 @@ double value_of(const Prior& prior, double z) {
   if (prior.kind == PriorKind::normal) return prior.centre + prior.width * z;
   if (prior.kind == PriorKind::log_normal) return prior.centre * std::exp(prior.width * z);
   const double share = normal_share(z);
-  return prior.centre + (prior.width - prior.centre) * share;
+  return prior.centre +
+         (prior.width - prior.centre) * (prior.kind == PriorKind::uniform
+                                             ? share
+                                             : (1 - std::cos(std::numbers::pi * share)) / 2);
 }
 
 std::function<Eigen::VectorXd(double)>

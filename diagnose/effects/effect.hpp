@@ -23,16 +23,20 @@
 
 namespace plica {
 
-enum class PriorKind { normal, log_normal, uniform };
+enum class PriorKind { normal, log_normal, uniform, towards_ends };
 
 // What may be expected of a parameter before the test. Its coordinate z is N(0, 1).
 //   normal: centre + width z;  log_normal: centre exp(width z);  uniform: between centre and width
+//   towards_ends: between them, denser towards either, as 1 / sqrt(distance) (the arcsine law)
 // Between `low` and `high`, where these bound it: z is that of the share of what lies between.
 struct Prior {
   PriorKind kind = PriorKind::normal;
   double centre = 0, width = 1;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
+  bool lies_between() const { // centre and width
+    return kind == PriorKind::uniform || kind == PriorKind::towards_ends;
+  }
   bool bounded() const { return std::isfinite(low) || std::isfinite(high); }
 };
 double value_of(const Prior& prior, double z);

@@ -46,13 +46,13 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
       add(spot, "on the mean motion",
           {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 0, 1)}});
   }
-  // From a touch to a pin: beyond what the beam itself has, the readings do not feel how stiff.
-  constexpr double centre = 1000, width = 3;
+  // From a touch, thousandths of the beam's own stiffness, to a pin: beyond a hundred times that the
+  // readings do not feel how stiff. Every power of ten alike, half of them pins.
+  const double own = s.stiffness;
+  const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
   for (const BeamPath& path : beam_paths(s)) {
     const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {
-      found.push_back(
-          anywhere_along(path, {"k", "N/m", {PriorKind::log_normal, centre * s.stiffness, width}},
-                         support_along(s, path, axes)));
+      found.push_back(anywhere_along(path, {"k", "N/m", any}, support_along(s, path, axes)));
       found.back().effect = "extra_support";
       found.back().way = way;
     };

@@ -29,72 +29,59 @@ std::string closed(const JudgedFit& nominal, const JudgedFit& j) {
   return fmt::format("{:.0f} %", 100 * (1 - left * left));
 }
 
-} // namespace
+std::string odds(double log_bayes) {
+  if (log_bayes > 13.8) return "odds above a million to one";
+  return fmt::format("odds {:.3g}:1", std::exp(log_bayes));
+}
 
-std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
-  const auto odds = [](double log_bayes) {
-    if (log_bayes > 13.8) return std::string("odds above a million to one");
-    return fmt::format("odds {:.3g}:1", std::exp(log_bayes));
-  };
-  switch (judgement.verdict) {
-  case Verdict::none:
-    return "No effect: the nominal case explains the test within its uncertainties";
-  case Verdict::identified: {
-    const JudgedFit& j = *judgement.named.front();
-    const std::string& effect = j.fit.together[0]->effect;
-    std::string text = name_of(j.fit) + " (" + odds(j.log_bayes_factor) + " over no effect";
-    for (const auto& [name, p] : judgement.probabilities)
-      if (name != effect && name != "none") {
-        const double own = judgement.probability_of(effect);
-        text +=
-            ", " + odds(std::log(std::max(own, 1e-300) / std::max(p, 1e-300))) + " over " + name;
-        break;
-      }
-    return text + ")" + places(judgement, *j.fit.together[0]);
-  }
-  case Verdict::ambiguous: {
-    if (judgement.names_sets()) {
-      std::string text = "Ambiguous: ";
-      for (const JudgedFit* j : judgement.named)
-        text += (j == judgement.named.front() ? "" : "; or ") + name_of(j->fit);
-      return text + "; " + judgement.withheld;
+// One effect that explains all, beside the next.
+std::string identified_words(const Judgement& judgement) {
+  const JudgedFit& j = *judgement.named.front();
+  const std::string& effect = j.fit.together[0]->effect;
+  std::string text = name_of(j.fit) + " (" + odds(j.log_bayes_factor) + " over no effect";
+  for (const auto& [name, p] : judgement.probabilities)
+    if (name != effect && name != "none") {
+      const double own = judgement.probability_of(effect);
+      text += ", " + odds(std::log(std::max(own, 1e-300) / std::max(p, 1e-300))) + " over " + name;
+      break;
     }
-    std::string text = judgement.named.size() == 1 ? "Perhaps " : "Ambiguous: ";
-    for (const JudgedFit* j : judgement.named) {
-      const Hypothesis& h = *j->fit.together[0];
-      const double p = judgement.probability_of(h.effect) * judgement.share_of(h.effect, h.place);
-      text += (j == judgement.named.front() ? "" : " or ") + name_of(j->fit) +
-              fmt::format(" {:.0f} %", 100 * p);
-    }
-    return judgement.withheld.empty() ? text : text + "; not identified: " + judgement.withheld;
+  return text + ")" + places(judgement, *j.fit.together[0]);
+}
+
+std::string ambiguous_words(const Judgement& judgement) {
+  std::string text;
+  for (const JudgedFit* j : judgement.named) {
+    if (!text.empty()) text += judgement.names_sets() ? "; or " : " or ";
+    text += name_of(j->fit);
+    if (judgement.names_sets()) continue;
+    const Hypothesis& h = *j->fit.together[0];
+    const double p = judgement.probability_of(h.effect) * judgement.share_of(h.effect, h.place);
+    text += fmt::format(" {:.0f} %", 100 * p);
   }
-  case Verdict::several: {
-    const JudgedFit& first = *judgement.named.front();
-    std::string text = "Several effects: " + name_of(first.fit);
-    const std::size_t others = judgement.named.size() - 1;
-    if (others == 1) text += "; or " + name_of(judgement.named.back()->fit);
-    text += " (" + odds(first.log_bayes_factor) + " over no effect)";
-    return others < 2 ? text
-                      : text + fmt::format("; {} other sets explain the test as well", others);
-  }
-  case Verdict::mostly: {
-    const JudgedFit& j = *judgement.named.front();
-    return fmt::format("Mostly {}: {} of the gap is closed, the rest is not explained{}",
-                       name_of(j.fit), closed(nominal, j), places(judgement, *j.fit.together[0]));
-  }
-  case Verdict::unknown:
-    break;
-  }
-  if (judgement.stopped && !judgement.nearest)
+  if (judgement.names_sets()) return "Ambiguous: " + text + "; " + judgement.withheld;
+  text = (judgement.named.size() == 1 ? "Perhaps " : "Ambiguous: ") + text;
+  return judgement.withheld.empty() ? text : text + "; not identified: " + judgement.withheld;
+}
+
+std::string several_words(const Judgement& judgement) {
+  const JudgedFit& first = *judgement.named.front();
+  std::string text = "Several effects: " + name_of(first.fit);
+  const std::size_t others = judgement.named.size() - 1;
+  if (others == 1) text += "; or " + name_of(judgement.named.back()->fit);
+  text += " (" + odds(first.log_bayes_factor) + " over no effect)";
+  return others < 2 ? text : text + fmt::format("; {} other sets explain the test as well", others);
+}
+
+std::string unknown_words(const JudgedFit& nominal, const Judgement& judgement) {
+  const JudgedFit* j = judgement.nearest;
+  if (judgement.stopped && !j)
     return "Stopped before an effect was found that comes nearer than the nominal case";
   if (judgement.stopped)
-    return fmt::format(
-        "Stopped before all effects were tried; nearest so far comes {}, which closes "
-        "{} of the gap",
-        name_of(judgement.nearest->fit), closed(nominal, *judgement.nearest));
+    return fmt::format("Stopped before all effects were tried; nearest so far comes {}, which "
+                       "closes {} of the gap",
+                       name_of(j->fit), closed(nominal, *j));
   const std::string withheld =
       judgement.withheld.empty() ? "" : "; not named: " + judgement.withheld;
-  const JudgedFit* j = judgement.nearest;
   if (j && j->credible())
     return fmt::format("Not settled: {} would explain the test and close {} of the gap, not far "
                        "enough ahead of what else would{}",
@@ -105,6 +92,29 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
     text += fmt::format("; nearest comes {}, which closes {} of the gap{}", name_of(j->fit),
                         closed(nominal, *j), withheld);
   return text;
+}
+
+} // namespace
+
+std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
+  switch (judgement.verdict) {
+  case Verdict::none:
+    return "No effect: the nominal case explains the test within its uncertainties";
+  case Verdict::identified:
+    return identified_words(judgement);
+  case Verdict::ambiguous:
+    return ambiguous_words(judgement);
+  case Verdict::several:
+    return several_words(judgement);
+  case Verdict::mostly: {
+    const JudgedFit& j = *judgement.named.front();
+    return fmt::format("Mostly {}: {} of the gap is closed, the rest is not explained{}",
+                       name_of(j.fit), closed(nominal, j), places(judgement, *j.fit.together[0]));
+  }
+  case Verdict::unknown:
+    break;
+  }
+  return unknown_words(nominal, judgement);
 }
 
 } // namespace plica

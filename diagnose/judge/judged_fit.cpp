@@ -1,6 +1,7 @@
 #include "diagnose/judge/judged_fit.hpp"
 
 #include "diagnose/judge/thresholds.hpp"
+#include "diagnose/weigh/nearest_rank.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ template <class Chi2> std::vector<double> of_healthy(const FitContext& context, 
 }
 
 double point(const std::vector<double>& sorted, double share) {
-  return sorted.empty() ? 0 : sorted[std::size_t(share * double(sorted.size() - 1) + 0.5)];
+  return sorted.empty() ? 0 : sorted[nearest_rank(sorted.size(), share)];
 }
 
 int free_parameters(const HypothesisFit& fit) {

@@ -2,7 +2,6 @@
 
 #include "lab/measured/measured_words.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -15,11 +14,7 @@ void ReadingList::add(Reading reading) {
     reading.log_value = reading.value;
   else if (reading.kind != ReadingKind::cross)
     reading.log_value = std::log(reading.value);
-  const std::string& where = reading.entry;
-  reading.held_out =
-      std::any_of(measured_.hold_out.begin(), measured_.hold_out.end(), [&](const std::string& h) {
-        return where == h || where.starts_with(h + ".") || where.starts_with(h + "[");
-      });
+  reading.held_out = is_held_out(measured_, reading.entry);
   if (!reading.state.empty()) reading.name += ", " + reading.state;
   all.readings.push_back(std::move(reading));
 }
@@ -33,10 +28,6 @@ double value_of(const Reading& reading, double log_value) {
 std::string word_of(const Input& input) {
   if (input.base >= 0) return std::string("base ") + axis_word(input.base);
   return input.force.empty() ? "" : "force at " + input.force;
-}
-
-std::string entry_name(const char* list, std::size_t i) {
-  return std::string(list) + "[" + std::to_string(i) + "]";
 }
 
 std::string at_level(const TestRun& run) {

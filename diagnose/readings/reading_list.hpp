@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnose/readings/reading.hpp"
+#include "lab/measured/entries.hpp"
 
 namespace plica {
 
@@ -19,7 +20,6 @@ private:
   const Measured& measured_;
 };
 
-std::string entry_name(const char* list, std::size_t i); // "frf[3]"
-std::string at_level(const TestRun& run);                // ", 5 m/s2"; empty for zero
+std::string at_level(const TestRun& run); // ", 5 m/s2"; empty for zero
 
 } // namespace plica

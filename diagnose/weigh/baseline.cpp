@@ -26,13 +26,11 @@ constexpr double component_error = 0.05; // of the largest of a shape
 double stated_error(ReadingKind kind, double of_frequency) {
   switch (kind) {
   case ReadingKind::mass:
-    return of_frequency;
-  case ReadingKind::stiffness:
-    return 2 * of_frequency;
-  case ReadingKind::dynamic_stiffness:
-    return 2 * of_frequency;
   case ReadingKind::frequency:
     return of_frequency;
+  case ReadingKind::stiffness:
+  case ReadingKind::dynamic_stiffness:
+    return 2 * of_frequency;
   case ReadingKind::damping:
   case ReadingKind::loss:
     return damping_error;

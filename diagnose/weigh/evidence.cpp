@@ -3,6 +3,7 @@
 #include "compare/search/search.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/likely_values.hpp"
+#include "diagnose/weigh/ridge.hpp"
 #include "diagnose/weigh/spread_point.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
 
@@ -211,7 +212,7 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
     // Places along a part that answer alike lie anywhere: all of it is looked at.
     constexpr int stations = 40;
     for (int i = 0; i < stations; ++i)
-      for (double size : {-1.2, 0., 1.2}) {
+      for (double size : {-1.2, -0.6, 0., 0.6, 1.2}) {
         VectorXd there = VectorXd::Constant(p, size);
         there[Index(*together[0]->along)] = normal_quantile((i + 0.5) / stations);
         search.try_from(there);
@@ -249,23 +250,51 @@ void complete(const FitContext& context, HypothesisFit& fit) {
   fit.complete = true;
 }
 
+namespace {
+
+bool acts_along(const Hypothesis* h) {
+  return h->along.has_value();
+}
+
+// Where the chains of a fit begin: at its optima and on the ridges of its places.
+std::vector<ChainStart> starts_of(const HypothesisFit& fit, const ResidualModel& residuals,
+                                  double dispersion) {
+  const MatrixXd covariance = dispersed_covariance(fit, dispersion);
+  std::vector<ChainStart> starts{{fit.z, covariance}};
+  for (const VectorXd& other : fit.others) starts.push_back({other, covariance});
+  for (std::size_t member = 0; member < fit.together.size(); ++member)
+    if (const auto along = fit.together[member]->along)
+      for (ChainStart& start : ridge_from(residuals, fit.z, fit.first_of(member) + Index(*along)))
+        starts.push_back(std::move(start));
+  return starts;
+}
+
+} // namespace
+
 void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed,
             double dispersion) {
   if (fit.together.empty() || !fit.solved) return;
   const Deviation deviation(context, fit.together);
   const Whitening whitened = context.fitted.widened(fit.further);
-  const auto log_likelihood = [&](const VectorXd& z) -> std::optional<double> {
+  const auto error = [&](const VectorXd& z) -> std::optional<VectorXd> {
     const auto d = deviation.at(z, Predictor::Which::fitted);
-    return d ? std::optional(-whitened(*d).squaredNorm() / (2 * dispersion)) : std::nullopt;
+    return d ? std::optional(VectorXd(whitened(*d) / std::sqrt(dispersion))) : std::nullopt;
   };
-  std::vector<VectorXd> optima = fit.others;
-  optima.push_back(fit.z);
+  const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
+    const auto own = error(z);
+    if (!own) return std::nullopt;
+    VectorXd r(own->size() + z.size());
+    r << *own, z;
+    return r;
+  };
+  const auto log_likelihood = [&](const VectorXd& z) -> std::optional<double> {
+    const auto own = error(z);
+    return own ? std::optional(-own->squaredNorm() / 2) : std::nullopt;
+  };
   constexpr int of_a_place = 4; // as many, where what is told is their density (likely_values.hpp)
-  if (std::any_of(fit.together.begin(), fit.together.end(),
-                  [](const Hypothesis* h) { return h->along.has_value(); }))
-    particles *= of_a_place;
-  ChainDraws drawn = tempered_chains({std::move(optima), dispersed_covariance(fit, dispersion)},
-                                     log_likelihood, particles, seed);
+  if (std::any_of(fit.together.begin(), fit.together.end(), acts_along)) particles *= of_a_place;
+  ChainDraws drawn =
+      tempered_chains(starts_of(fit, residuals, dispersion), log_likelihood, particles, seed);
   fit.draws = std::move(drawn.z);
   if (drawn.log_evidence && dispersion == 1)
     fit.sampled_log_evidence = *drawn.log_evidence - fit.penalty;

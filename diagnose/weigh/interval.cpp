@@ -84,8 +84,7 @@ Interval interval_of(const std::vector<const HypothesisFit*>& ways, Index parame
     for (double& z : values) z = first.z[parameter] + wider * (z - first.z[parameter]);
   for (double& z : values) z = value_of(prior, z);
   const double middle = quantile(values, 0.5);
-  if (prior.kind == PriorKind::uniform)
-    return {shortest(values, prior.centre, prior.width), middle};
+  if (prior.lies_between()) return {shortest(values, prior.centre, prior.width), middle};
   if (prior.bounded()) {
     const auto end = [&](double bound, double z) {
       return std::isfinite(bound) ? bound : value_of(prior, z);

@@ -1,5 +1,7 @@
 #include "diagnose/weigh/likely_values.hpp"
 
+#include "diagnose/weigh/nearest_rank.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 double quantile(VectorXd values, double share) {
-  double* middle = values.data() + Index(share * double(values.size() - 1) + 0.5);
+  double* middle = values.data() + nearest_rank(std::size_t(values.size()), share);
   std::nth_element(values.data(), middle, values.data() + values.size());
   return *middle;
 }

@@ -26,31 +26,37 @@ double log_normal(const VectorXd& z) {
 // Where the chains begin.
 class Reference {
 public:
-  explicit Reference(const ChainStart& start)
-      : centres_(start.optima), root_(4 * start.covariance) {
-    const MatrixXd L = root_.matrixL();
-    log_det_ = L.diagonal().array().log().sum();
+  explicit Reference(const std::vector<ChainStart>& starts) {
+    for (const ChainStart& start : starts) {
+      Near own{start.optimum, Eigen::LLT<MatrixXd>(4 * start.covariance)};
+      const MatrixXd L = own.root.matrixL();
+      own.log_det = L.diagonal().array().log().sum();
+      near_.push_back(std::move(own));
+    }
   }
   VectorXd draw(const VectorXd& white, double u) const {
-    if (u >= near) return white;
-    const auto which = std::size_t(u / near * double(centres_.size()));
-    return centres_[which] + root_.matrixL() * white;
+    if (u >= share_near) return white;
+    const Near& own = near_[std::size_t(u / share_near * double(near_.size()))];
+    return own.centre + own.root.matrixL() * white;
   }
   double log_density(const VectorXd& z) const {
-    double all = std::log(1 - near) + log_normal(z);
-    for (const VectorXd& centre : centres_) {
-      const double own = std::log(near / double(centres_.size())) +
-                         log_normal(root_.matrixL().solve(z - centre)) - log_det_;
+    double all = std::log(1 - share_near) + log_normal(z);
+    for (const Near& n : near_) {
+      const double own = std::log(share_near / double(near_.size())) +
+                         log_normal(n.root.matrixL().solve(z - n.centre)) - n.log_det;
       all = std::max(all, own) + std::log1p(std::exp(-std::abs(all - own)));
     }
     return all;
   }
 
 private:
-  static constexpr double near = 0.9;
-  std::vector<VectorXd> centres_;
-  Eigen::LLT<MatrixXd> root_;
-  double log_det_ = 0;
+  struct Near {
+    VectorXd centre;
+    Eigen::LLT<MatrixXd> root;
+    double log_det = 0;
+  };
+  static constexpr double share_near = 0.9;
+  std::vector<Near> near_;
 };
 
 // Particles with ln of likelihood times prior, and of the density they began with.
@@ -125,12 +131,12 @@ MatrixXd step_root(const MatrixXd& z, const VectorXd& share) {
 } // namespace
 
 ChainDraws
-tempered_chains(const ChainStart& start,
+tempered_chains(const std::vector<ChainStart>& starts,
                 const std::function<std::optional<double>(const VectorXd&)>& log_likelihood,
                 int particles, unsigned seed) {
-  const Index p = start.optima.front().size();
+  const Index p = starts.front().optimum.size();
   NormalDraws normal(seed);
-  const Reference reference(start);
+  const Reference reference(starts);
   const auto log_target = [&](const VectorXd& z) {
     const std::optional<double> own = log_likelihood(z);
     return own ? *own + log_normal(z) : impossible;

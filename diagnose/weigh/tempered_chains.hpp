@@ -9,11 +9,10 @@
 
 namespace plica {
 
-// Nine tenths of the chains begin near the optima, twice as wide as the Gaussian there; the rest
-// are drawn from the prior, so that nothing it allows is out of reach.
+// Where chains begin: the Gaussian at an optimum.
 struct ChainStart {
-  std::vector<Eigen::VectorXd> optima; // at least one
-  Eigen::MatrixXd covariance;          // of the Gaussian at an optimum
+  Eigen::VectorXd optimum;
+  Eigen::MatrixXd covariance;
 };
 
 struct ChainDraws {
@@ -21,10 +20,12 @@ struct ChainDraws {
   std::optional<double> log_evidence; // ln of the likelihood over the prior; none: not converged
 };
 
+// Nine tenths of the chains begin near the starts, of which there is one at least, twice as wide as
+// the Gaussian there; the rest are drawn from the prior, so that nothing it allows is out of reach.
 // `log_likelihood` may be called from several threads; none where the point is impossible. The
 // draws hang on the seed alone.
 ChainDraws
-tempered_chains(const ChainStart& start,
+tempered_chains(const std::vector<ChainStart>& starts,
                 const std::function<std::optional<double>(const Eigen::VectorXd&)>& log_likelihood,
                 int particles, unsigned seed);
 

@@ -29,7 +29,7 @@ bool is_load_keyword(const std::string& name) {
 }
 
 KeywordHandlers AbaqusLoads::with(KeywordHandlers joints) {
-  const auto both = [&](const char* name, std::function<void(const Keyword&)> more) {
+  const auto both = [&](const char* name, const std::function<void(const Keyword&)>& more) {
     KeywordHandler& handler = joints[name];
     handler.read = [first = handler.read, more](const Keyword& k) {
       if (first) first(k);

@@ -89,8 +89,9 @@ double panel_compliance(const Eigen::Matrix<double, 3, 4>& at, double nu) {
   double sum = 0;
   for (int a = 0; a < 4 * pieces; ++a)
     for (int b = 0; b < 4 * pieces; ++b) {
-      const double s = (a / 4 + place[std::size_t(a % 4)]) / pieces;
-      const double t = (b / 4 + place[std::size_t(b % 4)]) / pieces;
+      const int along = a / 4, across = b / 4; // of the pieces
+      const double s = (along + place[std::size_t(a % 4)]) / pieces;
+      const double t = (across + place[std::size_t(b % 4)]) / pieces;
       const Vector3d x = (1 - t) * ((1 - s) * at.col(0) + s * at.col(1)) +
                          t * (s * at.col(2) + (1 - s) * at.col(3));
       const Vector3d by_s = (1 - t) * (at.col(1) - at.col(0)) + t * (at.col(2) - at.col(3));

@@ -353,13 +353,14 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
     const int load = chosen(above, own, "LOAD"), spc = chosen(above, own, "SPC");
     DeckLoadCase made;
     HeldBySets held;
+    held.supports = supports;
     const std::size_t before = r.problems.count();
     if (spc != 0) held = held_by(r, sums_spelt_out(r, spc), supports);
     const int warm = chosen(above, own, "TEMP");
     if (load == 0 && held.moved.empty() && warm == 0 && !own.chosen.contains("DEFORM")) continue;
     if (r.problems.count() > before)
       made.not_had.push_back("cards of SPC " + std::to_string(spc) + " are wrong");
-    made.supports = spc != 0 ? std::move(held.supports) : supports;
+    made.supports = std::move(held.supports);
     made.moved = std::move(held.moved);
     if (chosen(above, own, "MPC") != mpc_in_force)
       made.not_had.push_back("chooses another set of MPC than that in force, " +

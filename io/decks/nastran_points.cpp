@@ -65,8 +65,8 @@ void conm1(const NastranReading& r, const Card& card) {
 }
 
 // A value between single DOFs: node and component from two fields each, or scalar points.
-void scalar(const NastranReading& r, const Card& card, double value, std::vector<std::size_t> at,
-            bool points, bool mass) {
+void scalar(const NastranReading& r, const Card& card, double value,
+            const std::vector<std::size_t>& at, bool points, bool mass) {
   std::vector<SpringEnd> ends;
   for (std::size_t field : at) {
     if (!card.has(field) || card.whole(field) == 0) continue;

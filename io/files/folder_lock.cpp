@@ -43,7 +43,7 @@ bool is_named(int handle, const fs::path& file) {
 
 } // namespace
 
-FolderLock::FolderLock(fs::path folder) : file_(std::move(folder) / ".plica.lock") {
+FolderLock::FolderLock(const fs::path& folder) : file_(folder / ".plica.lock") {
   while (!take()) {
   }
 }

@@ -13,7 +13,7 @@ namespace plica {
 class FolderLock {
 public:
   // InputError, with the process, when another command writes here, or when nothing can be written.
-  explicit FolderLock(std::filesystem::path folder);
+  explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

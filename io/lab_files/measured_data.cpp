@@ -2,6 +2,7 @@
 
 #include "io/lab_files/channels.hpp"
 #include "io/lab_files/universal_units.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ FrfSet frf_of_entry(const Measured& measured, std::size_t i, const fs::path& fol
   const std::string reference =
       entry.base ? std::string("base.") + word_of(*entry.base) : entry.force;
   const ChannelRequest request{.path = folder / entry.file,
-                               .key = "frf[" + std::to_string(i) + "]",
+                               .key = entry_name("frf", i),
                                .channels = entry.channels,
                                .variables = entry.variables,
                                .base = entry.base.has_value(),

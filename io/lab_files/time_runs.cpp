@@ -3,6 +3,7 @@
 #include "io/lab_files/measured_data.hpp"
 #include "lab/identification/free_decays.hpp"
 #include "lab/identification/output_only.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/signals/decay_window.hpp"
 #include "words/input_error.hpp"
 
@@ -72,7 +73,7 @@ std::vector<TimeRun> time_runs(const TestOnFile& test) {
   for (std::size_t i = 0; i < test.data.signals.size(); ++i) {
     const MeasuredSignals& entry = test.data.signals[i];
     if (has_input(entry.excitation)) continue;
-    const std::string key = "signals[" + std::to_string(i) + "]";
+    const std::string key = entry_name("signals", i);
     TimeRecord record = record_of(entry, test, key);
     const auto home = std::find_if(runs.begin(), runs.end(), [&](const TimeRun& t) {
       return entry.excitation == SignalKind::free_decay && t.kind == entry.excitation &&

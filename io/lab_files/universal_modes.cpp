@@ -5,6 +5,7 @@
 #include "io/lab_files/universal_units.hpp"
 #include "io/universal/reader.hpp"
 #include "lab/identification/identified_measured.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,7 @@ private:
       for (int k = 0; k < 3; ++k) {
         if (!std::isfinite(v[k].real()) || !std::isfinite(v[k].imag()))
           fail(s.line, "data set of a mode", "has a number that is not finite", "finite numbers");
-        vector.channels.push_back(name_of(s.nodes[std::size_t(i)]) + "." + "xyz"[k]);
+        vector.channels.push_back(name_of(s.nodes[std::size_t(i)]) + "." + axis_word(k));
         vector.real.push_back(v[k].real());
         if (complex) vector.imaginary.push_back(v[k].imag());
         all[3 * i + k] = v[k];

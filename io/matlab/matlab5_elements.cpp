@@ -123,8 +123,7 @@ private:
       const Element e = element(at, end);
       const std::size_t each = bytes_of(e.type);
       // UTF-8 may take more than one byte for a letter.
-      if (fault_.empty() && kind != text &&
-          (each == 0 || double(e.size / each) != count || e.size % each != 0))
+      if (fault_.empty() && kind != text && (each == 0 || double(e.size) != count * double(each)))
         say(at, "a variable of other size than its dimensions say");
       at = e.next;
     }

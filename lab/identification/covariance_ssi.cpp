@@ -46,7 +46,7 @@ ModeOfModel mode_of_model(const Subspace& s, const Pole& pole, int order, double
   m.left = m.gram * m.up.transpose();
   m.rest = m.down - m.up * m.A;
   const Eigen::EigenSolver<MatrixXd> solver(m.A);
-  const VectorXcd all = solver.eigenvalues();
+  const VectorXcd& all = solver.eigenvalues();
   Index own = 0;
   (all.array() - std::exp(pole.lambda / rate)).abs().minCoeff(&own);
   m.mu = all[own];

@@ -1,9 +1,10 @@
 #include "lab/identification/identified_measured.hpp"
 
-#include <fmt/format.h>
+#include "lab/measured/entries.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace plica {
@@ -94,7 +95,7 @@ Measured identified_measured(const Measured& test, const std::vector<IdentifiedR
   std::map<std::string, std::string> renamed;
   for (std::size_t i = 0; i < test.modes.size(); ++i) {
     if (identified.contains(test.modes[i].state)) continue;
-    renamed[fmt::format("modes[{}]", i)] = fmt::format("modes[{}]", result.modes.size());
+    renamed[entry_name("modes", i)] = entry_name("modes", result.modes.size());
     result.modes.push_back(test.modes[i]);
     result.modes.back().repeats.clear(); // their scatter is the sigma
   }
@@ -106,12 +107,13 @@ Measured identified_measured(const Measured& test, const std::vector<IdentifiedR
       result.modes.push_back(std::move(mode));
     }
   }
-  result.hold_out.clear();
-  for (const std::string& entry : test.hold_out)
-    if (const auto now = renamed.find(entry); now != renamed.end())
-      result.hold_out.push_back(now->second);
-    else if (entry.starts_with("static[") || entry.starts_with("peaks["))
-      result.hold_out.push_back(entry);
+  const auto stays = [&](const char* list, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) renamed[entry_name(list, i)] = entry_name(list, i);
+  };
+  stays("static", test.statics.size());
+  stays("stiffness", test.stiffness.size());
+  stays("peaks", test.peaks.size());
+  result.hold_out = renamed_paths(test.hold_out, renamed);
   result.caveats.emplace_back(
       "kinds and orders of the identified modes follow from the axes of the channels: torsion and "
       "shell modes, and modes that were not found, need a correction by hand");

@@ -56,7 +56,7 @@ IdentifiedMode mode_of(const FittedMode& m) {
   mode.sigma_frequency = m.sigma_frequency();
   mode.sigma_damping = m.sigma_damping();
   const Eigen::JacobiSVD<MatrixXcd> svd(m.residue, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const VectorXd s = svd.singularValues();
+  const VectorXd& s = svd.singularValues();
   mode.rank = s.size() > 1 && s[0] > 0 ? s[1] / s[0] : 0;
   mode.shape = turned_real(svd.matrixU().col(0));
   mode.participation = svd.matrixV().col(0).conjugate();

@@ -1,5 +1,7 @@
 #include "lab/measured/states.hpp"
 
+#include "lab/measured/entries.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -28,11 +30,11 @@ Measured measured_in(const Measured& measured,
                      const std::function<bool(const std::string& state)>& kept) {
   Measured result = measured;
   std::map<std::string, std::string> renamed; // of those kept: "modes[3]" to "modes[1]"
-  const auto keep = [&](auto& entries, const std::string& list) {
+  const auto keep = [&](auto& entries, const char* list) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (!kept(entries[i].state)) continue;
-      renamed[list + "[" + std::to_string(i) + "]"] = list + "[" + std::to_string(next) + "]";
+      renamed[entry_name(list, i)] = entry_name(list, next);
       if (next != i) entries[next] = std::move(entries[i]);
       ++next;
     }
@@ -46,12 +48,7 @@ Measured measured_in(const Measured& measured,
   keep(result.signals, "signals");
   if (result.mass && !kept(result.mass->state)) result.mass.reset();
   std::erase_if(result.states, [&](const MeasuredState& s) { return !kept(s.name); });
-  std::vector<std::string> held;
-  for (const std::string& entry : result.hold_out) {
-    const auto now = renamed.find(entry);
-    if (now != renamed.end()) held.push_back(now->second);
-  }
-  result.hold_out = std::move(held);
+  result.hold_out = renamed_paths(result.hold_out, renamed);
   return result;
 }
 

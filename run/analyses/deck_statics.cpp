@@ -160,7 +160,7 @@ public:
 
 private:
   // Where nothing has mass, as statics may: the diagonal of K tells what is free as well.
-  SparseMatrix mass_or_scale(SparseMatrix M) const {
+  SparseMatrix mass_or_scale(const SparseMatrix& M) const {
     if (dofs_with_mass(M) > 0) return M;
     SparseMatrix scale(K_.rows(), K_.cols());
     scale.setIdentity();

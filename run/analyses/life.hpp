@@ -60,7 +60,8 @@ private:
                    const Eigen::MatrixXd& plane, const Eigen::MatrixXd& q);
   void add_random(const LifeRandom& asked, const Excitation& e,
                   const StressCoordinates& coordinates,
-                  std::shared_ptr<const Eigen::MatrixXd> plane, const Eigen::VectorXd& hertz);
+                  const std::shared_ptr<const Eigen::MatrixXd>& plane,
+                  const Eigen::VectorXd& hertz);
   // Of accelerations and forces over time.
   void add_excited_history(const LifeHistory& history, const std::string& key,
                            const Eigen::MatrixXd& plane, const DampedModes& modes,

@@ -161,7 +161,7 @@ void LifeCount::add_excited_history(const LifeHistory& history, const std::strin
 
 void LifeCount::add_random(const LifeRandom& asked, const Excitation& e,
                            const StressCoordinates& coordinates,
-                           std::shared_ptr<const MatrixXd> plane, const VectorXd& hertz) {
+                           const std::shared_ptr<const MatrixXd>& plane, const VectorXd& hertz) {
   DutyMap duty =
       new_duty("random", asked.name, title_of(e) + ", " + method_names[std::size_t(asked.method)],
                asked.duration, "s");
