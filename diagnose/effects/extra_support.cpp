@@ -46,8 +46,8 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
       add(spot, "on the mean motion",
           {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 0, 1)}});
   }
-  // From a touch, thousandths of the beam's own stiffness, to a pin: beyond a hundred times that the
-  // readings do not feel how stiff. Every power of ten alike, half of them pins.
+  // From a touch, thousandths of the beam's own stiffness, to a pin: beyond a hundred times that
+  // the readings do not feel how stiff. Every power of ten alike, half of them pins.
   const double own = s.stiffness;
   const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
   for (const BeamPath& path : beam_paths(s)) {

@@ -8,10 +8,9 @@
 
 namespace plica {
 
-// Points of the ridge over coordinate `row`, which holds the place, each with the Gaussian there, as
-// long as to the neighbours at most; those far below its top are left out.
-// `residuals`: with the prior's own, the coordinates themselves, among them. Begins at `top`, an
-// optimum.
+// Points of the ridge over coordinate `row`, which holds the place, each with the Gaussian there,
+// as long as to the neighbours at most; those far below its top are left out. `residuals`: with the
+// prior's own, the coordinates themselves, among them. Begins at `top`, an optimum.
 std::vector<ChainStart> ridge_from(const ResidualModel& residuals, const Eigen::VectorXd& top,
                                    Eigen::Index row);
 
