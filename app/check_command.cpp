@@ -1,5 +1,5 @@
+#include "app/chosen_case.hpp"
 #include "app/command_line.hpp"
-#include "app/located.hpp"
 #include "app/terminal.hpp"
 #include "io/files/json_text.hpp"
 #include "io/input/benchmark_file.hpp"

@@ -1,5 +1,5 @@
+#include "app/chosen_case.hpp"
 #include "app/finish.hpp"
-#include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
 #include "app/terminal.hpp"

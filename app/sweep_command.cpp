@@ -1,6 +1,6 @@
+#include "app/chosen_case.hpp"
 #include "app/finish.hpp"
 #include "app/interrupt.hpp"
-#include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "compare/compare.hpp"

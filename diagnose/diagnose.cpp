@@ -128,7 +128,7 @@ private:
         return behind < standards.apart &&
                worth_of_one_more(f.best->fit, all) >= threshold::beyond_chance;
       return !f.best->adequate && behind < threshold::within_reach &&
-             behind < worth_of_one_more(f.best->fit, all) + threshold::told_apart;
+             behind < worth_of_one_more(f.best->fit, all) + threshold::alike;
     });
   }
 
@@ -250,6 +250,10 @@ private:
     sample(context, fit, settings_.particles, 1, dispersion(fit));
     if (std::string little = closes_too_little(context, plain, fit, {}); !little.empty())
       return {std::move(little), {}, std::move(fit)};
+    if (Objection little = closes_little(context, plain, fit); !little.why.empty()) {
+      little.sampled = std::move(fit);
+      return little;
+    }
     if (problem_.held_out->rows().empty()) {
       const GapShrink turn = in_turn(context, plain, leads.fit);
       return {turn.interval[0] > 0 ? "" : "taken in turn, " + foretold_no_better(turn), turn,
@@ -272,6 +276,23 @@ private:
     return fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]{}", 100 * ledger.explained,
                        100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1],
                        alone ? "" : " where others may act beside it");
+  }
+
+  // Where nothing explains the test, an effect that closes little may do so by what the others are
+  // off.
+  static Objection closes_little(const FitContext& context, const HypothesisFit& plain,
+                                 const HypothesisFit& fit) {
+    Objection found;
+    if (fit.together.size() < 2) return found;
+    const Ledger ledger = ledger_of(context, plain, {{&fit}});
+    for (std::size_t i = 0; i < fit.together.size(); ++i)
+      if (ledger.rows[i].share < threshold::least_closed) {
+        found.why = fmt::format("{} at {} closes {:.1f} % of the gap only", fit.together[i]->effect,
+                                fit.together[i]->place, 100 * ledger.rows[i].share);
+        found.small.push_back(fit.together[i]);
+      }
+    if (found.small.size() == fit.together.size()) found.small.clear();
+    return found;
   }
 
   static std::string foretold_no_better(const GapShrink& g) {
@@ -299,9 +320,8 @@ private:
 
   // One factor on everything that would leave no more of the gap.
   std::string imitated(const std::vector<Compensator>& tempting, const JudgedFit& leads) const {
-    constexpr double as_well = 1.2;
     for (const Compensator& c : tempting)
-      if (c.gap_after < as_well * leads.gap_after && !is_like(c, leads.fit))
+      if (c.gap_after < threshold::one_factor * leads.gap_after && !is_like(c, leads.fit))
         return fmt::format(
             "{} times {:.3g} would leave no more of the gap ({:.2g}, {:.2g} with it)", c.name,
             c.factor, c.gap_after, leads.gap_after);
@@ -313,15 +333,16 @@ private:
   // off by what it changes, so that much may remain of the gap.
   std::string what_remains(const HypothesisFit& plain, const std::vector<Compensator>& tempting,
                            const JudgedFit& leads) const {
-    constexpr double within = 1.5, most_left = 0.3, least_closed = 0.5;
     const double before = std::sqrt(plain.chi2 / double(plain.error.size()));
     if (problem_.baseline.readings.empty()) {
       const double closed = 1 - std::pow(leads.gap_after / before, 2);
-      if (closed >= least_closed) return "";
+      if (closed >= threshold::most_closed) return "";
       return fmt::format("it closes {:.0f} % of the gap", 100 * closed);
     }
     if (std::string other = imitated(tempting, leads); !other.empty()) return other;
-    if (leads.gap_after < within || leads.gap_after < most_left * before) return "";
+    if (leads.gap_after < threshold::most_allowed ||
+        leads.gap_after < threshold::part_left * before)
+      return "";
     return fmt::format("it leaves {:.0f} % of the change", 100 * leads.gap_after / before);
   }
 

@@ -1,7 +1,7 @@
 #include "engine/engine_run.hpp"
 
+#include "app/chosen_case.hpp"
 #include "app/finish.hpp"
-#include "app/located.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "engine/engine_route.hpp"

@@ -1,4 +1,5 @@
-// Motion of the base as a rigid body, six directions.
+// The loads by which a motion of the base as a rigid body acts, six directions; the response to
+// them is frequency_response.hpp's.
 //
 // The held DOFs follow r_1..6 (translations along x y z, rotations about axes through a point) with
 // acceleration a; the free ones are r a plus what they move against the base:

@@ -1,7 +1,7 @@
 // What CalculiX finds for the deck of a whole, unreduced model.
 #pragma once
 
-#include "io/decks/abaqus.hpp"
+#include "io/decks/write_abaqus.hpp"
 #include "model/shape/build.hpp"
 #include "tests/run_calculix.hpp"
 

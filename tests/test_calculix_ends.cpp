@@ -7,7 +7,7 @@
 #include "tests/pipe_case.hpp"
 #include "tests/run_calculix.hpp"
 
-#include "io/decks/abaqus.hpp"
+#include "io/decks/write_abaqus.hpp"
 
 #include <cmath>
 #include <complex>

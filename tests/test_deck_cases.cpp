@@ -1,6 +1,6 @@
 // Decks as parts of a case: units, turn, sets, supports, and our own decks read back.
-#include "io/decks/abaqus.hpp"
-#include "io/decks/nastran.hpp"
+#include "io/decks/write_abaqus.hpp"
+#include "io/decks/write_nastran.hpp"
 #include "io/files/files.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/support/temporary_folder.hpp"

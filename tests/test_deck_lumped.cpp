@@ -1,8 +1,8 @@
 // Mass of the elements of a deck at their nodes alone, as Nastran has it without PARAM COUPMASS:
 // chains of masses and springs in closed form, and the same structure with bodies (CONM2) in place
 // of a density.
-#include "io/decks/nastran.hpp"
 #include "io/decks/read_deck.hpp"
+#include "io/decks/write_nastran.hpp"
 #include "io/files/files.hpp"
 #include "model/shape/build.hpp"
 #include "model/shape/symbols.hpp"

@@ -3,8 +3,8 @@
 #include "tests/calculix_frequencies.hpp"
 #include "tests/pipe_case.hpp"
 
-#include "io/decks/nastran.hpp"
 #include "io/decks/nastran_cards.hpp"
+#include "io/decks/write_nastran.hpp"
 #include "io/superelements/labels.hpp"
 
 #include <cmath>

@@ -159,6 +159,37 @@ TEST(Judge, says_mostly_where_an_effect_far_ahead_closes_half_of_the_gap) {
   EXPECT_EQ(j.nearest->fit.together[0]->effect, "ply_slip");
 }
 
+// A mass that is an absorber in truth leaves what a gain seems to explain: 3 % of the gap.
+TEST(Judge, leaves_out_of_mostly_what_closes_little_beside_the_others) {
+  Fits fits;
+  fits.add_gap("added_mass", 4);
+  fits.add_gap("sensor_gain", 19);
+  fits.add_gap("added_mass", 4.2, "elsewhere");
+  JudgedFit& set = fits.add_set({"added_mass", "sensor_gain"}, 0, false);
+  for (std::size_t i : {std::size_t{0}, std::size_t{1}})
+    set.fit.together[i] = fits.singles[i].fit.together[0];
+  Fits::leave(set, 1.8);
+  ASSERT_EQ(fits.judgement_of_gaps(20).named.size(), 1u);
+  EXPECT_EQ(fits.judgement_of_gaps(20).named[0]->fit.together.size(), 2u) << "nobody objects";
+  const Referee strict{.to_all = {}, .to_most = [](const JudgedFit& lead) -> Objection {
+                         if (lead.fit.together.size() == 1) return {};
+                         return {.why = "closes 3 %", .small = {lead.fit.together[1]}};
+                       }};
+  Judgement j = fits.judgement_of_gaps(20, strict);
+  EXPECT_EQ(j.verdict, Verdict::mostly);
+  ASSERT_EQ(j.named.size(), 1u);
+  EXPECT_EQ(j.named[0]->fit.effects(), std::vector<std::string>{"added_mass"});
+  const Referee stricter{.to_all = {}, .to_most = [](const JudgedFit& lead) -> Objection {
+                           if (lead.fit.together.size() == 1) return {"readings in turn"};
+                           return {.why = "closes 3 %", .small = {lead.fit.together[1]}};
+                         }};
+  j = fits.judgement_of_gaps(20, stricter);
+  EXPECT_EQ(j.verdict, Verdict::unknown);
+  EXPECT_EQ(j.withheld, "readings in turn");
+  ASSERT_TRUE(j.nearest);
+  EXPECT_EQ(j.nearest->fit.together.size(), 1u) << "what was judged last";
+}
+
 TEST(Judge, does_not_say_mostly_of_less_than_half_of_the_gap) {
   Fits fits; // (1.43 / 2)^2 = 0.51 of G is left
   fits.add_gap("ply_slip", 2 * std::sqrt(0.51));

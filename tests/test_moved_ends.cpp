@@ -1,6 +1,6 @@
 // Response to motion of chosen ends: closed forms, the motion of all ends together, the routes
 // against each other. Places between the nodes of shells, where ends may sit.
-#include "io/decks/nastran.hpp"
+#include "io/decks/write_nastran.hpp"
 #include "io/files/files.hpp"
 #include "model/shape/wall_places.hpp"
 #include "solve/base_motion.hpp"

@@ -1,6 +1,6 @@
 // Where a proof or an error bar once said more than was so: each claim is held against the whole
 // model, a finer mesh, a closed form, or must fail.
-#include "io/decks/nastran.hpp"
+#include "io/decks/write_nastran.hpp"
 #include "io/files/files.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/reduce.hpp"

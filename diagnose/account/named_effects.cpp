@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/growth.hpp"
 #include "diagnose/effects/place_nodes.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "diagnose/weigh/likely_values.hpp"
 
@@ -99,6 +100,22 @@ void NamedEffects::add_exchanged_places(NamedEffect& e, const HypothesisFit& set
   }
 }
 
+// Where nothing explains the test, all that was tried is wrong, and evidence between places is made
+// by what is wrong: places of a single effect that leave not much more of the gap stand beside it.
+void NamedEffects::add_places_as_far_off(NamedEffect& e) const {
+  const Judgement& judgement = found_.judgement;
+  const JudgedFit* lead = judgement.named.empty() ? judgement.nearest : judgement.named.front();
+  if (!lead || lead->fit.together.size() != 1) return;
+  const double most = std::min(threshold::as_far_off * lead->gap_after,
+                               std::sqrt(1 - threshold::most_closed) * found_.nominal.gap_after);
+  for (const JudgedFit& j : found_.fits) {
+    const Hypothesis& h = *j.fit.together[0];
+    if (h.effect == e.name && h.place != e.place && j.gap_after <= most &&
+        std::find(e.other_places.begin(), e.other_places.end(), h.place) == e.other_places.end())
+      e.other_places.push_back(h.place);
+  }
+}
+
 // Places of the effect that the readings do not tell from the named one: alone, or where errors
 // are larger than stated over all that was tried.
 void NamedEffects::add_other_places(NamedEffect& e) const {
@@ -107,6 +124,7 @@ void NamedEffects::add_other_places(NamedEffect& e) const {
     constexpr double worth_a_word = 0.05;
     for (const auto& [place, share] : judgement.places.at(e.name))
       if (place != e.place && share > worth_a_word) e.other_places.push_back(place);
+    add_places_as_far_off(e);
     return;
   }
   double own = -1e300;

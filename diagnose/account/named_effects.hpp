@@ -23,6 +23,7 @@ private:
   std::function<CaseEdits(const Case&)>
   in_case(const Hypothesis& h, const std::vector<EstimatedParameter>& parameters) const;
   void add_other_places(NamedEffect& e) const;
+  void add_places_as_far_off(NamedEffect& e) const;
   void add_exchanged_places(NamedEffect& e, const HypothesisFit& set, std::size_t member) const;
 
   const GapProblem& problem_;

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double told_apart = 9;
+constexpr double well_apart = 9;
 constexpr double open = 0.03;      // probability from which a rival is to be told apart
 constexpr double worth_it = 0.005; // change of the ledger
 
@@ -152,7 +152,7 @@ public:
           p.separates = short_name(rivals_[j]) + " from " + short_name(rivals_[i]);
         }
       }
-      if (nearest > told_apart && nearest < 1e299 && !rivals_[i].together.empty())
+      if (nearest > well_apart && nearest < 1e299 && !rivals_[i].together.empty())
         p.resolves.push_back(short_name(rivals_[i]));
     }
   }

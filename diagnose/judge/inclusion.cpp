@@ -116,7 +116,34 @@ const JudgedFit* Inclusion::leading_with(double each_at_least) const {
                     [&](const Hypothesis* h) { return of(h->effect) >= each_at_least; });
     if (all && (!best || w.weight > best->weight)) best = &w;
   }
-  return best ? best->fit : nullptr;
+  return best ? placed_best(*best->fit) : nullptr;
+}
+
+const JudgedFit* Inclusion::placed_best(const JudgedFit& set) const {
+  const auto probability = [&](const JudgedFit& j) {
+    double product = 1;
+    for (const Hypothesis* h : j.fit.together) product *= at(h->effect, h->place);
+    return product;
+  };
+  const JudgedFit* best = &set;
+  double most = probability(set);
+  for (const Weighed& w : all_)
+    if (w.fit->fit.effects() == set.fit.effects() && probability(*w.fit) > most) {
+      most = probability(*w.fit);
+      best = w.fit;
+    }
+  return best;
+}
+
+const JudgedFit* Inclusion::without(const JudgedFit& set,
+                                    const std::vector<const Hypothesis*>& members) const {
+  std::vector<const Hypothesis*> others = set.fit.together;
+  for (const Hypothesis* h : members) std::erase(others, h);
+  for (const Weighed& w : all_)
+    if (w.fit->fit.together.size() == others.size() &&
+        std::is_permutation(others.begin(), others.end(), w.fit->fit.together.begin()))
+      return w.fit;
+  return nullptr;
 }
 
 } // namespace plica

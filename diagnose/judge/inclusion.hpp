@@ -33,14 +33,21 @@ public:
 
   // The most probable; null: the nominal case.
   const JudgedFit* leading() const { return leading_; }
-  // The most probable of those whose effects all have at least this probability; null: none.
+  // The most probable of those whose effects all have at least this probability, each where it most
+  // probably sits whatever else acts; null: none.
   const JudgedFit* leading_with(double each_at_least) const;
+  // What was tried of its other members alone; null: that was not.
+  const JudgedFit* without(const JudgedFit& set,
+                           const std::vector<const Hypothesis*>& members) const;
 
 private:
   struct Weighed {
     const JudgedFit* fit;
     double weight;
   };
+  // Of the sets of the same effects.
+  const JudgedFit* placed_best(const JudgedFit& set) const;
+
   std::map<std::string, int> places_; // hypotheses of an effect
   std::vector<Weighed> all_;
   double none_ = 1;

@@ -20,7 +20,7 @@ bool all_needed(const JudgedFit& set, const std::vector<EffectFits>& effects,
     others.erase(std::find(others.begin(), others.end(), member->effect));
     const auto as_good = [&](const JudgedFit& j) {
       return j.fit.effects() == others &&
-             evidence_of(set.fit) - evidence_of(j.fit) < threshold::told_apart;
+             evidence_of(set.fit) - evidence_of(j.fit) < threshold::alike;
     };
     if (std::any_of(effects.begin(), effects.end(),
                     [&](const EffectFits& f) { return as_good(*f.best); }) ||
@@ -80,7 +80,7 @@ std::vector<const JudgedFit*> choices_alike(const std::vector<const JudgedFit*>&
   std::vector<const JudgedFit*> first;
   std::set<std::vector<std::string>> seen;
   for (const JudgedFit* set : standing)
-    if (evidence_of(standing.front()->fit) - evidence_of(set->fit) < threshold::told_apart &&
+    if (evidence_of(standing.front()->fit) - evidence_of(set->fit) < threshold::alike &&
         seen.insert(set->fit.effects()).second)
       first.push_back(set);
   return first;
@@ -160,7 +160,7 @@ std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector
   for (const JudgedFit& set : sets) {
     const std::vector<std::string> members = set.fit.effects();
     if (set.fit.solved && set.credible() && !set.too_free() &&
-        lead.log_evidence - evidence_of(set.fit) < threshold::told_apart &&
+        lead.log_evidence - evidence_of(set.fit) < threshold::alike &&
         std::find(members.begin(), members.end(), lead.effect) == members.end() &&
         all_needed(set, effects, sets))
       return name_of(set.fit) + " explain as much";
@@ -177,8 +177,7 @@ void name_singles(const std::vector<const EffectFits*>& credible,
   const double best = credible.front()->log_evidence;
   for (const EffectFits* f : credible) {
     const double behind = best - f->log_evidence;
-    const bool listed =
-        result.named.size() < threshold::most_listed || behind < threshold::told_apart;
+    const bool listed = result.named.size() < threshold::most_listed || behind < threshold::alike;
     if (behind < standards.apart && listed &&
         f->log_evidence - none >= standards.evidence - standards.apart)
       result.named.push_back(f->best);
@@ -224,36 +223,49 @@ void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nea
                                   Judgement& result) {
   const double left = nearest ? nearest->gap_after / nominal.gap_after : 1;
   const double closed = std::clamp(1 - left * left, 0., 1.);
-  constexpr double even = 0.5;
   for (auto& [effect, probability] : result.probabilities)
-    if (effect != "none") probability *= result.withheld.empty() ? closed : even * closed;
+    if (effect != "none")
+      probability *= result.withheld.empty() ? closed : threshold::even_odds * closed;
 }
 
-// Effects that are far ahead and explain most, or nothing.
+// Why effects that are far ahead are not said to explain most, before anybody is asked.
+std::string short_of_most(const JudgedFit& nominal, const JudgedFit& lead) {
+  if (lead.absurd) return "only with a value far out of its prior";
+  if (lead.too_free()) return "less than three readings for each free parameter";
+  if (lead.held_out_shrink && *lead.held_out_shrink < threshold::set_shrink)
+    return "held-out readings are hardly better with it";
+  if (lead.gap_after > std::sqrt(1 - threshold::most_closed) * nominal.gap_after)
+    return "it closes less than half of the gap";
+  return "";
+}
+
+// Effects that are far ahead and explain most, or nothing. Members that close too little beside the
+// others are left out once.
 void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objecting& objecting,
                Judgement& result) {
   result.verdict = Verdict::unknown;
   result.nearest = inclusion.leading();
   const JudgedFit* lead = inclusion.leading_with(threshold::far_ahead);
-  if (!lead) return;
-  if (lead->absurd)
-    result.withheld = "only with a value far out of its prior";
-  else if (lead->too_free())
-    result.withheld = "less than three readings for each free parameter";
-  else if (lead->held_out_shrink && *lead->held_out_shrink < threshold::set_shrink)
-    result.withheld = "held-out readings are hardly better with it";
-  else if (lead->gap_after > std::sqrt(1 - threshold::most_closed) * nominal.gap_after)
-    result.withheld = "it closes less than half of the gap";
-  else if (objecting) {
-    Objection objection = objecting(*lead);
-    result.withheld = std::move(objection.why);
-    result.in_turn = objection.in_turn;
-    result.sampled = std::move(objection.sampled);
+  while (lead) {
+    result.nearest = lead;
+    result.withheld = short_of_most(nominal, *lead);
+    Objection objection;
+    if (result.withheld.empty() && objecting) {
+      objection = objecting(*lead);
+      result.withheld = std::move(objection.why);
+      result.in_turn = objection.in_turn;
+      result.sampled = std::move(objection.sampled);
+    }
+    if (result.withheld.empty()) {
+      result.verdict = Verdict::mostly;
+      result.named = {lead};
+      return;
+    }
+    const JudgedFit* rest =
+        objection.small.empty() ? nullptr : inclusion.without(*lead, objection.small);
+    if (rest) result.sampled.reset();
+    lead = rest;
   }
-  result.nearest = lead;
-  if (!result.withheld.empty()) return;
-  result.verdict = Verdict::mostly;
-  result.named = {lead};
 }
 
 } // namespace

@@ -27,9 +27,10 @@
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings
-//               better by three tenths, these or readings in turn with an interval above zero.
-//               What would be identified, or several, is mostly where an effect of it names a
-//               place and no cause (Hypothesis::names_place_only)
+//               better by three tenths, these or readings in turn with an interval above zero; the
+//               half is closed, too, where one effect more may act beside them. What would be
+//               identified, or several, is mostly where an effect of it names a place and no cause
+//               (Hypothesis::names_place_only)
 //   unknown     everything else; probabilities are then no more than the share that what comes
 //               nearest closes, half of it where that failed a test of its own
 #pragma once
@@ -68,6 +69,7 @@ struct Objection {
   std::string why;
   std::optional<GapShrink> in_turn = {};     // where it was asked for
   std::optional<HypothesisFit> sampled = {}; // the fit with draws at its dispersion, where it was
+  std::vector<const Hypothesis*> small = {}; // members that close too little to be named
 };
 using Objecting = std::function<Objection(const JudgedFit&)>;
 

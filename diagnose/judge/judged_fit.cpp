@@ -1,6 +1,5 @@
 #include "diagnose/judge/judged_fit.hpp"
 
-#include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/nearest_rank.hpp"
 
 #include <algorithm>
@@ -64,10 +63,12 @@ Standards standards_of(const FitContext& context, const Whitening& held_out,
     return [&white](const VectorXd& d) { return white(d).squaredNorm(); };
   };
   s.healthy_chi2 = of_healthy(context, by(context.fitted));
-  s.chi2 = point(s.healthy_chi2, 0.99);
+  s.chi2 = point(s.healthy_chi2, threshold::healthy);
   s.chi2_of_means =
-      point(of_healthy(context, [&](const VectorXd& d) { return scores.of_means(d); }), 0.99);
-  if (!held_out.rows().empty()) s.held_out_chi2 = point(of_healthy(context, by(held_out)), 0.999);
+      point(of_healthy(context, [&](const VectorXd& d) { return scores.of_means(d); }),
+            threshold::healthy);
+  if (!held_out.rows().empty())
+    s.held_out_chi2 = point(of_healthy(context, by(held_out)), threshold::healthy_held_out);
   return s;
 }
 
@@ -166,7 +167,6 @@ std::string JudgedFit::saturated() const {
 }
 
 void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nominal) {
-  constexpr double as_much = 0.5;
   const auto component = [](const JudgedFit& j) {
     const std::string& place = j.fit.together[0]->place;
     return place.substr(0, place.find('.'));
@@ -179,7 +179,7 @@ void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nom
     if (!j.leaves_cause_open() && !j.absurd)
       by_causes[component(j)] = std::max(by_causes[component(j)], closed(j));
   std::erase_if(fits, [&](const JudgedFit& j) {
-    return j.leaves_cause_open() && by_causes[component(j)] >= as_much * closed(j);
+    return j.leaves_cause_open() && by_causes[component(j)] >= threshold::cause_closes * closed(j);
   });
 }
 

@@ -1,6 +1,7 @@
 // Fits held against what healthy specimens show, and effects over their places.
 #pragma once
 
+#include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
 
@@ -13,10 +14,9 @@ namespace plica {
 // Of healthy specimens; computed once per test.
 struct Standards {
   double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
-  double worst_block = 3.3;                              // standard score
-  double evidence = 3;                                   // ln BF over the nominal case
-  double apart =
-      5; // nats between effects that are told apart: a model makes some by its own errors
+  double worst_block = threshold::worst_block;
+  double evidence = threshold::over_nothing; // ln BF over the nominal case
+  double apart = threshold::effects_apart;
   std::vector<double> healthy_chi2; // sorted
   bool gate = true;                 // false: adequacy is not asked for (an ablation)
 };

@@ -1,4 +1,5 @@
-// What ties and holds the grid points of a Nastran deck: RBE2, RBE3, RBAR, CRIGD1, MPC, SPC.
+// What ties the grid points of a Nastran deck: RBE2, RBE3, RBAR, CRIGD1, MPC; and what holds them
+// in every load case (the cards themselves, SPC and SPC1: held_by in nastran_loads.hpp).
 #pragma once
 
 #include "io/decks/nastran_elements.hpp"

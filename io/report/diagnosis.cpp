@@ -1,6 +1,6 @@
 #include "io/report/diagnosis.hpp"
 
-#include "io/report/diagnosis_parts.hpp"
+#include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
 #include "io/tables/diagnosis_words.hpp"

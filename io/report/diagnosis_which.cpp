@@ -1,4 +1,4 @@
-#include "io/report/diagnosis_parts.hpp"
+#include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
 #include "io/tables/diagnosis_words.hpp"
 

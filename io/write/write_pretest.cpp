@@ -1,7 +1,7 @@
 #include "io/write/write_pretest.hpp"
 
 #include "io/files/json_text.hpp"
-#include "io/report/diagnosis_parts.hpp"
+#include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
 #include "io/write/write_diagnosis.hpp"

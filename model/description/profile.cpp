@@ -144,11 +144,17 @@ double crown_arc_radius(const MeridianSection& s) {
 }
 
 double axial_length(const MeridianSection& s) {
-  if (s.shape == SectionShape::cuff) return s.length;
-  const double pitch = s.shape != SectionShape::points ? s.pitch
-                       : s.points.empty()              ? 0
-                                                       : s.points.back()[0];
-  return s.count * pitch;
+  switch (s.shape) {
+  case SectionShape::cuff:
+    return s.length;
+  case SectionShape::points:
+    return s.points.empty() ? 0 : s.count * s.points.back()[0];
+  case SectionShape::u:
+  case SectionShape::omega:
+  case SectionShape::disc:
+    break;
+  }
+  return s.count * s.pitch;
 }
 
 double axial_length(const Bellows& bellows) {
@@ -195,16 +201,27 @@ std::vector<ProfileProblem> check_section(const MeridianSection& s, double radiu
   if (t >= 2 * least)
     problems.push_back({"", "the wall of " + mm(t) + " is too thick for a radius of " + mm(least),
                         "it must be thinner than twice the radius"});
-  if (s.shape == SectionShape::cuff) return problems;
-  if (s.shape == SectionShape::points) {
+  const auto check_pitch = [&] {
+    if (t >= s.pitch / 2 * (1 - slack))
+      problems.push_back(
+          {"pitch", "the wall of " + mm(t) + " does not fit twice into a pitch of " + mm(s.pitch),
+           "pitch must be above " + mm(2 * t)});
+  };
+  switch (s.shape) {
+  case SectionShape::cuff:
+    break;
+  case SectionShape::points:
     if (s.points.size() >= 2) check_points(s, radius, problems);
-    return problems;
+    break;
+  case SectionShape::disc:
+    check_pitch();
+    break;
+  case SectionShape::u:
+  case SectionShape::omega:
+    check_pitch();
+    check_arcs(s, t, problems);
+    break;
   }
-  if (t >= s.pitch / 2 * (1 - slack))
-    problems.push_back(
-        {"pitch", "the wall of " + mm(t) + " does not fit twice into a pitch of " + mm(s.pitch),
-         "pitch must be above " + mm(2 * t)});
-  if (s.shape != SectionShape::disc) check_arcs(s, t, problems);
   return problems;
 }
 

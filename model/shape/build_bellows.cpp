@@ -31,21 +31,25 @@ int cuff_elements(const Bellows& bellows, const MeridianSection& cuff, double ra
 
 // Adds a section whose cuffs have their elements.
 void add_section(Meridian& meridian, const MeridianSection& s, const ElementCounts& n) {
-  if (s.shape == SectionShape::cuff) {
-    meridian.add_cuff(s.length, s.end_radius > 0 ? s.end_radius : meridian.radius(), s.elements);
-    return;
-  }
   const MeridianDensity density{n.arc, n.wall};
   std::vector<Eigen::Vector2d> points;
   for (const auto& p : s.points) points.emplace_back(p[0], p[1]);
-  for (int k = 0; k < s.count; ++k) {
-    if (s.shape == SectionShape::disc)
-      meridian.add_disc(s.height, s.pitch, density);
-    else if (s.shape == SectionShape::points)
-      meridian.add_points(points, s.interpolation == Interpolation::smooth, density);
-    else
-      meridian.add_convolution(convolution(s), density);
-  }
+  const auto add_one = [&] {
+    switch (s.shape) {
+    case SectionShape::cuff:
+      return meridian.add_cuff(s.length, s.end_radius > 0 ? s.end_radius : meridian.radius(),
+                               s.elements);
+    case SectionShape::u:
+    case SectionShape::omega:
+      return meridian.add_convolution(convolution(s), density);
+    case SectionShape::disc:
+      return meridian.add_disc(s.height, s.pitch, density);
+    case SectionShape::points:
+      return meridian.add_points(points, s.interpolation == Interpolation::smooth, density);
+    }
+  };
+  const int count = s.shape == SectionShape::cuff ? 1 : s.count;
+  for (int k = 0; k < count; ++k) add_one();
 }
 
 std::function<double(double)> thickness_law(const Bellows& bellows) {

@@ -34,11 +34,7 @@ struct Piece {
   std::function<double(double)> height;
 };
 
-std::vector<Piece> half_pieces(const MeridianSection& s, const ElementCounts& n) {
-  if (s.shape == SectionShape::disc)
-    return {
-        {std::hypot(s.height, s.pitch / 2), 0, n.wall, [&s](double x) { return x * s.height; }}};
-  if (s.shape != SectionShape::u && s.shape != SectionShape::omega) return {};
+std::vector<Piece> pieces_of_arcs(const MeridianSection& s, const ElementCounts& n) {
   const double root = root_arc_radius(s), crown = crown_arc_radius(s);
   const auto [phi, wall] = half_convolution(
       {.height = s.height, .pitch = s.pitch, .root_arc = root, .crown_arc = crown});
@@ -54,6 +50,22 @@ std::vector<Piece> half_pieces(const MeridianSection& s, const ElementCounts& n)
   if (wall > 1e-9 * s.pitch)
     pieces.push_back({wall, 0, n.wall, [=](double x) { return foot + x * (head - foot); }});
   return pieces;
+}
+
+// None of a cuff, and of a curve through points, of which nothing is known beforehand.
+std::vector<Piece> half_pieces(const MeridianSection& s, const ElementCounts& n) {
+  switch (s.shape) {
+  case SectionShape::u:
+  case SectionShape::omega:
+    return pieces_of_arcs(s, n);
+  case SectionShape::disc:
+    return {
+        {std::hypot(s.height, s.pitch / 2), 0, n.wall, [&s](double x) { return x * s.height; }}};
+  case SectionShape::cuff:
+  case SectionShape::points:
+    break;
+  }
+  return {};
 }
 
 template <class F> double along_piece(const Piece& piece, F&& of_height) {

@@ -1,7 +1,7 @@
-#include "io/decks/abaqus.hpp"
+#include "io/decks/write_abaqus.hpp"
 
-#include "io/decks/abaqus_motion.hpp"
-#include "io/decks/abaqus_state.hpp"
+#include "io/decks/write_abaqus_motion.hpp"
+#include "io/decks/write_abaqus_state.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>

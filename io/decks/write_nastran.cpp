@@ -1,4 +1,4 @@
-#include "io/decks/nastran.hpp"
+#include "io/decks/write_nastran.hpp"
 
 #include "io/decks/nastran_cards.hpp"
 #include "solve/supports.hpp"

@@ -1,6 +1,6 @@
-#include "io/decks/abaqus_motion.hpp"
+#include "io/decks/write_abaqus_motion.hpp"
 
-#include "io/decks/abaqus_state.hpp"
+#include "io/decks/write_abaqus_state.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "io/decks/abaqus_state.hpp"
+#include "io/decks/write_abaqus_state.hpp"
 
 #include "solve/state_shape.hpp"
 #include "words/input_error.hpp"

@@ -1,4 +1,5 @@
-// Problems that are found after reading the case file get its name and the line of their key.
+// The case that a command is given, with the test beside it: read with what --set, --model and
+// --measured say; problems found after reading it get its file and the line of their key.
 #pragma once
 
 #include "app/command_line.hpp"

@@ -1,5 +1,5 @@
-// What moves the model of an Abaqus deck (abaqus.hpp) into the state of its case: a step *STATIC
-// with NLGEOM before the modes.
+// What moves the model of an Abaqus deck (write_abaqus.hpp) into the state of its case: a step
+// *STATIC with NLGEOM before the modes.
 //
 // Nodes that follow a held cap rigidly are moved each by itself, also where the cap turns or grows
 // with heat. Thermal strain is a rise of the temperature from 0 to 1, E is that of the state: the

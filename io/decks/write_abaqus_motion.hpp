@@ -1,4 +1,4 @@
-// Steps of an Abaqus deck (abaqus.hpp) in which its base or its ends move.
+// Steps of an Abaqus deck (write_abaqus.hpp) in which its base or its ends move.
 #pragma once
 
 #include "model/shape/build.hpp"
