@@ -88,7 +88,9 @@ public:
       judgement.verdict = Verdict::none;
     else if (judgement.verdict == Verdict::none)
       ask_for_remounting(context, plain, standards);
-    if (!judgement.named.empty() && judgement.verdict != Verdict::ambiguous && beside.empty())
+    if (judgement.verdict == Verdict::ambiguous)
+      beside.clear(); // of what was asked about before
+    else if (!judgement.named.empty() && beside.empty())
       beside = fit_beside(search, *judgement.named.front());
     Diagnosis result = account_of(problem_,
                                   {.context = context,

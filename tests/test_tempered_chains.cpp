@@ -1,4 +1,5 @@
 // Markov chains against posteriors in closed form. Standard normal prior throughout.
+#include "diagnose/weigh/ridge.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
 
 #include <cmath>
@@ -75,6 +76,43 @@ TEST(TemperedChains, hang_on_the_seed_and_not_on_the_threads) {
   EXPECT_EQ(alone.z, together.z);
   EXPECT_EQ(alone.log_evidence, together.log_evidence);
   EXPECT_NE(alone.z, other.z);
+}
+
+// A ridge z0 = -z1^2, a hundredth as wide as it is long, that ends where nothing can be beyond
+// z1 = 1: chains that begin along it have the posterior of z1, by quadrature the standard normal
+// one times exp(-z1^4 / 2), up to there.
+TEST(Ridge, lets_chains_see_all_of_it) {
+  constexpr double wide = 0.01, end = 1;
+  const auto error = [&](const VectorXd& z) -> std::optional<double> {
+    return z[1] > end ? std::nullopt : std::optional((z[0] + z[1] * z[1]) / wide);
+  };
+  const ResidualModel residuals = [&](const VectorXd& z) -> std::optional<VectorXd> {
+    const auto e = error(z);
+    return e ? std::optional(VectorXd(Eigen::Vector3d(*e, z[0], z[1]))) : std::nullopt;
+  };
+  const std::vector<ChainStart> ridge = ridge_from(residuals, VectorXd::Zero(2), 1);
+  ASSERT_GT(ridge.size(), 10U);
+  for (const ChainStart& start : ridge) {
+    EXPECT_NEAR(start.optimum[0], -std::pow(start.optimum[1], 2), wide);
+    EXPECT_LE(start.optimum[1], end);
+  }
+  const ChainDraws drawn = tempered_chains(
+      ridge,
+      [&](const VectorXd& z) -> std::optional<double> {
+        const auto e = error(z);
+        return e ? std::optional(-*e * *e / 2) : std::nullopt;
+      },
+      particles, 1);
+  double all = 0, below = 0, square = 0;
+  constexpr double step = 1e-3;
+  for (double z = -8; z < end; z += step) {
+    const double density = std::exp(-z * z / 2 - std::pow(z, 4) / 2);
+    all += density;
+    below += z < 0 ? density : 0;
+    square += z * z * density;
+  }
+  EXPECT_NEAR((drawn.z.row(1).array() < 0).cast<double>().mean(), below / all, 0.05);
+  EXPECT_NEAR(drawn.z.row(1).array().square().mean(), square / all, 0.1 * square / all);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace plica {
 namespace {
@@ -25,10 +26,12 @@ std::vector<Index> all_but(Index row, Index count) {
   return others;
 }
 
-// With coordinate `row` held, the best of the others from there on.
-VectorXd best_at(const ResidualModel& residuals, VectorXd z, Index row, double place) {
+// With coordinate `row` held, the best of the others from there on; none where that cannot be.
+std::optional<VectorXd> best_at(const ResidualModel& residuals, VectorXd z, Index row,
+                                double place) {
   constexpr int steps = 8;
   z[row] = place;
+  if (!residuals(z)) return std::nullopt;
   const std::vector<Index> others = all_but(row, z.size());
   const ResidualModel held = [&](const VectorXd& own) {
     VectorXd there = z;
@@ -61,14 +64,17 @@ std::vector<ChainStart> ridge_from(const ResidualModel& residuals, const VectorX
     places[std::size_t(i)] = normal_quantile((i + 0.5) / places_tried);
   const auto above = std::lower_bound(places.begin(), places.end(), top[row]);
   std::vector<std::pair<double, VectorXd>> found;
-  const auto go_on = [&](VectorXd& z, double place) {
-    z = best_at(residuals, z, row, place);
+  const auto gets_to = [&](VectorXd& z, double place) {
+    const auto there = best_at(residuals, z, row, place);
+    if (!there) return false;
+    z = *there;
     found.emplace_back(cost_of(residuals(z)), z);
+    return true;
   };
   VectorXd z = top;
-  for (auto place = above; place != places.end(); ++place) go_on(z, *place);
+  for (auto place = above; place != places.end() && gets_to(z, *place);) ++place;
   z = top;
-  for (auto place = above; place != places.begin();) go_on(z, *--place);
+  for (auto place = above; place != places.begin() && gets_to(z, *(place - 1));) --place;
 
   double best = cost_of(residuals(top));
   for (const auto& [cost, at] : found) best = std::min(best, cost);
