@@ -75,8 +75,12 @@ public:
               Objection found = objection_to_most(context, plain, tempting, j);
               if (!found.why.empty()) return found;
               beside = fit_beside(search, j);
-              found.why = closes_too_little(context, plain, *found.sampled,
-                                            sets_beside(j, beside, inclusion));
+              std::vector<LedgerSet> counted = sets_beside(j, beside, inclusion);
+              const bool alone = counted.empty(); // which was asked before
+              counted.push_back({.fit = &*found.sampled});
+              if (!alone)
+                found.why = closes_too_little(ledger_of(context, plain, counted),
+                                              " where others may act beside it");
               return found;
             }};
     // Before all was tried nothing is known to be the best.
@@ -250,9 +254,10 @@ private:
     if (std::string other = imitated(tempting, leads); !other.empty()) return {std::move(other)};
     HypothesisFit fit = leads.fit;
     sample(context, fit, settings_.particles, 1, dispersion(fit));
-    if (std::string little = closes_too_little(context, plain, fit, {}); !little.empty())
+    const Ledger ledger = ledger_of(context, plain, {{&fit}});
+    if (std::string little = closes_too_little(ledger, ""); !little.empty())
       return {std::move(little), {}, std::move(fit)};
-    if (Objection little = closes_little(context, plain, fit); !little.why.empty()) {
+    if (Objection little = members_of_little(ledger, fit); !little.why.empty()) {
       little.sampled = std::move(fit);
       return little;
     }
@@ -268,25 +273,18 @@ private:
             std::move(fit)};
   }
 
-  // Less than half of the gap, where other effects may act as well.
-  static std::string closes_too_little(const FitContext& context, const HypothesisFit& plain,
-                                       const HypothesisFit& fit, std::vector<LedgerSet> beside) {
-    const bool alone = beside.empty();
-    beside.push_back({.fit = &fit});
-    const Ledger ledger = ledger_of(context, plain, beside);
+  static std::string closes_too_little(const Ledger& ledger, const char* where) {
     if (ledger.explained_interval[0] >= threshold::most_closed) return "";
     return fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]{}", 100 * ledger.explained,
                        100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1],
-                       alone ? "" : " where others may act beside it");
+                       where);
   }
 
   // Where nothing explains the test, an effect that closes little may do so by what the others are
   // off.
-  static Objection closes_little(const FitContext& context, const HypothesisFit& plain,
-                                 const HypothesisFit& fit) {
+  static Objection members_of_little(const Ledger& ledger, const HypothesisFit& fit) {
     Objection found;
     if (fit.together.size() < 2) return found;
-    const Ledger ledger = ledger_of(context, plain, {{&fit}});
     for (std::size_t i = 0; i < fit.together.size(); ++i)
       if (ledger.rows[i].share < threshold::least_closed) {
         found.why = fmt::format("{} at {} closes {:.1f} % of the gap only", fit.together[i]->effect,

@@ -239,8 +239,8 @@ std::string short_of_most(const JudgedFit& nominal, const JudgedFit& lead) {
   return "";
 }
 
-// Effects that are far ahead and explain most, or nothing. Members that close too little beside the
-// others are left out once.
+// Effects that are far ahead and explain most, or nothing. Where members close too little, what is
+// left of the set is asked about in its place.
 void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objecting& objecting,
                Judgement& result) {
   result.verdict = Verdict::unknown;

@@ -28,9 +28,10 @@
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings
 //               better by three tenths, these or readings in turn with an interval above zero; the
-//               half is closed, too, where one effect more may act beside them. What would be
-//               identified, or several, is mostly where an effect of it names a place and no cause
-//               (Hypothesis::names_place_only)
+//               half is closed, too, where one effect more may act beside them, and of several
+//               each closes a tenth: what is left without the others is asked about. What would
+//               be identified, or several, is mostly where an effect of it names a place and no
+//               cause (Hypothesis::names_place_only)
 //   unknown     everything else; probabilities are then no more than the share that what comes
 //               nearest closes, half of it where that failed a test of its own
 #pragma once
