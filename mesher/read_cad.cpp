@@ -75,7 +75,7 @@ std::string label(const Interface_InterfaceModel& model,
 }
 
 // Failures that OpenCASCADE found while it read the file or made shapes of it.
-void require_no_failure(Interface_CheckIterator checks) {
+void require_no_failure(const Interface_CheckIterator& checks) {
   for (checks.Start(); checks.More(); checks.Next()) {
     const Handle(Interface_Check)& check = checks.Value();
     if (!check->HasFailed()) continue;

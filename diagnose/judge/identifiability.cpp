@@ -67,9 +67,9 @@ Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z)
   const Predictor& predict = deviation.predictor();
   const Uncertainty& u = context.uncertainty;
   const VectorXd values = predict.values_of(z);
-  const auto y = predict(values, Predictor::Which::fitted);
+  const auto y = predict.answered(values, Predictor::Which::fitted);
   if (!y) return {.whitened = VectorXd::Zero(Index(context.fitted.rows().size()))};
-  VectorXd d = u.expected(*y) - u.expected(u.nominal - u.correction);
+  VectorXd d = u.expected(*y) - (u.nominal + u.bias);
   d = d.array().isFinite().select(d, 0).eval();
   const Whitening own =
       context.fitted.widened(deviation.further(values, *y, Predictor::Which::fitted));

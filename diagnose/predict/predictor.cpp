@@ -297,6 +297,11 @@ Acting Predictor::acting(const VectorXd& values, std::size_t state) const {
 }
 
 std::optional<VectorXd> Predictor::operator()(const VectorXd& values, Which which) const {
+  auto found = answered(values, which);
+  return found ? std::optional(std::move(found->log)) : std::nullopt;
+}
+
+std::optional<Answered> Predictor::answered(const VectorXd& values, Which which) const {
   return answers(values, Slip::as_is, which);
 }
 
@@ -304,7 +309,7 @@ VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which w
   if (softening_ < 0) return VectorXd();
   const auto stuck = answers(values, Slip::stuck, which);
   if (!stuck) return VectorXd();
-  VectorXd change = (y - *stuck).cwiseAbs();
+  VectorXd change = (y - stuck->log).cwiseAbs();
   change = change.array().isFinite().select(change, 0);
   // What shows along other axes hangs on how directions slip together, which no single law says.
   constexpr double as_along = 3;
@@ -319,12 +324,13 @@ VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which w
   return together_[std::size_t(softening_)]->law_error * change;
 }
 
-std::optional<VectorXd> Predictor::answers(const VectorXd& values, Slip slip, Which which) const {
+std::optional<Answered> Predictor::answers(const VectorXd& values, Slip slip, Which which) const {
   std::vector<std::optional<Acting>> acts(seen_.size());
   std::vector<std::optional<StateAnswers>> answers(seen_.size());
-  VectorXd y =
-      VectorXd::Constant(Index(test_.readings.size()), std::numeric_limits<double>::quiet_NaN());
-  for (Index i = 0; i < y.size(); ++i) {
+  const auto n = Index(test_.readings.size());
+  Answered found{.log = VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN()),
+                 .across = Eigen::MatrixX2d::Zero(n, 2)};
+  for (Index i = 0; i < n; ++i) {
     const Reading& reading = test_.readings[std::size_t(i)];
     if (which == Which::fitted && reading.held_out) continue;
     const std::size_t s = state_of_reading_[std::size_t(i)];
@@ -335,9 +341,11 @@ std::optional<VectorXd> Predictor::answers(const VectorXd& values, Slip slip, Wh
     }
     const std::optional<double> answer = answers[s]->answer(reading);
     if (!answer) return std::nullopt;
-    y[i] = *answer;
+    found.log[i] = *answer;
+    if (reading.kind == ReadingKind::cross && std::isfinite(*answer))
+      found.across.row(i) = answers[s]->scatter_across(reading).transpose();
   }
-  return y;
+  return found;
 }
 
 std::optional<AffineModes> Predictor::modes(const VectorXd& values) const {

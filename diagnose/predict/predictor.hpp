@@ -60,6 +60,14 @@ private:
   std::map<std::tuple<const NominalState*, std::uint64_t, std::uint64_t>, Changes> products_;
 };
 
+// What readings would be.
+struct Answered {
+  Eigen::VectorXd log; // not a number: the model does not give it, or it was not asked for
+  // Of readings along other axes (others: zero), what the errors of any test add to their squares:
+  // columns a sensor turned by a radian about each axis, a table that moves across as along.
+  Eigen::MatrixX2d across;
+};
+
 class Predictor {
 public:
   // The hypotheses act together; at most one of them softens. `models`: of the same nominal case,
@@ -77,6 +85,7 @@ public:
   enum class Which { all, fitted };
   std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& values,
                                             Which which = Which::all) const;
+  std::optional<Answered> answered(const Eigen::VectorXd& values, Which which = Which::all) const;
 
   // How far off the law of what slips may put each log reading `y`; empty where nothing slips.
   Eigen::VectorXd law_error(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
@@ -104,8 +113,7 @@ private:
   StateAnswers answers_of(std::size_t state, const Acting& acting) const;
   Acting acting(const Eigen::VectorXd& values, std::size_t state) const;
   enum class Slip { as_is, stuck };
-  std::optional<Eigen::VectorXd> answers(const Eigen::VectorXd& values, Slip slip,
-                                         Which which) const;
+  std::optional<Answered> answers(const Eigen::VectorXd& values, Slip slip, Which which) const;
 
   const Nominal& nominal_;
   const TestReadings& test_;

@@ -38,6 +38,10 @@ public:
   // where there is no stable structure.
   std::optional<double> answer(const Reading& reading);
 
+  // Of a reading along another axis: what a sensor that is turned and a table that moves across
+  // would add to its square (Answered).
+  Eigen::Vector2d scatter_across(const Reading& reading);
+
   // Number of the nominal mode that a reading is of; -1 = none.
   int nominal_mode(const Reading& reading);
 

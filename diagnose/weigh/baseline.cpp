@@ -198,9 +198,14 @@ private:
     }
     std::vector<Reading> kept;
     std::vector<int> series;
+    std::map<Index, CrossScatter> across;
+    for (const CrossScatter& c : u_.cross) across[c.reading] = c;
     u_.cross.clear();
     for (Index i : after_) {
-      if (reading(i).kind == ReadingKind::cross) u_.cross.push_back(Index(kept.size()));
+      if (const auto known = across.find(i); known != across.end()) {
+        u_.cross.push_back(known->second);
+        u_.cross.back().reading = Index(kept.size());
+      }
       kept.push_back(reading(i));
       series.push_back(u_.series[std::size_t(i)]);
     }

@@ -55,27 +55,27 @@ Deviation::Deviation(const FitContext& context, const std::vector<const Hypothes
     : context_(context), predict_(context.predictors.of(together)) {}
 
 std::optional<VectorXd> Deviation::at(const VectorXd& z, Predictor::Which which) const {
-  const auto y = predict_(predict_.values_of(z), which);
+  const auto y = predict_.answered(predict_.values_of(z), which);
   return y ? std::optional(left_by(*y)) : std::nullopt;
 }
 
 std::optional<Deviation::Widened> Deviation::widened(const VectorXd& z,
                                                      Predictor::Which which) const {
   const VectorXd values = predict_.values_of(z);
-  const auto y = predict_(values, which);
+  const auto y = predict_.answered(values, which);
   if (!y) return std::nullopt;
   Widened there{.deviation = left_by(*y), .further = {}};
   if (!predict_.changes_structure()) return there;
   VectorXd error = change_error(*y);
   if (context_.uncertainty.change_error > 0) error = let_off(error, there);
-  there.further = covariance(error, predict_.law_error(values, *y, which));
+  there.further = covariance(error, predict_.law_error(values, y->log, which));
   return there;
 }
 
-MatrixXd Deviation::further(const VectorXd& values, const VectorXd& y,
+MatrixXd Deviation::further(const VectorXd& values, const Answered& y,
                             Predictor::Which which) const {
   if (!predict_.changes_structure()) return MatrixXd();
-  return covariance(change_error(y), predict_.law_error(values, y, which));
+  return covariance(change_error(y), predict_.law_error(values, y.log, which));
 }
 
 MatrixXd Deviation::covariance(const VectorXd& error, const VectorXd& law) const {
@@ -88,9 +88,9 @@ MatrixXd Deviation::covariance(const VectorXd& error, const VectorXd& law) const
 }
 
 // Standard deviations of what is changed, with the sign of the change.
-VectorXd Deviation::change_error(const VectorXd& y) const {
+VectorXd Deviation::change_error(const Answered& y) const {
   const Uncertainty& u = context_.uncertainty;
-  VectorXd change = u.expected(y) - u.expected(u.nominal - u.correction);
+  VectorXd change = u.expected(y) - (u.nominal + u.bias);
   double largest = 0;
   for (Index i = 0; i < change.size(); ++i) {
     const ReadingKind kind = context_.test.readings[std::size_t(i)].kind;
@@ -99,6 +99,9 @@ VectorXd Deviation::change_error(const VectorXd& y) const {
     change[i] =
         std::clamp(share_of_change(kind, u.change_error) * change[i], -most_further, most_further);
   }
+  const VectorXd across = u.further_cross(y);
+  for (Index i = 0; i < change.size(); ++i)
+    change[i] = std::copysign(std::hypot(change[i], across[i]), change[i]);
   if (!(u.change_error > 0)) return change;
   for (Index i = 0; i < change.size(); ++i) {
     const ReadingKind kind = context_.test.readings[std::size_t(i)].kind;
@@ -150,7 +153,7 @@ VectorXd Deviation::let_off(const VectorXd& error, Widened& there) const {
   return scaled;
 }
 
-VectorXd Deviation::left_by(const VectorXd& y) const {
+VectorXd Deviation::left_by(const Answered& y) const {
   const VectorXd d = context_.measured - context_.uncertainty.expected(y);
   constexpr double missing = 10; // where the model gives no number
   return d.array().isFinite().select(d, missing);

@@ -33,13 +33,13 @@ public:
   std::optional<Widened> widened(const Eigen::VectorXd& z, Predictor::Which which) const;
   // Further covariance where parameters have these values and the readings are predicted as `y`, no
   // reading let off.
-  Eigen::MatrixXd further(const Eigen::VectorXd& values, const Eigen::VectorXd& y,
+  Eigen::MatrixXd further(const Eigen::VectorXd& values, const Answered& y,
                           Predictor::Which which) const;
   const Predictor& predictor() const { return predict_; }
 
 private:
-  Eigen::VectorXd left_by(const Eigen::VectorXd& y) const;
-  Eigen::VectorXd change_error(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd left_by(const Answered& y) const;
+  Eigen::VectorXd change_error(const Answered& y) const;
   Eigen::VectorXd let_off(const Eigen::VectorXd& error, Widened& there) const;
   Eigen::MatrixXd covariance(const Eigen::VectorXd& error, const Eigen::VectorXd& law) const;
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 namespace plica {
@@ -160,22 +161,48 @@ VectorXd mesh_correction(const Case& data, const Nominal& nominal, const Measure
   return correction;
 }
 
+// What specimens add to the square of a reading along another axis; `shift`: of its logarithm.
+double added_square(const Eigen::RowVectorXd& shift, double nominal) {
+  const auto square = [](double log_value) {
+    return std::pow(std::max(0., std::exp(log_value) - cross_floor), 2);
+  };
+  double sum = 0;
+  for (double x : shift) sum += square(nominal + x) - square(nominal);
+  return std::max(0., sum / double(shift.size()));
+}
+
+// Mean square that the errors of any test add to a reading along another axis.
+double by_errors_of_test(const Answered& answered, Index i) {
+  const double turn = scatters::turn * std::numbers::pi / 180;
+  return turn * turn * answered.across(i, 0) +
+         scatters::other_axes * scatters::other_axes * answered.across(i, 1);
+}
+
 MatrixXd covariance(const MatrixXd& draws) {
   return draws * draws.transpose() / double(draws.cols() - 1);
 }
 
 } // namespace
 
-VectorXd Uncertainty::expected(const VectorXd& coarse) const {
-  VectorXd y = coarse + correction + bias;
-  const auto squared = [](double log_value) {
-    return std::pow(std::max(0., std::exp(log_value) - cross_floor), 2);
-  };
-  for (Index i : cross) {
-    const double added = squared(nominal[i] + bias[i]) - squared(nominal[i]);
-    y[i] = std::log(std::sqrt(std::max(0., squared(coarse[i]) + added)) + cross_floor);
+// Scatter acts on what the coarse mesh gives.
+VectorXd Uncertainty::expected(const Answered& coarse) const {
+  VectorXd y = coarse.log + correction + bias;
+  for (const CrossScatter& c : cross) {
+    const Index i = c.reading;
+    y[i] = CrossLaw(c.power, nominal[i], nominal[i] + bias[i])
+               .mean(coarse.log[i], by_errors_of_test(coarse, i) / c.by_test);
   }
   return y;
+}
+
+VectorXd Uncertainty::further_cross(const Answered& coarse) const {
+  VectorXd sigma = VectorXd::Zero(coarse.log.size());
+  for (const CrossScatter& c : cross) {
+    const Index i = c.reading;
+    sigma[i] = CrossLaw(c.power, nominal[i], nominal[i] + bias[i])
+                   .further_deviation(coarse.log[i], by_errors_of_test(coarse, i) / c.by_test);
+  }
+  return sigma;
 }
 
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
@@ -183,14 +210,16 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
                            const Remounting& remounting) {
   const auto n = Index(test.readings.size());
   Uncertainty u;
-  const VectorXd coarse = *Predictor(nominal, test, {})(VectorXd());
+  const Answered answered = *Predictor(nominal, test, {}).answered(VectorXd());
+  const VectorXd& coarse = answered.log;
   u.correction = VectorXd::Zero(n);
   if (nominal.coarse && !has_friction(data))
     u.correction = mesh_correction(data, nominal, measured, test, coarse, u.refused);
   u.nominal = coarse + u.correction;
   u.bias = VectorXd::Zero(n);
   for (Index i = 0; i < n; ++i)
-    if (test.readings[std::size_t(i)].kind == ReadingKind::cross) u.cross.push_back(i);
+    if (test.readings[std::size_t(i)].kind == ReadingKind::cross)
+      u.cross.push_back({.reading = i, .by_test = by_errors_of_test(answered, i)});
   u.series = series_of(test);
   u.measurement = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
@@ -216,10 +245,11 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   u.numeric = shared_frequency(test, numeric_frequency, always) +
               shared_damping(test, weights, numeric_damping, by_base(always)) +
               shared_rig_loss(test, numeric_damping);
-  for (Index i : u.cross)
-    for (Index j : u.cross)
-      if (same_way(test, test.readings[std::size_t(i)], test.readings[std::size_t(j)]))
-        u.numeric(i, j) += std::pow(numeric_cross, 2);
+  for (const CrossScatter& a : u.cross)
+    for (const CrossScatter& b : u.cross)
+      if (same_way(test, test.readings[std::size_t(a.reading)],
+                   test.readings[std::size_t(b.reading)]))
+        u.numeric(a.reading, b.reading) += std::pow(numeric_cross, 2);
   for (Index i = 0; i < n; ++i) {
     u.numeric(i, i) += std::pow(share_of_correction * u.correction[i], 2);
     const ReadingKind kind = test.readings[std::size_t(i)].kind;
@@ -254,6 +284,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
     for (double& x : white) x = draw();
     noise.col(k) = root.matrixL() * white;
   });
+  for (CrossScatter& c : u.cross) c.power = added_square(form.row(c.reading), coarse[c.reading]);
   u.bias = form.rowwise().mean();
   form.colwise() -= u.bias;
   u.form = covariance(form);

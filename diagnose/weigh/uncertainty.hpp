@@ -8,6 +8,7 @@
 #pragma once
 
 #include "diagnose/predict/predictor.hpp"
+#include "diagnose/weigh/cross_scatter.hpp"
 
 #include <set>
 #include <string>
@@ -25,16 +26,17 @@ struct Uncertainty {
   Eigen::VectorXd correction;       // what the own mesh differs by from the coarse one
   std::vector<std::string> refused; // of each reading, why that cannot be known; empty: all are
   Eigen::VectorXd bias;             // mean of the admissible specimens, less the nominal one
-  std::vector<Eigen::Index> cross;  // readings along other axes
+  std::vector<CrossScatter> cross;  // of readings along other axes
   std::vector<int> series; // of each reading: those that differ in level only share a number
   Eigen::MatrixXd measurement, reassembly, numeric, form;
   Eigen::MatrixXd healthy; // readings x specimens: what would be measured, less nominal and bias
   double change_error = 0; // of what an effect changes beside a baseline (weigh/baseline.hpp)
   Eigen::MatrixXd total() const { return measurement + reassembly + numeric + form; }
 
-  // Mean log readings of admissible specimens that answer so on the coarse mesh. What scatter adds
-  // along other axes adds in squares: it vanishes beside a large cross response.
-  Eigen::VectorXd expected(const Eigen::VectorXd& coarse) const;
+  // Mean log readings of admissible specimens that answer so on the coarse mesh.
+  Eigen::VectorXd expected(const Answered& coarse) const;
+  // By how much readings along other axes scatter there beyond `form`; of all others zero.
+  Eigen::VectorXd further_cross(const Answered& coarse) const;
 };
 
 // `without`: groups left out, for ablations: "form", "nuisance", "reassembly".

@@ -1,6 +1,7 @@
 #include "campaign.hpp"
 #include "files.hpp"
 #include "measure.hpp"
+#include "sets/sets.hpp"
 
 #include "solve/sparse_factor.hpp"
 
@@ -19,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// What of the library a stranger could be taken for.
-std::vector<std::string> look_alikes(const std::string& cls) {
+// What of the library the strangers of a specimen could be taken for.
+std::vector<std::string> look_alikes(const Specimen& s) {
   static const std::map<std::string, std::vector<std::string>> all{
       {"absorber", {"added_mass", "fixture_flexibility"}},
       {"sloshing", {"added_mass", "component_mass", "fixture_flexibility"}},
@@ -30,8 +31,12 @@ std::vector<std::string> look_alikes(const std::string& cls) {
       {"time_delay", {"rotated_sensor", "damping", "sensor_gain"}},
       {"sensor_resonance", {"sensor_gain"}},
       {"rubber", {"joint_stiffness", "extra_support", "damping"}}};
-  const auto found = all.find(cls);
-  return found == all.end() ? std::vector<std::string>{} : found->second;
+  std::vector<std::string> found;
+  if (!s.without.empty()) found = alike_to(s.without);
+  for (const Effect& e : s.effects)
+    if (const auto own = all.find(e.name); own != all.end())
+      found.insert(found.end(), own->second.begin(), own->second.end());
+  return found;
 }
 
 std::vector<std::string> lines_of(const fs::path& file) {
@@ -127,19 +132,18 @@ json truth_of(const Specimen& s, const std::map<std::string, double>& found) {
     effects.push_back({{"name", e.name}, {"place", e.place}, {"value", value}});
   }
   static const std::set<std::string> beyond{"clearance", "hardening", "absorber"};
-  json truth{
-      {"id", s.id},
-      {"structure", s.structure},
-      {"kind", s.kind},
-      {"class", s.cls},
-      {"strength", s.strength},
-      {"effects", effects},
-      {"road", s.wall.empty()                                 ? "beams"
-               : s.wall.find("calculix") != std::string::npos ? "calculix"
-                                                              : "mesh"},
-      {"wall", s.wall},
-      {"outside_by_design", s.kind == "stranger" && beyond.contains(s.cls)},
-      {"look_alikes", s.kind == "stranger" ? look_alikes(s.cls) : std::vector<std::string>{}}};
+  json truth{{"id", s.id},
+             {"structure", s.structure},
+             {"kind", s.kind},
+             {"class", s.cls},
+             {"strength", s.strength},
+             {"effects", effects},
+             {"road", s.wall.empty()                                 ? "beams"
+                      : s.wall.find("calculix") != std::string::npos ? "calculix"
+                                                                     : "mesh"},
+             {"wall", s.wall},
+             {"outside_by_design", s.kind == "stranger" && beyond.contains(s.cls)},
+             {"look_alikes", look_alikes(s)}};
   if (!s.without.empty()) truth["left_out"] = s.without;
   return truth;
 }

@@ -78,6 +78,25 @@ int stand_ins(const Scored& s, const json& said, const json& truth) {
   return count_found(matches_of(s, others, missed));
 }
 
+// What else may stand where a stranger acts, as stated with the specimen. A fixture has no place on
+// the part, and what acts on all of it may look like what acts somewhere.
+int look_alikes(const Scored& s, const json& said, const json& truth) {
+  const json stated = s.truth.value("look_alikes", json::array());
+  json strange = json::array(), others = json::array();
+  for (const json& e : s.truth["effects"])
+    if (std::find(truth.begin(), truth.end(), e) == truth.end()) strange.push_back(e);
+  const std::vector<int> matches = matches_of(s, said, truth);
+  for (std::size_t i = 0; i < said.size(); ++i)
+    if (std::find(matches.begin(), matches.end(), int(i)) == matches.end() &&
+        std::find(stated.begin(), stated.end(), said[i]["name"]) != stated.end() &&
+        std::any_of(strange.begin(), strange.end(), [&](const json& e) {
+          return said[i]["name"] == "fixture_flexibility" || e["place"] == "all" ||
+                 says_place(s, said[i], e["place"]);
+        }))
+      others.push_back(said[i]);
+  return int(std::min(others.size(), strange.size()));
+}
+
 bool within(const json& interval, double share) {
   constexpr double digits = 1e-6; // what nothing is known of has an interval of no width
   return interval.is_array() && interval.size() == 2 && interval[0].is_number() &&
@@ -133,7 +152,8 @@ MarkedSet mark_set(const Scored& s, const json& true_shares) {
       s.verdict == "identified" || s.verdict == "several" || s.verdict == "mostly";
   const json said = said_for_sure(s, by_verdict);
   m.confident = by_verdict || !said.empty();
-  m.wrong = int(said.size()) > count_found(matches_of(s, said, truth)) + stand_ins(s, said, truth);
+  m.wrong = int(said.size()) > count_found(matches_of(s, said, truth)) + stand_ins(s, said, truth) +
+                                   look_alikes(s, said, truth);
   m.ambiguous = s.verdict == "ambiguous";
   const bool lists_too_many = m.ambiguous && named.size() > most_listed;
   m.found = lists_too_many ? 0 : count_found(matches_of(s, named, truth));

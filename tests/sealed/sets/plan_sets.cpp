@@ -126,17 +126,23 @@ struct SetPlanner {
 
 } // namespace
 
-bool told_apart(const std::string& structure, const Effect& a, const Effect& b) {
-  static const std::vector<std::pair<Names, Names>> alike{
-      {{"temperature"},
+std::vector<std::string> alike_to(const std::string& effect) {
+  static const std::vector<std::pair<std::string, Names>> alike{
+      {"temperature",
        {"damping", "joint_stiffness", "joint_friction", "ply_slip", "forming_thinning"}},
-      {{"joint_stiffness"}, {"joint_friction"}},
-      {{"boundary_compliance"}, {"fixture_flexibility"}},
-      {{"unweighed_mass"}, {"added_mass"}}};
-  for (const auto& [one, others] : alike)
-    if ((holds(one, a.name) && holds(others, b.name)) ||
-        (holds(one, b.name) && holds(others, a.name)))
-      return false;
+      {"joint_stiffness", {"joint_friction"}},
+      {"boundary_compliance", {"fixture_flexibility"}},
+      {"unweighed_mass", {"added_mass"}}};
+  std::vector<std::string> found;
+  for (const auto& [one, others] : alike) {
+    if (one == effect) found.insert(found.end(), others.begin(), others.end());
+    if (holds(others, effect)) found.push_back(one);
+  }
+  return found;
+}
+
+bool told_apart(const std::string& structure, const Effect& a, const Effect& b) {
+  if (holds(alike_to(a.name), b.name)) return false;
   if (needs_wall(a) && needs_wall(b)) return false;
   const int p = spot(structure, a.place), q = spot(structure, b.place);
   const Names at_spots{"added_mass", "component_mass", "extra_support",

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace sealed {
 
@@ -17,6 +19,8 @@ Suite plan_sets(const SetsPlan& plan);
 
 // Whether readings tell two effects of a set apart, by a rule that is written down (README.md).
 bool told_apart(const std::string& structure, const Effect& a, const Effect& b);
+// Effects that readings may not tell from this one, by the same rule.
+std::vector<std::string> alike_to(const std::string& effect);
 
 // The true effects of a specimen as the library names them, for `plica diagnose --suppose`; none
 // where its parameters cannot say them. Strangers and what the case leaves out are not among them.

@@ -188,6 +188,22 @@ TEST(SealedSets, an_effect_of_another_set_stands_in) {
   EXPECT_TRUE(mark_set(scored(truth, "several", {mass, hot}, rows), {}).wrong);
 }
 
+// An absorber below its frequency is a mass; the truth says so before anything is diagnosed.
+TEST(SealedSets, a_stranger_may_be_told_as_what_is_stated_to_look_alike) {
+  json truth =
+      truth_with("stranger", json::array({effect("absorber", "sensor.mid")}), "short_bellows");
+  const auto wrong = [&](const json& said) {
+    return mark_set(scored(truth, "mostly", json::array({said}), json::array({row(said, 1)})), {})
+        .wrong;
+  };
+  EXPECT_TRUE(wrong(mass)); // nothing is stated
+  truth["look_alikes"] = {"added_mass", "fixture_flexibility"};
+  EXPECT_FALSE(wrong(mass));
+  EXPECT_TRUE(wrong(effect("added_mass", "sensor.quarter")));
+  EXPECT_TRUE(wrong(hot));
+  EXPECT_FALSE(wrong(effect("fixture_flexibility", "mount.left")));
+}
+
 TEST(SealedSets, a_place_along_the_beam_is_right_in_its_interval) {
   const json truth = truth_with("effect", json::array({effect("added_mass", "beam.point[3]")}),
                                 "cantilever_masses");
