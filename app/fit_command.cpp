@@ -53,22 +53,39 @@ TestData fitted_data(const MeasuredFile& file) {
   return test;
 }
 
-int fit(const FitOptions& options) {
-  set_threads(options.threads);
-  const TestedCase tested = read_tested_case(options.chosen, options.measured);
+// The case says what to fit, and to what.
+void require_a_fit(const TestedCase& tested, const std::string& model) {
   const CaseFile& file = tested.file;
-  const std::optional<MeasuredFile>& test_file = tested.test;
   if (!file.data.fit)
-    refuse(file,
-           "is missing" +
-               (options.chosen.model.empty() ? "" : " in model '" + options.chosen.model + "'"),
+    refuse(file, "is missing" + (model.empty() ? "" : " in model '" + model + "'"),
            "fit: {parameters: [{path: ..., bounds: [..., ...]}]}");
   const auto& targets = file.data.fit->targets;
-  if (!test_file && std::none_of(targets.begin(), targets.end(),
-                                 [](const FitTarget& t) { return is_goal(t.quantity); }))
+  if (!tested.test && std::none_of(targets.begin(), targets.end(),
+                                   [](const FitTarget& t) { return is_goal(t.quantity); }))
     refuse(file, "has nothing to fit to",
            "measured: measured.yaml in the case, --measured FILE, or targets such as k_axial = 50 "
            "kN/m");
+}
+
+// Shows how far a fit is, which lasts no longer than `progress`.
+void show_on(Progress& progress, FitSettings& settings) {
+  settings.progress = [&](int evaluations, double cost) {
+    progress.share(double(evaluations) / double(std::max(settings.evaluations, 1)));
+    progress.stage(
+        fmt::format("{} of {} evaluations, cost {:.4g}", evaluations, settings.evaluations, cost));
+  };
+  settings.step = [&](int step, int evaluations, double cost) {
+    progress.share(0); // how many steps it takes, nobody knows
+    progress.stage(fmt::format("step {}, {} evaluations, cost {:.4g}", step, evaluations, cost));
+  };
+}
+
+int fit(const FitOptions& options) {
+  set_threads(options.threads);
+  const TestedCase tested = read_tested_case(options.chosen, options.measured);
+  require_a_fit(tested, options.chosen.model);
+  const CaseFile& file = tested.file;
+  const std::optional<MeasuredFile>& test_file = tested.test;
   const TestData test = test_file ? fitted_data(*test_file) : TestData{};
   FitSettings settings = fit_settings(file);
   settings.search = options.search.value_or(settings.search);
@@ -87,15 +104,7 @@ int fit(const FitOptions& options) {
   progress.title(file.data.name +
                  (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
   progress.stage("fit of " + std::to_string(file.data.fit->parameters.size()) + " parameters");
-  settings.progress = [&](int evaluations, double cost) {
-    progress.share(double(evaluations) / double(std::max(settings.evaluations, 1)));
-    progress.stage(
-        fmt::format("{} of {} evaluations, cost {:.4g}", evaluations, settings.evaluations, cost));
-  };
-  settings.step = [&](int step, int evaluations, double cost) {
-    progress.share(0); // how many steps it takes, nobody knows
-    progress.stage(fmt::format("step {}, {} evaluations, cost {:.4g}", step, evaluations, cost));
-  };
+  show_on(progress, settings);
   settings.stop = search_is_ended;
   let_searches_end(); // the best so far is refined and written
   FitResult fit;

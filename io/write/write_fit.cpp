@@ -79,28 +79,10 @@ std::string fitted_yaml(const FitResult& fit) {
   return text;
 }
 
-std::string fit_json(const FitResult& fit, const std::string& title) {
-  Json json{{"title", title},
-            {"evaluations", fit.evaluations},
-            {"converged", fit.converged},
-            {"reason", fit.reason},
-            {"cost", {{"before", fit.start_cost}, {"after", fit.cost}}}};
-  json["parameters"] = Json::array();
-  for (const FittedParameter& p : fit.parameters)
-    json["parameters"].push_back({{"path", p.path},
-                                  {"also", p.also},
-                                  {"unit", p.unit},
-                                  {"before", p.start},
-                                  {"after", p.value},
-                                  {"sigma", json_number(p.sigma)},
-                                  {"known", p.known},
-                                  {"at_bound", p.at_bound}});
-  json["ties"] = Json::object();
-  json["tie_units"] = Json::object();
-  for (const auto& [path, value, unit] : fit.ties) {
-    json["ties"][path] = value;
-    json["tie_units"][path] = unit;
-  }
+namespace {
+
+// What was fitted to, before and after.
+void add_targets(Json& json, const FitResult& fit) {
   json["targets"] = Json::array();
   for (const FittedTarget& t : fit.targets)
     json["targets"].push_back({{"quantity", t.quantity},
@@ -137,6 +119,10 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
                                    {"value", c.value},
                                    {"min", json_number(c.min)},
                                    {"max", json_number(c.max)}});
+}
+
+// What the search knows beside its best point.
+void add_search(Json& json, const FitResult& fit) {
   json["correlation"] = Json::array();
   for (Index i = 0; i < fit.correlation.rows(); ++i) {
     const VectorXd row = fit.correlation.row(i).transpose();
@@ -158,6 +144,34 @@ std::string fit_json(const FitResult& fit, const std::string& title) {
     const VectorXd& d = fit.samples[order[k]].design;
     json["designs"].push_back(std::vector<double>(d.begin(), d.end()));
   }
+}
+
+} // namespace
+
+std::string fit_json(const FitResult& fit, const std::string& title) {
+  Json json{{"title", title},
+            {"evaluations", fit.evaluations},
+            {"converged", fit.converged},
+            {"reason", fit.reason},
+            {"cost", {{"before", fit.start_cost}, {"after", fit.cost}}}};
+  json["parameters"] = Json::array();
+  for (const FittedParameter& p : fit.parameters)
+    json["parameters"].push_back({{"path", p.path},
+                                  {"also", p.also},
+                                  {"unit", p.unit},
+                                  {"before", p.start},
+                                  {"after", p.value},
+                                  {"sigma", json_number(p.sigma)},
+                                  {"known", p.known},
+                                  {"at_bound", p.at_bound}});
+  json["ties"] = Json::object();
+  json["tie_units"] = Json::object();
+  for (const auto& [path, value, unit] : fit.ties) {
+    json["ties"][path] = value;
+    json["tie_units"][path] = unit;
+  }
+  add_targets(json, fit);
+  add_search(json, fit);
   json["warnings"] = fit.warnings;
   return json_text(json);
 }
