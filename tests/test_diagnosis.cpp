@@ -256,6 +256,20 @@ struct OneReading {
   std::vector<Hypothesis> masses;
 };
 
+// Two parameters of which only the sum shows, at a brink: I + J'J is singular to rounding. Its
+// determinant is 1 + 2 s^2, and each parameter keeps half of the variance of its prior.
+TEST(Evidence, stands_where_the_readings_fall_off_steeply) {
+  constexpr double steep = 1e9;
+  HypothesisFit fit;
+  fit.z = VectorXd::Zero(2);
+  fit.error = VectorXd::Zero(1);
+  fit.J = Eigen::MatrixXd::Constant(1, 2, steep);
+  EXPECT_NEAR(log_evidence_at_width(fit, 1), -std::log1p(2 * steep * steep) / 2, 1e-9);
+  const Eigen::MatrixXd covariance = dispersed_covariance(fit, 1);
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(covariance(i, i), 0.5, 1e-9);
+  EXPECT_NEAR(covariance(0, 1), -0.5, 1e-9);
+}
+
 // One reading, one parameter: everything is Gaussian, so ln Z is known.
 TEST(Evidence, laplace_and_markov_chains_meet_the_closed_form) {
   OneReading one;

@@ -7,7 +7,7 @@
 #include "diagnose/weigh/spread_point.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -28,6 +28,24 @@ bool far_from_all(const std::vector<VectorXd>& others, const VectorXd& z, double
                       [&](const VectorXd& other) { return (z - other).norm() < apart; });
 }
 
+// I + s J'J, what a posterior is worth in terms of its prior. By eigenvalues: at a brink, beyond
+// which there is no stable structure, J is so steep that the sum is singular to rounding.
+class Precision {
+public:
+  Precision(const MatrixXd& J, double s) : J_(J.transpose() * J) {
+    values_ = J_.eigenvalues().cwiseMax(0) * s;
+  }
+  double log_determinant() const { return values_.array().log1p().sum(); }
+  MatrixXd inverse() const {
+    const VectorXd variance = (1 + values_.array()).inverse();
+    return J_.eigenvectors() * variance.asDiagonal() * J_.eigenvectors().transpose();
+  }
+
+private:
+  Eigen::SelfAdjointEigenSolver<MatrixXd> J_;
+  VectorXd values_;
+};
+
 void finish(HypothesisFit& fit) {
   fit.chi2 = fit.error.squaredNorm();
   fit.farthest = fit.z.size() > 0 ? fit.z.cwiseAbs().maxCoeff() : 0;
@@ -39,10 +57,8 @@ void finish(HypothesisFit& fit) {
 double log_evidence_at_width(const HypothesisFit& fit, double width) {
   double value = -fit.error.squaredNorm() / 2 - fit.penalty;
   if (fit.z.size() == 0) return value;
-  value -= fit.z.squaredNorm() / (2 * width * width);
-  const MatrixXd A =
-      MatrixXd::Identity(fit.z.size(), fit.z.size()) + width * width * fit.J.transpose() * fit.J;
-  return value - std::log(A.determinant()) / 2;
+  return value - fit.z.squaredNorm() / (2 * width * width) -
+         Precision(fit.J, width * width).log_determinant() / 2;
 }
 
 constexpr double stated_as = 4; // readings that the stated errors are worth, for their size
@@ -57,14 +73,12 @@ double dispersed_log_evidence(const HypothesisFit& fit) {
   double value =
       -(stated_as + n) / 2 * std::log1p(fit.error.squaredNorm() / stated_as) - fit.penalty;
   if (fit.z.size() == 0) return value;
-  const MatrixXd A =
-      MatrixXd::Identity(fit.z.size(), fit.z.size()) + fit.J.transpose() * fit.J / dispersion(fit);
-  return value - fit.z.squaredNorm() / 2 - std::log(A.determinant()) / 2;
+  return value - fit.z.squaredNorm() / 2 -
+         Precision(fit.J, 1 / dispersion(fit)).log_determinant() / 2;
 }
 
 MatrixXd dispersed_covariance(const HypothesisFit& fit, double dispersion) {
-  return (MatrixXd::Identity(fit.z.size(), fit.z.size()) + fit.J.transpose() * fit.J / dispersion)
-      .inverse();
+  return Precision(fit.J, 1 / dispersion).inverse();
 }
 
 HypothesisFit nominal_fit(const FitContext& context) {
@@ -131,7 +145,7 @@ public:
     const auto there = widen(z);
     const auto J = there ? free_jacobian(residuals(), z) : std::nullopt;
     fit.evaluations = evaluations_;
-    if (!J) return fit;
+    if (!J || !J->allFinite()) return fit;
     fit.solved = true;
     fit.complete = n_ == there->deviation.size();
     fit.z = z;
@@ -142,7 +156,7 @@ public:
     fit.aside = there->aside;
     fit.error = white_(there->deviation);
     fit.J = J->topRows(n_);
-    fit.covariance = (MatrixXd::Identity(p_, p_) + fit.J.transpose() * fit.J).inverse();
+    fit.covariance = Precision(fit.J, 1).inverse();
     finish(fit);
     return fit;
   }

@@ -34,6 +34,12 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.0f}", 100 * share) : "-";
 }
 
+// Of a size over so many powers of ten only the lower end is known: a spring that holds rigidly.
+bool is_known_from_below(const EstimatedParameter& p) {
+  constexpr double wide = 1e3;
+  return p.interval[0] > 0 && p.interval[1] > wide * p.interval[0];
+}
+
 // A parameter as a plain sentence asks for it: "mass", "loss%", "ratio+". Where an effect has a
 // size in each state, the first.
 std::string value_words(const NamedEffect& e, std::string name) {
@@ -43,10 +49,20 @@ std::string value_words(const NamedEffect& e, std::string name) {
     if (p.name != name && !p.name.starts_with(name + ", ")) continue;
     if (form == '%') return significant(100 * p.value, 2) + " %";
     if (form == '+') return with_sign(100 * (p.value - 1), 0) + " %";
-    const auto [factor, unit] = handy_unit(p.value, p.unit);
-    return significant(factor * p.value, 2) + (unit.empty() || unit == "°" ? "" : " ") + unit;
+    const bool from_below = is_known_from_below(p);
+    const double value = from_below ? p.interval[0] : p.value;
+    const auto [factor, unit] = handy_unit(value, p.unit);
+    return (from_below ? "more than " : "") + significant(factor * value, 2) +
+           (unit.empty() || unit == "°" ? "" : " ") + unit;
   }
   return "an amount";
+}
+
+// ", 0.38 m along": of what may sit anywhere along its part.
+std::string along_words(const NamedEffect& e) {
+  for (const EstimatedParameter& p : e.parameters)
+    if (p.name == "at") return ", " + significant(p.value, 3) + " m along";
+  return "";
 }
 
 std::string where_text(const Diagnosis& d) {
@@ -201,7 +217,7 @@ std::string row_words(const LedgerRow& row) {
   if (row.left == "model") return "tolerances and error of the model";
   if (row.left == "unexplained") return "not explained";
   const NamedEffect& first = row.effects.front();
-  const std::string words = plain_words(first) + ", at " + first.place +
+  const std::string words = plain_words(first) + ", at " + first.place + along_words(first) +
                             (first.way.empty() ? "" : " (" + first.way + ")");
   if (row.effects.size() == 1) return words;
   if (is_long(row))
