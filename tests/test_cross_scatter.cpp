@@ -63,5 +63,12 @@ TEST(CrossScatter, grows_with_what_the_errors_of_the_test_show) {
   EXPECT_EQ(law.mean(log_reading(0), 0.5), law.mean(log_reading(0), 1));
 }
 
+// Where the nominal structure shows no peak nothing says how much its errors grow.
+TEST(CrossScatter, stays_where_the_errors_of_the_test_are_not_known) {
+  const CrossScatter unknown, known{.by_test = 0.01};
+  EXPECT_EQ(unknown.times(0.04), 1);
+  EXPECT_EQ(known.times(0.04), 4);
+}
+
 } // namespace
 } // namespace plica

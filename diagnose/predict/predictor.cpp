@@ -297,17 +297,17 @@ Acting Predictor::acting(const VectorXd& values, std::size_t state) const {
 }
 
 std::optional<VectorXd> Predictor::operator()(const VectorXd& values, Which which) const {
-  auto found = answered(values, which);
+  auto found = answers(values, Slip::as_is, which, Across::left_out);
   return found ? std::optional(std::move(found->log)) : std::nullopt;
 }
 
 std::optional<Answered> Predictor::answered(const VectorXd& values, Which which) const {
-  return answers(values, Slip::as_is, which);
+  return answers(values, Slip::as_is, which, Across::asked);
 }
 
 VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which which) const {
   if (softening_ < 0) return VectorXd();
-  const auto stuck = answers(values, Slip::stuck, which);
+  const auto stuck = answers(values, Slip::stuck, which, Across::left_out);
   if (!stuck) return VectorXd();
   VectorXd change = (y - stuck->log).cwiseAbs();
   change = change.array().isFinite().select(change, 0);
@@ -324,7 +324,8 @@ VectorXd Predictor::law_error(const VectorXd& values, const VectorXd& y, Which w
   return together_[std::size_t(softening_)]->law_error * change;
 }
 
-std::optional<Answered> Predictor::answers(const VectorXd& values, Slip slip, Which which) const {
+std::optional<Answered> Predictor::answers(const VectorXd& values, Slip slip, Which which,
+                                           Across across) const {
   std::vector<std::optional<Acting>> acts(seen_.size());
   std::vector<std::optional<StateAnswers>> answers(seen_.size());
   const auto n = Index(test_.readings.size());
@@ -342,7 +343,7 @@ std::optional<Answered> Predictor::answers(const VectorXd& values, Slip slip, Wh
     const std::optional<double> answer = answers[s]->answer(reading);
     if (!answer) return std::nullopt;
     found.log[i] = *answer;
-    if (reading.kind == ReadingKind::cross && std::isfinite(*answer))
+    if (across == Across::asked && reading.kind == ReadingKind::cross && std::isfinite(*answer))
       found.across.row(i) = answers[s]->scatter_across(reading).transpose();
   }
   return found;

@@ -113,7 +113,9 @@ private:
   StateAnswers answers_of(std::size_t state, const Acting& acting) const;
   Acting acting(const Eigen::VectorXd& values, std::size_t state) const;
   enum class Slip { as_is, stuck };
-  std::optional<Answered> answers(const Eigen::VectorXd& values, Slip slip, Which which) const;
+  enum class Across { left_out, asked };
+  std::optional<Answered> answers(const Eigen::VectorXd& values, Slip slip, Which which,
+                                  Across across) const;
 
   const Nominal& nominal_;
   const TestReadings& test_;

@@ -108,6 +108,8 @@ struct TestReadings {
 // What a cross response adds to before the logarithm: below a fiftieth of the main motion it is
 // noise.
 constexpr double cross_floor = 0.02;
+// The response without it.
+double cross_value(double log_reading);
 // "base y", "force at mid.y"; empty for none.
 std::string word_of(const Input& input);
 // In its unit, what its logarithm stands for.

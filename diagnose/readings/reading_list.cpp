@@ -19,10 +19,13 @@ void ReadingList::add(Reading reading) {
   all.readings.push_back(std::move(reading));
 }
 
+double cross_value(double log_reading) {
+  return std::max(0., std::exp(log_reading) - cross_floor);
+}
+
 double value_of(const Reading& reading, double log_value) {
   if (reading.kind == ReadingKind::component) return log_value;
-  const double value = std::exp(log_value);
-  return reading.kind == ReadingKind::cross ? std::max(0., value - cross_floor) : value;
+  return reading.kind == ReadingKind::cross ? cross_value(log_value) : std::exp(log_value);
 }
 
 std::string word_of(const Input& input) {

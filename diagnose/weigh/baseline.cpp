@@ -209,6 +209,7 @@ private:
       kept.push_back(reading(i));
       series.push_back(u_.series[std::size_t(i)]);
     }
+    u_.settle_cross();
     u_.series = std::move(series);
     test_.readings = std::move(kept);
   }

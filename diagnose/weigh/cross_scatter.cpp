@@ -10,10 +10,6 @@
 namespace plica {
 namespace {
 
-double value_of(double log_reading) {
-  return std::max(0., std::exp(log_reading) - cross_floor);
-}
-
 struct Moments {
   double mean = 0, variance = 0;
 };
@@ -39,8 +35,8 @@ Moments moments(double own, double sigma) {
 } // namespace
 
 CrossLaw::CrossLaw(double power, double nominal, double expected) {
-  const double own = value_of(nominal);
-  sigma_ = std::sqrt(std::max(power, std::pow(value_of(expected), 2) - own * own));
+  const double own = cross_value(nominal);
+  sigma_ = std::sqrt(std::max(power, std::pow(cross_value(expected), 2) - own * own));
   const Moments at_nominal = moments(own, sigma_);
   shift_ = expected - at_nominal.mean;
   variance_ = at_nominal.variance;
@@ -53,12 +49,12 @@ double CrossLaw::deviation(double times) const {
 }
 
 double CrossLaw::mean(double own, double times) const {
-  return moments(value_of(own), deviation(times)).mean + shift_;
+  return moments(cross_value(own), deviation(times)).mean + shift_;
 }
 
 double CrossLaw::further_deviation(double own, double times) const {
   if (!std::isfinite(own)) return 0;
-  const double variance = moments(value_of(own), deviation(times)).variance;
+  const double variance = moments(cross_value(own), deviation(times)).variance;
   return std::sqrt(std::max(0., variance - variance_));
 }
 

@@ -163,11 +163,9 @@ VectorXd mesh_correction(const Case& data, const Nominal& nominal, const Measure
 
 // What specimens add to the square of a reading along another axis; `shift`: of its logarithm.
 double added_square(const Eigen::RowVectorXd& shift, double nominal) {
-  const auto square = [](double log_value) {
-    return std::pow(std::max(0., std::exp(log_value) - cross_floor), 2);
-  };
   double sum = 0;
-  for (double x : shift) sum += square(nominal + x) - square(nominal);
+  for (double x : shift)
+    sum += std::pow(cross_value(nominal + x), 2) - std::pow(cross_value(nominal), 2);
   return std::max(0., sum / double(shift.size()));
 }
 
@@ -189,8 +187,7 @@ VectorXd Uncertainty::expected(const Answered& coarse) const {
   VectorXd y = coarse.log + correction + bias;
   for (const CrossScatter& c : cross) {
     const Index i = c.reading;
-    y[i] = CrossLaw(c.power, nominal[i], nominal[i] + bias[i])
-               .mean(coarse.log[i], by_errors_of_test(coarse, i) / c.by_test);
+    y[i] = c.law.mean(coarse.log[i], c.times(by_errors_of_test(coarse, i)));
   }
   return y;
 }
@@ -199,10 +196,14 @@ VectorXd Uncertainty::further_cross(const Answered& coarse) const {
   VectorXd sigma = VectorXd::Zero(coarse.log.size());
   for (const CrossScatter& c : cross) {
     const Index i = c.reading;
-    sigma[i] = CrossLaw(c.power, nominal[i], nominal[i] + bias[i])
-                   .further_deviation(coarse.log[i], by_errors_of_test(coarse, i) / c.by_test);
+    sigma[i] = c.law.further_deviation(coarse.log[i], c.times(by_errors_of_test(coarse, i)));
   }
   return sigma;
+}
+
+void Uncertainty::settle_cross() {
+  for (CrossScatter& c : cross)
+    c.law = CrossLaw(c.power, nominal[c.reading], nominal[c.reading] + bias[c.reading]);
 }
 
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
@@ -287,6 +288,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   for (CrossScatter& c : u.cross) c.power = added_square(form.row(c.reading), coarse[c.reading]);
   u.bias = form.rowwise().mean();
   form.colwise() -= u.bias;
+  u.settle_cross();
   u.form = covariance(form);
   if (!without.contains("form")) u.form += own_damping;
   u.healthy = form + noise;

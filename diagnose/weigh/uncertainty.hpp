@@ -37,6 +37,8 @@ struct Uncertainty {
   Eigen::VectorXd expected(const Answered& coarse) const;
   // By how much readings along other axes scatter there beyond `form`; of all others zero.
   Eigen::VectorXd further_cross(const Answered& coarse) const;
+  // The laws of `cross` follow from the nominal readings and their bias: after either changed.
+  void settle_cross();
 };
 
 // `without`: groups left out, for ablations: "form", "nuisance", "reassembly".
