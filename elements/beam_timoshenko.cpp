@@ -93,10 +93,6 @@ Matrix4d bending_mass(double mass, double inertia, double phi, double L) {
   return m;
 }
 
-} // namespace
-
-namespace {
-
 Matrix12 local_stiffness(const BeamProperties& s, double L) {
   Matrix12 K = Matrix12::Zero();
   for (const auto& [i, k] : {std::pair{0, s.EA / L}, std::pair{3, s.GJ / L}}) {

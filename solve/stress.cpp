@@ -148,10 +148,6 @@ MatrixXd shell_stress(const Model& model, const Points& points, Eigen::Index col
   return stress;
 }
 
-} // namespace
-
-namespace {
-
 // stress_of(shell): rows of its corners; beam_stress(beam): rows of its fibres.
 template <class ShellStress, class BeamStress>
 StressField recovered(const Model& model, Eigen::Index columns, const ShellStress& stress_of,

@@ -135,6 +135,28 @@ TEST(Judge, is_not_sure_of_an_effect_beside_a_set_without_it) {
   EXPECT_EQ(with_it.judgement(false).verdict, Verdict::identified);
 }
 
+// A friction and a dent were called the cause where a mass was missing: the law of slip was allowed
+// to be off by what the mass did.
+TEST(Judge, does_not_say_several_where_a_law_of_slip_leaves_a_tenth_of_the_gap) {
+  Fits fits;
+  fits.add_gap("joint_friction", 4);
+  fits.add_gap("local_damage", 11);
+  JudgedFit& set = fits.add_pair("joint_friction", "local_damage", 0);
+  Fits::leave(set, 3);
+  EXPECT_EQ(fits.judgement_of_gaps(12).verdict, Verdict::several) << "a sixteenth";
+  Fits::leave(set, 3.9);
+  EXPECT_EQ(fits.judgement_of_gaps(12).verdict, Verdict::mostly);
+  const Referee strict{.to_all = {}, .to_most = [](const JudgedFit& lead) -> Objection {
+                         if (lead.fit.together.size() == 1) return {};
+                         return {.why = "closes 1 %", .small = {lead.fit.together[1]}};
+                       }};
+  fits.sets.back().fit.together[0] = fits.singles[0].fit.together[0];
+  const Judgement j = fits.judgement_of_gaps(12, strict);
+  EXPECT_EQ(j.verdict, Verdict::mostly);
+  ASSERT_EQ(j.named.size(), 1u);
+  EXPECT_EQ(j.named[0]->fit.effects(), std::vector<std::string>{"joint_friction"});
+}
+
 // Of pairs that explain the test none is five nats ahead of one of its halves.
 TEST(Judge, says_not_settled_of_what_explains_the_test_but_is_not_far_ahead) {
   Fits fits;

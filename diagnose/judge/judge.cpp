@@ -74,6 +74,13 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Effec
   return standing;
 }
 
+// What a law of slip is allowed to be off may hide what else acts: where that is a tenth of the gap,
+// a set is not all of the cause, though it is adequate.
+bool leaves_room(const JudgedFit& nominal, const JudgedFit& set) {
+  return set.gap_after > threshold::most_allowed &&
+         set.gap_after > std::sqrt(threshold::least_closed) * nominal.gap_after;
+}
+
 // Of standing sets the first of each choice of effects that is not told apart from the best. Where
 // these are more than three, nothing says what acts beside what they share.
 std::vector<const JudgedFit*> choices_alike(const std::vector<const JudgedFit*>& standing) {
@@ -302,7 +309,8 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
   }
   const auto standing = standing_sets(none, effects, sets, standards.apart);
   const auto different = choices_alike(standing);
-  if (!standing.empty() && different.size() <= threshold::most_listed) {
+  const bool few = different.size() <= threshold::most_listed;
+  if (!standing.empty() && few && !leaves_room(nominal, *standing.front())) {
     result.named = standing;
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);
@@ -317,7 +325,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
   }
   take_over(inclusion, result);
   name_most(nominal, inclusion, referee.to_most, result);
-  if (result.verdict == Verdict::unknown && !different.empty()) {
+  if (result.verdict == Verdict::unknown && !few) {
     result.verdict = Verdict::ambiguous;
     result.named = different;
     result.named.resize(threshold::most_listed);

@@ -12,6 +12,8 @@
 //               each free parameter; with it all sets within 5 of it that are as adequate, whether
 //               or not held-out readings speak for them. Where more than three of different effects
 //               come within 3 nothing says what acts beside what they share: mostly, or ambiguous
+//               Where the law of something that slips is allowed to be off by a tenth of the gap,
+//               that may be what else acts: mostly, with what closes as much
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
 //               every other adequate effect, no parameter beyond |z| = 3, held-out readings met.
 //               What is beyond |z| = 3 can be no cause that is sure, but has to be told apart

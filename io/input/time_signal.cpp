@@ -53,10 +53,6 @@ void read_signal(SampledSignal& signal, const UnitPowers& wanted,
     input_error(key + ".file", "has samples that are no numbers", "a record without gaps");
 }
 
-} // namespace
-
-namespace {
-
 // Every signal with what it must be measured in and its key.
 struct WantedSignal {
   SampledSignal& signal;

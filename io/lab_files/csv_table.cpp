@@ -145,10 +145,6 @@ bool is_numeric(const Row& row, bool decimal_comma) {
   });
 }
 
-} // namespace
-
-namespace {
-
 std::string text_of(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     bad(path, 0, "", "is no file", "the path of a CSV file");

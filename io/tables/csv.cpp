@@ -22,10 +22,6 @@ std::string line(const std::vector<std::string>& cells) {
   return text + "\n";
 }
 
-} // namespace
-
-namespace {
-
 // What a spreadsheet would take for a formula, and execute: a text with such a beginning that is no
 // number.
 bool is_formula(const std::string& text) {
