@@ -157,6 +157,49 @@ TEST(Judge, does_not_say_several_where_a_law_of_slip_leaves_a_tenth_of_the_gap) 
   EXPECT_EQ(j.named[0]->fit.effects(), std::vector<std::string>{"joint_friction"});
 }
 
+// A mass of the liner was named where a mass of a cap and one spread over the wall explain the test
+// as well: another place of the same effect is another cause.
+TEST(Judge, is_not_sure_of_a_place_beside_a_set_with_another) {
+  Fits fits;
+  fits.add("component_mass", 20, true, "interlock");
+  fits.add("component_mass", 2, false, "cap");
+  fits.add("unweighed_mass", 12, false);
+  JudgedFit& set = fits.add_pair("component_mass", "unweighed_mass", 18);
+  set.fit.together[0] = fits.singles[1].fit.together[0];
+  set.fit.together[1] = fits.singles[2].fit.together[0];
+  const Judgement j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_EQ(j.withheld, "component_mass at cap and unweighed_mass at here explain as much");
+  fits.singles[2].fit.log_evidence = 15.5; // explains nearly as much without the cap
+  EXPECT_EQ(fits.judgement(false).verdict, Verdict::identified);
+}
+
+// What a stranger does is imitated to the edge of what is adequate, where few that are healthy lie.
+TEST(Judge, is_not_sure_of_what_leaves_more_than_nine_of_ten_healthy_specimens) {
+  Fits single;
+  JudgedFit& mass = single.add_gap("added_mass", 1);
+  mass.adequate = mass.at_the_edge = true;
+  Judgement j = single.judgement_of_gaps(12);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_EQ(j.withheld, "nine of ten healthy specimens leave less");
+  EXPECT_NEAR(j.probability_of("added_mass"), 0.5, 0.01);
+  Fits fits;
+  fits.add_gap("added_mass", 4);
+  fits.add_gap("sensor_gain", 11);
+  JudgedFit& set = fits.add_pair("added_mass", "sensor_gain", 0);
+  Fits::leave(set, 1);
+  set.at_the_edge = true;
+  j = fits.judgement_of_gaps(12);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_TRUE(j.names_sets());
+  EXPECT_NEAR(j.probability_of("added_mass"), 0.5, 0.01);
+  EXPECT_EQ(headline(fits.nominal(false), j),
+            "Ambiguous: added_mass at here and sensor_gain at here; nine of ten healthy specimens "
+            "leave less");
+  fits.sets.back().at_the_edge = false;
+  EXPECT_EQ(fits.judgement_of_gaps(12).verdict, Verdict::several);
+}
+
 // Of pairs that explain the test none is five nats ahead of one of its halves.
 TEST(Judge, says_not_settled_of_what_explains_the_test_but_is_not_far_ahead) {
   Fits fits;

@@ -136,11 +136,23 @@ private:
     for (LedgerSet& set :
          sets_beside(*best_of(found_.nominal, judgement), found_.beside, found_.inclusion))
       sets.push_back(std::move(set));
+    if (judgement.verdict == Verdict::unknown && !sets.empty()) sets.push_back(none_of(sets));
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
     if (members.empty()) return;
     std::vector<std::vector<NamedEffect>> groups = alternatives(members);
     for (std::size_t i = 0; i < groups.size(); ++i)
       result_.ledger.rows[i].effects = std::move(groups[i]);
+  }
+
+  // What comes nearest where nothing is named has no more of the gap than it is probable.
+  LedgerSet none_of(const std::vector<LedgerSet>& sets) const {
+    double weight = 0, probability = 0;
+    for (const LedgerSet& set : sets) weight += set.weight;
+    for (const Hypothesis* h : sets.front().fit->together)
+      probability = std::max(probability, found_.judgement.probability_of(h->effect));
+    constexpr double least = 1e-3;
+    probability = std::clamp(probability, least, 1.);
+    return {.fit = nullptr, .weight = weight * (1 - probability) / probability};
   }
 
   // How probable a set is beside the first that is named.

@@ -51,7 +51,7 @@ public:
     return account(shapley(closed, n), deviation);
   }
 
-  OneDraw nothing() const { return account(VectorXd(), nominal_); }
+  OneDraw nothing(Index effects = 0) const { return account(VectorXd::Zero(effects), nominal_); }
 
 private:
   double gap_of(const VectorXd& deviation) const {
@@ -223,6 +223,11 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
   for (const LedgerSet& set : sets) weights += set.weight;
   for (const LedgerSet& set : sets) {
     constexpr int fewest = 20;
+    if (!set.fit && !draws.empty()) {
+      draws.push_back(accounts.nothing(draws.front().effects.size()));
+      draws.back().weight = set.weight;
+    }
+    if (!set.fit) continue;
     const std::vector<VectorXd> points = points_of(
         *set.fit, std::max(fewest, int(std::lround(draws_in_all * set.weight / weights))));
     const auto [together, own] = accounted(set, points);

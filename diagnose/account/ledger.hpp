@@ -13,7 +13,7 @@ namespace plica {
 // certain and is left out of the account. Fits without draws are represented by the Gaussian at
 // their optimum.
 struct LedgerSet {
-  const HypothesisFit* fit = nullptr;
+  const HypothesisFit* fit = nullptr; // null: none of the effects that the others have
   double weight = 1;
   std::vector<std::size_t> members = {};
 };
@@ -23,7 +23,8 @@ struct LedgerSet {
 std::vector<LedgerSet> sets_beside(const JudgedFit& lead, const std::vector<JudgedFit>& beside,
                                    const Inclusion& inclusion);
 
-// Rows of effects come first, without their `effects`; none where `sets` is empty.
+// Rows of effects come first, without their `effects`; none where `sets` is empty. The first has a
+// fit.
 Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
                  const std::vector<LedgerSet>& sets);
 

@@ -30,6 +30,14 @@ bool all_needed(const JudgedFit& set, const std::vector<EffectFits>& effects,
   return true;
 }
 
+// The same against what has the others where the set has them.
+bool needed_where_they_are(const JudgedFit& set, const Inclusion& inclusion) {
+  return std::all_of(set.fit.together.begin(), set.fit.together.end(), [&](const Hypothesis* h) {
+    const JudgedFit* rest = inclusion.without(set, {h});
+    return !rest || evidence_of(set.fit) - evidence_of(rest->fit) >= threshold::alike;
+  });
+}
+
 // Whether a set is far enough ahead of all that are smaller.
 bool is_ahead(const JudgedFit& set, double none, const std::vector<EffectFits>& effects,
               const std::vector<JudgedFit>& sets) {
@@ -74,8 +82,8 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Effec
   return standing;
 }
 
-// What a law of slip is allowed to be off may hide what else acts: where that is a tenth of the gap,
-// a set is not all of the cause, though it is adequate.
+// What a law of slip is allowed to be off may hide what else acts: where that is a tenth of the
+// gap, a set is not all of the cause, though it is adequate.
 bool leaves_room(const JudgedFit& nominal, const JudgedFit& set) {
   return set.gap_after > threshold::most_allowed &&
          set.gap_after > std::sqrt(threshold::least_closed) * nominal.gap_after;
@@ -157,23 +165,29 @@ void weigh_with_doubt(double apart, Judgement& result) {
 }
 
 // What explains the test as well as what leads: an effect that closes none of the gap, which is not
-// named, or several effects without it. What leads is not sure then.
+// named, or several effects without it at its place. What leads is not sure then.
 std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector<JudgedFit>& sets,
-                       const EffectFits& lead, double apart) {
+                       const Inclusion& inclusion, const EffectFits& lead, double apart) {
   for (const EffectFits& f : effects)
     if (f.best->adequate && !f.best->fails_held_out && f.best->explains_nothing &&
         lead.log_evidence - f.log_evidence < apart)
       return name_of(f.best->fit) + " explains as much, and closes none of the gap";
+  const std::string& place = lead.best->fit.together[0]->place;
   for (const JudgedFit& set : sets) {
-    const std::vector<std::string> members = set.fit.effects();
-    if (set.fit.solved && set.credible() && !set.too_free() &&
+    bool has_effect = false, has_lead = false;
+    for (const Hypothesis* h : set.fit.together) {
+      has_effect = has_effect || h->effect == lead.effect;
+      has_lead = has_lead || (h->effect == lead.effect && h->place == place);
+    }
+    if (set.fit.solved && set.credible() && !set.too_free() && !has_lead &&
         lead.log_evidence - evidence_of(set.fit) < threshold::alike &&
-        std::find(members.begin(), members.end(), lead.effect) == members.end() &&
-        all_needed(set, effects, sets))
+        (has_effect ? needed_where_they_are(set, inclusion) : all_needed(set, effects, sets)))
       return name_of(set.fit) + " explain as much";
   }
   return "";
 }
+
+constexpr const char* edge_words = "nine of ten healthy specimens leave less";
 
 // Effects that are told apart from all others, or a list of those that are not: `rivals` stand, but
 // too far out of their priors to be named alone; `outdone`: why what leads is not sure.
@@ -194,6 +208,8 @@ void name_singles(const std::vector<const EffectFits*>& credible,
       result.named.push_back(f->best);
   result.withheld = result.named.front()->saturated();
   if (result.withheld.empty()) result.withheld = outdone;
+  if (result.withheld.empty() && result.named.size() == 1 && result.named.front()->at_the_edge)
+    result.withheld = edge_words;
   if (result.withheld.empty() && result.named.size() == 1 && objecting) {
     Objection objection = objecting(*result.named.front());
     result.withheld = std::move(objection.why);
@@ -314,11 +330,18 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     result.named = standing;
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);
+    if (standing.front()->at_the_edge) {
+      result.verdict = Verdict::ambiguous;
+      result.named = different;
+      result.withheld = edge_words;
+      claim_no_more_than_is_closed(nominal, standing.front(), result);
+    }
     return result;
   }
   if (!credible.empty() && best - none >= standards.evidence) {
-    name_singles(credible, rivals, outdone_by(effects, sets, *credible.front(), standards.apart),
-                 none, standards, referee.to_all, result);
+    name_singles(credible, rivals,
+                 outdone_by(effects, sets, inclusion, *credible.front(), standards.apart), none,
+                 standards, referee.to_all, result);
     if (!result.withheld.empty())
       claim_no_more_than_is_closed(nominal, result.named.front(), result);
     return result;

@@ -11,7 +11,7 @@
 //               readings in turn (the interval of their shrink above zero), and three readings for
 //               each free parameter; with it all sets within 5 of it that are as adequate, whether
 //               or not held-out readings speak for them. Where more than three of different effects
-//               come within 3 nothing says what acts beside what they share: mostly, or ambiguous
+//               come within 3 nothing says what acts beside what they share: mostly, or ambiguous.
 //               Where the law of something that slips is allowed to be off by a tenth of the gap,
 //               that may be what else acts: mostly, with what closes as much
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
@@ -20,12 +20,13 @@
 //   ambiguous   several adequate effects within that of the best, up to three of them, or all that
 //               are within 3; or what would be identified has as many free parameters as there are
 //               fitted readings, closes less than half of the gap, foretells readings taken in
-//               turn no better than no effect does, or is within 5 of what is as adequate and
-//               closes nothing, or of a set without it: then up to three effects within 8 of it. Or
-//               sets of which too many explain the test alike to be several. A parameter is free
-//               where its posterior is narrower than half its prior, or a move within the prior
-//               changes a reading by a tenth of its standard deviation. Of a list none is sure: 5
-//               nats are odds of nine to one
+//               turn no better than no effect does, leaves more than nine of ten healthy specimens
+//               do, or is within 5 of what is as adequate and closes nothing, or within 3 of a set
+//               without it at its place: then up to three effects within 8 of it. Or sets of which
+//               too many explain the test alike to be several, or the best leaves more than nine of
+//               ten healthy specimens do. A parameter is free where its posterior is narrower than
+//               half its prior, or a move within the prior changes a reading by a tenth of its
+//               standard deviation. Of a list none is sure: 5 nats are odds of nine to one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings

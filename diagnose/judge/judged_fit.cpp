@@ -64,9 +64,11 @@ Standards standards_of(const FitContext& context, const Whitening& held_out,
   };
   s.healthy_chi2 = of_healthy(context, by(context.fitted));
   s.chi2 = point(s.healthy_chi2, threshold::healthy);
-  s.chi2_of_means =
-      point(of_healthy(context, [&](const VectorXd& d) { return scores.of_means(d); }),
-            threshold::healthy);
+  s.sure_chi2 = point(s.healthy_chi2, threshold::sure);
+  const std::vector<double> of_means =
+      of_healthy(context, [&](const VectorXd& d) { return scores.of_means(d); });
+  s.chi2_of_means = point(of_means, threshold::healthy);
+  s.sure_chi2_of_means = point(of_means, threshold::sure);
   if (!held_out.rows().empty())
     s.held_out_chi2 = point(of_healthy(context, by(held_out)), threshold::healthy_held_out);
   return s;
@@ -98,6 +100,9 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   j.adequate = !standards.gate ||
                (j.fit.chi2 <= standards.chi2 && j.worst.first <= standards.worst_block &&
                 j.chi2_of_means <= standards.chi2_of_means && (slips || j.gap_after <= allowed));
+  j.at_the_edge =
+      standards.gate && j.adequate &&
+      (j.fit.chi2 > standards.sure_chi2 || j.chi2_of_means > standards.sure_chi2_of_means);
   j.absurd = j.fit.farthest > threshold::absurd_z;
   j.free_parameters = free_parameters(j.fit);
   std::tie(j.readings, j.moved) = fitted_and_moved(j.fit, context);

@@ -14,6 +14,7 @@ namespace plica {
 // Of healthy specimens; computed once per test.
 struct Standards {
   double chi2 = 0, chi2_of_means = 0, held_out_chi2 = 0; // 99 %, 99 % and 99.9 % points
+  double sure_chi2 = 0, sure_chi2_of_means = 0;          // 90 % points
   double worst_block = threshold::worst_block;
   double evidence = threshold::over_nothing; // ln BF over the nominal case
   double apart = threshold::effects_apart;
@@ -32,6 +33,7 @@ struct JudgedFit {
   std::pair<double, std::string> worst;
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;
+  bool at_the_edge = false; // adequate, though nine of ten healthy specimens leave less
   int free_parameters = 0;
   Eigen::Index readings = 0, moved = 0; // fitted, and that it moves; a shape counts as one
   // It closes nothing of the gap, or less than a tenth where the nominal case does not explain the

@@ -8,6 +8,7 @@ namespace plica::threshold {
 
 // Of healthy specimens.
 inline constexpr double healthy = 0.99;           // share of them that is adequate
+inline constexpr double sure = 0.9;               // that leave more than what is named for sure
 inline constexpr double healthy_held_out = 0.999; // the same, on held-out readings
 inline constexpr double worst_block = 3.3;        // standard score of the worst block
 
