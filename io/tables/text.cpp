@@ -1,5 +1,7 @@
 #include "io/tables/text.hpp"
 
+#include "run/results/computed_numbers.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -133,11 +135,11 @@ namespace {
 HeadlineQuantity quantity_of(const std::string& key) {
   std::string rest = key.size() > 2 ? key.substr(2) : "";
   std::replace(rest.begin(), rest.end(), '_', ' ');
-  if (key.starts_with("k_")) return {key, rest + " stiffness", "N/m"};
-  if (key.starts_with("f_")) return {key, "first " + rest + " mode", "Hz"};
-  if (key.starts_with("life_")) return {key, "stress range, " + key.substr(5), "Pa"};
-  if (key == "mass") return {key, "mass", "kg"};
-  return {key, key, ""};
+  const std::string name = key.starts_with("k_")      ? rest + " stiffness"
+                           : key.starts_with("f_")    ? "first " + rest + " mode"
+                           : key.starts_with("life_") ? "stress range, " + key.substr(5)
+                                                      : key;
+  return {key, name, unit_of_result(key)};
 }
 
 int rank(const std::string& key) {
