@@ -301,8 +301,7 @@ private:
 
 } // namespace
 
-Results run(const Case& data, const std::function<void(const std::string&)>& stage,
-            ReductionMemory* memory, Shapes shapes) {
+Results run(const Case& data, const StageListener& stage, ReductionMemory* memory, Shapes shapes) {
   return run_by_route(
       data, stage,
       {.route =
