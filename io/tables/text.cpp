@@ -95,8 +95,8 @@ void require_one_row_per_node(const Results& results) {
   }
 }
 
-std::string proof_sentence(const Verification& v, std::string (*number)(double, int)) {
-  if (!v.made) return "Not proved: the proof that no mode is missing was not asked for.";
+ProofWords proof_words(const Verification& v, std::string (*number)(double, int)) {
+  if (!v.made) return {"Not proved", ": the proof that no mode is missing was not asked for."};
   const std::string counts = fmt::format(
       "inertia counts {} {} below {} Hz and {} {} found (largest residual {}, orthogonality {}, "
       "rounding {})",
@@ -104,10 +104,10 @@ std::string proof_sentence(const Verification& v, std::string (*number)(double, 
       v.found, v.found == 1 ? "was" : "were", number(v.max_residual, 2), number(v.orthogonality, 2),
       number(v.rounding, 2));
   if (v.passed)
-    return "Proved, no mode " + (v.of.empty() ? "" : "of " + v.of + " ") + "is missing: " + counts +
-           ".";
-  const std::string reason = v.reason.empty() ? "." : ": " + v.reason;
-  return "Not proved, the check failed: " + counts + reason;
+    return {"Proved", ", no mode " + (v.of.empty() ? "" : "of " + v.of + " ") +
+                          "is missing: " + counts + "."};
+  return {"Not proved",
+          ", the check failed: " + counts + (v.reason.empty() ? "." : ": " + v.reason)};
 }
 
 std::string mesh_error_percent(double value, const MeshError& error) {
