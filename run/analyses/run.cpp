@@ -24,7 +24,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {
@@ -264,9 +264,8 @@ private:
 
   void warn_of_levels(const LevelResponses& responses) {
     const auto warn = [&](double level, const std::string& what) {
-      const std::string text = fmt::sprintf("%g ", level);
-      results_.warnings.push_back("levels, excitation " + responses.excitation + ", " + text +
-                                  responses.unit + ": " + what);
+      results_.warnings.push_back(fmt::format("levels, excitation {}, {:g} {}: {}",
+                                              responses.excitation, level, responses.unit, what));
     };
     for (const LevelCurve& curve : responses.curves) {
       if (!curve.complete)
