@@ -53,7 +53,8 @@ struct ChosenCase {
   std::map<std::string, std::string> set; // path: new value, put into the case before it is read
 };
 void add_case(CLI::App& command, ChosenCase& chosen);
-void add_state(CLI::App& command, ChosenCase& chosen); // --state
+void add_state(CLI::App& command, ChosenCase& chosen);       // --state
+void add_measured(CLI::App& command, std::string& measured); // the test, in place of the case's
 
 // --out and --quiet; of commands with a report --only.
 struct Output {

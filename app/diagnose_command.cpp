@@ -46,7 +46,7 @@ const MeasuredFile& required(const std::optional<MeasuredFile>& test, const Case
           .line = 0,
           .key = "measured",
           .wrong = "the case has no test to be held against",
-          .allowed = "--measured DIR with a measured.yaml, or measured: in the case"}});
+          .allowed = "--measured FILE, a measured.yaml or its folder, or measured: in the case"}});
   return *test;
 }
 
@@ -233,10 +233,7 @@ void add_diagnose_command(CommandLine& line) {
       "diagnose", "where the gap to a test lies, which effect causes it, how far it shrinks",
       [options] { return diagnose_case(*options); });
   add_case(command, options->chosen);
-  command
-      .add_option("--measured", options->measured,
-                  "a measured.yaml, or its folder; left out: as the case says")
-      ->type_name("DIR");
+  add_measured(command, options->measured);
   command.add_option("--without", options->without, "leave a guard out, to see what it does")
       ->check(CLI::IsMember({"form", "nuisance", "reassembly", "adequacy", "levels", "heldout"}));
   command.add_flag("--fit-baseline", options->fit_baseline,

@@ -139,10 +139,7 @@ void add_fit_command(CommandLine& line) {
       line.add("fit", "adjust numbers of a case to measured data or to goals (its section fit)",
                [options] { return fit(*options); });
   add_case(command, options->chosen);
-  command
-      .add_option("--measured", options->measured,
-                  "a measured.yaml, or its folder; left out: as the case says")
-      ->type_name("FILE");
+  add_measured(command, options->measured);
   add_choice(command, "--search", options->search,
              {{"local", FitSearch::local}, {"global", FitSearch::global}},
              "from the values of the case, or over the whole box; left out: as the case says");

@@ -54,10 +54,10 @@ VariantResult run_variant(const CaseFile& file, const Case& changed, const std::
 
 // Work of a stage of the error bars, in runs for the headline: finer meshes cost more, those of
 // tolerances are coarse.
-double work_of(const std::string& stage) {
-  if (stage == stages::finer_along) return 2;
-  if (stage == stages::finer_around) return 1.5;
-  return stage.starts_with(stages::tolerance_of) ? 0.6 : 0.3;
+double work_of(const Stage& stage) {
+  if (stage.kind == stages::finer_along) return 2;
+  if (stage.kind == stages::finer_around) return 1.5;
+  return stage.kind == stages::tolerance_of ? 0.6 : 0.3;
 }
 
 // Runs that follow the first one. Their work is counted in runs for the headline; the first does
@@ -87,7 +87,7 @@ bool add_error_bars_and_variants(Results& results, const CaseFile& file, const P
   if (plan.bars) {
     double done = plan.first;
     try {
-      results.error_bars = error_bars(file.data, results, [&](const std::string& s) {
+      results.error_bars = error_bars(file.data, results, [&](const Stage& s) {
         progress.share(done / plan.all);
         progress.stage(s);
         done += work_of(s);
@@ -179,7 +179,7 @@ Results run_resolved(CaseFile& file, const Plan& plan, Progress& progress) {
     return located(file, [&] {
       return run(
           file.data,
-          [&](const std::string& s) {
+          [&](const Stage& s) {
             progress.share(plan.first / plan.all * shares.at(s));
             progress.stage(s);
           },

@@ -1,10 +1,7 @@
 #include "app/run_shares.hpp"
 
-#include "run/stages.hpp"
-
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <string_view>
 
 namespace plica {
@@ -12,20 +9,20 @@ namespace {
 
 // Seconds of a stage, by the way the case is solved (Route), in the order in which they come. A
 // stage that a way does not have counts nothing there.
-struct Stage {
-  std::string_view name; // or how it begins
+struct Known {
+  std::string_view kind;
   std::array<double, 3> seconds;
 };
 constexpr std::array all_stages{
-    Stage{stages::mesh, {0.15, 0.2, 0.1}},         Stage{stages::state, {1, 1, 5}},
-    Stage{stages::symmetry, {0.1, 0.1, 0.1}},      Stage{stages::reduction, {0, 1.1, 0}},
-    Stage{stages::assembly, {0, 1.3, 0.9}},        Stage{stages::factorisation, {0, 0, 1}},
-    Stage{stages::statics, {0.6, 0.1, 1.3}},       Stage{stages::modes, {1.6, 0.1, 4.7}},
-    Stage{stages::recovery, {0, 3.5, 0}},          Stage{stages::labels, {0.25, 3, 0.1}},
-    Stage{stages::complex_modes, {0.1, 0.1, 0.1}}, Stage{stages::response, {0.05, 0.05, 0.05}},
-    Stage{stages::direct_solution, {1, 1, 5}},     Stage{stages::dynamics, {0.5, 0.5, 0.5}},
-    Stage{stages::stress, {1.5, 1.5, 1.5}},        Stage{stages::joints, {0.1, 0.1, 0.1}},
-    Stage{stages::levels_of, {3, 3, 3}},           Stage{stages::life, {0.5, 0.5, 0.5}}};
+    Known{stages::mesh, {0.15, 0.2, 0.1}},         Known{stages::state, {1, 1, 5}},
+    Known{stages::symmetry, {0.1, 0.1, 0.1}},      Known{stages::reduction, {0, 1.1, 0}},
+    Known{stages::assembly, {0, 1.3, 0.9}},        Known{stages::factorisation, {0, 0, 1}},
+    Known{stages::statics, {0.6, 0.1, 1.3}},       Known{stages::modes, {1.6, 0.1, 4.7}},
+    Known{stages::recovery, {0, 3.5, 0}},          Known{stages::labels, {0.25, 3, 0.1}},
+    Known{stages::complex_modes, {0.1, 0.1, 0.1}}, Known{stages::response, {0.05, 0.05, 0.05}},
+    Known{stages::direct_solution, {1, 1, 5}},     Known{stages::dynamics, {0.5, 0.5, 0.5}},
+    Known{stages::stress, {1.5, 1.5, 1.5}},        Known{stages::joints, {0.1, 0.1, 0.1}},
+    Known{stages::levels_of, {3, 3, 3}},           Known{stages::life, {0.5, 0.5, 0.5}}};
 
 double times_of(std::string_view stage, const Case& data) {
   const Analyses& a = data.analyses;
@@ -54,7 +51,7 @@ double times_of(std::string_view stage, const Case& data) {
 } // namespace
 
 RunShares::RunShares(const Case& data) {
-  for (const Stage& stage : all_stages) times_.push_back(times_of(stage.name, data));
+  for (const Known& stage : all_stages) times_.push_back(times_of(stage.kind, data));
 }
 
 double RunShares::before(std::size_t stage) const {
@@ -64,20 +61,16 @@ double RunShares::before(std::size_t stage) const {
   return work;
 }
 
-double RunShares::at(const std::string& stage) {
-  if (stage == stages::assembly && route_ == Route::by_symmetry) route_ = Route::full;
-  if (stage == stages::reduction) route_ = Route::reduced;
-  const auto found = std::find_if(all_stages.begin(), all_stages.end(), [&](const Stage& known) {
-    return stage.starts_with(known.name);
-  });
+double RunShares::at(const Stage& stage) {
+  if (stage.kind == stages::assembly && route_ == Route::by_symmetry) route_ = Route::full;
+  if (stage.kind == stages::reduction) route_ = Route::reduced;
+  const auto found = std::find_if(all_stages.begin(), all_stages.end(),
+                                  [&](const Known& known) { return stage.kind == known.kind; });
   if (found == all_stages.end()) return share_;
-  const auto number = std::size_t(found - all_stages.begin());
-  double done = before(number);
-  if (const std::string loaded = stages::state_at; stage.starts_with(loaded))
-    done += found->seconds[std::size_t(route_)] *
-            std::clamp(std::atof(stage.c_str() + loaded.size()) / 100, 0., 1.);
-  if (stage.starts_with(stages::levels_of))
-    done += level_runs_++ * found->seconds[std::size_t(route_)];
+  const double seconds = found->seconds[std::size_t(route_)];
+  double done =
+      before(std::size_t(found - all_stages.begin())) + seconds * std::clamp(stage.done, 0., 1.);
+  if (stage.kind == stages::levels_of) done += level_runs_++ * seconds;
   return share_ = std::max(share_, done / before(all_stages.size()));
 }
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "model/description/case.hpp"
+#include "run/stages.hpp"
 
-#include <string>
 #include <vector>
 
 namespace plica {
@@ -16,7 +16,7 @@ public:
 
   // Share that is done when a stage of `run()` begins, 0 to 1; it does not fall. Of a stage that is
   // not known it is that of the last one.
-  double at(const std::string& stage);
+  double at(const Stage& stage);
 
 private:
   enum class Route { by_symmetry, reduced, full };

@@ -45,6 +45,13 @@ void add_state(CLI::App& command, ChosenCase& chosen) {
       ->type_name("NAME");
 }
 
+void add_measured(CLI::App& command, std::string& measured) {
+  command
+      .add_option("--measured", measured,
+                  "a measured.yaml, or its folder; left out: as the case says")
+      ->type_name("FILE");
+}
+
 void add_output(CLI::App& command, Output& output) {
   add_folder(command, output);
   command

@@ -4,6 +4,7 @@
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "compare/compare.hpp"
+#include "io/files/tree_path.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/tables/json.hpp"
 #include "io/tables/result_path.hpp"
@@ -16,6 +17,7 @@
 #include <charconv>
 #include <chrono>
 #include <fmt/core.h>
+#include <set>
 
 namespace plica {
 namespace {
@@ -38,11 +40,14 @@ double seconds_since(Clock::time_point start) {
 
 // What modes and static stiffness answer: all else is run as the case asks.
 bool is_headline(const std::string& result) {
-  const std::string first = result.substr(0, result.find_first_of(".["));
-  return (first == "headline" || first == "static" || first == "modes" || first == "model" ||
-          first == "verification") &&
-         result.find("damp") == std::string::npos && result.find("place") == std::string::npos &&
-         result.find("label") == std::string::npos;
+  static const std::set<std::string> sections{"headline", "static", "modes", "model",
+                                              "verification"};
+  static const std::set<std::string> beyond{"damping", "damped_frequency", "place", "label"};
+  const std::vector<TreeStep> steps = steps_of(result);
+  return !steps.empty() && sections.contains(steps.front().key) &&
+         std::none_of(steps.begin(), steps.end(), [](const TreeStep& step) {
+           return beyond.contains(step.key) || step.key.starts_with("life_");
+         });
 }
 
 // What was wrong, without the name of the file, which is the same in every row.
@@ -209,9 +214,8 @@ int write_table(const SweepOptions& options, const Sweep& sweep) {
                                       [](const auto& row) { return row.has_value(); });
       say_failure("plica: every variant failed, the first for: " + (*first)->failure);
       return 1;
-    } catch (const InputError& error) {
-      const bool busy = error.problems().front().wrong.starts_with("another plica");
-      if (!busy || tries == 0) throw;
+    } catch (const FolderInUse&) {
+      if (tries == 0) throw;
       std::this_thread::sleep_for(wait);
     }
   }

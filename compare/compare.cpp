@@ -5,11 +5,12 @@
 #include "lab/measured/slope_at.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/connector_curve.hpp"
+#include "words/units.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <limits>
 
 namespace plica {
@@ -52,11 +53,6 @@ std::optional<double> over_stroke_of(const Results& results, const MeasuredStati
                  ? force_at(c.points, *k.stroke) / *k.stroke
                  : slope_at([&](double x) { return force_at(c.points, x); }, *k.stroke);
   return std::nullopt;
-}
-
-std::string millimetres_of(double length) {
-  const std::string text = fmt::sprintf("%g mm", 1e3 * length);
-  return text;
 }
 
 // Response to motion of the base along an axis; null when there is none.
@@ -129,9 +125,9 @@ void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& resul
               return sensor == measured.sensor && axis == word_of(measured.direction);
             });
         if (peak == curve.peaks_up.end()) continue;
-        const std::string of = fmt::sprintf(" of the first peak at %s in %s, base %s, %g m/s2",
-                                            measured.sensor.c_str(), word_of(measured.direction),
-                                            word_of(measured.base), curve.level);
+        const std::string of =
+            fmt::format(" of the first peak at {} in {}, base {}, {:g} m/s2", measured.sensor,
+                        word_of(measured.direction), word_of(measured.base), curve.level);
         rows.push_back({.quantity = std::string("frequency") + of,
                         .unit = "Hz",
                         .measured = measured.frequency[k],
@@ -202,14 +198,13 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
       if (in_direction(*response, static_cast<int>(c), *m.direction)) cross = std::max(cross, high);
     }
     if (cross > 1e-3 * largest) continue;
-    const std::string text = fmt::sprintf(
-        "the test saw %.0f Hz in %s while the base moved in %s; the model answers in %s "
-        "with %.1g of its largest channel. It has no path from one to the other: only what "
+    remarks.push_back(fmt::format(
+        "the test saw {:.0f} Hz in {} while the base moved in {}; the model answers in {} "
+        "with {:.1g} of its largest channel. It has no path from one to the other: only what "
         "breaks its symmetry (a dent, a sensor's mass, a flexible fixture, a base that "
-        "also moves in %s) can make one.",
+        "also moves in {}) can make one.",
         m.frequency, word_of(*m.direction), word_of(*m.base), word_of(*m.direction),
-        largest > 0 ? cross / largest : 0, word_of(*m.direction));
-    remarks.emplace_back(text);
+        largest > 0 ? cross / largest : 0, word_of(*m.direction)));
   }
   return remarks;
 }
@@ -231,7 +226,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
     const std::optional<double> over_stroke = over_stroke_of(results, k);
     std::string name = found.name;
     if (over_stroke)
-      name += (k.slope == StaticSlope::secant ? " over " : " at ") + millimetres_of(*k.stroke);
+      name += (k.slope == StaticSlope::secant ? " over " : " at ") + millimetres(*k.stroke);
     rows.push_back({.quantity = name,
                     .unit = found.unit,
                     .measured = k.value,

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <stdexcept>
 
 namespace plica {
@@ -64,8 +64,7 @@ TestReadings planned(const TestPlan& plan, const Case& data, std::vector<std::st
   for (int base : plan.bases)
     for (double level : plan.levels) {
       append_readings(all, sweep_readings(data, base, level, sensors.front(), sensors));
-      const std::string text = fmt::sprintf("a sweep along %s at %g m/s2", axis_word(base), level);
-      words.emplace_back(text);
+      words.push_back(fmt::format("a sweep along {} at {:g} m/s2", axis_word(base), level));
     }
   for (Reading& r : all.readings) r.sigma = usual_sigma(r.kind) / 2;
   return all;

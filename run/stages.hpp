@@ -1,7 +1,27 @@
-// Names of the stages of a run: who begins one and who shows how far a run is take them from here.
+// Stages of a run: who begins one and who shows how far a run is take their kinds from here.
 #pragma once
 
-namespace plica::stages {
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace plica {
+
+// What a run does next. It is said as its kind with the words behind it: "levels of y".
+struct Stage {
+  Stage(const char* of_kind, std::string behind = "", double share = 0)
+      : kind(of_kind), words(std::move(behind)), done(share) {}
+  operator std::string() const { return std::string(kind) + words; }
+
+  std::string_view kind;
+  std::string words;
+  double done; // share of the stage that lies behind, where it is told more than once
+};
+
+using StageListener = std::function<void(const Stage&)>;
+
+namespace stages {
 
 inline constexpr const char *mesh = "mesh", *state = "state", *symmetry = "symmetry",
                             *reduction = "reduction", *assembly = "assembly",
@@ -11,9 +31,10 @@ inline constexpr const char *mesh = "mesh", *state = "state", *symmetry = "symme
                             *direct_solution = "direct solution",
                             *dynamics = "transients and run-ups", *stress = "stress",
                             *joints = "reduced model of the joints", *life = "life";
-// How far the state is follows the first, what is excited the second, a path in the case the third.
-inline constexpr const char *state_at = "state, ", *levels_of = "levels of ",
-                            *tolerance_of = "tolerance of ";
+// What is excited follows the first, a path in the case the second.
+inline constexpr const char *levels_of = "levels of ", *tolerance_of = "tolerance of ";
 inline constexpr const char *finer_along = "finer along", *finer_around = "finer around";
 
-} // namespace plica::stages
+} // namespace stages
+
+} // namespace plica

@@ -55,9 +55,10 @@ TEST(CertificateReport, escapes_what_did_not_pass_once) {
   ReducedCase r;
   r.element.name = "bellows";
   r.certificate.failures = {"K < 0 at \"left\""};
-  const std::string html = certificate_report(r);
+  const std::string html = certificate_report(r, "mm t s N rad");
   EXPECT_NE(html.find("<li>K &lt; 0"), std::string::npos);
   EXPECT_EQ(html.find("&amp;lt;"), std::string::npos);
+  EXPECT_NE(html.find("mm t s N rad"), std::string::npos);
 }
 
 // Force over displacement of the sensor by the rows is that of the whole field.

@@ -11,6 +11,7 @@
 #include "io/tables/text.hpp"
 #include "io/write/vtu.hpp"
 #include "io/write/write_results.hpp"
+#include "run/results/computed_numbers.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace {
@@ -236,6 +238,25 @@ TEST(Headline, takes_the_lowest_mode_of_each_shape) {
   EXPECT_EQ(numbers.at("k_axial"), r.statics->k_axial);
   EXPECT_EQ(numbers.at("mass"), 1.7093);
   EXPECT_EQ(numbers.count("f_torsion"), 0U);
+}
+
+TEST(Headline, has_a_unit_for_each_result) {
+  for (const auto& [path, unit] :
+       std::map<std::string, std::string>{{"mass", "kg"},
+                                          {"model.mass", "kg"},
+                                          {"k_axial", "N/m"},
+                                          {"headline.k_axial", "N/m"},
+                                          {"static.k_transverse.x", "N/m"},
+                                          {"static.k_bending.z", "Nm/rad"},
+                                          {"k_torsion", "Nm/rad"},
+                                          {"f_torsion", "Hz"},
+                                          {"modes[0].frequency", "Hz"},
+                                          {"life_road", "Pa"},
+                                          {"headline.life_road", "Pa"},
+                                          {"damage", ""},
+                                          {"life.spots[0].damage", ""},
+                                          {"modes[0].residual", ""}})
+    EXPECT_EQ(unit_of_result(path), unit) << path;
 }
 
 TEST(Numbers, keep_integer_digits_and_drop_what_is_not_finite) {

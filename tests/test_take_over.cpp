@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -158,6 +159,33 @@ TEST(TakeOver, writes_a_case_that_reads_as_what_it_was_made_of) {
   EXPECT_TRUE(again.data.models.empty());
   EXPECT_TRUE(fs::exists(folder / again.data.measured)) << again.data.measured;
   EXPECT_EQ(text.find(" \n"), std::string::npos);
+}
+
+TEST(TakeOver, names_the_signals_of_histories_and_knows_them_as_files_of_the_case) {
+  const test::TemporaryFolder temporary("take_over_signals");
+  const fs::path& folder = temporary.path;
+  const CaseFile file = read_case((cases / "bellow_a2_life/bellow_a2_life.yaml").string());
+  const std::vector<fs::path> files = files_of(file);
+  EXPECT_GT(std::count(files.begin(), files.end(), cases / "bellow_a2_life/trip.csv"), 0);
+  std::ofstream(folder / "explained.yaml") << yaml_of(file, {}, {}, folder);
+  const CaseFile again = read_case((folder / "explained.yaml").string());
+  const auto &before = file.data.analyses.life->histories.at(0).signals,
+             &after = again.data.analyses.life->histories.at(0).signals;
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i)
+    EXPECT_EQ(after[i].signal.samples, before[i].signal.samples) << after[i].signal.file;
+}
+
+TEST(TakeOver, goes_into_the_case_as_it_was_read) {
+  const test::TemporaryFolder temporary("take_over_kept");
+  const fs::path path = temporary.path / "beam.yaml";
+  fs::copy_file(cases / "cantilever_masses/cantilever_masses.yaml", path);
+  const CaseFile file = read_case(path.string());
+  std::ofstream(path) << "case: another\n";
+  ExplainedCase explained =
+      explained_case(file, {{"parts.m1.mass", "0.3"}}, {}, {}, temporary.path);
+  EXPECT_EQ(*number_at(explained.data, "parts.m1.mass"), 0.3);
+  EXPECT_EQ(*number_at(explained.data, "parts.m2.mass"), 0.15);
 }
 
 // Two sets that the test cannot tell apart are not in it together: of each row the first effect is.

@@ -1,13 +1,13 @@
 #include "compare/fit/fit.hpp"
 
 #include "model/description/case_path.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fmt/printf.h>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -208,32 +208,28 @@ private:
   }
 
   void warn(FitResult& fit) const {
-    const auto number = [](double v) {
-      const std::string text = fmt::sprintf("%.4g", v);
-      return std::string(text);
-    };
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
       const FittedParameter& p = fit.parameters[i];
       const FitParameter& asked = request_.parameters[i];
       if (p.at_bound)
         fit.warnings.push_back(p.path + " sits at its " +
                                (p.value == asked.bounds[0] ? "lower" : "upper") + " bound, " +
-                               number(p.value) + ": the data would push it further");
+                               short_text(p.value, 4) + ": the data would push it further");
       if (asked.physical && (p.value < (*asked.physical)[0] || p.value > (*asked.physical)[1]))
-        fit.warnings.push_back(p.path + " left its physical range: " + number(p.value) +
-                               " is outside of " + number((*asked.physical)[0]) + " to " +
-                               number((*asked.physical)[1]) +
+        fit.warnings.push_back(p.path + " left its physical range: " + short_text(p.value, 4) +
+                               " is outside of " + short_text((*asked.physical)[0], 4) + " to " +
+                               short_text((*asked.physical)[1], 4) +
                                ". This fit compensates for something else.");
       if (asked.prior && std::abs(prior_residual(asked, p.value)) > 3)
         fit.warnings.push_back(p.path + " lies " +
-                               number(std::abs(prior_residual(asked, p.value))) +
+                               short_text(std::abs(prior_residual(asked, p.value)), 4) +
                                " standard deviations from what was known of it");
     }
     for (std::size_t i = 0; i < fit.constraints.size(); ++i) {
       const FittedConstraint& c = fit.constraints[i];
       const double sigmas = std::abs(problem_.broken(i, c.value));
       if (sigmas > 2)
-        fit.warnings.push_back("constraint '" + c.name + "' is broken: " + number(c.value));
+        fit.warnings.push_back("constraint '" + c.name + "' is broken: " + short_text(c.value, 4));
       else if (sigmas > 0)
         fit.warnings.push_back(
             "constraint '" + c.name + "' holds the design" +
@@ -242,13 +238,14 @@ private:
     for (const FittedTarget& t : fit.targets)
       if (!t.held_out && std::abs(std::log(t.value / t.measured)) > 3 * t.sigma / t.measured)
         fit.warnings.push_back(
-            t.quantity + " is missed by " + number(100 * (t.value / t.measured - 1)) + " %, " +
-            number(std::abs(std::log(t.value / t.measured)) * t.measured / t.sigma) +
+            t.quantity + " is missed by " + short_text(100 * (t.value / t.measured - 1), 4) +
+            " %, " +
+            short_text(std::abs(std::log(t.value / t.measured)) * t.measured / t.sigma, 4) +
             " standard deviations: the model cannot meet all targets");
     for (const FittedStiffness& s : fit.stiffness)
       if (!s.held_out && s.value > 3 * s.sigma)
-        fit.warnings.push_back(s.name + " is missed by " + number(100 * s.value) +
-                               " % of its magnitude, " + number(s.value / s.sigma) +
+        fit.warnings.push_back(s.name + " is missed by " + short_text(100 * s.value, 4) +
+                               " % of its magnitude, " + short_text(s.value / s.sigma, 4) +
                                " standard deviations: the model cannot meet all targets");
     if (!fit.converged && !fit.stopped)
       fit.warnings.push_back("the search did not converge: " + fit.reason);

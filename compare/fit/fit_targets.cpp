@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <stdexcept>
 
 namespace plica {
@@ -219,10 +219,7 @@ void FitProblem::add_curve(const FrfSet& set, std::size_t r, std::size_t c,
       set.H[r].col(Index(c)).cwiseAbs().maxCoeff() < silent * set.H[r].cwiseAbs().maxCoeff())
     return;
   curve.name = curve.response + " by " + curve.reference;
-  if (set.level) {
-    const std::string level = fmt::sprintf(" at %g", *set.level);
-    curve.name += level;
-  }
+  if (set.level) curve.name += fmt::format(" at {:g}", *set.level);
   known += ", " + curve.name;
   const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
                                   [&](const FitTarget& t) { return t.quantity == curve.name; });

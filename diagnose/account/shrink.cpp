@@ -13,7 +13,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <map>
 #include <random>
 
@@ -187,8 +187,7 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   add("level", [&](const Reading& r) {
     const TestRun* run = run_of(r);
     if (!run || !(run->level > 0)) return std::string();
-    const std::string text = fmt::sprintf("%g %s", run->level, run->by_force ? "N" : "m/s2");
-    return std::string(text);
+    return fmt::format("{:g} {}", run->level, run->by_force ? "N" : "m/s2");
   });
   add("direction", [&](const Reading& r) {
     const TestRun* run = run_of(r);

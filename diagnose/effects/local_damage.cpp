@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace plica {
@@ -160,7 +160,7 @@ std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
     for (int k : stations_of(wall.convolutions))
       for (int i = 0; i < directions; ++i) {
         const double angle = std::numbers::pi * i / directions;
-        const std::string way = fmt::sprintf("%g degrees", 180. * i / directions);
+        const std::string way = fmt::format("{:g} degrees", 180. * i / directions);
         found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way,
                                {[quads = damaged(s.built.model, wall, k, angle)](Model& model) {
                                   halve_modulus(model, quads);

@@ -2,8 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <fmt/core.h>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {

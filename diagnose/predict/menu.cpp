@@ -4,7 +4,7 @@
 #include "model/description/end_caps.hpp"
 
 #include <algorithm>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <set>
 
 namespace plica {
@@ -61,10 +61,7 @@ public:
   }
 
 private:
-  static std::string at(double level) {
-    const std::string text = fmt::sprintf(" (%g m/s2)", level);
-    return text;
-  }
+  static std::string at(double level) { return fmt::format(" ({:g} m/s2)", level); }
 
   static TestReadings numbers(ReadingKind kind, StaticDirection direction) {
     TestReadings t;

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/printf.h>
 #include <map>
 #include <tuple>
 
@@ -55,11 +54,10 @@ void widen_by_repeats(TestReadings& test) {
         r.sigma = sigma;
       }
     if (assumed == 0) continue;
-    const std::string text = fmt::sprintf(
-        "repeated measurements of a %s scatter by %.2g %% (standard deviation) where %.2g "
-        "%% was assumed: taken for all that state none",
-        name, 100 * sigma, 100 * assumed);
-    test.warnings.emplace_back(text);
+    test.warnings.push_back(fmt::format(
+        "repeated measurements of a {} scatter by {:.2g} % (standard deviation) where {:.2g} "
+        "% was assumed: taken for all that state none",
+        name, 100 * sigma, 100 * assumed));
   }
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {
@@ -92,11 +92,10 @@ private:
             return std::abs(std::log(hertz / own.highest)) < near;
           }))
         continue;
-      const std::string text = fmt::sprintf(
-          "%s: the highest peak at %g m/s2, %.4g Hz, is not among those at %g m/s2: "
+      list_.all.warnings.push_back(fmt::format(
+          "{}: the highest peak at {:g} m/s2, {:.4g} Hz, is not among those at {:g} m/s2: "
           "something that no reading holds changes with the level",
-          entry_name("frf", next->entry.number).c_str(), run.level, own.highest, at.level);
-      list_.all.warnings.emplace_back(text);
+          entry_name("frf", next->entry.number), run.level, own.highest, at.level));
     }
   }
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -38,15 +38,15 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
     label.direction = directions[std::size_t(r.axis)];
     label.band = r.rig.driving_point ? "driving point" : "transfer";
     if (r.stroke > 0)
-      label.band += fmt::sprintf(r.axis < 3 ? ", %g mm" : ", %g deg",
-                                 r.stroke * (r.axis < 3 ? 1e3 : 180 / std::numbers::pi));
+      label.band += fmt::format(", {:g} {}", r.stroke * (r.axis < 3 ? 1e3 : 180 / std::numbers::pi),
+                                r.axis < 3 ? "mm" : "deg");
   }
   if (r.run < 0) return label;
   const TestRun& run = test.runs[std::size_t(r.run)];
   if (!run.input.any()) {
     label.band = r.name.substr(r.name.find("damping of ") == 0 ? 11 : 0);
     label.band = label.band.substr(0, label.band.find_first_of(r.of_shape < 0 ? "," : ":,"));
-    if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
+    if (run.level > 0 && run.by_force) label.band += fmt::format(", {:g} N", run.level);
     if (run.level > 0 && !run.by_force) label.level = run.level;
     if (r.axis >= 0) label.direction = axis_word(r.axis);
     return label;
@@ -58,7 +58,7 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
     label.direction = word_of(run.input);
   }
   label.band = "peak " + std::to_string(r.peak + 1);
-  if (run.level > 0 && run.by_force) label.band += fmt::sprintf(", %g N", run.level);
+  if (run.level > 0 && run.by_force) label.band += fmt::format(", {:g} N", run.level);
   if (run.level > 0 && !run.by_force) label.level = run.level;
   return label;
 }
@@ -82,10 +82,7 @@ std::string name_of(const LocatedGap& b) {
     return b.kind.empty() ? b.component : b.component + ": " + b.kind + ", " + b.band;
   if (!b.direction.empty()) name += " in " + b.direction;
   if (!b.band.empty()) name += ", " + b.band;
-  if (b.level) {
-    const std::string text = fmt::sprintf(", %g m/s2", *b.level);
-    name += text;
-  }
+  if (b.level) name += fmt::format(", {:g} m/s2", *b.level);
   return b.state.empty() ? name : name + ", " + b.state;
 }
 

@@ -1,5 +1,6 @@
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_properties.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ std::vector<Station> stations_of(const Card& card, const std::vector<double>& at
   for (std::size_t i = 0; i < at_b.size(); ++i) at_b[i] = given.back().numbers[i].value_or(at_a[i]);
   for (const Given& g : given) {
     if (!(g.x > all.back().x && g.x <= 1))
-      card.wrong("has a station at X/XB " + std::to_string(g.x), "one of each place above 0, to 1");
+      card.wrong("has a station at X/XB " + short_text(g.x, 4), "one of each place above 0, to 1");
     Station& station = all.emplace_back(Station{g.x, {}});
     for (std::size_t i = 0; i < at_a.size(); ++i)
       station.numbers.push_back(g.numbers[i].value_or(at_a[i] + g.x * (at_b[i] - at_a[i])));

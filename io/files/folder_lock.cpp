@@ -1,7 +1,5 @@
 #include "io/files/folder_lock.hpp"
 
-#include "words/input_error.hpp"
-
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -67,8 +65,11 @@ bool FolderLock::take() {
   if (fcntl(handle_, F_SETLK, &lock) != 0 && (errno == EACCES || errno == EAGAIN)) {
     const std::string holder = holder_of(handle_);
     close(handle_);
-    refuse(folder, "another plica (" + holder + ") is writing here",
-           "wait until it has ended, or another folder with --out");
+    throw FolderInUse({{.file = folder.string(),
+                        .line = 0,
+                        .key = "",
+                        .wrong = "another plica (" + holder + ") is writing here",
+                        .allowed = "wait until it has ended, or another folder with --out"}});
   }
   if (!is_named(handle_, file_)) {
     close(handle_);

@@ -5,14 +5,23 @@
 // Where the file system knows no locks, none is taken.
 #pragma once
 
+#include "words/input_error.hpp"
+
 #include <filesystem>
 #include <string>
 
 namespace plica {
 
+// Another command is at work on it: later it may be free.
+class FolderInUse : public InputError {
+public:
+  using InputError::InputError;
+};
+
 class FolderLock {
 public:
-  // InputError, with the process, when another command writes here, or when nothing can be written.
+  // FolderInUse, with the process, when another command writes here; InputError when nothing can be
+  // written.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -1,6 +1,7 @@
 #include "io/input/case_file.hpp"
 
 #include "io/decks/read_deck.hpp"
+#include "io/input/case_models.hpp"
 #include "io/input/field_reader.hpp"
 #include "io/input/fit_input.hpp"
 #include "io/input/phases_alone.hpp"
@@ -172,52 +173,6 @@ Case read_variant(YamlNode tree, const Case& data, const Variant& variant, const
   return result;
 }
 
-// The tree with the sections of one of its models in place of those of the case, and what it sets.
-YamlNode as_model(const YamlNode& root, const YamlEntry& model, ReadLog& log) {
-  static constexpr std::array replaced{"assumptions", "parts",    "caps", "mount",
-                                       "sensors",     "variants", "fit"};
-  YamlNode tree = root;
-  std::erase_if(tree.entries, [&](const YamlEntry& e) {
-    return e.key == "models" || e.key == "variants" || e.key == "fit" ||
-           (model.value.find(e.key) &&
-            std::find(replaced.begin(), replaced.end(), e.key) != replaced.end());
-  });
-  for (const YamlEntry& section : model.value.entries)
-    if (std::find(replaced.begin(), replaced.end(), section.key) != replaced.end())
-      tree.entries.push_back(section);
-  const YamlNode* set = model.value.find("set");
-  if (!set && !model.value.find("parts"))
-    log.add(model.line, below("models", model.key), "is no other model",
-            "give parts, or set: {path: new value}");
-  if (!set) return tree;
-  for (const YamlEntry& change : set->entries) {
-    const PathProblem problem = put(tree, change.key, to_yaml(change.value), change.line);
-    if (!problem.wrong.empty())
-      log.add(change.line, below(below(below("models", model.key), "set"), change.key),
-              problem.wrong, problem.allowed);
-  }
-  return tree;
-}
-
-// The models of the tree; empty when there are none.
-std::vector<YamlEntry> models_of(const YamlNode& root) {
-  const YamlNode* models = root.find("models");
-  return models ? models->entries : std::vector<YamlEntry>{};
-}
-
-// The tree of the model asked for; a problem in the log when there is none of that name.
-YamlNode chosen_model(const YamlNode& root, const std::string& name, ReadLog& log) {
-  std::vector<std::string> names;
-  for (const YamlEntry& entry : models_of(root)) {
-    if (entry.key == name) return as_model(root, entry, log);
-    names.push_back(entry.key);
-  }
-  const YamlNode* models = root.find("models");
-  log.add(models ? models->line : 1, "models", "there is no model '" + shown(name) + "'",
-          names.empty() ? "the case has no other models" : suggestion(name, names));
-  return root;
-}
-
 std::vector<Case> read_variants(const YamlNode& root, const Case& data, const std::string& path,
                                 const ReadLog& log, ReadLog& changed) {
   std::vector<Case> variants;
@@ -254,10 +209,9 @@ void check_models(const YamlNode& root, const std::string& path, const ReadLog& 
 }
 
 // `whole`: with its variants, its fit, its other models.
-CaseFile read(const std::string& path, const std::string& model, const Replacements& overrides,
+CaseFile read(YamlFile yaml, ReadLog log, const std::string& model, const Replacements& overrides,
               bool whole) {
-  ReadLog log{.file = path};
-  YamlFile yaml = read_yaml(path, log.problems);
+  const std::string path = log.file;
   YamlNode& root = yaml.root;
   if (root.kind == YamlNode::Kind::null) throw InputError(std::move(log.problems));
   const YamlNode as_written = root;
@@ -284,6 +238,13 @@ CaseFile read(const std::string& path, const std::string& model, const Replaceme
   return file;
 }
 
+CaseFile read(const std::string& path, const std::string& model, const Replacements& overrides,
+              bool whole) {
+  ReadLog log{.file = path};
+  YamlFile yaml = read_yaml(path, log.problems);
+  return read(std::move(yaml), std::move(log), model, overrides, whole);
+}
+
 // The tree of what was read, with its model and what was put into it.
 YamlNode tree_of(const CaseFile& file, ReadLog& log) {
   YamlNode root = parse_yaml(file.text, file.path, log.problems);
@@ -302,6 +263,12 @@ CaseFile read_case(const std::string& path, const std::string& model,
 CaseFile read_case_with(const std::string& path, const std::string& model,
                         const Replacements& set) {
   return read(path, model, set, true);
+}
+
+CaseFile read_case(const CaseFile& kept, const Replacements& overrides) {
+  ReadLog log{.file = kept.path};
+  YamlFile yaml{.text = kept.text, .root = parse_yaml(kept.text, kept.path, log.problems)};
+  return read(std::move(yaml), std::move(log), kept.data.model, overrides, overrides.empty());
 }
 
 std::string test_named_in(const std::string& path, const std::string& model,
@@ -364,19 +331,17 @@ std::string yaml_of(const CaseFile& file, const std::map<std::string, std::strin
     for (YamlEntry& part : parts->entries)
       if (YamlNode* geometry = part.value.find("file"))
         geometry->text = from_folder(here / geometry->text);
-  if (YamlNode* analyses = root.find("analyses"))
-    if (YamlNode* transients = analyses->find("transients"))
-      for (YamlNode& transient : transients->items)
-        if (YamlNode* signal = transient.find("signal"))
-          if (YamlNode* samples = signal->find("file"))
-            samples->text = from_folder(here / samples->text);
+  const auto put_file = [&](const std::string& key, const fs::path& path) {
+    YamlNode name;
+    name.kind = YamlNode::Kind::scalar;
+    name.text = from_folder(path);
+    put(root, key, to_yaml(name), 0);
+  };
+  for (const SignalFile& signal : signal_files(file.data.analyses))
+    put_file(signal.key + ".file", here / signal.file);
   const YamlNode* named = root.find("measured");
-  if (named || !measured.empty()) {
-    YamlNode path;
-    path.kind = YamlNode::Kind::scalar;
-    path.text = from_folder(measured.empty() ? here / named->text : measured);
-    put(root, "measured", to_yaml(path), 0);
-  }
+  if (named || !measured.empty())
+    put_file("measured", measured.empty() ? here / named->text : measured);
   return to_yaml_file(root);
 }
 
@@ -389,8 +354,8 @@ std::vector<std::filesystem::path> files_of(const CaseFile& file) {
       files.insert(files.end(), deck->content->files.begin(), deck->content->files.end());
   }
   const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
-  for (const Transient& t : file.data.analyses.transients)
-    if (t.signal) files.push_back(folder / t.signal->file);
+  for (const SignalFile& signal : signal_files(file.data.analyses))
+    files.push_back(folder / signal.file);
   return files;
 }
 

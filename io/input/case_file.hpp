@@ -35,6 +35,10 @@ struct CaseFile {
 CaseFile read_case(const std::string& path, const std::string& model = {},
                    const Replacements& overrides = {});
 
+// The text that was kept, whatever the file says by now, with others in place of what was put into
+// it.
+CaseFile read_case(const CaseFile& kept, const Replacements& overrides);
+
 // The same with variants and fit, as if the file said so itself.
 CaseFile read_case_with(const std::string& path, const std::string& model, const Replacements& set);
 
@@ -65,7 +69,7 @@ private:
 std::string yaml_of(const CaseFile& file, const std::map<std::string, std::string>& changes,
                     const std::filesystem::path& measured, const std::filesystem::path& folder);
 
-// It, and the files of its parts: geometry, decks with what they include.
+// It, the files of its parts (geometry, decks with what they include) and of its signals.
 std::vector<std::filesystem::path> files_of(const CaseFile& file);
 
 } // namespace plica

@@ -53,48 +53,49 @@ void read_signal(SampledSignal& signal, const UnitPowers& wanted,
     input_error(key + ".file", "has samples that are no numbers", "a record without gaps");
 }
 
-// Every signal with what it must be measured in and its key.
-struct WantedSignal {
-  SampledSignal& signal;
-  UnitPowers unit;
-  std::string key;
-};
-
-std::vector<WantedSignal> signals_of(Analyses& a) {
-  std::vector<WantedSignal> all;
-  for (std::size_t i = 0; a.response && i < a.transients.size(); ++i)
-    if (Transient& t = a.transients[i]; t.signal)
-      all.push_back({*t.signal, unit_of(t.of, *a.response),
-                     "analyses.transients[" + std::to_string(i) + "].signal"});
-  if (!a.life) return all;
+// `visit` takes every signal, what it acts by, the component of the end's movement it is (-1: it is
+// of an excitation) and its key.
+template <class A, class Visit> void each_signal(A& a, const Visit& visit) {
+  for (std::size_t i = 0; i < a.transients.size(); ++i)
+    if (auto& t = a.transients[i]; t.signal)
+      visit(*t.signal, t.of, -1, "analyses.transients[" + std::to_string(i) + "].signal");
+  if (!a.life) return;
   for (std::size_t h = 0; h < a.life->histories.size(); ++h)
     for (std::size_t i = 0; i < a.life->histories[h].signals.size(); ++i) {
-      LifeSignal& s = a.life->histories[h].signals[i];
-      const int shift = end_shift_index(s.of);
-      if (shift < 0 && !a.response) continue;
-      all.push_back({s.signal,
-                     shift < 0   ? unit_of(s.of, *a.response)
-                     : shift < 3 ? powers::displacement
-                                 : powers::angle,
-                     "analyses.life.histories[" + std::to_string(h) + "].signals[" +
-                         std::to_string(i) + "]"});
+      auto& s = a.life->histories[h].signals[i];
+      visit(s.signal, s.of, end_shift_index(s.of),
+            "analyses.life.histories[" + std::to_string(h) + "].signals[" + std::to_string(i) +
+                "]");
     }
-  return all;
 }
 
 } // namespace
 
 void read_signals(Case& data, const std::filesystem::path& folder) {
   std::vector<InputProblem> problems;
-  for (const WantedSignal& wanted : signals_of(data.analyses)) {
-    if (wanted.signal.file.empty()) continue;
-    try {
-      read_signal(wanted.signal, wanted.unit, folder, wanted.key);
-    } catch (const InputError& error) {
-      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
-    }
-  }
+  const auto& response = data.analyses.response;
+  each_signal(data.analyses,
+              [&](SampledSignal& signal, const std::string& of, int shift, const std::string& key) {
+                if (signal.file.empty() || (shift < 0 && !response)) return;
+                const UnitPowers wanted = shift < 0   ? unit_of(of, *response)
+                                          : shift < 3 ? powers::displacement
+                                                      : powers::angle;
+                try {
+                  read_signal(signal, wanted, folder, key);
+                } catch (const InputError& error) {
+                  problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+                }
+              });
   if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+std::vector<SignalFile> signal_files(const Analyses& analyses) {
+  std::vector<SignalFile> files;
+  each_signal(analyses,
+              [&](const SampledSignal& signal, const std::string&, int, const std::string& key) {
+                files.push_back({signal.file, key});
+              });
+  return files;
 }
 
 } // namespace plica

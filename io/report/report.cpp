@@ -33,11 +33,10 @@ std::string head_html(const Results& results) {
   if (!results.modes.empty()) {
     Verification verification = results.verification;
     verification.reason = html_escape(verification.reason);
-    const std::string sentence = proof_sentence(verification, html_number);
-    const std::size_t verdict = sentence.find_first_of(":,");
+    const ProofWords proof = proof_words(verification, html_number);
     const bool is_good = verification.made && verification.passed;
     html += fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;{}</b>{}</p>\n", is_good ? "" : " open",
-                        is_good ? "✓" : "!", sentence.substr(0, verdict), sentence.substr(verdict));
+                        is_good ? "✓" : "!", proof.verdict, proof.rest);
   }
   return html;
 }

@@ -11,7 +11,7 @@ namespace plica {
 // Empty when nothing was reduced.
 std::string superelements_html(const Results& results);
 
-// A whole page.
-std::string certificate_report(const ReducedCase& reduced);
+// A whole page, of an element in SI. `units`: of the files that it stands beside.
+std::string certificate_report(const ReducedCase& reduced, const std::string& units);
 
 } // namespace plica

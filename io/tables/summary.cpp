@@ -292,7 +292,8 @@ std::string levels_table(const Results& results) {
 }
 
 std::string modes_table(const Results& results) {
-  const std::string proof = "\n" + proof_sentence(results.verification) + "\n";
+  const ProofWords words = proof_words(results.verification);
+  const std::string proof = "\n" + words.verdict + words.rest + "\n";
   if (results.modes.empty())
     return results.verification.made ? "\nModes\n  none in the band asked for\n" + proof : "";
   std::vector<Row> rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};

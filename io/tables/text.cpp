@@ -1,5 +1,7 @@
 #include "io/tables/text.hpp"
 
+#include "run/results/computed_numbers.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,8 +95,8 @@ void require_one_row_per_node(const Results& results) {
   }
 }
 
-std::string proof_sentence(const Verification& v, std::string (*number)(double, int)) {
-  if (!v.made) return "Not proved: the proof that no mode is missing was not asked for.";
+ProofWords proof_words(const Verification& v, std::string (*number)(double, int)) {
+  if (!v.made) return {"Not proved", ": the proof that no mode is missing was not asked for."};
   const std::string counts = fmt::format(
       "inertia counts {} {} below {} Hz and {} {} found (largest residual {}, orthogonality {}, "
       "rounding {})",
@@ -102,10 +104,10 @@ std::string proof_sentence(const Verification& v, std::string (*number)(double, 
       v.found, v.found == 1 ? "was" : "were", number(v.max_residual, 2), number(v.orthogonality, 2),
       number(v.rounding, 2));
   if (v.passed)
-    return "Proved, no mode " + (v.of.empty() ? "" : "of " + v.of + " ") + "is missing: " + counts +
-           ".";
-  const std::string reason = v.reason.empty() ? "." : ": " + v.reason;
-  return "Not proved, the check failed: " + counts + reason;
+    return {"Proved", ", no mode " + (v.of.empty() ? "" : "of " + v.of + " ") +
+                          "is missing: " + counts + "."};
+  return {"Not proved",
+          ", the check failed: " + counts + (v.reason.empty() ? "." : ": " + v.reason)};
 }
 
 std::string mesh_error_percent(double value, const MeshError& error) {
@@ -133,11 +135,11 @@ namespace {
 HeadlineQuantity quantity_of(const std::string& key) {
   std::string rest = key.size() > 2 ? key.substr(2) : "";
   std::replace(rest.begin(), rest.end(), '_', ' ');
-  if (key.starts_with("k_")) return {key, rest + " stiffness", "N/m"};
-  if (key.starts_with("f_")) return {key, "first " + rest + " mode", "Hz"};
-  if (key.starts_with("life_")) return {key, "stress range, " + key.substr(5), "Pa"};
-  if (key == "mass") return {key, "mass", "kg"};
-  return {key, key, ""};
+  const std::string name = key.starts_with("k_")      ? rest + " stiffness"
+                           : key.starts_with("f_")    ? "first " + rest + " mode"
+                           : key.starts_with("life_") ? "stress range, " + key.substr(5)
+                                                      : key;
+  return {key, name, unit_of_result(key)};
 }
 
 int rank(const std::string& key) {

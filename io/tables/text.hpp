@@ -57,9 +57,13 @@ std::string mesh_error_percent(const ModeResult& mode, const MeshError& error);
 // Unit of a static stiffness by its place in stiffness_names.
 std::string stiffness_unit(std::size_t which);
 
-// The proof of completeness as one plain sentence, numbers as `number` writes them.
-std::string proof_sentence(const Verification& verification,
-                           std::string (*number)(double value, int digits) = significant);
+// The proof of completeness as one plain sentence, its verdict and the rest; numbers as `number`
+// writes them.
+struct ProofWords {
+  std::string verdict, rest; // "Proved", ", no mode is missing: ..."
+};
+ProofWords proof_words(const Verification& verification,
+                       std::string (*number)(double value, int digits) = significant);
 
 struct ShownUnit {
   double factor = 1; // shown number = SI number * factor

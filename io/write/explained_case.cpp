@@ -24,7 +24,7 @@ ExplainedCase explained_case(const CaseFile& file, const CaseEdits& fitted, cons
   Replacements changes = file.set;
   const auto take = [&](const CaseEdits& edits) {
     for (const CaseEdit& edit : edits) changes[edit.path] = edit.value;
-    explained.data = read_case(file.path, file.data.model, changes).data;
+    explained.data = read_case(file, changes).data;
   };
   if (!fitted.empty()) take(fitted);
   for (const LedgerRow& row : d.ledger.rows) { // each into what those before it left

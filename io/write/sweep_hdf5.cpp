@@ -1,4 +1,5 @@
 #include "io/write/write_sweep.hpp"
+#include "run/results/computed_numbers.hpp"
 
 #include <H5Cpp.h>
 

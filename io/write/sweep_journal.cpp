@@ -1,8 +1,8 @@
 #include "io/write/sweep_journal.hpp"
 
 #include "io/files/files.hpp"
+#include "io/files/folder_lock.hpp"
 #include "io/files/json_text.hpp"
-#include "words/input_error.hpp"
 
 #include <cerrno>
 #include <cmath>
@@ -99,7 +99,11 @@ SweepJournal::SweepJournal(const fs::path& folder, int shard, int shards)
   lock.l_whence = SEEK_SET;
   if (fcntl(handle_, F_OFD_SETLK, &lock) != 0 && (errno == EACCES || errno == EAGAIN)) {
     close(handle_);
-    refuse(file_, "another plica is running this sweep", "wait until it has ended, or --shard");
+    throw FolderInUse({{.file = file_.string(),
+                        .line = 0,
+                        .key = "",
+                        .wrong = "another plica is running this sweep",
+                        .allowed = "wait until it has ended, or --shard"}});
   }
   std::string begin(std::strlen(first_line), '\0');
   const ssize_t n = pread(handle_, begin.data(), begin.size(), 0);

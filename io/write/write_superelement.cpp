@@ -162,7 +162,7 @@ void write_superelement(const ReducedCase& r, const SuperelementFormat& format, 
             matrix_market(*m.matrix, s.name + ", units: " + s.units));
   }
   out.add("superelement.json", json_text(sidecar(s, r)));
-  out.add("certificate.html", certificate_report(r));
+  out.add("certificate.html", certificate_report(r, s.units));
   out.add("certificate.json", certificate_json(r));
 }
 

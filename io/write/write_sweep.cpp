@@ -2,6 +2,7 @@
 
 #include "io/files/json_text.hpp"
 #include "io/tables/csv.hpp"
+#include "run/results/computed_numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -28,15 +29,6 @@ std::optional<double> value_of(const SweepRecord& record, const std::string& res
 }
 
 } // namespace
-
-std::string unit_of_result(const std::string& result) {
-  const std::string last = result.substr(result.rfind('.') + 1);
-  if (last == "mass") return "kg";
-  if (last == "frequency" || last.starts_with("f_")) return "Hz";
-  if (last == "k_axial" || result.find("k_transverse") != std::string::npos) return "N/m";
-  if (last == "k_torsion" || result.find("k_bending") != std::string::npos) return "Nm/rad";
-  return "";
-}
 
 SweepCounts counts_of(const SweepTable& table) {
   SweepCounts counts;

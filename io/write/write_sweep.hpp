@@ -34,9 +34,6 @@ std::vector<std::string> sweep_files();
 // sweep.csv, sweep.h5 and sweep.json: how many of what, and what the columns are.
 void write_sweep(const SweepTable& table, OutputFolder& out);
 
-// In SI; empty where it is not known.
-std::string unit_of_result(const std::string& result);
-
 // "sweep.csv: 9,998 variants, 2 failed", with the shards that are missing.
 std::string sweep_text(const SweepTable& table, int shards);
 

@@ -4,7 +4,7 @@
 #include "lab/identification/peak_picking.hpp"
 #include "lab/measured/measured_words.hpp"
 
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -51,26 +51,26 @@ bool all_positive(const std::vector<double>& list) {
 
 std::string words(const LevelVerdict& v) {
   const auto [low, high] = std::minmax_element(v.level.begin(), v.level.end());
-  const std::string range = fmt::sprintf("from %g to %g", *low, *high);
+  const std::string range = fmt::format("from {:g} to {:g}", *low, *high);
   if (v.linear) {
     const auto [f0, f1] = std::minmax_element(v.frequency.begin(), v.frequency.end());
-    return fmt::sprintf("linear within %.2g %% ", 100 * (*f1 / *f0 - 1)) + range;
+    return fmt::format("linear within {:.2g} % ", 100 * (*f1 / *f0 - 1)) + range;
   }
   std::string s = "amplitude dependent: ";
   const LevelSlope& f = v.frequency_slope;
   if (f.matters)
-    s += fmt::sprintf("the frequency %s by %.0f %% ", f.change < 0 ? "falls" : "rises",
-                      100 * std::abs(f.change)) +
-         range + fmt::sprintf(" (like level^%.2f)", f.slope);
+    s += fmt::format("the frequency {} by {:.0f} % ", f.change < 0 ? "falls" : "rises",
+                     100 * std::abs(f.change)) +
+         range + fmt::format(" (like level^{:.2f})", f.slope);
   if (v.damping_slope && v.damping_slope->matters)
-    s += fmt::sprintf("%sdamping %s by %.0f %%", f.matters ? ", " : "",
-                      v.damping_slope->change < 0 ? "falls" : "rises",
-                      100 * std::abs(v.damping_slope->change));
+    s += fmt::format("{}damping {} by {:.0f} %", f.matters ? ", " : "",
+                     v.damping_slope->change < 0 ? "falls" : "rises",
+                     100 * std::abs(v.damping_slope->change));
   if (v.amplitude_slope && v.amplitude_slope->matters)
-    s += fmt::sprintf("%sthe peak per unit of excitation %s by %.0f %%",
-                      f.matters || (v.damping_slope && v.damping_slope->matters) ? ", " : "",
-                      v.amplitude_slope->change < 0 ? "falls" : "rises",
-                      100 * std::abs(v.amplitude_slope->change));
+    s += fmt::format("{}the peak per unit of excitation {} by {:.0f} %",
+                     f.matters || (v.damping_slope && v.damping_slope->matters) ? ", " : "",
+                     v.amplitude_slope->change < 0 ? "falls" : "rises",
+                     100 * std::abs(v.amplitude_slope->change));
   if (f.matters)
     s += f.change < 0 ? "; softening, as friction or slipping plies give"
                       : "; hardening, as a gap or large displacement gives";

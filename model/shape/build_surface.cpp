@@ -1,9 +1,9 @@
 #include "model/shape/build_surface.hpp"
 
 #include "mesh/generation/surface_mesher.hpp"
+#include "words/units.hpp"
 
 #include <Eigen/Geometry>
-#include <fmt/printf.h>
 
 #include <mutex>
 #include <tuple>
@@ -12,11 +12,6 @@ namespace plica {
 namespace {
 
 using Eigen::Vector3d;
-
-std::string length_text(double length) {
-  const std::string text = fmt::sprintf("%.6g mm", 1e3 * length);
-  return text;
-}
 
 // Variants, error bars and diagnoses build a case many times.
 SurfaceFaces faces_once(const SurfacePart& part) {
@@ -66,9 +61,9 @@ void add_places(Mesh& mesh, const std::vector<SurfacePlace>& places) {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       if ((mesh.nodes[i] - at).norm() <= place.within) set.push_back(int(i));
     if (set.empty())
-      throw std::runtime_error("no node is within " + length_text(place.within) + " of the place " +
-                               place.name + " at [" + length_text(place.at[0]) + ", " +
-                               length_text(place.at[1]) + ", " + length_text(place.at[2]) + "]");
+      throw std::runtime_error("no node is within " + millimetres(place.within) + " of the place " +
+                               place.name + " at [" + millimetres(place.at[0]) + ", " +
+                               millimetres(place.at[1]) + ", " + millimetres(place.at[2]) + "]");
   }
 }
 

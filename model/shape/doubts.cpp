@@ -1,10 +1,10 @@
 #include "model/shape/doubts.hpp"
 
 #include "model/description/deck_model.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <fmt/printf.h>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -26,11 +26,6 @@ constexpr double widest_joint = 2;        // radii of the larger end that a cap 
 constexpr double heaviest = 100;          // kg, of a body in an exhaust system
 constexpr double highest_convolution = 1; // of the root radius
 constexpr double one_place = 1e-3;        // m: ends that lie there are one, however small they are
-
-std::string number(double x) {
-  const std::string text = fmt::sprintf("%.4g", x);
-  return text;
-}
 
 std::string listed(const std::set<std::string>& names) {
   std::string text;
@@ -124,12 +119,12 @@ private:
 
   void material(const std::string& of, double E, double rho) {
     if (!modulus.holds(E))
-      add(of + " has E = " + number(E) +
+      add(of + " has E = " + short_text(E, 4) +
           " Pa, which no metal has: is its unit missing or another?");
     if (rho == 0)
       add(of + " has no density: its wall moves without mass");
     else if (!density.holds(rho))
-      add(of + " has a density of " + number(rho) +
+      add(of + " has a density of " + short_text(rho, 4) +
           " kg/m3, which no solid has (steel: 7850 kg/m3, in a deck of t and mm 7.85e-9): is its "
           "unit missing or another?");
   }
@@ -156,18 +151,18 @@ private:
     });
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       if (!boxes_[i].isEmpty() && thickest[i] > thickest_wall * boxes_[i].sizes().maxCoeff())
-        add(model_.components[i] + " has a wall of " + number(1e3 * thickest[i]) +
-            " mm and is no larger than " + number(1e3 * boxes_[i].sizes().maxCoeff()) +
+        add(model_.components[i] + " has a wall of " + short_text(1e3 * thickest[i], 4) +
+            " mm and is no larger than " + short_text(1e3 * boxes_[i].sizes().maxCoeff(), 4) +
             " mm: lengths without unit are in m");
   }
 
   void turned(const std::string& name, const Triple& rotate) {
     for (double angle : rotate)
       if (std::abs(angle) > 2 * std::numbers::pi + 1e-9)
-        add("parts." + name + ".rotate turns by " + number(angle) +
+        add("parts." + name + ".rotate turns by " + short_text(angle, 4) +
             " rad: an angle without unit is "
             "in rad, write " +
-            number(angle) + " deg if you mean that");
+            short_text(angle, 4) + " deg if you mean that");
   }
 
   void placed(const std::string& name, const DeckPart& deck) {
@@ -179,8 +174,9 @@ private:
   void placed(const std::string& name, const Bellows& bellows) {
     for (const MeridianSection& section : bellows.profile)
       if (section.height > highest_convolution * bellows.root_radius)
-        add("parts." + name + ".profile has convolutions of " + number(1e3 * section.height) +
-            " mm on a pipe of radius " + number(1e3 * bellows.root_radius) + " mm");
+        add("parts." + name + ".profile has convolutions of " +
+            short_text(1e3 * section.height, 4) + " mm on a pipe of radius " +
+            short_text(1e3 * bellows.root_radius, 4) + " mm");
   }
 
   void placed(const std::string& name, const Interlock& liner) {
@@ -188,8 +184,9 @@ private:
     for (const Part& part : case_.parts)
       if (const auto* bellows = std::get_if<Bellows>(&part.body);
           bellows && part.name == liner.along && liner.radius > bellows->root_radius)
-        add("parts." + name + ".radius is " + number(1e3 * liner.radius) +
-            " mm, that of the bellows around it " + number(1e3 * bellows->root_radius) + " mm");
+        add("parts." + name + ".radius is " + short_text(1e3 * liner.radius, 4) +
+            " mm, that of the bellows around it " + short_text(1e3 * bellows->root_radius, 4) +
+            " mm");
   }
 
   void placed(const std::string& name, const PointMass& mass) {
@@ -197,14 +194,15 @@ private:
   }
 
   void heavy(const std::string& key, double mass) {
-    if (mass > heaviest) add(key + " is " + number(mass) + " kg: a mass without unit is in kg");
+    if (mass > heaviest)
+      add(key + " is " + short_text(mass, 4) + " kg: a mass without unit is in kg");
   }
 
   void placed(const std::string& name, const SurfacePart& surface) {
     turned(name, surface.rotate);
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       if (model_.components[i] == name && surface.size > boxes_[i].sizes().maxCoeff())
-        add("parts." + name + ".element_size is " + number(surface.size) +
+        add("parts." + name + ".element_size is " + short_text(surface.size, 4) +
             " m, more than the part is long: a length without unit is in m");
   }
 
@@ -214,7 +212,7 @@ private:
     Box box;
     for (const Eigen::Vector3d& x : model_.mesh.nodes) box.extend(x);
     if (box.isEmpty() || extent.holds(box.sizes().maxCoeff())) return;
-    add("the model is " + number(box.sizes().maxCoeff()) +
+    add("the model is " + short_text(box.sizes().maxCoeff(), 4) +
         " m long: lengths without unit are in m, those of a file in the unit stated for it");
   }
 
@@ -230,7 +228,7 @@ private:
         const double radius = std::max(a.sizes().maxCoeff(), b.sizes().maxCoeff()) / 2;
         if (apart > std::max(widest_joint * radius, one_place))
           add("cap " + cap.name + " joins " + cap.of[0] + " and " + cap.of[i] + " rigidly, " +
-              number(1e3 * apart) + " mm apart: is the part where it belongs?");
+              short_text(1e3 * apart, 4) + " mm apart: is the part where it belongs?");
       }
   }
 

@@ -298,8 +298,7 @@ void refuse_what_is_not_had(const Case& data) {
 
 } // namespace
 
-DeckStatics deck_statics(const Case& data, const BuiltCase& built,
-                         const std::function<void(const std::string&)>& stage) {
+DeckStatics deck_statics(const Case& data, const BuiltCase& built, const StageListener& stage) {
   refuse_what_is_not_had(data);
   stage(stages::statics);
   DeckStatics solved;

@@ -5,8 +5,7 @@
 
 #include "model/shape/build.hpp"
 #include "run/results/results.hpp"
-
-#include <functional>
+#include "run/stages.hpp"
 
 namespace plica {
 
@@ -18,7 +17,6 @@ struct DeckStatics {
 
 // `built`: the case as it is. Throws InputError (key analyses.static) with all that acts and is not
 // had, where a deck has no load case, and for a structure that is not held.
-DeckStatics deck_statics(const Case& data, const BuiltCase& built,
-                         const std::function<void(const std::string&)>& stage);
+DeckStatics deck_statics(const Case& data, const BuiltCase& built, const StageListener& stage);
 
 } // namespace plica

@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {
@@ -135,7 +135,7 @@ private:
             (modes_at[shares[i].node].empty() ? "" : ", ") + std::to_string(i + 1);
     for (const auto& [node, modes] : modes_at) {
       const Eigen::Vector3d& x = built_.model.mesh.nodes[std::size_t(node)];
-      const std::string at = fmt::sprintf("[%.4g, %.4g, %.4g] m", x[0], x[1], x[2]);
+      const std::string at = fmt::format("[{:.4g}, {:.4g}, {:.4g}] m", x[0], x[1], x[2]);
       results_.warnings.push_back(
           "mode " + modes + ": what sits on the one shell node at " + at +
           " turns about the normal of the wall, where a shell has no stiffness: the frequency is "
@@ -172,11 +172,11 @@ private:
       for (const DirectCheck& check : r.direct)
         if (!(check.difference < far_off))
           results_.warnings.push_back(
-              fmt::sprintf("response %s: the direct solution at %.4g Hz differs by %.2g %%; %s",
-                           r.excitation, check.frequency, 100 * check.difference,
-                           results_.reduced ? "raise the cut-off of analyses.reduction, or ask for "
-                                              "more modes"
-                                            : "ask for more modes"));
+              fmt::format("response {}: the direct solution at {:.4g} Hz differs by {:.2g} %; {}",
+                          r.excitation, check.frequency, 100 * check.difference,
+                          results_.reduced ? "raise the cut-off of analyses.reduction, or ask for "
+                                             "more modes"
+                                           : "ask for more modes"));
     lap("direct solution");
   }
 

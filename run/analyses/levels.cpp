@@ -195,7 +195,7 @@ public:
   }
 
   LevelResponses run(const StageListener& stage) {
-    stage(stages::levels_of + result_.excitation);
+    stage({stages::levels_of, result_.excitation});
     Stopwatch watch;
     const HarmonicSettings settings = harmonic_settings(levels_, levels_.method);
     std::vector<LevelSweep> sweeps(values_.size());

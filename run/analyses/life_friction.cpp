@@ -62,7 +62,7 @@ void LifeCount::add_friction_sweeps(const BuiltCase& slipping, Route& route,
 
 void LifeCount::add_friction_sweep(const LifeSweep& asked, const BuiltCase& slipping, Route& route,
                                    const StageListener& stage) {
-  stage("life, sweep " + asked.name);
+  stage({stages::life, ", sweep " + asked.name});
   const Case data = at_one_level(case_, asked);
   const Levels& levels = *data.analyses.levels;
   const JointedModel jointed = jointed_model(data, slipping, route);

@@ -3,6 +3,7 @@
 #include "lab/signals/peaks.hpp"
 #include "solve/frequency_grid.hpp"
 #include "words/input_error.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ void require_damping(const Response& asked, const DampedModes& modes) {
     const double f = frequency_of(modes, j);
     if (f < asked.band[0] || f > asked.band[1] || damping_of(modes, j) > 0) continue;
     input_error("analyses.response",
-                "mode " + std::to_string(j + 1) + " at " + std::to_string(f) +
+                "mode " + std::to_string(j + 1) + " at " + short_text(f, 5) +
                     " Hz has no damping, so its peak is infinite",
                 "give analyses.damping.modal, a range, a mode or a loss factor that reaches it");
   }

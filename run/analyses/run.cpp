@@ -19,11 +19,12 @@
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <fmt/printf.h>
+#include <fmt/format.h>
 
 namespace plica {
 namespace {
@@ -263,9 +264,8 @@ private:
 
   void warn_of_levels(const LevelResponses& responses) {
     const auto warn = [&](double level, const std::string& what) {
-      const std::string text = fmt::sprintf("%g ", level);
-      results_.warnings.push_back("levels, excitation " + responses.excitation + ", " + text +
-                                  responses.unit + ": " + what);
+      results_.warnings.push_back(fmt::format("levels, excitation {}, {:g} {}: {}",
+                                              responses.excitation, level, responses.unit, what));
     };
     for (const LevelCurve& curve : responses.curves) {
       if (!curve.complete)
@@ -277,7 +277,7 @@ private:
     for (const RefereeCheck& r : responses.referee)
       if (!r.settled || !(r.difference < far_off))
         warn(r.level,
-             "integration in time at " + std::to_string(r.frequency) + " Hz " +
+             "integration in time at " + short_text(r.frequency, 5) + " Hz " +
                  (r.settled ? "differs by " + std::to_string(std::lround(100 * r.difference)) +
                                   " %: more harmonics or samples"
                             : "does not settle to the motion of the harmonic balance"));
@@ -300,8 +300,7 @@ private:
 
 } // namespace
 
-Results run(const Case& data, const std::function<void(const std::string&)>& stage,
-            ReductionMemory* memory, Shapes shapes) {
+Results run(const Case& data, const StageListener& stage, ReductionMemory* memory, Shapes shapes) {
   return run_by_route(
       data, stage,
       {.route =

@@ -4,8 +4,7 @@
 #include "model/shape/build.hpp"
 #include "run/analyses/seen_enough.hpp"
 #include "run/results/results.hpp"
-
-#include <functional>
+#include "run/stages.hpp"
 
 namespace plica {
 
@@ -16,7 +15,7 @@ class ReductionMemory; // reduction/substructures.hpp
 // std::runtime_error for numerical trouble that leaves no result. A proof that failed is
 // in Results::verification. `memory`: reductions of earlier runs, none of which is repeated.
 // `shapes`: where they are left out, Results::mesh is empty, too; all numbers are the same.
-Results run(const Case& data, const std::function<void(const std::string&)>& stage,
-            ReductionMemory* memory = nullptr, Shapes shapes = Shapes::kept);
+Results run(const Case& data, const StageListener& stage, ReductionMemory* memory = nullptr,
+            Shapes shapes = Shapes::kept);
 
 } // namespace plica

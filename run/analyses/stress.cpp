@@ -3,8 +3,8 @@
 #include "run/analyses/place_stress.hpp"
 #include "run/analyses/stress_coordinates.hpp"
 #include "solve/stress.hpp"
+#include "words/short_text.hpp"
 
-#include <fmt/printf.h>
 namespace plica {
 namespace {
 
@@ -12,10 +12,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-std::string text(double value) { // four significant digits
-  return fmt::sprintf("%.4g", value);
-}
 
 int nodes_of(const Mesh& mesh) {
   return static_cast<int>(mesh.nodes.size());
@@ -41,7 +37,7 @@ StressResult result(const std::string& kind, const std::string& name, StressPeak
 
 // "base y, 10 m/s2" or "force tap, 1 N"
 std::string name_of(const Excitation& e) {
-  return title_of(e) + (e.unit.empty() ? "" : ", " + text(e.amplitude) + " " + e.unit);
+  return title_of(e) + (e.unit.empty() ? "" : ", " + short_text(e.amplitude, 4) + " " + e.unit);
 }
 
 double largest_displacement(const MatrixXd& u, Eigen::Index column) {
@@ -74,7 +70,7 @@ public:
   }
 
   void add_harmonic(const Excitation& e, double hertz, const VectorXcd& q) {
-    const std::string name = name_of(e) + ", " + text(hertz) + " Hz";
+    const std::string name = name_of(e) + ", " + short_text(hertz, 4) + " Hz";
     add(result("harmonic", name,
                stress_peaks(
                    field_, nodes_of(mesh_),

@@ -1,5 +1,7 @@
 #include "run/results/computed_numbers.hpp"
 
+#include "words/units.hpp"
+
 #include <algorithm>
 
 namespace plica {
@@ -24,6 +26,16 @@ std::optional<Dimension> unit_of_computed(const std::string& name) {
     if (n.name == name) return n.unit;
   if (name.starts_with("life_")) return Dimension::pressure;
   return std::nullopt;
+}
+
+std::string unit_of_result(const std::string& path) {
+  std::string name = path;
+  if (name.ends_with(".x") || name.ends_with(".z")) name.resize(name.size() - 2); // of a stiffness
+  name = name.substr(name.rfind('.') + 1);
+  const std::optional<Dimension> unit =
+      name == "frequency" ? Dimension::frequency : unit_of_computed(name);
+  const std::vector<std::string> units = unit ? units_of(*unit) : std::vector<std::string>();
+  return units.empty() ? "" : units.front();
 }
 
 std::map<std::string, double> computed_numbers_of(const Results& results) {

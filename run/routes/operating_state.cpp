@@ -52,7 +52,7 @@ BaseState equilibrium(const OperatingState& asked, const Model& at_rest, const S
                       const StateSolver& solver, const StageListener& stage, StateResult& result) {
   const std::string at = asked.name.empty() ? "state" : "states." + asked.name;
   const auto heard = [&](double share) {
-    stage(fmt::format("{}{:.3g} % of the loads", stages::state_at, 100 * share));
+    stage({stages::state, fmt::format(", {:.3g} % of the loads", 100 * share), share});
   };
   try {
     if (!asked.follow)
@@ -80,8 +80,7 @@ void require_rest(const Case& data, const std::string& what) {
                 "the case without its state");
 }
 
-StateResult move_into_state(const Case& data, BuiltCase& built,
-                            const std::function<void(const std::string&)>& stage,
+StateResult move_into_state(const Case& data, BuiltCase& built, const StageListener& stage,
                             std::map<std::string, double>& timing) {
   stage(stages::state);
   Stopwatch watch;

@@ -3,8 +3,8 @@
 
 #include "model/shape/build.hpp"
 #include "run/results/state_results.hpp"
+#include "run/stages.hpp"
 
-#include <functional>
 #include <map>
 
 namespace plica {
@@ -13,8 +13,7 @@ namespace plica {
 // that state, also with joints that slip (state_joints.hpp). Throws
 // InputError where the case holds nothing; StateError (solve/base_state.hpp) where there is no
 // equilibrium.
-StateResult move_into_state(const Case& data, BuiltCase& built,
-                            const std::function<void(const std::string&)>& stage,
+StateResult move_into_state(const Case& data, BuiltCase& built, const StageListener& stage,
                             std::map<std::string, double>& timing);
 
 // Throws InputError when the case has a state: `what` knows parts at rest alone.

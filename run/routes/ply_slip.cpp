@@ -2,6 +2,7 @@
 
 #include "run/routes/route.hpp"
 #include "words/input_error.hpp"
+#include "words/short_text.hpp"
 
 #include <cmath>
 
@@ -45,7 +46,7 @@ std::vector<DirectionalLaw> ply_laws(const Case& data, const std::string& name) 
   const double bending = stuck.bending_x - slipping.bending_x;
   if (!(axial > 1e-6 * slipping.axial))
     input_error("parts." + name + ".wall.slip.bond",
-                "makes the wall no stiffer than bond " + std::to_string(bellows->wall.bond),
+                "makes the wall no stiffer than bond " + short_text(bellows->wall.bond, 4),
                 "a bond above that of the slipping wall, and at least two plies");
   // A ring of springs: bending k R^2 / 2 of the axial k, and a moment F R / 2 of the force F.
   const double radius = std::sqrt(2 * bending / axial);

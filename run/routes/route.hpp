@@ -7,6 +7,7 @@
 #include "run/results/results.hpp"
 #include "run/routes/seen_case.hpp"
 #include "run/routes/symmetric_view.hpp"
+#include "run/stages.hpp"
 #include "solve/modes.hpp"
 #include "solve/statics.hpp"
 
@@ -71,7 +72,6 @@ public:
                               const std::vector<int>& sensor_nodes) = 0;
 };
 
-using StageListener = std::function<void(const std::string&)>;
 using Timing = std::map<std::string, double>;
 
 // What a route gives of the fields, and by whom substructures are reduced.

@@ -11,8 +11,6 @@
 namespace plica {
 namespace {
 
-using Stage = std::function<void(const std::string&)>;
-
 struct ShellNumbers {
   StaticStiffness stiffness;
   MeridionalStress stress;
@@ -202,12 +200,12 @@ bool has_convolutions(const Part& part) {
 
 // Both ends held at the requested movement.
 ShellNumbers shell_numbers(const Case& data, const Part& part, const EjmaRequest& request,
-                           const Stage& stage) {
+                           const StageListener& stage) {
   const Case alone = bellows_alone(data, part);
-  stage("statics of the shells of " + part.name);
+  stage({"statics of the shells of ", part.name});
   const StageListener silent = [](const std::string&) {};
   const BellowsStatics statics(alone, silent);
-  stage("modes of the shells of " + part.name);
+  stage({"modes of the shells of ", part.name});
   const EjmaMovement& m = request.movement;
   return {statics.stiffness(), statics.stress({m.axial, m.lateral, m.angular}),
           first_modes(alone, silent)};
@@ -262,7 +260,7 @@ void check_request(const Case& data, const EjmaRequest& request) {
 }
 
 EjmaSheet sheet_of(const Case& data, const Part& part, const EjmaRequest& request,
-                   const Stage& stage) {
+                   const StageListener& stage) {
   const auto& bellows = std::get<Bellows>(part.body);
   const Material& material = data.materials.at(bellows.material);
   EjmaSheet sheet;
@@ -284,7 +282,7 @@ EjmaSheet sheet_of(const Case& data, const Part& part, const EjmaRequest& reques
 } // namespace
 
 std::vector<EjmaSheet> ejma_sheets(const Case& data, const EjmaRequest& request,
-                                   const Stage& stage) {
+                                   const StageListener& stage) {
   check_request(data, request);
   std::vector<EjmaSheet> sheets;
   for (const Part& part : data.parts)

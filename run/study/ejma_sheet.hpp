@@ -5,8 +5,7 @@
 #include "life/curves.hpp"
 #include "model/description/case.hpp"
 #include "model/description/ejma.hpp"
-
-#include <functional>
+#include "run/stages.hpp"
 
 namespace plica {
 
@@ -38,6 +37,6 @@ struct EjmaSheet {
 // it says how it is thinned. `stage` is told what runs. Throws InputError for a case without a
 // bellows with convolutions, and for a request that no bellows can follow.
 std::vector<EjmaSheet> ejma_sheets(const Case& data, const EjmaRequest& request,
-                                   const std::function<void(const std::string&)>& stage);
+                                   const StageListener& stage);
 
 } // namespace plica

@@ -24,8 +24,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using std::numbers::pi;
 
-using Stage = std::function<void(const std::string&)>;
-
 constexpr double loss_factor = 0.02; // of the transfer stiffness, 1 % of critical
 
 struct Ingredients {
@@ -110,7 +108,7 @@ double without_ends(double k, double ends_compliance) {
 
 class Simplifier {
 public:
-  Simplifier(const Case& data, const Stage& stage)
+  Simplifier(const Case& data, const StageListener& stage)
       : case_(data), stage_(stage), own_(ingredients(data)) {}
 
   EquivalentBeam simplify() {
@@ -271,14 +269,14 @@ private:
   }
 
   const Case& case_;
-  const Stage& stage_;
+  const StageListener& stage_;
   Ingredients own_;
   std::vector<std::string> remarks_;
 };
 
 } // namespace
 
-EquivalentBeam equivalent_beam(const Case& data, const Stage& stage) {
+EquivalentBeam equivalent_beam(const Case& data, const StageListener& stage) {
   return Simplifier(data, stage).simplify();
 }
 

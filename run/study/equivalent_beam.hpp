@@ -9,8 +9,7 @@
 
 #include "model/description/case.hpp"
 #include "run/results/results.hpp"
-
-#include <functional>
+#include "run/stages.hpp"
 
 namespace plica {
 
@@ -41,7 +40,6 @@ struct EquivalentBeam {
 };
 
 // Throws InputError for a case that is not one bellows, with or without a liner, between two caps.
-EquivalentBeam equivalent_beam(const Case& data,
-                               const std::function<void(const std::string&)>& stage);
+EquivalentBeam equivalent_beam(const Case& data, const StageListener& stage);
 
 } // namespace plica

@@ -18,7 +18,6 @@ namespace plica {
 namespace {
 
 using Headline = std::map<std::string, double>;
-using Stage = std::function<void(const std::string&)>;
 
 constexpr double low_point = 0.05, high_point = 0.95;
 constexpr int draws = 20000;
@@ -109,7 +108,7 @@ void add_interval(ErrorBar& bar, const std::vector<Tolerance>& tolerances, const
     bar.shares.push_back(total > 0 ? (square[i] - mean[i] * mean[i]) / total : 0);
 }
 
-void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
+void add_tolerances(ErrorBars& all, const Case& fine, const StageListener& stage) {
   Case data = with_coarse_bellows(fine);
   // No stiffness, mode or stress feels damping.
   std::erase_if(data.tolerances, [](const Tolerance& t) { return t.path == toleranced_damping; });
@@ -120,7 +119,7 @@ void add_tolerances(ErrorBars& all, const Case& fine, const Stage& stage) {
   std::map<std::string, Effects> effects;
   for (const Tolerance& t : tolerances) {
     all.tolerances.push_back(t.path);
-    stage(stages::tolerance_of + t.path);
+    stage({stages::tolerance_of, t.path});
     const Headline low = headline_of(with_number(data, t.path, quantile(t, low_point)));
     const Headline high = headline_of(with_number(data, t.path, quantile(t, high_point)));
     for (const auto& [key, value] : nominal)
@@ -255,7 +254,7 @@ std::optional<Results> with_more_modes(const Case& data, const Results& nominal)
 
 } // namespace
 
-ErrorBars error_bars(const Case& data, const Results& nominal, const Stage& stage) {
+ErrorBars error_bars(const Case& data, const Results& nominal, const StageListener& stage) {
   // Twice along: anything else would refine arcs and walls by different ratios.
   constexpr double finer_along = 2, finer_around = 1.5;
   ErrorBars all;

@@ -17,8 +17,7 @@
 
 #include "model/description/case.hpp"
 #include "run/results/results.hpp"
-
-#include <functional>
+#include "run/stages.hpp"
 
 namespace plica {
 
@@ -36,8 +35,7 @@ Case for_comparison(const Case& data);
 // `stage` is told what runs. `nominal`: results of the case as it stands, from for_headline or
 // more. Of its headline numbers, static stiffnesses, modes, stresses at every place, and damages of
 // the life ("damage_NAME", "damage"); sweeps with friction solve their joints anew in every run.
-ErrorBars error_bars(const Case& data, const Results& nominal,
-                     const std::function<void(const std::string&)>& stage);
+ErrorBars error_bars(const Case& data, const Results& nominal, const StageListener& stage);
 
 // The stiffnesses and modes whose mesh error is estimated to be beyond the accuracy that the mesh
 // of the bellows was chosen for (model/shape/mesh_choice.hpp), with an accuracy that would do, as a

@@ -129,8 +129,7 @@ MatrixXd loss_of(const Damping& damping, const BuiltCase& built, const MatrixXd&
 
 class StiffnessStudy {
 public:
-  StiffnessStudy(const Case& data, const StiffnessRequest& request,
-                 const std::function<void(const std::string&)>& stage)
+  StiffnessStudy(const Case& data, const StiffnessRequest& request, const StageListener& stage)
       : request_(request), stage_(stage), ends_(ends_of(data, request.ends)) {
     const std::vector<std::string> own{""};
     for (const std::string& name : request.states.empty() ? own : request.states)
@@ -162,7 +161,7 @@ private:
     StateStiffness state;
     state.name = name_of(own, by, ends_[0]);
     shift(own, ends_[0], by);
-    stage_(state.name);
+    stage_({"", state.name});
     BuiltCase built = friction_ && !own.state ? slipping_case(own) : build(own);
     std::map<std::string, double> timing;
     if (own.state) {
@@ -237,7 +236,7 @@ private:
   }
 
   const StiffnessRequest& request_;
-  const std::function<void(const std::string&)>& stage_;
+  const StageListener& stage_;
   std::array<std::string, 2> ends_;
   bool friction_ = false;
   std::vector<Case> cases_; // with their ends held, one per state that is asked for
@@ -249,7 +248,7 @@ private:
 } // namespace
 
 EndDynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
-                                   const std::function<void(const std::string&)>& stage) {
+                                   const StageListener& stage) {
   return StiffnessStudy(data, request, stage).all();
 }
 

@@ -3,8 +3,7 @@
 
 #include "model/description/case.hpp"
 #include "reduction/dynamic_stiffness.hpp"
-
-#include <functional>
+#include "run/stages.hpp"
 
 namespace plica {
 
@@ -32,6 +31,6 @@ struct StiffnessRequest {
 // a state that is not one of held ends, and states with springs whose force depends on where they
 // are; StateError, which begins with the name of the state, where there is no equilibrium.
 EndDynamicStiffness part_stiffness(const Case& data, const StiffnessRequest& request,
-                                   const std::function<void(const std::string&)>& stage);
+                                   const StageListener& stage);
 
 } // namespace plica

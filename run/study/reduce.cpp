@@ -264,7 +264,7 @@ ModesLeftOut select_modes(Reduction& reduction, double least) {
 } // namespace
 
 ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
-                        const std::function<void(const std::string&)>& stage) {
+                        const StageListener& stage) {
   Case data = given;
   if (!data.state) data.mount.clear(); // whoever takes the superelement holds it
   ReducedCase result;

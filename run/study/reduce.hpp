@@ -5,8 +5,8 @@
 #include "reduction/certificate.hpp"
 #include "reduction/superelement.hpp"
 #include "run/results/state_results.hpp"
+#include "run/stages.hpp"
 
-#include <functional>
 #include <map>
 
 namespace plica {
@@ -48,6 +48,6 @@ struct ReducedCase {
 // the superelement is one of superelements. Throws InputError for a case without caps or a name
 // that is not there, and as build().
 ReducedCase reduce_case(const Case& data, const SuperelementRequest& request,
-                        const std::function<void(const std::string&)>& stage);
+                        const StageListener& stage);
 
 } // namespace plica

@@ -33,8 +33,7 @@ void add_end_force(const Case& data, const StateResult& state, const std::string
 
 } // namespace
 
-ReleasedCase released_in_state(const Case& data,
-                               const std::function<void(const std::string&)>& stage,
+ReleasedCase released_in_state(const Case& data, const StageListener& stage,
                                std::map<std::string, double>& timing) {
   ReleasedCase released{build(data), {}};
   released.state = move_into_state(data, released.built, stage, timing);

@@ -3,8 +3,8 @@
 
 #include "model/shape/build.hpp"
 #include "run/results/state_results.hpp"
+#include "run/stages.hpp"
 
-#include <functional>
 #include <map>
 
 namespace plica {
@@ -13,8 +13,7 @@ struct ReleasedCase {
   BuiltCase built;
   StateResult state;
 };
-ReleasedCase released_in_state(const Case& data,
-                               const std::function<void(const std::string&)>& stage,
+ReleasedCase released_in_state(const Case& data, const StageListener& stage,
                                std::map<std::string, double>& timing);
 
 // Forces at these nodes when the part turns about the first of them and moves, six rows per node:
