@@ -3,6 +3,8 @@
 
 #include "app/command_line.hpp"
 
+#include <optional>
+
 namespace plica {
 
 struct EngineOptions {
