@@ -1,5 +1,7 @@
 #include "life/spectral.hpp"
 
+#include "words/short_text.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -166,8 +168,8 @@ SpectralDamage damage_rate(SpectralMethod method, const SpectralMoments& m,
 double expected_peak(const SpectralMoments& m, double seconds) {
   const double crossings = m.up_crossings() * seconds;
   if (!(crossings > std::exp(0.5)))
-    throw std::invalid_argument("in " + std::to_string(seconds) + " s the stress crosses zero " +
-                                std::to_string(crossings) +
+    throw std::invalid_argument("in " + short_text(seconds, 4) + " s the stress crosses zero " +
+                                short_text(crossings, 4) +
                                 " times: too short for an expected peak");
   const double g = std::sqrt(2 * std::log(crossings));
   return m.rms() * (g + 0.57721566490153286 / g);

@@ -1,13 +1,13 @@
 #include "compare/fit/fit.hpp"
 
 #include "model/description/case_path.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fmt/printf.h>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -208,10 +208,7 @@ private:
   }
 
   void warn(FitResult& fit) const {
-    const auto number = [](double v) {
-      const std::string text = fmt::sprintf("%.4g", v);
-      return std::string(text);
-    };
+    const auto number = [](double v) { return short_text(v, 4); };
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
       const FittedParameter& p = fit.parameters[i];
       const FitParameter& asked = request_.parameters[i];

@@ -1,5 +1,7 @@
 #include "lab/measured/frf_set.hpp"
 
+#include "words/short_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,8 +22,8 @@ FrfSet within(const FrfSet& set, double low, double high) {
   for (int f = 0; f < set.hertz.size(); ++f)
     if (set.hertz[f] >= low && set.hertz[f] <= high) lines.push_back(f);
   if (lines.empty())
-    throw std::invalid_argument("no measured line lies between " + std::to_string(low) + " and " +
-                                std::to_string(high) + " Hz");
+    throw std::invalid_argument("no measured line lies between " + short_text(low, 6) + " and " +
+                                short_text(high, 6) + " Hz");
   FrfSet part = set;
   part.hertz = set.hertz(lines).eval();
   for (Eigen::MatrixXcd& H : part.H) H = H(lines, Eigen::all).eval();

@@ -2,6 +2,7 @@
 
 #include "mesh/generation/curve_mesh.hpp"
 #include "model/description/profile.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,8 +88,8 @@ double interpolated(const Table& table, double C1, double C2) {
 void check_range(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return;
   throw std::invalid_argument("EJMA coefficients: " + std::string(name) + " = " +
-                              std::to_string(value) + " lies outside " + std::to_string(low) +
-                              " to " + std::to_string(high));
+                              short_text(value, 6) + " lies outside " + short_text(low) + " to " +
+                              short_text(high));
 }
 
 // int r^-3 ds over a straight line: exact.
@@ -230,9 +231,9 @@ EjmaStress ejma_stress(const EjmaBellows& b, const EjmaFactors& c, double P, dou
 EjmaEquivalent ejma_equivalent(const EjmaBellows& b, const EjmaMovement& m) {
   const double Dm = ejma_mean_diameter(b), N = b.convolutions, length = ejma_length(b) + m.axial;
   if (!(length > 0))
-    throw std::invalid_argument("an axial movement of " + std::to_string(1e3 * m.axial) +
+    throw std::invalid_argument("an axial movement of " + short_text(1e3 * m.axial, 6) +
                                 " mm takes up the length of " +
-                                std::to_string(1e3 * ejma_length(b)) + " mm");
+                                short_text(1e3 * ejma_length(b), 6) + " mm");
   return {.axial = std::abs(m.axial) / N,
           .lateral = 3 * Dm * std::abs(m.lateral) / (N * length),
           .angular = Dm * std::abs(m.angular) / (2 * N)};

@@ -1,10 +1,10 @@
 #include "model/shape/doubts.hpp"
 
 #include "model/description/deck_model.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <fmt/printf.h>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -28,8 +28,7 @@ constexpr double highest_convolution = 1; // of the root radius
 constexpr double one_place = 1e-3;        // m: ends that lie there are one, however small they are
 
 std::string number(double x) {
-  const std::string text = fmt::sprintf("%.4g", x);
-  return text;
+  return short_text(x, 4);
 }
 
 std::string listed(const std::set<std::string>& names) {

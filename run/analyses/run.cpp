@@ -19,6 +19,7 @@
 #include "solve/model_error.hpp"
 #include "solve/stopwatch.hpp"
 #include "words/input_error.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -277,7 +278,7 @@ private:
     for (const RefereeCheck& r : responses.referee)
       if (!r.settled || !(r.difference < far_off))
         warn(r.level,
-             "integration in time at " + std::to_string(r.frequency) + " Hz " +
+             "integration in time at " + short_text(r.frequency, 6) + " Hz " +
                  (r.settled ? "differs by " + std::to_string(std::lround(100 * r.difference)) +
                                   " %: more harmonics or samples"
                             : "does not settle to the motion of the harmonic balance"));

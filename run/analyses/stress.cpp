@@ -3,8 +3,8 @@
 #include "run/analyses/place_stress.hpp"
 #include "run/analyses/stress_coordinates.hpp"
 #include "solve/stress.hpp"
+#include "words/short_text.hpp"
 
-#include <fmt/printf.h>
 namespace plica {
 namespace {
 
@@ -13,8 +13,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-std::string text(double value) { // four significant digits
-  return fmt::sprintf("%.4g", value);
+std::string text(double value) {
+  return short_text(value, 4);
 }
 
 int nodes_of(const Mesh& mesh) {
