@@ -356,11 +356,9 @@ private:
     };
     for (const JudgedFit* j : judgement.named)
       for (const Hypothesis* h : j->fit.together)
-        for (const std::string& look_alike : effect_named(h->effect).look_alikes) {
-          const std::size_t colon = look_alike.find(':');
-          const std::string other = look_alike.substr(0, colon), how = look_alike.substr(colon);
-          const std::string advice = h->effect + " or " + other + how;
-          if (tried(other) && !given(advice) && !given(other + " or " + h->effect + how))
+        for (const auto& [other, how] : effect_named(h->effect).look_alikes) {
+          const std::string advice = h->effect + " or " + other + ": " + how;
+          if (tried(other) && !given(advice) && !given(other + " or " + h->effect + ": " + how))
             result_.advice.push_back(advice);
         }
   }
