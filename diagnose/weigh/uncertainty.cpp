@@ -23,10 +23,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-bool is_nuisance(const std::string& what) {
-  return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
-}
-
 bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.run < 0 || b.run < 0) return false;
   if (a.mode >= 0 || b.mode >= 0) return a.mode == b.mode;
@@ -263,7 +259,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
 
   std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
   std::erase_if(varied, [&](const Hypothesis& h) {
-    return without.contains(is_nuisance(h.effect) ? "nuisance" : "form");
+    return without.contains(is_nuisance(h) ? "nuisance" : "form");
   });
   std::vector<const Hypothesis*> together;
   for (const Hypothesis& h : varied) together.push_back(&h);
