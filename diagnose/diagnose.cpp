@@ -302,15 +302,15 @@ private:
 
   // Effects that are such a factor themselves, or where a drawing may be as wrong, on a whole part.
   bool is_like(const Compensator& c, const HypothesisFit& fit) const {
-    static const std::multimap<std::string, std::string> same{{"all damping", "damping"},
-                                                              {"Young's modulus", "temperature"}},
-        drawn{{"Young's modulus", "ply_slip"},
-              {"Young's modulus", "component_stiffness"},
-              {"Young's modulus", "forming_thinning"},
-              {"density", "unweighed_mass"}};
+    static const std::multimap<FreeFactor, std::string> same{{FreeFactor::damping, "damping"},
+                                                             {FreeFactor::modulus, "temperature"}},
+        drawn{{FreeFactor::modulus, "ply_slip"},
+              {FreeFactor::modulus, "component_stiffness"},
+              {FreeFactor::modulus, "forming_thinning"},
+              {FreeFactor::density, "unweighed_mass"}};
     const auto holds = [&](const auto& list) {
       return std::any_of(list.begin(), list.end(), [&](const auto& pair) {
-        return pair.first == c.name &&
+        return pair.first == c.on &&
                std::any_of(fit.together.begin(), fit.together.end(),
                            [&](const Hypothesis* h) { return h->effect == pair.second; });
       });

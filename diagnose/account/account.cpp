@@ -8,6 +8,7 @@
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/headline.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -225,7 +226,7 @@ private:
         LocatedGap gap;
         gap.component = component;
         gap.z = std::sqrt(2 * log_bayes);
-        gap.significant = log_bayes > 3;
+        gap.significant = log_bayes > threshold::over_nothing;
         result_.where.push_back(gap);
       }
   }

@@ -3,6 +3,7 @@
 
 #include "compare/search/search.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/nearest_rank.hpp"
@@ -203,33 +204,36 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
 std::vector<Compensator> compensators(const FitContext& context, const Whitening& held_out,
                                       const HypothesisFit& nominal, const Structure& structure) {
   struct Candidate {
+    FreeFactor on;
     std::string name;
     double sigma; // of what scatters, relative
     Hypothesis hypothesis;
   };
   const Prior free{PriorKind::log_normal, 1, 1.5};
   std::vector<Candidate> candidates;
-  const auto add = [&](const std::string& name, double sigma, std::function<void(Model&)> doubled) {
+  const auto add = [&](FreeFactor on, const std::string& name, double sigma,
+                       std::function<void(Model&)> doubled) {
     Hypothesis h{.effect = name,
                  .place = "all",
                  .way = "",
                  .parameters = {{"factor", "", free}},
                  .changes = {{std::move(doubled), Follow::series}},
                  .coefficients = [](const VectorXd& v) { return VectorXd(v.array() - 1); }};
-    candidates.push_back({name, sigma, std::move(h)});
+    candidates.push_back({on, name, sigma, std::move(h)});
   };
-  add("Young's modulus", scatters::modulus, [](Model& m) {
+  add(FreeFactor::modulus, "Young's modulus", scatters::modulus, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.E *= 2;
     for (BeamElement& b : m.beams) scale_stiffness(b.section, 2);
   });
-  add("density", scatters::density, [](Model& m) {
+  add(FreeFactor::density, "density", scatters::density, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.rho *= 2;
     for (BeamElement& b : m.beams)
       for (double* n :
            {&b.section.mass, &b.section.inertia_x, &b.section.inertia_y, &b.section.inertia_z})
         *n *= 2;
   });
-  candidates.push_back({"all damping", scatters::all_damping_of(structure.data),
+  candidates.push_back({FreeFactor::damping, "all damping",
+                        scatters::all_damping_of(structure.data),
                         damping().hypotheses(structure).front()});
   candidates.back().hypothesis.parameters.front().prior = free;
   const BlockScores scores(context.test, context.uncertainty);
@@ -240,21 +244,23 @@ std::vector<Compensator> compensators(const FitContext& context, const Whitening
     if (!fit.solved) return;
     complete(context, fit);
     const double factor = fit.values[0];
-    Compensator row{.name = c.name,
+    Compensator row{.on = c.on,
+                    .name = c.name,
                     .factor = factor,
                     .prior_sigmas = std::abs(std::log(factor)) / c.sigma,
                     .gap_after = rms(context.fitted(fit.deviation)),
                     .held_out_after = {},
                     .contradicted_by = ""};
     if (!held_out.rows().empty()) row.held_out_after = rms(held_out(fit.deviation));
+    constexpr double contradicts = 3, by_chance = 0.01; // standard score of a block; probability
     const auto [z, block] = scores.worst(fit.deviation);
-    if (z > 3) row.contradicted_by = block;
+    if (z > contradicts) row.contradicted_by = block;
     for (const ParameterDrift& d : drifts(context, fit))
-      if (d.p < 0.01)
+      if (d.p < by_chance)
         row.contradicted_by += (row.contradicted_by.empty() ? "" : "; ") +
                                std::string("another value for every ") + d.by;
     constexpr double worth_a_word = 0.85;
-    if (row.gap_after < worth_a_word * rms(nominal.error) && row.prior_sigmas > 3)
+    if (row.gap_after < worth_a_word * rms(nominal.error) && row.prior_sigmas > threshold::absurd_z)
       tried[std::size_t(i)] = std::move(row);
   });
   std::vector<Compensator> found;
