@@ -33,7 +33,6 @@ public:
     const JudgedFit& nominal = found_.nominal;
     const std::vector<EffectFits>& ranked = found_.ranked;
     const Judgement& judgement = found_.judgement;
-    const std::vector<Signature>& all = found_.signatures;
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
@@ -42,11 +41,7 @@ public:
     std::vector<std::vector<NamedEffect>> members;
     for (const HypothesisFit& fit : told) members.push_back(names_.members_of(fit));
     keep_ledger(told, members);
-    for (std::size_t i = 0; i < judgement.named.size(); ++i)
-      for (NamedEffect& e : members[i])
-        if (std::none_of(result_.effects.begin(), result_.effects.end(),
-                         [&](const NamedEffect& own) { return is_same(own, e); }))
-          result_.effects.push_back(std::move(e));
+    add_effects(members);
     settings_.stage("report", 0.94);
     result_.where = located(scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
@@ -66,20 +61,9 @@ public:
     result_.basis_error = problem_.predictors->of(best.together).basis_error(best.values);
     if (best.together.size() == 1) result_.drifts = drifts(context, best);
     result_.compensators = found_.compensators;
-    const Likeness alike = likeness(all);
-    result_.effect_names = alike.effects;
-    result_.likeness = alike.cosine;
-    result_.mimics = mimics(alike);
-    result_.detectable = detectable(all);
+    add_signatures();
     result_.overlays = overlays_of(problem_, best, second);
-    for (const HypothesisFit& fit : shown)
-      if (fit.draws.cols() > 0) {
-        MatrixXd values(fit.draws.rows(), fit.draws.cols());
-        const Predictor& predict = problem_.predictors->of(fit.together);
-        for (Index k = 0; k < values.cols(); ++k)
-          values.col(k) = predict.values_of(fit.draws.col(k));
-        result_.posteriors.emplace_back(name_of(fit), std::move(values));
-      }
+    for (const HypothesisFit& fit : shown) add_posterior(fit);
     plan_next(nominal);
     advise(judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
@@ -142,6 +126,31 @@ private:
     std::vector<std::vector<NamedEffect>> groups = alternatives(members);
     for (std::size_t i = 0; i < groups.size(); ++i)
       result_.ledger.rows[i].effects = std::move(groups[i]);
+  }
+
+  // Each once, wherever sets that are named share it.
+  void add_effects(const std::vector<std::vector<NamedEffect>>& members) {
+    for (std::size_t i = 0; i < found_.judgement.named.size(); ++i)
+      for (const NamedEffect& e : members[i])
+        if (std::none_of(result_.effects.begin(), result_.effects.end(),
+                         [&](const NamedEffect& own) { return is_same(own, e); }))
+          result_.effects.push_back(e);
+  }
+
+  void add_signatures() {
+    const Likeness alike = likeness(found_.signatures);
+    result_.effect_names = alike.effects;
+    result_.likeness = alike.cosine;
+    result_.mimics = mimics(alike);
+    result_.detectable = detectable(found_.signatures);
+  }
+
+  void add_posterior(const HypothesisFit& fit) {
+    if (fit.draws.cols() == 0) return;
+    MatrixXd values(fit.draws.rows(), fit.draws.cols());
+    const Predictor& predict = problem_.predictors->of(fit.together);
+    for (Index k = 0; k < values.cols(); ++k) values.col(k) = predict.values_of(fit.draws.col(k));
+    result_.posteriors.emplace_back(name_of(fit), std::move(values));
   }
 
   // How probable a set is beside the first that is named.
