@@ -81,6 +81,32 @@ int reduce(const ReduceOptions& options) {
   return reduced.certificate.passed && reduced.proved ? 0 : 2;
 }
 
+// How the superelement is called and numbered in the files, and their units.
+void add_format(CLI::App& command, SuperelementFormat& format) {
+  ElementLabels& labels = format.labels;
+  const auto number = [&](const std::string& name, int& into, const std::string& help) {
+    command.add_option(name, into, help)
+        ->check(CLI::Range(1, 99999999))
+        ->capture_default_str()
+        ->type_name("NUMBER");
+  };
+  number("--first-node", labels.first_node, "number of the first boundary node in the decks");
+  number("--first-mode", labels.first_mode, "of the first modal coordinate");
+  number("--first-point", labels.first_point, "of the first recovered point");
+  number("--element", labels.element, "of the user element, and of the MPC set of the recovery");
+  command
+      .add_option("--system", labels.system,
+                  "the decks keep the axes of the part, as a coordinate system of this number that "
+                  "--rotate and --move place; left out: all is turned into the axes of the deck")
+      ->check(CLI::Range(1, 99999999))
+      ->type_name("NUMBER");
+  command.add_option("--name", labels.name, "of sets and matrices: one to five letters and digits")
+      ->capture_default_str();
+  add_choice(command, "--units", format.units, {{"m", Units::metres}, {"mm", Units::millimetres}},
+             "of the files: m (kg, s, N) or mm (t, s, N)")
+      ->type_name("m|mm");
+}
+
 } // namespace
 
 void add_reduce_command(CommandLine& line) {
@@ -120,29 +146,7 @@ void add_reduce_command(CommandLine& line) {
   list("--rotate", options->rotate, "ANGLE,ANGLE,ANGLE",
        "places the element: turned about x, then y, then z, e.g. 0deg,0deg,90deg");
   list("--move", options->move, "LENGTH,LENGTH,LENGTH", "and then moved, e.g. 0mm,120mm,0mm");
-  ElementLabels& labels = options->format.labels;
-  const auto number = [&](const std::string& name, int& into, const std::string& help) {
-    command.add_option(name, into, help)
-        ->check(CLI::Range(1, 99999999))
-        ->capture_default_str()
-        ->type_name("NUMBER");
-  };
-  number("--first-node", labels.first_node, "number of the first boundary node in the decks");
-  number("--first-mode", labels.first_mode, "of the first modal coordinate");
-  number("--first-point", labels.first_point, "of the first recovered point");
-  number("--element", labels.element, "of the user element, and of the MPC set of the recovery");
-  command
-      .add_option("--system", labels.system,
-                  "the decks keep the axes of the part, as a coordinate system of this number that "
-                  "--rotate and --move place; left out: all is turned into the axes of the deck")
-      ->check(CLI::Range(1, 99999999))
-      ->type_name("NUMBER");
-  command.add_option("--name", labels.name, "of sets and matrices: one to five letters and digits")
-      ->capture_default_str();
-  add_choice(command, "--units", options->format.units,
-             {{"m", Units::metres}, {"mm", Units::millimetres}},
-             "of the files: m (kg, s, N) or mm (t, s, N)")
-      ->type_name("m|mm");
+  add_format(command, options->format);
 }
 
 } // namespace plica

@@ -50,23 +50,26 @@ public:
     std::vector<EffectFits> ranked = fits_by_effect(fits);
     confirm(context, ranked, fits, plain, scores, standards);
     ranked = fits_by_effect(fits);
-    std::vector<JudgedFit> sets;
-    const SetSearch search{.context = context,
-                           .ranked = ranked,
-                           .fits = fits,
-                           .all = all,
-                           .nominal = nominal,
-                           .held_out = *problem_.held_out,
-                           .scores = scores,
-                           .standards = standards,
-                           .settings = settings_};
-    if (!nominal.adequate && wants_several(ranked, all, standards)) {
-      sets = fit_sets(search);
-      if (problem_.held_out->rows().empty()) take_in_turn(context, plain, sets);
-    }
-    const Inclusion inclusion(nominal, fits, sets);
+    return concluded({.context = context,
+                      .ranked = ranked,
+                      .fits = fits,
+                      .all = all,
+                      .nominal = nominal,
+                      .held_out = *problem_.held_out,
+                      .scores = scores,
+                      .standards = standards,
+                      .settings = settings_},
+                     plain);
+  }
+
+private:
+  // Single effects are known: sets of them, the verdict and its account.
+  Diagnosis concluded(const SetSearch& search, const HypothesisFit& plain) {
+    const FitContext& context = search.context;
+    const std::vector<JudgedFit> sets = sets_of(search, plain);
+    const Inclusion inclusion(search.nominal, search.fits, sets);
     const std::vector<Compensator> tempting = compensators(
-        context, *problem_.held_out, plain, problem_.nominal.structure(problem_.test.data));
+        context, search.held_out, plain, problem_.nominal.structure(problem_.test.data));
     std::vector<JudgedFit> beside;
     const Referee referee{
         .to_all = [&](const JudgedFit& j) { return objection(context, plain, tempting, j); },
@@ -75,39 +78,32 @@ public:
               Objection found = objection_to_most(context, plain, tempting, j);
               if (!found.why.empty()) return found;
               beside = fit_beside(search, j);
-              std::vector<LedgerSet> counted = sets_beside(j, beside, inclusion);
-              const bool alone = counted.empty(); // which was asked before
-              counted.push_back({.fit = &*found.sampled});
-              if (!alone)
-                found.why = closes_too_little(ledger_of(context, plain, counted),
-                                              " where others may act beside it");
+              found.why = closes_too_little_beside(sets_beside(j, beside, inclusion),
+                                                   *found.sampled, context, plain);
               return found;
             }};
     // Before all was tried nothing is known to be the best.
     const bool stopped = settings_.stop();
-    Judgement judgement = stopped ? nearest_so_far(nominal, inclusion)
-                                  : judge(nominal, ranked, sets, inclusion, standards, referee);
-    if (judgement.verdict == Verdict::unknown && !stopped && !judgement.nearest &&
-        mounted_anew(context, plain, standards))
-      judgement.verdict = Verdict::none;
-    else if (judgement.verdict == Verdict::none)
-      ask_for_remounting(context, plain, standards);
+    Judgement judgement =
+        stopped ? nearest_so_far(search.nominal, inclusion)
+                : judge(search.nominal, search.ranked, sets, inclusion, search.standards, referee);
+    if (!stopped) allow_for_remounting(judgement, context, plain, search.standards);
     if (judgement.verdict == Verdict::ambiguous)
       beside.clear(); // of what was asked about before
     else if (!judgement.named.empty() && beside.empty())
       beside = fit_beside(search, *judgement.named.front());
     Diagnosis result = account_of(problem_,
                                   {.context = context,
-                                   .scores = scores,
-                                   .standards = standards,
-                                   .nominal = nominal,
-                                   .ranked = ranked,
-                                   .fits = fits,
+                                   .scores = search.scores,
+                                   .standards = search.standards,
+                                   .nominal = search.nominal,
+                                   .ranked = search.ranked,
+                                   .fits = search.fits,
                                    .sets = sets,
                                    .beside = beside,
                                    .inclusion = inclusion,
                                    .judgement = judgement,
-                                   .signatures = all,
+                                   .signatures = search.all,
                                    .compensators = tempting},
                                   settings_);
     if (stopped)
@@ -118,7 +114,14 @@ public:
     return result;
   }
 
-private:
+  std::vector<JudgedFit> sets_of(const SetSearch& search, const HypothesisFit& plain) const {
+    if (search.nominal.adequate || !wants_several(search.ranked, search.all, search.standards))
+      return {};
+    std::vector<JudgedFit> sets = fit_sets(search);
+    if (search.held_out.rows().empty()) take_in_turn(search.context, plain, sets);
+    return sets;
+  }
+
   // No single effect explains the test; or what one that does leaves asks for more; or with a
   // second one another, which alone does not, would come as near as the best. Beside a baseline the
   // latter two may be what the change does not do exactly.
@@ -144,6 +147,15 @@ private:
     const double ratio = remounting / problem_.remounting.frequency;
     const MatrixXd further = (ratio * ratio - 1) * problem_.uncertainty.reassembly;
     return context.fitted.widened(further)(plain.deviation).squaredNorm() > standards.chi2;
+  }
+
+  void allow_for_remounting(Judgement& judgement, const FitContext& context,
+                            const HypothesisFit& plain, const Standards& standards) {
+    if (judgement.verdict == Verdict::unknown && !judgement.nearest &&
+        mounted_anew(context, plain, standards))
+      judgement.verdict = Verdict::none;
+    else if (judgement.verdict == Verdict::none)
+      ask_for_remounting(context, plain, standards);
   }
 
   // Beside a baseline, and neither stated nor well known from several.
@@ -280,6 +292,16 @@ private:
                        where);
   }
 
+  // Where others may act beside it; without any it was asked before.
+  static std::string closes_too_little_beside(std::vector<LedgerSet> others,
+                                              const HypothesisFit& sampled,
+                                              const FitContext& context,
+                                              const HypothesisFit& plain) {
+    if (others.empty()) return "";
+    others.push_back({.fit = &sampled});
+    return closes_too_little(ledger_of(context, plain, others), " where others may act beside it");
+  }
+
   // Where nothing explains the test, an effect that closes little may do so by what the others are
   // off.
   static Objection members_of_little(const Ledger& ledger, const HypothesisFit& fit) {
@@ -302,15 +324,15 @@ private:
 
   // Effects that are such a factor themselves, or where a drawing may be as wrong, on a whole part.
   bool is_like(const Compensator& c, const HypothesisFit& fit) const {
-    static const std::multimap<std::string, std::string> same{{"all damping", "damping"},
-                                                              {"Young's modulus", "temperature"}},
-        drawn{{"Young's modulus", "ply_slip"},
-              {"Young's modulus", "component_stiffness"},
-              {"Young's modulus", "forming_thinning"},
-              {"density", "unweighed_mass"}};
+    static const std::multimap<FreeFactor, std::string> same{{FreeFactor::damping, "damping"},
+                                                             {FreeFactor::modulus, "temperature"}},
+        drawn{{FreeFactor::modulus, "ply_slip"},
+              {FreeFactor::modulus, "component_stiffness"},
+              {FreeFactor::modulus, "forming_thinning"},
+              {FreeFactor::density, "unweighed_mass"}};
     const auto holds = [&](const auto& list) {
       return std::any_of(list.begin(), list.end(), [&](const auto& pair) {
-        return pair.first == c.name &&
+        return pair.first == c.on &&
                std::any_of(fit.together.begin(), fit.together.end(),
                            [&](const Hypothesis* h) { return h->effect == pair.second; });
       });

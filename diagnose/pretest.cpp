@@ -88,11 +88,9 @@ double apart(const std::vector<VectorXd>& g, const std::vector<Hypothesis>& all)
   return sum / double(std::max<std::size_t>(1, nearest.size()));
 }
 
-// Greedy: what helps most for its cost, then what helps most beside that.
-std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
-                                    const TestReadings& test, const std::vector<Signature>& own,
-                                    const std::vector<Hypothesis>& all,
-                                    const std::shared_ptr<StateModels>& models) {
+// What may be measured besides, and is not in the test.
+std::vector<Offer> offers_beside(const Case& data, const Nominal& nominal, const TestReadings& test,
+                                 const std::shared_ptr<StateModels>& models) {
   std::vector<Offer> offers = menu(data, Measured{}, test, nominal.states.front().further_places());
   const auto has = [&](const Reading& r) {
     return r.run < 0 &&
@@ -104,7 +102,15 @@ std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
   std::erase_if(offers, [&](const Offer& o) {
     return o.readings.readings.empty() || has(o.readings.readings.front());
   });
-  // Whitened change of every offered reading by every hypothesis.
+  return offers;
+}
+
+// Whitened change of every offered reading by every hypothesis: by offer, then hypothesis.
+std::vector<std::vector<VectorXd>> changes_of(const std::vector<Offer>& offers,
+                                              const Nominal& nominal,
+                                              const std::vector<Signature>& own,
+                                              const std::vector<Hypothesis>& all,
+                                              const std::shared_ptr<StateModels>& models) {
   std::vector<std::vector<VectorXd>> change(offers.size(), std::vector<VectorXd>(all.size()));
   TestReadings together;
   std::vector<Index> first{0};
@@ -126,6 +132,25 @@ std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
       change[o][std::size_t(h)] = d;
     }
   });
+  return change;
+}
+
+std::vector<VectorXd> lengthened(std::vector<VectorXd> g, const std::vector<VectorXd>& by) {
+  for (std::size_t h = 0; h < g.size(); ++h) {
+    const Index n = g[h].size();
+    g[h].conservativeResize(n + by[h].size());
+    g[h].tail(by[h].size()) = by[h];
+  }
+  return g;
+}
+
+// Greedy: what helps most for its cost, then what helps most beside that.
+std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
+                                    const TestReadings& test, const std::vector<Signature>& own,
+                                    const std::vector<Hypothesis>& all,
+                                    const std::shared_ptr<StateModels>& models) {
+  const std::vector<Offer> offers = offers_beside(data, nominal, test, models);
+  std::vector<std::vector<VectorXd>> change = changes_of(offers, nominal, own, all, models);
   std::vector<VectorXd> g;
   for (const Signature& s : own) g.push_back(s.g);
   std::vector<PlannedAddition> proposals;
@@ -135,22 +160,14 @@ std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
     double most = 0;
     for (std::size_t o = 0; o < offers.size(); ++o) {
       if (change[o].empty()) continue;
-      std::vector<VectorXd> longer = g;
-      for (std::size_t h = 0; h < g.size(); ++h) {
-        longer[h].conservativeResize(g[h].size() + change[o][h].size());
-        longer[h].tail(change[o][h].size()) = change[o][h];
-      }
-      if (const double gain = (apart(longer, all) - now) / offers[o].cost; gain > most) {
+      const double then = apart(lengthened(g, change[o]), all);
+      if (const double gain = (then - now) / offers[o].cost; gain > most) {
         most = gain;
         best = o;
       }
     }
     if (best == offers.size() || most < 1e-3) break;
-    for (std::size_t h = 0; h < g.size(); ++h) {
-      const Index n = g[h].size();
-      g[h].conservativeResize(n + change[best][h].size());
-      g[h].tail(change[best][h].size()) = change[best][h];
-    }
+    g = lengthened(std::move(g), change[best]);
     change[best].clear();
     proposals.push_back({offers[best].what, offers[best].cost, apart(g, all) - now});
   }

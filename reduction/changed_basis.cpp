@@ -37,6 +37,26 @@ MatrixXd work(const MatrixXd& V, const std::vector<PreparedChange>& changes, Ind
   return all;
 }
 
+template <class OfPsi, class OfW, class OfX>
+MatrixXd side_by_side(const OfPsi& of_Psi, const OfW& of_W, const OfX& of_X) {
+  MatrixXd rows(of_Psi.rows(), of_Psi.cols() + of_W.cols() + of_X.cols());
+  rows << of_Psi, of_W, of_X;
+  return rows;
+}
+
+// Rows over [Psi | W | X] to those over q.
+MatrixXd over_q(const MatrixXd& rows, const MatrixXd& T) {
+  const Index n = T.rows(), b = rows.cols() - n;
+  MatrixXd own(rows.rows(), b + T.cols());
+  own << rows.leftCols(b), product(rows.rightCols(n), T);
+  return own;
+}
+
+MatrixXd seen_by(const SparseMatrix& A, const MatrixXd& V) { // V' A V
+  if (A.nonZeros() == 0) return MatrixXd::Zero(V.cols(), V.cols());
+  return transposed_product(V, symmetric_product(A, V));
+}
+
 } // namespace
 
 ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChange>& changes) const {
@@ -93,59 +113,26 @@ AffineModel ParametricModel::with(const std::vector<PreparedChange>& changes) co
   return reduced(changes, basis_of(changes));
 }
 
-AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
-                                     const Basis& basis) const {
-  const MatrixXd &X = basis.X, &T = basis.T, &E = basis.E;
-  const Index c = W_.cols(), n = c + X.cols(), b = Psi_.cols();
+ParametricModel::InnerMass ParametricModel::inner_mass(const MatrixXd& X) const {
+  const Index c = W_.cols(), n = c + X.cols();
   const MatrixXd MX = symmetric_product(system_.M, X);
-  MatrixXd G(n, n), P(b, n);
+  InnerMass mass{.own = MatrixXd(n, n), .to_boundary = MatrixXd(Psi_.cols(), n)};
+  MatrixXd& G = mass.own;
   G.topLeftCorner(c, c) = WMW_;
   G.topRightCorner(c, X.cols()) = transposed_product(MW_, X);
   G.bottomLeftCorner(X.cols(), c) = G.topRightCorner(c, X.cols()).transpose();
   G.bottomRightCorner(X.cols(), X.cols()) = transposed_product(X, MX);
-  P << PsiMW_, transposed_product(MPsi_, X);
-  const Index k = T.cols();
-  AffineModel affine;
-  affine.boundary = int(b);
-  affine.lambda = nominal_.lambda;
-  affine.K = MatrixXd::Zero(b + k, b + k);
-  affine.K.topLeftCorner(b, b) = PsiKPsi_;
-  affine.K.bottomRightCorner(k, k) = T.transpose() * E * T;
-  affine.M.resize(b + k, b + k);
-  affine.M.topLeftCorner(b, b) = PsiMPsi_;
-  affine.M.topRightCorner(b, k) = P * T;
-  affine.M.bottomLeftCorner(k, b) = affine.M.topRightCorner(b, k).transpose();
-  affine.M.bottomRightCorner(k, k) = T.transpose() * G * T;
-  // Rows over [Psi | W | X] to those over q.
-  const auto over_q = [&](const MatrixXd& rows) {
-    MatrixXd own(rows.rows(), b + k);
-    own << rows.leftCols(b), plica::product(rows.rightCols(n), T);
-    return own;
-  };
-  const auto seen_by = [&](const SparseMatrix& A, const MatrixXd& V) -> MatrixXd { // V' A V
-    if (A.nonZeros() == 0) return MatrixXd::Zero(b + k, b + k);
-    return transposed_product(V, symmetric_product(A, V));
-  };
-  const auto side_by_side = [&](const auto& of_Psi, const auto& of_W, const auto& of_X) {
-    MatrixXd rows(of_Psi.rows(), b + n);
-    rows << of_Psi, of_W, of_X;
-    return rows;
-  };
-  const MatrixXd rigid =
-      over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X))).transpose();
-  affine.suspension = {.leaves_rigid = nominal_.suspended,
-                       .shift = nominal_.suspended ? small_shift * nominal_.lambda[0] : 0,
-                       .rigid = rigid * loose_,
-                       .rigid_mass = loose_mass()};
-  affine.load = rigid.leftCols(3);
-  // Along the axis that supports hold least of it.
-  Index along = 0;
-  affine.mass = rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&along);
-  affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)));
+  mass.to_boundary << PsiMW_, transposed_product(MPsi_, X);
+  return mass;
+}
+
+void ParametricModel::add_changes(const std::vector<PreparedChange>& changes, const Basis& basis,
+                                  Index along, AffineModel& affine) const {
+  const MatrixXd &X = basis.X, &T = basis.T;
   MatrixXd all; // of what reaches everywhere
   const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
   if (std::any_of(changes.begin(), changes.end(), is_whole))
-    all = over_q(side_by_side(Psi_, W_, X));
+    all = over_q(side_by_side(Psi_, W_, X), T);
   for (const PreparedChange& change : changes)
     if (change.product_of) affine.products.push_back(*change.product_of);
   affine.dK.resize(changes.size());
@@ -155,10 +142,10 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
   in_parallel(int(changes.size()), [&](int i) {
     const PreparedChange& d = changes[std::size_t(i)];
     const bool whole = is_whole(d);
-    const MatrixXd own = whole
-                             ? MatrixXd()
-                             : over_q(side_by_side(Psi_(d.dofs, Eigen::all), W_(d.dofs, Eigen::all),
-                                                   X(d.dofs, Eigen::all)));
+    const MatrixXd own = whole ? MatrixXd()
+                               : over_q(side_by_side(Psi_(d.dofs, Eigen::all),
+                                                     W_(d.dofs, Eigen::all), X(d.dofs, Eigen::all)),
+                                        T);
     const MatrixXd& V = whole ? all : own;
     const MatrixXd r = rows_at(rigid_, d.dofs).leftCols(3), Mr = symmetric_product(d.M, r);
     affine.dK[std::size_t(i)] = seen_by(d.K, V);
@@ -166,18 +153,53 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
     affine.d_load[std::size_t(i)] = V.transpose() * Mr;
     affine.d_mass[std::size_t(i)] = r.col(along).dot(Mr.col(along));
   });
-  const Index modes = nominal_.lambda.size();
-  affine.nominal = MatrixXd::Zero(b + k, modes);
-  if (modes == 0) return affine; // they are about to be found
-  const MatrixXd inner =
-      T.transpose() * (G.leftCols(c) * nominal_.inside + P.transpose() * nominal_.boundary);
+}
+
+MatrixXd ParametricModel::nominal_over_q(const InnerMass& mass, const MatrixXd& T,
+                                         const MatrixXd& M) const {
+  const Index modes = nominal_.lambda.size(), k = T.cols();
+  MatrixXd q = MatrixXd::Zero(M.rows(), modes);
+  if (modes == 0) return q; // they are about to be found
+  const MatrixXd inner = T.transpose() * (mass.own.leftCols(W_.cols()) * nominal_.inside +
+                                          mass.to_boundary.transpose() * nominal_.boundary);
   if (nominal_.boundary.isZero(0)) {
-    affine.nominal.bottomRows(k) = MatrixXd(affine.M.bottomRightCorner(k, k)).ldlt().solve(inner);
-    return affine;
+    q.bottomRows(k) = MatrixXd(M.bottomRightCorner(k, k)).ldlt().solve(inner);
+    return q;
   }
-  MatrixXd momentum(b + k, modes);
+  MatrixXd momentum(M.rows(), modes);
   momentum << PsiMPsi_ * nominal_.boundary + PsiMW_ * nominal_.inside, inner;
-  affine.nominal = affine.M.ldlt().solve(momentum);
+  return M.ldlt().solve(momentum);
+}
+
+AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
+                                     const Basis& basis) const {
+  const MatrixXd &X = basis.X, &T = basis.T;
+  const Index b = Psi_.cols(), k = T.cols();
+  const InnerMass mass = inner_mass(X);
+  AffineModel affine;
+  affine.boundary = int(b);
+  affine.lambda = nominal_.lambda;
+  affine.K = MatrixXd::Zero(b + k, b + k);
+  affine.K.topLeftCorner(b, b) = PsiKPsi_;
+  affine.K.bottomRightCorner(k, k) = T.transpose() * basis.E * T;
+  affine.M.resize(b + k, b + k);
+  affine.M.topLeftCorner(b, b) = PsiMPsi_;
+  affine.M.topRightCorner(b, k) = mass.to_boundary * T;
+  affine.M.bottomLeftCorner(k, b) = affine.M.topRightCorner(b, k).transpose();
+  affine.M.bottomRightCorner(k, k) = T.transpose() * mass.own * T;
+  const MatrixXd rigid =
+      over_q(side_by_side(rigidMPsi_, rigidMW_, transposed_product(Mr_, X)), T).transpose();
+  affine.suspension = {.leaves_rigid = nominal_.suspended,
+                       .shift = nominal_.suspended ? small_shift * nominal_.lambda[0] : 0,
+                       .rigid = rigid * loose_,
+                       .rigid_mass = loose_mass()};
+  affine.load = rigid.leftCols(3);
+  // Along the axis that supports hold least of it.
+  Index along = 0;
+  affine.mass = rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&along);
+  affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)), T);
+  add_changes(changes, basis, along, affine);
+  affine.nominal = nominal_over_q(mass, T, affine.M);
   return affine;
 }
 

@@ -1,5 +1,6 @@
 #include "reduction/cyclic_model.hpp"
 #include "solve/element_view.hpp"
+#include "words/short_text.hpp"
 
 #include <cmath>
 #include <map>
@@ -235,7 +236,7 @@ private:
         const int node = ring.nodes[j];
         if (!directions_complete(node) ||
             view_.rows_of_[node].size() != view_.rows_of_[ring.nodes[0]].size())
-          return "the ring at y = " + std::to_string(ring.y) + " m is not held evenly";
+          return "the ring at y = " + short_text(ring.y, 6) + " m is not held evenly";
         const Matrix6x6 R = turn(2 * M_PI * j / N);
         const auto blocks = coefficients(node);
         for (const auto& [key, C] : blocks) {
@@ -243,7 +244,7 @@ private:
           if (key.first >= 0) return "a ring follows other nodes of the wall";
           if (other == zero.end() ||
               (R.transpose() * C * R - other->second).norm() > same_within * (1 + C.norm()))
-            return "the ring at y = " + std::to_string(ring.y) + " m is not tied evenly";
+            return "the ring at y = " + short_text(ring.y, 6) + " m is not tied evenly";
         }
       }
     }

@@ -31,6 +31,33 @@ int most_modes(const SparseMatrix& K, const SparseMatrix& M) {
   return better_dense(K, M) ? int(K.rows()) : std::max(1, int(K.rows()) - 1);
 }
 
+// Motions of nodes, six rows each, over the independent DOFs.
+Eigen::SparseMatrix<double> motions_of(const std::vector<int>& nodes, const DofMap& map) {
+  std::vector<Eigen::Triplet<double>> marks;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int d = 0; d < 6; ++d) {
+      const int dof = 6 * nodes[i] + d, row = 6 * int(i) + d;
+      if (map.independent[dof] >= 0) marks.emplace_back(row, map.independent[dof], 1);
+      for (const WeightedDof& w : map.dependent[dof]) marks.emplace_back(row, w.dof, w.factor);
+    }
+  Eigen::SparseMatrix<double> motions(6 * Index(nodes.size()), map.size());
+  motions.setFromTriplets(marks.begin(), marks.end());
+  return motions;
+}
+
+// Unit forces along x, y, z on the first of these nodes.
+MatrixXd forces_on(Index nodes, const Eigen::SparseMatrix<double>& motions) {
+  MatrixXd forces = MatrixXd::Zero(motions.cols(), 3 * nodes);
+  for (Index i = 0; i < nodes; ++i)
+    for (int d = 0; d < 3; ++d) {
+      const Index row = 6 * i + d;
+      for (int k = 0; k < motions.outerSize(); ++k)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(motions, k); it; ++it)
+          if (it.row() == row) forces(k, 3 * i + d) = it.value();
+    }
+  return forces;
+}
+
 } // namespace
 
 ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::vector<int> marked,
@@ -63,24 +90,8 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
 
   std::vector<int> seen = marked_;
   seen.insert(seen.end(), observed.begin(), observed.end());
-  std::vector<Eigen::Triplet<double>> marks;
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    for (int d = 0; d < 6; ++d) {
-      const int dof = 6 * seen[i] + d, row = 6 * int(i) + d;
-      if (map.independent[dof] >= 0) marks.emplace_back(row, map.independent[dof], 1);
-      for (const WeightedDof& w : map.dependent[dof]) marks.emplace_back(row, w.dof, w.factor);
-    }
-  markers_.resize(6 * Index(seen.size()), map.size());
-  markers_.setFromTriplets(marks.begin(), marks.end());
-  MatrixXd pulls = MatrixXd::Zero(map.size(), 3 * Index(marked_.size()));
-  for (std::size_t i = 0; i < marked_.size(); ++i)
-    for (int d = 0; d < 3; ++d) {
-      const Index row = 6 * Index(i) + d;
-      for (int k = 0; k < markers_.outerSize(); ++k)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(markers_, k); it; ++it)
-          if (it.row() == row) pulls(k, 3 * Index(i) + d) = it.value();
-    }
-  const MatrixXd attachments = solve_inside(pulls);
+  markers_ = motions_of(seen, map);
+  const MatrixXd attachments = solve_inside(forces_on(Index(marked_.size()), markers_));
   W_.resize(map.size(), Phi.cols() + attachments.cols());
   W_ << Phi, attachments;
   KW_ = symmetric_product(system_.K, W_);

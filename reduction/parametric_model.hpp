@@ -108,6 +108,10 @@ private:
   struct Basis {
     Eigen::MatrixXd X, E, T;
   };
+  // V' M V and Psi' M V, V = [W | X].
+  struct InnerMass {
+    Eigen::MatrixXd own, to_boundary;
+  };
   struct Loaded {
     const std::vector<int>* dofs;
     Eigen::MatrixXd forces;
@@ -122,6 +126,12 @@ private:
   NominalModes modes_held_at(const std::vector<int>& nodes) const;
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
   AffineModel reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
+  InnerMass inner_mass(const Eigen::MatrixXd& X) const;
+  // `along`: the axis of d_mass.
+  void add_changes(const std::vector<PreparedChange>& changes, const Basis& basis,
+                   Eigen::Index along, AffineModel& affine) const;
+  Eigen::MatrixXd nominal_over_q(const InnerMass& mass, const Eigen::MatrixXd& T,
+                                 const Eigen::MatrixXd& M) const;
   Eigen::MatrixXd loose_mass() const;
   Eigen::MatrixXd solve_inside(const Eigen::MatrixXd& force) const; // zero at the boundary
   Eigen::MatrixXd constraint_modes(const SparseMatrix& K, const SparseFactor& inside) const;

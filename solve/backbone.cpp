@@ -1,5 +1,7 @@
 #include "solve/backbone.hpp"
 
+#include "words/short_text.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
@@ -185,7 +187,7 @@ Backbone backbone(const JointedStructure& structure, int mode, const BackboneSet
   if (!curve.complete) {
     out.reason = curve.reason;
     if (!curve.points.empty())
-      out.reason += "; reached the amplitude " + std::to_string(out.points.back().amplitude);
+      out.reason += "; reached the amplitude " + short_text(out.points.back().amplitude, 4);
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "solve/direct_response.hpp"
 
 #include "solve/element_view.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/UmfPackSupport>
@@ -29,7 +30,7 @@ public:
     solver_.compute(matrix_);
     if (solver_.info() != Eigen::Success)
       throw std::runtime_error("the dynamic stiffness is singular at " +
-                               std::to_string(omega / (2 * std::numbers::pi)) +
+                               short_text(omega / (2 * std::numbers::pi), 6) +
                                " Hz, or its factor is larger than the memory");
   }
   template <class Right> Right solve(const Right& right) const { return solver_.solve(right); }

@@ -1,10 +1,12 @@
 #include "solve/dissipation.hpp"
 
 #include "solve/complex_eigen.hpp"
+#include "words/short_text.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plica {
 namespace {
@@ -241,7 +243,7 @@ ComplexModes complex_modes(const ModalModel& model, const Dissipation& dissipati
     const double before = std::abs(mode.s);
     if (follow(pencil, mode)) continue;
     found.complete = false;
-    found.reason = "a mode near " + std::to_string(before / 6.283185307179586) +
+    found.reason = "a mode near " + short_text(before / (2 * std::numbers::pi), 6) +
                    " Hz was not followed to its end";
   }
   std::sort(all.begin(), all.end(), [](const ComplexMode& a, const ComplexMode& b) {

@@ -1,5 +1,7 @@
 #include "solve/harmonic_balance.hpp"
 
+#include "words/short_text.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -225,7 +227,7 @@ Branch branch_of(const Balance& balance, Curve curve, const std::string& where, 
   if (curve.complete) return branch;
   branch.reason = curve.reason;
   if (!curve.points.empty())
-    branch.reason += "; reached " + where + std::to_string(curve.points.back().p / unit);
+    branch.reason += "; reached " + where + short_text(curve.points.back().p / unit, 6);
   return branch;
 }
 

@@ -128,6 +128,32 @@ void rescale_shift(BaseFactor& base, const SparseMatrix& K, const SparseMatrix& 
                      "it rigid or softer");
 }
 
+void require_modes(const SparseMatrix& M) {
+  if (M.rows() == 0)
+    throw ModelError("nothing is free to move: supports and mounts hold it all",
+                     {"supports", "mount", "parts"});
+  if (dofs_with_mass(M) == 0)
+    throw ModelError("what is free to move has no mass, so there are no modes (is a density zero?)",
+                     {"materials", "parts"});
+}
+
+// Without a proof.
+void keep_lowest(ModeSet& modes, const EigenPairs& pairs, int count, const SparseMatrix& K,
+                 const SparseMatrix& M, double sigma) {
+  modes.lambda = pairs.values.head(count);
+  modes.Phi = pairs.vectors.leftCols(count);
+  modes.residual = residuals(K, M, modes.lambda, modes.Phi, sigma);
+  modes.rounding = rounding_errors(K, modes.Phi);
+  modes.proof = {};
+}
+
+void measure_accuracy(ModeSet& modes, const SparseMatrix& M, double small) {
+  if (modes.lambda.size() == 0) return;
+  modes.proof.max_residual = modes.residual.maxCoeff();
+  modes.proof.rounding = relative_rounding(modes.lambda, modes.rounding, small);
+  modes.proof.orthogonality = orthogonality(M, modes.Phi);
+}
+
 } // namespace
 
 void drop_lowest(ModeSet& modes, int below) {
@@ -241,13 +267,8 @@ double relative_rounding(const VectorXd& lambda, const VectorXd& errors, double 
 
 ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequest& request,
                    BaseFactor& base) {
+  require_modes(M);
   const int most = reachable_modes(M);
-  if (M.rows() == 0)
-    throw ModelError("nothing is free to move: supports and mounts hold it all",
-                     {"supports", "mount", "parts"});
-  if (dofs_with_mass(M) == 0)
-    throw ModelError("what is free to move has no mass, so there are no modes (is a density zero?)",
-                     {"materials", "parts"});
   ModeSet modes;
   Stopwatch watch;
   LanczosSettings settings;
@@ -282,22 +303,14 @@ ModeSet find_modes(const SparseMatrix& K, const SparseMatrix& M, const ModesRequ
       settings.count = std::min(modes_in_band(K, M, request, base.factor, settings.count), most);
       continue;
     }
-    modes.lambda = pairs.values.head(keep);
-    modes.Phi = pairs.vectors.leftCols(keep);
-    modes.residual = residuals(K, M, modes.lambda, modes.Phi, base.sigma);
-    modes.rounding = rounding_errors(K, modes.Phi);
-    modes.proof = {};
+    keep_lowest(modes, pairs, keep, K, M, base.sigma);
     if (request.proof && pairs.converged) {
       modes.proof =
           prove_complete(K, M, pairs.values, pairs.vectors, std::max(keep, 1), base.factor, small);
       factored_at = std::numeric_limits<double>::quiet_NaN(); // the factor is overwritten
       watch.lap(modes.timing, "proof");
     }
-    if (keep > 0) {
-      modes.proof.max_residual = modes.residual.maxCoeff();
-      modes.proof.rounding = relative_rounding(modes.lambda, modes.rounding, small);
-      modes.proof.orthogonality = orthogonality(M, modes.Phi);
-    }
+    measure_accuracy(modes, M, small);
     if (!pairs.converged) modes.proof.reason = pairs.reason;
     if (pairs.converged && (!request.proof || modes.proof.passed)) break;
     ++attempt;

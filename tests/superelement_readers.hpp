@@ -10,6 +10,9 @@
 
 namespace plica {
 
+// std::runtime_error "file:line: what".
+[[noreturn]] void bad_line(const std::filesystem::path& path, int line, const std::string& what);
+
 // Everything of Plica's own file; checks format, version and every size.
 Superelement read_hdf5(const std::filesystem::path& path);
 

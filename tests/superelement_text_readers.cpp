@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace plica {
 namespace {
@@ -21,6 +22,10 @@ int coordinate_of(const Superelement& s, int node, int dof, const ElementLabels&
 }
 
 } // namespace
+
+void bad_line(const std::filesystem::path& path, int line, const std::string& what) {
+  throw std::runtime_error(path.string() + ":" + std::to_string(line) + ": " + what);
+}
 
 Superelement read_nastran_deck(const std::filesystem::path& path) {
   std::istringstream stream(read_whole(path));

@@ -7,6 +7,7 @@
 // with 4 bellows C is 2.04 % high.
 #include "tests/bellows_case.hpp"
 #include "tests/harmonic_model.hpp"
+#include "tests/support/meridian_torsion.hpp"
 
 #include "model/description/ejma.hpp"
 

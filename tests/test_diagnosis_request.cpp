@@ -4,6 +4,7 @@
 #include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
 #include "tests/changed_beam.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
@@ -63,8 +64,8 @@ TEST(ChosenEffects, refuse_what_is_none) {
 
 // Problems of a measured.yaml, a line each.
 std::vector<InputProblem> problems_of(const std::string& text) {
-  const std::string path = testing::TempDir() + "baseline_" +
-                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml";
+  const test::TemporaryFolder folder("baseline");
+  const std::string path = folder.path / "measured.yaml";
   std::ofstream(path) << text;
   try {
     read_measured(path);

@@ -6,6 +6,7 @@
 #include "run/analyses/run.hpp"
 #include "run/results/computed_numbers.hpp"
 #include "run/study/error_bars.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ std::string bad_tie(Case& design, const FitRequest& request) {
   for (const FitTie& tie : request.ties)
     if (const auto q = quantity_at(design, tie.path);
         q && !allows(*q, *number_at(design, tie.path)))
-      return tie.path + " = " + std::to_string(*number_at(design, tie.path));
+      return tie.path + " = " + short_text(*number_at(design, tie.path), 6);
   return "";
 }
 

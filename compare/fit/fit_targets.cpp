@@ -6,6 +6,7 @@
 #include "run/analyses/run.hpp"
 #include "run/results/computed_numbers.hpp"
 #include "run/study/error_bars.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +110,7 @@ void FitProblem::choose_rows(const Results& results, std::string& known) {
                              [&](double l) { return std::abs(l - away) < 1e-6 * l; });
         }))
       throw std::invalid_argument("fit.hold_out_levels: no peak was measured at " +
-                                  std::to_string(away) + " m/s2");
+                                  short_text(away, 6) + " m/s2");
 }
 
 void FitProblem::require_targets() const {

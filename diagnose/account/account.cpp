@@ -8,6 +8,7 @@
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/headline.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -28,11 +29,9 @@ public:
 
   Diagnosis diagnosis() {
     const FitContext& context = found_.context;
-    const BlockScores& scores = found_.scores;
     const JudgedFit& nominal = found_.nominal;
     const std::vector<EffectFits>& ranked = found_.ranked;
     const Judgement& judgement = found_.judgement;
-    const std::vector<Signature>& all = found_.signatures;
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
@@ -41,13 +40,9 @@ public:
     std::vector<std::vector<NamedEffect>> members;
     for (const HypothesisFit& fit : told) members.push_back(names_.members_of(fit));
     keep_ledger(told, members);
-    for (std::size_t i = 0; i < judgement.named.size(); ++i)
-      for (NamedEffect& e : members[i])
-        if (std::none_of(result_.effects.begin(), result_.effects.end(),
-                         [&](const NamedEffect& own) { return is_same(own, e); }))
-          result_.effects.push_back(std::move(e));
+    add_effects(members);
     settings_.stage("report", 0.94);
-    result_.where = located(scores, nominal.fit.deviation);
+    result_.where = located(found_.scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
       result_.where.push_back(std::move(gap));
     add_components(ranked);
@@ -65,20 +60,9 @@ public:
     result_.basis_error = problem_.predictors->of(best.together).basis_error(best.values);
     if (best.together.size() == 1) result_.drifts = drifts(context, best);
     result_.compensators = found_.compensators;
-    const Likeness alike = likeness(all);
-    result_.effect_names = alike.effects;
-    result_.likeness = alike.cosine;
-    result_.mimics = mimics(alike);
-    result_.detectable = detectable(all);
+    add_signatures();
     result_.overlays = overlays_of(problem_, best, second);
-    for (const HypothesisFit& fit : shown)
-      if (fit.draws.cols() > 0) {
-        MatrixXd values(fit.draws.rows(), fit.draws.cols());
-        const Predictor& predict = problem_.predictors->of(fit.together);
-        for (Index k = 0; k < values.cols(); ++k)
-          values.col(k) = predict.values_of(fit.draws.col(k));
-        result_.posteriors.emplace_back(name_of(fit), std::move(values));
-      }
+    for (const HypothesisFit& fit : shown) add_posterior(fit);
     plan_next(nominal);
     advise(judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
@@ -150,9 +134,33 @@ private:
     for (const LedgerSet& set : sets) weight += set.weight;
     for (const Hypothesis* h : sets.front().fit->together)
       probability = std::max(probability, found_.judgement.probability_of(h->effect));
-    constexpr double least = 1e-3;
-    probability = std::clamp(probability, least, 1.);
+    probability = std::clamp(probability, 1e-3, 1.);
     return {.fit = nullptr, .weight = weight * (1 - probability) / probability};
+  }
+
+  // Each once, wherever sets that are named share it.
+  void add_effects(const std::vector<std::vector<NamedEffect>>& members) {
+    for (std::size_t i = 0; i < found_.judgement.named.size(); ++i)
+      for (const NamedEffect& e : members[i])
+        if (std::none_of(result_.effects.begin(), result_.effects.end(),
+                         [&](const NamedEffect& own) { return is_same(own, e); }))
+          result_.effects.push_back(e);
+  }
+
+  void add_signatures() {
+    const Likeness alike = likeness(found_.signatures);
+    result_.effect_names = alike.effects;
+    result_.likeness = alike.cosine;
+    result_.mimics = mimics(alike);
+    result_.detectable = detectable(found_.signatures);
+  }
+
+  void add_posterior(const HypothesisFit& fit) {
+    if (fit.draws.cols() == 0) return;
+    MatrixXd values(fit.draws.rows(), fit.draws.cols());
+    const Predictor& predict = problem_.predictors->of(fit.together);
+    for (Index k = 0; k < values.cols(); ++k) values.col(k) = predict.values_of(fit.draws.col(k));
+    result_.posteriors.emplace_back(name_of(fit), std::move(values));
   }
 
   // How probable a set is beside the first that is named.
@@ -237,7 +245,7 @@ private:
         LocatedGap gap;
         gap.component = component;
         gap.z = std::sqrt(2 * log_bayes);
-        gap.significant = log_bayes > 3;
+        gap.significant = log_bayes > threshold::over_nothing;
         result_.where.push_back(gap);
       }
   }
@@ -368,11 +376,9 @@ private:
     };
     for (const JudgedFit* j : judgement.named)
       for (const Hypothesis* h : j->fit.together)
-        for (const std::string& look_alike : effect_named(h->effect).look_alikes) {
-          const std::size_t colon = look_alike.find(':');
-          const std::string other = look_alike.substr(0, colon), how = look_alike.substr(colon);
-          const std::string advice = h->effect + " or " + other + how;
-          if (tried(other) && !given(advice) && !given(other + " or " + h->effect + how))
+        for (const auto& [other, how] : effect_named(h->effect).look_alikes) {
+          const std::string advice = h->effect + " or " + other + ": " + how;
+          if (tried(other) && !given(advice) && !given(other + " or " + h->effect + ": " + how))
             result_.advice.push_back(advice);
         }
   }

@@ -3,6 +3,7 @@
 
 #include "compare/search/search.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/nearest_rank.hpp"
@@ -138,33 +139,33 @@ std::string how_in_turn(std::size_t readings) {
                                    : "twelve groups of readings in turn, the others fitted";
 }
 
-std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFit& fit) {
-  std::vector<ParameterDrift> found;
-  if (fit.together.size() != 1 || fit.together[0]->softening) return found;
-  const std::vector<Index>& rows = context.fitted.rows();
-  MatrixXd total = context.uncertainty.total();
-  if (fit.further.size() > 0) total += fit.further; // as the fit weighed them
-  const Eigen::LLT<MatrixXd> root(MatrixXd(total(rows, rows)));
-  const std::size_t size = fit.together[0]->size;
-  const EffectParameter& parameter = fit.together[0]->parameters[size];
-  const Prior& prior = parameter.prior;
-  const double at = fit.z[Index(size)];
-  const MatrixXd raw = root.matrixL() * fit.J; // d(deviation)/dz
-  const auto add = [&](const std::string& by, auto key) {
-    std::map<std::string, std::vector<Index>> parts;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (const std::string k = key(context.test.readings[std::size_t(rows[i])]); !k.empty())
-        parts[k].push_back(Index(i));
-    if (parts.size() < 2) return;
-    ParameterDrift drift{.parameter = parameter.name, .by = by, .parts = {}};
+namespace {
+
+// The parameter that says how large the only effect of a fit is, by some of the readings alone.
+class ParameterByPart {
+public:
+  ParameterByPart(const FitContext& context, const HypothesisFit& fit)
+      : rows_(context.fitted.rows()), total_(context.uncertainty.total()), fit_(fit),
+        size_(fit.together[0]->size), parameter_(fit.together[0]->parameters[size_]) {
+    if (fit.further.size() > 0) total_ += fit.further; // as the fit weighed them
+    const Eigen::LLT<MatrixXd> root(MatrixXd(total_(rows_, rows_)));
+    raw_ = root.matrixL() * fit.J;
+  }
+
+  // `parts`: numbers among the fitted readings. None: fewer than two of them say anything of it.
+  std::optional<ParameterDrift> over(const std::string& by,
+                                     const std::map<std::string, std::vector<Index>>& parts) const {
+    const Prior& prior = parameter_.prior;
+    const double at = fit_.z[Index(size_)];
+    ParameterDrift drift{.parameter = parameter_.name, .by = by, .parts = {}};
     double w = 0, wx = 0, wxx = 0;
     int counted = 0;
     for (const auto& [name, own] : parts) {
       std::vector<Index> global;
-      for (Index i : own) global.push_back(rows[std::size_t(i)]);
-      const Eigen::LLT<MatrixXd> part(MatrixXd(total(global, global)));
-      const VectorXd j = part.matrixL().solve(VectorXd(raw(own, Index(size))));
-      const VectorXd e = part.matrixL().solve(VectorXd(fit.deviation(global)));
+      for (Index i : own) global.push_back(rows_[std::size_t(i)]);
+      const Eigen::LLT<MatrixXd> part(MatrixXd(total_(global, global)));
+      const VectorXd j = part.matrixL().solve(VectorXd(raw_(own, Index(size_))));
+      const VectorXd e = part.matrixL().solve(VectorXd(fit_.deviation(global)));
       const double information = j.squaredNorm();
       if (information < 0.25) continue; // this part says nothing of it
       const double x = -j.dot(e) / information;
@@ -176,10 +177,35 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
       wxx += information * x * x;
       ++counted;
     }
-    if (counted < 2) return;
+    if (counted < 2) return std::nullopt;
     const double chi2 = wxx - wx * wx / w, k = counted - 1, v = 2 / (9 * k);
     drift.p = 1 - normal_share((std::cbrt(chi2 / k) - (1 - v)) / std::sqrt(v));
-    found.push_back(std::move(drift));
+    return drift;
+  }
+
+private:
+  const std::vector<Index>& rows_;
+  MatrixXd total_;
+  const HypothesisFit& fit_;
+  const std::size_t size_;
+  const EffectParameter& parameter_;
+  MatrixXd raw_; // d(deviation)/dz
+};
+
+} // namespace
+
+std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFit& fit) {
+  std::vector<ParameterDrift> found;
+  if (fit.together.size() != 1 || fit.together[0]->softening) return found;
+  const std::vector<Index>& rows = context.fitted.rows();
+  const ParameterByPart parameter(context, fit);
+  const auto add = [&](const std::string& by, auto key) {
+    std::map<std::string, std::vector<Index>> parts;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (const std::string k = key(context.test.readings[std::size_t(rows[i])]); !k.empty())
+        parts[k].push_back(Index(i));
+    if (parts.size() < 2) return;
+    if (auto drift = parameter.over(by, parts)) found.push_back(std::move(*drift));
   };
   const auto run_of = [&](const Reading& r) -> const TestRun* {
     return r.run < 0 ? nullptr : &context.test.runs[std::size_t(r.run)];
@@ -199,61 +225,75 @@ std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFi
   return found;
 }
 
-std::vector<Compensator> compensators(const FitContext& context, const Whitening& held_out,
-                                      const HypothesisFit& nominal, const Structure& structure) {
-  struct Candidate {
-    std::string name;
-    double sigma; // of what scatters, relative
-    Hypothesis hypothesis;
-  };
+namespace {
+
+struct FactorOnAll {
+  FreeFactor on;
+  std::string name;
+  double sigma; // of what scatters, relative
+  Hypothesis hypothesis;
+};
+
+std::vector<FactorOnAll> factors_on_all(const Structure& structure) {
   const Prior free{PriorKind::log_normal, 1, 1.5};
-  std::vector<Candidate> candidates;
-  const auto add = [&](const std::string& name, double sigma, std::function<void(Model&)> doubled) {
+  std::vector<FactorOnAll> all;
+  const auto add = [&](FreeFactor on, const std::string& name, double sigma,
+                       std::function<void(Model&)> doubled) {
     Hypothesis h{.effect = name,
                  .place = "all",
                  .way = "",
                  .parameters = {{"factor", "", free}},
                  .changes = {{std::move(doubled), Follow::series}},
                  .coefficients = [](const VectorXd& v) { return VectorXd(v.array() - 1); }};
-    candidates.push_back({name, sigma, std::move(h)});
+    all.push_back({on, name, sigma, std::move(h)});
   };
-  add("Young's modulus", scatters::modulus, [](Model& m) {
+  add(FreeFactor::modulus, "Young's modulus", scatters::modulus, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.E *= 2;
     for (BeamElement& b : m.beams) scale_stiffness(b.section, 2);
   });
-  add("density", scatters::density, [](Model& m) {
+  add(FreeFactor::density, "density", scatters::density, [](Model& m) {
     for (ShellProperties& s : m.shells) s.section.rho *= 2;
     for (BeamElement& b : m.beams)
       for (double* n :
            {&b.section.mass, &b.section.inertia_x, &b.section.inertia_y, &b.section.inertia_z})
         *n *= 2;
   });
-  candidates.push_back({"all damping", scatters::all_damping_of(structure.data),
-                        damping().hypotheses(structure).front()});
-  candidates.back().hypothesis.parameters.front().prior = free;
+  all.push_back({FreeFactor::damping, "all damping", scatters::all_damping_of(structure.data),
+                 damping().hypotheses(structure).front()});
+  all.back().hypothesis.parameters.front().prior = free;
+  return all;
+}
+
+} // namespace
+
+std::vector<Compensator> compensators(const FitContext& context, const Whitening& held_out,
+                                      const HypothesisFit& nominal, const Structure& structure) {
+  const std::vector<FactorOnAll> candidates = factors_on_all(structure);
   const BlockScores scores(context.test, context.uncertainty);
   std::vector<std::optional<Compensator>> tried(candidates.size());
   in_parallel(int(candidates.size()), [&](int i) {
-    const Candidate& c = candidates[std::size_t(i)];
+    const FactorOnAll& c = candidates[std::size_t(i)];
     HypothesisFit fit = fit_of(context, {&c.hypothesis});
     if (!fit.solved) return;
     complete(context, fit);
     const double factor = fit.values[0];
-    Compensator row{.name = c.name,
+    Compensator row{.on = c.on,
+                    .name = c.name,
                     .factor = factor,
                     .prior_sigmas = std::abs(std::log(factor)) / c.sigma,
                     .gap_after = rms(context.fitted(fit.deviation)),
                     .held_out_after = {},
                     .contradicted_by = ""};
     if (!held_out.rows().empty()) row.held_out_after = rms(held_out(fit.deviation));
+    constexpr double contradicts = 3, by_chance = 0.01; // standard score of a block; probability
     const auto [z, block] = scores.worst(fit.deviation);
-    if (z > 3) row.contradicted_by = block;
+    if (z > contradicts) row.contradicted_by = block;
     for (const ParameterDrift& d : drifts(context, fit))
-      if (d.p < 0.01)
+      if (d.p < by_chance)
         row.contradicted_by += (row.contradicted_by.empty() ? "" : "; ") +
                                std::string("another value for every ") + d.by;
     constexpr double worth_a_word = 0.85;
-    if (row.gap_after < worth_a_word * rms(nominal.error) && row.prior_sigmas > 3)
+    if (row.gap_after < worth_a_word * rms(nominal.error) && row.prior_sigmas > threshold::absurd_z)
       tried[std::size_t(i)] = std::move(row);
   });
   std::vector<Compensator> found;

@@ -24,8 +24,8 @@ std::string how_in_turn(std::size_t readings);
 // A parameter of a fit from the readings of one level, direction or band alone.
 std::vector<ParameterDrift> drifts(const FitContext& context, const HypothesisFit& fit);
 
-// What would close the gap without being the cause: Young's modulus, density, wall thickness, all
-// damping, each left free.
+// What would close the gap without being the cause: Young's modulus, density, all damping, each
+// left free.
 std::vector<Compensator> compensators(const FitContext& context, const Whitening& held_out,
                                       const HypothesisFit& nominal, const Structure& structure);
 

@@ -70,9 +70,10 @@ Effect added_mass() {
           .plain = "{mass} that nobody weighed",
           .physics = "a mass at a spot that the scale did not see: a sensor, a clamp, a deposit",
           .signature = "modes that move the spot fall, mass and static stiffness stay",
-          .look_alikes = {"local_damage: weigh the part", "component_mass: weigh the part",
-                          "unweighed_mass: a second sensor of the same mass",
-                          "boundary_compliance: the antinodes of further modes"},
+          .look_alikes = {{"local_damage", "weigh the part"},
+                          {"component_mass", "weigh the part"},
+                          {"unweighed_mass", "a second sensor of the same mass"},
+                          {"boundary_compliance", "the antinodes of further modes"}},
           .needs = "a sensor, bellows, pipe, chain or beam",
           .hypotheses = added_mass_hypotheses};
 }

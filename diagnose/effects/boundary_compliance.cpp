@@ -128,9 +128,9 @@ Effect boundary_compliance() {
           .plain = "a held end that gives way",
           .physics = "a held end gives way elastically",
           .signature = "the lowest modes fall most, the static stiffness of the rig stays",
-          .look_alikes = {"fixture_flexibility: an accelerometer on the fixture",
-                          "joint_stiffness: the static stiffness of the rig",
-                          "unweighed_mass: an accelerometer on the held end"},
+          .look_alikes = {{"fixture_flexibility", "an accelerometer on the fixture"},
+                          {"joint_stiffness", "the static stiffness of the rig"},
+                          {"unweighed_mass", "an accelerometer on the held end"}},
           .needs = "a mount, rigid or with springs",
           .hypotheses = boundary_compliance_hypotheses};
 }

@@ -105,7 +105,8 @@ Effect component_mass() {
           .plain = "a part whose mass is {ratio+} off the drawing",
           .physics = "a part is heavier or lighter than drawn, and the scale sees it",
           .signature = "mass and the modes that move the part",
-          .look_alikes = {"unweighed_mass: weigh again", "added_mass: weigh with everything on it"},
+          .look_alikes = {{"unweighed_mass", "weigh again"},
+                          {"added_mass", "weigh with everything on it"}},
           .needs = "a cap, mass or interlock that has mass",
           .hypotheses = component_mass_hypotheses};
 }

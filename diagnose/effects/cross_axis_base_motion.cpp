@@ -62,8 +62,8 @@ Effect cross_axis_base_motion() {
           .plain = "a table that also moves along another axis, by {fraction%} of its motion",
           .physics = "the table also moves along another axis than it was told",
           .signature = "cross responses that follow the other axis",
-          .look_alikes = {"local_damage: an accelerometer on the table",
-                          "rotated_sensor: turn the sensor"},
+          .look_alikes = {{"local_damage", "an accelerometer on the table"},
+                          {"rotated_sensor", "turn the sensor"}},
           .needs = "a run of the table",
           .hypotheses = cross_axis_base_motion_hypotheses};
 }

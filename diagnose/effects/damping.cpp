@@ -20,7 +20,8 @@ Effect damping() {
           .plain = "damping that is {ratio+} off the case everywhere",
           .physics = "all damping is higher or lower than the case says, at every level",
           .signature = "peaks and their widths, not their frequencies",
-          .look_alikes = {"joint_friction: further levels", "sensor_gain: the width of the peaks"},
+          .look_alikes = {{"joint_friction", "further levels"},
+                          {"sensor_gain", "the width of the peaks"}},
           .needs = "",
           .hypotheses = damping_hypotheses};
 }

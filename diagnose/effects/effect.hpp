@@ -125,6 +125,10 @@ struct Structure {
   double frequency = 0; // Hz, of the lowest four modes, their geometric mean
 };
 
+struct LookAlike {
+  std::string effect, how; // the measurement that tells them apart
+};
+
 struct Effect {
   std::string name; // of the contract: "ply_slip"
   // For whoever reads one line only: "{mass} that nobody weighed". A parameter in braces is its
@@ -132,8 +136,8 @@ struct Effect {
   std::string plain;
   std::string physics; // one sentence
   std::string signature;
-  std::vector<std::string> look_alikes; // with the measurement that tells them apart
-  std::string needs;                    // of a case, to have a place for it: "a joint"
+  std::vector<LookAlike> look_alikes;
+  std::string needs; // of a case, to have a place for it: "a joint"
   std::vector<Hypothesis> (*hypotheses)(const Structure&) = nullptr;
 };
 

@@ -73,7 +73,7 @@ Effect extra_support() {
           .plain = "something that touches the structure and is not drawn, as a spring of {k}",
           .physics = "something touches the structure between its held ends",
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
-          .look_alikes = {"joint_stiffness: other modes", "component_mass: weigh the part"},
+          .look_alikes = {{"joint_stiffness", "other modes"}, {"component_mass", "weigh the part"}},
           .needs = "a bellows, pipe, chain or beam",
           .hypotheses = extra_support_hypotheses};
 }

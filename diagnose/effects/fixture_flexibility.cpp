@@ -86,8 +86,8 @@ Effect fixture_flexibility() {
           .plain = "a fixture that moves under the held end, with a resonance at {frequency}",
           .physics = "a held end stands on a fixture with mass and a resonance of its own",
           .signature = "the lowest modes fall, a further resonance appears, the held end moves",
-          .look_alikes = {"boundary_compliance: an accelerometer on the fixture",
-                          "added_mass: a response of the fixture alone"},
+          .look_alikes = {{"boundary_compliance", "an accelerometer on the fixture"},
+                          {"added_mass", "a response of the fixture alone"}},
           .needs =
               "a mount, rigid or with springs; beside a baseline, diagnose: effects or priors of "
               "the case that name it",

@@ -53,7 +53,7 @@ Effect forming_thinning() {
           .plain = "a wall that forming made thinner towards the crown",
           .physics = "the wall is thinner towards the crown, as forming leaves it",
           .signature = "the stiffness falls, and the mass a little",
-          .look_alikes = {"ply_slip: weigh, measure the thickness", "temperature: weigh"},
+          .look_alikes = {{"ply_slip", "weigh, measure the thickness"}, {"temperature", "weigh"}},
           .needs = "a bellows, and a test without a baseline: a wall is formed once",
           .hypotheses = forming_thinning_hypotheses};
 }

@@ -89,10 +89,9 @@ Effect installation_offset() {
               "softens it",
           .signature = "stretched, transverse modes rise and axial ones hardly move; across, modes "
                        "that were equal part",
-          .look_alikes = {"pressure: a gauge, or vent the part",
-                          "boundary_compliance: an "
-                          "accelerometer on the held end",
-                          "component_stiffness: loosen one end and see how far it springs"},
+          .look_alikes = {{"pressure", "a gauge, or vent the part"},
+                          {"boundary_compliance", "an accelerometer on the held end"},
+                          {"component_stiffness", "loosen one end and see how far it springs"}},
           .needs = "two held ends, and diagnose: effects or priors of the case that name it",
           .hypotheses = installation_offset_hypotheses};
 }

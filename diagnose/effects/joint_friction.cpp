@@ -83,9 +83,9 @@ Effect joint_friction() {
           .plain = "a joint that slips",
           .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
           .signature = "frequencies fall with the level, damping rises and falls again",
-          .look_alikes = {"ply_slip: the static stiffness at a small and a large stroke",
-                          "joint_stiffness: further levels",
-                          "damping: a free decay at a low level"},
+          .look_alikes = {{"ply_slip", "the static stiffness at a small and a large stroke"},
+                          {"joint_stiffness", "further levels"},
+                          {"damping", "a free decay at a low level"}},
           .needs = "a joint, connector, interlock or springs of a mount, and levels of excitation",
           .hypotheses = joint_friction_hypotheses};
 }

@@ -95,9 +95,9 @@ Effect joint_stiffness() {
           .plain = "a joint with {ratio} times the drawn stiffness",
           .physics = "a joint between two parts is softer or stiffer than the case says",
           .signature = "modes that strain the joint move, at every level alike",
-          .look_alikes = {"joint_friction: further levels",
-                          "ply_slip: modes that do not strain the joint",
-                          "boundary_compliance: an accelerometer on the held end"},
+          .look_alikes = {{"joint_friction", "further levels"},
+                          {"ply_slip", "modes that do not strain the joint"},
+                          {"boundary_compliance", "an accelerometer on the held end"}},
           .needs = "a joint, connector or interlock",
           .hypotheses = joint_stiffness_hypotheses};
 }

@@ -184,9 +184,10 @@ Effect local_damage() {
           .plain = "a spot that has lost {loss%} of its stiffness: a dent, a crack, a loose lap",
           .physics = "a dent or crack takes stiffness from one side of one place",
           .signature = "x and z differ, a motion along one shows along the other",
-          .look_alikes = {"added_mass: weigh the part", "rotated_sensor: turn the sensor",
-                          "cross_axis_base_motion: an accelerometer on the table",
-                          "joint_stiffness: turn the specimen by 90 degrees"},
+          .look_alikes = {{"added_mass", "weigh the part"},
+                          {"rotated_sensor", "turn the sensor"},
+                          {"cross_axis_base_motion", "an accelerometer on the table"},
+                          {"joint_stiffness", "turn the specimen by 90 degrees"}},
           .needs = "a bellows or a beam",
           .hypotheses = local_damage_hypotheses};
 }

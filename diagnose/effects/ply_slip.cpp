@@ -74,9 +74,9 @@ Effect ply_slip() {
           .plain = "plies of the wall that slip on each other",
           .physics = "the plies of the wall slip on each other more, or less, than the case says",
           .signature = "all elastic modes and the static stiffness fall alike, the mass stays",
-          .look_alikes = {"forming_thinning: weigh, measure the thickness by ultrasound",
-                          "temperature: repeat after a soak",
-                          "joint_stiffness: a sweep at a lower level, strain of other modes"},
+          .look_alikes = {{"forming_thinning", "weigh, measure the thickness by ultrasound"},
+                          {"temperature", "repeat after a soak"},
+                          {"joint_stiffness", "a sweep at a lower level, strain of other modes"}},
           .needs = "a bellows",
           .hypotheses = ply_slip_hypotheses};
 }

@@ -41,8 +41,8 @@ Effect pressure() {
       .plain = "gas of {pressure} inside, which nobody stated",
       .physics = "pressure inside presses the wall between held ends as a load presses a column",
       .signature = "transverse modes fall, axial ones and the wall's own hardly move",
-      .look_alikes = {"installation_offset: the same with the part vented",
-                      "temperature: a thermometer"},
+      .look_alikes = {{"installation_offset", "the same with the part vented"},
+                      {"temperature", "a thermometer"}},
       .needs = "bellows closed by caps, and diagnose: effects or priors of the case that name it",
       .hypotheses = pressure_hypotheses};
 }

@@ -33,8 +33,8 @@ Effect rotated_sensor() {
           .plain = "a sensor that is turned by {angle}",
           .physics = "a sensor is turned about one of its axes",
           .signature = "its cross channels show the main motion, those of other sensors do not",
-          .look_alikes = {"local_damage: turn the sensor, look at a second one",
-                          "cross_axis_base_motion: an accelerometer on the table"},
+          .look_alikes = {{"local_damage", "turn the sensor, look at a second one"},
+                          {"cross_axis_base_motion", "an accelerometer on the table"}},
           .needs = "a sensor",
           .hypotheses = rotated_sensor_hypotheses};
 }

@@ -19,13 +19,14 @@ std::vector<Hypothesis> sensor_gain_hypotheses(const Structure& s) {
 } // namespace
 
 Effect sensor_gain() {
-  return {.name = "sensor_gain",
-          .plain = "a sensor whose reading is {gain+} off",
-          .physics = "a sensor reads too much or too little",
-          .signature = "all its amplitudes, no frequency, no width of a peak",
-          .look_alikes = {"damping: the width of the peaks", "added_mass: exchange the sensor"},
-          .needs = "a sensor",
-          .hypotheses = sensor_gain_hypotheses};
+  return {
+      .name = "sensor_gain",
+      .plain = "a sensor whose reading is {gain+} off",
+      .physics = "a sensor reads too much or too little",
+      .signature = "all its amplitudes, no frequency, no width of a peak",
+      .look_alikes = {{"damping", "the width of the peaks"}, {"added_mass", "exchange the sensor"}},
+      .needs = "a sensor",
+      .hypotheses = sensor_gain_hypotheses};
 }
 
 } // namespace plica

@@ -125,8 +125,9 @@ Effect temperature() {
                      "tables over temperature",
           .signature = "frequencies, static stiffness and damping move together; between held ends "
                        "heat lowers transverse modes most",
-          .look_alikes = {"ply_slip: a thermometer", "damping: repeat after a soak",
-                          "installation_offset: a thermometer, or loosen one end"},
+          .look_alikes = {{"ply_slip", "a thermometer"},
+                          {"damping", "repeat after a soak"},
+                          {"installation_offset", "a thermometer, or loosen one end"}},
           .needs = "",
           .hypotheses = temperature_hypotheses};
 }

@@ -43,9 +43,9 @@ Effect unweighed_mass() {
           .plain = "mass spread over a part that nobody weighed, {ratio%} of its own",
           .physics = "mass spread over a part that the scale did not see: a fluid, a coating",
           .signature = "all modes of the part fall, mass and static stiffness stay",
-          .look_alikes = {"boundary_compliance: an accelerometer on the held end",
-                          "fixture_flexibility: a response of the fixture",
-                          "added_mass: further modes"},
+          .look_alikes = {{"boundary_compliance", "an accelerometer on the held end"},
+                          {"fixture_flexibility", "a response of the fixture"},
+                          {"added_mass", "further modes"}},
           .needs = "a bellows, plate or beam",
           .hypotheses = unweighed_mass_hypotheses};
 }

@@ -51,18 +51,16 @@ std::vector<Index> StateAnswers::modes_of_kind(const AffineModes& m, MeasuredSha
 }
 
 // Modes known by their kind: in their order, as they lie nearest.
-bool StateAnswers::labelled(const Reading& reading, double& value) {
+std::optional<double> StateAnswers::labelled(const Reading& reading) {
   const bool is_component = reading.kind == ReadingKind::component;
   if (acting_.group && test_.runs[std::size_t(reading.run)].level > 0 && !is_component)
-    return slipping_mode(reading, value);
+    return slipping_mode(reading);
   const AffineModes* m = linear_modes();
-  if (!m) return false;
+  if (!m) return std::nullopt;
   const Index mode = labelled_mode(*m, reading);
-  if (mode >= 0 && is_component)
-    value = component(*m, mode, reading);
-  else if (mode >= 0)
-    value = std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
-  return true;
+  if (mode < 0) return not_given;
+  if (is_component) return component(*m, mode, reading);
+  return std::log(reading.kind == ReadingKind::damping ? damping_of(*m)[mode] : m->hertz(mode));
 }
 
 // A component of the shape of a mode as its sensor shows it, scaled as the measured shape is by

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plica {
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 
@@ -47,7 +44,7 @@ double StateAnswers::rig_answer(const Reading& reading) {
   const auto [known, made] =
       rig.at.try_emplace({reading.rig.hertz, slip.first, slip.second}, std::nullopt);
   if (made) known->second = rig.dynamics.at(reading.rig.hertz, slips ? rig.softer[slip] : 0.);
-  if (!known->second) return none;
+  if (!known->second) return not_given;
   const Complex1212& Z = *known->second;
   const Complex k = reading.rig.driving_point ? Z(axis, axis) : -Z(6 + axis, axis);
   if (reading.kind == ReadingKind::loss) return std::log(std::abs(k.imag()) / std::abs(k));

@@ -118,7 +118,7 @@ double StateAnswers::seen_at(const AffineModes& m, Index mode, int sensor, int a
 
 // A mode that is known by its kind, at what a shaker drives it to: at resonance the amplitude q is
 // a / (w^2 phi) where the controller holds the acceleration a, F phi / (2 zeta w^2) under a force.
-bool StateAnswers::slipping_mode(const Reading& reading, double& value) {
+std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
   const auto [known, made] = driven_.try_emplace({reading.run, reading.peak}, 0., 0.);
   if (made) {
     const TestRun& run = test_.runs[std::size_t(reading.run)];
@@ -132,18 +132,18 @@ bool StateAnswers::slipping_mode(const Reading& reading, double& value) {
               const double phi = std::abs(seen_at(m, i, sensor, run.axis));
               return run.by_force ? phi / (2 * m.lambda[i]) : 1 / (m.lambda[i] * phi);
             }};
-    if (sensor < 0) return true; // nothing to answer with
+    if (sensor < 0) return not_given;
     const auto state = slipping(acting_.softening, driven, table());
     auto m = state ? table().modes(state->front().stiffness) : std::nullopt;
-    if (!m) return false;
+    if (!m) return std::nullopt;
     const Index mode = labelled_mode(*m, reading);
     if (mode >= 0)
       known->second = {m->hertz(mode),
                        acting_.setup.damping * m->zeta[mode] + state->front().damping};
   }
   const auto [hertz, zeta] = known->second;
-  if (hertz > 0) value = std::log(reading.kind == ReadingKind::damping ? zeta : hertz);
-  return true;
+  if (!(hertz > 0)) return not_given;
+  return std::log(reading.kind == ReadingKind::damping ? zeta : hertz);
 }
 
 bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {

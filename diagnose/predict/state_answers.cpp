@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
 namespace plica {
@@ -23,7 +22,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int half_steps = 4; // of what is near a peak: from -2 to 2 damping ratios off
 
 // Whether measured peaks choose among a model's in the same way, nearly.
@@ -48,9 +46,7 @@ std::optional<double> StateAnswers::answer(const Reading& reading) {
   if (reading.kind == ReadingKind::mass) return std::log(mass());
   if (reading.kind == ReadingKind::stiffness) return static_stiffness(reading);
   if (is_of_rig(reading)) return rig_answer(reading);
-  double value = none;
-  if (!dynamic(reading, value)) return std::nullopt;
-  return value;
+  return dynamic(reading);
 }
 
 int StateAnswers::nominal_mode(const Reading& reading) {
@@ -118,11 +114,11 @@ std::optional<EndStiffness> StateAnswers::ends_at(double kept) const {
 // slides. Its stretch follows from the energy it has of the whole: dk/d(kept) = u' K_group u.
 double StateAnswers::static_stiffness(const Reading& reading) {
   const auto stuck = stiffness_at(reading.direction, 1);
-  if (!stuck) return none;
+  if (!stuck) return not_given;
   if (!acting_.group) return std::log(*stuck);
   constexpr double less = 0.9;
   const auto softer = stiffness_at(reading.direction, less);
-  if (!softer) return none;
+  if (!softer) return not_given;
   const double stretch = reading.stroke * std::sqrt(std::max(0., (*stuck - *softer) / (1 - less)) /
                                                     acting_.group->stiffness);
   const double share = acting_.softening.share;
@@ -131,7 +127,7 @@ double StateAnswers::static_stiffness(const Reading& reading) {
         reading.stroke > 0
             ? 1 - share * (1 - Sliders(acting_.softening).kept(of_stroke * stretch).real())
             : 1 - share;
-    return stiffness_at(reading.direction, kept).value_or(none);
+    return stiffness_at(reading.direction, kept).value_or(not_given);
   };
   if (!reading.tangent) return std::log(secant(1));
   return std::log(slope_at([&](double of_stroke) { return secant(of_stroke) * of_stroke; }, 1));
@@ -259,60 +255,46 @@ bool StateAnswers::find_peaks(int number) {
   return true;
 }
 
-bool StateAnswers::dynamic(const Reading& reading, double& value) {
+std::optional<double> StateAnswers::dynamic(const Reading& reading) {
   const TestRun& run = test_.runs[std::size_t(reading.run)];
-  if (!run.input.any()) return labelled(reading, value);
-  if (!answers_to(run)) return true;
-  if (!find_peaks(reading.run)) return false;
+  if (!run.input.any()) return labelled(reading);
+  if (!answers_to(run)) return not_given;
+  if (!find_peaks(reading.run)) return std::nullopt;
   Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
-  if (peak.mode < 0) return true;
-  if (reading.kind == ReadingKind::component) {
-    value = component(*peak.modes, peak.mode, reading);
-    return true;
-  }
-  if (reading.kind == ReadingKind::damping) {
-    value = std::log(width(peak, run));
-    return true;
-  }
+  if (peak.mode < 0) return not_given;
+  if (reading.kind == ReadingKind::component) return component(*peak.modes, peak.mode, reading);
+  if (reading.kind == ReadingKind::damping) return std::log(width(peak, run));
   const int sensor = own_.nominal->number_of(reading.sensor);
-  if (reading.kind == ReadingKind::frequency) {
-    value = std::log(sensor < 0 || !run.seen_along() ? peak.modes->hertz(peak.mode)
-                                                     : summit(peak, sensor, reading.axis).first);
-    return true;
-  }
-  if (sensor < 0) return true;
-  if (reading.kind == ReadingKind::amplitude) {
-    value = std::log(summit(peak, sensor, reading.axis).second);
-    return true;
-  }
-  if (reading.at_run >= 0) return cross_resonance(reading, run, sensor, value);
-  if (reading.highest) {
-    value = std::log(highest(peak, run, sensor, reading.axis) /
-                         highest(peak, run, sensor, run.input.base) +
-                     cross_floor);
-    return true;
-  }
+  if (reading.kind == ReadingKind::frequency)
+    return std::log(sensor < 0 || !run.seen_along() ? peak.modes->hertz(peak.mode)
+                                                    : summit(peak, sensor, reading.axis).first);
+  if (sensor < 0) return not_given;
+  if (reading.kind == ReadingKind::amplitude)
+    return std::log(summit(peak, sensor, reading.axis).second);
+  if (reading.at_run >= 0) return cross_resonance(reading, run, sensor);
+  if (reading.highest)
+    return std::log(highest(peak, run, sensor, reading.axis) /
+                        highest(peak, run, sensor, run.input.base) +
+                    cross_floor);
   if (run.input.base < 0) { // where the peak is: what it is over shows no other axis
     const int over = own_.nominal->number_of(run.sensor);
-    if (over < 0) return true;
-    value =
-        std::log(summit(peak, sensor, reading.axis).second / summit(peak, over, run.axis).second +
-                 cross_floor);
-    return true;
+    if (over < 0) return not_given;
+    return std::log(summit(peak, sensor, reading.axis).second /
+                        summit(peak, over, run.axis).second +
+                    cross_floor);
   }
   if (peak.around.size() == 0) respond_around(peak, run);
   const double main = summit(peak, sensor, run.input.base).second;
   const double cross = std::max(reading_of(peak.around, sensor, reading.axis).cwiseAbs().maxCoeff(),
                                 reading_of(peak.near, sensor, reading.axis).cwiseAbs().maxCoeff());
-  value = std::log(cross / main + cross_floor);
-  return true;
+  return std::log(cross / main + cross_floor);
 }
 
-bool StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, int sensor,
-                                   double& value) {
-  if (!find_peaks(reading.at_run)) return false;
+std::optional<double> StateAnswers::cross_resonance(const Reading& reading, const TestRun& run,
+                                                    int sensor) {
+  if (!find_peaks(reading.at_run)) return std::nullopt;
   const Peak& peak = peaks_.at(reading.at_run).front();
-  if (peak.mode < 0) return true;
+  if (peak.mode < 0) return not_given;
   std::vector<double> near;
   for (int i = -half_steps; i <= half_steps; ++i) {
     near.push_back(peak.omega() * (1 + peak.damping() * 0.5 * i));
@@ -320,8 +302,7 @@ bool StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, i
   }
   const MatrixXcd own = motion(*peak.modes, peak.zeta, run, near);
   const double cross = reading_of(own, sensor, reading.axis).cwiseAbs().maxCoeff();
-  value = std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
-  return true;
+  return std::log(cross / summit(peak, sensor, reading.axis).second + cross_floor);
 }
 
 // Damping of a peak as it is read: that of its mode, or what the width says where another mode
@@ -356,7 +337,7 @@ double StateAnswers::highest(const Peak& peak, const TestRun& run, int sensor, i
     if (const double f = peak.modes->hertz(j); f >= run.band[0] && f <= run.band[1])
       for (double x : {-1., -0.5, 0., 0.5, 1.})
         omega.push_back(peak.modes->omega(j) * (1 + x * peak.zeta[j]));
-  if (omega.empty()) return none;
+  if (omega.empty()) return not_given;
   return reading_of(motion(*peak.modes, peak.zeta, run, omega), sensor, axis).cwiseAbs().maxCoeff();
 }
 

@@ -10,6 +10,7 @@
 #include "diagnose/predict/rig_stiffness.hpp"
 #include "diagnose/predict/state_model.hpp"
 
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -49,6 +50,8 @@ public:
   std::optional<Eigen::VectorXcd> response(const TestRun& run, const Eigen::VectorXd& hertz);
 
 private:
+  static constexpr double not_given = std::numeric_limits<double>::quiet_NaN(); // by the model
+
   // A peak of a run: the modes at its amplitude, and which of them it is.
   struct Peak {
     const AffineModes* modes = nullptr;
@@ -95,7 +98,7 @@ private:
   std::vector<Eigen::Index> peak_modes(const AffineModes& m, const TestRun& run) const;
   std::optional<std::vector<Slipping>> slipping(const Softening& softening, const Driven& driven,
                                                 SlipTable& table) const;
-  bool slipping_mode(const Reading& reading, double& value);
+  std::optional<double> slipping_mode(const Reading& reading);
   SlipTable& table();
   bool find_peaks(int run);
   bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
@@ -104,9 +107,10 @@ private:
   std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;
   double width(const Peak& peak, const TestRun& run) const;
   double highest(const Peak& peak, const TestRun& run, int sensor, int axis) const;
-  bool dynamic(const Reading& reading, double& value);
-  bool cross_resonance(const Reading& reading, const TestRun& run, int sensor, double& value);
-  bool labelled(const Reading& reading, double& value);
+  // Each as answer(): empty where there is no stable structure.
+  std::optional<double> dynamic(const Reading& reading);
+  std::optional<double> cross_resonance(const Reading& reading, const TestRun& run, int sensor);
+  std::optional<double> labelled(const Reading& reading);
   std::vector<Eigen::Index> modes_of_kind(const AffineModes& m, MeasuredShape shape, int axis);
   Eigen::Index labelled_mode(const AffineModes& m, const Reading& reading);
   double seen_at(const AffineModes& m, Eigen::Index mode, int sensor, int axis) const;

@@ -161,8 +161,12 @@ struct ProposedMeasurement {
   std::vector<std::string> resolves; // effects that it tells from all others that are open
 };
 
-// A parameter that would close the gap and is not the cause.
+// A factor on all shells and beams, or on the damping of all modes.
+enum class FreeFactor { modulus, density, damping };
+
+// One that would close the gap and is not the cause.
 struct Compensator {
+  FreeFactor on = FreeFactor::modulus;
   std::string name;
   double factor = 1; // on its nominal value
   double prior_sigmas = 0;

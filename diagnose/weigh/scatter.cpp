@@ -217,6 +217,11 @@ double scatters::all_damping_of(const Case& data) {
   return all_damping;
 }
 
+bool is_nuisance(const Hypothesis& varied) {
+  const std::string& what = varied.effect;
+  return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
+}
+
 std::vector<Hypothesis> scatter(const Structure& s) {
   std::vector<Hypothesis> all;
   add_tolerances(all, s);

@@ -9,6 +9,8 @@
 namespace plica {
 
 std::vector<Hypothesis> scatter(const Structure& s);
+// Of these: one number of the whole or the mass of a component, not the form of anything.
+bool is_nuisance(const Hypothesis& varied);
 
 // Relative but for the last two of a sensor.
 namespace scatters {

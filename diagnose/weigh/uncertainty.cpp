@@ -23,10 +23,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-bool is_nuisance(const std::string& what) {
-  return what == "modulus" || what == "density" || what == "damping" || what == "component_mass";
-}
-
 bool same_mode(const TestReadings& test, const Reading& a, const Reading& b) {
   if (a.run < 0 || b.run < 0) return false;
   if (a.mode >= 0 || b.mode >= 0) return a.mode == b.mode;
@@ -180,6 +176,92 @@ MatrixXd covariance(const MatrixXd& draws) {
   return draws * draws.transpose() / double(draws.cols() - 1);
 }
 
+// Whether readings share a shift: whatever was measured; of one specimen as it was mounted; of one
+// run.
+bool always(const Reading&, const Reading&) {
+  return true;
+}
+bool as_mounted(const Reading& a, const Reading& b) {
+  return a.state == b.state;
+}
+bool at_once(const Reading& a, const Reading& b) {
+  return a.run == b.run;
+}
+auto by_input(const TestReadings& test, bool (*together)(const Reading&, const Reading&)) {
+  return [&test, together](const Reading& a, const Reading& b) {
+    return same_input(test, a, b) && together(a, b);
+  };
+}
+
+MatrixXd measurement_of(const TestReadings& test, const std::vector<int>& series) {
+  const auto n = Index(test.readings.size());
+  MatrixXd S = MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i) S(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
+  add_common_rig_error(test, S);
+  add_error_of_levels(test, series, S);
+  return S;
+}
+
+MatrixXd reassembly_of(const TestReadings& test, const MatrixXd& weights,
+                       const Remounting& remounting) {
+  using namespace test_sigma;
+  return shared_frequency(test, remounting.frequency, as_mounted) +
+         shared_damping(test, weights, remounting.damping, by_input(test, as_mounted)) +
+         shared_frequency(test, run_frequency, at_once) +
+         shared_damping(test, weights, run_damping, by_input(test, at_once)) +
+         shared_rig_loss(test, remounting.damping);
+}
+
+MatrixXd numeric_of(const TestReadings& test, const MatrixXd& weights,
+                    const std::vector<CrossScatter>& cross, const VectorXd& correction) {
+  using namespace test_sigma;
+  MatrixXd S = shared_frequency(test, numeric_frequency, always) +
+               shared_damping(test, weights, numeric_damping, by_input(test, always)) +
+               shared_rig_loss(test, numeric_damping);
+  for (const CrossScatter& a : cross)
+    for (const CrossScatter& b : cross)
+      if (same_way(test, test.readings[std::size_t(a.reading)],
+                   test.readings[std::size_t(b.reading)]))
+        S(a.reading, b.reading) += std::pow(numeric_cross, 2);
+  for (Index i = 0; i < S.rows(); ++i) {
+    S(i, i) += std::pow(share_of_correction * correction[i], 2);
+    const ReadingKind kind = test.readings[std::size_t(i)].kind;
+    if (kind == ReadingKind::stiffness || kind == ReadingKind::dynamic_stiffness)
+      S(i, i) += std::pow(numeric_stiffness, 2);
+    if (kind == ReadingKind::component) S(i, i) += std::pow(numeric_component, 2);
+  }
+  return S;
+}
+
+// Of admissible specimens, a column each: what they differ by from the nominal case, and what
+// `random` errors add.
+struct DrawnSpecimens {
+  MatrixXd form, noise;
+};
+DrawnSpecimens draw_specimens(const Nominal& nominal, const TestReadings& test,
+                              const std::vector<Hypothesis>& varied, const VectorXd& coarse,
+                              const MatrixXd& random) {
+  std::vector<const Hypothesis*> together;
+  for (const Hypothesis& h : varied) together.push_back(&h);
+  const Predictor predict(nominal, test, together);
+  predict(predict.values_of(VectorXd::Zero(predict.parameters()))); // reduced once, on all cores
+  const Index n = coarse.size();
+  DrawnSpecimens drawn{.form = MatrixXd(n, specimens), .noise = MatrixXd(n, specimens)};
+  const Eigen::LLT<MatrixXd> root(random);
+  in_parallel(specimens, [&](int k) {
+    NormalDraws draw(unsigned(k) + 1);
+    VectorXd z(predict.parameters());
+    for (double& x : z) x = draw();
+    const auto y = predict(predict.values_of(z));
+    drawn.form.col(k) =
+        y ? VectorXd((*y - coarse).array().isFinite().select(*y - coarse, 0)) : VectorXd::Zero(n);
+    VectorXd white(n);
+    for (double& x : white) x = draw();
+    drawn.noise.col(k) = root.matrixL() * white;
+  });
+  return drawn;
+}
+
 } // namespace
 
 // Scatter acts on what the coarse mesh gives.
@@ -217,74 +299,26 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   if (nominal.coarse && !has_friction(data))
     u.correction = mesh_correction(data, nominal, measured, test, coarse, u.refused);
   u.nominal = coarse + u.correction;
-  u.bias = VectorXd::Zero(n);
   for (Index i = 0; i < n; ++i)
     if (test.readings[std::size_t(i)].kind == ReadingKind::cross)
       u.cross.push_back({.reading = i, .by_test = by_errors_of_test(answered, i)});
   u.series = series_of(test);
-  u.measurement = MatrixXd::Zero(n, n);
-  for (Index i = 0; i < n; ++i)
-    u.measurement(i, i) = std::pow(test.readings[std::size_t(i)].sigma, 2);
-  add_common_rig_error(test, u.measurement);
-  add_error_of_levels(test, u.series, u.measurement);
-  using namespace test_sigma;
+
   const MatrixXd weights = damping_weights(nominal, test);
-  const auto always = [](const Reading&, const Reading&) { return true; };
-  const auto assembled = [](const Reading& a, const Reading& b) { return a.state == b.state; };
-  const auto at_once = [](const Reading& a, const Reading& b) { return a.run == b.run; };
-  const auto by_base = [&](auto together) {
-    return [&test, together](const Reading& a, const Reading& b) {
-      return same_input(test, a, b) && together(a, b);
-    };
-  };
-  u.reassembly = shared_frequency(test, remounting.frequency, assembled) +
-                 shared_damping(test, weights, remounting.damping, by_base(assembled)) +
-                 shared_frequency(test, run_frequency, at_once) +
-                 shared_damping(test, weights, run_damping, by_base(at_once)) +
-                 shared_rig_loss(test, remounting.damping);
+  u.measurement = measurement_of(test, u.series);
+  u.reassembly = reassembly_of(test, weights, remounting);
   if (without.contains("reassembly")) u.reassembly.setZero();
-  u.numeric = shared_frequency(test, numeric_frequency, always) +
-              shared_damping(test, weights, numeric_damping, by_base(always)) +
-              shared_rig_loss(test, numeric_damping);
-  for (const CrossScatter& a : u.cross)
-    for (const CrossScatter& b : u.cross)
-      if (same_way(test, test.readings[std::size_t(a.reading)],
-                   test.readings[std::size_t(b.reading)]))
-        u.numeric(a.reading, b.reading) += std::pow(numeric_cross, 2);
-  for (Index i = 0; i < n; ++i) {
-    u.numeric(i, i) += std::pow(share_of_correction * u.correction[i], 2);
-    const ReadingKind kind = test.readings[std::size_t(i)].kind;
-    if (kind == ReadingKind::stiffness || kind == ReadingKind::dynamic_stiffness)
-      u.numeric(i, i) += std::pow(numeric_stiffness, 2);
-    if (kind == ReadingKind::component) u.numeric(i, i) += std::pow(numeric_component, 2);
-  }
+  u.numeric = numeric_of(test, weights, u.cross, u.correction);
   const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always) +
                                shared_rig_loss(test, scatters::mode_damping);
+  MatrixXd random = u.measurement + u.reassembly + u.numeric;
+  if (!without.contains("form")) random += own_damping;
 
   std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
   std::erase_if(varied, [&](const Hypothesis& h) {
-    return without.contains(is_nuisance(h.effect) ? "nuisance" : "form");
+    return without.contains(is_nuisance(h) ? "nuisance" : "form");
   });
-  std::vector<const Hypothesis*> together;
-  for (const Hypothesis& h : varied) together.push_back(&h);
-  const Predictor predict(nominal, test, together);
-  predict(predict.values_of(VectorXd::Zero(predict.parameters()))); // reduced once, on all cores
-
-  MatrixXd form(n, specimens), noise(n, specimens);
-  MatrixXd random = u.measurement + u.reassembly + u.numeric;
-  if (!without.contains("form")) random += own_damping;
-  const Eigen::LLT<MatrixXd> root(random);
-  in_parallel(specimens, [&](int k) {
-    NormalDraws draw(unsigned(k) + 1);
-    VectorXd z(predict.parameters());
-    for (double& x : z) x = draw();
-    const auto y = predict(predict.values_of(z));
-    form.col(k) =
-        y ? VectorXd((*y - coarse).array().isFinite().select(*y - coarse, 0)) : VectorXd::Zero(n);
-    VectorXd white(n);
-    for (double& x : white) x = draw();
-    noise.col(k) = root.matrixL() * white;
-  });
+  auto [form, noise] = draw_specimens(nominal, test, varied, coarse, random);
   for (CrossScatter& c : u.cross) c.power = added_square(form.row(c.reading), coarse[c.reading]);
   u.bias = form.rowwise().mean();
   form.colwise() -= u.bias;

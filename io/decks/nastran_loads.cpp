@@ -307,41 +307,50 @@ HeldBySets held_by(const NastranReading& r, const std::set<int>& sets,
   return all;
 }
 
+namespace {
+
+void add_load_case(const NastranReading& r, const CardsByName& loads, const std::string& name,
+                   int set, DeckLoadCase made) {
+  made.name = name;
+  if (set != 0) LoadReader(r, loads, made).add_set(set);
+  r.deck.load_cases.push_back(std::move(made));
+}
+
+// Without case control a single set of loads is meant.
+void read_uncontrolled_loads(const NastranReading& r, const CardsByName& loads,
+                             const std::vector<Constraint>& supports) {
+  std::set<int> sums, single;
+  bool warm = false;
+  for (const auto& of_name : loads) {
+    warm = warm || is_temperature_card(of_name.first);
+    if (is_temperature_card(of_name.first)) continue;
+    for (const Card* card : of_name.second)
+      r.problems.collect([&] { (of_name.first == "LOAD" ? sums : single).insert(card->whole(0)); });
+  }
+  const std::set<int>& there = sums.empty() ? single : sums;
+  DeckLoadCase open;
+  std::set<int> holding;
+  for (const char* name : {"SPC", "SPC1"})
+    r.each(name, [&](const Card& card) { holding.insert(card.whole(0)); });
+  HeldBySets held = held_by(r, holding, supports);
+  open.supports = std::move(held.supports);
+  open.moved = std::move(held.moved);
+  if (warm) open.not_had = {"has temperatures, which no case control chooses"};
+  if (there.empty() && open.moved.empty() && !warm) return;
+  if (there.empty()) return add_load_case(r, loads, "its supports", 0, open);
+  if (there.size() == 1)
+    return add_load_case(r, loads, "load " + std::to_string(*there.begin()), *there.begin(), open);
+  open.name = "its loads";
+  open.not_had.push_back("belong to " + std::to_string(there.size()) +
+                         " sets, and no case control chooses one");
+  r.deck.load_cases.push_back(open);
+}
+
+} // namespace
+
 void read_loads(const NastranReading& r, const CardsByName& loads, const BulkData& bulk,
                 const std::vector<Constraint>& supports) {
-  const auto add = [&](const std::string& name, int set, DeckLoadCase made) {
-    made.name = name;
-    if (set != 0) LoadReader(r, loads, made).add_set(set);
-    r.deck.load_cases.push_back(std::move(made));
-  };
-  if (!bulk.has_control) {
-    std::set<int> sums, single;
-    bool warm = false;
-    for (const auto& of_name : loads) {
-      warm = warm || is_temperature_card(of_name.first);
-      if (is_temperature_card(of_name.first)) continue;
-      for (const Card* card : of_name.second)
-        r.problems.collect(
-            [&] { (of_name.first == "LOAD" ? sums : single).insert(card->whole(0)); });
-    }
-    const std::set<int>& there = sums.empty() ? single : sums;
-    DeckLoadCase open;
-    std::set<int> holding;
-    for (const char* name : {"SPC", "SPC1"})
-      r.each(name, [&](const Card& card) { holding.insert(card.whole(0)); });
-    HeldBySets held = held_by(r, holding, supports);
-    open.supports = std::move(held.supports);
-    open.moved = std::move(held.moved);
-    if (warm) open.not_had = {"has temperatures, which no case control chooses"};
-    if (there.empty() && open.moved.empty() && !warm) return;
-    if (there.empty()) return add("its supports", 0, open);
-    if (there.size() == 1)
-      return add("load " + std::to_string(*there.begin()), *there.begin(), open);
-    open.name = "its loads";
-    open.not_had.push_back("belong to " + std::to_string(there.size()) +
-                           " sets, and no case control chooses one");
-    return r.deck.load_cases.push_back(open);
-  }
+  if (!bulk.has_control) return read_uncontrolled_loads(r, loads, supports);
   if (bulk.subcases.empty()) return;
   const Subcase& above = bulk.subcases.front();
   const bool alone = bulk.subcases.size() == 1;
@@ -369,11 +378,12 @@ void read_loads(const NastranReading& r, const CardsByName& loads, const BulkDat
       made.not_had.push_back(what + " of case control is not had");
     if (warm != 0) read_temperatures(r, loads, warm, chosen(above, own, "INITIAL"), made);
     if (chosen(above, own, "DEFORM") != 0) made.not_had.push_back("DEFORM is not had");
-    add(!alone                   ? "subcase " + std::to_string(own.number)
-        : load == 0 && warm != 0 ? "temperature " + std::to_string(warm)
-        : load == 0              ? "its supports"
-                                 : "load " + std::to_string(load),
-        load, std::move(made));
+    add_load_case(r, loads,
+                  !alone                   ? "subcase " + std::to_string(own.number)
+                  : load == 0 && warm != 0 ? "temperature " + std::to_string(warm)
+                  : load == 0              ? "its supports"
+                                           : "load " + std::to_string(load),
+                  load, std::move(made));
   }
 }
 

@@ -7,8 +7,6 @@
 
 namespace plica {
 
-namespace fs = std::filesystem;
-
 CoordinateLabel coordinate_label(const Superelement& s, int coordinate,
                                  const ElementLabels& labels) {
   if (coordinate < s.boundary()) return {labels.first_node + coordinate / 6, coordinate % 6 + 1};
@@ -63,10 +61,6 @@ std::vector<NamedMatrix> matrices_of(const Superelement& s) {
   if (s.C.size() > 0) list.push_back({'C', &s.C});
   if (s.D.size() > 0) list.push_back({'D', &s.D});
   return list;
-}
-
-void bad_line(const fs::path& path, int line, const std::string& what) {
-  throw std::runtime_error(path.string() + ":" + std::to_string(line) + ": " + what);
 }
 
 } // namespace plica

@@ -6,8 +6,6 @@
 
 #include "reduction/superelement.hpp"
 
-#include <filesystem>
-
 namespace plica {
 
 struct ElementLabels {
@@ -43,8 +41,5 @@ struct NamedMatrix {
   const Eigen::MatrixXd* matrix = nullptr;
 };
 std::vector<NamedMatrix> matrices_of(const Superelement& s);
-
-// std::runtime_error "file:line: what".
-[[noreturn]] void bad_line(const std::filesystem::path& path, int line, const std::string& what);
 
 } // namespace plica

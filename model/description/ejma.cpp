@@ -1,7 +1,7 @@
 #include "model/description/ejma.hpp"
 
-#include "mesh/generation/curve_mesh.hpp"
 #include "model/description/profile.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,37 +87,8 @@ double interpolated(const Table& table, double C1, double C2) {
 void check_range(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return;
   throw std::invalid_argument("EJMA coefficients: " + std::string(name) + " = " +
-                              std::to_string(value) + " lies outside " + std::to_string(low) +
-                              " to " + std::to_string(high));
-}
-
-// int r^-3 ds over a straight line: exact.
-double line_integral(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return (b - a).norm() * (a.y() + b.y()) / (2 * std::pow(a.y() * b.y(), 2));
-}
-
-// Over an arc by Simpson's rule, its error far below rounding of any use.
-double arc_integral(const MeridianCurve& arc) {
-  const Eigen::Vector2d a = arc.start - arc.centre, b = arc.end - arc.centre;
-  const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  const double first = std::atan2(a.y(), a.x()), radius = a.norm();
-  constexpr int panels = 200;
-  double sum = 0;
-  for (int i = 0; i <= panels; ++i) {
-    const double weight = i == 0 || i == panels ? 1 : i % 2 == 1 ? 4 : 2;
-    const double r = arc.centre.y() + radius * std::sin(first + turn * i / panels);
-    sum += weight / (r * r * r);
-  }
-  return sum * radius * std::abs(turn) / (3 * panels);
-}
-
-double spline_integral(MeridianCurve spline) {
-  spline.elements = 2000;
-  const CurveNodes nodes = mesh_curves({spline}).front();
-  double sum = 0;
-  for (std::size_t i = 1; i < nodes.positions.size(); ++i)
-    sum += line_integral(nodes.positions[i - 1], nodes.positions[i]);
-  return sum;
+                              short_text(value, 6) + " lies outside " + short_text(low) + " to " +
+                              short_text(high));
 }
 
 // Root i of cosh(b) cos(b) = 1: the clamped Euler beam.
@@ -230,9 +201,9 @@ EjmaStress ejma_stress(const EjmaBellows& b, const EjmaFactors& c, double P, dou
 EjmaEquivalent ejma_equivalent(const EjmaBellows& b, const EjmaMovement& m) {
   const double Dm = ejma_mean_diameter(b), N = b.convolutions, length = ejma_length(b) + m.axial;
   if (!(length > 0))
-    throw std::invalid_argument("an axial movement of " + std::to_string(1e3 * m.axial) +
+    throw std::invalid_argument("an axial movement of " + short_text(1e3 * m.axial, 6) +
                                 " mm takes up the length of " +
-                                std::to_string(1e3 * ejma_length(b)) + " mm");
+                                short_text(1e3 * ejma_length(b), 6) + " mm");
   return {.axial = std::abs(m.axial) / N,
           .lateral = 3 * Dm * std::abs(m.lateral) / (N * length),
           .angular = Dm * std::abs(m.angular) / (2 * N)};
@@ -256,19 +227,6 @@ double ejma_angular_stiffness(double K, double Dm) {
 
 double ejma_lateral_stiffness(double K, double Dm, double L) {
   return 1.5 * K * (Dm / L) * (Dm / L);
-}
-
-double ejma_lateral_end_moment(double K, double Dm, double L) {
-  return 0.75 * K * Dm * Dm / L;
-}
-
-double torsion_stiffness(const Meridian& meridian, double G, double wall) {
-  double integral = 0;
-  for (const MeridianCurve& curve : meridian.curves())
-    integral += curve.kind == CurveKind::line  ? line_integral(curve.start, curve.end)
-                : curve.kind == CurveKind::arc ? arc_integral(curve)
-                                               : spline_integral(curve);
-  return 2 * pi * G * wall / integral;
 }
 
 double ejma_torsion_stiffness(const EjmaBellows& b) {

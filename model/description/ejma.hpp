@@ -23,7 +23,6 @@
 // and by 10-20 % towards C1 = 1. n plies act as n times one ply, free to slip.
 #pragma once
 
-#include "mesh/generation/meridian.hpp"
 #include "model/description/parts.hpp"
 
 #include <variant>
@@ -99,14 +98,11 @@ double ejma_in_plane_squirm(const EjmaBellows& bellows, const EjmaFactors& facto
                             double Kr = 1);
 
 // The bellows as a beam without shear, EI = K L Dm^2 / 8. K: axial stiffness of the bellows, N/m.
-double ejma_angular_stiffness(double K, double mean_diameter);                 // K Dm^2/8, Nm/rad
-double ejma_lateral_stiffness(double K, double mean_diameter, double length);  // 1.5 K (Dm/L)^2
-double ejma_lateral_end_moment(double K, double mean_diameter, double length); // 0.75 K Dm^2/L, N
+double ejma_angular_stiffness(double K, double mean_diameter);                // K Dm^2/8, Nm/rad
+double ejma_lateral_stiffness(double K, double mean_diameter, double length); // 1.5 K (Dm/L)^2
 
-// Torsion: the membrane shear flow is T / (2 pi r^2), so exactly K_t = 2 pi G t / int r^-3 ds over
-// the meridian (t: whole wall). EJMA puts all at the root, pi G n t Db^3 / (4 N (0.571 q + 2 w)),
-// 35 % low for deep convolutions. Nm/rad.
-double torsion_stiffness(const Meridian& meridian, double G, double wall);
+// Torsion, Nm/rad: EJMA puts all at the root, pi G n t Db^3 / (4 N (0.571 q + 2 w)), 35 % low for
+// deep convolutions.
 double ejma_torsion_stiffness(const EjmaBellows& bellows);
 
 // Natural frequency i of the clamped bellows, Hz. M: its mass.

@@ -1,6 +1,7 @@
 #include "model/description/life_checks.hpp"
 
 #include "model/description/time_analyses_checks.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <set>
@@ -131,8 +132,7 @@ private:
       const bool turn = end_shift_index(h.signals[i].of) >= 3;
       if (most > (turn ? 1 : 0.2))
         log_.add(item(at + ".signals", i),
-                 std::string("moves the end by up to ") + std::to_string(most) +
-                     (turn ? " rad" : " m"),
+                 "moves the end by up to " + short_text(most, 4) + (turn ? " rad" : " m"),
                  turn ? "at most 1 rad; a unit in the head of the file, or factor (0.0174533 for "
                         "degrees)"
                       : "at most 0.2 m; a unit in the head of the file, or factor (0.001 for "

@@ -1,6 +1,7 @@
 #include "model/shape/build_surface.hpp"
 
 #include "mesh/generation/surface_mesher.hpp"
+#include "words/short_text.hpp"
 #include "words/units.hpp"
 
 #include <Eigen/Geometry>
@@ -35,7 +36,7 @@ Mesh surface_mesh(const SurfacePart& part) {
   Mesh mesh = shell_mesh(faces_once(part), part.thickness, part.given);
   if (const double ratio = mesh_quality(mesh).min_jacobian; !(ratio > folded_ratio))
     throw std::runtime_error("a quad of the mesh is folded, or a triangle (Jacobian ratio " +
-                             std::to_string(ratio) +
+                             short_text(ratio) +
                              "); another element_size, or none: the triangles of the file");
   const Eigen::Matrix3d turn = turn_of(part.rotate);
   const Vector3d move(part.move[0], part.move[1], part.move[2]);

@@ -140,15 +140,15 @@ struct TestCurve {
 // What excites: everything that is mounted, chosen ends of it, a force, or several of these.
 enum class Source { base, ends, force, together };
 
-// Acceleration of the sensors in their own axes: absolute and per acceleration of the base or of
-// the ends that move (transmissibility), or per N (Nm) of a force with the base at rest; under
-// several inputs together as it is, in m/s2.
 // The response beside a direct solution of the whole mesh.
 struct DirectCheck {
   double frequency = 0;  // Hz
   double difference = 0; // norm over the channels, over that of the direct solution
 };
 
+// Acceleration of the sensors in their own axes: absolute and per acceleration of the base or of
+// the ends that move (transmissibility), or per N (Nm) of a force with the base at rest; under
+// several inputs together as it is, in m/s2.
 struct ResponseResult {
   std::string excitation; // base: x y z rx ry rz; or the name of the motion or force
   Source source = Source::base;

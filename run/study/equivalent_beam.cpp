@@ -106,6 +106,88 @@ double without_ends(double k, double ends_compliance) {
   return rest > 0 ? 1 / rest : k;
 }
 
+// What the shells have between their ends, and the convolutions of it.
+struct BellowsOfShells {
+  EndStiffness whole;
+  Cuffs cuffs;
+  double mass = 0, length = 0, straight = 0, convoluted = 0;
+  double axial = 0, torsion = 0, bending = 0; // of the convolutions
+  double mass_of_convolutions = 0, polar = 0; // and their inertia about the axis
+};
+
+BellowsOfShells bellows_of_shells(const Superelement& shells, const Bellows& b, const Material& m) {
+  BellowsOfShells s{.whole = end_stiffness(shells.K.block<6, 6>(6, 6)), .cuffs = cuffs_of(b)};
+  const MassProperties body = mass_properties(shells);
+  s.mass = body.mass;
+  s.length = axial_length(b);
+  s.straight = s.cuffs.left + s.cuffs.right;
+  s.convoluted = s.length - s.straight;
+  const double radius = s.cuffs.radius, R2 = radius * radius;
+  const double A = 2 * pi * radius * total_thickness(b.wall);
+  const double G = m.E / (2 * (1 + m.nu));
+  s.axial = without_ends(s.whole.axial, s.straight / (m.E * A));
+  s.torsion = without_ends(s.whole.torsion, s.straight / (G * A * R2));
+  s.bending = without_ends(s.whole.bending_x, s.straight / (m.E * A * R2 / 2));
+  s.mass_of_convolutions = s.mass - s.straight * A * m.rho;
+  s.polar = body.inertia(1, 1) - s.straight * A * m.rho * R2;
+  return s;
+}
+
+PipeLayer layer_of(const Interlock& liner, double convoluted) {
+  PipeLayer inner{.radius = liner.radius, .mass = liner.mass, .mass_radius = liner.radius};
+  inner.axial = liner.EA / convoluted;
+  inner.torsion = liner.GJ / convoluted;
+  if (liner.EA > 0 && liner.EI > 0) inner.radius = std::sqrt(2 * liner.EI / liner.EA);
+  return inner;
+}
+
+EquivalentPipe pipe_of(const BellowsOfShells& s, const Bellows& b, const Material& m) {
+  EquivalentPipe pipe;
+  pipe.material = b.material;
+  pipe.start = b.start;
+  pipe.length = s.length;
+  pipe.convoluted = s.convoluted;
+  pipe.outer.radius = std::sqrt(2 * s.bending / s.axial);
+  pipe.outer.wall = s.mass_of_convolutions / s.convoluted / (2 * pi * pipe.outer.radius * m.rho);
+  pipe.outer.axial = s.axial;
+  pipe.outer.mass_radius = std::sqrt(s.polar / s.mass_of_convolutions);
+  pipe.outer.torsion = s.torsion;
+  pipe.end_radius = s.cuffs.radius;
+  pipe.end_wall = total_thickness(b.wall);
+  return pipe;
+}
+
+ConnectorChain chain_of(const BellowsOfShells& s, const Bellows& b, const Interlock* liner) {
+  ConnectorChain chain;
+  chain.start = b.start;
+  chain.length = s.length;
+  chain.arms = s.straight / 2;
+  chain.count = std::max(1, convolutions(b));
+  chain.mass = s.mass_of_convolutions;
+  chain.arm_mass = (s.mass - s.mass_of_convolutions) / 2;
+  double polar = s.polar;
+  // The arms are rigid: the springs have the compliance of the straight ends too.
+  double k = s.whole.axial, c = s.whole.torsion, bend = s.whole.bending_x;
+  if (liner) {
+    const PipeLayer inner = layer_of(*liner, s.convoluted);
+    const double between = liner->mass * s.convoluted / s.length;
+    chain.mass += between;
+    chain.arm_mass += (liner->mass - between) / 2;
+    polar += between * liner->radius * liner->radius;
+    k += inner.axial;
+    c += inner.torsion;
+    bend += inner.axial * inner.radius * inner.radius / 2;
+  }
+  chain.radius = std::sqrt(polar / chain.mass);
+  // Elements as short beams: their law acts midway, so n of them have the statics of the whole.
+  const double element = s.convoluted / chain.count, n = chain.count;
+  chain.spring = {.axial = n * k,
+                  .transverse = 12 * n * bend / (element * element),
+                  .bending = n * bend,
+                  .torsion = n * c};
+  return chain;
+}
+
 class Simplifier {
 public:
   Simplifier(const Case& data, const StageListener& stage)
@@ -117,71 +199,19 @@ public:
     stage_("statics of the shells");
     const ReducedCase alone = reduce_case(bare(case_, *own_.bellows_part),
                                           {.cutoff = 1, .boundary = {}}, [](const std::string&) {});
-    const EndStiffness stiffness = end_stiffness(alone.element.K.block<6, 6>(6, 6));
-    const MassProperties body = mass_properties(alone.element);
-    const Cuffs cuffs = cuffs_of(b);
-    const double t = total_thickness(b.wall), length = axial_length(b);
-    const double straight = cuffs.left + cuffs.right, convoluted = length - straight;
-    const double A = 2 * pi * cuffs.radius * t, R2 = cuffs.radius * cuffs.radius;
-    const double G = m.E / (2 * (1 + m.nu));
-    const double axial = without_ends(stiffness.axial, straight / (m.E * A));
-    const double torsion = without_ends(stiffness.torsion, straight / (G * A * R2));
-    const double bending = without_ends(stiffness.bending_x, straight / (m.E * A * R2 / 2));
-    const double wall_mass = body.mass - straight * A * m.rho;
-    const double polar = body.inertia(1, 1) - straight * A * m.rho * R2;
-    if (std::abs(cuffs.left - cuffs.right) > 0.01 * length)
+    const BellowsOfShells shells = bellows_of_shells(alone.element, b, m);
+    if (std::abs(shells.cuffs.left - shells.cuffs.right) > 0.01 * shells.length)
       remarks_.push_back("the straight ends differ; both simple models have their mean length");
-
-    EquivalentPipe pipe;
-    pipe.material = b.material;
-    pipe.start = b.start;
-    pipe.length = length;
-    pipe.convoluted = convoluted;
-    pipe.outer.radius = std::sqrt(2 * bending / axial);
-    pipe.outer.wall = wall_mass / convoluted / (2 * pi * pipe.outer.radius * m.rho);
-    pipe.outer.axial = axial;
-    pipe.outer.mass_radius = std::sqrt(polar / wall_mass);
-    pipe.outer.torsion = torsion;
-    pipe.end_radius = cuffs.radius;
-    pipe.end_wall = t;
-    ConnectorChain chain;
-    chain.start = b.start;
-    chain.length = length;
-    chain.arms = straight / 2;
-    chain.count = std::max(1, convolutions(b));
-    chain.mass = wall_mass;
-    chain.arm_mass = (body.mass - wall_mass) / 2;
-    double chain_polar = polar;
-    // The arms are rigid: the springs have the compliance of the straight ends too.
-    double k = stiffness.axial, c = stiffness.torsion, bend = stiffness.bending_x;
-    if (const Interlock* liner = own_.liner) {
-      PipeLayer inner{.radius = liner->radius, .mass = liner->mass, .mass_radius = liner->radius};
-      inner.axial = liner->EA / convoluted;
-      inner.torsion = liner->GJ / convoluted;
-      if (liner->EA > 0 && liner->EI > 0) inner.radius = std::sqrt(2 * liner->EI / liner->EA);
-      if (liner->attachment != Attachment::synchronous)
+    EquivalentPipe pipe = pipe_of(shells, b, m);
+    if (own_.liner) {
+      pipe.inner = layer_of(*own_.liner, shells.convoluted);
+      if (own_.liner->attachment != Attachment::synchronous)
         remarks_.push_back("the liner is tied to the bellows at some places only; in the simple "
                            "models it follows it everywhere");
-      pipe.inner = inner;
-      const double between = liner->mass * convoluted / length;
-      chain.mass += between;
-      chain.arm_mass += (liner->mass - between) / 2;
-      chain_polar += between * liner->radius * liner->radius;
-      k += inner.axial;
-      c += inner.torsion;
-      bend += inner.axial * inner.radius * inner.radius / 2;
     }
-    chain.radius = std::sqrt(chain_polar / chain.mass);
-    // Elements as short beams: their law acts midway, so n of them have the statics of the whole.
-    const double element = convoluted / chain.count, n = chain.count;
-    chain.spring = {.axial = n * k,
-                    .transverse = 12 * n * bend / (element * element),
-                    .bending = n * bend,
-                    .torsion = n * c};
-
     EquivalentBeam beam;
     beam.pipe = with_part(pipe);
-    beam.connector = with_part(chain);
+    beam.connector = with_part(chain_of(shells, b, own_.liner));
     beam.ejma_axial = ejma_stiffness(b, m);
     compare(beam);
     beam.remarks = remarks_;

@@ -1,5 +1,7 @@
 #include "tests/support/direct_response.hpp"
 
+#include "words/short_text.hpp"
+
 #include <Eigen/UmfPackSupport>
 #include <stdexcept>
 
@@ -26,7 +28,7 @@ MatrixXcd direct_response(const SparseMatrix& K, const SparseMatrix& M, double e
     solver.factorize(dynamic);
     if (solver.info() != Eigen::Success)
       throw std::runtime_error("direct response: the dynamic stiffness is singular at " +
-                               std::to_string(omega[k]) +
+                               short_text(omega[k], 6) +
                                " rad/s; without damping it is at every "
                                "eigenfrequency");
     response.col(k) = solver.solve(load);
