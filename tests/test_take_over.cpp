@@ -180,6 +180,7 @@ TEST(TakeOver, goes_into_the_case_as_it_was_read) {
   const test::TemporaryFolder temporary("take_over_kept");
   const fs::path path = temporary.path / "beam.yaml";
   fs::copy_file(cases / "cantilever_masses/cantilever_masses.yaml", path);
+  fs::copy_file(cases / "cantilever_masses/measured.yaml", temporary.path / "measured.yaml");
   const CaseFile file = read_case(path.string());
   std::ofstream(path) << "case: another\n";
   ExplainedCase explained =
