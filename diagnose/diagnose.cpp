@@ -1,12 +1,12 @@
 #include "diagnose/diagnose.hpp"
 
 #include "diagnose/account/account.hpp"
-#include "diagnose/account/ledger.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
 #include "diagnose/judge/thresholds.hpp"
+#include "diagnose/objections.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 #include <stdexcept>
 
 namespace plica {
@@ -70,28 +69,19 @@ private:
     const Inclusion inclusion(search.nominal, search.fits, sets);
     const std::vector<Compensator> tempting = compensators(
         context, search.held_out, plain, problem_.nominal.structure(problem_.test.data));
-    std::vector<JudgedFit> beside;
-    const Referee referee{
-        .to_all = [&](const JudgedFit& j) { return objection(context, plain, tempting, j); },
-        .to_most =
-            [&](const JudgedFit& j) {
-              Objection found = objection_to_most(context, plain, tempting, j);
-              if (!found.why.empty()) return found;
-              beside = fit_beside(search, j);
-              found.why = closes_too_little_beside(sets_beside(j, beside, inclusion),
-                                                   *found.sampled, context, plain);
-              return found;
-            }};
+    Objections objections(problem_, search, plain, tempting, inclusion);
     // Before all was tried nothing is known to be the best.
     const bool stopped = settings_.stop();
-    Judgement judgement =
-        stopped ? nearest_so_far(search.nominal, inclusion)
-                : judge(search.nominal, search.ranked, sets, inclusion, search.standards, referee);
+    Judgement judgement = stopped ? nearest_so_far(search.nominal, inclusion)
+                                  : judge(search.nominal, search.ranked, sets, inclusion,
+                                          search.standards, objections.referee());
     if (!stopped) allow_for_remounting(judgement, context, plain, search.standards);
-    if (judgement.verdict == Verdict::ambiguous)
-      beside.clear(); // of what was asked about before
-    else if (!judgement.named.empty() && beside.empty())
-      beside = fit_beside(search, *judgement.named.front());
+    std::vector<JudgedFit> beside;
+    if (judgement.verdict != Verdict::ambiguous) {
+      beside = objections.beside();
+      if (beside.empty() && !judgement.named.empty())
+        beside = fit_beside(search, *judgement.named.front());
+    }
     Diagnosis result = account_of(problem_,
                                   {.context = context,
                                    .scores = search.scores,
@@ -240,132 +230,6 @@ private:
       best[i]->held_out_shrink = turn.shrink();
       best[i]->held_out_met = turn.interval[0] > 0;
     }
-  }
-
-  // Why what leads is not identified.
-  Objection objection(const FitContext& context, const HypothesisFit& plain,
-                      const std::vector<Compensator>& tempting, const JudgedFit& leads) {
-    const std::size_t readings = context.fitted.rows().size();
-    if (std::string rest = what_remains(plain, tempting, leads); !rest.empty())
-      return {std::move(rest)};
-    constexpr std::size_t fewest = 4;
-    if (!problem_.held_out->rows().empty()) return {};
-    const GapShrink turn = in_turn(context, plain, leads.fit);
-    if (turn.interval[0] > 0) return {"", turn};
-    const std::string found = "taken in turn, " + foretold_no_better(turn);
-    if (readings >= fewest) return {found, turn};
-    problem_.readings.warnings.push_back(name_of(leads.fit) + ": " + found);
-    return {"", turn};
-  }
-
-  // Why effects that lead are not said to explain most. Their own number of the gap that they close
-  // is not known better than the rest lets them be.
-  Objection objection_to_most(const FitContext& context, const HypothesisFit& plain,
-                              const std::vector<Compensator>& tempting,
-                              const JudgedFit& leads) const {
-    if (std::string other = imitated(tempting, leads); !other.empty()) return {std::move(other)};
-    HypothesisFit fit = leads.fit;
-    sample(context, fit, settings_.particles, 1, dispersion(fit));
-    const Ledger ledger = ledger_of(context, plain, {{&fit}});
-    if (std::string little = closes_too_little(ledger, ""); !little.empty())
-      return {std::move(little), {}, std::move(fit)};
-    if (Objection little = members_of_little(ledger, fit); !little.why.empty()) {
-      little.sampled = std::move(fit);
-      return little;
-    }
-    if (problem_.held_out->rows().empty()) {
-      const GapShrink turn = in_turn(context, plain, leads.fit);
-      return {turn.interval[0] > 0 ? "" : "taken in turn, " + foretold_no_better(turn), turn,
-              std::move(fit)};
-    }
-    complete(context, fit);
-    const GapShrink held_out = gap_shrink(context, *problem_.held_out, plain, fit);
-    return {held_out.interval[0] > 0 ? "" : "held-out " + foretold_no_better(held_out),
-            {},
-            std::move(fit)};
-  }
-
-  static std::string closes_too_little(const Ledger& ledger, const char* where) {
-    if (ledger.explained_interval[0] >= threshold::most_closed) return "";
-    return fmt::format("it closes {:.0f} % of the gap [{:.0f}, {:.0f}]{}", 100 * ledger.explained,
-                       100 * ledger.explained_interval[0], 100 * ledger.explained_interval[1],
-                       where);
-  }
-
-  // Where others may act beside it; without any it was asked before.
-  static std::string closes_too_little_beside(std::vector<LedgerSet> others,
-                                              const HypothesisFit& sampled,
-                                              const FitContext& context,
-                                              const HypothesisFit& plain) {
-    if (others.empty()) return "";
-    others.push_back({.fit = &sampled});
-    return closes_too_little(ledger_of(context, plain, others), " where others may act beside it");
-  }
-
-  // Where nothing explains the test, an effect that closes little may do so by what the others are
-  // off.
-  static Objection members_of_little(const Ledger& ledger, const HypothesisFit& fit) {
-    Objection found;
-    if (fit.together.size() < 2) return found;
-    for (std::size_t i = 0; i < fit.together.size(); ++i)
-      if (ledger.rows[i].share < threshold::least_closed) {
-        found.why = fmt::format("{} at {} closes {:.1f} % of the gap only", fit.together[i]->effect,
-                                fit.together[i]->place, 100 * ledger.rows[i].share);
-        found.small.push_back(fit.together[i]);
-      }
-    if (found.small.size() == fit.together.size()) found.small.clear();
-    return found;
-  }
-
-  static std::string foretold_no_better(const GapShrink& g) {
-    return fmt::format("readings are foretold no better with it (shrink {:.0f} % [{:.0f}, {:.0f}])",
-                       100 * g.shrink(), 100 * g.interval[0], 100 * g.interval[1]);
-  }
-
-  // Effects that are such a factor themselves, or where a drawing may be as wrong, on a whole part.
-  bool is_like(const Compensator& c, const HypothesisFit& fit) const {
-    static const std::multimap<FreeFactor, std::string> same{{FreeFactor::damping, "damping"},
-                                                             {FreeFactor::modulus, "temperature"}},
-        drawn{{FreeFactor::modulus, "ply_slip"},
-              {FreeFactor::modulus, "component_stiffness"},
-              {FreeFactor::modulus, "forming_thinning"},
-              {FreeFactor::density, "unweighed_mass"}};
-    const auto holds = [&](const auto& list) {
-      return std::any_of(list.begin(), list.end(), [&](const auto& pair) {
-        return pair.first == c.on &&
-               std::any_of(fit.together.begin(), fit.together.end(),
-                           [&](const Hypothesis* h) { return h->effect == pair.second; });
-      });
-    };
-    return holds(same) || (problem_.baseline.readings.empty() && holds(drawn));
-  }
-
-  // One factor on everything that would leave no more of the gap.
-  std::string imitated(const std::vector<Compensator>& tempting, const JudgedFit& leads) const {
-    for (const Compensator& c : tempting)
-      if (c.gap_after < threshold::one_factor * leads.gap_after && !is_like(c, leads.fit))
-        return fmt::format(
-            "{} times {:.3g} would leave no more of the gap ({:.2g}, {:.2g} with it)", c.name,
-            c.factor, c.gap_after, leads.gap_after);
-    return "";
-  }
-
-  // What explains the test closes half of its gap at least: errors may be smaller than they are
-  // stated, and then what is adequate leaves room for the cause. Beside a baseline an effect may be
-  // off by what it changes, so that much may remain of the gap.
-  std::string what_remains(const HypothesisFit& plain, const std::vector<Compensator>& tempting,
-                           const JudgedFit& leads) const {
-    const double before = std::sqrt(plain.chi2 / double(plain.error.size()));
-    if (problem_.baseline.readings.empty()) {
-      const double closed = 1 - std::pow(leads.gap_after / before, 2);
-      if (closed >= threshold::most_closed) return "";
-      return fmt::format("it closes {:.0f} % of the gap", 100 * closed);
-    }
-    if (std::string other = imitated(tempting, leads); !other.empty()) return other;
-    if (leads.gap_after < threshold::most_allowed ||
-        leads.gap_after < threshold::part_left * before)
-      return "";
-    return fmt::format("it leaves {:.0f} % of the change", 100 * leads.gap_after / before);
   }
 
   Stopwatch watch_;

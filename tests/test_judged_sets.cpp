@@ -200,6 +200,27 @@ TEST(Judge, is_not_sure_of_what_leaves_more_than_nine_of_ten_healthy_specimens) 
   EXPECT_EQ(fits.judgement_of_gaps(12).verdict, Verdict::several);
 }
 
+// Two fixtures were several, one with -1,600 % of the gap and the other with 1,700 %: a sensor's
+// gain did it.
+TEST(Judge, is_not_sure_of_effects_that_cancel) {
+  Fits fits;
+  fits.add_gap("added_mass", 4);
+  fits.add_gap("sensor_gain", 11);
+  Fits::leave(fits.add_pair("added_mass", "sensor_gain", 0), 1);
+  const JudgedFit* asked = nullptr;
+  const Referee cancelling{.to_sets = [&](const JudgedFit& lead) -> Objection {
+    asked = &lead;
+    return {"the effects cancel"};
+  }};
+  Judgement j = fits.judgement_of_gaps(12, cancelling);
+  EXPECT_EQ(asked, &fits.sets.front());
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_TRUE(j.names_sets());
+  EXPECT_NEAR(j.probability_of("added_mass"), 0.5, 0.01);
+  EXPECT_EQ(headline(fits.nominal(false), j),
+            "Ambiguous: added_mass at here and sensor_gain at here; the effects cancel");
+}
+
 // Of pairs that explain the test none is five nats ahead of one of its halves.
 TEST(Judge, says_not_settled_of_what_explains_the_test_but_is_not_far_ahead) {
   Fits fits;

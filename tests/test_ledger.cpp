@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace plica {
@@ -59,7 +60,9 @@ void expect_sound(const Ledger& ledger) {
   EXPECT_NEAR(of_readings, 1 - of_effects, 1e-9);
   EXPECT_NEAR(of_effects, ledger.explained, 1e-9);
   for (const LedgerRow& row : ledger.rows) {
-    EXPECT_LE(row.interval[0], row.interval[1]);
+    EXPECT_LE(row.interval[0], row.share);
+    EXPECT_GE(row.interval[1], row.share);
+    for (double end : row.interval) EXPECT_NEAR(100 * end, std::round(100 * end), 1e-9);
     EXPECT_TRUE(row.effects.empty() != row.left.empty());
   }
 }
@@ -86,7 +89,6 @@ TEST(Ledger, gives_nearly_all_to_the_one_effect_there_is) {
   EXPECT_NEAR(d.ledger.gap, d.gap.before * d.gap.before, 1e-9 * d.ledger.gap);
 }
 
-// The same effect at two places and another one, each found with its size.
 // What comes nearest to a test that nothing explains is no more of the gap than it is probable.
 TEST(Ledger, gives_what_is_not_settled_no_more_than_its_odds) {
   Measured m = test_of(cantilever());
@@ -105,6 +107,7 @@ TEST(Ledger, gives_what_is_not_settled_no_more_than_its_odds) {
   }
 }
 
+// The same effect at two places and another one, each found with its size.
 TEST(Ledger, shares_the_gap_among_three_effects_at_once) {
   Case truth = cantilever();
   *number_at(truth, "parts.m1.mass") = 0.07;  // 0.04 drawn

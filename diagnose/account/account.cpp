@@ -7,6 +7,7 @@
 #include "diagnose/account/overlays.hpp"
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
+#include "diagnose/account/tried.hpp"
 #include "diagnose/judge/headline.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "lab/measured/measured_words.hpp"
@@ -47,7 +48,9 @@ public:
       result_.where.push_back(std::move(gap));
     add_components(ranked);
     const JudgedFit* first = best_of(nominal, judgement);
-    add_tried(nominal, ranked, first);
+    Tried all = tried(problem_, found_, names_, *first);
+    result_.tried = std::move(all.all);
+    result_.best = all.best;
     for (const EffectFits& f : ranked) result_.evaluations += f.best->fit.evaluations;
     const JudgedFit* other = second_of(ranked, first);
     std::vector<HypothesisFit> shown{told.empty() ? first->fit : told.front()};
@@ -120,22 +123,30 @@ private:
     for (LedgerSet& set :
          sets_beside(*best_of(found_.nominal, judgement), found_.beside, found_.inclusion))
       sets.push_back(std::move(set));
-    if (judgement.verdict == Verdict::unknown && !sets.empty()) sets.push_back(none_of(sets));
-    result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets);
+    const bool settled =
+        sets.empty() || (judgement.verdict != Verdict::unknown && judgement.withheld.empty());
+    result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets,
+                               settled ? 0 : weight_of_something_else(told, sets));
     if (members.empty()) return;
     std::vector<std::vector<NamedEffect>> groups = alternatives(members);
     for (std::size_t i = 0; i < groups.size(); ++i)
       result_.ledger.rows[i].effects = std::move(groups[i]);
   }
 
-  // What comes nearest where nothing is named has no more of the gap than it is probable.
-  LedgerSet none_of(const std::vector<LedgerSet>& sets) const {
+  // What is not settled has no more of the gap than it is probable: of a list any of it, of sets
+  // what they share.
+  double weight_of_something_else(const std::vector<HypothesisFit>& told,
+                                  const std::vector<LedgerSet>& sets) const {
     double weight = 0, probability = 0;
     for (const LedgerSet& set : sets) weight += set.weight;
-    for (const Hypothesis* h : sets.front().fit->together)
-      probability = std::max(probability, found_.judgement.probability_of(h->effect));
+    if (told.front().together.size() == 1)
+      for (const HypothesisFit& fit : told)
+        probability += found_.judgement.probability_of(fit.together[0]->effect);
+    else
+      for (const Hypothesis* h : told.front().together)
+        probability = std::max(probability, found_.judgement.probability_of(h->effect));
     probability = std::clamp(probability, 1e-3, 1.);
-    return {.fit = nullptr, .weight = weight * (1 - probability) / probability};
+    return weight * (1 - probability) / probability;
   }
 
   // Each once, wherever sets that are named share it.
@@ -168,67 +179,6 @@ private:
     const Inclusion& inclusion = found_.inclusion;
     return std::exp(inclusion.log_weight(set) -
                     inclusion.log_weight(*found_.judgement.named.front()));
-  }
-
-  TriedHypothesis tried(const JudgedFit& j, const HypothesisFit& plain) const {
-    TriedHypothesis t{.effects = {},
-                      .log_evidence = j.fit.log_evidence,
-                      .sampled_log_evidence = j.fit.sampled_log_evidence,
-                      .log_bayes_factor = j.log_bayes_factor,
-                      .half_width = log_evidence_at_width(j.fit, 0.5) - plain.log_evidence,
-                      .double_width = log_evidence_at_width(j.fit, 2) - plain.log_evidence,
-                      .chi2 = j.fit.chi2,
-                      .chi2_of_means = j.chi2_of_means,
-                      .adequate = j.adequate,
-                      .share_of_healthy_worse = j.p,
-                      .worst_block = j.worst.second,
-                      .worst_block_z = j.worst.first,
-                      .gap_after = j.gap_after,
-                      .held_out_after = j.held_out_after,
-                      .absurd = j.absurd,
-                      .fails_held_out = j.fails_held_out,
-                      .rejected = ""};
-    for (std::size_t h = 0; h < j.fit.together.size(); ++h)
-      t.effects.push_back(names_.named(j.fit, h, 0, {}));
-    for (Index i : j.fit.aside) t.aside.push_back(problem_.readings.readings[std::size_t(i)].name);
-    if (!j.adequate)
-      t.rejected = why_inadequate(j);
-    else if (j.absurd)
-      t.rejected = "only with a value far out of its prior";
-    else if (j.fails_held_out)
-      t.rejected = "does not predict the held-out readings";
-    return t;
-  }
-
-  // The first of the gates (judge.hpp) that a fit does not pass.
-  std::string why_inadequate(const JudgedFit& j) const {
-    const Standards& limit = found_.standards;
-    if (j.worst.first > limit.worst_block)
-      return fmt::format("does not explain {} (z {:.1f}, limit {:.1f})", j.worst.second,
-                         j.worst.first, limit.worst_block);
-    if (j.fit.chi2 > limit.chi2)
-      return fmt::format("all readings together (chi-square {:.1f}, limit {:.1f})", j.fit.chi2,
-                         limit.chi2);
-    if (j.chi2_of_means > limit.chi2_of_means)
-      return fmt::format("the means over the levels (chi-square {:.1f}, limit {:.1f})",
-                         j.chi2_of_means, limit.chi2_of_means);
-    return fmt::format("leaves a gap of {:.1f}", j.gap_after);
-  }
-
-  // By evidence, with which of them is the best.
-  void add_tried(const JudgedFit& nominal, const std::vector<EffectFits>& ranked,
-                 const JudgedFit* best) {
-    std::vector<const JudgedFit*> all{&nominal};
-    for (const EffectFits& f : ranked) all.push_back(f.best);
-    for (const JudgedFit& set : found_.sets) all.push_back(&set);
-    if (std::find(all.begin(), all.end(), best) == all.end()) all.push_back(best);
-    std::stable_sort(all.begin(), all.end(), [](const JudgedFit* a, const JudgedFit* b) {
-      return a->log_bayes_factor > b->log_bayes_factor;
-    });
-    for (const JudgedFit* j : all) {
-      if (j == best && j != &nominal) result_.best = result_.tried.size();
-      result_.tried.push_back(tried(*j, nominal.fit));
-    }
   }
 
   // What an effect at a place explains stands for the place.

@@ -165,7 +165,7 @@ std::vector<std::optional<OneDraw>> draws_at(const Accounts& accounts,
 
 // The shortest interval that holds nine tenths of the draws: an effect cannot close more than all,
 // so that its share is not spread to both sides alike.
-std::array<double, 2> interval_of(std::vector<std::pair<double, double>> weighed) {
+std::array<double, 2> shortest_of(std::vector<std::pair<double, double>> weighed) {
   constexpr double held = 0.9 - 1e-9;
   std::sort(weighed.begin(), weighed.end());
   double sum = 0;
@@ -182,6 +182,14 @@ std::array<double, 2> interval_of(std::vector<std::pair<double, double>> weighed
   return shortest;
 }
 
+// An interval that holds its middle, too, which of draws of two kinds may lie outside the shortest,
+// in whole percents: nothing is known closer, however narrow the draws are.
+std::array<double, 2> stated(std::array<double, 2> interval, double middle) {
+  constexpr double steps = 100, rounding = 1e-9;
+  return {std::floor(steps * std::min(interval[0], middle) + rounding) / steps,
+          std::ceil(steps * std::max(interval[1], middle) - rounding) / steps};
+}
+
 // Mean and interval over the draws of a number that each has.
 template <class Number>
 std::pair<double, std::array<double, 2>> over(const std::vector<OneDraw>& draws, Number number) {
@@ -192,7 +200,8 @@ std::pair<double, std::array<double, 2>> over(const std::vector<OneDraw>& draws,
     sum += d.weight;
     mean += d.weight * number(d);
   }
-  return {mean / sum, interval_of(std::move(all))};
+  mean /= sum;
+  return {mean, stated(shortest_of(std::move(all)), mean)};
 }
 
 } // namespace
@@ -212,7 +221,7 @@ std::vector<LedgerSet> sets_beside(const JudgedFit& lead, const std::vector<Judg
 }
 
 Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
-                 const std::vector<LedgerSet>& sets) {
+                 const std::vector<LedgerSet>& sets, double none) {
   const Accounts accounts(context, nominal);
   Ledger ledger;
   ledger.gap = accounts.gap();
@@ -223,11 +232,6 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
   for (const LedgerSet& set : sets) weights += set.weight;
   for (const LedgerSet& set : sets) {
     constexpr int fewest = 20;
-    if (!set.fit && !draws.empty()) {
-      draws.push_back(accounts.nothing(draws.front().effects.size()));
-      draws.back().weight = set.weight;
-    }
-    if (!set.fit) continue;
     const std::vector<VectorXd> points = points_of(
         *set.fit, std::max(fewest, int(std::lround(draws_in_all * set.weight / weights))));
     const auto [together, own] = accounted(set, points);
@@ -237,9 +241,9 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
         draws.push_back(std::move(*draw));
       }
   }
-  if (draws.empty()) {
-    draws.push_back(accounts.nothing());
-    draws.back().weight = 1;
+  if (none > 0 || draws.empty()) {
+    draws.push_back(accounts.nothing(draws.empty() ? 0 : draws.front().effects.size()));
+    draws.back().weight = none > 0 ? none : 1;
   }
   for (Index i = 0; i < draws.front().effects.size(); ++i) {
     const auto [share, interval] = over(draws, [&](const OneDraw& d) { return d.effects[i]; });

@@ -13,7 +13,7 @@ namespace plica {
 // certain and is left out of the account. Fits without draws are represented by the Gaussian at
 // their optimum.
 struct LedgerSet {
-  const HypothesisFit* fit = nullptr; // null: none of the effects that the others have
+  const HypothesisFit* fit = nullptr;
   double weight = 1;
   std::vector<std::size_t> members = {};
 };
@@ -23,10 +23,11 @@ struct LedgerSet {
 std::vector<LedgerSet> sets_beside(const JudgedFit& lead, const std::vector<JudgedFit>& beside,
                                    const Inclusion& inclusion);
 
-// Rows of effects come first, without their `effects`; none where `sets` is empty. The first has a
-// fit.
+// Rows of effects come first, without their `effects`; none where `sets` is empty. `none`: the
+// weight, beside those of the sets, of that none of their effects acts. Intervals are of 90 %, hold
+// the share and end at whole percents.
 Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
-                 const std::vector<LedgerSet>& sets);
+                 const std::vector<LedgerSet>& sets, double none = 0);
 
 // What a set explains over the numbers that the test leaves open: a column each.
 struct ShareDraws {

@@ -11,30 +11,41 @@
 namespace plica {
 namespace {
 
-// Whether without any of its members a set is worth that much less: against what has the other
-// effects, wherever they sit.
-bool all_needed(const JudgedFit& set, const std::vector<EffectFits>& effects,
-                const std::vector<JudgedFit>& sets) {
-  for (const Hypothesis* member : set.fit.together) {
-    std::vector<std::string> others = set.fit.effects();
-    others.erase(std::find(others.begin(), others.end(), member->effect));
-    const auto as_good = [&](const JudgedFit& j) {
-      return j.fit.effects() == others &&
-             evidence_of(set.fit) - evidence_of(j.fit) < threshold::alike;
-    };
-    if (std::any_of(effects.begin(), effects.end(),
-                    [&](const EffectFits& f) { return as_good(*f.best); }) ||
-        std::any_of(sets.begin(), sets.end(), as_good))
-      return false;
-  }
-  return true;
+constexpr double nothing_tried = -1e300; // nats
+
+// What the best is worth that has these effects, wherever they sit.
+double best_with(const std::vector<std::string>& names, const std::vector<EffectFits>& effects,
+                 const std::vector<JudgedFit>& sets) {
+  double best = nothing_tried;
+  const auto ask = [&](const JudgedFit& j) {
+    if (j.fit.effects() == names) best = std::max(best, evidence_of(j.fit));
+  };
+  for (const EffectFits& f : effects) ask(*f.best);
+  for (const JudgedFit& j : sets) ask(j);
+  return best;
 }
 
-// The same against what has the others where the set has them.
-bool needed_where_they_are(const JudgedFit& set, const Inclusion& inclusion) {
+// Whether a set is worth that much less without any of its members; `rest`: what the best is worth
+// that has the others.
+template <class Rest> bool each_is_needed(const JudgedFit& set, Rest rest) {
   return std::all_of(set.fit.together.begin(), set.fit.together.end(), [&](const Hypothesis* h) {
-    const JudgedFit* rest = inclusion.without(set, {h});
-    return !rest || evidence_of(set.fit) - evidence_of(rest->fit) >= threshold::alike;
+    return evidence_of(set.fit) - rest(*h) >= threshold::alike;
+  });
+}
+
+bool needed_anywhere(const JudgedFit& set, const std::vector<EffectFits>& effects,
+                     const std::vector<JudgedFit>& sets) {
+  return each_is_needed(set, [&](const Hypothesis& member) {
+    std::vector<std::string> others = set.fit.effects();
+    others.erase(std::find(others.begin(), others.end(), member.effect));
+    return best_with(others, effects, sets);
+  });
+}
+
+bool needed_where_they_are(const JudgedFit& set, const Inclusion& inclusion) {
+  return each_is_needed(set, [&](const Hypothesis& member) {
+    const JudgedFit* rest = inclusion.without(set, {&member});
+    return rest ? evidence_of(rest->fit) : nothing_tried;
   });
 }
 
@@ -66,7 +77,7 @@ std::vector<const JudgedFit*> standing_sets(double none, const std::vector<Effec
                                             const std::vector<JudgedFit>& sets, double apart) {
   std::vector<const JudgedFit*> standing;
   for (const JudgedFit& set : sets)
-    if (set.fit.solved && set.stands() && !set.too_free() && all_needed(set, effects, sets))
+    if (set.fit.solved && set.stands() && !set.too_free() && needed_anywhere(set, effects, sets))
       standing.push_back(&set);
   std::stable_sort(standing.begin(), standing.end(), [](const JudgedFit* a, const JudgedFit* b) {
     return evidence_of(a->fit) > evidence_of(b->fit);
@@ -181,7 +192,7 @@ std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector
     }
     if (set.fit.solved && set.credible() && !set.too_free() && !has_lead &&
         lead.log_evidence - evidence_of(set.fit) < threshold::alike &&
-        (has_effect ? needed_where_they_are(set, inclusion) : all_needed(set, effects, sets)))
+        (has_effect ? needed_where_they_are(set, inclusion) : needed_anywhere(set, effects, sets)))
       return name_of(set.fit) + " explain as much";
   }
   return "";
@@ -318,7 +329,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
       rivals.push_back(&f);
   }
   weigh_singles(nominal, effects, result);
-  const double best = credible.empty() ? -1e300 : credible.front()->log_evidence;
+  const double best = credible.empty() ? nothing_tried : credible.front()->log_evidence;
   if (nominal.adequate && best - none < standards.evidence) {
     result.verdict = Verdict::none;
     return result;
@@ -330,10 +341,13 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     result.named = standing;
     result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
     result.probabilities = shares_of(result.named);
-    if (standing.front()->at_the_edge) {
+    if (standing.front()->at_the_edge)
+      result.withheld = edge_words;
+    else if (referee.to_sets)
+      result.withheld = referee.to_sets(*standing.front()).why;
+    if (!result.withheld.empty()) {
       result.verdict = Verdict::ambiguous;
       result.named = different;
-      result.withheld = edge_words;
       claim_no_more_than_is_closed(nominal, standing.front(), result);
     }
     return result;

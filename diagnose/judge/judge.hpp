@@ -24,7 +24,8 @@
 //               do, or is within 5 of what is as adequate and closes nothing, or within 3 of a set
 //               without it at its place: then up to three effects within 8 of it. Or sets of which
 //               too many explain the test alike to be several, or the best leaves more than nine of
-//               ten healthy specimens do. A parameter is free where its posterior is narrower than
+//               ten healthy specimens do, or its effects cancel: what some of them open is more
+//               than the whole gap. A parameter is free where its posterior is narrower than
 //               half its prior, or a move within the prior changes a reading by a tenth of its
 //               standard deviation. Of a list none is sure: 5 nats are odds of nine to one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
@@ -79,8 +80,9 @@ using Objecting = std::function<Objection(const JudgedFit&)>;
 
 // What takes time is asked of those only that it is needed of. Left out: nobody objects.
 struct Referee {
-  Objecting to_all;  // to an effect that would explain all
-  Objecting to_most; // to effects that would explain most
+  Objecting to_all = {};  // to an effect that would explain all
+  Objecting to_sets = {}; // to effects that would together
+  Objecting to_most = {}; // to effects that would explain most
 };
 
 // Of what was tried until the search was stopped: unknown, with what comes nearest and even odds of

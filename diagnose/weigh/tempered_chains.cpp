@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plica {
 namespace {
@@ -20,7 +21,7 @@ constexpr int moves = 2; // steps of Metropolis of a particle and stage
 
 // ln of the standard normal density.
 double log_normal(const VectorXd& z) {
-  return -z.squaredNorm() / 2 - double(z.size()) / 2 * std::log(6.283185307179586);
+  return -z.squaredNorm() / 2 - double(z.size()) / 2 * std::log(2 * std::numbers::pi);
 }
 
 // Where the chains begin.

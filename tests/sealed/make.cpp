@@ -11,6 +11,7 @@
 #include <fmt/os.h>
 #include <fstream>
 #include <mutex>
+#include <numbers>
 #include <set>
 #include <thread>
 
@@ -220,7 +221,7 @@ void check_roads(const fs::path& work) {
       const Bench bench = bellows_bench({.structure = "short_bellows"}, wall, {}, Draws::none());
       const Modes modes = modes_of(bench.test);
       fmt::print("{:18}", name);
-      for (int i = 0; i < 8; ++i) fmt::print(" {:8.1f}", modes.w[i] / 6.283185307179586);
+      for (int i = 0; i < 8; ++i) fmt::print(" {:8.1f}", modes.w[i] / (2 * std::numbers::pi));
       fmt::print("  weighed {:.5f} kg\n", bench.body.weighed);
     }
 }

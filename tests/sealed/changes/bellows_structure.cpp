@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <limits>
+#include <numbers>
 
 namespace sealed {
 namespace {
@@ -113,7 +114,7 @@ private:
       std::vector<double>& own = moved.y() > std::max(moved.x(), moved.z()) ? axial
                                  : moved.x() > moved.z()                    ? along_x
                                                                             : along_z;
-      own.push_back(modes.w[i] / 6.283185307179586);
+      own.push_back(modes.w[i] / (2 * std::numbers::pi));
     }
     VectorXd all(4);
     all << axial.at(0), axial.at(1), along_x.at(0), along_z.at(0);

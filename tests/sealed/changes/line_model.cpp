@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace sealed {
 namespace {
@@ -126,7 +127,7 @@ FoundModes LineModel::modes(int count, const std::vector<double>& seen_at) const
     if (std::find(fixed_.begin(), fixed_.end(), i) == fixed_.end()) free.push_back(i);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K_(free, free),
                                                                         M_(free, free));
-  constexpr double turn = 6.283185307179586;
+  constexpr double turn = 2 * std::numbers::pi;
   FoundModes found{.frequencies = eigen.eigenvalues().head(count).cwiseMax(0).cwiseSqrt() / turn};
   for (int k = 0; k < count; ++k) {
     Eigen::VectorXd shape(seen_at.size());

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numbers>
 
 namespace sealed {
 namespace {
@@ -143,7 +144,7 @@ public:
       M += mass * w * w.transpose();
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(K, M);
-    constexpr double turn = 6.283185307179586;
+    constexpr double turn = 2 * std::numbers::pi;
     constexpr int count = 7;
     FoundModes found{.frequencies = eigen.eigenvalues().head(count).cwiseSqrt() / turn};
     for (Index k = 0; k < count; ++k) found.shapes.emplace_back(seen * eigen.eigenvectors().col(k));
