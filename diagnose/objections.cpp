@@ -71,7 +71,7 @@ Objection Objections::to_sets(const JudgedFit& leads) const {
   for (std::size_t i = 0; i < leads.fit.together.size(); ++i)
     opened -= std::min(0., shares(Index(i), 0));
   if (opened <= threshold::most_opened) return {};
-  return {fmt::format("its effects cancel: some open {:.1f} times the gap, which the others close",
+  return {fmt::format("the effects cancel: some open {:.1f} times the gap, which the others close",
                       opened)};
 }
 

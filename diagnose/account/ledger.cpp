@@ -186,8 +186,9 @@ std::array<double, 2> shortest_of(std::vector<std::pair<double, double>> weighed
 // in whole percents: nothing is known closer, however narrow the draws are.
 std::array<double, 2> stated(std::array<double, 2> interval, double middle) {
   constexpr double steps = 100, rounding = 1e-9;
-  return {std::floor(steps * std::min(interval[0], middle) + rounding) / steps,
-          std::ceil(steps * std::max(interval[1], middle) - rounding) / steps};
+  constexpr double plain_zero = 0; // -0 + 0 is 0
+  return {std::floor(steps * std::min(interval[0], middle) + rounding) / steps + plain_zero,
+          std::ceil(steps * std::max(interval[1], middle) - rounding) / steps + plain_zero};
 }
 
 // Mean and interval over the draws of a number that each has.
