@@ -1,6 +1,7 @@
 #include "diagnose/diagnose.hpp"
 
 #include "diagnose/account/account.hpp"
+#include "diagnose/account/next_measurement.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
@@ -82,26 +83,53 @@ private:
       if (beside.empty() && !judgement.named.empty())
         beside = fit_beside(search, *judgement.named.front());
     }
-    Diagnosis result = account_of(problem_,
-                                  {.context = context,
-                                   .scores = search.scores,
-                                   .standards = search.standards,
-                                   .nominal = search.nominal,
-                                   .ranked = search.ranked,
-                                   .fits = search.fits,
-                                   .sets = sets,
-                                   .beside = beside,
-                                   .inclusion = inclusion,
-                                   .judgement = judgement,
-                                   .signatures = search.all,
-                                   .compensators = tempting},
-                                  settings_);
+    settings_.stage("ledger", 0.90);
+    const Told told =
+        told_of(problem_, search.nominal, search.ranked, judgement, settings_.particles);
+    const Findings found{.context = context,
+                         .scores = search.scores,
+                         .standards = search.standards,
+                         .nominal = search.nominal,
+                         .ranked = search.ranked,
+                         .fits = search.fits,
+                         .sets = sets,
+                         .beside = beside,
+                         .inclusion = inclusion,
+                         .judgement = judgement,
+                         .told = told,
+                         .signatures = search.all,
+                         .compensators = tempting};
+    Diagnosis result = account_of(problem_, found, settings_);
+    if (settings_.plan_next && !settings_.stop()) result.next = next_after(found);
     if (stopped)
       result.warnings.insert(result.warnings.begin(),
                              "stopped before all effects were tried: this is what came nearest");
     result.not_tried = problem_.not_tried;
     result.seconds = watch_.seconds();
     return result;
+  }
+
+  // What would tell apart what the test leaves open: the nominal case, sets of effects, their
+  // numbers.
+  std::vector<ProposedMeasurement> next_after(const Findings& found) const {
+    settings_.stage("next measurement", 0.98);
+    constexpr std::size_t most = 5;
+    constexpr double never_ruled_out = 0.02, ruled_out = 1e-3;
+    std::vector<RivalSet> rivals;
+    const auto add = [&](const JudgedFit& j, double probability) {
+      if (j.adequate) probability = std::max(probability, never_ruled_out);
+      if (probability < ruled_out) return;
+      rivals.push_back({.together = j.fit.together,
+                        .values = j.fit.values,
+                        .probability = probability,
+                        .draws = {}});
+      const int count = j.fit.together.size() > 2 ? 6 : 12; // every subset of a draw is solved
+      rivals.back().draws = share_draws(found.context, found.nominal.fit, j.fit, count);
+    };
+    if (found.nominal.adequate) add(found.nominal, found.inclusion.none());
+    for (const auto& [fit, probability] : found.inclusion.first(most)) add(*fit, probability);
+    return next_measurements(problem_.data, problem_.nominal, problem_.test.data, problem_.readings,
+                             rivals, problem_.predictors->models());
   }
 
   std::vector<JudgedFit> sets_of(const SetSearch& search, const HypothesisFit& plain) const {

@@ -3,7 +3,6 @@
 #include "diagnose/account/assumptions.hpp"
 #include "diagnose/account/ledger.hpp"
 #include "diagnose/account/named_effects.hpp"
-#include "diagnose/account/next_measurement.hpp"
 #include "diagnose/account/overlays.hpp"
 #include "diagnose/account/residual_energy.hpp"
 #include "diagnose/account/shrink.hpp"
@@ -29,48 +28,38 @@ public:
       : problem_(problem), found_(found), settings_(settings), names_(problem, found) {}
 
   Diagnosis diagnosis() {
-    const FitContext& context = found_.context;
     const JudgedFit& nominal = found_.nominal;
-    const std::vector<EffectFits>& ranked = found_.ranked;
     const Judgement& judgement = found_.judgement;
+    const Told& told = found_.told;
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
-    settings_.stage("ledger", 0.90);
-    const std::vector<HypothesisFit> told = fits_told();
     std::vector<std::vector<NamedEffect>> members;
-    for (const HypothesisFit& fit : told) members.push_back(names_.members_of(fit));
-    keep_ledger(told, members);
+    for (const HypothesisFit& fit : told.fits) members.push_back(names_.members_of(fit));
+    keep_ledger(members);
     add_effects(members);
     settings_.stage("report", 0.94);
     result_.where = located(found_.scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
       result_.where.push_back(std::move(gap));
-    add_components(ranked);
-    const JudgedFit* first = best_of(nominal, judgement);
-    Tried all = tried(problem_, found_, names_, *first);
+    add_components(found_.ranked);
+    Tried all = tried(problem_, found_, names_, *told.first);
     result_.tried = std::move(all.all);
     result_.best = all.best;
-    for (const EffectFits& f : ranked) result_.evaluations += f.best->fit.evaluations;
-    const JudgedFit* other = second_of(ranked, first);
-    std::vector<HypothesisFit> shown{told.empty() ? first->fit : told.front()};
-    if (other) shown.push_back(other->fit);
-    for (HypothesisFit& fit : shown) complete(context, fit);
-    const HypothesisFit& best = shown.front();
-    const HypothesisFit* second = other ? &shown.back() : nullptr;
-    how_far(context, nominal, best, second);
-    add_trends(best);
-    result_.basis_error = problem_.predictors->of(best.together).basis_error(best.values);
-    if (best.together.size() == 1) result_.drifts = drifts(context, best);
+    for (const EffectFits& f : found_.ranked) result_.evaluations += f.best->fit.evaluations;
+    how_far();
+    add_trends(told.best);
+    result_.basis_error = problem_.predictors->of(told.best.together).basis_error(told.best.values);
+    result_.drifts = told.drifts;
     result_.compensators = found_.compensators;
     add_signatures();
-    result_.overlays = overlays_of(problem_, best, second);
-    for (const HypothesisFit& fit : shown) add_posterior(fit);
-    plan_next(nominal);
+    result_.overlays = overlays_of(problem_, told.best, told.second ? &*told.second : nullptr);
+    add_posterior(told.best);
+    if (told.second) add_posterior(*told.second);
     advise(judgement);
     result_.assumptions = assumptions_of(problem_, found_.standards, settings_.without);
     result_.warnings = problem_.readings.warnings;
-    add_reach(best);
+    add_reach(told.best);
     result_.baseline = problem_.baseline;
     result_.hypotheses = int(problem_.hypotheses.size());
     result_.headline = headline(nominal, judgement);
@@ -85,28 +74,12 @@ private:
     for (const BeamElement& b : model.beams) result_.lines.push_back({b.node1, b.node2});
   }
 
-  // What the user is told of: the effects named, else what comes nearest. Where several act at
-  // once, or errors are larger than stated, with draws of all their parameters together.
-  std::vector<HypothesisFit> fits_told() const {
-    const Judgement& judgement = found_.judgement;
-    if (judgement.sampled) return {*judgement.sampled};
-    std::vector<const JudgedFit*> chosen = judgement.named;
-    if (chosen.empty() && judgement.nearest) chosen.push_back(judgement.nearest);
-    std::vector<HypothesisFit> told;
-    for (const JudgedFit* j : chosen) told.push_back(j->fit);
-    if (judgement.names_sets() || judgement.verdict == Verdict::mostly ||
-        judgement.verdict == Verdict::unknown)
-      for (HypothesisFit& fit : told)
-        sample(found_.context, fit, settings_.particles, 1, dispersion(fit));
-    return told;
-  }
-
   // An ambiguous list is one row: each of it would explain that much. Of sets that explain the test
   // alike the rows are those of the first, each with what takes its place in the others, and draws
   // of all of them; of what leads draws beside further effects, too.
-  void keep_ledger(const std::vector<HypothesisFit>& told,
-                   const std::vector<std::vector<NamedEffect>>& members) {
+  void keep_ledger(const std::vector<std::vector<NamedEffect>>& members) {
     const Judgement& judgement = found_.judgement;
+    const std::vector<HypothesisFit>& told = found_.told.fits;
     const bool list = judgement.verdict == Verdict::ambiguous && !judgement.names_sets();
     std::vector<LedgerSet> sets;
     for (std::size_t k = 0; k < told.size(); ++k) {
@@ -120,8 +93,7 @@ private:
                       [&](std::size_t member) { return member < members[k].size(); }))
         sets.push_back(std::move(set));
     }
-    for (LedgerSet& set :
-         sets_beside(*best_of(found_.nominal, judgement), found_.beside, found_.inclusion))
+    for (LedgerSet& set : sets_beside(*found_.told.first, found_.beside, found_.inclusion))
       sets.push_back(std::move(set));
     const bool settled =
         sets.empty() || (judgement.verdict != Verdict::unknown && judgement.withheld.empty());
@@ -200,16 +172,6 @@ private:
       }
   }
 
-  static const JudgedFit* best_of(const JudgedFit& nominal, const Judgement& judgement) {
-    if (!judgement.named.empty()) return judgement.named.front();
-    return judgement.nearest ? judgement.nearest : &nominal;
-  }
-  static const JudgedFit* second_of(const std::vector<EffectFits>& ranked, const JudgedFit* best) {
-    for (const EffectFits& f : ranked)
-      if (f.best != best) return f.best;
-    return nullptr;
-  }
-
   // Over the level: the test's, and the model's.
   void add_trends(const HypothesisFit& best) {
     result_.trends = level_trends(problem_.readings);
@@ -254,22 +216,19 @@ private:
       }
   }
 
-  void how_far(const FitContext& context, const JudgedFit& nominal, const HypothesisFit& best,
-               const HypothesisFit* second) {
-    const Judgement& judgement = found_.judgement;
-    result_.gap = gap_shrink(context, *problem_.fitted, nominal.fit, best);
+  void how_far() {
+    const HypothesisFit& nominal = found_.nominal.fit;
+    const Told& told = found_.told;
+    result_.gap = gap_shrink(found_.context, *problem_.fitted, nominal, told.best);
     if (!problem_.held_out->rows().empty()) {
-      result_.held_out = gap_shrink(context, *problem_.held_out, nominal.fit, best);
+      result_.held_out = gap_shrink(found_.context, *problem_.held_out, nominal, told.best);
       for (const std::string& h : problem_.test.data.hold_out)
         result_.held_out_how += (result_.held_out_how.empty() ? "" : ", ") + h;
       if (result_.held_out_how.empty())
         result_.held_out_how = "the highest level of each direction";
-    } else if (problem_.fitted->rows().size() > 2 && !best.together.empty()) {
-      const bool leads = !judgement.named.empty() && judgement.named.front()->fit.z == best.z &&
-                         judgement.named.front()->fit.together == best.together;
-      result_.held_out =
-          leads && judgement.in_turn ? *judgement.in_turn : in_turn(context, nominal.fit, best);
-      result_.held_out_how = how_in_turn(context.fitted.rows().size());
+    } else if (told.in_turn) {
+      result_.held_out = told.in_turn;
+      result_.held_out_how = how_in_turn(found_.context.fitted.rows().size());
     }
     const MatrixXd total = problem_.uncertainty.total();
     for (std::size_t i = 0; i < problem_.readings.readings.size(); ++i) {
@@ -281,37 +240,14 @@ private:
                           .name = r.name,
                           .unit = r.unit,
                           .measured = r.value,
-                          .nominal = value(nominal.fit),
-                          .best = value(best),
+                          .nominal = value(nominal),
+                          .best = value(told.best),
                           .second = {},
                           .sigma = std::sqrt(total(Index(i), Index(i))),
                           .held_out = r.held_out};
-      if (second) row.second = value(*second);
+      if (told.second) row.second = value(*told.second);
       result_.readings.push_back(std::move(row));
     }
-  }
-
-  // Among what the test leaves open: the nominal case, sets of effects, their numbers.
-  void plan_next(const JudgedFit& nominal) {
-    if (!settings_.plan_next || settings_.stop()) return;
-    settings_.stage("next measurement", 0.98);
-    constexpr std::size_t most = 5;
-    constexpr double never_ruled_out = 0.02, ruled_out = 1e-3;
-    std::vector<RivalSet> rivals;
-    const auto add = [&](const JudgedFit& j, double probability) {
-      if (j.adequate) probability = std::max(probability, never_ruled_out);
-      if (probability < ruled_out) return;
-      rivals.push_back({.together = j.fit.together,
-                        .values = j.fit.values,
-                        .probability = probability,
-                        .draws = {}});
-      const int count = j.fit.together.size() > 2 ? 6 : 12; // every subset of a draw is solved
-      rivals.back().draws = share_draws(found_.context, nominal.fit, j.fit, count);
-    };
-    if (nominal.adequate) add(nominal, found_.inclusion.none());
-    for (const auto& [fit, probability] : found_.inclusion.first(most)) add(*fit, probability);
-    result_.next = next_measurements(problem_.data, problem_.nominal, problem_.test.data,
-                                     problem_.readings, rivals, problem_.predictors->models());
   }
 
   // Beside effects that were tried: what the case has no place for is not told apart from anything.

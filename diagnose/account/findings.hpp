@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnose/account/gap_problem.hpp"
+#include "diagnose/account/told.hpp"
 #include "diagnose/judge/identifiability.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
@@ -19,6 +20,7 @@ struct Findings {
   const std::vector<JudgedFit>& beside;  // what leads, with one effect more each
   const Inclusion& inclusion;
   const Judgement& judgement;
+  const Told& told;
   const std::vector<Signature>& signatures;
   const std::vector<Compensator>& compensators;
 };
