@@ -121,9 +121,11 @@ std::string waterfall(const Ledger& ledger) {
   };
   rows.push_back({{"the gap of the nominal case", "100", "", "", bar(0, 1, false)}, "nominal"});
   left = 1;
-  for (const LedgerRow& row : ledger.rows) {
+  for (std::size_t i = 0; i < ledger.rows.size(); ++i) {
+    const LedgerRow& row = ledger.rows[i];
     const bool effect = !row.effects.empty();
     std::string name = html_escape(row_words(row));
+    if (effect) name = fmt::format("<b>{}</b> {}", i + 1, name); // as the picture has it
     std::string labels;
     for (const NamedEffect& e : row.effects)
       labels += (labels.empty() ? "" : " \u00b7 ") + effect_label(e);

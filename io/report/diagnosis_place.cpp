@@ -26,14 +26,17 @@ int middle_of(const Mesh& mesh, const std::vector<int>& nodes) {
 
 std::string place_html(const Diagnosis& d) {
   Results drawn; // the pictures of a run want its mesh, and what is named on it
-  for (const LedgerRow& row : d.ledger.rows)
+  for (std::size_t i = 0; i < d.ledger.rows.size(); ++i) {
+    const LedgerRow& row = d.ledger.rows[i];
     for (const NamedEffect& e : row.effects)
       if (!e.nodes.empty() && (!is_long(row) || &e == &row.effects.front()))
-        drawn.sensors.push_back({.name = plain_words(e), .node = middle_of(d.mesh, e.nodes)});
+        drawn.sensors.push_back(
+            {.name = std::to_string(i + 1), .node = middle_of(d.mesh, e.nodes)});
+  }
   if (drawn.sensors.empty()) return "";
   drawn.mesh = d.mesh;
   drawn.lines = d.lines;
-  return part_viewer(drawn, part_picture(drawn));
+  return part_viewer(drawn, part_picture(drawn, in_a_column));
 }
 
 } // namespace plica

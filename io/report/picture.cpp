@@ -82,14 +82,16 @@ std::string triad(const View& view, const Frame& frame) {
   return svg + "</g>\n";
 }
 
-std::string sensor_marks(const Results& results, const View& view, const Frame& frame) {
-  std::string svg = "<g font-size=\"34\">";
+std::string sensor_marks(const Results& results, const View& view, const Frame& frame,
+                         double letters) {
+  const double r = letters / 3; // of the mark
+  std::string svg = fmt::format("<g font-size=\"{:.0f}\">", letters);
   for (const SensorResult& sensor : results.sensors) {
     if (sensor.node < 0 || sensor.node >= static_cast<int>(results.mesh.nodes.size())) continue;
     const Eigen::Vector2d at = frame.place(view.project(results.mesh.nodes[sensor.node]));
-    svg += fmt::format("<circle class=\"pin\" cx=\"{0:.0f}\" cy=\"{1:.0f}\" r=\"11\"/>"
-                       "<text class=\"tag\" x=\"{2:.0f}\" y=\"{3:.0f}\">{4}</text>",
-                       at.x(), at.y(), at.x() + 22, at.y() + 12, html_escape(sensor.name));
+    svg += fmt::format("<circle class=\"pin\" cx=\"{0:.0f}\" cy=\"{1:.0f}\" r=\"{2:.0f}\"/>"
+                       "<text class=\"tag\" x=\"{3:.0f}\" y=\"{4:.0f}\">{5}</text>",
+                       at.x(), at.y(), r, at.x() + 2 * r, at.y() + r, html_escape(sensor.name));
   }
   return svg + "</g>\n";
 }
@@ -152,7 +154,7 @@ std::string mode_figure(const Results& results, std::size_t mode, const Selectio
 
 } // namespace
 
-std::string part_picture(const Results& results) {
+std::string part_picture(const Results& results, double letters) {
   const Selection selection = select(results);
   if (selection.used.empty()) return "";
   const View view = view_of(selection.used);
@@ -163,7 +165,7 @@ std::string part_picture(const Results& results) {
   scene.colour = [](const int*, int, double shade) { return steel(0.3 + 0.8 * shade); };
   return "<figure class=\"part\">" + svg_open(frame, "the part in oblique projection") +
          drawn(scene, view, frame) + symbol_marks(results, view, frame, selection.size) +
-         sensor_marks(results, view, frame) + triad(view, frame) + "</svg></figure>\n";
+         sensor_marks(results, view, frame, letters) + triad(view, frame) + "</svg></figure>\n";
 }
 
 namespace {

@@ -11,8 +11,10 @@
 
 namespace plica {
 
-// The undeformed part with its sensors; empty without elements.
-std::string part_picture(const Results& results);
+// The undeformed part with its sensors, named in letters of this size, where the drawing is about
+// 2,100 wide; empty without elements.
+inline constexpr double beside_text = 34, in_a_column = 95;
+std::string part_picture(const Results& results, double letters = beside_text);
 
 // The part coloured by a field on the face of its hot spot, which is marked, with the scale.
 std::string field_picture(const Results& results, const ShownField& field);

@@ -52,8 +52,8 @@ std::string value_words(const NamedEffect& e, std::string name) {
     const bool from_below = is_known_from_below(p);
     const double value = from_below ? p.interval[0] : p.value;
     const auto [factor, unit] = handy_unit(value, p.unit);
-    const std::string words =
-        significant(factor * value, 2) + (unit.empty() || unit == "°" ? "" : " ") + unit;
+    const std::string words = significant(rounded(factor * value, 2), 2) +
+                              (unit.empty() || unit == "°" ? "" : " ") + unit;
     return from_below ? "anything from " + words + " up" : words;
   }
   return "an amount";

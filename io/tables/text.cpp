@@ -43,6 +43,12 @@ std::string significant(double value, int digits) {
   return fmt::format("{:.{}f}", value, decimals_for(value, digits));
 }
 
+double rounded(double value, int digits) {
+  if (!std::isfinite(value) || value == 0) return value;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - digits + 1);
+  return std::round(value / step) * step;
+}
+
 std::string with_sign(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
   if (std::abs(value) < 0.5 * std::pow(10, -decimals)) return fmt::format("{:.{}f}", 0.0, decimals);

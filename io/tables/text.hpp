@@ -17,6 +17,9 @@ std::string mode_label(const ModeResult& mode);
 // "-" for what is not finite.
 std::string significant(double value, int digits);
 
+// To this many significant digits: 12972 gives 13000.
+double rounded(double value, int digits);
+
 // Digits after the point that show `value` with `digits` significant ones; for whole columns.
 int decimals_for(double value, int digits);
 
