@@ -1,10 +1,9 @@
 #include "io/tables/benchmark_words.hpp"
 
 #include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace plica {
 namespace {
@@ -21,20 +20,8 @@ std::string with_difference(const std::optional<double>& x, const std::optional<
   return fmt::format("{} ({})", cell(x), with_sign(100 * (*x / *from - 1), 1));
 }
 
-// Bytes are letters but for the continuation bytes of UTF-8.
-std::size_t letters(const std::string& text) {
-  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
-std::string padded(const std::string& text, std::size_t width, bool left) {
-  const std::string space(width > letters(text) ? width - letters(text) : 0, ' ');
-  return left ? text + space : space + text;
-}
-
 std::string table_text(const Benchmark& b, const BenchmarkTable& t, const BenchmarkValues& values) {
-  std::vector<std::vector<std::string>> rows{{"", "unit", "test", b.published}};
+  TextRows rows{{"", "unit", "test", b.published}};
   for (const BenchmarkColumn& c : t.columns) rows[0].push_back(c.name);
   for (std::size_t r = 0; r < t.rows.size(); ++r) {
     const BenchmarkRow& row = t.rows[r];
@@ -42,15 +29,7 @@ std::string table_text(const Benchmark& b, const BenchmarkTable& t, const Benchm
     for (const auto& value : values[r])
       rows.back().push_back(with_difference(value, row.published));
   }
-  std::vector<std::size_t> widths(rows[0].size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters(row[i]));
-  std::string text = fmt::format("Table {}: {}\n", t.number, t.title);
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += padded(row[i], widths[i], i < 2) + "  ";
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
+  std::string text = fmt::format("Table {}: {}\n", t.number, t.title) + text_table(rows, "<<>");
   for (const std::string& remark : t.remarks) text += "  * " + remark + "\n";
   return text + "\n";
 }

@@ -2,6 +2,7 @@
 
 #include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -68,17 +69,19 @@ std::string certificate_text(const ReducedCase& r) {
                     "mass each, {} % together.\n",
                     r.left_out.count, significant(r.left_out.lowest, 4),
                     significant(100 * r.left_out.largest, 2), significant(100 * r.left_out.sum, 2));
+  TextRows lines, frequencies;
   for (const CertificateLine& line : certificate_lines(c))
-    text += fmt::format("  {:<48} {:>9}\n", line.text, significant(line.value, 2));
-  if (!c.preloaded)
-    text += fmt::format("  {:<48} {:>9}\n", "zero eigenvalues of K", c.zero_stiffness);
+    lines.push_back({line.text, significant(line.value, 2)});
+  if (!c.preloaded) lines.push_back({"zero eigenvalues of K", std::to_string(c.zero_stiffness)});
+  text += text_table(lines, "<>");
   text += c.preloaded ? "  frequencies with the first cap held, Hz: part, superelement, error %\n"
                       : "  free-interface frequencies, Hz: part, superelement, error %\n";
   for (const FrequencyCheck& f : c.free)
-    text += fmt::format("    {:>10.3f} {:>10.3f} {:>8}{}\n", f.full, f.reduced,
-                        with_sign(100 * f.error(), 4),
-                        f.full > c.good_up_to ? "  beyond its band" : "");
-  if (c.free.empty()) text += "    none below the cut-off: nothing compared\n";
+    frequencies.push_back({fmt::format("{:.3f}", f.full), fmt::format("{:.3f}", f.reduced),
+                           with_sign(100 * f.error(), 4),
+                           f.full > c.good_up_to ? "beyond its band" : ""});
+  text += text_table(frequencies, ">>><");
+  if (c.free.empty()) text += "  none below the cut-off: nothing compared\n";
   text += reach_of(r) + "\n";
   text += c.passed ? "The certificate is passed.\n" : "The certificate FAILED:\n";
   for (const std::string& failure : c.failures) text += "  " + failure + "\n";

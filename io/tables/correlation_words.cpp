@@ -1,6 +1,7 @@
 #include "io/tables/correlation_words.hpp"
 
 #include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <fmt/format.h>
@@ -19,23 +20,49 @@ std::string plain(const std::optional<double>& x, int digits = 3) {
 }
 
 std::string pairs_text(const Correlation& c, const TestData& a, const TestData& b) {
-  std::string text =
-      fmt::format("{:<24}{:>10}{:>12}{:>9}{:>10}{:>11}{:>11}{:>8}  {}\n", "test mode", "test Hz",
-                  "simul. Hz", "diff %", "in sigma", "damping %", "simul. %", "MAC", "paired by");
+  TextRows rows{{"test mode", "test Hz", "simul. Hz", "diff %", "in sigma", "damping %", "simul. %",
+                 "MAC", "paired by"}};
   for (const PairedMode& p : c.pairs) {
     const MeasuredMode &s = a.data.modes[p.simulated], &t = b.data.modes[p.measured];
     const auto in_percent = [](const std::optional<double>& x) {
       return x ? significant(100 * *x, 3) : std::string("-");
     };
-    text += fmt::format("{:<24}{:>10}{:>12}{:>9}{:>10}{:>11}{:>11}{:>8}  {}\n",
-                        mode_name(t, p.measured), significant(t.frequency, 5),
-                        significant(s.frequency, 5), percent(p.frequency_error),
-                        p.frequency_sigmas ? with_sign(*p.frequency_sigmas, 1) : "-",
-                        in_percent(t.damping), in_percent(s.damping), plain(p.mac), p.by);
+    rows.push_back({mode_name(t, p.measured), significant(t.frequency, 5),
+                    significant(s.frequency, 5), percent(p.frequency_error),
+                    p.frequency_sigmas ? with_sign(*p.frequency_sigmas, 1) : "-",
+                    in_percent(t.damping), in_percent(s.damping), plain(p.mac), p.by});
   }
   for (const int j : c.unpaired_measured)
-    text += fmt::format("{:<24}{:>10}  no partner\n", mode_name(b.data.modes[j], j),
-                        significant(b.data.modes[j].frequency, 5));
+    rows.push_back({mode_name(b.data.modes[j], j), significant(b.data.modes[j].frequency, 5), "",
+                    "", "", "", "", "", "no partner"});
+  return text_table(rows, "<>>>>>>><");
+}
+
+std::string numbers_text(const Correlation& c) {
+  if (c.numbers.empty()) return "";
+  TextRows rows{{"", "test", "simul.", "diff %", "in sigma", "unit"}};
+  for (const ComparedNumber& n : c.numbers) {
+    const auto [factor, unit] = shown_unit(n.measured, n.unit);
+    rows.push_back({n.quantity, significant(n.measured * factor, 4),
+                    significant(n.simulated * factor, 4),
+                    with_sign(100 * (n.simulated / n.measured - 1), 1),
+                    n.sigma ? with_sign((n.simulated - n.measured) / *n.sigma, 1) : "-", unit});
+  }
+  return text_table(rows, "<>>>><") + "\n";
+}
+
+std::string responses_text(const Correlation& c) {
+  if (c.responses.empty()) return "";
+  TextRows rows{{"response", "reference", "level", "band Hz", "FRAC", "best FRAC", "at stretch %"}};
+  for (const ComparedResponse& r : c.responses)
+    rows.push_back({r.response, r.reference, plain(r.level),
+                    significant(r.low, 3) + " to " + significant(r.high, 4),
+                    fmt::format("{:.3f}", r.frac), fmt::format("{:.3f}", r.best_frac),
+                    with_sign(100 * r.stretch, 2)});
+  std::string text = "\n" + text_table(rows, "<<>");
+  for (const ComparedLines& l : c.lines)
+    text += fmt::format("{}: CSAC {:.3f}, CSF {:.3f} (means over the lines)\n", l.reference,
+                        l.csac.mean(), l.csf.mean());
   return text;
 }
 
@@ -54,27 +81,7 @@ std::string correlation_text(const Correlation& c, const TestData& a, const Test
   std::string text =
       fmt::format("{} beside {}\n\n", a.data.source.empty() ? a.data.specimen : a.data.source,
                   b.data.source.empty() ? b.data.specimen : b.data.source);
-  for (const ComparedNumber& n : c.numbers) {
-    const auto [factor, unit] = shown_unit(n.measured, n.unit);
-    text += fmt::format("{:<24}{:>10}{:>12}{:>9}{:>10}  {}\n", n.quantity,
-                        significant(n.measured * factor, 4), significant(n.simulated * factor, 4),
-                        with_sign(100 * (n.simulated / n.measured - 1), 1),
-                        n.sigma ? with_sign((n.simulated - n.measured) / *n.sigma, 1) : "-", unit);
-  }
-  if (!c.numbers.empty()) text += "\n";
-  text += pairs_text(c, a, b);
-  if (!c.responses.empty()) {
-    text += fmt::format("\n{:<20}{:<14}{:>8}{:>16}{:>8}{:>12}{:>14}\n", "response", "reference",
-                        "level", "band Hz", "FRAC", "best FRAC", "at stretch %");
-    for (const ComparedResponse& r : c.responses)
-      text +=
-          fmt::format("{:<20}{:<14}{:>8}{:>16}{:>8.3f}{:>12.3f}{:>14}\n", r.response, r.reference,
-                      plain(r.level), significant(r.low, 3) + " to " + significant(r.high, 4),
-                      r.frac, r.best_frac, with_sign(100 * r.stretch, 2));
-    for (const ComparedLines& l : c.lines)
-      text += fmt::format("{}: CSAC {:.3f}, CSF {:.3f} (means over the lines)\n", l.reference,
-                          l.csac.mean(), l.csf.mean());
-  }
+  text += numbers_text(c) + pairs_text(c, a, b) + responses_text(c);
   if (c.comac.size() > 0) {
     text += "\nCOMAC";
     for (Eigen::Index q = 0; q < c.comac.size(); ++q)

@@ -73,29 +73,29 @@ std::string where_text(const Diagnosis& d) {
   std::string text = fmt::format(
       "\nWhere: {} of {} blocks beyond admissible specimens; z > 0: the test shows more\n", beyond,
       blocks.size());
-  std::vector<std::vector<std::string>> rows;
+  TextRows rows;
   for (const LocatedGap& b : blocks)
     if (b.significant && rows.size() < shown_blocks)
       rows.push_back({name_of(b), with_sign(b.z, 1)});
-  text += text_table(rows, 1);
+  text += text_table(rows, "<>");
   if (beyond > rows.size()) text += fmt::format("  and {} more\n", beyond - rows.size());
   rows.clear();
   for (const LocatedGap& b : components)
     if (rows.size() < shown_components) rows.push_back({name_of(b), with_sign(b.z, 1)});
-  if (!rows.empty()) text += "  by component\n" + text_table(rows, 1);
+  if (!rows.empty()) text += "  by component\n" + text_table(rows, "<>");
   rows.clear();
   for (const LevelTrend& t : d.trends)
     rows.push_back({t.quantity, with_sign(t.slope, 3), "+/- " + significant(t.sigma, 2),
                     with_sign(t.best, 3)});
   if (!rows.empty())
     text += "  over the level, d ln / d ln level: the test, the model with the best hypothesis\n" +
-            text_table(rows, 1);
+            text_table(rows, "<>");
   return text;
 }
 
 std::string effects_text(const Diagnosis& d) {
   if (d.effects.empty()) return "";
-  std::vector<std::vector<std::string>> rows{
+  TextRows rows{
       {"effect", "parameter", "unit", "value", "90 % from", "to", "prior z", "probability %"}};
   for (const NamedEffect& e : d.effects) {
     std::string label = effect_label(e), odds = fmt::format("{:.1f}", 100 * e.probability);
@@ -106,7 +106,7 @@ std::string effects_text(const Diagnosis& d) {
     }
     if (e.parameters.empty()) rows.push_back({label, "", "", "", "", "", "", odds});
   }
-  std::string text = "\nEffects (SI)\n" + text_table(rows, 3);
+  std::string text = "\nEffects (SI)\n" + text_table(rows, "<<<>");
   if (const TriedHypothesis* best = best_hypothesis(d))
     for (const std::string& reading : best->aside)
       text += "  " + reading + " does not follow " + hypothesis_label(*best) + "\n";
@@ -115,20 +115,19 @@ std::string effects_text(const Diagnosis& d) {
 
 std::string baseline_text(const Diagnosis& d) {
   if (d.baseline.readings.empty()) return "";
-  std::vector<std::vector<std::string>> rows{{"", "unit", "test", "model", "off %"}};
+  TextRows rows{{"", "unit", "test", "model", "off %"}};
   for (const ComparedReading& r : d.baseline.readings)
     rows.push_back({r.name, r.unit, significant(r.measured, 5), significant(r.nominal, 5),
                     with_sign(100 * (r.kind == ReadingKind::component ? r.nominal - r.measured
                                                                       : r.nominal / r.measured - 1),
                               1)});
-  std::string text = "\nBaseline: the change from it is explained\n" + text_table(rows, 2);
+  std::string text = "\nBaseline: the change from it is explained\n" + text_table(rows, "<<>");
   for (const std::string& w : d.baseline.words) text += "  " + w + "\n";
   return text;
 }
 
 std::string gap_text(const Diagnosis& d) {
-  std::vector<std::vector<std::string>> rows{
-      {"", "before", "after", "shrink %", "90 % from", "to", "readings"}};
+  TextRows rows{{"", "before", "after", "shrink %", "90 % from", "to", "readings"}};
   const auto add = [&](const std::string& name, const GapShrink& g) {
     rows.push_back({name, significant(g.before, 3), significant(g.after, 3), percent(g.shrink()),
                     percent(g.interval[0]), percent(g.interval[1]), std::to_string(g.readings)});
@@ -138,17 +137,16 @@ std::string gap_text(const Diagnosis& d) {
   const TriedHypothesis* best = best_hypothesis(d);
   return fmt::format("\nHow far{}: RMS, 1 = what measurement and scatter leave\n",
                      best ? " with " + hypothesis_label(*best) : "") +
-         text_table(rows, 1);
+         text_table(rows, "<>");
 }
 
 std::string compensators_text(const Diagnosis& d) {
   if (d.compensators.empty()) return "";
-  std::vector<std::vector<std::string>> rows{
-      {"", "factor", "prior sigmas", "gap after", "held out"}};
+  TextRows rows{{"", "factor", "prior sigmas", "gap after", "held out"}};
   for (const Compensator& c : d.compensators)
     rows.push_back({c.name, significant(c.factor, 3), significant(c.prior_sigmas, 2),
                     significant(c.gap_after, 3), or_dash(c.held_out_after, 3)});
-  std::string text = "\nTempting but wrong\n" + text_table(rows, 1);
+  std::string text = "\nTempting but wrong\n" + text_table(rows, "<>");
   for (const Compensator& c : d.compensators)
     if (!c.contradicted_by.empty())
       text += "  " + c.name + " is contradicted by " + c.contradicted_by + "\n";
@@ -157,11 +155,11 @@ std::string compensators_text(const Diagnosis& d) {
 
 std::string next_text(const Diagnosis& d) {
   if (d.next.empty() && d.advice.empty()) return "";
-  std::vector<std::vector<std::string>> rows{{"", "about", "changes the ledger by", "hours"}};
+  TextRows rows{{"", "about", "changes the ledger by", "hours"}};
   for (const ProposedMeasurement& m : d.next)
     rows.push_back({m.what, m.about, percent(m.change) + " %", significant(m.cost, 2)});
   std::string text = "\nNext measurement\n";
-  if (!d.next.empty()) text += text_table(rows, 2);
+  if (!d.next.empty()) text += text_table(rows, "<<>");
   for (const std::string& a : d.advice) text += "  " + a + "\n";
   return text;
 }
@@ -248,7 +246,7 @@ std::vector<std::pair<std::string, double>> most_left_in(const Ledger& ledger) {
 // What is left where nothing is known of it is told in a row; small parts together.
 std::string ledger_text(const Ledger& ledger) {
   constexpr double worth_a_row = 0.005;
-  std::vector<std::vector<std::string>> rows;
+  TextRows rows;
   for (const LedgerRow& row : ledger.rows) {
     if (row.effects.empty() && row.left != "unexplained" && std::abs(row.share) < worth_a_row)
       continue;
@@ -262,7 +260,7 @@ std::string ledger_text(const Ledger& ledger) {
   std::string text = fmt::format(
       "\nLedger: the gap, G = {} over {} readings (1 = what measuring and scatter leave)\n",
       significant(ledger.gap, 3), ledger.readings);
-  text += text_table(rows, 1);
+  text += text_table(rows, "<>");
   std::string readings;
   for (const auto& [reading, share] : most_left_in(ledger))
     readings += fmt::format("{}{} {:.0f} %", readings.empty() ? "" : ", ", reading, 100 * share);

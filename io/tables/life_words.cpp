@@ -11,8 +11,6 @@
 namespace plica {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
-
 std::string megapascal(double stress) {
   return significant(1e-6 * stress, 4);
 }
@@ -29,7 +27,7 @@ std::string millimetres(const std::array<double, 3>& at) {
 
 std::string duty_table(const Results& results) {
   const LifeResult& life = *results.life;
-  Rows rows{{"", "", "where", "count", "range MPa", "mesh %", "life", "5 to 95 %", "damage"}};
+  TextRows rows{{"", "", "where", "count", "range MPa", "mesh %", "life", "5 to 95 %", "damage"}};
   for (const DutyResult& d : life.duties) {
     const LifeSpot& spot = life.spots[std::size_t(d.spot)];
     rows.push_back({d.kind + " " + d.name, d.what,
@@ -38,11 +36,11 @@ std::string duty_table(const Results& results) {
                     duty_mesh_error(results, d), d.life ? life_words(*d.life) : "-",
                     between_words(d), bounded(significant(d.damage, 3), d.at_most, d.at_least)});
   }
-  return text_table(rows, 3);
+  return text_table(rows, "<<<>");
 }
 
 std::string random_duties(const Results& results) {
-  Rows rows{{"", "RMS MPa", "3 sigma", "expected peak", "zero crossings Hz"}};
+  TextRows rows{{"", "RMS MPa", "3 sigma", "expected peak", "zero crossings Hz"}};
   for (const DutyResult& d : results.life->duties) {
     if (!d.random) continue;
     const RandomStress& r = *d.random;
@@ -54,18 +52,18 @@ std::string random_duties(const Results& results) {
   }
   return rows.size() == 1
              ? ""
-             : "\nRandom stress at the hot spot, damage by each method\n" + text_table(rows, 1);
+             : "\nRandom stress at the hot spot, damage by each method\n" + text_table(rows, "<>");
 }
 
 std::string spot_table(const Results& results) {
   constexpr std::size_t most = 8;
-  Rows rows{{"", "at x, y, z mm", "damage"}};
+  TextRows rows{{"", "at x, y, z mm", "damage"}};
   for (const LifeSpot& s : results.life->spots) {
     if (rows.size() > most) break;
     rows.push_back({place_words(results.places[std::size_t(s.place)], s.outer), millimetres(s.at),
                     bounded(significant(s.damage, 3), s.at_most, s.at_least)});
   }
-  return "\nHot spots by damage\n" + text_table(rows, 2);
+  return "\nHot spots by damage\n" + text_table(rows, "<<>");
 }
 
 } // namespace
@@ -152,7 +150,7 @@ std::string life_summary(const Results& results) {
 }
 
 std::string stress_summary(const Results& results) {
-  Rows rows{{"", "where", "von Mises MPa", "mesh %", "membrane", "bending", "at x, y, z mm"}};
+  TextRows rows{{"", "where", "von Mises MPa", "mesh %", "membrane", "bending", "at x, y, z mm"}};
   const std::vector<MeshError>& errors = results.error_bars.stresses;
   for (std::size_t i = 0; i < results.stresses.size(); ++i) {
     const StressResult& s = results.stresses[i];
@@ -169,9 +167,9 @@ std::string stress_summary(const Results& results) {
                     named ? part_of(top->meridional_membrane, value) : "-",
                     named ? part_of(top->meridional_bending, value) : "-", millimetres(at)});
   }
-  return rows.size() == 1
-             ? ""
-             : "\nLargest stress; membrane and bending along the meridian\n" + text_table(rows, 2);
+  return rows.size() == 1 ? ""
+                          : "\nLargest stress; membrane and bending along the meridian\n" +
+                                text_table(rows, "<<>");
 }
 
 } // namespace plica

@@ -169,7 +169,7 @@ std::string stiffness_text(const EndDynamicStiffness& s,
                         "and static answers)\n",
                         state.part.names[0], state.part.names[1], state.name, state.modes,
                         s.highest_mode);
-    std::vector<std::vector<std::string>> rows{{"", "Hz"}};
+    TextRows rows{{"", "Hz"}};
     for (int d = 0; d < 6; ++d) {
       rows[0].push_back(direction_name(d) + (d < 3 ? " N/mm" : " Nm/rad"));
       rows[0].emplace_back("deg");
@@ -184,14 +184,14 @@ std::string stiffness_text(const EndDynamicStiffness& s,
           rows.back().push_back(significant(std::arg(k) / degree, 3));
         }
       }
-    text += text_table(rows, 1);
+    text += text_table(rows, "<>");
   }
   if (!compared.empty()) {
-    std::vector<std::vector<std::string>> rows{{"", "unit", "values", "mean", "rms", "largest"}};
+    TextRows rows{{"", "unit", "values", "mean", "rms", "largest"}};
     for (const ShownDeviation& d : deviations(compared))
       rows.push_back({d.name, d.unit, std::to_string(d.count), with_sign(d.mean, 2),
                       significant(d.root_mean_square, 3), with_sign(d.largest, 2)});
-    text += "\nOff the test\n" + text_table(rows, 2);
+    text += "\nOff the test\n" + text_table(rows, "<<>");
   }
   for (const std::string& note : s.notes) text += "note: " + note + "\n";
   return text;

@@ -5,6 +5,7 @@
 #include "io/tables/life_words.hpp"
 #include "io/tables/state_words.hpp"
 #include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -16,29 +17,8 @@
 namespace plica {
 namespace {
 
-using Row = std::vector<std::string>;
-
-// Columns as wide as their widest cell; `align` has one of '<' '>' per column. A first row is a
-// header.
-std::string aligned(const std::vector<Row>& rows, const std::string& align) {
-  std::vector<std::size_t> width(align.size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(width[i] - row[i].size(), ' ');
-      line += "  " + (align[i] == '<' ? row[i] + padding : padding + row[i]);
-    }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 std::string comparison_table(const Results& results) {
-  std::vector<Row> rows{{"", "unit", "measured", "+/-", "computed", "deviation %", "in sigma"}};
+  TextRows rows{{"", "unit", "measured", "+/-", "computed", "deviation %", "in sigma"}};
   for (const MeasuredComparison& row : results.comparison) {
     const ShownUnit shown = shown_unit(row.measured, row.unit);
     const int decimals = decimals_of(row, shown.factor);
@@ -48,7 +28,7 @@ std::string comparison_table(const Results& results) {
                     with_sign(100 * relative_deviation(row), 1),
                     with_sign(sigma_deviation(row), 1)});
   }
-  return "\nComputed beside measured\n" + aligned(rows, "<<>>>>>");
+  return "\nComputed beside measured\n" + text_table(rows, "<<>>>>>");
 }
 
 // The largest deviation that is not what the case was given, in one line.
@@ -70,7 +50,7 @@ std::string farthest_line(const Results& results) {
 // What the variants make of the compared quantities.
 std::string spread_table(const Results& results) {
   if (results.variants.empty() || results.comparison.empty()) return "";
-  std::vector<Row> rows{{"", "unit", "measured", "computed", "lowest", "highest"}};
+  TextRows rows{{"", "unit", "measured", "computed", "lowest", "highest"}};
   for (const MeasuredComparison& row : results.comparison) {
     const ShownUnit shown = shown_unit(row.measured, row.unit);
     const int decimals = decimals_of(row, shown.factor);
@@ -79,19 +59,19 @@ std::string spread_table(const Results& results) {
     rows.push_back({row.quantity, shown.unit, fixed(row.measured), fixed(row.computed), fixed(low),
                     fixed(high)});
   }
-  return "\nOver the variants\n" + aligned(rows, "<<>>>>");
+  return "\nOver the variants\n" + text_table(rows, "<<>>>>");
 }
 
 std::string headline_table(const Results& results) {
   const std::map<std::string, double> numbers = headline(results);
-  std::vector<Row> rows;
+  TextRows rows;
   for (const HeadlineQuantity& quantity : headline_quantities(results)) {
     const auto value = numbers.find(quantity.key);
     if (value == numbers.end()) continue;
     const auto [factor, unit] = shown_unit(value->second, quantity.unit);
     rows.push_back({quantity.name, significant(value->second * factor, 4), unit});
   }
-  return "\nComputed\n" + aligned(rows, "<><");
+  return "\nComputed\n" + text_table(rows, "<><");
 }
 
 // The state, and what it makes of the headline of the part at rest.
@@ -103,7 +83,7 @@ std::string state_table(const Results& results) {
        {state_sentences(*results.state), buckling_sentences(*results.state)})
     for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
   const std::map<std::string, double> numbers = headline(results), rest = headline_at_rest(results);
-  std::vector<Row> rows{{"", "unit", "at rest", "in the state", "change %"}};
+  TextRows rows{{"", "unit", "at rest", "in the state", "change %"}};
   for (const HeadlineQuantity& quantity : headline_quantities(results)) {
     const auto now = numbers.find(quantity.key), before = rest.find(quantity.key);
     if (now == numbers.end() || before == rest.end()) continue;
@@ -112,13 +92,13 @@ std::string state_table(const Results& results) {
                     significant(now->second * factor, 5),
                     with_sign(100 * (now->second / before->second - 1), 2)});
   }
-  return rows.size() == 1 ? text : text + aligned(rows, "<<>>>");
+  return rows.size() == 1 ? text : text + text_table(rows, "<<>>>");
 }
 
 // The named states of the case beside one another.
 std::string states_table(const Results& results) {
   const std::map<std::string, double> rest = headline_at_rest(results);
-  std::vector<Row> rows{{""}};
+  TextRows rows{{""}};
   std::string align = "<";
   std::vector<HeadlineQuantity> shown;
   for (const HeadlineQuantity& quantity : headline_quantities(results))
@@ -143,7 +123,7 @@ std::string states_table(const Results& results) {
   for (const VariantResult& variant : results.variants)
     if (variant.state) add(variant.name, variant.headline);
   if (rows.size() == 2) return "";
-  std::string text = "\nStates, their change against the part at rest\n" + aligned(rows, align);
+  std::string text = "\nStates, their change against the part at rest\n" + text_table(rows, align);
   for (const VariantResult& variant : results.variants) {
     if (!variant.state) continue;
     text += "  " + variant.name + "\n";
@@ -157,7 +137,7 @@ std::string states_table(const Results& results) {
 std::string error_table(const Results& results) {
   const ErrorBars& errors = results.error_bars;
   if (errors.bars.empty()) return "";
-  std::vector<Row> rows{{"", "unit", "computed", "mesh along %", "around %"}};
+  TextRows rows{{"", "unit", "computed", "mesh along %", "around %"}};
   const bool reduced = results.reduced.has_value();
   if (reduced) rows[0].push_back("cut-off %");
   rows[0].insert(rows[0].end(), {"90 % interval", ""});
@@ -175,7 +155,7 @@ std::string error_table(const Results& results) {
       rows.back().push_back(shares_text(errors, bar));
     }
   return "\nError bars: still missing for want of mesh; from the tolerances of the case\n" +
-         aligned(rows, reduced ? "<<>>>>><" : "<<>>>><") +
+         text_table(rows, reduced ? "<<>>>>><" : "<<>>>><") +
          (errors.interaction > 0
               ? fmt::format("  all tolerances at once: {} % off the sum of their effects\n",
                             significant(100 * errors.interaction, 2))
@@ -185,7 +165,7 @@ std::string error_table(const Results& results) {
 std::string statics_table(const Results& results) {
   if (!results.statics) return "";
   const std::vector<MeshError>& errors = results.error_bars.statics;
-  std::vector<Row> rows{{"", "", "unit"}};
+  TextRows rows{{"", "", "unit"}};
   if (!errors.empty()) rows[0].push_back("mesh %");
   for (std::size_t i = 0; i < stiffness_names.size(); ++i) {
     const double value = results.statics->all()[i];
@@ -193,11 +173,11 @@ std::string statics_table(const Results& results) {
     rows.push_back({stiffness_names[i], significant(value * factor, 4), unit});
     if (!errors.empty()) rows.back().push_back(mesh_error_percent(value, errors[i]));
   }
-  return "\nStatic stiffness\n" + aligned(rows, errors.empty() ? "<><" : "<><>");
+  return "\nStatic stiffness\n" + text_table(rows, errors.empty() ? "<><" : "<><>");
 }
 
 std::string peaks_table(const Results& results) {
-  std::vector<Row> rows{{"", "sensor", "Hz", "amplitude", "phase deg", "damping %"}};
+  TextRows rows{{"", "sensor", "Hz", "amplitude", "phase deg", "damping %"}};
   for (const ResponseResult& r : results.responses)
     for (const ResponsePeak& p : r.peaks)
       rows.push_back({response_title(r),
@@ -205,12 +185,12 @@ std::string peaks_table(const Results& results) {
                       fmt::format("{:.1f}", p.frequency), significant(p.amplitude, 3),
                       fmt::format("{:.0f}", p.phase * 180 / std::numbers::pi),
                       significant(100 * p.damping, 3)});
-  return rows.size() == 1 ? "" : "\nPeaks of the response\n" + aligned(rows, "<<>>>>");
+  return rows.size() == 1 ? "" : "\nPeaks of the response\n" + text_table(rows, "<<>>>>");
 }
 
 // The channel that a random input moves most, with its 3 sigma.
 std::string random_table(const Results& results) {
-  std::vector<Row> rows{{"", "sensor", "RMS m/s2", "3 sigma"}};
+  TextRows rows{{"", "sensor", "RMS m/s2", "3 sigma"}};
   for (const ResponseResult& r : results.responses) {
     if (!r.random || r.channels.empty()) continue;
     Eigen::Index c = 0;
@@ -219,7 +199,7 @@ std::string random_table(const Results& results) {
     rows.push_back(
         {response_title(r), sensor + " " + axis, significant(rms, 3), significant(3 * rms, 3)});
   }
-  return rows.size() == 1 ? "" : "\nLargest random motion\n" + aligned(rows, "<<>>");
+  return rows.size() == 1 ? "" : "\nLargest random motion\n" + text_table(rows, "<<>>");
 }
 
 // The largest difference of each response from its direct solution.
@@ -236,7 +216,7 @@ std::string direct_text(const Results& results) {
 }
 
 std::string transients_table(const Results& results) {
-  std::vector<Row> rows{{"", "input", "sensor", "peak m/s2", "at ms", "RMS m/s2"}};
+  TextRows rows{{"", "input", "sensor", "peak m/s2", "at ms", "RMS m/s2"}};
   for (const TransientResult& t : results.transients)
     for (int c : t.shown) {
       const auto& [sensor, axis] = t.channels[std::size_t(c)];
@@ -244,11 +224,11 @@ std::string transients_table(const Results& results) {
       rows.push_back({t.name, t.input_title, sensor + " " + axis, significant(peak.value, 4),
                       significant(1e3 * peak.time, 4), significant(t.rms[c], 3)});
     }
-  return rows.size() == 1 ? "" : "\nTransients\n" + aligned(rows, "<<<>>>");
+  return rows.size() == 1 ? "" : "\nTransients\n" + text_table(rows, "<<<>>>");
 }
 
 std::string crossings_table(const Results& results) {
-  std::vector<Row> rows{{"", "rpm", "order", "mode", "Hz", "sensor", "m/s2"}};
+  TextRows rows{{"", "rpm", "order", "mode", "Hz", "sensor", "m/s2"}};
   const bool in_time = std::any_of(results.run_ups.begin(), results.run_ups.end(),
                                    [](const RunUpResult& r) { return r.sweeps.has_value(); });
   if (in_time) rows[0].push_back("in time");
@@ -263,15 +243,14 @@ std::string crossings_table(const Results& results) {
     }
   return rows.size() == 1
              ? ""
-             : "\nOrders through modes\n" + aligned(rows, in_time ? "<>><><>>" : "<>><><>");
+             : "\nOrders through modes\n" + text_table(rows, in_time ? "<>><><>>" : "<>><><>");
 }
 
 std::string levels_table(const Results& results) {
   std::string text;
   for (const LevelResponses& responses : results.level_responses) {
     const auto& [sensor, axis] = responses.channels[std::size_t(responses.strongest)];
-    std::vector<Row> rows{
-        {responses.unit, "up Hz", "down Hz", "amplitude", "half power %", "by energy %"}};
+    TextRows rows{{responses.unit, "up Hz", "down Hz", "amplitude", "half power %", "by energy %"}};
     const auto first = [&](const std::vector<LevelPeak>& peaks) {
       return std::find_if(peaks.begin(), peaks.end(),
                           [&](const LevelPeak& p) { return p.channel == responses.strongest; });
@@ -286,7 +265,7 @@ std::string levels_table(const Results& results) {
     }
     text += fmt::format("\n{}: first peak of {} {} over the level\n", levels_title(responses),
                         sensor, axis) +
-            aligned(rows, ">>>>>>");
+            text_table(rows, ">>>>>>");
   }
   return text;
 }
@@ -296,12 +275,13 @@ std::string modes_table(const Results& results) {
   const std::string proof = "\n" + words.verdict + words.rest + "\n";
   if (results.modes.empty())
     return results.verification.made ? "\nModes\n  none in the band asked for\n" + proof : "";
-  std::vector<Row> rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};
+  TextRows rows{{"", "Hz", "shape", "mass x %", "y %", "z %", "residual"}};
   const std::vector<MeshError>& errors = results.error_bars.modes;
   if (!errors.empty()) rows[0].push_back("mesh %");
   int count = 0;
   for (const ModeResult& mode : results.modes) {
-    Row row{std::to_string(++count), fmt::format("{:.2f}", mode.frequency), mode_label(mode)};
+    std::vector<std::string> row{std::to_string(++count), fmt::format("{:.2f}", mode.frequency),
+                                 mode_label(mode)};
     for (std::size_t i = 0; i < 3; ++i) {
       const double share = mode.effective_mass[i] / results.free_mass[i];
       row.push_back(std::isfinite(share) ? fmt::format("{:.1f}", 100 * share) : "-");
@@ -310,7 +290,7 @@ std::string modes_table(const Results& results) {
     if (!errors.empty()) row.push_back(mesh_error_percent(mode, errors[rows.size() - 1]));
     rows.push_back(std::move(row));
   }
-  return "\nModes\n" + aligned(rows, errors.empty() ? ">><>>>>" : ">><>>>>>") + proof;
+  return "\nModes\n" + text_table(rows, errors.empty() ? ">><>>>>" : ">><>>>>>") + proof;
 }
 
 } // namespace

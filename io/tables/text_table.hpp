@@ -6,8 +6,10 @@
 
 namespace plica {
 
-// Rows of cells in columns as wide as their widest, indented by two; from column `numbers` on
-// right-aligned.
-std::string text_table(const std::vector<std::vector<std::string>>& rows, std::size_t numbers);
+using TextRows = std::vector<std::vector<std::string>>;
+
+// Rows of cells in columns as wide as their widest, indented by two; rows may be of unequal length.
+// `align` has one of '<' (left) and '>' (right) for each column, its last for all columns beyond.
+std::string text_table(const TextRows& rows, const std::string& align);
 
 } // namespace plica

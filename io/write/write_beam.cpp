@@ -1,6 +1,7 @@
 #include "io/write/write_beam.hpp"
 
 #include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -47,10 +48,10 @@ std::string difference(const std::optional<double>& x, double of) {
   return x ? fmt::format("{:.2f} ({})", *x, with_sign(100 * (*x / of - 1), 1)) : "-";
 }
 
-std::string row(const std::string& head, double shell, const std::optional<double>& pipe,
-                const std::optional<double>& chain) {
-  return fmt::format("{:<34}{:>14.2f}{:>22}{:>22}\n", head, shell, difference(pipe, shell),
-                     difference(chain, shell));
+std::vector<std::string> beam_row(const std::string& head, double shell,
+                                  const std::optional<double>& pipe,
+                                  const std::optional<double>& chain) {
+  return {head, fmt::format("{:.2f}", shell), difference(pipe, shell), difference(chain, shell)};
 }
 
 // Frequency up to which a simple model stays within 10 % of the shells, all directions.
@@ -93,24 +94,27 @@ std::string beam_yaml(const EquivalentBeam& beam) {
 }
 
 std::string beam_text(const EquivalentBeam& beam) {
-  std::string text = fmt::format("{:<34}{:>14}{:>22}{:>22}\n", "equivalent beams, nothing fitted",
-                                 "shells", "pipe (diff. %)", "connectors (diff. %)");
+  TextRows rows{
+      {"equivalent beams, nothing fitted", "shells", "pipe (diff. %)", "connectors (diff. %)"}};
   const StaticStiffness &s = beam.shell_static, &p = beam.pipe_static, &c = beam.connector_static;
-  text += row("mass, kg", beam.mass, beam.pipe_mass, beam.connector_mass);
-  text += row("axial stiffness, kN/m", s.k_axial / 1e3, p.k_axial / 1e3, c.k_axial / 1e3);
-  text += row("transverse stiffness, kN/m", s.k_transverse_x / 1e3, p.k_transverse_x / 1e3,
-              c.k_transverse_x / 1e3);
-  text += row("bending stiffness, Nm/rad", s.k_bending_x, p.k_bending_x, c.k_bending_x);
-  text +=
-      row("torsional stiffness, kNm/rad", s.k_torsion / 1e3, p.k_torsion / 1e3, c.k_torsion / 1e3);
+  rows.push_back(beam_row("mass, kg", beam.mass, beam.pipe_mass, beam.connector_mass));
+  rows.push_back(
+      beam_row("axial stiffness, kN/m", s.k_axial / 1e3, p.k_axial / 1e3, c.k_axial / 1e3));
+  rows.push_back(beam_row("transverse stiffness, kN/m", s.k_transverse_x / 1e3,
+                          p.k_transverse_x / 1e3, c.k_transverse_x / 1e3));
+  rows.push_back(
+      beam_row("bending stiffness, Nm/rad", s.k_bending_x, p.k_bending_x, c.k_bending_x));
+  rows.push_back(beam_row("torsional stiffness, kNm/rad", s.k_torsion / 1e3, p.k_torsion / 1e3,
+                          c.k_torsion / 1e3));
   for (const SimplifiedMode& m : beam.modes)
-    text += row(fmt::format("{} mode {}, Hz", m.shape, m.order), m.shell, m.pipe, m.connector);
-  text += fmt::format("\n{:<34}{:>14}{:>22}{:>22}\n", "transfer stiffness within 10 % up to", "",
-                      "pipe, Hz", "connectors, Hz");
+    rows.push_back(
+        beam_row(fmt::format("{} mode {}, Hz", m.shape, m.order), m.shell, m.pipe, m.connector));
+  std::string text = text_table(rows, "<>") + "\n";
+  TextRows good{{"transfer stiffness within 10 % up to", "pipe, Hz", "connectors, Hz"}};
   for (std::size_t k = 0; k < names.size(); ++k)
-    text += fmt::format("{:<34}{:>14}{:>22.0f}{:>22.0f}\n", names[k], "",
-                        good_up_to(beam, &TransferStiffness::pipe, k),
-                        good_up_to(beam, &TransferStiffness::connector, k));
+    good.push_back({names[k], fmt::format("{:.0f}", good_up_to(beam, &TransferStiffness::pipe, k)),
+                    fmt::format("{:.0f}", good_up_to(beam, &TransferStiffness::connector, k))});
+  text += text_table(good, "<>");
   if (beam.ejma_axial > 0)
     text += fmt::format("\nEJMA formula for the bellows alone, plies free to slip: {:.2f} kN/m\n",
                         beam.ejma_axial / 1e3);

@@ -46,8 +46,7 @@ std::string sheet_text(const EjmaSheet& sheet) {
                                  "ends held\n",
                                  sheet.bellows);
   if (!sheet.refused.empty()) text += "the formulas do not apply: " + sheet.refused + "\n";
-  std::vector<std::vector<std::string>> rows{
-      {"", "", "unit", "formula", "shells", "shells/formula"}};
+  TextRows rows{{"", "", "unit", "formula", "shells", "shells/formula"}};
   std::string group;
   for (const SheetLine& line : sheet.lines) {
     if (line.group != group) rows.push_back({line.group});
@@ -58,7 +57,7 @@ std::string sheet_text(const EjmaSheet& sheet) {
                     number_of(line, line.shells, bound_of(line, sheet.shell_life)),
                     ratio ? fmt::format("{:.3f}", *ratio) : ""});
   }
-  text += text_table(rows, 3);
+  text += text_table(rows, "<<<>");
   if (!sheet.curve.empty()) text += "cycles by " + sheet.curve + "\n";
   for (const std::string& remark : sheet.remarks) text += "remark: " + remark + "\n";
   return text;

@@ -4,6 +4,7 @@
 #include "io/report/identification.hpp"
 #include "io/tables/csv.hpp"
 #include "io/tables/text.hpp"
+#include "io/tables/text_table.hpp"
 #include "io/universal/signals.hpp"
 #include "io/universal/writer.hpp"
 
@@ -104,6 +105,20 @@ std::string linearity_text(const LinearityOfSet& linearity) {
   return text;
 }
 
+std::string modes_text(const std::vector<IdentifiedMode>& modes) {
+  TextRows rows{{"Hz", "+/-", "damping %", "+/-", "circle fit Hz", "%", "peak Hz", "%", "share %"}};
+  const auto cell = [](double x, int decimals) {
+    return std::isfinite(x) ? fmt::format("{:.{}f}", x, decimals) : "-";
+  };
+  for (const IdentifiedMode& m : modes)
+    rows.push_back({cell(m.frequency, 4), significant(m.sigma_frequency, 2),
+                    cell(100 * m.damping, 4), significant(100 * m.sigma_damping, 2),
+                    cell(m.circle_frequency, 3), cell(100 * m.circle_damping, 3),
+                    cell(m.peak_frequency, 3), cell(100 * m.peak_damping, 3),
+                    cell(100 * m.share, 2)});
+  return text_table(rows, ">");
+}
+
 } // namespace
 
 std::string identification_json(const Identification& found, const LinearityOfSet& linearity,
@@ -178,19 +193,7 @@ std::string identification_text(const Identification& found, const LinearityOfSe
                   found.set.responses.size(), found.set.H.size(), kinds[std::size_t(found.source)],
                   found.set.hertz.size(), significant(found.set.hertz[0], 4),
                   significant(found.set.hertz[found.set.hertz.size() - 1], 4));
-  text += "         Hz       +/-   damping %       +/-   circle fit Hz       %    peak Hz       %  "
-          "share %\n";
-  const auto cell = [](double x, int width, int decimals) {
-    return std::isfinite(x) ? fmt::format("{:>{}.{}f}", x, width, decimals)
-                            : fmt::format("{:>{}}", "-", width);
-  };
-  for (const IdentifiedMode& m : found.modes)
-    text += cell(m.frequency, 11, 4) + fmt::format("{:>10}", significant(m.sigma_frequency, 2)) +
-            cell(100 * m.damping, 12, 4) +
-            fmt::format("{:>10}", significant(100 * m.sigma_damping, 2)) +
-            cell(m.circle_frequency, 16, 3) + cell(100 * m.circle_damping, 8, 3) +
-            cell(m.peak_frequency, 11, 3) + cell(100 * m.peak_damping, 8, 3) +
-            cell(100 * m.share, 9, 2) + "\n";
+  text += modes_text(found.modes);
   constexpr std::array whole{"responses", "decays", "correlations"};
   text += fmt::format("\nThe modes leave {} % RMS of the {} unexplained",
                       significant(100 * found.misfit, 3), whole[std::size_t(found.source)]);

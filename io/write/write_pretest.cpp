@@ -4,6 +4,7 @@
 #include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
+#include "io/tables/text_table.hpp"
 #include "io/write/write_diagnosis.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +72,10 @@ std::string pretest_text(const Pretest& p) {
   std::string text = "Planned: ";
   for (const std::string& line : p.plan) text += (&line == &p.plan.front() ? "" : "; ") + line;
   text += "\n\nLook alike (largest cosine of their signatures; 1 = the same):\n";
-  for (const Mimic& m : p.mimics) text += fmt::format("  {:4.2f}  {} and {}\n", m.cosine, m.a, m.b);
+  TextRows alike, smallest, additions;
+  for (const Mimic& m : p.mimics)
+    alike.push_back({fmt::format("{:.2f}", m.cosine), m.a + " and " + m.b});
+  text += text_table(alike, "><");
   if (p.mimics.empty()) text += "  none by 0.8 or more\n";
   text += "\nSmallest that would be found (95 % power), at the place where it shows most:\n";
   for (const std::string& effect : p.effects) {
@@ -79,15 +83,17 @@ std::string pretest_text(const Pretest& p) {
     for (const SmallestDetectable& s : p.detectable)
       if (s.name == effect && (!most || s.noncentrality > most->noncentrality)) most = &s;
     if (!most) continue;
-    text += fmt::format("  {:24} {:34} {}\n", effect,
-                        most->place + (most->way.empty() ? "" : " (" + most->way + ")"),
+    smallest.push_back({effect, most->place + (most->way.empty() ? "" : " (" + most->way + ")"),
                         most->value
                             ? fmt::format("{} {:.3g} {}", most->parameter, *most->value, most->unit)
-                            : "not found within its prior");
+                            : "not found within its prior"});
   }
+  text += text_table(smallest, "<");
   text += "\nWhat to add, in this order:\n";
   for (const PlannedAddition& m : p.additions)
-    text += fmt::format("  {:60} cost {:.1f}  gain {:.2f}\n", m.what, m.cost, m.gain);
+    additions.push_back(
+        {m.what, fmt::format("cost {:.1f}", m.cost), fmt::format("gain {:.2f}", m.gain)});
+  text += text_table(additions, "<>");
   if (p.additions.empty()) text += "  nothing on the menu tells more apart\n";
   return text;
 }
