@@ -1,6 +1,7 @@
 #include "compare/simulated.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <cmath>
 
@@ -8,9 +9,8 @@ namespace plica {
 namespace {
 
 std::optional<Axis> axis_of(const std::string& letter) {
-  for (int a = 0; a < 3; ++a)
-    if (letter == axis_word(a)) return static_cast<Axis>(a);
-  return std::nullopt;
+  const int axis = place_among(axis_names, letter);
+  return axis < 0 ? std::nullopt : std::optional(static_cast<Axis>(axis));
 }
 
 MeasuredShape shape_of(const std::string& shape) {

@@ -1,5 +1,7 @@
 #include "solve/mode_labels.hpp"
 
+#include "words/directions.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -146,10 +148,9 @@ ModeLabel label_on_axis(const Model& model, const std::vector<int>& nodes, const
     }
   const auto k = std::size_t(std::max_element(energy.begin(), energy.end()) - energy.begin());
   constexpr std::array shapes{"transverse", "axial", "transverse", "torsion"};
-  constexpr std::array directions{"x", "y", "z", "y"};
   ModeLabel label;
   label.shape = shapes[k];
-  label.direction = directions[k];
+  label.direction = axis_names[k < 3 ? k : 1]; // of torsion: about y
   label.order = half_waves(profiles[k]);
   return label;
 }
@@ -201,7 +202,7 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
   }
   Index direction = 0;
   const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);
-  const std::string most(1, "xyz"[direction]); // along which most of its mass moves
+  const std::string most = axis_word(int(direction)); // along which most of its mass moves
   if (!model.mesh.rings.empty() && wall_takes_part(model, u)) {
     constexpr double whole = 0.3; // of the mass: the rings are not what the mode is about
     ModeLabel by_rings = label_by_rings(model, u);

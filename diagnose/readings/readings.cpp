@@ -5,6 +5,7 @@
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/readings/stiffness_readings.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,15 +2,12 @@
 #pragma once
 
 #include "lab/measured/measured.hpp"
+#include "words/directions.hpp"
 
 #include <array>
 
 namespace plica {
 
-constexpr const char* axis_word(int axis) { // 0..2
-  constexpr std::array words{"x", "y", "z"};
-  return words.at(static_cast<std::size_t>(axis));
-}
 constexpr const char* word_of(Axis axis) {
   return axis_word(static_cast<int>(axis));
 }
