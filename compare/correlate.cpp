@@ -1,6 +1,7 @@
 #include "compare/correlate.hpp"
 
 #include "lab/identification/mode_correlation.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -300,9 +301,6 @@ void compare_responses(const TestData& a, const TestData& b, Correlation& c) {
 }
 
 void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
-  constexpr std::array names{"axial stiffness",        "transverse stiffness x",
-                             "transverse stiffness z", "bending stiffness x",
-                             "bending stiffness z",    "torsional stiffness"};
   const auto either = [](const std::optional<double>& x, const std::optional<double>& y) {
     const double e = std::hypot(x.value_or(0), y.value_or(0));
     return e > 0 ? std::optional<double>(e) : std::nullopt;
@@ -313,8 +311,7 @@ void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
   for (const MeasuredStatic& t : b.data.statics)
     for (const MeasuredStatic& s : a.data.statics)
       if (s.direction == t.direction)
-        c.numbers.push_back({names[static_cast<std::size_t>(t.direction)],
-                             t.direction < StaticDirection::bending_x ? "N/m" : "Nm/rad", s.value,
+        c.numbers.push_back({stiffness_name(t.direction), stiffness_unit(t.direction), s.value,
                              t.value, either(s.sigma, t.sigma)});
 }
 

@@ -2,6 +2,7 @@
 
 #include "lab/measured/measured_words.hpp"
 #include "words/directions.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <cmath>
 
@@ -14,10 +15,8 @@ std::optional<Axis> axis_of(const std::string& letter) {
 }
 
 MeasuredShape shape_of(const std::string& shape) {
-  if (shape == "axial") return MeasuredShape::axial;
-  if (shape == "transverse") return MeasuredShape::transverse;
-  if (shape == "torsion") return MeasuredShape::torsion;
-  return shape == "shell" ? MeasuredShape::shell : MeasuredShape::other;
+  const int known = place_among(measured_shape_names, shape);
+  return known < 0 ? MeasuredShape::other : static_cast<MeasuredShape>(known);
 }
 
 MeasuredVector at_sensors(const Results& results, std::size_t mode) {
@@ -63,7 +62,7 @@ Measured as_measured(const Results& results) {
   std::map<std::pair<std::string, std::string>, int> so_far; // of a shape and direction
   for (std::size_t i = 0; i < results.modes.size(); ++i) {
     const ModeResult& mode = results.modes[i];
-    if (mode.shape == "rigid" || !(mode.frequency > 0)) continue;
+    if (mode.shape == mode_kind::rigid || !(mode.frequency > 0)) continue;
     MeasuredMode& out = m.modes.emplace_back();
     out.frequency = mode.frequency;
     if (mode.damping > 0) out.damping = mode.damping;

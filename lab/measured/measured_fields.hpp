@@ -1,7 +1,7 @@
 // Every key of measured.yaml: unit, bounds, meaning; see words/field_types.hpp for the visitor.
 #pragma once
 
-#include "lab/measured/measured.hpp"
+#include "lab/measured/measured_words.hpp"
 #include "words/directions.hpp"
 #include "words/field_types.hpp"
 
@@ -59,13 +59,7 @@ template <class V> void fields(V& v, MeasuredMass& m) {
 }
 
 template <class V> void fields(V& v, MeasuredStatic& s) {
-  v.tag(s.direction, "direction",
-        {{StaticDirection::axial, "axial"},
-         {StaticDirection::transverse_x, "transverse_x"},
-         {StaticDirection::transverse_z, "transverse_z"},
-         {StaticDirection::bending_x, "bending_x"},
-         {StaticDirection::bending_z, "bending_z"},
-         {StaticDirection::torsion, "torsion"}},
+  v.tag(s.direction, "direction", named_in_order<StaticDirection>(static_direction_names),
         required_key, "which stiffness between the end caps");
   const bool turns = s.direction >= StaticDirection::bending_x;
   const Dimension unit = turns ? Dimension::rotational_stiffness : Dimension::stiffness;
@@ -112,13 +106,8 @@ template <class V> void fields(V& v, MeasuredMode& m) {
   v.quantity(m.damping, "damping", measured_damping, "fraction of critical damping");
   v.quantity(m.sigma_damping, "sigma_damping", measured_damping,
              "standard deviation of the damping");
-  v.choice(m.shape, "shape",
-           {{MeasuredShape::axial, "axial"},
-            {MeasuredShape::transverse, "transverse"},
-            {MeasuredShape::torsion, "torsion"},
-            {MeasuredShape::shell, "shell"},
-            {MeasuredShape::other, "other"}},
-           required_key, "kind of motion");
+  v.choice(m.shape, "shape", named_in_order<MeasuredShape>(measured_shape_names), required_key,
+           "kind of motion");
   v.whole(m.order, "order", {.min = 1, .max = 1000},
           "which mode of that shape in its direction, from the lowest");
   v.choice(m.direction, "direction", named_axes, optional_key, "axis along which the mode moves");
