@@ -334,17 +334,17 @@ void add_limits(const TestData& a, const TestData& b, Correlation& c) {
   else if (c.channels.size() < 6)
     c.limits.push_back("shapes over " + std::to_string(c.channels.size()) +
                        " channels: a high MAC is weak evidence");
-  std::string alike;
+  std::string pairs;
   for (Index i = 0; i < c.auto_mac.rows(); ++i)
     for (Index j = i + 1; j < c.auto_mac.cols(); ++j)
-      if (c.auto_mac(i, j) > 0.5) {
+      if (c.auto_mac(i, j) > alike) {
         const auto hertz = [&](Index k) {
           return std::to_string(std::lround(b.data.modes[c.mac_columns[k]].frequency));
         };
-        alike += (alike.empty() ? "" : ", ") + hertz(i) + " and " + hertz(j) + " Hz";
+        pairs += (pairs.empty() ? "" : ", ") + hertz(i) + " and " + hertz(j) + " Hz";
       }
-  if (!alike.empty())
-    c.limits.push_back("measured modes look alike at these channels (MAC above 0.5): " + alike);
+  if (!pairs.empty())
+    c.limits.push_back("measured modes look alike at these channels (MAC above 0.5): " + pairs);
   if (all_responses(b).empty())
     c.limits.emplace_back("no measured response: FRAC and CSAC are left out");
   else if (c.responses.empty())
