@@ -9,6 +9,7 @@
 #include "io/write/write_stiffness.hpp"
 #include "run/study/part_stiffness.hpp"
 #include "solve/sparse_factor.hpp"
+#include "words/directions.hpp"
 #include "words/field_types.hpp"
 #include "words/units.hpp"
 
@@ -100,13 +101,12 @@ std::vector<OffsetOfEnd> shifts_of(const std::vector<std::string>& texts) {
       continue;
     }
     const auto at = text.find('=');
-    const auto known = std::find_if(directions.begin(), directions.end(),
-                                    [&](const auto& d) { return d.name == text.substr(0, at); });
-    if (at == std::string::npos || known == directions.end())
+    const int direction = place_among(direction_names, text.substr(0, at));
+    if (at == std::string::npos || direction < 0)
       input_error(option, "'" + text + "' is no offset", allowed);
     list.push_back(
-        {known->value, number_of(text.substr(at + 1),
-                                 known->value < 3 ? Dimension::length : Dimension::angle, option)});
+        {direction, number_of(text.substr(at + 1),
+                              direction < 3 ? Dimension::length : Dimension::angle, option)});
   }
   return list;
 }

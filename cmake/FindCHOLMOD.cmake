@@ -1,15 +1,3 @@
 # CHOLMOD (SuiteSparse, Debian package libsuitesparse-dev): target CHOLMOD::CHOLMOD
-find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
-find_library(CHOLMOD_LIBRARY cholmod)
-find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig)
-include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(CHOLMOD
-  REQUIRED_VARS CHOLMOD_LIBRARY CHOLMOD_INCLUDE_DIR SUITESPARSECONFIG_LIBRARY)
-if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
-  add_library(CHOLMOD::CHOLMOD UNKNOWN IMPORTED)
-  set_target_properties(CHOLMOD::CHOLMOD PROPERTIES
-    IMPORTED_LOCATION ${CHOLMOD_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES ${CHOLMOD_INCLUDE_DIR}
-    INTERFACE_LINK_LIBRARIES "${SUITESPARSECONFIG_LIBRARY}")
-endif()
-mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSECONFIG_LIBRARY)
+include(${CMAKE_CURRENT_LIST_DIR}/FindPlainLibrary.cmake)
+find_plain_library(CHOLMOD cholmod.h cholmod NEEDS suitesparseconfig PATH_SUFFIXES suitesparse)

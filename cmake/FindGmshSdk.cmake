@@ -1,11 +1,3 @@
 # Gmsh SDK (Debian package libgmsh-dev): target Gmsh::Gmsh
-find_path(GMSH_INCLUDE_DIR gmsh.h)
-find_library(GMSH_LIBRARY gmsh)
-include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(GmshSdk REQUIRED_VARS GMSH_LIBRARY GMSH_INCLUDE_DIR)
-if(GmshSdk_FOUND AND NOT TARGET Gmsh::Gmsh)
-  add_library(Gmsh::Gmsh UNKNOWN IMPORTED)
-  set_target_properties(Gmsh::Gmsh PROPERTIES
-    IMPORTED_LOCATION ${GMSH_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${GMSH_INCLUDE_DIR})
-endif()
-mark_as_advanced(GMSH_INCLUDE_DIR GMSH_LIBRARY)
+include(${CMAKE_CURRENT_LIST_DIR}/FindPlainLibrary.cmake)
+find_plain_library(GmshSdk gmsh.h gmsh TARGET Gmsh::Gmsh PREFIX GMSH)

@@ -8,37 +8,12 @@
 #include "words/units.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
 namespace plica {
 namespace {
-
-struct StaticEntry {
-  const char* name;
-  const char* unit;
-  double value;
-};
-
-StaticEntry static_entry(const StaticStiffness& k, StaticDirection direction) {
-  switch (direction) {
-  case StaticDirection::axial:
-    break;
-  case StaticDirection::transverse_x:
-    return {"transverse stiffness x", "N/m", k.k_transverse_x};
-  case StaticDirection::transverse_z:
-    return {"transverse stiffness z", "N/m", k.k_transverse_z};
-  case StaticDirection::bending_x:
-    return {"bending stiffness x", "Nm/rad", k.k_bending_x};
-  case StaticDirection::bending_z:
-    return {"bending stiffness z", "Nm/rad", k.k_bending_z};
-  case StaticDirection::torsion:
-    return {"torsional stiffness", "Nm/rad", k.k_torsion};
-  }
-  return {"axial stiffness", "N/m", k.k_axial};
-}
 
 // Force over displacement at a stroke, or how it grows there, where the model has a curve for that
 // direction; none otherwise.
@@ -48,7 +23,7 @@ std::optional<double> over_stroke_of(const Results& results, const MeasuredStati
       k.direction == StaticDirection::transverse_x || k.direction == StaticDirection::transverse_z;
   if (!across && k.direction != StaticDirection::axial) return std::nullopt;
   for (const StrokeCurve& c : results.strokes)
-    if (c.direction == (across ? "transverse" : "axial"))
+    if (c.direction == (across ? StrokeCurve::across : StrokeCurve::along))
       return k.slope == StaticSlope::secant
                  ? force_at(c.points, *k.stroke) / *k.stroke
                  : slope_at([&](double x) { return force_at(c.points, x); }, *k.stroke);
@@ -222,17 +197,17 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
     const MeasuredStatic& k = measured.statics[i];
     if (!results.statics) break;
     if (!as_drawn(measured, k.state)) continue;
-    const StaticEntry found = static_entry(*results.statics, k.direction);
     const std::optional<double> over_stroke = over_stroke_of(results, k);
-    std::string name = found.name;
+    std::string name = stiffness_name(k.direction);
     if (over_stroke)
       name += (k.slope == StaticSlope::secant ? " over " : " at ") + millimetres(*k.stroke);
-    rows.push_back({.quantity = name,
-                    .unit = found.unit,
-                    .measured = k.value,
-                    .sigma = k.sigma.value_or(0),
-                    .computed = over_stroke.value_or(found.value),
-                    .entry = entry_name("static", i)});
+    rows.push_back(
+        {.quantity = name,
+         .unit = stiffness_unit(k.direction),
+         .measured = k.value,
+         .sigma = k.sigma.value_or(0),
+         .computed = over_stroke.value_or(results.statics->all()[std::size_t(k.direction)]),
+         .entry = entry_name("static", i)});
   }
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {
     const MeasuredMode& m = measured.modes[i];

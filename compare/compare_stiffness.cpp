@@ -1,6 +1,7 @@
 #include "compare/compare_stiffness.hpp"
 
 #include "model/description/analyses.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "compare/correlate.hpp"
 
 #include "lab/identification/mode_correlation.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -300,9 +301,6 @@ void compare_responses(const TestData& a, const TestData& b, Correlation& c) {
 }
 
 void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
-  constexpr std::array names{"axial stiffness",        "transverse stiffness x",
-                             "transverse stiffness z", "bending stiffness x",
-                             "bending stiffness z",    "torsional stiffness"};
   const auto either = [](const std::optional<double>& x, const std::optional<double>& y) {
     const double e = std::hypot(x.value_or(0), y.value_or(0));
     return e > 0 ? std::optional<double>(e) : std::nullopt;
@@ -313,8 +311,7 @@ void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
   for (const MeasuredStatic& t : b.data.statics)
     for (const MeasuredStatic& s : a.data.statics)
       if (s.direction == t.direction)
-        c.numbers.push_back({names[static_cast<std::size_t>(t.direction)],
-                             t.direction < StaticDirection::bending_x ? "N/m" : "Nm/rad", s.value,
+        c.numbers.push_back({stiffness_name(t.direction), stiffness_unit(t.direction), s.value,
                              t.value, either(s.sigma, t.sigma)});
 }
 
@@ -337,17 +334,17 @@ void add_limits(const TestData& a, const TestData& b, Correlation& c) {
   else if (c.channels.size() < 6)
     c.limits.push_back("shapes over " + std::to_string(c.channels.size()) +
                        " channels: a high MAC is weak evidence");
-  std::string alike;
+  std::string pairs;
   for (Index i = 0; i < c.auto_mac.rows(); ++i)
     for (Index j = i + 1; j < c.auto_mac.cols(); ++j)
-      if (c.auto_mac(i, j) > 0.5) {
+      if (c.auto_mac(i, j) > alike) {
         const auto hertz = [&](Index k) {
           return std::to_string(std::lround(b.data.modes[c.mac_columns[k]].frequency));
         };
-        alike += (alike.empty() ? "" : ", ") + hertz(i) + " and " + hertz(j) + " Hz";
+        pairs += (pairs.empty() ? "" : ", ") + hertz(i) + " and " + hertz(j) + " Hz";
       }
-  if (!alike.empty())
-    c.limits.push_back("measured modes look alike at these channels (MAC above 0.5): " + alike);
+  if (!pairs.empty())
+    c.limits.push_back("measured modes look alike at these channels (MAC above 0.5): " + pairs);
   if (all_responses(b).empty())
     c.limits.emplace_back("no measured response: FRAC and CSAC are left out");
   else if (c.responses.empty())

@@ -1,6 +1,6 @@
 #include "compare/sensors_by_place.hpp"
 
-#include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,6 +1,8 @@
 #include "compare/simulated.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <cmath>
 
@@ -8,16 +10,13 @@ namespace plica {
 namespace {
 
 std::optional<Axis> axis_of(const std::string& letter) {
-  for (int a = 0; a < 3; ++a)
-    if (letter == axis_word(a)) return static_cast<Axis>(a);
-  return std::nullopt;
+  const int axis = place_among(axis_names, letter);
+  return axis < 0 ? std::nullopt : std::optional(static_cast<Axis>(axis));
 }
 
 MeasuredShape shape_of(const std::string& shape) {
-  if (shape == "axial") return MeasuredShape::axial;
-  if (shape == "transverse") return MeasuredShape::transverse;
-  if (shape == "torsion") return MeasuredShape::torsion;
-  return shape == "shell" ? MeasuredShape::shell : MeasuredShape::other;
+  const int known = place_among(measured_shape_names, shape);
+  return known < 0 ? MeasuredShape::other : static_cast<MeasuredShape>(known);
 }
 
 MeasuredVector at_sensors(const Results& results, std::size_t mode) {
@@ -63,7 +62,7 @@ Measured as_measured(const Results& results) {
   std::map<std::pair<std::string, std::string>, int> so_far; // of a shape and direction
   for (std::size_t i = 0; i < results.modes.size(); ++i) {
     const ModeResult& mode = results.modes[i];
-    if (mode.shape == "rigid" || !(mode.frequency > 0)) continue;
+    if (mode.shape == mode_kind::rigid || !(mode.frequency > 0)) continue;
     MeasuredMode& out = m.modes.emplace_back();
     out.frequency = mode.frequency;
     if (mode.damping > 0) out.damping = mode.damping;

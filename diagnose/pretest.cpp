@@ -3,9 +3,9 @@
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/judge/identifiability.hpp"
 #include "diagnose/predict/menu.hpp"
-#include "lab/measured/measured_words.hpp"
 #include "model/description/end_caps.hpp"
 #include "solve/parallel.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>

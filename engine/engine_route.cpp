@@ -132,7 +132,7 @@ public:
     stage(stages::reduction);
     CutModel pieces = cut_for_ranks(built, analyses, seen != nullptr, ranks);
     bool others_wait = false;
-    const PartReducer reduce = [&](const auto& parts, const ReductionRequest& request) {
+    const PartReducer reduce = [&](const auto& parts, const PartReductionRequest& request) {
       auto reductions = reductions_.reduce(parts, request);
       others_wait = true;
       settings.log(fmt::format("{} reductions, of each rank: {}", parts.size(),
@@ -192,7 +192,7 @@ void serve_reductions(const Case& data, const BuiltCase& built, const Ranks& ran
   CutModel pieces = ReducedEngineRoute::cut_for_ranks(built, data.analyses, true, ranks);
   const DifferentParts parts = different_parts(std::move(pieces.parts));
   SharedReductions reductions(ranks);
-  reductions.reduce(parts.different, reduction_request(data.analyses));
+  reductions.reduce(parts.different, part_reduction_request(data.analyses));
   for (;;) switch (tell(ranks, {})) {
     case Order::part_fields:
       reductions.answer_fields();

@@ -54,7 +54,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 } // namespace
 
 std::vector<std::shared_ptr<const PartReduction>>
-SharedReductions::reduce(const Parts& parts, const ReductionRequest& request) {
+SharedReductions::reduce(const Parts& parts, const PartReductionRequest& request) {
   deal(parts);
   reductions_.assign(parts.size(), nullptr);
   std::string trouble;
@@ -98,7 +98,7 @@ void SharedReductions::deal(const Parts& parts) {
   }
 }
 
-void SharedReductions::reduce_own(const Parts& parts, const ReductionRequest& request) {
+void SharedReductions::reduce_own(const Parts& parts, const PartReductionRequest& request) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (owner_[i] == ranks_.rank()) reductions_[i] = reduce_part(*parts[i], request);
 }

@@ -18,7 +18,7 @@ public:
   // std::runtime_error.
   std::vector<std::shared_ptr<const PartReduction>>
   reduce(const std::vector<std::shared_ptr<const Substructure>>& parts,
-         const ReductionRequest& request);
+         const PartReductionRequest& request);
 
   // On the others: the order part_fields of the first.
   void answer_fields() const;
@@ -29,7 +29,7 @@ public:
 private:
   void deal(const std::vector<std::shared_ptr<const Substructure>>& parts);
   void reduce_own(const std::vector<std::shared_ptr<const Substructure>>& parts,
-                  const ReductionRequest& request);
+                  const PartReductionRequest& request);
   void gather(const std::vector<std::shared_ptr<const Substructure>>& parts);
   Eigen::MatrixXd fields(int part, const std::vector<int>& nodes,
                          const Eigen::MatrixXd& coordinates) const;

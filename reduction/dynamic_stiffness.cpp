@@ -2,6 +2,7 @@
 
 #include "solve/joint_balance.hpp"
 #include "solve/parallel.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -211,7 +212,7 @@ Eigen::Matrix<Complex, 6, 6> connector_in_middle(const Complex1212& Z, const Eig
 std::vector<std::string> end_coordinate_names(const std::array<std::string, 2>& ends) {
   std::vector<std::string> names;
   for (const std::string& end : ends)
-    for (const char* dof : {"x", "y", "z", "rx", "ry", "rz"}) names.push_back(end + "." + dof);
+    for (const char* dof : direction_names) names.push_back(end + "." + dof);
   return names;
 }
 

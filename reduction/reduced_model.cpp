@@ -43,7 +43,7 @@ Inside inside(const Instance& instance, const std::vector<int>& number,
 } // namespace
 
 std::shared_ptr<const PartReduction> reduce_part(const Substructure& part,
-                                                 const ReductionRequest& asked) {
+                                                 const PartReductionRequest& asked) {
   auto reduced = std::make_shared<PartReduction>();
   if (asked.symmetry) {
     auto view = cyclic_model(part.model);
@@ -62,7 +62,7 @@ std::shared_ptr<const PartReduction> reduce_part(const Substructure& part,
 
 PartReducer reduce_here(ReductionMemory* memory) {
   return [memory](const std::vector<std::shared_ptr<const Substructure>>& parts,
-                  const ReductionRequest& request) {
+                  const PartReductionRequest& request) {
     std::vector<std::shared_ptr<const PartReduction>> reductions;
     for (const std::shared_ptr<const Substructure>& part : parts) {
       std::shared_ptr<const PartReduction> known = memory ? memory->find(*part, request) : nullptr;
@@ -89,7 +89,7 @@ DifferentParts different_parts(std::vector<Substructure> pieces) {
   return all;
 }
 
-ReducedModel reduce_substructures(CutModel pieces, const ReductionRequest& request,
+ReducedModel reduce_substructures(CutModel pieces, const PartReductionRequest& request,
                                   const PartReducer& reduce) {
   ReducedModel reduced{.model = std::move(pieces.frame),
                        .number = std::move(pieces.number),

@@ -5,7 +5,7 @@
 namespace plica {
 
 std::shared_ptr<const PartReduction> ReductionMemory::find(const Substructure& part,
-                                                           const ReductionRequest& request) {
+                                                           const PartReductionRequest& request) {
   std::deque<Entry> known; // compared without the lock: a comparison walks through all elements
   {
     const std::lock_guard lock(mutex_);
@@ -23,7 +23,7 @@ std::shared_ptr<const PartReduction> ReductionMemory::find(const Substructure& p
 }
 
 void ReductionMemory::keep(std::shared_ptr<const Substructure> part,
-                           const ReductionRequest& request,
+                           const PartReductionRequest& request,
                            std::shared_ptr<const PartReduction> reduction) {
   constexpr std::size_t most = 16; // with the mesh of its part each
   const std::lock_guard lock(mutex_);

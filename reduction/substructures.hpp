@@ -81,14 +81,14 @@ std::vector<int> nodes_around_breaks(const Model& model);
 Reduction craig_bampton(const std::shared_ptr<const ReducedModel>& model,
                         const std::vector<int>& boundary, double cutoff);
 
-// How substructures are reduced. By symmetry where `symmetry` allows it and the substructure has
-// it. Modes with the interface held up to `cutoff` (Hz), by symmetry those that the interface feels
-// or `all_harmonics`.
-struct ReductionRequest {
+// What reduce_part() is told, how the parts of one model are reduced. By symmetry where `symmetry`
+// allows it and the substructure has it. Modes with the interface held up to `cutoff` (Hz), by
+// symmetry those that the interface feels or `all_harmonics`.
+struct PartReductionRequest {
   double cutoff = 0;
   bool symmetry = true, all_harmonics = false;
 
-  bool operator==(const ReductionRequest&) const = default;
+  bool operator==(const PartReductionRequest&) const = default;
 };
 
 // Reductions of earlier models, for substructures that come again without any change, at the same
@@ -96,14 +96,14 @@ struct ReductionRequest {
 class ReductionMemory {
 public:
   std::shared_ptr<const PartReduction> find(const Substructure& part,
-                                            const ReductionRequest& request);
-  void keep(std::shared_ptr<const Substructure> part, const ReductionRequest& request,
+                                            const PartReductionRequest& request);
+  void keep(std::shared_ptr<const Substructure> part, const PartReductionRequest& request,
             std::shared_ptr<const PartReduction> reduction);
 
 private:
   struct Entry {
     std::shared_ptr<const Substructure> part;
-    ReductionRequest request;
+    PartReductionRequest request;
     std::shared_ptr<const PartReduction> reduction;
   };
   std::deque<Entry> entries_; // the last used first
@@ -113,11 +113,11 @@ private:
 // Reduces substructures of which none is a copy of another; the reductions stand in their order.
 using PartReducer = std::function<std::vector<std::shared_ptr<const PartReduction>>(
     const std::vector<std::shared_ptr<const Substructure>>& parts,
-    const ReductionRequest& request)>;
+    const PartReductionRequest& request)>;
 
 // Of one. Throws as craig_bampton(). The part outlives it.
 std::shared_ptr<const PartReduction> reduce_part(const Substructure& part,
-                                                 const ReductionRequest& request);
+                                                 const PartReductionRequest& request);
 
 // One after the other in this process. `memory`, which outlives it: what it knows is not reduced
 // again.
@@ -131,7 +131,7 @@ struct DifferentParts {
 DifferentParts different_parts(std::vector<Substructure> pieces);
 
 // Throws as `reduce`.
-ReducedModel reduce_substructures(CutModel pieces, const ReductionRequest& request,
+ReducedModel reduce_substructures(CutModel pieces, const PartReductionRequest& request,
                                   const PartReducer& reduce = reduce_here());
 
 } // namespace plica

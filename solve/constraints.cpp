@@ -1,5 +1,7 @@
 #include "solve/constraints.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 #include <map>
 

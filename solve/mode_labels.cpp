@@ -1,5 +1,8 @@
 #include "solve/mode_labels.hpp"
 
+#include "words/directions.hpp"
+#include "words/mode_kinds.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -68,12 +71,12 @@ ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
       [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.sum() < b.sum(); });
   label.harmonic = static_cast<int>(largest - energy.begin());
   int row = 0; // of the displacement whose profile is counted
-  label.shape = "shell";
+  label.shape = mode_kind::shell;
   if (label.harmonic == 0) {
     const Eigen::Vector3d& e = *largest;
     row = e[1] > e[0] && e[1] > e[2] ? 1 : e[2] > e[0] ? 2 : 0;
-    if (row == 1) label.shape = "torsion";
-    if (row == 2) label.shape = "axial";
+    if (row == 1) label.shape = mode_kind::torsion;
+    if (row == 2) label.shape = mode_kind::axial;
     label.direction = row == 0 ? "" : "y";
   }
   Eigen::Vector2d along = Eigen::Vector2d::Zero(); // cos, sin share
@@ -88,7 +91,7 @@ ModeLabel label_by_rings(const Model& model, const VectorXd& u) {
   }
   const int part = along[1] > along[0] ? 1 : 0;
   if (label.harmonic == 1) {
-    label.shape = "transverse";
+    label.shape = mode_kind::transverse;
     label.direction = part == 0 ? "x" : "z";
   }
   std::vector<double> profile;
@@ -145,11 +148,11 @@ ModeLabel label_on_axis(const Model& model, const std::vector<int>& nodes, const
       energy[k] += v * v;
     }
   const auto k = std::size_t(std::max_element(energy.begin(), energy.end()) - energy.begin());
-  constexpr std::array shapes{"transverse", "axial", "transverse", "torsion"};
-  constexpr std::array directions{"x", "y", "z", "y"};
+  constexpr std::array kinds{mode_kind::transverse, mode_kind::axial, mode_kind::transverse,
+                             mode_kind::torsion};
   ModeLabel label;
-  label.shape = shapes[k];
-  label.direction = directions[k];
+  label.shape = kinds[k];
+  label.direction = axis_names[k < 3 ? k : 1]; // of torsion: about y
   label.order = half_waves(profiles[k]);
   return label;
 }
@@ -196,12 +199,12 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
                      const Eigen::Matrix<double, 6, 1>& effective_mass_fraction) {
   ModeLabel label;
   if (rigid) {
-    label.shape = "rigid";
+    label.shape = mode_kind::rigid;
     return label;
   }
   Index direction = 0;
   const double fraction = effective_mass_fraction.head<3>().maxCoeff(&direction);
-  const std::string most(1, "xyz"[direction]); // along which most of its mass moves
+  const std::string most = axis_word(int(direction)); // along which most of its mass moves
   if (!model.mesh.rings.empty() && wall_takes_part(model, u)) {
     constexpr double whole = 0.3; // of the mass: the rings are not what the mode is about
     ModeLabel by_rings = label_by_rings(model, u);
@@ -210,7 +213,7 @@ ModeLabel label_mode(const Model& model, const VectorXd& u, bool rigid,
   }
   if (const std::vector<int> axis = axis_line(model); !axis.empty())
     return label_on_axis(model, axis, u);
-  label.shape = "mode";
+  label.shape = mode_kind::unnamed;
   if (fraction > 1e-3) label.direction = most;
   return label;
 }

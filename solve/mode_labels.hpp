@@ -6,7 +6,7 @@
 namespace plica {
 
 struct ModeLabel {
-  std::string shape;     // axial | transverse | torsion | shell | rigid | mode
+  std::string shape;     // one of mode_kind (words/mode_kinds.hpp)
   std::string direction; // "x", "y", "z" or empty
   int order = 0;         // half waves along the axis, from 1; 0 = not counted
   int harmonic = -1;     // circumferential order; -1 = the model has no rings

@@ -1,7 +1,5 @@
 #include "solve/model.hpp"
 
-#include <array>
-
 namespace plica {
 namespace {
 
@@ -75,11 +73,6 @@ Eigen::MatrixXd bushing_matrix(const Mesh& mesh, const BushingElement& b) {
   if (b.node2 < 0) return ground_bushing_matrix(b.bushing);
   const Eigen::Vector3d &x1 = mesh.nodes[b.node1], &x2 = mesh.nodes[b.node2];
   return bushing_matrix(b.bushing, x1, x2, (x1 + x2) / 2);
-}
-
-const char* dof_name(int dof) {
-  constexpr std::array names{"ux", "uy", "uz", "rx", "ry", "rz"};
-  return names[dof];
 }
 
 } // namespace plica

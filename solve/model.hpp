@@ -115,6 +115,4 @@ BeamGeometry beam_geometry(const Mesh& mesh, const BeamElement& beam);
 BeamGeometry beam_at_rest(const Model& model, const BeamElement& beam); // of a model at a state
 Eigen::MatrixXd bushing_matrix(const Mesh& mesh, const BushingElement& bushing); // its nodes' DOFs
 
-const char* dof_name(int dof); // "ux" .. "rz"
-
 } // namespace plica

@@ -2,6 +2,7 @@
 #include "mesh/plate.hpp"
 #include "solve/effective_mass.hpp"
 #include "tests/support/fields.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 //   1-----------------2     MacNeal & Harder, Finite Elem. Anal. Des. 1 (1985) 3-20.
 #include "tests/support/patch.hpp"
 #include "tests/support/shell_cases.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "tests/support/patch.hpp"
 #include "tests/support/shell_cases.hpp"
 #include "tests/support/triangulated.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

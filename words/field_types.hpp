@@ -19,6 +19,8 @@
 //   replacements  a map of paths to new values, kept as text
 #pragma once
 
+#include "words/directions.hpp"
+
 #include <limits>
 #include <optional>
 #include <string>
@@ -92,7 +94,16 @@ template <class E> struct Named {
   const char* name;
 };
 
-inline const std::vector<Named<int>> directions{{0, "x"},  {1, "y"},  {2, "z"},
-                                                {3, "rx"}, {4, "ry"}, {5, "rz"}};
+// Of values that count from 0 in the order of their words.
+template <class E, std::size_t N>
+std::vector<Named<E>> named_in_order(const std::array<const char*, N>& words) {
+  std::vector<Named<E>> named;
+  for (std::size_t i = 0; i < N; ++i) named.push_back({static_cast<E>(i), words[i]});
+  return named;
+}
+
+inline const std::vector<Named<int>> directions = named_in_order<int>(direction_names);
+inline const std::vector<Named<int>> signed_axes{{1, "x"},   {2, "y"},   {3, "z"},
+                                                 {-1, "-x"}, {-2, "-y"}, {-3, "-z"}};
 
 } // namespace plica

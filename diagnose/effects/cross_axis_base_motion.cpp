@@ -1,6 +1,6 @@
 #include "diagnose/effects/effect.hpp"
 
-#include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <set>
 

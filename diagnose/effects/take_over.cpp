@@ -1,6 +1,6 @@
 #include "diagnose/effects/take_over.hpp"
 
-#include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,7 @@ CaseEdits with_section(const std::string& part, const BeamSection& section, doub
 
 std::string entry_of(const Sensor& s) {
   std::vector<std::string> axes;
-  for (int axis : s.axes)
-    axes.push_back((axis < 0 ? "-" : "") + std::string(axis_word(std::abs(axis) - 1)));
+  for (int axis : s.axes) axes.push_back(signed_axis_word(axis));
   std::string text = fmt::format("{{name: {}, at: [{}], axes: [{}]", s.name, fmt::join(s.at, ", "),
                                  fmt::join(axes, ", "));
   if (s.mass > 0) text += ", mass: " + yaml_of(s.mass);

@@ -4,6 +4,7 @@
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>

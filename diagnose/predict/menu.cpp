@@ -1,7 +1,7 @@
 #include "diagnose/predict/menu.hpp"
 
-#include "lab/measured/measured_words.hpp"
 #include "model/description/end_caps.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

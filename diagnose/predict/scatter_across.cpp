@@ -15,7 +15,7 @@ Vector2d StateAnswers::scatter_across(const Reading& reading) {
   const TestRun& run = test_.runs[std::size_t(reading.run)];
   const int number = reading.at_run >= 0 ? reading.at_run : reading.run;
   const int sensor = own_.nominal->number_of(reading.sensor);
-  if (sensor < 0 || !run.input.any() || !answers_to(run) || !find_peaks(number))
+  if (sensor < 0 || !run.input.any() || !answers_to(run) || !predict_peaks(number))
     return Vector2d::Zero();
   const Peak& peak =
       peaks_.at(number)[reading.at_run >= 0 ? 0 : std::size_t(std::max(0, reading.peak))];

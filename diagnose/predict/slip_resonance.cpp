@@ -146,7 +146,7 @@ std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
   return std::log(reading.kind == ReadingKind::damping ? zeta : hertz);
 }
 
-bool StateAnswers::find_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
+bool StateAnswers::predict_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
   Softening softening = acting_.softening;
   constexpr int along_the_pipe = 1;
   const int along = run.input.base >= 0 ? run.input.base : run.input.force.back() - 'x';

@@ -230,12 +230,12 @@ std::vector<Index> StateAnswers::peak_modes(const AffineModes& m, const TestRun&
 
 // The peaks of a run. False: no stable structure. Runs that differ in nothing the model feels share
 // them.
-bool StateAnswers::find_peaks(int number) {
+bool StateAnswers::predict_peaks(int number) {
   if (const auto known = peaks_.find(number); known != peaks_.end()) return true;
   const TestRun& run = test_.runs[std::size_t(number)];
   std::vector<Peak> found;
   if (acting_.group) {
-    if (!find_slipping_peaks(run, found)) return false;
+    if (!predict_slipping_peaks(run, found)) return false;
   } else {
     for (const auto& [other, peaks] : peaks_) { // the level is not felt
       const TestRun& like = test_.runs[std::size_t(other)];
@@ -259,7 +259,7 @@ std::optional<double> StateAnswers::dynamic(const Reading& reading) {
   const TestRun& run = test_.runs[std::size_t(reading.run)];
   if (!run.input.any()) return labelled(reading);
   if (!answers_to(run)) return not_given;
-  if (!find_peaks(reading.run)) return std::nullopt;
+  if (!predict_peaks(reading.run)) return std::nullopt;
   Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
   if (peak.mode < 0) return not_given;
   if (reading.kind == ReadingKind::component) return component(*peak.modes, peak.mode, reading);
@@ -292,7 +292,7 @@ std::optional<double> StateAnswers::dynamic(const Reading& reading) {
 
 std::optional<double> StateAnswers::cross_resonance(const Reading& reading, const TestRun& run,
                                                     int sensor) {
-  if (!find_peaks(reading.at_run)) return std::nullopt;
+  if (!predict_peaks(reading.at_run)) return std::nullopt;
   const Peak& peak = peaks_.at(reading.at_run).front();
   if (peak.mode < 0) return not_given;
   std::vector<double> near;

@@ -100,8 +100,8 @@ private:
                                                 SlipTable& table) const;
   std::optional<double> slipping_mode(const Reading& reading);
   SlipTable& table();
-  bool find_peaks(int run);
-  bool find_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
+  bool predict_peaks(int run);
+  bool predict_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
   void respond(Peak& peak, const TestRun& run) const;
   void respond_around(Peak& peak, const TestRun& run) const;
   std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;

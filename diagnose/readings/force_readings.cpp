@@ -1,6 +1,7 @@
 #include "diagnose/readings/force_readings.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "diagnose/readings/reading_list.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/readings/stiffness_readings.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -24,13 +24,6 @@ constexpr double mass_sigma = 0.002, stiffness_sigma = 0.015, damping_sigma = 0.
 double frequency_sigma(double damping) {
   constexpr double of_a_sharp_peak = 0.0025, sharp = 0.01;
   return of_a_sharp_peak * std::sqrt(std::max(1., damping / sharp));
-}
-
-const char* static_name(StaticDirection direction) {
-  constexpr std::array names{"axial stiffness",        "transverse stiffness x",
-                             "transverse stiffness z", "bending stiffness x",
-                             "bending stiffness z",    "torsional stiffness"};
-  return names[static_cast<std::size_t>(direction)];
 }
 
 double relative(const std::optional<double>& sigma, double value, double otherwise) {
@@ -79,8 +72,8 @@ private:
     for (std::size_t i = 0; i < measured_.statics.size(); ++i) {
       const MeasuredStatic& k = measured_.statics[i];
       list_.add({.kind = ReadingKind::stiffness,
-                 .name = static_name(k.direction),
-                 .unit = k.direction >= StaticDirection::bending_x ? "Nm/rad" : "N/m",
+                 .name = stiffness_name(k.direction),
+                 .unit = stiffness_unit(k.direction),
                  .entry = entry_name("static", i),
                  .state = k.state,
                  .sensor = "",

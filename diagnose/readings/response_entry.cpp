@@ -1,6 +1,7 @@
 #include "diagnose/readings/response_entry.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>

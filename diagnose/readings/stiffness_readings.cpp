@@ -1,6 +1,6 @@
 #include "diagnose/readings/stiffness_readings.hpp"
 
-#include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +91,7 @@ double slope_at(const Curve& curve, Curve::const_iterator at) {
 }
 
 std::string words_of(const RigMotion& m) {
-  constexpr std::array directions{"x", "y", "z", "rx", "ry", "rz"};
-  std::string words = directions[std::size_t(m.direction)];
+  std::string words = direction_names[std::size_t(m.direction)];
   if (m.kind == StiffnessKind::driving_point) words += " driving point";
   return words;
 }

@@ -4,6 +4,7 @@
 
 #include "diagnose/results/normal_distribution.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +31,11 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   label.kind = kind_name(r.kind);
   label.state = r.state;
   if (r.kind == ReadingKind::stiffness) {
-    constexpr std::array directions{"y", "x", "z", "rx", "rz", "ry"};
-    label.direction = directions[static_cast<std::size_t>(r.direction)];
+    constexpr std::array<std::size_t, 6> direction{1, 0, 2, 3, 5, 4}; // of a StaticDirection
+    label.direction = direction_names[direction[static_cast<std::size_t>(r.direction)]];
   }
   if (is_of_rig(r)) {
-    constexpr std::array directions{"x", "y", "z", "rx", "ry", "rz"};
-    label.direction = directions[std::size_t(r.axis)];
+    label.direction = direction_names[std::size_t(r.axis)];
     label.band = r.rig.driving_point ? "driving point" : "transfer";
     if (r.stroke > 0)
       label.band += fmt::format(", {:g} {}", r.stroke * (r.axis < 3 ? 1e3 : 180 / std::numbers::pi),

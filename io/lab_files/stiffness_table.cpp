@@ -2,6 +2,7 @@
 
 #include "io/lab_files/csv_table.hpp"
 #include "words/did_you_mean.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 #include "words/units.hpp"
 
@@ -80,11 +81,9 @@ private:
     const auto blank = c.name.find(' ');
     const std::string direction = c.name.substr(0, blank);
     std::string rest = blank == std::string::npos ? "" : c.name.substr(blank + 1);
-    const auto known = std::find_if(directions.begin(), directions.end(),
-                                    [&](const auto& d) { return d.name == direction; });
-    if (known == directions.end())
+    out.as.direction = place_among(direction_names, direction);
+    if (out.as.direction < 0)
       wrong(c.name, "begins with no direction", "x, y, z, rx, ry or rz, then the quantity");
-    out.as.direction = known->value;
     for (const auto& [word, kind] : {std::pair{"driving point ", StiffnessKind::driving_point},
                                      {"transfer ", StiffnessKind::transfer}})
       if (rest.starts_with(word)) {

@@ -1,8 +1,9 @@
 #include "io/lab_files/channels.hpp"
 #include "io/lab_files/universal_units.hpp"
 #include "io/universal/reader.hpp"
+#include "words/directions.hpp"
 
-#include <array>
+#include <cstdlib>
 
 namespace plica {
 namespace {
@@ -22,9 +23,9 @@ DofName dof_name(const UniversalDof& dof, const Measured* measured) {
   if (measured)
     for (const MeasuredSensor& s : measured->sensors)
       if (s.node > 0 && s.node == dof.node) name.channel = s.name;
-  constexpr std::array axes{"", ".x", ".y", ".z", ".rx", ".ry", ".rz"};
-  if (dof.direction > -int(axes.size()) && dof.direction < int(axes.size()))
-    name.channel += axes[std::size_t(std::abs(dof.direction))];
+  constexpr int last = direction_names.size(); // counted from 1; 0 = none
+  if (dof.direction != 0 && dof.direction >= -last && dof.direction <= last)
+    name.channel += std::string(".") + direction_names[std::size_t(std::abs(dof.direction) - 1)];
   name.sign = dof.direction < 0 ? -1 : 1;
   return name;
 }

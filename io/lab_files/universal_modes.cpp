@@ -5,7 +5,7 @@
 #include "io/lab_files/universal_units.hpp"
 #include "io/universal/reader.hpp"
 #include "lab/identification/identified_measured.hpp"
-#include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "io/report/symbols.hpp"
 #include "io/report/tubes.hpp"
 #include "io/tables/text.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -67,17 +68,16 @@ std::string svg_open(const Frame& frame, const std::string& label) {
 // Arrows along x, y, z in the lower right corner.
 std::string triad(const View& view, const Frame& frame) {
   const Eigen::Vector2d middle(frame.width - 140, frame.height - 90);
-  const char* names[] = {"x", "y", "z"};
   std::string svg = "<g stroke-width=\"4\" font-size=\"36\">";
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector2d along = view.project(Eigen::Vector3d::Unit(axis));
     const Eigen::Vector2d tip = middle + 80 * Eigen::Vector2d(along.x(), -along.y());
     const Eigen::Vector2d name = middle + 112 * Eigen::Vector2d(along.x(), -along.y());
-    svg +=
-        fmt::format("<line stroke=\"currentColor\" x1=\"{:.0f}\" y1=\"{:.0f}\" x2=\"{:.0f}\" "
-                    "y2=\"{:.0f}\"/><text text-anchor=\"middle\" x=\"{:.0f}\" y=\"{:.0f}\">{}"
-                    "</text>",
-                    middle.x(), middle.y(), tip.x(), tip.y(), name.x(), name.y() + 11, names[axis]);
+    svg += fmt::format("<line stroke=\"currentColor\" x1=\"{:.0f}\" y1=\"{:.0f}\" x2=\"{:.0f}\" "
+                       "y2=\"{:.0f}\"/><text text-anchor=\"middle\" x=\"{:.0f}\" y=\"{:.0f}\">{}"
+                       "</text>",
+                       middle.x(), middle.y(), tip.x(), tip.y(), name.x(), name.y() + 11,
+                       axis_word(axis));
   }
   return svg + "</g>\n";
 }

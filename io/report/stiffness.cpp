@@ -6,6 +6,7 @@
 #include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/stiffness_words.hpp"
+#include "words/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,6 @@ using std::numbers::pi;
 
 constexpr std::array titles{"across, x",   "along, y",    "across, z",
                             "bending, rx", "torsion, ry", "bending, rz"};
-constexpr std::array letters{"x", "y", "z", "rx", "ry", "rz"};
 
 struct Shown {
   const StiffnessOverFrequency& over;
@@ -206,7 +206,7 @@ std::string stiffness_report(const EndDynamicStiffness& s,
     std::vector<HtmlRow> rows;
     const Complex1212 Z = dynamic_stiffness(state.part, 0);
     for (int d = 0; d < 6; ++d)
-      rows.push_back({{letters[std::size_t(d)],
+      rows.push_back({{direction_names[std::size_t(d)],
                        html_number((d < 3 ? 1e-3 : 1) * transfer_stiffness(Z, d).real(), 4),
                        d < 3 ? "N/mm" : "Nm/rad"},
                       ""});

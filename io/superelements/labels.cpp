@@ -1,5 +1,7 @@
 #include "io/superelements/labels.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -49,9 +51,9 @@ Eigen::MatrixXd recovery_matrix(const Superelement& s) {
 }
 
 std::vector<std::string> coordinate_names(const Superelement& s) {
-  constexpr std::array dofs{"ux", "uy", "uz", "rx", "ry", "rz"};
   std::vector<std::string> names;
-  for (int i = 0; i < s.boundary(); ++i) names.push_back(s.node_names[i / 6] + "." + dofs[i % 6]);
+  for (int i = 0; i < s.boundary(); ++i)
+    names.push_back(s.node_names[i / 6] + "." + dof_name(i % 6));
   for (int j = 0; j < s.modal(); ++j) names.push_back("mode " + std::to_string(j + 1));
   return names;
 }

@@ -1,6 +1,7 @@
 #include "io/tables/csv.hpp"
 
 #include "io/tables/text.hpp"
+#include "words/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +102,7 @@ void add_complex(std::vector<std::string>& cells, std::complex<double> value) {
 std::string complex_modes_csv(const Results& results) {
   std::vector<std::string> head{"mode", "frequency [Hz]", "damping [fraction of critical]"};
   for (const SensorResult& s : results.sensors)
-    for (const char* direction : {"x", "y", "z"})
+    for (const char* direction : axis_names)
       for (const char* part : {"real", "imaginary"})
         head.push_back(fmt::format("{} {} {} [1/sqrt(kg)]", s.name, direction, part));
   std::string text = line(head);

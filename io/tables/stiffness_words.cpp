@@ -3,7 +3,7 @@
 #include "io/tables/csv.hpp"
 #include "io/tables/text.hpp"
 #include "io/tables/text_table.hpp"
-#include "words/field_types.hpp"
+#include "words/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double degree = pi / 180;
-
-std::string direction_name(int direction) {
-  return directions[std::size_t(direction)].name;
-}
 
 std::string unit_of(int row, int column) {
   const bool moment = row % 6 >= 3, turn = column % 6 >= 3;
@@ -111,7 +107,7 @@ std::string transfer_stiffness_csv(const EndDynamicStiffness& s) {
         const Complex1212& Z = state.over.at[l][std::size_t(f)];
         for (int d = 0; d < 6; ++d) {
           const std::complex<double> k21 = transfer_stiffness(Z, d);
-          text += head + "," + direction_name(d) + "," + unit_of(d, d) +
+          text += head + "," + direction_names[std::size_t(d)] + "," + unit_of(d, d) +
                   three_cells(driving_point_stiffness(Z, d, 0)) +
                   three_cells(driving_point_stiffness(Z, d, 1)) + three_cells(k21) +
                   fmt::format(",{},{}\n", csv_number(20 * std::log10(std::abs(k21))),
@@ -171,7 +167,7 @@ std::string stiffness_text(const EndDynamicStiffness& s,
                         s.highest_mode);
     TextRows rows{{"", "Hz"}};
     for (int d = 0; d < 6; ++d) {
-      rows[0].push_back(direction_name(d) + (d < 3 ? " N/mm" : " Nm/rad"));
+      rows[0].push_back(direction_names[std::size_t(d)] + std::string(d < 3 ? " N/mm" : " Nm/rad"));
       rows[0].emplace_back("deg");
     }
     for (std::size_t l = 0; l < state.over.levels.size(); ++l)

@@ -1,6 +1,8 @@
 #include "io/tables/text.hpp"
 
+#include "lab/measured/measured_words.hpp"
 #include "run/results/computed_numbers.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -16,15 +18,16 @@ namespace plica {
 
 std::string mode_label(const ModeResult& mode) {
   const std::string place = mode.place.empty() ? "" : " (" + mode.place + ")";
-  if (mode.shape == "shell") {
-    std::string label = "shell";
+  if (mode.shape == mode_kind::shell) {
+    std::string label = mode_kind::shell;
     if (mode.harmonic >= 0) label += fmt::format(" n={}", mode.harmonic);
     if (mode.order > 0) label += fmt::format(" m={}", mode.order);
     return label + place;
   }
-  std::string label = mode.shape.empty() ? "mode" : mode.shape;
+  std::string label = mode.shape.empty() ? mode_kind::unnamed : mode.shape;
   if (mode.order > 0) label += fmt::format(" {}", mode.order);
-  const bool direction_is_plain = mode.shape == "axial" || mode.shape == "torsion";
+  const bool direction_is_plain =
+      mode.shape == mode_kind::axial || mode.shape == mode_kind::torsion;
   if (!mode.direction.empty() && !direction_is_plain) label += " in " + mode.direction;
   return label + place;
 }
@@ -122,11 +125,11 @@ std::string mesh_error_percent(double value, const MeshError& error) {
 }
 
 std::string mesh_error_percent(const ModeResult& mode, const MeshError& error) {
-  return mode.shape == "rigid" ? "-" : mesh_error_percent(mode.frequency, error);
+  return mode.shape == mode_kind::rigid ? "-" : mesh_error_percent(mode.frequency, error);
 }
 
 std::string stiffness_unit(std::size_t which) {
-  return which < 3 ? "N/m" : "Nm/rad";
+  return stiffness_unit(static_cast<StaticDirection>(which));
 }
 
 ShownUnit shown_unit(double value, const std::string& unit) {

@@ -1,5 +1,7 @@
 #include "io/universal/signals.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,11 +19,10 @@ struct Channel {
 };
 
 Channel parted(const std::string& name) {
-  constexpr std::array axes{"x", "y", "z", "rx", "ry", "rz"};
   const auto point = name.rfind('.');
   if (point != std::string::npos)
-    for (std::size_t a = 0; a < axes.size(); ++a)
-      if (name.substr(point + 1) == axes[a]) return {name.substr(0, point), int(a) + 1};
+    if (const int at = place_among(direction_names, name.substr(point + 1)); at >= 0)
+      return {name.substr(0, point), at + 1};
   return {name, 0};
 }
 

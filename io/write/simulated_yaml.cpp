@@ -1,9 +1,8 @@
 #include "io/write/simulated_yaml.hpp"
 
 #include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 #include <fmt/format.h>
-
-#include <array>
 
 namespace plica {
 namespace {
@@ -22,12 +21,10 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string axis_names(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int a : numbers)
-    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", a < 0 ? "-" : "",
-                        axis_word(std::abs(a) - 1));
-  return "[" + text + "]";
+std::string signed_axes_text(const std::vector<int>& axes) {
+  std::vector<std::string> list;
+  for (const int a : axes) list.push_back(signed_axis_word(a));
+  return listed(list);
 }
 
 std::string optional_number(const char* key, const std::optional<double>& x) {
@@ -93,9 +90,10 @@ std::string simulated_yaml(const Measured& m) {
   std::string text = fmt::format("specimen: {}\nsource: {}\n", m.specimen, quoted(m.source));
   if (!m.sensors.empty()) text += "sensors:\n";
   for (const MeasuredSensor& s : m.sensors)
-    text += fmt::format("  - {{name: {}, at: {}, axes: {}{}{}}}\n", s.name, listed(s.at),
-                        axis_names(s.axes), s.mass > 0 ? fmt::format(", mass: {}", s.mass) : "",
-                        s.node > 0 ? fmt::format(", node: {}", s.node) : "");
+    text +=
+        fmt::format("  - {{name: {}, at: {}, axes: {}{}{}}}\n", s.name, listed(s.at),
+                    signed_axes_text(s.axes), s.mass > 0 ? fmt::format(", mass: {}", s.mass) : "",
+                    s.node > 0 ? fmt::format(", node: {}", s.node) : "");
   text += states_text(m.states);
   if (m.mass)
     text +=

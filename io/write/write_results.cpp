@@ -13,6 +13,7 @@
 #include "io/universal/writer.hpp"
 #include "io/write/simulated_yaml.hpp"
 #include "io/write/vtu.hpp"
+#include "words/directions.hpp"
 
 #include <array>
 #include <string>

@@ -1,12 +1,13 @@
 // Every key of measured.yaml: unit, bounds, meaning; see words/field_types.hpp for the visitor.
 #pragma once
 
-#include "lab/measured/measured.hpp"
+#include "lab/measured/measured_words.hpp"
+#include "words/directions.hpp"
 #include "words/field_types.hpp"
 
 namespace plica {
 
-inline const std::vector<Named<Axis>> axis_names{{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
+inline const std::vector<Named<Axis>> named_axes = named_in_order<Axis>(axis_names);
 
 inline const std::vector<Named<FrfQuantity>> quantity_names{
     {FrfQuantity::receptance, "receptance"},
@@ -27,8 +28,7 @@ template <class V> void fields(V& v, MeasuredSensor& s) {
   v.text(s.name, "name", {.required = true, .name = true}, "name");
   v.quantities(s.at, "at", {.unit = Dimension::length, .required = true},
                "[x, y, z] in the part frame");
-  v.choices(s.axes, "axes", {{1, "x"}, {2, "y"}, {3, "z"}, {-1, "-x"}, {-2, "-y"}, {-3, "-z"}},
-            {.required = false, .min_items = 3},
+  v.choices(s.axes, "axes", signed_axes, {.required = false, .min_items = 3},
             "directions of the part frame its three axes point in");
   v.quantity(s.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
   v.whole(s.node, "node", {.min = 1}, "its number in universal files");
@@ -59,13 +59,7 @@ template <class V> void fields(V& v, MeasuredMass& m) {
 }
 
 template <class V> void fields(V& v, MeasuredStatic& s) {
-  v.tag(s.direction, "direction",
-        {{StaticDirection::axial, "axial"},
-         {StaticDirection::transverse_x, "transverse_x"},
-         {StaticDirection::transverse_z, "transverse_z"},
-         {StaticDirection::bending_x, "bending_x"},
-         {StaticDirection::bending_z, "bending_z"},
-         {StaticDirection::torsion, "torsion"}},
+  v.tag(s.direction, "direction", named_in_order<StaticDirection>(static_direction_names),
         required_key, "which stiffness between the end caps");
   const bool turns = s.direction >= StaticDirection::bending_x;
   const Dimension unit = turns ? Dimension::rotational_stiffness : Dimension::stiffness;
@@ -112,17 +106,12 @@ template <class V> void fields(V& v, MeasuredMode& m) {
   v.quantity(m.damping, "damping", measured_damping, "fraction of critical damping");
   v.quantity(m.sigma_damping, "sigma_damping", measured_damping,
              "standard deviation of the damping");
-  v.choice(m.shape, "shape",
-           {{MeasuredShape::axial, "axial"},
-            {MeasuredShape::transverse, "transverse"},
-            {MeasuredShape::torsion, "torsion"},
-            {MeasuredShape::shell, "shell"},
-            {MeasuredShape::other, "other"}},
-           required_key, "kind of motion");
+  v.choice(m.shape, "shape", named_in_order<MeasuredShape>(measured_shape_names), required_key,
+           "kind of motion");
   v.whole(m.order, "order", {.min = 1, .max = 1000},
           "which mode of that shape in its direction, from the lowest");
-  v.choice(m.direction, "direction", axis_names, optional_key, "axis along which the mode moves");
-  v.choice(m.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.choice(m.direction, "direction", named_axes, optional_key, "axis along which the mode moves");
+  v.choice(m.base, "base", named_axes, optional_key, "axis along which the table moved");
   v.quantity(m.level, "level", measured_level, "base acceleration");
   v.text(m.drive, "drive", {}, "sensor and axis at which a shaker drove it, such as mid.y");
   v.quantity(m.acceleration, "acceleration", measured_level,
@@ -142,9 +131,9 @@ template <class V> void fields(V& v, MeasuredMode& m) {
 template <class V> void fields(V& v, MeasuredPeaks& p) {
   Quantity level = measured_level;
   level.required = true;
-  v.choice(p.base, "base", axis_names, required_key, "axis along which the table moved");
+  v.choice(p.base, "base", named_axes, required_key, "axis along which the table moved");
   v.text(p.sensor, "sensor", {.required = true}, "name of a sensor of this file");
-  v.choice(p.direction, "direction", axis_names, required_key, "axis of the response");
+  v.choice(p.direction, "direction", named_axes, required_key, "axis of the response");
   v.quantities(p.level, "level", level, "base accelerations");
   v.quantities(p.frequency, "frequency", measured_frequency, "peak frequency at each level");
   v.quantity(p.sigma, "sigma", sigma_frequency, "standard deviation of the frequencies");
@@ -168,7 +157,7 @@ template <class V> void fields(V& v, FrfSigma& s) {
 
 template <class V> void fields(V& v, MeasuredFrf& f) {
   v.text(f.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
-  v.choice(f.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.choice(f.base, "base", named_axes, optional_key, "axis along which the table moved");
   v.text(f.force, "force", {}, "channel that was driven, instead of base");
   v.choice(f.quantity, "quantity", quantity_names, optional_key,
            "what the responses are; by the base transmissibility, by a force accelerance");
@@ -184,7 +173,7 @@ template <class V> void fields(V& v, MeasuredFrf& f) {
 
 template <class V> void fields(V& v, MeasuredSignals& s) {
   v.text(s.file, "file", {.required = true}, "UFF 58, CSV or MATLAB, relative to this file");
-  v.choice(s.base, "base", axis_names, optional_key, "axis along which the table moved");
+  v.choice(s.base, "base", named_axes, optional_key, "axis along which the table moved");
   v.text(s.reference, "reference", {},
          "channel of the input, such as base.y; needed but for a free_decay, where it tells when a "
          "hammer had left, and for output_only, which has none");

@@ -2,28 +2,38 @@
 #pragma once
 
 #include "lab/measured/measured.hpp"
+#include "words/directions.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <array>
 
 namespace plica {
 
-constexpr const char* axis_word(int axis) { // 0..2
-  constexpr std::array words{"x", "y", "z"};
-  return words.at(static_cast<std::size_t>(axis));
-}
 constexpr const char* word_of(Axis axis) {
   return axis_word(static_cast<int>(axis));
 }
 
+inline constexpr std::array measured_shape_names{mode_kind::axial, mode_kind::transverse,
+                                                 mode_kind::torsion, mode_kind::shell, "other"};
 constexpr const char* word_of(MeasuredShape shape) {
-  constexpr std::array words{"axial", "transverse", "torsion", "shell", "other"};
-  return words.at(static_cast<std::size_t>(shape));
+  return measured_shape_names.at(static_cast<std::size_t>(shape));
 }
 
+inline constexpr std::array static_direction_names{"axial",     "transverse_x", "transverse_z",
+                                                   "bending_x", "bending_z",    "torsion"};
 constexpr const char* word_of(StaticDirection direction) {
-  constexpr std::array words{"axial",     "transverse_x", "transverse_z",
-                             "bending_x", "bending_z",    "torsion"};
-  return words.at(static_cast<std::size_t>(direction));
+  return static_direction_names.at(static_cast<std::size_t>(direction));
+}
+
+// "transverse stiffness x"
+constexpr const char* stiffness_name(StaticDirection direction) {
+  constexpr std::array names{"axial stiffness",        "transverse stiffness x",
+                             "transverse stiffness z", "bending stiffness x",
+                             "bending stiffness z",    "torsional stiffness"};
+  return names.at(static_cast<std::size_t>(direction));
+}
+constexpr const char* stiffness_unit(StaticDirection direction) {
+  return direction < StaticDirection::bending_x ? "N/m" : "Nm/rad";
 }
 
 } // namespace plica

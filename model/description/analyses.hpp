@@ -74,7 +74,6 @@ struct Motion : EndMotion {
   std::optional<BaseNoise> random;
 };
 std::string name_of(const Motion& motion);
-inline constexpr std::array direction_names{"x", "y", "z", "rx", "ry", "rz"};
 
 // A sine that sweeps while the random input goes on.
 struct Tone {

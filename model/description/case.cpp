@@ -2,6 +2,7 @@
 
 #include "model/description/deck_model.hpp"
 #include "words/did_you_mean.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/Core>

@@ -13,9 +13,6 @@
 
 namespace plica {
 
-inline const std::vector<Named<int>> signed_axes{{1, "x"},   {2, "y"},   {3, "z"},
-                                                 {-1, "-x"}, {-2, "-y"}, {-3, "-z"}};
-
 template <class V> void fields(V& v, Cap& c) {
   v.one_or_more(c.of, "of", "end circle it closes, e.g. bellows.left, or a list of ends it joins");
   v.quantities(c.stiffness, "stiffness",
@@ -50,8 +47,8 @@ template <class V> void fields(V& v, Mount& m) {
 
 template <class V> void fields(V& v, Support& s) {
   v.text(s.set, "set", {.required = true}, "node set, e.g. web.edge1");
-  v.choices(s.dofs, "fix", {{0, "ux"}, {1, "uy"}, {2, "uz"}, {3, "rx"}, {4, "ry"}, {5, "rz"}},
-            {.required = true, .min_items = 1}, "displacements and rotations held to zero");
+  v.choices(s.dofs, "fix", named_in_order<int>(dof_names), {.required = true, .min_items = 1},
+            "displacements and rotations held to zero");
 }
 
 template <class V> void fields(V& v, Sensor& s) {

@@ -75,7 +75,7 @@ std::vector<StrokeCurve> stroke_curves(const ConnectorChain& chain) {
         forces.insert(point[1]);
     if (forces.empty()) continue;
     const double bending = axial ? 0 : bending_compliance(chain);
-    StrokeCurve curve{.direction = axial ? "axial" : "transverse", .points = {}};
+    StrokeCurve curve{.direction = axial ? StrokeCurve::along : StrokeCurve::across, .points = {}};
     for (const double force : forces) {
       double u = force * bending;
       for (const ConnectorSpring* s : springs_of(chain)) u += stretch(*s, axial, force);

@@ -17,7 +17,8 @@ double force_at(const ForceCurve& curve, double displacement);
 
 // Force over displacement between the caps where the stiffness is tabulated: straight lines.
 struct StrokeCurve {
-  std::string direction;                     // axial | transverse
+  static constexpr const char *along = "axial", *across = "transverse";
+  std::string direction;                     // one of these
   std::vector<std::array<double, 2>> points; // m, N, increasing
 };
 

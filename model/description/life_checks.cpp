@@ -1,6 +1,7 @@
 #include "model/description/life_checks.hpp"
 
 #include "model/description/time_analyses_checks.hpp"
+#include "words/directions.hpp"
 #include "words/short_text.hpp"
 
 #include <algorithm>

@@ -1,12 +1,13 @@
 #include "model/description/life_request.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 
 namespace plica {
 
 int end_shift_index(std::string_view name) {
-  const auto found = std::find(end_shift_names.begin(), end_shift_names.end(), name);
-  return found == end_shift_names.end() ? -1 : int(found - end_shift_names.begin());
+  return place_among(end_shift_names, name);
 }
 
 bool moves_end(const LifeHistory& history) {

@@ -2,6 +2,7 @@
 
 #include "model/description/time_analyses_checks.hpp"
 #include "solve/random_response.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -43,7 +44,7 @@ void check_noise(const Noise* noise, const std::array<double, 2>& band, const st
 std::vector<std::string> channel_names(const Case& data) {
   std::vector<std::string> names;
   for (const Sensor& s : data.sensors)
-    for (const char* axis : {"x", "y", "z"}) names.push_back(s.name + "." + axis);
+    for (const char* axis : axis_names) names.push_back(s.name + "." + axis);
   return names;
 }
 

@@ -11,6 +11,7 @@
 #include "solve/drilling.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/stopwatch.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +131,7 @@ private:
     const auto shares =
         drilling_shares(built_.model, s.u.leftCols(s.modes), s.lambda.head(s.modes));
     for (std::size_t i = 0; i < shares.size(); ++i)
-      if (shares[i].share > physics && results_.modes[i].shape != "rigid")
+      if (shares[i].share > physics && results_.modes[i].shape != mode_kind::rigid)
         modes_at[shares[i].node] +=
             (modes_at[shares[i].node].empty() ? "" : ", ") + std::to_string(i + 1);
     for (const auto& [node, modes] : modes_at) {

@@ -2,6 +2,7 @@
 
 #include "run/routes/moved_ends.hpp"
 #include "solve/effective_mass.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/Geometry>

@@ -84,7 +84,7 @@ std::vector<StrokeCurve> joint_strokes(const JointedStructure& held, const Matri
     const VectorXd m = motion.col(c);
     const Way ahead = way_out(held, C, m, stiffness[c], *range, 1);
     const Way back = odd ? Way{} : way_out(held, C, m, stiffness[c], *range, -1);
-    StrokeCurve curve{c == 0 ? "axial" : "transverse", {}};
+    StrokeCurve curve{c == 0 ? StrokeCurve::along : StrokeCurve::across, {}};
     for (std::size_t k = ahead.size(); k-- > 0;)
       curve.points.push_back(odd ? std::array{-ahead[k][0], -ahead[k][1]} : back[k]);
     curve.points.push_back({0, 0});

@@ -2,6 +2,7 @@
 
 #include "run/analyses/damping.hpp"
 #include "run/analyses/dissipation.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ JointedModel jointed_model(const Case& data, const BuiltCase& slipping, Route& r
   model.shapes = solution.u;
   model.rigid = at_sensors(slipping, excited.loads.rigid);
   for (const BuiltSensor& s : slipping.sensors)
-    for (const char* axis : {"x", "y", "z"}) model.channels.emplace_back(s.name, axis);
+    for (const char* axis : axis_names) model.channels.emplace_back(s.name, axis);
   model.excitations = excited.list;
   for (const BuiltJoint& j : slipping.joints) model.joints.push_back(joint_name(j));
   return model;

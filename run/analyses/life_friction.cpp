@@ -5,9 +5,9 @@
 #include "life/spectral.hpp"
 #include "run/analyses/jointed_model.hpp"
 #include "run/analyses/levels.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,8 +24,7 @@ constexpr int phases = 64; // of a period
 
 Case at_one_level(Case data, const LifeSweep& asked) {
   Levels levels = data.analyses.levels.value_or(Levels{});
-  const auto direction = std::find(direction_names.begin(), direction_names.end(), asked.of);
-  levels.bases = {int(direction - direction_names.begin())};
+  levels.bases = {place_among(direction_names, asked.of)};
   levels.levels = {*asked.acceleration};
   levels.forces.clear();
   levels.band = asked.band;

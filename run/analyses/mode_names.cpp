@@ -1,5 +1,7 @@
 #include "run/analyses/mode_names.hpp"
 
+#include "words/mode_kinds.hpp"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -40,11 +42,11 @@ void tell_apart(std::vector<ModeResult>& modes, const std::vector<std::string>& 
                 const EnergyOfModes& energy) {
   std::map<std::tuple<std::string, std::string, int, int>, Same> named;
   for (std::size_t i = 0; i < modes.size(); ++i)
-    if (const ModeResult& m = modes[i]; m.shape != "rigid")
+    if (const ModeResult& m = modes[i]; m.shape != mode_kind::rigid)
       named[{m.shape, m.direction, m.order, m.harmonic}].push_back(static_cast<int>(i));
   for (const auto& [name, same] : named)
     if (same.size() > 1 && !name_by_part(modes, same, components, energy) &&
-        std::get<0>(name) != "mode")
+        std::get<0>(name) != mode_kind::unnamed)
       name_by_number(modes, same);
 }
 

@@ -1,5 +1,7 @@
 #include "run/analyses/sensor_model.hpp"
 
+#include "words/directions.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -56,8 +58,7 @@ SensorModel sensor_model(const BuiltCase& built, const DampedModes& modes,
                     .rigid = at_sensors(built, excited.loads.rigid),
                     .channels = {}};
   for (const BuiltSensor& s : built.sensors)
-    for (int axis : {0, 1, 2})
-      model.channels.emplace_back(s.name, direction_names[std::size_t(axis)]);
+    for (const char* axis : axis_names) model.channels.emplace_back(s.name, axis);
   return model;
 }
 

@@ -1,5 +1,8 @@
 #include "run/results/results.hpp"
 
+#include "words/directions.hpp"
+#include "words/mode_kinds.hpp"
+
 #include <algorithm>
 
 namespace plica {
@@ -15,7 +18,7 @@ std::map<std::string, double> headline(const Results& results) {
   numbers["mass"] = results.model.mass;
   if (results.statics) numbers["k_axial"] = results.statics->k_axial;
   for (const ModeResult& mode : results.modes) {
-    if (mode.shape != "axial" && mode.shape != "transverse" && mode.shape != "torsion") continue;
+    if (place_among(mode_kind::of_a_rod, mode.shape) < 0) continue;
     const auto [place, is_new] = numbers.try_emplace("f_" + mode.shape, mode.frequency);
     if (!is_new && mode.frequency < place->second) place->second = mode.frequency;
   }

@@ -32,7 +32,7 @@ struct StaticStiffness {
   double k_bending_x = 0, k_bending_z = 0, k_torsion = 0;     // Nm/rad, about x, z and y
   Eigen::Matrix<double, 12, 12> end_stiffness; // both reference nodes, ux uy uz rx ry rz each
 
-  // In the order of stiffness_names.
+  // In the order of stiffness_names, and of StaticDirection.
   std::array<double, 6> all() const {
     return {k_axial, k_transverse_x, k_transverse_z, k_bending_x, k_bending_z, k_torsion};
   }
@@ -44,7 +44,7 @@ struct ModeResult {
   double frequency = 0;
   double damping = 0;                     // fraction of critical
   std::array<double, 6> effective_mass{}; // x y z in kg; about x y z through the centre in kg m2
-  std::string shape;                      // axial | transverse | torsion | shell | rigid | mode
+  std::string shape;                      // one of mode_kind (words/mode_kinds.hpp)
   std::string direction;                  // x, y, z or empty
   int order = 0;       // half waves along the axis, counted from 1; 0 = not counted
   int harmonic = -1;   // circumferential order; -1 = not a body of revolution

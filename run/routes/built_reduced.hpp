@@ -11,16 +11,16 @@ namespace plica {
 std::vector<int> interface_nodes(const BuiltCase& built, bool symmetry);
 
 // As a run asks for it.
-ReductionRequest reduction_request(const Analyses& analyses);
+PartReductionRequest part_reduction_request(const Analyses& analyses);
 
 // Throws InputError for a part that no cap joins.
 CutModel cut_between_caps(const BuiltCase& built, bool symmetry);
 
 // Throws InputError for a part that cannot be reduced.
-ReducedModel reduced_model(CutModel pieces, const ReductionRequest& request,
+ReducedModel reduced_model(CutModel pieces, const PartReductionRequest& request,
                            const PartReducer& reduce = reduce_here());
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           const ReductionRequest& request,
+                           const PartReductionRequest& request,
                            const PartReducer& reduce = reduce_here());
 
 // "5 superelements of 3 reductions; rotational symmetry, 40 sectors"

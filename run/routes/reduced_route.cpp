@@ -58,7 +58,7 @@ template <class Work> auto of_reduction(const Work& work) {
 
 } // namespace
 
-ReductionRequest reduction_request(const Analyses& analyses) {
+PartReductionRequest part_reduction_request(const Analyses& analyses) {
   return {.cutoff = reduction_cutoff(analyses),
           .symmetry = analyses.symmetry != Symmetry::off,
           .all_harmonics = true};
@@ -68,13 +68,13 @@ CutModel cut_between_caps(const BuiltCase& built, bool symmetry) {
   return of_reduction([&] { return cut(built.model, interface_nodes(built, symmetry)); });
 }
 
-ReducedModel reduced_model(CutModel pieces, const ReductionRequest& request,
+ReducedModel reduced_model(CutModel pieces, const PartReductionRequest& request,
                            const PartReducer& reduce) {
   return of_reduction([&] { return reduce_substructures(std::move(pieces), request, reduce); });
 }
 
 ReducedModel reduced_model(const BuiltCase& built, const std::vector<int>& interface_nodes,
-                           const ReductionRequest& request, const PartReducer& reduce) {
+                           const PartReductionRequest& request, const PartReducer& reduce) {
   return reduced_model(of_reduction([&] { return cut(built.model, interface_nodes); }), request,
                        reduce);
 }
@@ -186,7 +186,7 @@ public:
                const StageListener& stage, Timing& timing, const RouteSettings& settings)
       : built_(built), seen_(settings.seen), cutoff_(reduction_cutoff(analyses)), stage_(stage),
         timing_(timing) {
-    reduced_ = reduced_model(std::move(pieces), reduction_request(analyses), settings.reduce);
+    reduced_ = reduced_model(std::move(pieces), part_reduction_request(analyses), settings.reduce);
     if (analyses.symmetry == Symmetry::required) require_symmetry();
     watch_.lap(timing_, "reduction");
     frame_.model = reduced_.model;

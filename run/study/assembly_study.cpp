@@ -137,8 +137,9 @@ std::unique_ptr<const AssemblyStudy> AssemblyStudy::of(const Case& data, const S
   stage(stages::reduction);
   const bool symmetric = data.analyses.symmetry != Symmetry::off;
   if (data.analyses.symmetry == Symmetry::required) return nullptr; // the route checks that
-  const ReducedModel reduced = reduced_model(cut_between_caps(built, symmetric),
-                                             reduction_request(data.analyses), reduce_here(memory));
+  const ReducedModel reduced =
+      reduced_model(cut_between_caps(built, symmetric), part_reduction_request(data.analyses),
+                    reduce_here(memory));
   auto kept = std::make_unique<Kept>();
   kept->data = data;
   const DofMap map = eliminate(built.model);

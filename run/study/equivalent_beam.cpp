@@ -9,6 +9,7 @@
 #include "solve/model_error.hpp"
 #include "solve/statics.hpp"
 #include "words/input_error.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -264,7 +265,7 @@ private:
     beam.mass = shell.model.mass;
     beam.pipe_mass = pipe.model.mass;
     beam.connector_mass = chain.model.mass;
-    for (const char* shape : {"axial", "transverse", "torsion"})
+    for (const char* shape : mode_kind::of_a_rod)
       for (int order = 1; order <= 4; ++order)
         if (const auto own = frequency_of(shell, shape, order))
           beam.modes.push_back({shape, order, *own, frequency_of(pipe, shape, order),

@@ -7,6 +7,7 @@
 #include "run/stages.hpp"
 #include "run/study/finer_run.hpp"
 #include "run/study/refine.hpp"
+#include "words/mode_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -299,7 +300,7 @@ std::string beyond_accuracy(const Case& data, const Results& results) {
     add(stiffness_names[i] + std::string(" stiffness"), errors.statics[i],
         results.statics->all()[i]);
   for (std::size_t i = 0; i < errors.modes.size(); ++i)
-    if (results.modes[i].shape != "rigid")
+    if (results.modes[i].shape != mode_kind::rigid)
       add("mode " + std::to_string(i + 1), errors.modes[i], results.modes[i].frequency);
   if (list.empty()) return "";
   // Errors are in proportion to the accuracy: elements grow with its root, errors fall with their

@@ -9,6 +9,7 @@
 #include "solve/effective_mass.hpp"
 #include "solve/strain_energy.hpp"
 #include "words/did_you_mean.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>

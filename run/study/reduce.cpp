@@ -15,6 +15,7 @@
 #include "solve/strain_energy.hpp"
 #include "solve/stress.hpp"
 #include "words/did_you_mean.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>

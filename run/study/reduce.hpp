@@ -11,6 +11,7 @@
 
 namespace plica {
 
+// What reduce_case() is asked for, the superelement of a whole case.
 struct SuperelementRequest {
   double cutoff = 0;                     // Hz; 0 = reduction_cutoff() of the case
   std::vector<std::string> boundary;     // names of caps and sensors; none = all caps

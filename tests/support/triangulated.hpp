@@ -9,14 +9,14 @@ namespace plica::test {
 inline Mesh triangulated(Mesh mesh) {
   for (const ShellQuad& q : mesh.quads)
     for (const std::array<int, 3>& corners : {std::array{0, 1, 2}, {0, 2, 3}}) {
-      ShellTriangle t;
-      t.section = q.section;
+      ShellTriangle half;
+      half.section = q.section;
       for (int i = 0; i < 3; ++i) {
-        t.nodes[i] = q.nodes[corners[i]];
-        t.directors.col(i) = q.directors.col(corners[i]);
-        t.thickness[i] = q.thickness[corners[i]];
+        half.nodes[i] = q.nodes[corners[i]];
+        half.directors.col(i) = q.directors.col(corners[i]);
+        half.thickness[i] = q.thickness[corners[i]];
       }
-      mesh.triangles.push_back(t);
+      mesh.triangles.push_back(half);
     }
   mesh.quads.clear();
   return mesh;

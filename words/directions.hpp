@@ -1,0 +1,37 @@
+// What axes, the six directions of a motion and the six degrees of freedom of a node are called, in
+// what users write and in what they read.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace plica {
+
+inline constexpr std::array axis_names{"x", "y", "z"};
+inline constexpr std::array direction_names{"x", "y", "z", "rx", "ry", "rz"}; // along, about
+inline constexpr std::array dof_names{"ux", "uy", "uz", "rx", "ry", "rz"};
+
+constexpr const char* axis_word(int axis) { // 0..2
+  return axis_names.at(static_cast<std::size_t>(axis));
+}
+
+// Of an axis that may be reversed: 1..3, "x"; -1..-3, "-x".
+inline std::string signed_axis_word(int axis) {
+  return (axis < 0 ? "-" : "") + std::string(axis_word(std::abs(axis) - 1));
+}
+
+constexpr const char* dof_name(int dof) { // 0..5
+  return dof_names.at(static_cast<std::size_t>(dof));
+}
+
+// Place of a word among these; -1 = none.
+template <std::size_t N>
+constexpr int place_among(const std::array<const char*, N>& words, std::string_view word) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  return found == words.end() ? -1 : static_cast<int>(found - words.begin());
+}
+
+} // namespace plica
