@@ -200,8 +200,8 @@ TEST(Judge, is_not_sure_of_what_leaves_more_than_nine_of_ten_healthy_specimens) 
   EXPECT_EQ(fits.judgement_of_gaps(12).verdict, Verdict::several);
 }
 
-// Two fixtures were several, one with -1,600 % of the gap and the other with 1,700 %: a sensor's
-// gain did it.
+// Slip of the plies was named with 1,375 % of the gap, beside a mass and a support that open it
+// again: neither was there.
 TEST(Judge, is_not_sure_of_effects_that_cancel) {
   Fits fits;
   fits.add_gap("added_mass", 4);

@@ -24,10 +24,11 @@
 //               do, or is within 5 of what is as adequate and closes nothing, or within 3 of a set
 //               without it at its place: then up to three effects within 8 of it. Or sets of which
 //               too many explain the test alike to be several, or the best leaves more than nine of
-//               ten healthy specimens do, or its effects cancel: what some of them open is more
-//               than the whole gap. A parameter is free where its posterior is narrower than
-//               half its prior, or a move within the prior changes a reading by a tenth of its
-//               standard deviation. Of a list none is sure: 5 nats are odds of nine to one
+//               ten healthy specimens do, or its effects cancel: some of them open ten
+//               times the gap, which the others close. A parameter is free where its posterior is
+//               narrower than half its prior, or a move within the prior changes a reading by a
+//               tenth of its standard deviation. Of a list none is sure: 5 nats are odds of nine to
+//               one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings

@@ -31,7 +31,7 @@ inline constexpr double within_reach = 30;
 // Of the gap: its square G for what is closed, its root for what is left.
 inline constexpr double most_closed = 0.5;  // share of G that `mostly` closes at least
 inline constexpr double least_closed = 0.1; // share of G below which nothing is explained
-inline constexpr double most_opened = 1;    // shares of G that effects of a set open together
+inline constexpr double most_opened = 10;   // times G that effects of a set open together
 inline constexpr double most_allowed = 1.5; // gap without what a hypothesis is allowed to be off
 inline constexpr double most_left = 0.5;    // gap, of a change from a baseline
 inline constexpr double part_left = 0.3;    // of a change, as a share of its own gap
