@@ -1,5 +1,7 @@
 #include "words/did_you_mean.hpp"
 
+#include "words/utf8.hpp"
+
 #include <algorithm>
 #include <cctype>
 
@@ -67,8 +69,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::size_t end = std::min(text.size(), longest);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-    --end; // not within a UTF-8 character
+  while (end < text.size() && end > 0 && continues_letter(text[end])) --end;
   std::string result(text.substr(0, end));
   for (char& c : result)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';

@@ -1,6 +1,16 @@
 #include "words/utf8.hpp"
 
+#include <algorithm>
+
 namespace plica {
+
+bool continues_letter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
+
+std::size_t letter_count(std::string_view text) {
+  return text.size() - std::size_t(std::count_if(text.begin(), text.end(), continues_letter));
+}
 
 std::size_t utf8_length(std::string_view s, std::size_t i) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(s[k]); };
@@ -12,7 +22,7 @@ std::size_t utf8_length(std::string_view s, std::size_t i) {
                                                       : 0;
   if (length == 0 || i + length > s.size()) return 0;
   for (std::size_t k = 1; k < length; ++k)
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
+    if (!continues_letter(s[i + k])) return 0;
   const bool overlong = (c == 0xE0 && byte(i + 1) < 0xA0) || (c == 0xF0 && byte(i + 1) < 0x90);
   const bool beyond = (c == 0xED && byte(i + 1) > 0x9F) || (c == 0xF4 && byte(i + 1) > 0x8F);
   return overlong || beyond ? 0 : length;

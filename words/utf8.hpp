@@ -6,6 +6,12 @@
 
 namespace plica {
 
+// True of the bytes of a letter after its first.
+bool continues_letter(char byte);
+
+// Letters of a text that is UTF-8.
+std::size_t letter_count(std::string_view text);
+
 // Bytes of the letter at i; 0 when it is none.
 std::size_t utf8_length(std::string_view text, std::size_t i);
 

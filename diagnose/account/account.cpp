@@ -95,10 +95,9 @@ private:
     }
     for (LedgerSet& set : sets_beside(*found_.told.first, found_.beside, found_.inclusion))
       sets.push_back(std::move(set));
-    const bool settled =
-        sets.empty() || (judgement.verdict != Verdict::unknown && judgement.withheld.empty());
+    const bool alone = sets.empty() || judgement.is_settled();
     result_.ledger = ledger_of(found_.context, found_.nominal.fit, sets,
-                               settled ? 0 : weight_of_something_else(told, sets));
+                               alone ? 0 : weight_of_something_else(told, sets));
     if (members.empty()) return;
     std::vector<std::vector<NamedEffect>> groups = alternatives(members);
     for (std::size_t i = 0; i < groups.size(); ++i)

@@ -66,6 +66,8 @@ struct Judgement {
     return verdict == Verdict::several ||
            (verdict == Verdict::ambiguous && named.front()->fit.together.size() > 1);
   }
+  // Whether what leads was found by all rules, none of which withheld it.
+  bool is_settled() const { return verdict != Verdict::unknown && withheld.empty(); }
   double probability_of(const std::string& effect) const;
   double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };
