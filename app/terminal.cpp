@@ -1,6 +1,7 @@
 #include "app/terminal.hpp"
 
 #include "io/files/json_text.hpp"
+#include "words/short_text.hpp"
 #include "words/utf8.hpp"
 
 #include <cerrno>
@@ -47,13 +48,6 @@ void say_json(const char* kind, const Json& content) {
   Json line{{"kind", kind}};
   line.update(content);
   write_to(STDERR_FILENO, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of("\n ");
-  return first == std::string_view::npos
-             ? ""
-             : text.substr(first, text.find_last_not_of("\n ") - first + 1);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "mesher/iges_text.hpp"
 
 #include "mesher/step_parser.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,14 +15,8 @@ namespace {
 
 constexpr std::string_view letters = "SGDPT";
 
-std::string trimmed(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(' ');
-  if (from == std::string_view::npos) return "";
-  return std::string(text.substr(from, text.find_last_not_of(' ') - from + 1));
-}
-
 long whole(std::string_view field, int line, long otherwise) {
-  const std::string text = trimmed(field);
+  const std::string text(trimmed(field));
   if (text.empty()) return otherwise;
   long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -77,7 +72,7 @@ void check_terminate(const Sections& sections) {
     const std::string field = last.text.substr(8 * s, 8);
     const long count = field[0] == letters[s] ? whole(field.substr(1), last.number, -1) : -1;
     if (count != long(sections[s].size()))
-      step_error(last.number, "counts '" + trimmed(field) + "' where the file has " +
+      step_error(last.number, "counts '" + std::string(trimmed(field)) + "' where the file has " +
                                   std::to_string(sections[s].size()) + " lines " + letters[s]);
   }
 }
@@ -91,7 +86,7 @@ std::vector<std::string> values_of(std::string_view text, const Delimiters& d, i
   std::vector<std::string> values(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    const std::string count = trimmed(values.back());
+    const std::string count(trimmed(values.back()));
     if (c == 'H' && !count.empty() && count.find_first_not_of("0123456789") == count.npos &&
         count.size() < 6) {
       const std::size_t length = std::size_t(std::stol(count));
@@ -111,7 +106,8 @@ std::vector<std::string> values_of(std::string_view text, const Delimiters& d, i
 
 std::string word_of(const std::string& value) {
   const std::size_t h = value.find('H');
-  return trimmed(h == std::string::npos ? value : value.substr(h + 1));
+  const std::string_view word(value);
+  return std::string(trimmed(h == word.npos ? word : word.substr(h + 1)));
 }
 
 Delimiters check_global(const std::vector<Line>& lines) {
@@ -181,7 +177,7 @@ void check_entities(const Sections& sections, const Delimiters& d) {
     const int line = parameters[std::size_t(from) - 1].number;
     const std::vector<std::string> values = values_of(text, d, line);
     if (whole(values[0], line, 0) != kind)
-      step_error(line, "parameters of type " + trimmed(values[0]) + ", the directory says " +
+      step_error(line, "parameters of type " + std::string(trimmed(values[0])) + ", the directory says " +
                            std::to_string(kind));
   }
   if (next <= long(parameters.size()))

@@ -48,7 +48,9 @@ function ringsOf(graph) {
 }
 
 const rooms = roomsOf(readFileSync(join(build, 'rooms.txt'), 'utf8'));
-const roomOf = (path) => [...rooms.keys()].find((folder) => path.startsWith(`${folder}/`));
+// Of nested rooms the inner one.
+const byDepth = [...rooms.keys()].sort((a, b) => b.length - a.length);
+const roomOf = (path) => byDepth.find((folder) => path.startsWith(`${folder}/`));
 const unit = (path) => path.replace(/\.[ch]pp$/, ''); // a header and its source are one
 const files = new Map(), folders = new Map(), breaches = [];
 const edge = (graph, from, to) => {

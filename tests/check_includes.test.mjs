@@ -10,12 +10,13 @@ const check = join(process.env.SOURCE, 'tests/check_includes.mjs');
 const checked = (sources, build) =>
   spawnSync(process.execPath, [check, sources, build], { encoding: 'utf8' });
 
-// A tree of two rooms, `upper` on `lower`; files as path: included paths.
+// A tree of three rooms, `upper` and `lower/nested` on `lower`; files as path: included paths.
 function tree(files, t) {
   const root = mkdtempSync(join(tmpdir(), 'plica-includes-'));
   t.after(() => rmSync(root, { recursive: true }));
-  writeFileSync(join(root, 'rooms.txt'), 'lower plica::lower Eigen3::Eigen\nupper plica::upper plica::lower\n');
-  for (const folder of ['lower', 'upper', 'app', 'mesher', 'engine']) mkdirSync(join(root, folder, 'inner'), { recursive: true });
+  writeFileSync(join(root, 'rooms.txt'),
+    'lower plica::lower Eigen3::Eigen\nlower/nested plica::nested plica::lower\nupper plica::upper plica::lower\n');
+  for (const folder of ['lower', 'lower/nested', 'upper', 'app', 'mesher', 'engine']) mkdirSync(join(root, folder, 'inner'), { recursive: true });
   for (const [path, included] of Object.entries(files))
     writeFileSync(join(root, path), included.map((other) => `#include "${other}"\n`).join(''));
   return checked(root, root);
@@ -35,6 +36,14 @@ test('prints an include of a room that is not linked', (t) => {
   const result = tree({ 'lower/b.cpp': ['lower/b.hpp', 'upper/a.hpp'] }, t);
   assert.equal(result.status, 1);
   assert.match(result.stdout, /lower\/b\.cpp:2: lower does not link upper: upper\/a\.hpp/);
+});
+
+test('takes a nested room for its own', (t) => {
+  const down = tree({ 'lower/nested/a.cpp': ['lower/b.hpp'] }, t);
+  assert.equal(down.status, 0, down.stdout);
+  const across = tree({ 'upper/a.cpp': ['lower/nested/b.hpp'] }, t);
+  assert.equal(across.status, 1);
+  assert.match(across.stdout, /upper\/a\.cpp:1: upper does not link lower\/nested: lower\/nested\/b\.hpp/);
 });
 
 test('prints a ring of files, a header and its source being one', (t) => {

@@ -1,8 +1,9 @@
-// Numbers in sentences, for the rooms that need no library for it.
+// Numbers in sentences and words out of lines, for the rooms that need no library for it.
 #pragma once
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 
 namespace plica {
 
@@ -11,5 +12,8 @@ std::string short_text(const Eigen::Vector3d& x, int digits = 4); // [0, 0.25, -
 
 // The shortest text that reads back as the same number.
 std::string all_digits(double x);
+
+// Without blanks, tabs and ends of lines around it; a view of the same text.
+std::string_view trimmed(std::string_view text);
 
 } // namespace plica

@@ -1,6 +1,7 @@
 #include "words/tolerance.hpp"
 
 #include "words/did_you_mean.hpp"
+#include "words/short_text.hpp"
 
 #include <charconv>
 
@@ -8,12 +9,6 @@ namespace plica {
 namespace {
 
 constexpr const char* how = "write 8 mm +- 1 mm, 193 GPa +- 5 %, or 3 kN [0.3, 30]";
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
 
 // What follows the number at the start.
 std::string unit_of(std::string_view text) {

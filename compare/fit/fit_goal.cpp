@@ -3,16 +3,11 @@
 #include "model/description/case_path.hpp"
 #include "run/results/computed_numbers.hpp"
 #include "words/did_you_mean.hpp"
+#include "words/short_text.hpp"
 #include "words/units.hpp"
 
 namespace plica {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 std::optional<Dimension> unit_of(const std::string& quantity, Case data) {
   if (const auto unit = unit_of_computed(quantity)) return unit;
@@ -24,10 +19,10 @@ std::optional<Dimension> unit_of(const std::string& quantity, Case data) {
 template <class T>
 void read_value(const std::string& words, std::size_t sign, std::size_t length, const Case& data,
                 Parsed<T>& parsed) {
-  parsed.value.quantity = trimmed(words.substr(0, sign));
+  parsed.value.quantity = trimmed(std::string_view(words).substr(0, sign));
   const auto unit = unit_of(parsed.value.quantity, data);
   if (!unit) return;
-  const ParsedQuantity value = parse_quantity(trimmed(words.substr(sign + length)), *unit);
+  const ParsedQuantity value = parse_quantity(trimmed(std::string_view(words).substr(sign + length)), *unit);
   parsed.value.value = value.value;
   parsed.wrong = value.wrong;
   parsed.allowed = value.allowed;
@@ -66,7 +61,7 @@ Parsed<FitGoal> goal_of(const std::string& words, const Case& data) {
     return parsed;
   }
   parsed.value.aim = words.starts_with("least ") ? GoalAim::least : GoalAim::most;
-  parsed.value.quantity = trimmed(words.substr(words.find(' ')));
+  parsed.value.quantity = trimmed(std::string_view(words).substr(words.find(' ')));
   check_quantity(data, parsed);
   return parsed;
 }

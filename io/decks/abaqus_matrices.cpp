@@ -1,6 +1,7 @@
 // *MATRIX INPUT, whose lines are node, DOF, node, DOF, value, and *MATRIX ASSEMBLE.
 #include "io/decks/abaqus_joints.hpp"
 #include "io/decks/deck_matrices.hpp"
+#include "words/short_text.hpp"
 
 #include <sstream>
 
@@ -20,7 +21,7 @@ std::vector<DataLine> lines_of(const Keyword& k) {
     std::istringstream fields(text);
     DataLine line{at, {}};
     for (std::string field; std::getline(fields, field, ',');)
-      line.fields.push_back(trimmed(field));
+      line.fields.emplace_back(trimmed(field));
     lines.push_back(std::move(line));
   }
   return lines;

@@ -2,6 +2,7 @@
 
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_cards.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ void collect(const std::filesystem::path& file, const DeckPosition& from, std::s
                       " is passed over: alterations of the solution (DMAP) are not followed");
       continue;
     }
-    std::string name = trimmed(trimmed(line).substr(7));
+    std::string name(trimmed(trimmed(line).substr(7)));
     std::erase(name, '\'');
     std::erase(name, '"');
     collect(file.parent_path() / name, at, depth + 1, files, lines, notes);
@@ -75,7 +76,7 @@ void collect(const std::filesystem::path& file, const DeckPosition& from, std::s
 // The first field: to the comma, or of eight columns. Blanks may stand before a name.
 std::string first_field(const std::string& line) {
   const std::size_t comma = line.find(',');
-  return trimmed(line.substr(0, comma == std::string::npos ? small_width : comma));
+  return std::string(trimmed(line.substr(0, comma == std::string::npos ? small_width : comma)));
 }
 
 bool is_continuation(const std::string& line) {
@@ -96,7 +97,8 @@ LineFields fields_of(const Line& source) {
   const std::size_t count = all.wide ? 4 : 8;
   if (line.find(',') != std::string::npos) {
     std::istringstream stream(line.substr(line.find(',') + 1));
-    for (std::string field; std::getline(stream, field, ',');) all.fields.push_back(trimmed(field));
+    for (std::string field; std::getline(stream, field, ',');)
+      all.fields.emplace_back(trimmed(field));
     while (all.fields.size() > count + 1 && all.fields.back().empty()) all.fields.pop_back();
     if (all.fields.size() > count) all.continuation = all.fields[count];
     const bool number = !all.continuation.empty() &&
@@ -110,7 +112,7 @@ LineFields fields_of(const Line& source) {
   } else {
     const std::size_t width = all.wide ? large_width : small_width;
     for (std::size_t at = small_width; at < std::min<std::size_t>(line.size(), 72); at += width)
-      all.fields.push_back(trimmed(line.substr(at, std::min(width, 72 - at))));
+      all.fields.emplace_back(trimmed(line.substr(at, std::min(width, 72 - at))));
     if (line.size() > 72) all.continuation = trimmed(line.substr(72, small_width));
   }
   all.fields.resize(count);
@@ -231,7 +233,7 @@ private:
     for (const char* name : {"SPC", "MPC"}) {
       const std::size_t equals = text.find('=');
       if (equals == std::string::npos || trimmed(text.substr(0, equals)) != name) continue;
-      const std::string number = trimmed(text.substr(equals + 1));
+      const std::string number(trimmed(text.substr(equals + 1)));
       const auto set = whole_number_of(number);
       if (!set) deck_error(line.at, name, "is \"" + number + "\"", "the number of a set");
       std::vector<int>& chosen = data.chosen[name];
@@ -250,7 +252,7 @@ private:
 
   void choose(const std::string& text) {
     const std::size_t equals = text.find('='); // without one no number is found below
-    std::string name = trimmed(text.substr(0, equals));
+    std::string name(trimmed(text.substr(0, equals)));
     if (name == "TEMPERATURE" || name.ends_with("(LOAD)") || name.ends_with("(BOTH)"))
       name = "TEMP";
     if (name.ends_with("(INIT)") || name.ends_with("(INITIAL)")) name = "INITIAL";

@@ -1,7 +1,7 @@
 #include "io/decks/keywords.hpp"
 
 #include "io/files/files.hpp"
-#include "io/universal/lines.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +16,7 @@ std::vector<std::string> split(const std::string& line) {
   std::istringstream stream(line);
   for (std::string field; std::getline(stream, field, ',');) {
     std::erase(field, '"');
-    fields.push_back(trimmed(field));
+    fields.emplace_back(trimmed(field));
   }
   return fields;
 }
@@ -71,8 +71,9 @@ private:
       if (fields[i].empty()) continue;
       const std::size_t equals = fields[i].find('=');
       const std::string name = in_capitals(trimmed(fields[i].substr(0, equals)));
-      const std::string value =
-          equals == std::string::npos ? "" : trimmed(fields[i].substr(equals + 1));
+      const std::string value(equals == std::string::npos
+                                  ? ""
+                                  : trimmed(std::string_view(fields[i]).substr(equals + 1)));
       const auto [known, is_new] = keywords.back().parameters.try_emplace(name, value);
       if (!is_new && known->second != value)
         deck_error(keywords.back().at, "*" + keywords.back().name,
@@ -124,14 +125,11 @@ std::string included_text(const std::filesystem::path& file, const DeckPosition&
   }
 }
 
-std::string trimmed(const std::string& text) {
-  return std::string(plica::universal::trimmed(text));
-}
-
-std::string in_capitals(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
+  return capitals;
 }
 
 std::string Keyword::word(const std::string& parameter) const {

@@ -43,8 +43,7 @@ std::vector<Keyword> read_keywords(const std::filesystem::path& file,
 std::string included_text(const std::filesystem::path& file, const DeckPosition& from,
                           const std::string& card, std::size_t depth, std::size_t files);
 
-std::string in_capitals(std::string text);
-std::string trimmed(const std::string& text); // without spaces, tabs and returns around it
+std::string in_capitals(std::string_view text);
 
 // Fields as numbers; InputError with line and field number. An empty field beyond the end of a line
 // or between commas is `otherwise` where there is one.

@@ -3,6 +3,7 @@
 #include "io/decks/keywords.hpp"
 #include "io/decks/nastran_cards.hpp"
 #include "io/files/files.hpp"
+#include "words/short_text.hpp"
 
 #include <array>
 #include <bit>
@@ -166,7 +167,7 @@ private:
     return true;
   }
   std::string field(std::size_t at, std::size_t size) const {
-    return at < text_.size() ? trimmed(text_.substr(at, size)) : "";
+    return at < text_.size() ? std::string(trimmed(text_.substr(at, size))) : "";
   }
   long whole(std::size_t at, std::size_t size) const {
     const auto value = whole_number_of(field(at, size));

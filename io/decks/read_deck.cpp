@@ -4,6 +4,7 @@
 #include "io/decks/keywords.hpp"
 #include "io/decks/read_abaqus.hpp"
 #include "io/decks/read_nastran.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 #include <mutex>

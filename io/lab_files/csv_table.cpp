@@ -3,6 +3,7 @@
 #include "io/files/files.hpp"
 #include "io/lab_files/lab_units.hpp"
 #include "words/input_error.hpp"
+#include "words/short_text.hpp"
 #include "words/utf8.hpp"
 
 #include <csv.h>
@@ -31,13 +32,6 @@ struct Line {
                      .key = key,
                      .wrong = wrong,
                      .allowed = "allowed: " + allowed}});
-}
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos
-             ? ""
-             : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 // A number without a blank before it; moves `at` behind it.

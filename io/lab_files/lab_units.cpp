@@ -1,5 +1,6 @@
 #include "io/lab_files/lab_units.hpp"
 
+#include "words/short_text.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>
@@ -228,17 +229,10 @@ private:
   std::size_t at_ = 0;
 };
 
-std::string_view without_blanks(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string_view::npos
-             ? ""
-             : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 } // namespace
 
 std::optional<LabUnit> lab_unit(std::string_view text) {
-  text = without_blanks(text);
+  text = trimmed(text);
   constexpr std::size_t longest = 60;
   if (text.empty() || text.size() > longest) return std::nullopt;
   if (const auto known = lab_symbol(text)) return known;
@@ -248,7 +242,7 @@ std::optional<LabUnit> lab_unit(std::string_view text) {
 }
 
 bool states_no_unit(std::string_view text) {
-  const std::string word = small(without_blanks(text));
+  const std::string word = small(trimmed(text));
   constexpr std::array words{"",  "none", "(none)", "<none>",  "n/a", "na", "-", "--",
                              "?", "no",   "null",   "unknown", "eu",  "1",  "/"};
   return std::find(words.begin(), words.end(), word) != words.end();

@@ -1,5 +1,6 @@
 #include "io/universal/numbers.hpp"
 #include "io/universal/records.hpp"
+#include "words/short_text.hpp"
 
 #include <algorithm>
 

@@ -43,12 +43,6 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 bool is_delimiter(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t\r");
   return first != std::string_view::npos && line.substr(first, 2) == "-1" &&

@@ -79,7 +79,6 @@ private:
 };
 
 bool is_blank(std::string_view text);
-std::string_view trimmed(std::string_view text);
 // A line that is nothing but -1; exact: in columns 5 and 6, as the standard says.
 bool is_delimiter(std::string_view line);
 bool is_exact_delimiter(std::string_view line);
