@@ -1,5 +1,7 @@
 #include "elements/beam_timoshenko.hpp"
 
+#include "elements/strain_forms.hpp"
+
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
@@ -19,12 +21,6 @@ struct LocalAxis {
   double length = 0;
 };
 
-Matrix3d cross_matrix(const Vector3d& a) {
-  Matrix3d A;
-  A << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return A;
-}
-
 LocalAxis local_axis(const BeamGeometry& g) {
   const Vector3d axis = g.node2 + g.offset2 - g.node1 - g.offset1;
   const double length = axis.norm();
@@ -39,7 +35,7 @@ LocalAxis local_axis(const BeamGeometry& g) {
   for (int end = 0; end < 2; ++end) {
     const Vector3d& arm = end == 0 ? g.offset1 : g.offset2;
     local.T.block<3, 3>(6 * end, 6 * end) = R.transpose();
-    local.T.block<3, 3>(6 * end, 6 * end + 3) = -R.transpose() * cross_matrix(arm);
+    local.T.block<3, 3>(6 * end, 6 * end + 3) = -R.transpose() * cross_product_matrix(arm);
     local.T.block<3, 3>(6 * end + 3, 6 * end + 3) = R.transpose();
   }
   return local;

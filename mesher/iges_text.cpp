@@ -177,8 +177,8 @@ void check_entities(const Sections& sections, const Delimiters& d) {
     const int line = parameters[std::size_t(from) - 1].number;
     const std::vector<std::string> values = values_of(text, d, line);
     if (whole(values[0], line, 0) != kind)
-      step_error(line, "parameters of type " + std::string(trimmed(values[0])) + ", the directory says " +
-                           std::to_string(kind));
+      step_error(line, "parameters of type " + std::string(trimmed(values[0])) +
+                           ", the directory says " + std::to_string(kind));
   }
   if (next <= long(parameters.size()))
     step_error(parameters[std::size_t(next) - 1].number, "parameters that belong to no entity");

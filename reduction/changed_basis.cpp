@@ -109,6 +109,13 @@ VectorXd with_products(VectorXd coefficients, const std::vector<std::array<int, 
   return coefficients;
 }
 
+MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const VectorXd& coefficients) {
+  MatrixXd sum = A;
+  for (std::size_t k = 0; k < dA.size(); ++k)
+    if (dA[k].size() > 0 && coefficients[Index(k)] != 0) sum += coefficients[Index(k)] * dA[k];
+  return sum;
+}
+
 AffineModel ParametricModel::with(const std::vector<PreparedChange>& changes) const {
   return reduced(changes, basis_of(changes));
 }
@@ -209,11 +216,7 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
   const Basis basis = basis_of(changes);
   const AffineModel f = reduced(changes, basis);
   const VectorXd coefficients = with_products(of_changes, f.products);
-  MatrixXd K = f.K, M = f.M;
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    K += coefficients[Index(i)] * f.dK[i];
-    M += coefficients[Index(i)] * f.dM[i];
-  }
+  const MatrixXd K = summed(f.K, f.dK, coefficients), M = summed(f.M, f.dM, coefficients);
   Suspension suspension = f.suspension;
   suspension.rigid = suspension.rigid(free, Eigen::all).eval();
   const auto lowest =

@@ -66,6 +66,10 @@ struct AffineModel {
 Eigen::VectorXd with_products(Eigen::VectorXd coefficients,
                               const std::vector<std::array<int, 2>>& products);
 
+// A + sum_k c_k dA_k over the changes that are not empty.
+Eigen::MatrixXd summed(const Eigen::MatrixXd& A, const std::vector<Eigen::MatrixXd>& dA,
+                       const Eigen::VectorXd& coefficients);
+
 class ParametricModel {
 public:
   // `boundary`, `marked`, `observed`: nodes; the last are looked at only, so that no static answers

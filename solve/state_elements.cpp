@@ -228,18 +228,4 @@ VectorXd state_forces(const Model& model, const std::vector<int>& quads, double 
   return f;
 }
 
-double pressed_volume(const Model& model) {
-  static const std::array<QuadPoint, 4> points = quad_points();
-  double volume = 0;
-  for (const ShellQuad& quad : model.mesh.quads) {
-    if (model.shells[std::size_t(quad.section)].pressure == 0) continue;
-    const auto X = shell_geometry(model.mesh, quad).X;
-    for (const QuadPoint& n : points)
-      volume += (X * n.N).dot(Vector3d(X * n.dr).cross(Vector3d(X * n.ds))) / 3;
-  }
-  for (const PressedEnd& end : model.pressed_ends)
-    volume += model.mesh.nodes[std::size_t(end.node)].dot(end.area) / 3;
-  return volume;
-}
-
 } // namespace plica

@@ -41,7 +41,4 @@ Eigen::VectorXd state_forces(const Model& model);
 // With these quads alone, `times` over.
 Eigen::VectorXd state_forces(const Model& model, const std::vector<int>& quads, double times);
 
-// Volume inside the pressed walls and ends, m3.
-double pressed_volume(const Model& model);
-
 } // namespace plica

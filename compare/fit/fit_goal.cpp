@@ -22,7 +22,8 @@ void read_value(const std::string& words, std::size_t sign, std::size_t length, 
   parsed.value.quantity = trimmed(std::string_view(words).substr(0, sign));
   const auto unit = unit_of(parsed.value.quantity, data);
   if (!unit) return;
-  const ParsedQuantity value = parse_quantity(trimmed(std::string_view(words).substr(sign + length)), *unit);
+  const ParsedQuantity value =
+      parse_quantity(trimmed(std::string_view(words).substr(sign + length)), *unit);
   parsed.value.value = value.value;
   parsed.wrong = value.wrong;
   parsed.allowed = value.allowed;

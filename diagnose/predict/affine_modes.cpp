@@ -22,13 +22,6 @@ double AffineModes::hertz(Index i) const {
   return omega(i) / (2 * std::numbers::pi);
 }
 
-MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const VectorXd& coefficients) {
-  MatrixXd sum = A;
-  for (std::size_t k = 0; k < dA.size(); ++k)
-    if (dA[k].size() > 0 && coefficients[Index(k)] != 0) sum += coefficients[Index(k)] * dA[k];
-  return sum;
-}
-
 VectorXd damping_by_likeness(const MatrixXd& likeness, const VectorXd& zeta) {
   const double otherwise = zeta.mean();
   VectorXd own(likeness.cols());

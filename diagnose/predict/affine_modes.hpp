@@ -50,8 +50,4 @@ private:
   Eigen::VectorXd zeta_;
 };
 
-// A sum with one term per change that is not empty.
-Eigen::MatrixXd summed(const Eigen::MatrixXd& A, const std::vector<Eigen::MatrixXd>& dA,
-                       const Eigen::VectorXd& coefficients);
-
 } // namespace plica
