@@ -1,5 +1,7 @@
 #include "io/superelements/hdf5.hpp"
 
+#include "io/superelements/hdf5_text.hpp"
+
 #include <H5Cpp.h>
 #include <stdexcept>
 #include <system_error>
@@ -13,12 +15,6 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 constexpr const char* format = "plica superelement";
 constexpr int version = 2;
-
-template <class Place>
-void set_text(Place& place, const std::string& key, const std::string& text) {
-  const H5::StrType type(H5::PredType::C_S1, std::max<std::size_t>(1, text.size()));
-  place.createAttribute(key, type, H5::DataSpace(H5S_SCALAR)).write(type, text);
-}
 
 void put(H5::Group& group, const std::string& name, const MatrixXd& matrix) {
   const std::array<hsize_t, 2> size{hsize_t(matrix.rows()), hsize_t(matrix.cols())};
@@ -45,8 +41,7 @@ void put_list(H5::Group& root, const std::string& name, const List& list, F&& pu
 
 void write(const Superelement& s, H5::H5File& file) {
   set_text(file, "format", format);
-  file.createAttribute("version", H5::PredType::STD_I32LE, H5::DataSpace(H5S_SCALAR))
-      .write(H5::PredType::NATIVE_INT, &version);
+  set_number(file, "version", version);
   set_text(file, "name", s.name);
   set_text(file, "units", s.units);
   set_text(file, "dof_order", "ux uy uz rx ry rz per boundary node, then modal coordinates");

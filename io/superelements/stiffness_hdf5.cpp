@@ -1,5 +1,7 @@
 #include "io/superelements/stiffness_hdf5.hpp"
 
+#include "io/superelements/hdf5_text.hpp"
+
 #include <H5Cpp.h>
 
 namespace plica {
@@ -26,11 +28,6 @@ void put(H5::H5File& file, const std::string& name, const std::vector<std::strin
   file.createDataSet(name, type, H5::DataSpace(1, &size)).write(list.data(), type);
 }
 
-template <class Place> void note(Place& place, const std::string& key, const std::string& text) {
-  const H5::StrType type(H5::PredType::C_S1, std::max<std::size_t>(1, text.size()));
-  place.createAttribute(key, type, H5::DataSpace(H5S_SCALAR)).write(type, text);
-}
-
 std::vector<double> listed(const Eigen::VectorXd& x) {
   return {x.data(), x.data() + x.size()};
 }
@@ -39,12 +36,10 @@ std::vector<double> listed(const Eigen::VectorXd& x) {
 
 void write_stiffness_hdf5(const EndDynamicStiffness& s, const std::filesystem::path& path) {
   H5::H5File file(path.string(), H5F_ACC_TRUNC);
-  note(file, "format", "plica dynamic stiffness");
-  note(file, "name", s.case_name);
-  note(file, "units", "m kg s N rad");
-  const int version = 1;
-  file.createAttribute("version", H5::PredType::NATIVE_INT, H5::DataSpace(H5S_SCALAR))
-      .write(H5::PredType::NATIVE_INT, &version);
+  set_text(file, "format", "plica dynamic stiffness");
+  set_text(file, "name", s.case_name);
+  set_text(file, "units", "m kg s N rad");
+  set_number(file, "version", 1);
   const StiffnessOverFrequency& first = s.states.front().over;
   const PartBetweenEnds& part = s.states.front().part;
   std::vector<double> amplitude, angle, places, real, imaginary, statics;

@@ -1,3 +1,4 @@
+#include "io/superelements/hdf5_text.hpp"
 #include "io/write/write_sweep.hpp"
 #include "run/results/computed_numbers.hpp"
 
@@ -7,11 +8,6 @@
 
 namespace plica {
 namespace {
-
-void set_text(H5::H5Object& place, const std::string& key, const std::string& text) {
-  const H5::StrType type(H5::PredType::C_S1, std::max<std::size_t>(1, text.size()));
-  place.createAttribute(key, type, H5::DataSpace(H5S_SCALAR)).write(type, text);
-}
 
 // One that grows with its rows is packed: most columns of a grid repeat.
 H5::DSetCreatPropList packed(hsize_t rows) {
