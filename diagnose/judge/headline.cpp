@@ -9,11 +9,11 @@ namespace {
 
 // How sure the place is, where it is not: "; place 61 %, beam.point[2] 30 %".
 std::string places(const Judgement& judgement, const Hypothesis& named) {
-  constexpr double sure = 0.95, worth_a_word = 0.05;
+  constexpr double place_known = 0.95, worth_a_word = 0.05;
   constexpr int most = 3;
   const double own = judgement.share_of(named.effect, named.place);
   const auto known = judgement.places.find(named.effect);
-  if (own > sure || known == judgement.places.end()) return "";
+  if (own > place_known || known == judgement.places.end()) return "";
   std::string text = fmt::format("; the place {:.0f} %", 100 * own);
   int told = 0;
   for (const auto& [place, share] : known->second)

@@ -154,11 +154,10 @@ Likeness likeness(const std::vector<Signature>& all) {
 }
 
 std::vector<Mimic> mimics(const Likeness& all) {
-  constexpr double alike = 0.8;
   std::vector<Mimic> found;
   for (Index i = 0; i < all.cosine.rows(); ++i)
     for (Index j = 0; j < i; ++j)
-      if (all.cosine(i, j) >= alike)
+      if (all.cosine(i, j) >= hardly_told_apart)
         found.push_back(
             {all.effects[std::size_t(j)], all.effects[std::size_t(i)], all.cosine(i, j)});
   std::sort(found.begin(), found.end(),

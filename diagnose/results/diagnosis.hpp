@@ -138,6 +138,8 @@ struct BaselineFound {
   std::vector<std::string> words;
 };
 
+inline constexpr double hardly_told_apart = 0.8; // cosine of two signatures, and above
+
 struct Mimic {
   std::string a, b; // effects
   double cosine = 0;

@@ -31,8 +31,8 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   label.kind = kind_name(r.kind);
   label.state = r.state;
   if (r.kind == ReadingKind::stiffness) {
-    constexpr std::array<std::size_t, 6> direction{1, 0, 2, 3, 5, 4}; // of a StaticDirection
-    label.direction = direction_names[direction[static_cast<std::size_t>(r.direction)]];
+    const int dof = dof_of_static_test[static_cast<std::size_t>(r.direction)];
+    label.direction = direction_names[std::size_t(dof)];
   }
   if (is_of_rig(r)) {
     label.direction = direction_names[std::size_t(r.axis)];

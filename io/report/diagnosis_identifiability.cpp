@@ -12,13 +12,12 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double alike = 0.8;                       // cosine
 constexpr double names = 190, wide = 52, tall = 24; // of the matrix
 
 // One square of the matrix, its middle at (x, y).
 std::string cell_svg(double x, double y, double cosine) {
   if (!std::isfinite(cosine)) return "";
-  const bool mimic = cosine >= alike;
+  const bool mimic = cosine >= hardly_told_apart;
   return fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
                      "fill=\"rgb(224,130,20)\" fill-opacity=\"{:.2f}\" stroke=\"currentColor\" "
                      "stroke-opacity=\"{}\"/>"
@@ -59,11 +58,11 @@ std::string likeness_html(const Diagnosis& d) {
       svg += cell_svg(names + (double(j) + 0.5) * wide, y, d.likeness(i, j));
   }
   return fmt::format("<p class=\"note\">Largest cosine of the signatures of two effects in these "
-                     "readings. ●, bold and framed: 0.8 and more, these data hardly tell them "
+                     "readings. ●, bold and framed: {3:g} and more, these data hardly tell them "
                      "apart.</p>\n<figure style=\"max-width:{0:.0f}px\"><svg viewBox=\"0 0 {0:.0f} "
                      "{1:.0f}\" role=\"img\" aria-label=\"likeness of effects\" "
                      "font-size=\"13\">{2}</svg></figure>\n",
-                     width, height, svg) +
+                     width, height, svg, hardly_told_apart) +
          mimics_list(d);
 }
 

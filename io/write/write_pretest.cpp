@@ -76,7 +76,7 @@ std::string pretest_text(const Pretest& p) {
   for (const Mimic& m : p.mimics)
     alike.push_back({fmt::format("{:.2f}", m.cosine), m.a + " and " + m.b});
   text += text_table(alike, "><");
-  if (p.mimics.empty()) text += "  none by 0.8 or more\n";
+  if (p.mimics.empty()) text += fmt::format("  none by {:g} or more\n", hardly_told_apart);
   text += "\nSmallest that would be found (95 % power), at the place where it shows most:\n";
   for (const std::string& effect : p.effects) {
     const SmallestDetectable* most = nullptr;

@@ -2,6 +2,7 @@
 #include "run/analyses/life.hpp"
 
 #include "life/rainflow.hpp"
+#include "words/directions.hpp"
 #include "words/units.hpp"
 
 #include <Eigen/LU>
@@ -17,8 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr std::array dof_of_shift{1, 0, 2, 3, 5, 4}; // axial, lateral x, z, about x, z, y
-
 // What the end does (ux uy uz rx ry rz) by one of each shift: shifts with the end kept parallel,
 // turns by a moment alone.
 Matrix66 end_motions(const Matrix1212& K) {
@@ -26,7 +25,7 @@ Matrix66 end_motions(const Matrix1212& K) {
   const Matrix66 C = K.block<6, 6>(6, 6).inverse();
   Matrix66 motions = Matrix66::Zero();
   for (Index k = 0; k < 6; ++k) {
-    const int dof = dof_of_shift[std::size_t(k)];
+    const int dof = dof_of_static_test[std::size_t(k)];
     if (dof < 3)
       motions.block<3, 1>(0, k) = parallel.col(dof) / parallel(dof, dof);
     else
@@ -73,7 +72,7 @@ StaticStress LifeCount::add_movements(const BuiltCase& built, Route& route,
     MatrixXd q = MatrixXd::Zero(history.signals[0].signal.samples.size(), 6);
     std::string what;
     for (const LifeSignal& s : history.signals) {
-      q.col(dof_of_shift[std::size_t(end_shift_index(s.of))]) = s.signal.samples;
+      q.col(dof_of_static_test[std::size_t(end_shift_index(s.of))]) = s.signal.samples;
       what += (what.empty() ? "" : ", ") + s.of;
     }
     std::replace(what.begin(), what.end(), '_', ' ');
