@@ -14,8 +14,8 @@ inline constexpr std::array axis_names{"x", "y", "z"};
 inline constexpr std::array direction_names{"x", "y", "z", "rx", "ry", "rz"}; // along, about
 inline constexpr std::array dof_names{"ux", "uy", "uz", "rx", "ry", "rz"};
 
-// The degree of freedom of an end that a static test moves: axial (the pipe lies along y), across in
-// x and z, bending about x and z, torsion.
+// The degree of freedom of an end that a static test moves: axial (the pipe lies along y), across
+// in x and z, bending about x and z, torsion.
 inline constexpr std::array dof_of_static_test{1, 0, 2, 3, 5, 4};
 
 constexpr const char* axis_word(int axis) { // 0..2
