@@ -34,6 +34,10 @@ inline constexpr const char *mesh = "mesh", *state = "state", *symmetry = "symme
 // What is excited follows the first, a path in the case the second.
 inline constexpr const char *levels_of = "levels of ", *tolerance_of = "tolerance of ";
 inline constexpr const char *finer_along = "finer along", *finer_around = "finer around";
+// Parts of other stages and of other commands.
+inline constexpr const char *buckling = "buckling", *tolerances = "tolerances",
+                            *tolerances_together = "tolerances together", *cut_off = "cut-off",
+                            *certificate = "certificate";
 
 } // namespace stages
 

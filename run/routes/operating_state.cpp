@@ -97,9 +97,9 @@ StateResult move_into_state(const Case& data, BuiltCase& built, const StageListe
   const StateSolver solver = symmetric ? cyclic_state_solver(at_rest, built.held_nodes)
                                        : full_state_solver(built.held_nodes);
   if (data.state->buckling > 0) {
-    stage("buckling");
+    stage(stages::buckling);
     add_buckling(data, at_rest, loads, solver, result);
-    watch.lap(timing, "buckling");
+    watch.lap(timing, stages::buckling);
     stage(stages::state);
   }
   BaseState state = equilibrium(*data.state, at_rest, loads, solver, stage, result);

@@ -115,7 +115,7 @@ void add_tolerances(ErrorBars& all, const Case& fine, const StageListener& stage
   std::erase_if(data.tolerances, [](const Tolerance& t) { return t.path == toleranced_damping; });
   const std::vector<Tolerance>& tolerances = data.tolerances;
   if (tolerances.empty()) return;
-  stage("tolerances");
+  stage(stages::tolerances);
   const Headline nominal = headline_of(data);
   std::map<std::string, Effects> effects;
   for (const Tolerance& t : tolerances) {
@@ -129,7 +129,7 @@ void add_tolerances(ErrorBars& all, const Case& fine, const StageListener& stage
   for (ErrorBar& bar : all.bars)
     if (effects.contains(bar.key)) add_interval(bar, tolerances, effects[bar.key]);
   if (tolerances.size() < 2) return;
-  stage("tolerances together");
+  stage(stages::tolerances_together);
   Case together = data;
   std::mt19937_64 random(2);
   std::vector<double> u;
@@ -272,7 +272,7 @@ ErrorBars error_bars(const Case& data, const Results& nominal, const StageListen
                     1 - 1 / (q * q), 1 - 1 / q);
   }
   if (data.analyses.reduction && nominal.reduced) {
-    stage("cut-off");
+    stage(stages::cut_off);
     FinerRun fine = not_met(nominal);
     if (const std::optional<Results> more = with_more_modes(data, nominal))
       fine = numbers_of(*more, nominal);

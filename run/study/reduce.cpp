@@ -303,7 +303,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   reduction.element.name = data.name;
   reduction.element.node_names = boundary.names;
   watch.lap(result.timing, "reduction");
-  stage("certificate");
+  stage(stages::certificate);
   const bool preloaded = data.state.has_value();
   const bool grounded = !data.supports.empty() || held_by_deck(data);
   PartReference part = part_reference(built, view, boundary, grounded, preloaded, result.cutoff);
@@ -313,7 +313,7 @@ ReducedCase reduce_case(const Case& given, const SuperelementRequest& request,
   result.left_out = select_modes(reduction, request.least_interface_mass);
   part.left_out = result.left_out.count;
   result.certificate = certificate(reduction.element, part);
-  watch.lap(result.timing, "certificate");
+  watch.lap(result.timing, stages::certificate);
   stage(stages::recovery);
   result.element = reduction.element;
   result.proved = reduction.proved;
