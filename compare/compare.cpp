@@ -83,6 +83,7 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, cons
                     .sigma = 100 * m.sigma_damping.value_or(0),
                     .computed = 100 * peak.damping,
                     .entry = from,
+                    .kind = ComparedKind::damping,
                     .of_peak = true});
 }
 
@@ -108,19 +109,24 @@ void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& resul
                         .measured = measured.frequency[k],
                         .sigma = measured.sigma.value_or(0),
                         .computed = peak->frequency,
-                        .entry = from + ".frequency[" + std::to_string(k) + "]"});
+                        .entry = from + ".frequency[" + std::to_string(k) + "]",
+                        .level = measured.level[k]});
         if (k < measured.amplitude.size())
           rows.push_back({.quantity = std::string("amplitude") + of,
                           .unit = "",
                           .measured = measured.amplitude[k],
                           .computed = peak->amplitude,
-                          .entry = from + ".amplitude[" + std::to_string(k) + "]"});
+                          .entry = from + ".amplitude[" + std::to_string(k) + "]",
+                          .kind = ComparedKind::amplitude,
+                          .level = measured.level[k]});
         if (k < measured.damping.size())
           rows.push_back({.quantity = std::string("damping by energy") + of,
                           .unit = "%",
                           .measured = 100 * measured.damping[k],
                           .computed = 100 * peak->energy_damping,
-                          .entry = from + ".damping[" + std::to_string(k) + "]"});
+                          .entry = from + ".damping[" + std::to_string(k) + "]",
+                          .kind = ComparedKind::damping,
+                          .level = measured.level[k]});
       }
   }
 }
@@ -192,7 +198,8 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
                     .measured = measured.mass->value,
                     .sigma = measured.mass->sigma.value_or(0),
                     .computed = results.model.mass,
-                    .entry = "mass"});
+                    .entry = "mass",
+                    .kind = ComparedKind::mass});
   for (std::size_t i = 0; i < measured.statics.size(); ++i) {
     const MeasuredStatic& k = measured.statics[i];
     if (!results.statics) break;
@@ -207,7 +214,9 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
          .measured = k.value,
          .sigma = k.sigma.value_or(0),
          .computed = over_stroke.value_or(results.statics->all()[std::size_t(k.direction)]),
-         .entry = entry_name("static", i)});
+         .entry = entry_name("static", i),
+         .kind = ComparedKind::stiffness,
+         .over_stroke = over_stroke.has_value()});
   }
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {
     const MeasuredMode& m = measured.modes[i];

@@ -42,8 +42,11 @@ public:
     std::string quantity, unit, entry; // of the measured data: "static[0]"
     double measured = 0, sigma = 0;    // sigma relative
     bool held_out = false;
-    bool of_peak = false;
     bool goal = false; // a computed quantity that is wanted, not measured
+    // As of MeasuredComparison.
+    ComparedKind kind = ComparedKind::frequency;
+    bool of_peak = false, over_stroke = false;
+    std::optional<double> level = {};
   };
   struct Aim { // a computed quantity that is to be least or most
     std::string quantity;

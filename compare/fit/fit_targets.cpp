@@ -28,17 +28,6 @@ bool names(const FitTarget& target, const MeasuredComparison& row) {
   return row.quantity == name || row.entry == name || row.entry.starts_with(name + ".");
 }
 
-// Level of a row of the level peaks.
-std::optional<double> level_of(const Measured& measured, const std::string& entry) {
-  for (std::size_t i = 0; i < measured.peaks.size(); ++i) {
-    const std::string own = entry_name("peaks", i) + ".";
-    const auto at = entry.find('[', own.size());
-    if (entry.starts_with(own) && at != std::string::npos)
-      return measured.peaks[i].level[std::stoul(entry.substr(at + 1))];
-  }
-  return std::nullopt;
-}
-
 } // namespace
 
 bool FitProblem::asks_for_life() const {
@@ -84,10 +73,9 @@ void FitProblem::choose_rows(const Results& results, std::string& known) {
     known += (known.empty() ? "" : ", ") + row.quantity;
     const auto named = std::find_if(request_.targets.begin(), request_.targets.end(),
                                     [&](const FitTarget& t) { return names(t, row); });
-    const std::optional<double> level = level_of(measured_, row.entry);
     const auto& away = request_.hold_out_levels;
-    const bool held_level = level && std::any_of(away.begin(), away.end(), [&](double l) {
-                              return std::abs(l - *level) < 1e-6 * l;
+    const bool held_level = row.level && std::any_of(away.begin(), away.end(), [&](double l) {
+                              return std::abs(l - *row.level) < 1e-6 * l;
                             });
     if (held_level && named == request_.targets.end() && !request_.targets.empty()) continue;
     const bool held_out = held_level || is_held_out(measured_, row.entry);
@@ -102,7 +90,10 @@ void FitProblem::choose_rows(const Results& results, std::string& known) {
                         .measured = row.measured,
                         .sigma = sigma,
                         .held_out = held_out,
-                        .of_peak = row.of_peak});
+                        .kind = row.kind,
+                        .of_peak = row.of_peak,
+                        .over_stroke = row.over_stroke,
+                        .level = row.level});
   }
   for (double away : request_.hold_out_levels)
     if (std::none_of(measured_.peaks.begin(), measured_.peaks.end(), [&](const MeasuredPeaks& p) {
@@ -128,9 +119,8 @@ void FitProblem::require_targets() const {
 void FitProblem::choose_analyses(const Case& start, const Results& results) {
   const bool peaks =
       std::any_of(targets_.begin(), targets_.end(), [](const Target& t) { return t.of_peak; });
-  const bool levels = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
-    return level_of(measured_, t.entry).has_value();
-  });
+  const bool levels = std::any_of(targets_.begin(), targets_.end(),
+                                  [](const Target& t) { return t.level.has_value(); });
   if (!levels) case_.analyses.levels.reset();
   if (!peaks && !levels && curves_.empty() && stiffness_.empty()) case_ = for_headline(case_);
   if (asks_for_life()) case_ = with_life(std::move(case_), whole_);
@@ -185,11 +175,10 @@ bool FitProblem::friction_alone() const {
   for (const Aim& aim : aims_)
     if (aim.quantity.starts_with("f_")) return false;
   return curves_.empty() && stiffness_.empty() &&
-         std::all_of(targets_.begin(), targets_.end(), [&](const Target& t) {
-           return (t.goal && !t.quantity.starts_with("f_")) || t.entry == "mass" ||
-                  level_of(measured_, t.entry) ||
-                  (t.entry.starts_with("static[") &&
-                   t.quantity.find(" over ") == std::string::npos);
+         std::all_of(targets_.begin(), targets_.end(), [](const Target& t) {
+           if (t.goal) return !t.quantity.starts_with("f_");
+           return t.kind == ComparedKind::mass || t.level.has_value() ||
+                  (t.kind == ComparedKind::stiffness && !t.over_stroke);
          });
 }
 

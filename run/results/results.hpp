@@ -75,12 +75,17 @@ struct Verification {
   std::string of;     // "the reduced model" where that was counted; empty = the model
 };
 
+enum class ComparedKind { mass, stiffness, frequency, damping, amplitude };
+
 struct MeasuredComparison { // one measured number beside the computed one
   std::string quantity;     // "axial stiffness", "axial mode 1", ...
   std::string unit;
   double measured = 0, sigma = 0, computed = 0;
   std::string entry = {}; // of the measured data: "modes[0]"
-  bool of_peak = false;   // of a peak of a response rather than of a mode
+  ComparedKind kind = ComparedKind::frequency;
+  bool of_peak = false;             // of a peak of a response rather than of a mode
+  bool over_stroke = false;         // a stiffness from a curve of the force
+  std::optional<double> level = {}; // m/s2, of a peak over the level
 };
 
 // Name of the variant without the state of a case that has one.
