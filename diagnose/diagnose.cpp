@@ -71,12 +71,7 @@ private:
     const std::vector<Compensator> tempting = compensators(
         context, search.held_out, plain, problem_.nominal.structure(problem_.test.data));
     Objections objections(problem_, search, plain, tempting, inclusion);
-    // Before all was tried nothing is known to be the best.
-    const bool stopped = settings_.stop();
-    Judgement judgement = stopped ? nearest_so_far(search.nominal, inclusion)
-                                  : judge(search.nominal, search.ranked, sets, inclusion,
-                                          search.standards, objections.referee());
-    if (!stopped) allow_for_remounting(judgement, context, plain, search.standards);
+    const Judgement judgement = judgement_of(search, plain, sets, inclusion, objections);
     std::vector<JudgedFit> beside;
     if (judgement.verdict != Verdict::ambiguous) {
       beside = objections.beside();
@@ -101,12 +96,31 @@ private:
                          .compensators = tempting};
     Diagnosis result = account_of(problem_, found, settings_);
     if (settings_.plan_next && !settings_.stop()) result.next = next_after(found);
-    if (stopped)
+    if (judgement.stopped)
       result.warnings.insert(result.warnings.begin(),
                              "stopped before all effects were tried: this is what came nearest");
     result.not_tried = problem_.not_tried;
     result.seconds = watch_.seconds();
     return result;
+  }
+
+  // With what the user is warned of beside it.
+  Judgement judgement_of(const SetSearch& search, const HypothesisFit& plain,
+                         const std::vector<JudgedFit>& sets, const Inclusion& inclusion,
+                         Objections& objections) {
+    // Before all was tried nothing is known to be the best.
+    if (settings_.stop()) return nearest_so_far(search.nominal, inclusion);
+    Referee referee = objections.referee();
+    referee.mounted_anew = mounted_anew(search.context, plain, search.standards);
+    Judgement judgement =
+        judge(search.nominal, search.ranked, sets, inclusion, search.standards, referee);
+    std::vector<std::string>& warnings = problem_.readings.warnings;
+    if (!judgement.warning.empty()) warnings.push_back(judgement.warning);
+    if (judgement.mounted_anew)
+      warnings.push_back(ask_for_a_baseline());
+    else if (judgement.verdict == Verdict::none)
+      ask_for_remounting(search.context, plain, search.standards);
+    return judgement;
   }
 
   // What would tell apart what the test leaves open: the nominal case, sets of effects, their
@@ -167,15 +181,6 @@ private:
     return context.fitted.widened(further)(plain.deviation).squaredNorm() > standards.chi2;
   }
 
-  void allow_for_remounting(Judgement& judgement, const FitContext& context,
-                            const HypothesisFit& plain, const Standards& standards) {
-    if (judgement.verdict == Verdict::unknown && !judgement.nearest &&
-        mounted_anew(context, plain, standards))
-      judgement.verdict = Verdict::none;
-    else if (judgement.verdict == Verdict::none)
-      ask_for_remounting(context, plain, standards);
-  }
-
   // Beside a baseline, and neither stated nor well known from several.
   bool remounting_is_supposed() const {
     return !problem_.baseline.readings.empty() &&
@@ -196,15 +201,17 @@ private:
   // Whether mounting anew alone may have made the change, by as much as one baseline or few leave
   // open.
   bool mounted_anew(const FitContext& context, const HypothesisFit& plain,
-                    const Standards& standards) {
-    const double most = most_of(problem_.remounting), usual = problem_.remounting.frequency;
-    if (!remounting_is_supposed() || exceeds(most, context, plain, standards)) return false;
-    problem_.readings.warnings.push_back(fmt::format(
+                    const Standards& standards) const {
+    return remounting_is_supposed() &&
+           !exceeds(most_of(problem_.remounting), context, plain, standards);
+  }
+
+  std::string ask_for_a_baseline() const {
+    return fmt::format(
         "the change is larger than mounting anew usually makes it ({:.2g} %), but no effect "
         "comes near it and one baseline cannot exclude {:.2g} %: measure the baseline once more, "
         "mounted anew, or state remounting",
-        100 * usual, 100 * most));
-    return true;
+        100 * problem_.remounting.frequency, 100 * most_of(problem_.remounting));
   }
 
   std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,

@@ -1,5 +1,6 @@
 // Why what leads must not be named: what is asked of it once it leads, since it takes solutions of
-// its own (judge.hpp has the rules, thresholds.hpp what they ask for).
+// its own (judge.hpp has the rules, reasons.hpp those of what is solved, thresholds.hpp what they
+// ask for).
 #pragma once
 
 #include "diagnose/account/gap_problem.hpp"
@@ -13,7 +14,7 @@ namespace plica {
 class Objections {
 public:
   // All must outlive it. `tempting`: factors on everything that would close the gap.
-  Objections(GapProblem& problem, const SetSearch& search, const HypothesisFit& plain,
+  Objections(const GapProblem& problem, const SetSearch& search, const HypothesisFit& plain,
              const std::vector<Compensator>& tempting, const Inclusion& inclusion)
       : problem_(problem), search_(search), context_(search.context), plain_(plain),
         tempting_(tempting), inclusion_(inclusion) {}
@@ -24,17 +25,16 @@ public:
 
 private:
   // To effects that would explain all, one or together, and to such that would explain most.
-  Objection to_all(const JudgedFit& leads);
+  Objection to_all(const JudgedFit& leads) const;
   Objection to_sets(const JudgedFit& leads) const;
   Objection to_most(const JudgedFit& leads);
 
   Objection to_most_alone(const JudgedFit& leads) const;
   std::string closes_too_little_beside(const JudgedFit& leads, const HypothesisFit& sampled) const;
-  bool is_like(const Compensator& c, const HypothesisFit& fit) const;
-  std::string imitated(const JudgedFit& leads) const;
+  bool beside_baseline() const;
   std::string what_remains(const JudgedFit& leads) const;
 
-  GapProblem& problem_;
+  const GapProblem& problem_;
   const SetSearch& search_;
   const FitContext& context_;
   const HypothesisFit& plain_;

@@ -194,6 +194,7 @@ TEST(Judge, does_not_say_mostly_of_less_than_half_of_the_gap) {
   Fits fits; // (1.43 / 2)^2 = 0.51 of G is left
   fits.add_gap("ply_slip", 2 * std::sqrt(0.51));
   EXPECT_EQ(fits.judgement_of_gaps(2).verdict, Verdict::unknown);
+  EXPECT_EQ(fits.judgement_of_gaps(2).withheld, "it closes less than half of the gap");
   Fits most;
   most.add_gap("ply_slip", 20 * std::sqrt(0.49));
   most.add_gap("temperature", 19.9);
@@ -203,9 +204,12 @@ TEST(Judge, does_not_say_mostly_of_less_than_half_of_the_gap) {
   most.singles.front().absurd = false;
   most.singles.front().held_out_shrink = 0.29;
   EXPECT_EQ(most.judgement_of_gaps(20).verdict, Verdict::unknown);
+  EXPECT_EQ(most.judgement_of_gaps(20).withheld, "held-out readings are hardly better with it");
   most.singles.front().held_out_shrink = {};
   most.singles.front().free_parameters = 4; // of ten readings
   EXPECT_EQ(most.judgement_of_gaps(20).verdict, Verdict::unknown);
+  EXPECT_EQ(most.judgement_of_gaps(20).withheld,
+            "less than three readings for each free parameter");
   most.singles.front().free_parameters = 3;
   const Referee against{
       .to_all = {}, .to_most = [](const JudgedFit&) -> Objection { return {"readings in turn"}; }};

@@ -204,15 +204,12 @@ constexpr const char* edge_words = "nine of ten healthy specimens leave less";
 // too far out of their priors to be named alone; `outdone`: why what leads is not sure.
 void name_singles(const std::vector<const EffectFits*>& credible,
                   const std::vector<const EffectFits*>& rivals, const std::string& outdone,
-                  double none, const Standards& standards, const Objecting& objecting,
-                  Judgement& result) {
+                  const Standards& standards, const Objecting& objecting, Judgement& result) {
   const double best = credible.front()->log_evidence;
   for (const EffectFits* f : credible) {
     const double behind = best - f->log_evidence;
     const bool listed = result.named.size() < threshold::most_listed || behind < threshold::alike;
-    if (behind < standards.apart && listed &&
-        f->log_evidence - none >= standards.evidence - standards.apart)
-      result.named.push_back(f->best);
+    if (behind < standards.apart && listed) result.named.push_back(f->best);
   }
   for (const EffectFits* f : rivals)
     if (best - f->log_evidence < standards.apart && result.named.size() < threshold::most_listed)
@@ -225,6 +222,7 @@ void name_singles(const std::vector<const EffectFits*>& credible,
     Objection objection = objecting(*result.named.front());
     result.withheld = std::move(objection.why);
     result.in_turn = objection.in_turn;
+    result.warning = std::move(objection.warning);
   }
   if (!result.withheld.empty())
     for (const EffectFits* f : credible)
@@ -271,6 +269,24 @@ std::string short_of_most(const JudgedFit& nominal, const JudgedFit& lead) {
   if (lead.gap_after > std::sqrt(1 - threshold::most_closed) * nominal.gap_after)
     return "it closes less than half of the gap";
   return "";
+}
+
+// Standing sets, or of these a list where the best is not believed.
+void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& standing,
+               const std::vector<const JudgedFit*>& different, const Objecting& objecting,
+               Judgement& result) {
+  const JudgedFit& lead = *standing.front();
+  result.named = standing;
+  result.verdict = lead.leaves_cause_open() ? Verdict::mostly : Verdict::several;
+  result.probabilities = shares_of(standing);
+  if (lead.at_the_edge)
+    result.withheld = edge_words;
+  else if (objecting)
+    result.withheld = objecting(lead).why;
+  if (result.withheld.empty()) return;
+  result.verdict = Verdict::ambiguous;
+  result.named = different;
+  claim_no_more_than_is_closed(nominal, &lead, result);
 }
 
 // Effects that are far ahead and explain most, or nothing. Where members close too little, what is
@@ -338,23 +354,12 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
   const auto different = choices_alike(standing);
   const bool few = different.size() <= threshold::most_listed;
   if (!standing.empty() && few && !leaves_room(nominal, *standing.front())) {
-    result.named = standing;
-    result.verdict = result.named.front()->leaves_cause_open() ? Verdict::mostly : Verdict::several;
-    result.probabilities = shares_of(result.named);
-    if (standing.front()->at_the_edge)
-      result.withheld = edge_words;
-    else if (referee.to_sets)
-      result.withheld = referee.to_sets(*standing.front()).why;
-    if (!result.withheld.empty()) {
-      result.verdict = Verdict::ambiguous;
-      result.named = different;
-      claim_no_more_than_is_closed(nominal, standing.front(), result);
-    }
+    name_sets(nominal, standing, different, referee.to_sets, result);
     return result;
   }
   if (!credible.empty() && best - none >= standards.evidence) {
     name_singles(credible, rivals,
-                 outdone_by(effects, sets, inclusion, *credible.front(), standards.apart), none,
+                 outdone_by(effects, sets, inclusion, *credible.front(), standards.apart),
                  standards, referee.to_all, result);
     if (!result.withheld.empty())
       claim_no_more_than_is_closed(nominal, result.named.front(), result);
@@ -370,6 +375,10 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
   }
   if (result.verdict == Verdict::unknown)
     claim_no_more_than_is_closed(nominal, result.nearest, result);
+  if (result.verdict == Verdict::unknown && !result.nearest && referee.mounted_anew) {
+    result.verdict = Verdict::none;
+    result.mounted_anew = true;
+  }
   return result;
 }
 

@@ -4,7 +4,8 @@
 //   adequate    chi2 of all readings, and of their means over the levels, at most that of 99 % of
 //               healthy specimens, no block beyond its 99.95 %; without what the hypothesis is
 //               allowed to be off (evidence.hpp), which carries laws of slip, a gap of 1.5
-//   none        the nominal case is adequate and no effect has ln BF above the threshold
+//   none        the nominal case is adequate and no effect has ln BF above the threshold; or no
+//               effect comes nearer than it, and mounting anew alone may have made the change
 //   several     a set is adequate, with 5 more than the best smaller one, or 7 where a smaller one
 //               is adequate (among so many effects some nats turn up by chance), each member worth
 //               3, held-out readings met and better by three tenths, or where nothing is held out
@@ -61,6 +62,8 @@ struct Judgement {
   std::string withheld;                 // why an effect that leads is not named; empty = nothing is
   std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn
   std::optional<HypothesisFit> sampled; // the same with draws (Objection)
+  std::string warning;                  // what it is named in spite of; empty = nothing
+  bool mounted_anew = false;            // none, though the nominal case is not adequate
   // Whether what is named are sets that explain the test.
   bool names_sets() const {
     return verdict == Verdict::several ||
@@ -78,6 +81,7 @@ struct Objection {
   std::optional<GapShrink> in_turn = {};     // where it was asked for
   std::optional<HypothesisFit> sampled = {}; // the fit with draws at its dispersion, where it was
   std::vector<const Hypothesis*> small = {}; // members that close too little to be named
+  std::string warning = {};                  // no objection, but the user is told
 };
 using Objecting = std::function<Objection(const JudgedFit&)>;
 
@@ -86,6 +90,8 @@ struct Referee {
   Objecting to_all = {};  // to an effect that would explain all
   Objecting to_sets = {}; // to effects that would together
   Objecting to_most = {}; // to effects that would explain most
+  // That mounting anew alone may have made the change, by as much as is not excluded.
+  bool mounted_anew = false;
 };
 
 // Of what was tried until the search was stopped: unknown, with what comes nearest and even odds of

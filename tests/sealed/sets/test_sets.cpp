@@ -178,6 +178,28 @@ TEST(SealedSets, confident_and_wrong_by_verdict_place_and_inclusion) {
   EXPECT_FALSE(wrong("ambiguous", json::array({hot}), json::array()));
 }
 
+// What cannot be told apart is one row.
+TEST(SealedSets, a_row_of_alternatives_is_wrong_where_none_of_them_is_true) {
+  const json truth = truth_with("pair", {mass, gain}, "short_bellows");
+  const json other = effect("damping", "all");
+  const auto either = [](const json& a, const json& b, double anywhere) {
+    json both = row(a, anywhere);
+    both["effects"].push_back(row(b, anywhere)["effects"][0]);
+    return both;
+  };
+  const auto wrong = [&](const std::string& verdict, const json& effects, const json& rows) {
+    return mark_set(scored(truth, verdict, effects, rows), {}).wrong;
+  };
+  EXPECT_TRUE(wrong("several", {mass, hot, other}, {row(mass, 1), either(hot, other, 0.5)}));
+  EXPECT_FALSE(wrong("several", {mass, hot, gain}, {row(mass, 1), either(hot, gain, 0.5)}));
+  // The one true effect stands for one row only.
+  EXPECT_TRUE(wrong("several", {mass, hot}, {row(mass, 1), either(hot, mass, 0.5)}));
+  EXPECT_FALSE(wrong("several", {mass, gain}, {either(mass, gain, 1), row(mass, 1)}));
+  EXPECT_TRUE(wrong("unknown", json::array(), json::array({either(hot, other, 0.9)})));
+  EXPECT_FALSE(wrong("unknown", json::array(), json::array({either(hot, other, 0.89)})));
+  EXPECT_FALSE(wrong("unknown", json::array(), json::array({either(hot, gain, 0.9)})));
+}
+
 // Another set that is listed explains the test as well.
 TEST(SealedSets, an_effect_of_another_set_stands_in) {
   const json truth = truth_with("pair", {mass, gain}, "short_bellows");
@@ -226,6 +248,27 @@ TEST(SealedSets, an_ambiguous_list_counts_up_to_three) {
   const MarkedSet four = mark_set(scored(truth, "ambiguous", {hot, other, third, mass}), {});
   EXPECT_FALSE(four.ambiguous_right || four.first_right || four.found > 0);
   EXPECT_FALSE(mark_set(scored(truth, "ambiguous", {hot, other}), {}).ambiguous_right);
+}
+
+TEST(SealedSets, an_ambiguous_answer_is_right_where_one_of_its_sets_holds_all_of_the_truth) {
+  const json truth = truth_with("pair", {mass, gain}, "short_bellows");
+  const auto marked = [&](const json& effects, const json& rows) {
+    return mark_set(scored(truth, "ambiguous", effects, rows), {});
+  };
+  json either = row(gain, 0.5);
+  either["effects"].push_back(hot);
+  const MarkedSet sets = marked({mass, gain, hot}, {row(mass, 0.5), either});
+  EXPECT_TRUE(sets.ambiguous_right && sets.all_named);
+  // A list of single effects: each alone.
+  json list = row(mass, 0.5);
+  list["effects"].push_back(gain);
+  const MarkedSet singles = marked({mass, gain}, json::array({list}));
+  EXPECT_FALSE(singles.ambiguous_right || singles.all_named);
+  EXPECT_EQ(singles.found, 1);
+  EXPECT_EQ(marked({mass, gain}, json::array()).found, 1) << "without rows it is such a list";
+  const MarkedSet half = marked({mass, hot}, {row(mass, 0.5), row(hot, 0.5)});
+  EXPECT_FALSE(half.ambiguous_right);
+  EXPECT_EQ(half.found, 1);
 }
 
 TEST(SealedSets, intervals_of_shares_are_held_against_the_true_ones) {
