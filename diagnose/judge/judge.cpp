@@ -313,7 +313,10 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
     }
     const JudgedFit* rest =
         objection.small.empty() ? nullptr : inclusion.without(*lead, objection.small);
-    if (rest) result.sampled.reset();
+    if (rest) {
+      result.sampled.reset();
+      result.in_turn.reset();
+    }
     lead = rest;
   }
 }

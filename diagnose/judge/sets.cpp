@@ -162,9 +162,9 @@ private:
     return true;
   }
 
-  bool may_join(const HypothesisFit& set, const Hypothesis& h) const {
+  bool may_join(const Together& set, const Hypothesis& h) const {
     bool softens = false;
-    for (const Hypothesis* own : set.together) {
+    for (const Hypothesis* own : set) {
       softens = softens || own->softening;
       if (own->effect == h.effect && own->place == h.place) return false;
       if (std::any_of(own->released.begin(), own->released.end(), [&](int node) {
@@ -186,7 +186,7 @@ private:
     for (const JudgedFit& j : sets) {
       for (const auto& [own, h] : asked_for(j.fit, most)) add_joined(j.fit, *h, asked);
       for (std::size_t i = 0; i < std::min(most, ranked_.size()); ++i)
-        if (const Hypothesis& h = *ranked_[i].best->fit.together[0]; may_join(j.fit, h))
+        if (const Hypothesis& h = *ranked_[i].best->fit.together[0]; may_join(j.fit.together, h))
           add_joined(j.fit, h, asked);
     }
     return asked;
@@ -198,7 +198,7 @@ private:
                                                               std::size_t most) const {
     std::map<std::string, std::pair<double, const Hypothesis*>> best;
     for (const Signature& s : all_) {
-      if (s.g.norm() < silent || !may_join(set, *s.hypothesis)) continue;
+      if (s.g.norm() < silent || !may_join(set.together, *s.hypothesis)) continue;
       const double own = gain(set, s);
       auto& of_effect = best[s.hypothesis->effect];
       if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
@@ -224,10 +224,13 @@ private:
     for (const JudgedFit& best : of_different_effects(sets, moved_sets)) {
       const HypothesisFit& set = best.fit;
       for (std::size_t member = 0; member < set.together.size(); ++member) {
+        Together rest = set.together;
+        rest.erase(rest.begin() + Index(member));
         std::vector<const HypothesisFit*> others;
         for (const JudgedFit& j : fits_)
-          if (const Hypothesis* h = j.fit.together[0];
-              h->effect == set.together[member]->effect && !contains(set.together, h))
+          if (const Hypothesis* h = j.fit.together[0]; h->effect == set.together[member]->effect &&
+                                                       !contains(set.together, h) &&
+                                                       may_join(rest, *h))
             others.push_back(&j.fit);
         std::stable_sort(others.begin(), others.end(), [](const auto* a, const auto* b) {
           return a->log_evidence > b->log_evidence;
@@ -269,7 +272,7 @@ private:
     sort(found);
     if (found.empty() || settings_.stop()) return;
     const Together best = best_of(found).fit.together;
-    add(found, fitted(smaller(best_of(found).fit)));
+    if (best.size() > 2) add(found, fitted(smaller(best_of(found).fit)));
     std::vector<JudgedFit> rests;
     for (const Hypothesis* out : best) {
       Together rest = best;
