@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/growth.hpp"
+#include "diagnose/predict/passed_over.hpp"
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
@@ -124,6 +125,8 @@ std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
   p.readings = chosen_readings(test, settings.without);
   pair_like_baselines(p.nominal, test.data, p.readings);
   p.readings = answered(p.nominal, std::move(p.readings));
+  for (std::string& words : words_of_passed_over(p.nominal, p.readings))
+    p.readings.warnings.push_back(std::move(words));
   settings.stage("admissible specimens", 0.08);
   state_errors(p, settings.without);
   p.log_measured.resize(Index(p.readings.readings.size()));

@@ -29,6 +29,12 @@ MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const Vector
   return sum;
 }
 
+int AffineModes::nominal(Index i) const {
+  Index most = 0;
+  likeness.col(i).cwiseAbs().maxCoeff(&most);
+  return int(most);
+}
+
 VectorXd damping_by_likeness(const MatrixXd& likeness, const VectorXd& zeta) {
   const double otherwise = zeta.mean();
   VectorXd own(likeness.cols());
