@@ -121,10 +121,28 @@ Asked asked_for(const TestedCase& tested) {
   return a;
 }
 
-// What `work` finds wrong in the case is said at its lines, in the test of its file.
+// What `work` finds wrong at a key that the test has and the case has not stands in the test.
+template <class Work> auto located_in_test(const Asked& a, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& p : problems) {
+      if (!p.file.empty() || a.file.lines.contains(p.key)) continue;
+      if (const auto line = a.test_file.lines.find(p.key); line != a.test_file.lines.end()) {
+        p.file = a.test_file.path.string();
+        p.line = line->second;
+      }
+    }
+    throw InputError(std::move(problems));
+  }
+}
+
+// What `work` finds wrong in the case is said at its lines, in the test at its own.
 template <class Work> auto said_where(const Asked& a, const Work& work) {
   try {
-    return with_doubts(a.file, [&] { return located(a.file, work); });
+    return with_doubts(a.file,
+                       [&] { return located(a.file, [&] { return located_in_test(a, work); }); });
   } catch (const std::invalid_argument& error) {
     throw InputError({{.file = a.test_file.path.string(),
                        .line = 0,

@@ -8,8 +8,8 @@
 
 namespace plica {
 
-// Throws InputError as build() does; std::invalid_argument when the test has nothing that the model
-// answers.
+// Throws InputError as build() does, and with a key of the test when that has nothing that the
+// model answers.
 Diagnosis diagnose(const Case& data, const TestData& test, const DiagnosisSettings& settings);
 
 } // namespace plica

@@ -2,6 +2,7 @@
 // its force.
 #include "diagnose/diagnose.hpp"
 #include "diagnose/effects/chosen_effects.hpp"
+#include "diagnose/predict/predictor.hpp"
 #include "diagnose/readings/readings.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
@@ -43,10 +44,10 @@ double mode_squared(double hertz, double place) {
 TEST(DrivenModes, a_force_and_the_acceleration_that_it_gives_are_one_level) {
   const CaseFile file = read_case(lap_folder + "lap_levels.yaml");
   Measured m = read_measured(lap_folder + "measured.yaml");
-  m.modes.resize(1);
-  m.hold_out.clear();
   const Nominal nominal = nominal_of(file.data, m);
   const std::vector<Hypothesis> all = joint_friction().hypotheses(nominal.structure(m));
+  m.modes.resize(1);
+  m.hold_out.clear();
   ASSERT_TRUE(!all.empty() && all[0].way.empty()) << "of all its motions";
   const auto answer = [&](std::optional<double> acceleration, std::optional<double> force) {
     m.modes[0].acceleration = acceleration;

@@ -105,6 +105,52 @@ TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
     }
 }
 
+// In one motion, or in motions of which none is larger than another of its kind, a softer joint
+// says the same as one that slips.
+TEST(JointFriction, is_tried_where_something_was_looked_at_at_two_levels) {
+  const Case nominal = two_halves(3e3);
+  const Nominal model = nominal_of(nominal, {});
+  const auto is_tried = [&](const Measured& m) {
+    return !joint_friction().hypotheses(model.structure(m)).empty();
+  };
+  MeasuredPeaks peaks;
+  peaks.level = {5, 10};
+  Measured m;
+  EXPECT_FALSE(is_tried(m));
+  m.peaks = {peaks};
+  EXPECT_TRUE(is_tried(m));
+  m.peaks[0].level = {5, 5};
+  EXPECT_FALSE(is_tried(m)) << "one level twice";
+  MeasuredFrf frf;
+  frf.base = Axis::x;
+  frf.level = 10;
+  m.frf = {frf};
+  EXPECT_FALSE(is_tried(m)) << "another level along another axis";
+  m.frf[0].base = Axis::y;
+  EXPECT_TRUE(is_tried(m)) << "peaks and a response of the same table";
+  m.frf[0].state = "before";
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}}};
+  EXPECT_FALSE(is_tried(m)) << "in a baseline nothing slips that is looked for";
+
+  Measured driven;
+  driven.modes = {bending(Axis::z, 1, "", 80), bending(Axis::z, 1, "", 80)};
+  for (MeasuredMode& mode : driven.modes) mode.drive = "tip.z";
+  driven.modes[0].acceleration = 5;
+  driven.modes[1].force = 10;
+  EXPECT_FALSE(is_tried(driven)) << "nobody knows which is the higher";
+  driven.modes[1].force.reset();
+  driven.modes[1].acceleration = 10;
+  EXPECT_TRUE(is_tried(driven));
+
+  Measured rig;
+  MeasuredStiffnessTable table;
+  table.numbers = {{.hertz = 10, .amplitude = 1e-4}, {.hertz = 20, .amplitude = 1e-4}};
+  rig.stiffness = {table};
+  EXPECT_FALSE(is_tried(rig)) << "one amplitude";
+  rig.stiffness[0].numbers[1].amplitude = 1e-3;
+  EXPECT_TRUE(is_tried(rig));
+}
+
 // Four pieces of a clamped beam that meet in three joints, as coils of a liner do.
 Case in_coils(double bending_stiffness) {
   Case c = two_halves(bending_stiffness);

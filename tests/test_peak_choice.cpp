@@ -44,6 +44,22 @@ TEST(PeakChoice, takes_a_weak_mode_where_the_strong_one_is_far) {
   EXPECT_EQ(paired({108, 142}, {109, 144, 150}, false, cost), (Peaks{0, 2}));
 }
 
+// 0.02 in ln f for each mode between two that are paired: 130 would rather be 131 than 128.8, but
+// the latter is the next one. None before the first nor after the last.
+TEST(PeakChoice, passes_over_a_mode_between_two_at_a_cost) {
+  const std::vector<double> test{100, 130}, model{60, 100, 128.8, 131, 170};
+  const std::vector<bool> all(5, true);
+  EXPECT_EQ(paired(test, model, false), (Peaks{1, 3}));
+  EXPECT_EQ(paired(test, model, false, {}, {.counts = all, .missed = {}}), (Peaks{1, 2}));
+  EXPECT_EQ(paired({100, 130}, {60, 100, 120, 131, 170}, false, {}, {.counts = all, .missed = {}}),
+            (Peaks{1, 3}))
+      << "far cheaper";
+  EXPECT_EQ(paired(test, model, false, {}, {.counts = all, .missed = {0, 1}}), (Peaks{1, 3}))
+      << "the test says that it has not got one";
+  EXPECT_EQ(paired(test, model, false, {}, {{true, true, false, true, true}, {}}), (Peaks{1, 3}))
+      << "one along another axis";
+}
+
 TEST(PeakChoice, leaves_out_what_is_below_twelve_percent_of_the_highest) {
   const VectorXd hertz{{10, 20, 30}}, zeta{{0.01, 0.01, 0.01}}, height{{1, 0.119, 0.121}};
   EXPECT_EQ(strong_peaks(hertz, zeta, height, no_band, 1), (Peaks{0, 2}));

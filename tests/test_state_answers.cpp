@@ -2,6 +2,7 @@
 // that weighs nothing.
 #include "changed_beam.hpp"
 #include "diagnose/predict/menu.hpp"
+#include "diagnose/predict/passed_over.hpp"
 
 #include <gtest/gtest.h>
 
@@ -178,6 +179,29 @@ TEST(Menu, offers_other_levels_and_further_sensors_where_a_sweep_was_run) {
                    "a sweep along z at a tenth of the lowest level (0.1 m/s2)",
                    "a sweep along z at three times the highest level (30 m/s2)",
                    "an accelerometer at beam.end, sweep along z"}));
+}
+
+// The first and the third mode of a beam in z; between them lie its second, and one in x.
+TEST(PassedOver, is_what_lies_between_two_modes_of_no_kind_and_is_not_said_to_be_missed) {
+  const Case beam = changed_beam::beam_of(5, 0.5, 0.03, 0.01, true);
+  Measured m;
+  for (const int order : {1, 3}) m.modes.push_back(changed_beam::bending(Axis::z, order, ""));
+  const VectorXd y = changed_beam::read_by(beam, m);
+  for (std::size_t k = 0; k < 2; ++k) {
+    m.modes[k].frequency = std::exp(y[Eigen::Index(k)]);
+    m.modes[k].shape = MeasuredShape::other;
+  }
+  const Nominal nominal = nominal_of(beam, m);
+  const auto words = [&] {
+    return words_of_passed_over(nominal, readings_of({.data = m, .responses = {}}));
+  };
+  EXPECT_TRUE(words().empty()) << "orders 1 and 3";
+  m.modes[1].order = 2;
+  ASSERT_EQ(words().size(), 1U);
+  EXPECT_EQ(words()[0].find("modes[0] and modes[1] are paired with the model's modes at "), 0U)
+      << words()[0];
+  const std::string past = words()[0].substr(words()[0].find("past "));
+  EXPECT_EQ(past.substr(0, past.find(':')).find(','), std::string::npos) << "one in z: " << past;
 }
 
 } // namespace

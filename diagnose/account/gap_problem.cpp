@@ -2,10 +2,12 @@
 
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/growth.hpp"
+#include "diagnose/predict/passed_over.hpp"
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/states.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +20,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr const char* is_answered = "mass, static, modes, peaks or frf that this case answers";
+
 // Readings that the model answers; what it does not is said.
 TestReadings answered(const Nominal& nominal, TestReadings test) {
+  const std::string first = test.readings.front().entry;
   const auto y = Predictor(nominal, test, {})(VectorXd());
   if (!y) throw std::runtime_error("the nominal structure has no stable answer");
   std::vector<Reading> kept;
@@ -37,7 +42,7 @@ TestReadings answered(const Nominal& nominal, TestReadings test) {
   test.readings = std::move(kept);
   leave_out_unlike_shapes((*y)(rows), test);
   if (test.readings.empty())
-    throw std::invalid_argument("the model gives none of the measured quantities");
+    input_error(first, "the model gives none of the measured quantities", is_answered);
   return test;
 }
 
@@ -55,11 +60,23 @@ void lowest_levels_only(TestReadings& test) {
   });
 }
 
+// The path of what was first measured after the baselines; empty: nothing.
+std::string first_after(const TestData& test, const TestReadings& readings) {
+  for (const Reading& r : readings.readings)
+    if (!is_baseline(test.data, r.state)) return r.entry;
+  return "";
+}
+
 TestReadings chosen_readings(const TestData& test, const std::set<std::string>& without) {
   TestReadings readings = readings_of(test);
-  if (std::all_of(readings.readings.begin(), readings.readings.end(),
-                  [&](const Reading& r) { return is_baseline(test.data, r.state); }))
-    throw std::invalid_argument("nothing was measured but in baselines");
+  if (readings.readings.empty())
+    input_error("specimen", "nothing was measured of it that a diagnosis reads", is_answered);
+  if (first_after(test, readings).empty()) {
+    std::size_t i = 0;
+    while (!test.data.states[i].baseline) ++i;
+    input_error("states[" + std::to_string(i) + "].baseline",
+                "nothing was measured but in baselines", "entries of a state that is none");
+  }
   if (without.contains("levels")) lowest_levels_only(readings);
   if (without.contains("heldout"))
     for (Reading& r : readings.readings) r.held_out = false;
@@ -89,18 +106,22 @@ void state_errors(GapProblem& p, const std::set<std::string>& without) {
   p.remounting = remounting_of(p.readings, measured, p.data.diagnose);
   p.uncertainty = uncertainty_of(p.data, p.nominal, p.readings, measured, without, p.remounting);
   if (!p.uncertainty.refused.empty()) {
+    const std::string first = p.readings.readings.front().entry;
     set_aside(p.readings, p.uncertainty.refused);
     if (p.readings.readings.empty())
-      throw std::invalid_argument("the model gives none of the measured quantities: " +
-                                  p.readings.warnings.back());
+      input_error(first,
+                  "the model gives none of the measured quantities: " + p.readings.warnings.back(),
+                  is_answered);
     p.uncertainty = uncertainty_of(p.data, p.nominal, p.readings, measured, without, p.remounting);
   }
   p.baseline = given_baselines(measured, p.data.diagnose, p.readings, p.uncertainty);
   if (p.readings.readings.empty())
-    throw std::invalid_argument("the model gives none of what was measured after the baseline");
+    input_error(first_after(p.test, readings_of(p.test)),
+                "the model gives none of what was measured after the baseline", is_answered);
   p.fitted.emplace(p.readings, p.uncertainty, false);
   p.held_out.emplace(p.readings, p.uncertainty, true);
-  if (p.fitted->rows().empty()) throw std::invalid_argument("all that was measured is held out");
+  if (p.fitted->rows().empty())
+    input_error("hold_out", "all that was measured is held out", "entries that are not");
 }
 
 void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
@@ -124,6 +145,8 @@ std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
   p.readings = chosen_readings(test, settings.without);
   pair_like_baselines(p.nominal, test.data, p.readings);
   p.readings = answered(p.nominal, std::move(p.readings));
+  for (std::string& words : words_of_passed_over(p.nominal, p.readings))
+    p.readings.warnings.push_back(std::move(words));
   settings.stage("admissible specimens", 0.08);
   state_errors(p, settings.without);
   p.log_measured.resize(Index(p.readings.readings.size()));

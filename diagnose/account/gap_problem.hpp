@@ -31,7 +31,7 @@ struct GapProblem {
 };
 
 // It stays where it is: predictors look at the nominal case in it. Throws InputError as build()
-// does; std::invalid_argument when the test has nothing that the model answers.
+// does, and with a key of the test when that has nothing that the model answers.
 std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
                                        const DiagnosisSettings& settings);
 

@@ -1,6 +1,11 @@
 #include "diagnose/effects/joints_together.hpp"
+#include "lab/measured/measured_words.hpp"
+#include "lab/measured/states.hpp"
 
 #include <algorithm>
+#include <fmt/ranges.h>
+#include <map>
+#include <set>
 
 namespace plica {
 namespace {
@@ -9,18 +14,30 @@ namespace {
 // does to frequency, damping and height.
 constexpr double law_error = 0.1;
 
+// Whether anything was looked at in two motions of unlike size: an excitation at two levels, a rig
+// at two amplitudes (0 is a small one). In one motion a softer joint says the same as one that
+// slips; and in a baseline nothing slips that is looked for.
 bool has_levels(const Measured& m) {
-  return std::any_of(m.frf.begin(), m.frf.end(),
-                     [](const auto& f) { return f.level.has_value(); }) ||
-         std::any_of(
-             m.modes.begin(), m.modes.end(),
-             [](const auto& mode) { return !mode.drive.empty() || (mode.base && mode.level); }) ||
-         std::any_of(m.stiffness.begin(), m.stiffness.end(),
-                     [](const auto& table) {
-                       return std::any_of(table.numbers.begin(), table.numbers.end(),
-                                          [](const auto& n) { return n.amplitude > 0; });
-                     }) ||
-         !m.peaks.empty();
+  std::map<std::string, std::set<double>> of; // by excitation
+  const auto add = [&](const std::string& state, const std::string& excitation, double level) {
+    if (!is_baseline(m, state)) of[excitation].insert(level);
+  };
+  const auto on_table = [](Axis axis) { return std::string("base ") + word_of(axis); };
+  const auto by_force = [](const std::string& channel) { return "force at " + channel; };
+  for (const MeasuredFrf& f : m.frf)
+    if (f.level) add(f.state, f.base ? on_table(*f.base) : by_force(f.force), *f.level);
+  for (const MeasuredMode& mode : m.modes) {
+    if (mode.base && mode.level) add(mode.state, on_table(*mode.base), *mode.level);
+    if (mode.acceleration) add(mode.state, "held at " + mode.drive, *mode.acceleration);
+    if (mode.force) add(mode.state, by_force(mode.drive), *mode.force);
+  }
+  for (const MeasuredPeaks& p : m.peaks)
+    for (double level : p.level) add(p.state, on_table(p.base), level);
+  for (const MeasuredStiffnessTable& table : m.stiffness)
+    for (const MeasuredStiffness& n : table.numbers)
+      add(table.state, fmt::format("rig {} {}", fmt::join(table.ends, " "), n.direction),
+          n.amplitude);
+  return std::any_of(of.begin(), of.end(), [](const auto& one) { return one.second.size() > 1; });
 }
 
 // What a joint loses for the stiffness it gives up depends on how it unloads: Masing's rule is in
@@ -31,7 +48,7 @@ bool has_levels(const Measured& m) {
 // law, or in one of them; turning is a path at a lever (places.hpp).
 std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  if (!has_levels(s.measured)) return found; // one motion: a softer joint says the same
+  if (!has_levels(s.measured)) return found; // a softer joint says the same
   constexpr Prior drawn{PriorKind::log_normal, 1, 1.2}, absent{PriorKind::log_normal, 0.3, 0.7};
   std::vector<JointGroup> groups = joint_groups(s);
   if (const auto all = joints_together(groups)) groups.push_back(all->group);
@@ -79,15 +96,17 @@ std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
 } // namespace
 
 Effect joint_friction() {
-  return {.name = "joint_friction",
-          .plain = "a joint that slips",
-          .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
-          .signature = "frequencies fall with the level, damping rises and falls again",
-          .look_alikes = {{"ply_slip", "the static stiffness at a small and a large stroke"},
-                          {"joint_stiffness", "further levels"},
-                          {"damping", "a free decay at a low level"}},
-          .needs = "a joint, connector, interlock or springs of a mount, and levels of excitation",
-          .hypotheses = joint_friction_hypotheses};
+  return {
+      .name = "joint_friction",
+      .plain = "a joint that slips",
+      .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
+      .signature = "frequencies fall with the level, damping rises and falls again",
+      .look_alikes = {{"ply_slip", "the static stiffness at a small and a large stroke"},
+                      {"joint_stiffness", "further levels"},
+                      {"damping", "a free decay at a low level"}},
+      .needs =
+          "a joint, connector, interlock or springs of a mount, and two levels of an excitation",
+      .hypotheses = joint_friction_hypotheses};
 }
 
 } // namespace plica

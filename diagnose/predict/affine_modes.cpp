@@ -22,6 +22,12 @@ double AffineModes::hertz(Index i) const {
   return omega(i) / (2 * std::numbers::pi);
 }
 
+int AffineModes::nominal(Index i) const {
+  Index most = 0;
+  likeness.col(i).cwiseAbs().maxCoeff(&most);
+  return int(most);
+}
+
 VectorXd damping_by_likeness(const MatrixXd& likeness, const VectorXd& zeta) {
   const double otherwise = zeta.mean();
   VectorXd own(likeness.cols());

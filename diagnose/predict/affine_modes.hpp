@@ -17,6 +17,7 @@ struct AffineModes {
   Eigen::MatrixXd group;    // modes x modes: of the change that was asked for, coefficient one
   double omega(Eigen::Index i) const { return std::sqrt(lambda[i]); }
   double hertz(Eigen::Index i) const;
+  int nominal(Eigen::Index i) const; // which nominal mode it shares most with
 };
 
 // Ratios of modes by what they share with the nominal ones, whose ratios are `zeta`; their mean

@@ -1,6 +1,7 @@
 // Modes that a test knows by their kind, without excitation: which of a model's they are.
 #include "diagnose/predict/state_answers.hpp"
 
+#include "diagnose/predict/passed_over.hpp"
 #include "diagnose/predict/peak_choice.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
 #include "lab/measured/measured_words.hpp"
@@ -93,7 +94,7 @@ double StateAnswers::component(const AffineModes& m, Index mode, const Reading& 
 
 // Where the kind of motion is known the order that the test states binds; where it states no
 // direction, of those of that order along each axis the nearest. Of unknown kind, in their order as
-// they lie nearest.
+// they lie nearest, those passed over at a cost.
 Index StateAnswers::labelled_mode(const AffineModes& m, const Reading& reading) {
   const auto looked_for = [](const Reading& r) { return r.paired_as > 0 ? r.paired_as : r.value; };
   if (reading.shape != MeasuredShape::other) {
@@ -120,10 +121,20 @@ Index StateAnswers::labelled_mode(const AffineModes& m, const Reading& reading) 
   const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
   modes.erase(modes.begin(), modes.begin() + Index(before));
   std::vector<double> wanted, hertz;
-  for (const auto& [order, value] : measured) wanted.push_back(value);
-  for (Index i : modes) hertz.push_back(m.hertz(i));
+  Between between;
+  int last = measured.begin()->first;
+  for (const auto& [order, value] : measured) {
+    wanted.push_back(value);
+    between.missed.push_back(std::max(0, order - last - 1));
+    last = order;
+  }
+  for (Index i : modes) {
+    hertz.push_back(m.hertz(i));
+    between.counts.push_back(
+        may_move(own_.nominal->labels[std::size_t(m.nominal(i))], reading.axis));
+  }
   const auto place = std::distance(measured.begin(), measured.find(reading.order));
-  const Index pair = paired(wanted, hertz, false)[std::size_t(place)];
+  const Index pair = paired(wanted, hertz, false, {}, between)[std::size_t(place)];
   return pair < 0 ? -1 : modes[std::size_t(pair)];
 }
 

@@ -1,5 +1,6 @@
 #include "diagnose/predict/menu.hpp"
 
+#include "lab/measured/states.hpp"
 #include "model/description/end_caps.hpp"
 #include "words/directions.hpp"
 
@@ -24,7 +25,8 @@ public:
 
   std::vector<Offer> offers(const std::vector<std::string>& further) const {
     std::vector<Offer> all;
-    if (!measured_.mass) all.push_back({"weigh the specimen", 0.2, numbers(ReadingKind::mass, {})});
+    if (!measured_.mass || is_baseline(measured_, measured_.mass->state))
+      all.push_back({"weigh the specimen", 0.2, numbers(ReadingKind::mass, {})});
     if (!end_caps(case_).empty())
       for (const auto& [direction, name] :
            {std::pair{StaticDirection::axial, "static stiffness along the axis"},

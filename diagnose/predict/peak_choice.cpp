@@ -8,29 +8,60 @@ namespace plica {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+// What it costs to pass over modes of the model between two that are paired one behind the other.
+class CostBetween {
+public:
+  explicit CostBetween(const Between& between) : between_(between), until_{0} {
+    for (const bool counts : between.counts) until_.push_back(until_.back() + int(counts));
+  }
+
+  // From mode `a` to a later one, which measured mode i takes.
+  double operator()(std::size_t i, std::size_t a, std::size_t b) const {
+    if (between_.counts.empty()) return 0;
+    const int missed = between_.missed.empty() ? 0 : between_.missed[i];
+    return passed_over * std::max(0, until_[b] - until_[a + 1] - missed);
+  }
+
+private:
+  const Between& between_;
+  std::vector<int> until_; // how many of the modes before each count
+};
+
+} // namespace
+
 std::vector<Index> paired(const std::vector<double>& measured, const std::vector<double>& model,
-                          bool first, const std::vector<double>& handicaps) {
+                          bool first, const std::vector<double>& handicaps,
+                          const Between& between) {
   const std::size_t m = measured.size(), n = model.size();
   std::vector<Index> pairs(m, 0);
   if (n == 0) return std::vector<Index>(m, -1);
-  if (n <= m || first) {
+  if (m == 0 || n <= m || first) {
     for (std::size_t i = 0; i < m; ++i) pairs[i] = Index(std::min(i, n - 1));
     return pairs;
   }
-  std::vector<std::vector<double>> cost(m + 1, std::vector<double>(n + 1, 0));
   constexpr double far = 1e9;
-  for (std::size_t i = 1; i <= m; ++i)
-    for (std::size_t j = 0; j <= n; ++j) {
-      cost[i][j] = far;
-      if (j < i) continue;
-      const double pair = cost[i - 1][j - 1] + std::abs(std::log(measured[i - 1] / model[j - 1])) +
-                          (handicaps.empty() ? 0 : handicaps[j - 1]);
-      cost[i][j] = std::min(pair, j > i ? cost[i][j - 1] : far);
+  const CostBetween cost_between(between);
+  // Of the measured modes up to i, the last of which takes j; and which the one before it takes.
+  std::vector<std::vector<double>> cost(m, std::vector<double>(n, far));
+  std::vector<std::vector<std::size_t>> before(m, std::vector<std::size_t>(n, 0));
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = i; j < n; ++j) {
+      double least = i == 0 ? 0 : far;
+      for (std::size_t k = i == 0 ? j : i - 1; k < j; ++k)
+        if (const double all = cost[i - 1][k] + cost_between(i, k, j); all < least) {
+          least = all;
+          before[i][j] = k;
+        }
+      cost[i][j] = least + std::abs(std::log(measured[i] / model[j])) +
+                   (handicaps.empty() ? 0 : handicaps[j]);
     }
-  std::size_t j = n;
-  for (std::size_t i = m; i > 0; --i) {
-    while (j > i && cost[i][j] == cost[i][j - 1]) --j;
-    pairs[i - 1] = Index(--j);
+  auto j =
+      std::size_t(std::min_element(cost[m - 1].begin(), cost[m - 1].end()) - cost[m - 1].begin());
+  for (std::size_t i = m; i-- > 0;) {
+    pairs[i] = Index(j);
+    j = before[i][j];
   }
   return pairs;
 }

@@ -7,12 +7,23 @@
 
 namespace plica {
 
+// Modes of a model between two that are paired one behind the other: each costs this in ln f, what
+// a model may be off. Those before the first and after the last cost nothing.
+inline constexpr double passed_over = 0.02;
+struct Between {
+  std::vector<bool> counts; // of each mode of the model; none: it costs nothing to pass one over
+  std::vector<int> missed;  // of each measured one: how many the test says lie between it and the
+                            // one before it that it has not; none: not one
+};
+
 // Peaks of a model in the order of measured ones: increasing, each at most once while there are
-// enough, the sum of |ln f - ln f'| and of the handicaps of those that are taken least (none: no
-// handicaps). `first`: the measured ones are the first of the channel, whatever their frequencies.
+// enough, the sum of |ln f - ln f'|, of the handicaps of those that are taken (none: no handicaps)
+// and of what is passed over least. `first`: the measured ones are the first of the channel,
+// whatever their frequencies.
 std::vector<Eigen::Index> paired(const std::vector<double>& measured,
                                  const std::vector<double>& model, bool first,
-                                 const std::vector<double>& handicaps = {});
+                                 const std::vector<double>& handicaps = {},
+                                 const Between& between = {});
 
 // Below this share of the highest, a peak does not count as strong in a sweep of a table either;
 // under a force every mode that moves the driven channel counts that is not near a node there.

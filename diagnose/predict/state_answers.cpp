@@ -56,10 +56,7 @@ int StateAnswers::nominal_mode(const Reading& reading) {
   if (!m || (run.input.any() && !answers_to(run))) return -1;
   const Index own =
       run.input.any() ? peak_modes(*m, run)[std::size_t(reading.peak)] : labelled_mode(*m, reading);
-  if (own < 0) return -1;
-  Index nominal = 0;
-  m->likeness.col(own).cwiseAbs().maxCoeff(&nominal);
-  return int(nominal);
+  return own < 0 ? -1 : m->nominal(own);
 }
 
 std::optional<Eigen::VectorXcd> StateAnswers::response(const TestRun& run, const VectorXd& hertz) {

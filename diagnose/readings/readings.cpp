@@ -65,7 +65,7 @@ private:
                  .name = "mass",
                  .unit = "kg",
                  .entry = "mass",
-                 .state = "",
+                 .state = mass->state,
                  .sensor = "",
                  .value = mass->value,
                  .sigma = relative(mass->sigma, mass->value, mass_sigma)});
