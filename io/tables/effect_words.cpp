@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/effect.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -79,11 +80,13 @@ std::string estimate_words(const EstimatedParameter& p, std::string (*number)(do
                    shown.unit);
 }
 
-std::string values_words(const NamedEffect& e, std::string (*number)(double, int)) {
+std::string values_words(const NamedEffect& e, std::string (*number)(double, int),
+                         std::size_t most) {
   std::string text;
-  for (const EstimatedParameter& p : e.parameters)
-    text += (text.empty() ? "" : ", ") + p.name + " " + estimate_words(p, number);
-  return text;
+  for (std::size_t i = 0; i < std::min(most, e.parameters.size()); ++i)
+    text +=
+        (i == 0 ? "" : ", ") + e.parameters[i].name + " " + estimate_words(e.parameters[i], number);
+  return e.parameters.size() > most ? text + ", ..." : text;
 }
 
 std::string plain_words(const NamedEffect& e) {

@@ -27,9 +27,11 @@ ShownEstimate shown_estimate(const EstimatedParameter& parameter);
 // has no interval.
 std::string estimate_words(const EstimatedParameter& parameter,
                            std::string (*number)(double value, int digits) = significant);
-// Of all parameters: "bond 0.398 (0.342 to 0.487), ..."; empty without any.
+// Of its parameters: "bond 0.398 (0.342 to 0.487), ..."; empty without any. Beyond `most` of them
+// dots.
 std::string values_words(const NamedEffect& effect,
-                         std::string (*number)(double value, int digits) = significant);
+                         std::string (*number)(double value, int digits) = significant,
+                         std::size_t most = 100);
 
 // "20 g that nobody weighed" (Effect::plain), without its place.
 std::string plain_words(const NamedEffect& effect);

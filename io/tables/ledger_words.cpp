@@ -33,7 +33,8 @@ std::string row_by(const LedgerRow& row, std::string (*words)(const NamedEffect&
 }
 
 std::string plain_with_values(const NamedEffect& e) {
-  const std::string values = values_words(e);
+  constexpr std::size_t in_a_line = 2; // the table of effects has all
+  const std::string values = values_words(e, significant, in_a_line);
   return plain_at_place(e) + (values.empty() ? "" : ": " + values);
 }
 
