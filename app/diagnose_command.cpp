@@ -12,6 +12,7 @@
 #include "io/input/supposition_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/tables/ledger_words.hpp"
 #include "io/write/explained_case.hpp"
 #include "io/write/write_diagnosis.hpp"
 #include "io/write/write_pretest.hpp"

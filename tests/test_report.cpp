@@ -108,6 +108,21 @@ TEST(Report, breaks_a_phase_where_it_wraps) {
   EXPECT_TRUE(phase_figure({.label = "r", .ordinate = ""}, {}).empty());
 }
 
+// The largest deviation from the test stands before all else, the mode that shows it is drawn.
+TEST(Report, begins_with_what_is_farthest_from_the_test) {
+  const std::string html = report_html(sample());
+  const std::size_t farthest = html.find("Farthest from the test: axial stiffness");
+  ASSERT_NE(farthest, std::string::npos);
+  EXPECT_LT(farthest, html.find("class=\"viewer\""));
+  EXPECT_EQ(html.find("class=\"verdict"), html.rfind("class=\"verdict", farthest));
+  EXPECT_NE(html.find("Drawn: mode 1, axial 1"), std::string::npos);
+  EXPECT_NE(html.find("\"first\":0,\"glb\""), std::string::npos);
+  EXPECT_NE(html.find("class=\"still\""), std::string::npos);
+  Results r = sample();
+  r.comparison.clear();
+  EXPECT_EQ(report_html(r).find("\"first\":"), std::string::npos);
+}
+
 TEST(Report, draws_a_shape_with_holes) {
   Results r = sample();
   r.shapes[0](7, 1) = std::numeric_limits<double>::quiet_NaN();

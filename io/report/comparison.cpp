@@ -1,5 +1,4 @@
 #include "io/report/markup.hpp"
-#include "io/report/picture.hpp"
 #include "io/report/tables.hpp"
 #include "io/tables/farthest.hpp"
 #include "io/tables/text.hpp"
@@ -44,33 +43,28 @@ std::string strip(const MeasuredComparison& row, double range) {
                            place(deviation));
 }
 
-// Of what the model computes the number that is farthest off, in a sentence, with its mode.
-std::string farthest_html(const Results& results) {
-  const auto [farthest, computed, within] = farthest_off(results);
-  if (!farthest) return "";
-  const bool is_good = within == computed;
-  const auto [factor, unit] = shown_unit(farthest->measured, farthest->unit);
-  const int decimals = decimals_of(*farthest, factor);
-  const std::string off =
-      farthest->sigma > 0 ? ", " + html_signed(sigma_deviation(*farthest), 1) + "\u00a0σ" : "";
-  std::string html =
-      fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;Farthest from the test: {}</b>, {} {} "
-                  "computed, {} measured "
-                  "({}\u00a0%{}); {} of {} computed numbers lie within 2 {}.</p>\n",
-                  is_good ? "" : " open", is_good ? "✓" : "!", html_escape(farthest->quantity),
-                  html_fixed(farthest->computed * factor, decimals), html_escape(unit),
-                  html_fixed(farthest->measured * factor, decimals),
-                  html_signed(100 * relative_deviation(*farthest), 1), off, within, computed,
-                  farthest->sigma > 0 ? "σ" : "%");
-  for (std::size_t m = 0; m < results.modes.size(); ++m)
-    if (results.modes[m].frequency == farthest->computed) {
-      html += "<div class=\"modes\">\n" + mode_picture(results, m) + "</div>\n";
-      break;
-    }
-  return html;
-}
-
 } // namespace
+
+std::string farthest_html(const Results& results) {
+  const FarthestOff found = farthest_off(results);
+  const MeasuredComparison* row = found.row;
+  if (!row) return "";
+  const bool is_good = found.within == found.computed;
+  const auto [factor, unit] = shown_unit(row->measured, row->unit);
+  const int decimals = decimals_of(*row, factor);
+  const std::string off =
+      row->sigma > 0 ? ", " + html_signed(sigma_deviation(*row), 1) + "\u00a0σ" : "";
+  std::string drawn;
+  if (const std::optional<std::size_t> m = mode_that_shows(results, *row))
+    drawn = fmt::format(" Drawn: mode {}, {}.", *m + 1, html_escape(mode_label(results.modes[*m])));
+  return fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;Farthest from the test: {}</b>, {} {} "
+                     "computed, {} measured ({}\u00a0%{}); {}.{}</p>\n",
+                     is_good ? "" : " open", is_good ? "✓" : "!", html_escape(row->quantity),
+                     html_fixed(row->computed * factor, decimals), html_escape(unit),
+                     html_fixed(row->measured * factor, decimals),
+                     html_signed(100 * relative_deviation(*row), 1), off, within_words(found, "σ"),
+                     drawn);
+}
 
 std::string numbers_html(const Results& results) {
   const std::map<std::string, double> numbers = headline(results);
@@ -101,8 +95,7 @@ std::string comparison_html(const Results& results) {
           strip(row, range)},
          ""});
   }
-  return farthest_html(results) +
-         html_table("Strip: bar = measured ± 1 σ, dot = computed, ends at ±\u00a0" +
+  return html_table("Strip: bar = measured ± 1 σ, dot = computed, ends at ±\u00a0" +
                         html_number(100 * range, 2) + "\u00a0%.",
                     {{"quantity", "", false},
                      {"unit", "", false},

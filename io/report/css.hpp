@@ -57,7 +57,7 @@ figcaption b { color: var(--ink); font-weight: 600; }
 .drawings { display: grid; grid-template-columns: 2fr 1fr; gap: 1.5rem; align-items: end; }
 .modes { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.5rem 1.5rem; }
 .modes figure { margin: 0.5rem 0; min-width: 0; }
-.part { max-width: 46rem; } .pair { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 3rem; }
+.part { max-width: 46rem; } .still { max-width: 24rem; } .pair { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); column-gap: 3rem; }
 svg text { fill: var(--ink); font-family: inherit; }
 .wall { fill: none; stroke: var(--ink); stroke-linejoin: round; }
 .thin { fill: none; stroke: var(--muted); stroke-width: 1; }
@@ -75,7 +75,7 @@ svg text { fill: var(--ink); font-family: inherit; }
 .u-legend .u-marker { width: 2.1em !important; height: 0 !important; border-width: 2px 0 0 0 !important; vertical-align: middle; }
 .first figure { margin: 0; } .first .warnings { margin: 1rem 0 0; } .first { margin-top: 1.25rem; }
 .pair { align-items: start; } .pair section { min-width: 0; }
-figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part { display: none; }
+figure.plot { max-width: 54rem; } figure.is-live > svg, .is-live > .part, .is-live > .still { display: none; }
 /* A drawing is as wide as its place only after its script has seen a new width. */
 .live { position: relative; overflow: hidden; } .live canvas { display: block; }
 .controls { display: flex; flex-wrap: wrap; gap: 0.5rem; align-items: center; margin: 0.4rem 0;
@@ -102,7 +102,7 @@ footer { margin-top: 3rem; padding-top: 0.75rem; border-top: 1px solid var(--rul
 @media screen and (max-width: 46rem) {
   .pair, .answer { display: block; } .drawings { grid-template-columns: 1fr; } .modes { grid-template-columns: repeat(2, 1fr); } }
 @media print {
-  figure.is-live > svg, .is-live > .part { display: block; } .live, .controls { display: none; }
+  figure.is-live > svg, .is-live > .part, .is-live > .still { display: block; } .live, .controls { display: none; }
   @page { margin: 16mm 14mm; }
   main { max-width: none; padding: 0; } body { font-size: 9.5pt; }
   .first { display: block; }

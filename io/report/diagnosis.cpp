@@ -4,6 +4,8 @@
 #include "io/report/markup.hpp"
 #include "io/report/page.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/tables/effect_words.hpp"
+#include "io/tables/ledger_words.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -30,15 +32,16 @@ const char* verdict_words(const Diagnosis& d) {
   }
 }
 
+// In words that need no knowledge of effects and odds; those stand in short, below.
 std::string banner(const Diagnosis& d) {
   const bool open = d.verdict == Verdict::ambiguous || d.verdict == Verdict::unknown;
   return fmt::format("<p class=\"verdict{}\"><b>{}&nbsp;{}</b></p>\n", open ? " open" : "",
-                     open ? "!" : "✓", html_escape(d.headline));
+                     open ? "!" : "✓", html_escape(plain_verdict(d)));
 }
 
 std::string shrink_text(const GapShrink& g, bool nominal) {
-  if (nominal) return fmt::format("G {}, {} readings", html_fixed(g.before, 2), g.readings);
-  return fmt::format("{} % ({}), G {} to {}, {} readings", html_fixed(100 * g.shrink(), 0),
+  if (nominal) return fmt::format("{}, {} readings", html_fixed(g.before, 2), g.readings);
+  return fmt::format("{} % ({}), from {} to {}, {} readings", html_fixed(100 * g.shrink(), 0),
                      percent_range(g.interval), html_fixed(g.before, 2), html_fixed(g.after, 2),
                      g.readings);
 }
@@ -49,6 +52,7 @@ std::string facts(const Diagnosis& d) {
     rows.push_back({{name, value}, ""});
   };
   add("verdict", verdict_words(d));
+  add("evidence", html_escape(d.headline));
   for (const NamedEffect& e : d.effects) {
     std::string value = html_escape(effect_label(e));
     for (const EstimatedParameter& p : e.parameters)
@@ -64,7 +68,7 @@ std::string facts(const Diagnosis& d) {
                                       (best->rejected.empty() ? "" : "; rejected: ") +
                                       html_escape(best->rejected));
   const bool nominal = d.verdict == Verdict::none;
-  const std::string head = nominal ? "gap" : "gap shrinks by";
+  const std::string head = nominal ? "gap (root of G)" : "gap (root of G) shrinks by";
   add(head + ", fitted", shrink_text(d.gap, nominal));
   add(head + ", held out",
       d.held_out ? shrink_text(*d.held_out, nominal) + "; " + html_escape(d.held_out_how)

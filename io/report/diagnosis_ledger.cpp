@@ -3,6 +3,8 @@
 #include "io/report/phase.hpp"
 #include "io/report/plot.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/tables/effect_words.hpp"
+#include "io/tables/ledger_words.hpp"
 #include "io/tables/text.hpp"
 
 #include "diagnose/readings/readings.hpp"
@@ -102,6 +104,18 @@ HtmlRow row_of(const ComparedReading& r) {
           ""};
 }
 
+// Effects as their field calls them, with their numbers; of a long list the numbers of the first.
+std::string fields_names(const LedgerRow& row) {
+  std::string html;
+  for (const NamedEffect& e : row.effects) {
+    const bool told = !is_long(row) || &e == &row.effects.front();
+    const std::string values = told ? values_words(e, html_number) : "";
+    html += fmt::format("<span class=\"change\">{}</span>",
+                        html_escape(effect_label(e) + (values.empty() ? "" : ": " + values)));
+  }
+  return html;
+}
+
 // From the gap of the nominal case, each row takes its share away; what is left stands.
 std::string waterfall(const Ledger& ledger) {
   std::vector<HtmlRow> rows;
@@ -126,11 +140,7 @@ std::string waterfall(const Ledger& ledger) {
     const bool effect = !row.effects.empty();
     std::string name = html_escape(row_words(row));
     if (effect) name = fmt::format("<b>{}</b> {}", i + 1, name); // as the picture has it
-    std::string labels;
-    for (const NamedEffect& e : row.effects)
-      labels += (labels.empty() ? "" : " \u00b7 ") + effect_label(e);
-    if (row.effects.size() == 1 || is_long(row)) // a short list names them itself
-      name += fmt::format("<span class=\"change\">{}</span>", html_escape(labels));
+    name += fields_names(row);
     rows.push_back(
         {{name, html_fixed(100 * row.share, 0), percent_range(row.interval),
           row.effects.size() == 1 ? html_fixed(100 * row.effects.front().anywhere, 0) + "\u00a0%"
@@ -140,7 +150,8 @@ std::string waterfall(const Ledger& ledger) {
     left -= row.share;
   }
   return html_table(
-      "Dashed: what an effect takes away when it is added to the model, averaged over "
+      "Of the gap G, the mean of squares. Dashed: what an effect takes away when it is added to "
+      "the model, averaged over "
       "the orders in which effects can be added. Solid: what is left.",
       {{"", "", false}, {"share", "%"}, {"90 %", ""}, {"probability", ""}, {"", "", false}}, rows);
 }
@@ -207,12 +218,13 @@ std::string shrink_html(const Diagnosis& d) {
   add("fitted", d.gap);
   if (d.held_out) add("held out: " + html_escape(d.held_out_how), *d.held_out);
   std::string html = html_table(
-      "G: RMS of the differences over their uncertainty; 1 = what measurement and the scatter of "
-      "admissible specimens leave. Shrink: 1 − after / before; held out is what counts.",
+      "Gap: RMS of the differences over their uncertainty, the root of G of the ledger; 1 = what "
+      "measurement and the scatter of admissible specimens leave. Shrink: 1 − after / before; "
+      "held out is what counts.",
       {{"readings", "", false},
        {"", "number"},
-       {"G before", ""},
-       {"G after", ""},
+       {"gap before", ""},
+       {"gap after", ""},
        {"shrink", "%"},
        {"90 %", ""}},
       rows);

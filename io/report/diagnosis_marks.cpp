@@ -1,6 +1,6 @@
 #include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
-#include "io/tables/text.hpp"
+#include "io/tables/effect_words.hpp"
 
 #include <fmt/format.h>
 
@@ -39,10 +39,7 @@ std::string bar_svg(const LevelBar& bar) {
 }
 
 std::string estimate_html(const EstimatedParameter& p) {
-  const auto [factor, unit] = handy_unit(p.value, p.unit);
-  return fmt::format("{} ({} to {}){}", html_number(factor * p.value, 3),
-                     html_number(factor * p.interval[0], 3), html_number(factor * p.interval[1], 3),
-                     unit.empty() ? "" : "\u00a0" + html_escape(unit));
+  return html_escape(estimate_words(p, html_number));
 }
 
 std::string percent_range(const std::array<double, 2>& share) {

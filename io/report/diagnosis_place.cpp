@@ -1,7 +1,7 @@
 #include "io/report/diagnosis_sections.hpp"
 #include "io/report/picture.hpp"
 #include "io/report/viewer.hpp"
-#include "io/tables/diagnosis_words.hpp"
+#include "io/tables/ledger_words.hpp"
 
 #include <limits>
 
@@ -33,7 +33,6 @@ std::string place_html(const Diagnosis& d) {
         drawn.sensors.push_back(
             {.name = std::to_string(i + 1), .node = middle_of(d.mesh, e.nodes)});
   }
-  if (drawn.sensors.empty()) return "";
   drawn.mesh = d.mesh;
   drawn.lines = d.lines;
   return part_viewer(drawn, part_picture(drawn, in_a_column));

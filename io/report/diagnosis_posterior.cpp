@@ -1,6 +1,6 @@
 #include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
-#include "io/tables/diagnosis_words.hpp"
+#include "io/tables/effect_words.hpp"
 #include "io/tables/text.hpp"
 
 #include <fmt/format.h>

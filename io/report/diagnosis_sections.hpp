@@ -10,7 +10,7 @@
 
 namespace plica {
 
-std::string place_html(const Diagnosis& d);      // the part, and where on it effects sit
+std::string place_html(const Diagnosis& d);      // the part; on it, what has a place there
 std::string blocks_html(const Diagnosis& d);     // heat maps, direction and band against level
 std::string components_html(const Diagnosis& d); // bars
 std::string trends_html(const Diagnosis& d);     // slopes over the level, drift of parameters
@@ -30,7 +30,7 @@ std::string likeness_html(const Diagnosis& d);
 std::string detectable_html(const Diagnosis& d);
 std::string next_html(const Diagnosis& d);
 
-// "0.42 (0.38 to 0.47) kN/m"
+// "0.42 (0.38 to 0.47) kN/m" (estimate_words)
 std::string estimate_html(const EstimatedParameter& parameter);
 
 // "71 to 84 %" of a share.

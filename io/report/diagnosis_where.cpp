@@ -1,7 +1,7 @@
 #include "diagnose/weigh/blocks.hpp"
 #include "io/report/diagnosis_sections.hpp"
 #include "io/report/markup.hpp"
-#include "io/tables/diagnosis_words.hpp"
+#include "io/tables/located_gaps.hpp"
 
 #include <fmt/format.h>
 

@@ -58,6 +58,21 @@ HtmlRow row_of(const TriedHypothesis& h, bool best) {
   return row;
 }
 
+// What the probabilities are of: sets have been weighed where one effect does not explain the test.
+const char* probabilities_of(const Diagnosis& d) {
+  const auto effects = std::count_if(d.ledger.rows.begin(), d.ledger.rows.end(),
+                                     [](const LedgerRow& row) { return !row.effects.empty(); });
+  const bool sets =
+      d.verdict == Verdict::several || (d.verdict == Verdict::ambiguous && effects > 1);
+  if (sets) return "Of each effect, over the sets that explain the test.";
+  if (d.verdict == Verdict::mostly)
+    return "Of each effect, averaged over all sets that were tried.";
+  if (d.verdict == Verdict::unknown)
+    return "Of each effect, averaged over all sets that were tried, and no more than the share of "
+           "the gap that the nearest closes.";
+  return "Of each effect and of none, were one of them all there is.";
+}
+
 // "÷ 28", "× 1.4"
 std::string factor_html(double factor) {
   return factor > 0 && factor < 1 ? "÷\u00a0" + html_number(1 / factor, 3)
@@ -75,15 +90,15 @@ std::string hypotheses_html(const Diagnosis& d) {
       "The best place of each effect, then sets of several. |z|: distance of a value from the "
       "centre of its "
       "prior; above 3 is absurd. ln BF over the nominal case; below it with priors half and twice "
-      "as wide. p: share of admissible specimens that fit no better; ✗ = not adequate. G: RMS of "
+      "as wide. p: share of admissible specimens that fit no better; ✗ = not adequate. Gap: RMS of "
       "the differences over their uncertainty. Grey: rejected.",
       {{"effect", "place", false},
        {"value", "90 %", false},
        {"|z|", ""},
        {"ln BF", ""},
        {"p", ""},
-       {"G, fitted", ""},
-       {"G, held out", ""},
+       {"gap, fitted", ""},
+       {"gap, held out", ""},
        {"rejected because, remarks", "", false}},
       rows);
 }
@@ -111,8 +126,7 @@ std::string probabilities_html(const Diagnosis& d) {
     rows.push_back(
         {{fmt::format("{} below 0.5 %", others), html_fixed(100 * rest, 1), ""}, "total"});
   return "<h3>Probabilities</h3>\n" +
-         html_table("Of each effect and of none, were one of them all there is.",
-                    {{"effect", "", false}, {"", "%"}, {"", "", false}}, rows);
+         html_table(probabilities_of(d), {{"effect", "", false}, {"", "%"}, {"", "", false}}, rows);
 }
 
 std::string compensators_html(const Diagnosis& d) {
@@ -124,15 +138,15 @@ std::string compensators_html(const Diagnosis& d) {
                     ""});
   if (rows.empty()) return "";
   return html_table(
-      fmt::format("Parameters that would close the gap and are not its cause. G is {} before{}.",
-                  html_number(d.gap.before, 3),
-                  d.held_out ? fmt::format(", {} held out", html_number(d.held_out->before, 3))
-                             : ""),
+      fmt::format(
+          "Parameters that would close the gap and are not its cause. It is {} before{} (RMS).",
+          html_number(d.gap.before, 3),
+          d.held_out ? fmt::format(", {} held out", html_number(d.held_out->before, 3)) : ""),
       {{"parameter", "", false},
        {"on its nominal value", ""},
        {"off its prior", "sigma"},
-       {"G, fitted", ""},
-       {"G, held out", ""},
+       {"gap, fitted", ""},
+       {"gap, held out", ""},
        {"contradicted by", "", false}},
       rows);
 }

@@ -13,6 +13,7 @@
 #include "io/report/tables.hpp"
 #include "io/report/time_histories.hpp"
 #include "io/report/viewer.hpp"
+#include "io/tables/farthest.hpp"
 #include "io/tables/text.hpp"
 
 #include <filesystem>
@@ -30,6 +31,7 @@ std::string head_html(const Results& results) {
                   html_escape(results.case_name +
                               (results.modelled_as.empty() ? "" : ", " + results.modelled_as)),
                   html_escape(results.plica_version));
+  html += farthest_html(results);
   if (!results.modes.empty()) {
     Verification verification = results.verification;
     verification.reason = html_escape(verification.reason);
@@ -41,12 +43,19 @@ std::string head_html(const Results& results) {
   return html;
 }
 
-// What is seen without scrolling: the verdict above, the part, its numbers and the warnings.
+// The mode that shows what is farthest from the test.
+std::optional<std::size_t> farthest_mode(const Results& results) {
+  const FarthestOff found = farthest_off(results);
+  return found.row ? mode_that_shows(results, *found.row) : std::nullopt;
+}
+
+// What is seen without scrolling: the verdicts above, the part in the mode that shows what is
+// farthest from the test, its numbers and the warnings.
 std::string first_screen_html(const Results& results) {
   std::string words = numbers_html(results);
   if (!results.warnings.empty())
     words += "<div class=\"warnings\"><b>Warnings</b>\n" + html_list(results.warnings) + "</div>\n";
-  const std::string picture = part_viewer(results, part_picture(results));
+  const std::string picture = part_viewer(results, part_picture(results), farthest_mode(results));
   if (picture.empty()) return words;
   return "<div class=\"answer first\">\n<div>" + picture + "</div>\n<div>" + words +
          "</div>\n</div>\n";

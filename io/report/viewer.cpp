@@ -5,6 +5,7 @@
 #include "io/report/drawn_shapes.hpp"
 #include "io/report/fields.hpp"
 #include "io/report/markup.hpp"
+#include "io/report/picture.hpp"
 #include "io/report/surface.hpp"
 #include "io/report/symbols.hpp"
 #include "io/report/tubes.hpp"
@@ -138,9 +139,12 @@ nlohmann::ordered_json symbols_json(const Results& results, double size) {
 
 } // namespace
 
-std::string part_viewer(const Results& results, const std::string& drawing) {
+std::string part_viewer(const Results& results, const std::string& drawing,
+                        std::optional<std::size_t> mode) {
   const Drawn d = drawn(results);
   if (d.surface.nodes.empty()) return drawing;
+  const bool plays = mode && *mode < modes_in(results);
+  const std::string still = mode ? mode_picture(results, *mode) : "";
   const std::vector<SurfaceShape> shapes = shapes_of(results, d);
   nlohmann::ordered_json data;
   data["modes"] = nlohmann::ordered_json::array();
@@ -158,8 +162,12 @@ std::string part_viewer(const Results& results, const std::string& drawing) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& x : d.surface.nodes) box.extend(x);
   data["symbols"] = symbols_json(results, box.diagonal().norm());
+  if (plays) data["first"] = *mode;
   data["glb"] = base64(glb_of(d.surface, shapes));
-  return "<figure class=\"viewer\">\n" + drawing + json_script(json_in_page(data)) + "</figure>\n";
+  std::string html = "<figure class=\"viewer\">\n" + drawing;
+  if (plays) html += "<div class=\"still\">\n" + still + "</div>\n";
+  html += json_script(json_in_page(data)) + "</figure>\n";
+  return plays ? html : html + still;
 }
 
 } // namespace plica

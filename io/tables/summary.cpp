@@ -33,18 +33,18 @@ std::string comparison_table(const Results& results) {
 
 // The largest deviation that is not what the case was given, in one line.
 std::string farthest_line(const Results& results) {
-  const auto [row, computed, within] = farthest_off(results);
+  const FarthestOff found = farthest_off(results);
+  const MeasuredComparison* row = found.row;
   if (!row) return "";
   const ShownUnit shown = shown_unit(row->measured, row->unit);
   const int decimals = decimals_of(*row, shown.factor);
-  const bool stated = row->sigma > 0;
-  return fmt::format("\nFarthest from the test: {}, {:.{}f} {} computed, {:.{}f} measured ({}); {} "
-                     "of {} computed numbers lie within 2 {}\n",
+  return fmt::format("\nFarthest from the test: {}, {:.{}f} {} computed, {:.{}f} measured "
+                     "({} %{}); {}\n",
                      row->quantity, row->computed * shown.factor, decimals, shown.unit,
                      row->measured * shown.factor, decimals,
-                     stated ? with_sign(sigma_deviation(*row), 1) + " sigma"
-                            : with_sign(100 * relative_deviation(*row), 1) + " %",
-                     within, computed, stated ? "sigma" : "%");
+                     with_sign(100 * relative_deviation(*row), 1),
+                     row->sigma > 0 ? ", " + with_sign(sigma_deviation(*row), 1) + " sigma" : "",
+                     within_words(found, "sigma"));
 }
 
 // What the variants make of the compared quantities.

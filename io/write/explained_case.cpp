@@ -1,6 +1,6 @@
 #include "io/write/explained_case.hpp"
 
-#include "io/tables/diagnosis_words.hpp"
+#include "io/tables/effect_words.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,8 @@
 #include "io/report/diagnosis.hpp"
 #include "io/tables/csv.hpp"
 #include "io/tables/diagnosis_words.hpp"
+#include "io/tables/effect_words.hpp"
+#include "io/tables/ledger_words.hpp"
 
 #include <fmt/format.h>
 
@@ -230,21 +232,35 @@ std::string hypotheses_csv(const Diagnosis& d) {
   return text;
 }
 
+std::string parameter_cells(const NamedEffect& e, const EstimatedParameter& p) {
+  const ShownEstimate shown = shown_estimate(p);
+  return fmt::format("{},{},{},{},{},{},{}", csv_cell(e.name), csv_cell(e.place), csv_cell(p.name),
+                     csv_number(shown.value), csv_number(shown.interval[0]),
+                     csv_number(shown.interval[1]), csv_cell(shown.unit));
+}
+
+// A line for each row, so that the shares add up, and the numbers of its effects beside it; what
+// does not fit beside it in lines below, without a share.
 std::string ledger_csv(const Diagnosis& d) {
-  std::string text = "what,effect,place,share of the gap,5 %,95 %,probability\n";
+  std::string text = "what,share of the gap,share 90 % from,share 90 % to,probability,effect,place,"
+                     "parameter,value,value 90 % from,value 90 % to,unit,share left in the "
+                     "reading\n";
   for (const LedgerRow& row : d.ledger.rows) {
-    std::string effects, places;
-    for (const NamedEffect& e : row.effects) {
-      effects += (effects.empty() ? "" : " or ") + e.name;
-      places += (places.empty() ? "" : " or ") + e.place;
-    }
-    text += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(row_words(row)), csv_cell(effects),
-                        csv_cell(places), csv_number(row.share), csv_number(row.interval[0]),
-                        csv_number(row.interval[1]),
+    text += fmt::format("{},{},{},{},{},", csv_cell(row_words(row)), csv_number(row.share),
+                        csv_number(row.interval[0]), csv_number(row.interval[1]),
                         row.effects.size() == 1 ? csv_number(row.effects[0].anywhere) : "");
+    std::vector<std::string> beside;
+    for (const NamedEffect& e : row.effects) {
+      for (const EstimatedParameter& p : e.parameters) beside.push_back(parameter_cells(e, p));
+      if (e.parameters.empty())
+        beside.push_back(csv_cell(e.name) + "," + csv_cell(e.place) + ",,,,,");
+    }
+    if (beside.empty()) beside.emplace_back(",,,,,,");
+    for (std::size_t i = 0; i < beside.size(); ++i)
+      text += (i == 0 ? "" : ",,,,,") + beside[i] + ",\n";
   }
   for (const auto& [reading, share] : d.ledger.left_in)
-    text += fmt::format("{},,,{},,,\n", csv_cell("left in " + reading), csv_number(share));
+    text += fmt::format("{},,,,,,,,,,,,{}\n", csv_cell("left in " + reading), csv_number(share));
   return text;
 }
 

@@ -1,5 +1,6 @@
-// What `plica diagnose` leaves behind: diagnosis.json, diagnosis_readings.csv,
-// diagnosis_hypotheses.csv, diagnosis_where.csv, diagnosis.html. SI units, Hz.
+// What `plica diagnose` leaves behind: diagnosis.json, diagnosis_ledger.csv,
+// diagnosis_readings.csv, diagnosis_hypotheses.csv, diagnosis_where.csv, diagnosis.html. SI units,
+// Hz; in the ledger the unit that stands beside a number.
 #pragma once
 
 #include "diagnose/results/diagnosis.hpp"

@@ -57,7 +57,21 @@ test('the part turns under the mouse and comes back', async () => {
   assert.equal((await shown()).sum, before.sum);
 });
 
+test('what is farthest from the test is said first, and the mode that shows it is drawn', async () => {
+  const first = page.locator('.verdict').first();
+  const words = await first.innerText();
+  assert.match(words, /^[!✓]\sFarthest from the test: axial stiffness, .* Drawn: mode \d+, axial 1\./s);
+  const mode = Number(/mode (\d+)/.exec(words)[1]);
+  assert.equal(await page.getByLabel('mode', { exact: true }).inputValue(), String(mode - 1));
+  for (const what of ['.viewer canvas', '.first table']) {
+    const box = await page.locator(what).first().boundingBox();
+    assert.ok(box.y + box.height < 900, `${what} ends at ${box.y + box.height}`);
+  }
+  await page.screenshot({ path: picture('first') });
+});
+
 test('a mode plays, pauses and shows its displacement', async () => {
+  await page.getByLabel('mode', { exact: true }).selectOption('-1');
   const rest = await shown();
   await page.getByLabel('mode', { exact: true }).selectOption('0');
   await framesLater(2);

@@ -321,6 +321,7 @@ function controls(viewer, data) {
     picture.addEventListener('click', pick);
     picture.addEventListener('keydown', (event) => { if (event.key === 'Enter') pick(); });
   });
+  if (data.first !== undefined) choose(data.first, false); // still: what is said above it
   const parts = data.modes.length > 0 ? [modes, play, element('label', {}, 'amplitude ', amplitude), home]
     : [home];
   return element('div', { className: 'controls' }, ...parts, ...(coloured?.parts ?? []));
