@@ -332,15 +332,29 @@ TEST(WriteResults, leaves_old_files_alone_when_one_cannot_be_written) {
 TEST(FarthestOff, is_no_number_that_the_case_was_given) {
   Results r;
   r.comparison = {
-      {.quantity = "mass", .unit = "kg", .measured = 1, .computed = 2},
-      {.quantity = "half-power damping of the peak", .unit = "%", .measured = 4, .computed = 1},
+      {.quantity = "mass", .unit = "kg", .measured = 1, .computed = 2, .kind = ComparedKind::mass},
+      {.quantity = "half-power damping of the peak",
+       .unit = "%",
+       .measured = 4,
+       .computed = 1,
+       .kind = ComparedKind::damping},
       {.quantity = "damping by energy of the first peak",
        .unit = "%",
        .measured = 4,
-       .computed = 1},
-      {.quantity = "amplitude of the first peak", .unit = "", .measured = 4, .computed = 16},
+       .computed = 1,
+       .kind = ComparedKind::damping},
+      {.quantity = "amplitude of the first peak",
+       .unit = "",
+       .measured = 4,
+       .computed = 16,
+       .kind = ComparedKind::amplitude},
       {.quantity = "axial mode 1 in y", .unit = "Hz", .measured = 100, .computed = 101},
-      {.quantity = "axial stiffness", .unit = "N/m", .measured = 100, .sigma = 1, .computed = 104}};
+      {.quantity = "axial stiffness",
+       .unit = "N/m",
+       .measured = 100,
+       .sigma = 1,
+       .computed = 104,
+       .kind = ComparedKind::stiffness}};
   const FarthestOff found = farthest_off(r);
   ASSERT_NE(found.row, nullptr);
   EXPECT_EQ(found.row->quantity, "axial stiffness");
@@ -361,7 +375,11 @@ TEST(FarthestOff, is_judged_by_one_measure) {
   Results r;
   r.comparison = {
       {.quantity = "axial mode 1", .unit = "Hz", .measured = 100, .sigma = 0.1, .computed = 101},
-      {.quantity = "axial stiffness", .unit = "N/m", .measured = 100, .computed = 130}};
+      {.quantity = "axial stiffness",
+       .unit = "N/m",
+       .measured = 100,
+       .computed = 130,
+       .kind = ComparedKind::stiffness}};
   EXPECT_EQ(farthest_off(r).row->quantity, "axial stiffness");
 }
 

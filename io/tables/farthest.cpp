@@ -9,11 +9,9 @@
 namespace plica {
 namespace {
 
+// Masses are drawn, and damping is assumed: heights of peaks follow from it.
 bool is_given(const MeasuredComparison& row) {
-  if (row.quantity == "mass") return true;
-  for (const char* given : {"half-power damping", "damping by energy", "amplitude"})
-    if (row.quantity.starts_with(given)) return true;
-  return false;
+  return row.kind != ComparedKind::frequency && row.kind != ComparedKind::stiffness;
 }
 
 double farness(const MeasuredComparison& row) {
@@ -57,7 +55,7 @@ std::optional<std::size_t> mode_that_shows(const Results& results, const Measure
   double nearest = 0;
   for (std::size_t m = 0; m < results.modes.size(); ++m) {
     const ModeResult& mode = results.modes[m];
-    if (row.unit != "Hz") {
+    if (row.kind == ComparedKind::stiffness) {
       if (moves_that_way(mode, row.quantity)) return m;
       continue;
     }
