@@ -84,10 +84,11 @@ inline void add_words(Results& r) {
   r.assumptions = {"Height 8 mm: the thesis gives the mean radius to 1 mm only.",
                    "Two plies of 0.25 mm, slipping; the thesis says so of A1 only."};
   r.warnings = {"sensor 'mid' sits 1.3 mm from its place <script>alert(1)</script>"};
-  r.comparison = {{"axial stiffness", "N/m", 54365, 900, 65872, "static[0]", ComparedKind::stiffness},
-                  {"axial mode 1", "Hz", 116, 1, 131.26},
-                  {"transverse mode 1", "Hz", 178, 1, 183.4},
-                  {"mass, weighed", "kg", 1.7096, 0.0005, 1.7093, "mass", ComparedKind::mass}};
+  r.comparison = {
+      {"axial stiffness", "N/m", 54365, 900, 65872, "static[0]", ComparedKind::stiffness},
+      {"axial mode 1", "Hz", 116, 1, 131.26},
+      {"transverse mode 1", "Hz", 178, 1, 183.4},
+      {"mass, weighed", "kg", 1.7096, 0.0005, 1.7093, "mass", ComparedKind::mass}};
   r.variants = {{"height 7 mm",
                  {{"parts.bellows.profile[1].height", "7 mm"}},
                  {{"k_axial", 94100}, {"f_axial", 158.2}, {"f_transverse", 214}, {"mass", 1.69}},
