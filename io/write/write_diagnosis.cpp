@@ -60,20 +60,35 @@ Json json_of(const LedgerRow& row) {
           {"interval", interval(row.interval)}};
 }
 
-} // namespace
-
-Json mimic_json(const Mimic& m) {
+Json json_of(const Mimic& m) {
   return {{"a", m.a}, {"b", m.b}, {"cosine", json_number(m.cosine)}};
 }
 
-Json detectable_json(const SmallestDetectable& s) {
+Json json_of(const SmallestDetectable& s) {
   return {{"name", s.name},
           {"place", s.place},
           {"way", s.way},
           {"parameter", s.parameter},
           {"unit", s.unit},
+          {"value", json_number(s.at)},
           {"smallest", json_number(s.value)},
           {"noncentrality", json_number(s.noncentrality)}};
+}
+
+} // namespace
+
+Json identifiability_json(const Diagnosis& d) {
+  Json likeness = Json::array();
+  for (Index i = 0; i < d.likeness.rows(); ++i) {
+    Json row = Json::array();
+    for (Index j = 0; j < d.likeness.cols(); ++j) row.push_back(json_number(d.likeness(i, j)));
+    likeness.push_back(std::move(row));
+  }
+  return {{"effects", d.effect_names},
+          {"likeness", likeness},
+          {"mimics", list_of(d.mimics, [](const Mimic& m) { return json_of(m); })},
+          {"detectable",
+           list_of(d.detectable, [](const SmallestDetectable& s) { return json_of(s); })}};
 }
 
 Json ledger_json(const Ledger& ledger) {
@@ -178,24 +193,6 @@ Json json_of(const ProposedMeasurement& m) {
           {"separation", json_number(m.separation)},
           {"separates", m.separates},
           {"resolves", m.resolves}};
-}
-
-Json identifiability_json(const Diagnosis& d) {
-  Json likeness = Json::array();
-  for (Index i = 0; i < d.likeness.rows(); ++i) {
-    Json row = Json::array();
-    for (Index j = 0; j < d.likeness.cols(); ++j) row.push_back(json_number(d.likeness(i, j)));
-    likeness.push_back(std::move(row));
-  }
-  const auto detectable = [](const SmallestDetectable& s) {
-    Json json = detectable_json(s);
-    json["value"] = json_number(s.at);
-    return json;
-  };
-  return {{"effects", d.effect_names},
-          {"likeness", likeness},
-          {"mimics", list_of(d.mimics, mimic_json)},
-          {"detectable", list_of(d.detectable, detectable)}};
 }
 
 std::string readings_csv(const Diagnosis& d) {

@@ -13,8 +13,8 @@ std::vector<std::string> diagnosis_files();
 void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
                      OutputFolder& out);
 
-Json mimic_json(const Mimic& m);
-Json detectable_json(const SmallestDetectable& s); // noncentrality and smallest size of a plan
+// Effects, how alike they are, mimics, and the smallest that would be found.
+Json identifiability_json(const Diagnosis& d);
 Json ledger_json(const Ledger& ledger);
 std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version);
 

@@ -24,18 +24,8 @@ Diagnosis as_diagnosis(const Pretest& p) {
 }
 
 std::string pretest_json(const Pretest& p, const std::string& plica_version) {
-  Json json{{"case", p.case_name},
-            {"plica_version", plica_version},
-            {"plan", p.plan},
-            {"effects", p.effects}};
-  json["likeness"] = Json::array();
-  for (Eigen::Index i = 0; i < p.likeness.rows(); ++i)
-    json["likeness"].push_back(
-        std::vector<double>(p.likeness.row(i).begin(), p.likeness.row(i).end()));
-  json["mimics"] = Json::array();
-  for (const Mimic& m : p.mimics) json["mimics"].push_back(mimic_json(m));
-  json["detectable"] = Json::array();
-  for (const SmallestDetectable& s : p.detectable) json["detectable"].push_back(detectable_json(s));
+  Json json{{"case", p.case_name}, {"plica_version", plica_version}, {"plan", p.plan}};
+  json.update(identifiability_json(as_diagnosis(p)));
   json["additions"] = Json::array();
   for (const PlannedAddition& m : p.additions)
     json["additions"].push_back({{"what", m.what}, {"cost", m.cost}, {"gain", m.gain}});
