@@ -99,6 +99,23 @@ TEST(Judge, names_no_set_of_which_too_many_are_as_good) {
   EXPECT_EQ(j.named[0]->fit.effects(), std::vector<std::string>{"damping"});
 }
 
+// What was solved for what they share, which was refused, is not of these sets: a diagnosis that
+// took it for theirs ended in a crash.
+TEST(Judge, lists_sets_without_what_was_asked_of_what_they_share) {
+  Fits flat;
+  flat.add_gap("damping", 1.3);
+  for (const char* other : {"local_damage", "forming_thinning", "ply_slip", "temperature"})
+    Fits::leave(flat.add_pair("damping", other, 0), 0.3);
+  const Referee strict{.to_most = [](const JudgedFit& lead) -> Objection {
+    return {.why = "it closes 40 % of the gap", .in_turn = GapShrink{}, .sampled = lead.fit};
+  }};
+  const Judgement j = flat.judgement_of_gaps(5, strict);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_EQ(j.named.size(), 3u);
+  EXPECT_FALSE(j.sampled);
+  EXPECT_FALSE(j.in_turn);
+}
+
 // Ten pairs explain the test, and nothing that they share leads: none is named, and none is
 // unknown.
 TEST(Judge, lists_sets_where_too_many_explain_the_test) {

@@ -289,6 +289,12 @@ void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& st
   claim_no_more_than_is_closed(nominal, &lead, result);
 }
 
+// Of a fit that does not lead any more.
+void forget_what_was_asked(Judgement& result) {
+  result.sampled.reset();
+  result.in_turn.reset();
+}
+
 // Effects that are far ahead and explain most, or nothing. Where members close too little, what is
 // left of the set is asked about in its place.
 void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objecting& objecting,
@@ -313,10 +319,7 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
     }
     const JudgedFit* rest =
         objection.small.empty() ? nullptr : inclusion.without(*lead, objection.small);
-    if (rest) {
-      result.sampled.reset();
-      result.in_turn.reset();
-    }
+    if (rest) forget_what_was_asked(result);
     lead = rest;
   }
 }
@@ -374,6 +377,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     result.verdict = Verdict::ambiguous;
     result.named = different;
     result.named.resize(threshold::most_listed);
+    forget_what_was_asked(result);
     result.withheld = fmt::format("{} sets of effects explain the test alike", different.size());
   }
   if (result.verdict == Verdict::unknown)
