@@ -62,12 +62,29 @@ public:
     add_reach(told.best);
     result_.baseline = problem_.baseline;
     result_.hypotheses = int(problem_.hypotheses.size());
-    result_.headline = headline(nominal, judgement);
+    result_.headline = headline_as_told();
     keep_picture();
     return std::move(result_);
   }
 
 private:
+  // With places along a part as they stand beside the effects: of the same draws.
+  std::string headline_as_told() const {
+    Judgement judgement = found_.judgement;
+    const std::vector<HypothesisFit>& fits = found_.told.fits;
+    std::vector<JudgedFit> told;
+    told.reserve(fits.size());
+    const auto tell = [&](const JudgedFit*& judged) {
+      told.push_back(*judged);
+      told.back().fit = fits[told.size() - 1];
+      judged = &told.back();
+    };
+    for (const JudgedFit*& judged : judgement.named)
+      if (told.size() < fits.size()) tell(judged);
+    if (judgement.named.empty() && judgement.nearest && !fits.empty()) tell(judgement.nearest);
+    return headline(found_.nominal, judgement);
+  }
+
   void keep_picture() {
     const Model& model = problem_.nominal.structure(problem_.test.data).built.model;
     result_.mesh = model.mesh;

@@ -7,6 +7,7 @@
 #include "diagnose/weigh/likely_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plica {
 
@@ -42,6 +43,18 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
   return members;
 }
 
+namespace {
+
+// An interval of places along a part ends at whole millimetres, outwards: no part is drawn or
+// measured closer.
+void end_at_millimetres(std::array<double, 2>& ends, const Prior& path) {
+  constexpr double step = 1e-3; // m
+  ends[0] = std::max(path.centre, step * std::floor(ends[0] / step));
+  ends[1] = std::min(path.width, step * std::ceil(ends[1] / step));
+}
+
+} // namespace
+
 NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, double probability,
                                 const std::vector<JudgedFit>& fits) const {
   const Hypothesis& h = *fit.together[member];
@@ -60,7 +73,8 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
   const VectorXd likely = likely_values(fit, member);
   for (std::size_t i = 0; i < h.parameters.size(); ++i) {
     const Index row = first + Index(i);
-    const Interval between = interval_of(ways, row, h.parameters[i].prior);
+    Interval between = interval_of(ways, row, h.parameters[i].prior);
+    if (h.along == i) end_at_millimetres(between.ends, h.parameters[i].prior);
     const double value = likely[Index(i)];
     const bool within = value >= between.ends[0] && value <= between.ends[1];
     e.parameters.push_back({.name = h.parameters[i].name,
