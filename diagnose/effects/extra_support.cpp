@@ -27,15 +27,11 @@ bool sees_two_directions(const Measured& m) {
 // A support all round a crown holds its turning too; one that touches softly does not.
 std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  // From a touch, thousandths of the part's own stiffness, to a pin: beyond a hundred times that
-  // the readings do not feel how stiff. Every power of ten alike, half of them pins.
-  const double own = s.stiffness;
-  const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
   const auto add = [&](const Spot& spot, const char* way, ModelChange unit) {
     found.push_back({.effect = "extra_support",
                      .place = spot.place,
                      .way = way,
-                     .parameters = {{"k", "N/m", any}},
+                     .parameters = {{"k", "N/m", {PriorKind::log_normal, 0.3 * s.stiffness, 1.2}}},
                      .changes = {std::move(unit)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
@@ -50,6 +46,10 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
       add(spot, "on the mean motion",
           {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 0, 1)}});
   }
+  // From a touch, thousandths of the beam's own stiffness, to a pin: beyond a hundred times that
+  // the readings do not feel how stiff. Every power of ten alike, half of them pins.
+  const double own = s.stiffness;
+  const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
   for (const BeamPath& path : beam_paths(s)) {
     const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {
       found.push_back(anywhere_along(path, {"k", "N/m", any}, support_along(s, path, axes)));
