@@ -389,7 +389,12 @@ TEST(FarthestOff, has_a_mode_that_shows_it) {
   r.modes = {mode_of(90, "transverse", "x", 1, -1), mode_of(91, "transverse", "z", 1, -1),
              mode_of(130, "axial", "", 1, -1), mode_of(300, "torsion", "", 1, -1)};
   const auto shown = [&](const char* quantity, const char* unit, double computed) {
-    return mode_that_shows(r, {.quantity = quantity, .unit = unit, .computed = computed});
+    const bool is_frequency = std::string(unit) == "Hz";
+    return mode_that_shows(
+        r, {.quantity = quantity,
+            .unit = unit,
+            .computed = computed,
+            .kind = is_frequency ? ComparedKind::frequency : ComparedKind::stiffness});
   };
   EXPECT_EQ(shown("axial mode 1", "Hz", 130), 2U);
   EXPECT_EQ(shown("frequency of the peak, base x", "Hz", 91.2), 1U);
