@@ -141,7 +141,8 @@ std::string diagnosis_text(const Diagnosis& d) {
   text += fmt::format("\n{} hypotheses, {} evaluations\n", d.hypotheses, d.evaluations);
   std::string without;
   for (const EffectNotTried& e : d.not_tried) without += (without.empty() ? "" : ", ") + e.name;
-  if (!without.empty()) text += "not tried, as the case or the test has not what they need: " + without + "\n";
+  if (!without.empty())
+    text += "not tried, as the case or the test has not what they need: " + without + "\n";
   for (const std::string& w : d.warnings) text += "warning: " + w + "\n";
   return text;
 }
