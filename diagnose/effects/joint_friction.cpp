@@ -14,6 +14,8 @@ namespace {
 // does to frequency, damping and height.
 constexpr double law_error = 0.1;
 
+constexpr double other_level = 1.1; // nearer ones are one, held as well as a controller does
+
 // Whether anything was looked at in two motions of unlike size: an excitation at two levels, a rig
 // at two amplitudes (0 is a small one). In one motion a softer joint says the same as one that
 // slips; and in a baseline nothing slips that is looked for.
@@ -37,7 +39,9 @@ bool has_levels(const Measured& m) {
     for (const MeasuredStiffness& n : table.numbers)
       add(table.state, fmt::format("rig {} {}", fmt::join(table.ends, " "), n.direction),
           n.amplitude);
-  return std::any_of(of.begin(), of.end(), [](const auto& one) { return one.second.size() > 1; });
+  return std::any_of(of.begin(), of.end(), [](const auto& one) {
+    return *one.second.rbegin() > other_level * *one.second.begin();
+  });
 }
 
 // What a joint loses for the stiffness it gives up depends on how it unloads: Masing's rule is in
