@@ -71,18 +71,18 @@ MatrixXd LifeCount::plane_of(const StressField& field) const {
 
 DutyMap LifeCount::new_duty(const std::string& kind, const std::string& name,
                             const std::string& what, double count, const std::string& unit) const {
-  const auto sites = Index(2 * points_.points.size()), directions = directions_.rows();
+  const auto sites = Index(2 * points_.points.size()), columns = directions_.rows();
   DutyMap duty;
   duty.head.kind = kind;
   duty.head.name = name;
   duty.head.what = what;
   duty.head.count = count;
   duty.head.unit = unit;
-  duty.damage.setZero(sites, directions);
-  duty.certain.setZero(sites, directions);
-  duty.range.setZero(sites, directions);
-  duty.mean.setZero(sites, directions);
-  duty.bounds.setZero(sites, directions);
+  duty.damage.setZero(sites, columns);
+  duty.certain.setZero(sites, columns);
+  duty.range.setZero(sites, columns);
+  duty.mean.setZero(sites, columns);
+  duty.bounds.setZero(sites, columns);
   return duty;
 }
 
@@ -156,8 +156,8 @@ struct Worst {
 };
 
 std::vector<Worst> worst_directions(const std::vector<DutyMap>& duties, Index sites,
-                                    Index directions) {
-  MatrixXd damage = MatrixXd::Zero(sites, directions), certain = damage, range = damage;
+                                    Index columns) {
+  MatrixXd damage = MatrixXd::Zero(sites, columns), certain = damage, range = damage;
   std::vector<char> counted(std::size_t(sites), 0);
   for (const DutyMap& duty : duties) {
     damage += duty.damage.cast<double>();
@@ -167,7 +167,7 @@ std::vector<Worst> worst_directions(const std::vector<DutyMap>& duties, Index si
   }
   std::vector<Worst> worst(static_cast<std::size_t>(sites));
   for (Index site = 0; site < sites; ++site)
-    for (Index d = 0; d < directions; ++d) {
+    for (Index d = 0; d < columns; ++d) {
       const Worst here{site,
                        d,
                        certain(site, d),
