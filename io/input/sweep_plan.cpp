@@ -8,6 +8,7 @@
 #include "words/units.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <array>
 #include <cmath>
 #include <limits>
