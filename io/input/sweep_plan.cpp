@@ -8,8 +8,8 @@
 #include "words/units.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
