@@ -145,9 +145,10 @@ TEST(DeckLumped, tapered_bars_keep_their_mass) {
   EXPECT_NEAR(placed.masses[1].body.mass, light + heavy, 1e-12);
 }
 
-std::string strip(const std::string& element, const std::string& property, const std::string& rho) {
+std::string strip(const std::string& element, const std::string& property,
+                  const std::string& density) {
   const Mesh mesh = deck_plate();
-  std::string text = property + "MAT1,1,2.+11,,.3," + rho + "\n";
+  std::string text = property + "MAT1,1,2.+11,,.3," + density + "\n";
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     text += fmt::format("GRID,{},,{:.6f},{:.6f},0.\n", i + 1, mesh.nodes[i].x(), mesh.nodes[i].y());
   for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
