@@ -12,7 +12,7 @@ const JudgedFit* first_of(const JudgedFit& nominal, const Judgement& judgement) 
 
 std::vector<HypothesisFit> fits_of(const FitContext& context, const Judgement& judgement,
                                    int particles) {
-  if (judgement.sampled && judgement.named.size() < 2) return {*judgement.sampled};
+  if (judgement.sampled) return {*judgement.sampled};
   std::vector<const JudgedFit*> chosen = judgement.named;
   if (chosen.empty() && judgement.nearest) chosen.push_back(judgement.nearest);
   std::vector<HypothesisFit> fits;
