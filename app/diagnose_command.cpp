@@ -220,6 +220,9 @@ int diagnose_case(const DiagnoseOptions& options) {
     if (options.supposed.empty()) progress.share(share);
     progress.stage(stage);
   };
+  settings.advance = [&](double share) {
+    if (options.supposed.empty()) progress.advance(share);
+  };
   settings.search = let_searches_end;
   settings.stop = search_is_ended;
   if (!options.supposed.empty()) return suppose_case(options, a, settings, progress);

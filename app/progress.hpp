@@ -17,14 +17,20 @@ public:
 
   void stage(const std::string& name); // throws Interrupted after a Ctrl-C
   void share(double done);             // of all the work, 0..1, where it can be said
+  // The same while a stage goes on, shown where a line changes or a program listens, some times a
+  // second; from one thread at a time.
+  void advance(double done);
   void title(const std::string& name); // of what the next stages belong to
   void finish();                       // clears the changing line
 
 private:
+  using Clock = std::chrono::steady_clock;
+  void show();
+
   bool quiet_, terminal_;
-  std::string title_;
+  std::string title_, stage_;
   double share_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Clock::time_point start_ = Clock::now(), shown_ = start_;
 };
 
 } // namespace plica

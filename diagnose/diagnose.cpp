@@ -3,11 +3,13 @@
 #include "diagnose/account/account.hpp"
 #include "diagnose/account/next_measurement.hpp"
 #include "diagnose/account/shrink.hpp"
+#include "diagnose/account/told_apart.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/objections.hpp"
+#include "diagnose/results/stage_share.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "solve/parallel.hpp"
 #include "solve/stopwatch.hpp"
@@ -34,15 +36,18 @@ public:
   Diagnosis diagnosis() {
     const FitContext context = problem_.context();
     const BlockScores scores(problem_.readings, problem_.uncertainty);
-    settings_.stage(fmt::format("signatures of {} hypotheses", problem_.hypotheses.size()), 0.26);
-    std::vector<Signature> all = signatures(context, problem_.hypotheses);
+    settings_.stage(fmt::format("signatures of {} hypotheses", problem_.hypotheses.size()),
+                    share::signatures);
+    StageShare behind(settings_, share::signatures, share::fits, problem_.hypotheses.size());
+    std::vector<Signature> all =
+        signatures(context, problem_.hypotheses, [&] { behind.one_is_done(); });
     find_smallest(context, all);
     Standards standards = standards_of(context, *problem_.held_out, scores);
     standards.gate = !settings_.without.contains("adequacy");
     standards.evidence = evidence_threshold(context, all);
 
     settings_.search();
-    settings_.stage("fits", 0.53);
+    settings_.stage("fits", share::fits);
     const HypothesisFit plain = nominal_fit(context);
     const JudgedFit nominal = judged(plain, plain, context, *problem_.held_out, scores, standards);
     std::vector<JudgedFit> fits = fit_all(context, all, plain, scores, standards);
@@ -78,7 +83,7 @@ private:
       if (beside.empty() && !judgement.named.empty())
         beside = fit_beside(search, *judgement.named.front());
     }
-    settings_.stage("ledger", 0.90);
+    settings_.stage("ledger", share::ledger);
     const Told told =
         told_of(problem_, search.nominal, search.ranked, judgement, settings_.particles);
     const Findings found{.context = context,
@@ -95,7 +100,11 @@ private:
                          .signatures = search.all,
                          .compensators = tempting};
     Diagnosis result = account_of(problem_, found, settings_);
-    if (settings_.plan_next && !settings_.stop()) result.next = next_after(found);
+    if (settings_.plan_next && !settings_.stop()) {
+      settings_.stage("next measurement", share::next_measurement);
+      result.next = next_after(found);
+      say_what_tells_apart(problem_, told.fits, result.ledger);
+    }
     if (judgement.stopped)
       result.warnings.insert(result.warnings.begin(),
                              "stopped before all effects were tried: this is what came nearest");
@@ -126,7 +135,6 @@ private:
   // What would tell apart what the test leaves open: the nominal case, sets of effects, their
   // numbers.
   std::vector<ProposedMeasurement> next_after(const Findings& found) const {
-    settings_.stage("next measurement", 0.98);
     constexpr std::size_t most = 5;
     constexpr double never_ruled_out = 0.02, ruled_out = 1e-3;
     std::vector<RivalSet> rivals;
@@ -218,11 +226,13 @@ private:
                                  const HypothesisFit& plain, const BlockScores& scores,
                                  const Standards& standards) {
     std::vector<JudgedFit> fits(all.size());
+    StageShare behind(settings_, share::fits, share::chains, all.size());
     in_parallel(int(all.size()), [&](int i) {
       const Signature& s = all[std::size_t(i)];
-      if (s.g.norm() < silent || settings_.stop()) return;
-      fits[std::size_t(i)] = judged(fit_of(context, {s.hypothesis}), plain, context,
-                                    *problem_.held_out, scores, standards);
+      if (s.g.norm() >= silent && !settings_.stop())
+        fits[std::size_t(i)] = judged(fit_of(context, {s.hypothesis}), plain, context,
+                                      *problem_.held_out, scores, standards);
+      behind.one_is_done();
     });
     std::erase_if(fits, [](const JudgedFit& j) { return !j.fit.solved; });
     return fits;
@@ -234,7 +244,7 @@ private:
                std::vector<JudgedFit>& fits, const HypothesisFit& plain, const BlockScores& scores,
                const Standards& standards) {
     if (settings_.stop()) return;
-    settings_.stage("Markov chains", 0.56);
+    settings_.stage("Markov chains", share::chains);
     std::vector<JudgedFit*> chosen;
     for (const EffectFits& f : ranked)
       if (f.log_evidence > plain.log_evidence - 1)

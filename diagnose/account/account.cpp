@@ -9,6 +9,7 @@
 #include "diagnose/account/tried.hpp"
 #include "diagnose/judge/headline.hpp"
 #include "diagnose/judge/thresholds.hpp"
+#include "diagnose/results/stage_share.hpp"
 #include "lab/measured/measured_words.hpp"
 
 #include <algorithm>
@@ -34,11 +35,12 @@ public:
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
+    add_inclusion(judgement);
     std::vector<std::vector<NamedEffect>> members;
     for (const HypothesisFit& fit : told.fits) members.push_back(names_.members_of(fit));
     keep_ledger(members);
     add_effects(members);
-    settings_.stage("report", 0.94);
+    settings_.stage("report", share::report);
     result_.where = located(found_.scores, nominal.fit.deviation);
     for (LocatedGap& gap : residual_energy(problem_.nominal, problem_.readings, problem_.test.data))
       result_.where.push_back(std::move(gap));
@@ -68,6 +70,16 @@ public:
   }
 
 private:
+  void add_inclusion(const Judgement& judgement) {
+    for (const auto& [effect, probability] : judgement.probabilities) {
+      const auto places = judgement.places.find(effect);
+      if (places == judgement.places.end()) continue; // "none"
+      result_.inclusion.push_back(
+          {.effect = effect, .probability = probability, .places = places->second});
+      for (auto& [place, share] : result_.inclusion.back().places) share *= probability;
+    }
+  }
+
   // With places along a part as they stand beside the effects: of the same draws.
   std::string headline_as_told() const {
     Judgement judgement = found_.judgement;

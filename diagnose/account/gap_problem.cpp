@@ -4,6 +4,7 @@
 #include "diagnose/effects/growth.hpp"
 #include "diagnose/predict/passed_over.hpp"
 #include "diagnose/readings/shape_readings.hpp"
+#include "diagnose/results/stage_share.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/states.hpp"
@@ -147,7 +148,7 @@ std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
   p.readings = answered(p.nominal, std::move(p.readings));
   for (std::string& words : words_of_passed_over(p.nominal, p.readings))
     p.readings.warnings.push_back(std::move(words));
-  settings.stage("admissible specimens", 0.08);
+  settings.stage("admissible specimens", share::specimens);
   state_errors(p, settings.without);
   p.log_measured.resize(Index(p.readings.readings.size()));
   for (Index i = 0; i < p.log_measured.size(); ++i)

@@ -25,10 +25,8 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
   for (std::size_t h = 0; h < fit.together.size(); ++h) {
     const Hypothesis& own = *fit.together[h];
     const double effect = judgement.probability_of(own.effect);
-    const bool place_is_weighed = !judgement.names_sets();
-    members.push_back(named(
-        fit, h, place_is_weighed ? effect * judgement.share_of(own.effect, own.place) : effect,
-        found_.fits));
+    members.push_back(
+        named(fit, h, effect * judgement.share_of(own.effect, own.place), found_.fits));
     NamedEffect& e = members.back();
     e.anywhere = effect;
     if (judgement.names_sets())

@@ -14,7 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double well_apart = 9;
 constexpr double open = 0.03;      // probability from which a rival is to be told apart
 constexpr double worth_it = 0.005; // change of the ledger
 
@@ -22,25 +21,6 @@ std::string short_name(const RivalSet& r) {
   std::string name = r.together.empty() ? "nothing" : "";
   for (const Hypothesis* h : r.together) name += (name.empty() ? "" : " and ") + h->effect;
   return name;
-}
-
-// What is offered, in one list of readings.
-struct OfferedReadings {
-  std::vector<Offer> offers;
-  TestReadings readings;
-  std::vector<Index> first{0}; // reading of each offer, and the end
-};
-
-OfferedReadings menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
-                        const TestReadings& test, const std::shared_ptr<StateModels>& models) {
-  OfferedReadings m{.offers = menu(data, measured, test, nominal.states.front().further_places()),
-                    .readings = {}};
-  for (Offer& offer : m.offers) {
-    drop_unanswered(nominal, offer.readings, models);
-    append_readings(m.readings, offer.readings);
-    m.first.push_back(Index(m.readings.readings.size()));
-  }
-  return m;
 }
 
 // Draws of all rivals together: rows are shares, of each effect at its place, and last what is
@@ -160,14 +140,7 @@ public:
 private:
   // How far apart two rivals put what is offered, in squared standard deviations.
   double apart(std::size_t offer, std::size_t i, std::size_t j) const {
-    double T = 0;
-    if (!y_[i] || !y_[j]) return T;
-    for (Index k = menu_.first[offer]; k < menu_.first[offer + 1]; ++k) {
-      const double d = (*y_[i])[k] - (*y_[j])[k];
-      if (std::isfinite(d))
-        T += std::pow(d / usual_sigma(menu_.readings.readings[std::size_t(k)].kind), 2);
-    }
-    return T;
+    return y_[i] && y_[j] ? menu_.apart(offer, *y_[i], *y_[j]) : 0;
   }
 
   const OfferedReadings& menu_;
@@ -183,7 +156,7 @@ std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nomin
                                                    const TestReadings& test,
                                                    const std::vector<RivalSet>& rivals,
                                                    const std::shared_ptr<StateModels>& models) {
-  const OfferedReadings menu = menu_of(data, nominal, measured, test, models);
+  const OfferedReadings menu = offered_beside(data, nominal, measured, test, models);
   if (menu.readings.readings.empty()) return {};
   const Draws draws(nominal, menu, rivals, models);
   const Separation separation(nominal, menu, rivals, models);

@@ -93,7 +93,8 @@ void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all) 
 
 } // namespace
 
-std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all) {
+std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all,
+                                  const std::function<void()>& one_is_done) {
   reduce_each(context, all);
   std::vector<Signature> found(all.size());
   in_parallel(int(all.size()), [&](int i) {
@@ -111,6 +112,7 @@ std::vector<Signature> signatures(const FitContext& context, const std::vector<H
     }
     const std::size_t own = s.hypothesis->size;
     s.at = value_of(s.hypothesis->parameters[own].prior, s.z[Index(own)]);
+    one_is_done();
   });
   return found;
 }

@@ -10,6 +10,8 @@
 #include "diagnose/results/diagnosis.hpp"
 #include "diagnose/weigh/evidence.hpp"
 
+#include <functional>
+
 namespace plica {
 
 inline constexpr double silent = 0.3; // |g| below which no data speak of an effect
@@ -22,7 +24,10 @@ struct Signature {
   double at = 0;                  // value of the parameter of its size there
   std::optional<double> smallest; // the one that is found with 95 % power
 };
-std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all);
+// `one_is_done` is called after each, from several threads.
+std::vector<Signature> signatures(
+    const FitContext& context, const std::vector<Hypothesis>& all,
+    const std::function<void()>& one_is_done = [] {});
 // Fills `smallest` of the hypothesis of each effect that shows most.
 void find_smallest(const FitContext& context, std::vector<Signature>& all);
 

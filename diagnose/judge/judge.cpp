@@ -1,11 +1,11 @@
 #include "diagnose/judge/judge.hpp"
 
+#include "diagnose/judge/probabilities.hpp"
 #include "diagnose/judge/thresholds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
-#include <map>
 #include <set>
 
 namespace plica {
@@ -112,24 +112,6 @@ std::vector<const JudgedFit*> choices_alike(const std::vector<const JudgedFit*>&
   return first;
 }
 
-// Of the effects, over sets that explain as well.
-std::vector<std::pair<std::string, double>> shares_of(const std::vector<const JudgedFit*>& sets) {
-  std::map<std::string, double> shares;
-  double all = 0, highest = -1e300;
-  for (const JudgedFit* set : sets) highest = std::max(highest, evidence_of(set->fit));
-  for (const JudgedFit* set : sets) {
-    const double weight = std::exp(evidence_of(set->fit) - highest);
-    all += weight;
-    for (const std::string& effect : set->fit.effects())
-      shares[effect] +=
-          weight / double(std::count_if(set->fit.together.begin(), set->fit.together.end(),
-                                        [&](const Hypothesis* h) { return h->effect == effect; }));
-  }
-  std::vector<std::pair<std::string, double>> list;
-  for (const auto& [effect, share] : shares) list.emplace_back(effect, share / all);
-  return list;
-}
-
 } // namespace
 
 double Judgement::probability_of(const std::string& effect) const {
@@ -147,33 +129,6 @@ double Judgement::share_of(const std::string& effect, const std::string& place) 
 }
 
 namespace {
-
-// Probabilities of single effects among what is credible.
-void weigh_singles(const JudgedFit& nominal, const std::vector<EffectFits>& effects,
-                   Judgement& result) {
-  const double none = nominal.fit.log_evidence;
-  double highest = none, sum = 0;
-  for (const EffectFits& f : effects) highest = std::max(highest, f.log_evidence);
-  const auto weigh = [&](const std::string& name, double log_evidence, bool counts) {
-    if (!counts) return;
-    result.probabilities.emplace_back(name, std::exp(log_evidence - highest));
-    sum += result.probabilities.back().second;
-  };
-  weigh("none", none, nominal.adequate);
-  for (const EffectFits& f : effects) weigh(f.effect, f.log_evidence, f.best->stands());
-  for (auto& [name, p] : result.probabilities) p /= std::max(sum, 1e-300);
-  std::stable_sort(result.probabilities.begin(), result.probabilities.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-}
-
-// Nats by which effects are not told apart yet may come from errors of the model, so that none of a
-// list is sure: as far ahead of the next as would tell them apart is 0.9 of two.
-void weigh_with_doubt(double apart, Judgement& result) {
-  const double trust = std::log(threshold::far_ahead / (1 - threshold::far_ahead)) / apart;
-  double sum = 0;
-  for (auto& [name, p] : result.probabilities) sum += p = std::pow(p, trust);
-  for (auto& [name, p] : result.probabilities) p /= sum;
-}
 
 // What explains the test as well as what leads: an effect that closes none of the gap, which is not
 // named, or several effects without it at its place. What leads is not sure then.
@@ -238,28 +193,6 @@ void name_singles(const std::vector<const EffectFits*>& credible,
     weigh_with_doubt(standards.apart, result);
 }
 
-// Probabilities over all sets, and of an effect over its places.
-void take_over(const Inclusion& inclusion, Judgement& result) {
-  result.probabilities = inclusion.effects();
-  for (const auto& [effect, probability] : result.probabilities) {
-    if (effect == "none") continue;
-    auto& places = result.places[effect] = inclusion.places(effect);
-    for (auto& [place, share] : places) share /= std::max(probability, 1e-300);
-  }
-}
-
-// Where nothing explains the test, being ahead of all others that are known does not make an effect
-// the cause: of what it leaves, something that is not known is. What failed a test of its own has
-// even odds at most.
-void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest,
-                                  Judgement& result) {
-  const double left = nearest ? nearest->gap_after / nominal.gap_after : 1;
-  const double closed = std::clamp(1 - left * left, 0., 1.);
-  for (auto& [effect, probability] : result.probabilities)
-    if (effect != "none")
-      probability *= result.withheld.empty() ? closed : threshold::even_odds * closed;
-}
-
 // Why effects that are far ahead are not said to explain most, before anybody is asked.
 std::string short_of_most(const JudgedFit& nominal, const JudgedFit& lead) {
   if (lead.absurd) return "only with a value far out of its prior";
@@ -278,7 +211,7 @@ void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& st
   const JudgedFit& lead = *standing.front();
   result.named = standing;
   result.verdict = lead.leaves_cause_open() ? Verdict::mostly : Verdict::several;
-  result.probabilities = shares_of(standing);
+  weigh_standing(standing, result);
   if (lead.at_the_edge)
     result.withheld = edge_words;
   else if (objecting)
@@ -331,7 +264,7 @@ Judgement nearest_so_far(const JudgedFit& nominal, const Inclusion& inclusion) {
   result.verdict = Verdict::unknown;
   result.nearest = inclusion.leading();
   result.stopped = true;
-  take_over(inclusion, result);
+  weigh_all(inclusion, result);
   result.withheld = "the search was stopped";
   claim_no_more_than_is_closed(nominal, result.nearest, result);
   return result;
@@ -341,7 +274,6 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
                 const std::vector<JudgedFit>& sets, const Inclusion& inclusion,
                 const Standards& standards, const Referee& referee) {
   Judgement result;
-  for (const EffectFits& f : effects) result.places[f.effect] = f.places;
   const double none = nominal.fit.log_evidence;
   std::vector<const EffectFits*> credible, rivals;
   for (const EffectFits& f : effects) {
@@ -371,7 +303,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
       claim_no_more_than_is_closed(nominal, result.named.front(), result);
     return result;
   }
-  take_over(inclusion, result);
+  weigh_all(inclusion, result);
   name_most(nominal, inclusion, referee.to_most, result);
   if (result.verdict == Verdict::unknown && !few) {
     result.verdict = Verdict::ambiguous;

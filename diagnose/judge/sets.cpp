@@ -1,6 +1,7 @@
 #include "diagnose/judge/sets.hpp"
 
 #include "diagnose/judge/thresholds.hpp"
+#include "diagnose/results/stage_share.hpp"
 
 #include "solve/parallel.hpp"
 
@@ -104,6 +105,7 @@ public:
 
   std::vector<JudgedFit> beside(const JudgedFit& lead) {
     constexpr double hint = 0.5; // nats
+    begins_ = ends_; // all sizes lie behind
     context_.predictors.solve_anew();
     std::vector<Asked> asked;
     for (const auto& [own, h] : asked_for(lead.fit, few))
@@ -120,9 +122,7 @@ private:
     while (!front.empty() && !settings_.stop()) {
       const std::size_t size = front.front().fit.together.size() + 1;
       if (size > most_effects || size >= context_.fitted.rows().size()) break;
-      constexpr double begins = 0.58, ends = 0.90; // shares of the work
-      settings_.stage(fmt::format("sets of {} effects", size),
-                      begins + (ends - begins) * double(size - 2) / double(most_effects - 1));
+      begin_size(size);
       const double before = dispersed_log_evidence(front.front().fit);
       std::vector<JudgedFit> level = fitted(larger(front));
       add(level, fitted(moved(level)));
@@ -141,6 +141,13 @@ private:
       front = of_different_effects(level, grown_sets);
     }
     return false;
+  }
+
+  void begin_size(std::size_t size) {
+    const double each = (share::ledger - share::sets) / double(most_effects - 1);
+    begins_ = std::max(begins_, share::sets + each * double(size - 2)); // sizes may come again
+    ends_ = std::max(begins_, share::sets + each * double(size - 1));
+    settings_.stage(fmt::format("sets of {} effects", size), begins_);
   }
 
   static void sort(std::vector<JudgedFit>& sets) {
@@ -331,12 +338,17 @@ private:
   std::vector<JudgedFit> fitted(const std::vector<Asked>& asked) {
     keep_members(asked);
     std::vector<JudgedFit> own(asked.size());
+    constexpr double of_the_rest = 0.6; // of a stage: lists get shorter
+    const double ends = begins_ + of_the_rest * (ends_ - begins_);
+    StageShare behind(settings_, begins_, ends, asked.size());
     in_parallel(int(asked.size()), [&](int i) {
       if (settings_.stop()) return;
       const Asked& set = asked[std::size_t(i)];
       own[std::size_t(i)] = judged(fit_of(context_, set.together, set.start), nominal_.fit,
                                    context_, held_out_, scores_, standards_);
+      behind.one_is_done();
     });
+    begins_ = ends;
     context_.predictors.forget_sets(); // each was asked for once, and a search asks for hundreds
     std::erase_if(own, [](const JudgedFit& j) { return !j.fit.solved || j.too_free(); });
     sort(own);
@@ -353,6 +365,8 @@ private:
   const Standards& standards_;
   const DiagnosisSettings& settings_;
   bool levels_matter_ = false;
+  double begins_ = share::sets,
+         ends_ = share::ledger; // of the stage: what lies before its next list
   std::vector<Together> asked_;
 };
 

@@ -5,6 +5,7 @@
 #include "words/directions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <set>
 
@@ -148,6 +149,28 @@ void append_readings(TestReadings& all, const TestReadings& part) {
     all.readings.push_back(std::move(r));
   }
   all.runs.insert(all.runs.end(), part.runs.begin(), part.runs.end());
+}
+
+OfferedReadings offered_beside(const Case& data, const Nominal& nominal, const Measured& measured,
+                               const TestReadings& test,
+                               const std::shared_ptr<StateModels>& models) {
+  OfferedReadings all{.offers =
+                          menu(data, measured, test, nominal.states.front().further_places())};
+  for (Offer& offer : all.offers) {
+    drop_unanswered(nominal, offer.readings, models);
+    append_readings(all.readings, offer.readings);
+    all.first.push_back(Eigen::Index(all.readings.readings.size()));
+  }
+  return all;
+}
+
+double OfferedReadings::apart(std::size_t offer, const Eigen::VectorXd& a,
+                              const Eigen::VectorXd& b) const {
+  double sum = 0;
+  for (Eigen::Index k = first[offer]; k < first[offer + 1]; ++k)
+    if (const double d = a[k] - b[k]; std::isfinite(d))
+      sum += std::pow(d / usual_sigma(readings.readings[std::size_t(k)].kind), 2);
+  return sum;
 }
 
 std::vector<Offer> menu(const Case& data, const Measured& measured, const TestReadings& test,

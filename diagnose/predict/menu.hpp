@@ -6,8 +6,8 @@
 namespace plica {
 
 // Two hypotheses that readings put further apart than this, in squared standard deviations, are
-// told apart no better.
-inline constexpr double beyond_doubt = 25;
+// told apart no better; from three standard deviations on they are told apart.
+inline constexpr double beyond_doubt = 25, well_apart = 9;
 
 struct Offer {
   std::string what;
@@ -29,6 +29,21 @@ double usual_sigma(ReadingKind kind);
 // Takes out what the nominal case does not answer, and peaks that it has not.
 void drop_unanswered(const Nominal& nominal, TestReadings& test,
                      const std::shared_ptr<StateModels>& models = nullptr);
+
+// What is offered beside a test, in one list of readings; what the nominal case does not answer is
+// left out.
+struct OfferedReadings {
+  std::vector<Offer> offers;
+  TestReadings readings = {};
+  std::vector<Eigen::Index> first{0}; // reading of each offer, and the end
+
+  // How far apart an offer puts two specimens that would show log readings `a` and `b`, in squared
+  // standard deviations.
+  double apart(std::size_t offer, const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+};
+OfferedReadings offered_beside(const Case& data, const Nominal& nominal, const Measured& measured,
+                               const TestReadings& test,
+                               const std::shared_ptr<StateModels>& models);
 
 // The first two peaks along the axis of the table, seen by one sensor, and what sensors show,
 // within the band of the case's response where it has one.

@@ -40,6 +40,14 @@ struct NamedEffect {
   std::function<CaseEdits(const Case& now)> in_case = {};
 };
 
+// How probable it is that an effect is part of the cause, and at which of its places, as far as the
+// verdict claims it: over single effects, over sets that explain the test, or over all sets.
+struct EffectInclusion {
+  std::string effect;
+  double probability = 0;                                  // wherever it sits
+  std::vector<std::pair<std::string, double>> places = {}; // of effect and place, largest first
+};
+
 // One hypothesis that was tried, or a set of them.
 struct TriedHypothesis {
   std::vector<NamedEffect> effects; // none = the nominal case
@@ -112,6 +120,7 @@ struct LedgerRow {
   std::string left = {};                 // "measurement", "mounting", "model" or "unexplained"
   double share = 0;
   std::array<double, 2> interval{}; // 90 %
+  std::string told_apart_by = {};   // what to measure to tell its effects apart; empty: not known
 };
 struct Ledger {
   double gap = 0; // G
@@ -197,6 +206,7 @@ struct Diagnosis {
   std::optional<std::size_t> best;
   std::vector<EffectNotTried> not_tried;
   std::vector<std::pair<std::string, double>> probabilities; // of effects and "none"
+  std::vector<EffectInclusion> inclusion;                    // these by place, without "none"
   Ledger ledger;
   GapShrink gap;
   std::optional<GapShrink> held_out;

@@ -19,6 +19,8 @@ struct DiagnosisSettings {
   // (0 = it is not).
   std::function<void(const std::string& name, double share)> stage = [](const std::string&,
                                                                         double) {};
+  // Called as a stage goes on, with the share that lies behind, from one thread at a time.
+  std::function<void(double share)> advance = [](double) {};
   // The search for effects begins; from here on `stop` ends it: what was found so far is told, and
   // that it is no more than that.
   std::function<void()> search = [] {};

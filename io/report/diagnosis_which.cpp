@@ -73,6 +73,22 @@ const char* probabilities_of(const Diagnosis& d) {
   return "Of each effect and of none, were one of them all there is.";
 }
 
+constexpr double worth_showing = 0.005; // of a probability
+
+// Where an effect most probably sits: "bellows.convolution[3] 61 %, ...".
+std::string places_html(const Diagnosis& d, const std::string& effect) {
+  constexpr std::size_t most = 3;
+  std::string html;
+  for (const EffectInclusion& e : d.inclusion) {
+    if (e.effect != effect) continue;
+    for (std::size_t i = 0; i < std::min(most, e.places.size()); ++i)
+      if (const auto& [place, p] = e.places[i]; p >= worth_showing)
+        html += fmt::format("{}{} {}\u00a0%", html.empty() ? "" : ", ", html_escape(place),
+                            html_fixed(100 * p, 1));
+  }
+  return html;
+}
+
 // "÷ 28", "× 1.4"
 std::string factor_html(double factor) {
   return factor > 0 && factor < 1 ? "÷\u00a0" + html_number(1 / factor, 3)
@@ -104,7 +120,6 @@ std::string hypotheses_html(const Diagnosis& d) {
 }
 
 std::string probabilities_html(const Diagnosis& d) {
-  constexpr double shown = 0.005;
   std::vector<std::pair<std::string, double>> list = d.probabilities;
   std::stable_sort(list.begin(), list.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -112,21 +127,22 @@ std::string probabilities_html(const Diagnosis& d) {
   int others = 0;
   double rest = 0;
   for (const auto& [name, p] : list) {
-    if (p < shown) {
+    if (p < worth_showing) {
       ++others;
       rest += p;
       continue;
     }
     rows.push_back({{html_escape(name), html_fixed(100 * p, 1),
-                     bar_svg({.from = 0, .to = p, .mark = 0, .width = 16})},
+                     bar_svg({.from = 0, .to = p, .mark = 0, .width = 16}), places_html(d, name)},
                     ""});
   }
   if (list.empty()) return "";
   if (others > 0)
     rows.push_back(
-        {{fmt::format("{} below 0.5 %", others), html_fixed(100 * rest, 1), ""}, "total"});
+        {{fmt::format("{} below 0.5 %", others), html_fixed(100 * rest, 1), "", ""}, "total"});
   return "<h3>Probabilities</h3>\n" +
-         html_table(probabilities_of(d), {{"effect", "", false}, {"", "%"}, {"", "", false}}, rows);
+         html_table(probabilities_of(d),
+                    {{"effect", "", false}, {"", "%"}, {"", "", false}, {"at", "", false}}, rows);
 }
 
 std::string compensators_html(const Diagnosis& d) {

@@ -158,6 +158,8 @@ std::string ledger_text(const Ledger& ledger) {
     std::string words = row_by(row, plain_with_values);
     if (row.effects.size() == 1)
       words += fmt::format("; probability {:.0f} %", 100 * row.effects.front().anywhere);
+    else if (!row.told_apart_by.empty())
+      words += "; told apart by " + row.told_apart_by;
     rows.push_back({fmt::format("{:.0f} %", 100 * row.share), interval_words(row.interval), words});
   }
   std::string text = fmt::format(

@@ -52,12 +52,21 @@ Json named_json(const NamedEffect& e) {
   return json;
 }
 
+Json json_of(const EffectInclusion& e) {
+  return {{"effect", e.effect},
+          {"probability", json_number(e.probability)},
+          {"places", list_of(e.places, [](const auto& place) {
+             return Json{{"place", place.first}, {"probability", json_number(place.second)}};
+           })}};
+}
+
 Json json_of(const LedgerRow& row) {
   return {{"what", row_words(row)},
           {"left", row.left},
           {"effects", list_of(row.effects, [](const NamedEffect& e) { return named_json(e); })},
           {"share", json_number(row.share)},
-          {"interval", interval(row.interval)}};
+          {"interval", interval(row.interval)},
+          {"told_apart_by", row.told_apart_by}};
 }
 
 Json json_of(const Mimic& m) {
@@ -241,7 +250,7 @@ std::string parameter_cells(const NamedEffect& e, const EstimatedParameter& p) {
 std::string ledger_csv(const Diagnosis& d) {
   std::string text = "what,share of the gap,share 90 % from,share 90 % to,probability,effect,place,"
                      "parameter,value,value 90 % from,value 90 % to,unit,share left in the "
-                     "reading\n";
+                     "reading,told apart by\n";
   for (const LedgerRow& row : d.ledger.rows) {
     text += fmt::format("{},{},{},{},{},", csv_cell(row_words(row)), csv_number(row.share),
                         csv_number(row.interval[0]), csv_number(row.interval[1]),
@@ -254,10 +263,23 @@ std::string ledger_csv(const Diagnosis& d) {
     }
     if (beside.empty()) beside.emplace_back(",,,,,,");
     for (std::size_t i = 0; i < beside.size(); ++i)
-      text += (i == 0 ? "" : ",,,,,") + beside[i] + ",\n";
+      text += (i == 0 ? "" : ",,,,,") + beside[i] + ",," +
+              (i == 0 ? csv_cell(row.told_apart_by) : "") + "\n";
   }
   for (const auto& [reading, share] : d.ledger.left_in)
-    text += fmt::format("{},,,,,,,,,,,,{}\n", csv_cell("left in " + reading), csv_number(share));
+    text += fmt::format("{},,,,,,,,,,,,{},\n", csv_cell("left in " + reading), csv_number(share));
+  return text;
+}
+
+// A line for each effect wherever it sits, and one for each of its places.
+std::string inclusion_csv(const Diagnosis& d) {
+  std::string text = "effect,place,probability\n";
+  for (const EffectInclusion& e : d.inclusion) {
+    text += fmt::format("{},anywhere,{}\n", csv_cell(e.effect), csv_number(e.probability));
+    for (const auto& [place, probability] : e.places)
+      text +=
+          fmt::format("{},{},{}\n", csv_cell(e.effect), csv_cell(place), csv_number(probability));
+  }
   return text;
 }
 
@@ -298,6 +320,7 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["hypotheses"] = list_of(d.tried, item);
   json["probabilities"] = Json::object();
   for (const auto& [effect, p] : d.probabilities) json["probabilities"][effect] = json_number(p);
+  json["inclusion"] = list_of(d.inclusion, item);
   json["readings"] = list_of(d.readings, item);
   json["best"] = d.best ? Json(*d.best) : Json(nullptr); // of hypotheses
   json["not_tried"] = list_of(d.not_tried, [](const EffectNotTried& e) {
@@ -317,8 +340,9 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
 }
 
 std::vector<std::string> diagnosis_files() {
-  return {"diagnosis_ledger.csv", "diagnosis_readings.csv", "diagnosis_hypotheses.csv",
-          "diagnosis_where.csv",  "diagnosis.html",         "diagnosis.json"};
+  return {"diagnosis_ledger.csv",    "diagnosis_readings.csv", "diagnosis_hypotheses.csv",
+          "diagnosis_inclusion.csv", "diagnosis_where.csv",    "diagnosis.html",
+          "diagnosis.json"};
 }
 
 void write_diagnosis(const Diagnosis& d, const std::string& title, const std::string& plica_version,
@@ -326,6 +350,7 @@ void write_diagnosis(const Diagnosis& d, const std::string& title, const std::st
   out.add("diagnosis_ledger.csv", ledger_csv(d));
   out.add("diagnosis_readings.csv", readings_csv(d));
   out.add("diagnosis_hypotheses.csv", hypotheses_csv(d));
+  out.add("diagnosis_inclusion.csv", inclusion_csv(d));
   out.add("diagnosis_where.csv", where_csv(d));
   out.add("diagnosis.html", diagnosis_html(d, title));
   out.add("diagnosis.json", diagnosis_json(d, plica_version));
