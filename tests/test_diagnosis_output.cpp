@@ -111,6 +111,7 @@ Diagnosis made_up_diagnosis(Verdict verdict, const std::vector<LedgerRow>& cause
   d.best = 0;
   d.next = {proposed("a sweep along z", 0.14), proposed("static bending", 0.1)};
   d.probabilities = {{"ply_slip", 0.99}, {"none", 0.01}};
+  d.inclusion = {{"ply_slip", 0.99, {{"bellows", 0.96}, {"hose, left", 0.03}}}};
   d.warnings = {"one warning"};
   for (const LedgerRow& row : causes)
     for (const NamedEffect& e : row.effects) d.effects.push_back(e);
@@ -124,9 +125,10 @@ LedgerRow cause(std::vector<NamedEffect> effects, double share) {
 }
 
 Diagnosis of_five_effects() {
+  LedgerRow list = cause({mass_of_20_g(), softer_joint("lap")}, 0.2);
+  list.told_apart_by = "weigh the part";
   return made_up_diagnosis(Verdict::several,
-                           {cause({slipping_plies()}, 0.5),
-                            cause({mass_of_20_g(), softer_joint("lap")}, 0.2),
+                           {cause({slipping_plies()}, 0.5), list,
                             cause({softer_joint("interlock")}, 0.1), cause({more_damping()}, 0.05),
                             cause({softer_joint("caps")}, 0.05)});
 }
@@ -156,6 +158,7 @@ TEST(DiagnosisTerminal, says_all_in_fifteen_lines) {
                {"pipe: Several causes together, 90 % of the gap [80, 96]: plies of the wall",
                 "; and 2 more; 7 % is not explained\n", "bond 0.398 (0.342 to 0.487)", "[48, 52]",
                 "probability 99 %", "mass 20.1 (18.2 to 23.4) g; or a joint with",
+                "; told apart by weigh the part\n",
                 "what is left sits in frequency in y, peak 1 5 %, mass 3 %",
                 "Where (z): stiffness in y -7.1; ", "bellows +9.4",
                 "3.95 before, 0.327 after; held out 2.28 before, 0.434 after",
@@ -206,16 +209,23 @@ TEST(DiagnosisCsv, has_shares_and_values_with_intervals) {
   ASSERT_EQ(lines.size(), 1U + 5 + 1 + 4 + 3);
   EXPECT_EQ(lines[0],
             "what,share of the gap,share 90 % from,share 90 % to,probability,effect,place,"
-            "parameter,value,value 90 % from,value 90 % to,unit,share left in the reading");
+            "parameter,value,value 90 % from,value 90 % to,unit,share left in the reading,"
+            "told apart by");
   EXPECT_EQ(lines[1], "\"plies of the wall that slip on each other, at bellows\",0.5,0.48,0.52,"
-                      "0.99,ply_slip,bellows,bond,0.3983,0.3424,0.4869,,");
+                      "0.99,ply_slip,bellows,bond,0.3983,0.3424,0.4869,,,");
   expect_parts(lines[2], {"\"one of: 20 g that nobody weighed, at sensor.mid; or a joint", ",0.2,",
-                          ",added_mass,sensor.mid,mass,20.1", ",g,"});
-  EXPECT_EQ(lines[3], ",,,,,joint_stiffness,lap,ratio,0.7,0.6,0.8,,");
-  EXPECT_EQ(lines[7], "what measuring leaves open,0.01,0,0.02,,,,,,,,,");
-  EXPECT_EQ(lines[11], "\"left in frequency in y, peak 1\",,,,,,,,,,,,0.05");
+                          ",added_mass,sensor.mid,mass,20.1", ",g,,weigh the part"});
+  EXPECT_EQ(lines[3], ",,,,,joint_stiffness,lap,ratio,0.7,0.6,0.8,,,");
+  EXPECT_EQ(lines[7], "what measuring leaves open,0.01,0,0.02,,,,,,,,,,");
+  EXPECT_EQ(lines[11], "\"left in frequency in y, peak 1\",,,,,,,,,,,,0.05,");
   for (const std::string& line : {lines[0], lines[3], lines[7]})
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 12) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 13) << line;
+}
+
+TEST(DiagnosisCsv, has_each_effect_anywhere_and_at_each_place) {
+  EXPECT_EQ(written_file(of_one_effect(), "diagnosis_inclusion.csv"),
+            "effect,place,probability\nply_slip,anywhere,0.99\nply_slip,bellows,0.96\n"
+            "ply_slip,\"hose, left\",0.03\n");
 }
 
 TEST(DiagnosisReport, begins_in_plain_words_with_a_waterfall) {
@@ -228,7 +238,8 @@ TEST(DiagnosisReport, begins_in_plain_words_with_a_waterfall) {
                       "ply_slip at bellows: bond 0.398 (0.342 to 0.487)",
                       "added_mass at sensor.mid: mass 20.1 (18.2 to 23.4) g", "stroke-dasharray",
                       "the gap of the nominal case", "To measure next: a sweep along z",
-                      "frequency in y, peak 1: 5 % of the gap"});
+                      "frequency in y, peak 1: 5 % of the gap", "told apart by weigh the part",
+                      "bellows 96.0\u00a0%, hose, left 3.0\u00a0%"});
   expect_parts(html, {"gap before", "gap, fitted"}); // its root, G being its square
   EXPECT_EQ(html.find("G before"), std::string::npos);
 }
@@ -263,7 +274,7 @@ TEST(DiagnosisJson, has_a_version_and_a_ledger_of_the_contract) {
     EXPECT_TRUE(ledger.contains(key)) << key;
   double sum = 0;
   for (const auto& row : ledger["rows"]) {
-    for (const char* key : {"what", "left", "effects", "share", "interval"})
+    for (const char* key : {"what", "left", "effects", "share", "interval", "told_apart_by"})
       EXPECT_TRUE(row.contains(key)) << key;
     EXPECT_EQ(row["effects"].empty(), row["left"] != "");
     sum += row["share"].get<double>();
@@ -271,6 +282,12 @@ TEST(DiagnosisJson, has_a_version_and_a_ledger_of_the_contract) {
   EXPECT_NEAR(sum, 1, 1e-9);
   EXPECT_EQ(ledger["rows"][0]["effects"][0]["anywhere"], 0.99);
   EXPECT_EQ(ledger["rows"][8]["left"], "unexplained");
+  EXPECT_EQ(ledger["rows"][1]["told_apart_by"], "weigh the part");
+  EXPECT_EQ(ledger["rows"][0]["told_apart_by"], "");
+  EXPECT_EQ(json["inclusion"][0]["effect"], "ply_slip");
+  EXPECT_EQ(json["inclusion"][0]["probability"], 0.99);
+  EXPECT_EQ(json["inclusion"][0]["places"][1]["place"], "hose, left");
+  EXPECT_EQ(json["inclusion"][0]["places"][1]["probability"], 0.03);
   EXPECT_EQ(ledger["left_in"][0]["reading"], "frequency in y, peak 1");
 }
 

@@ -3,6 +3,7 @@
 
 #include "diagnose/judge/headline.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace plica {
@@ -43,6 +44,24 @@ TEST(Judge, takes_a_pair_only_when_each_half_is_needed) {
   unshrunk.add("added_mass", 10, false);
   unshrunk.add_pair("added_mass", "ply_slip", 20).held_out_shrink = 0.29;
   EXPECT_EQ(unshrunk.judgement(false).verdict, Verdict::unknown);
+}
+
+// Of an effect at two places, one of which holds in a set a nat behind.
+TEST(Judge, weighs_places_over_the_sets_that_explain_the_test) {
+  Fits fits;
+  fits.add("added_mass", 10, false);
+  fits.add_pair("added_mass", "ply_slip", 30);
+  fits.add_pair("added_mass", "ply_slip", 29);
+  Hypothesis moved = *fits.sets.back().fit.together[1];
+  moved.place = "there";
+  fits.sets.back().fit.together[1] = &moved;
+  const Judgement j = fits.judgement(false);
+  ASSERT_EQ(j.verdict, Verdict::several);
+  const double here = 1 / (1 + std::exp(-1));
+  EXPECT_NEAR(j.probability_of("ply_slip"), 1, 1e-12);
+  EXPECT_NEAR(j.share_of("ply_slip", "here"), here, 1e-12);
+  EXPECT_NEAR(j.share_of("ply_slip", "there"), 1 - here, 1e-12);
+  EXPECT_NEAR(j.share_of("added_mass", "here"), 1, 1e-12);
 }
 
 TEST(Judge, takes_a_larger_set_only_when_each_of_it_is_needed) {
