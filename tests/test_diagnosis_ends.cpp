@@ -205,6 +205,31 @@ TEST(HeldEnds, readings_answer_to_damping_as_the_model_says) {
   EXPECT_EQ(roots, 6);
 }
 
+// A section that stands askew moves across the table, too, by c / zeta of the mode at its peak: the
+// logarithm of its size over the floor falls by that size's share of both.
+TEST(CrossReadings, answer_to_the_damping_of_the_mode_that_they_show) {
+  Case data = lapped_beam();
+  for (Part& part : data.parts) {
+    auto& beam = std::get<BeamPart>(part.body);
+    beam.up = {0.5, 0, 0.866};
+    beam.section.depth = 0.02;
+  }
+  const TestData test = sweeps_of(data, 0.01, 0.01);
+  const TestReadings readings = readings_of(test);
+  const Nominal nominal = nominal_of(data, test.data);
+  const VectorXd felt = damping_weights(nominal, readings).rowwise().sum();
+  const VectorXd y = *Predictor(nominal, readings, {})(VectorXd());
+  int tips = 0;
+  for (Index i = 0; i < felt.size(); ++i) {
+    const Reading& r = readings.readings[std::size_t(i)];
+    if (r.kind != ReadingKind::cross || r.sensor != "tip") continue;
+    ++tips;
+    EXPECT_GT(std::exp(y[i]), 3 * cross_floor) << r.name;
+    EXPECT_NEAR(felt[i], -(1 - cross_floor * std::exp(-y[i])), 0.03) << r.name;
+  }
+  EXPECT_GT(tips, 0);
+}
+
 // Two ends that springs hold, stiff beside the tube between them.
 Case spring_mounted(double stiffness) {
   Case data = test::tube(0.8);

@@ -6,7 +6,6 @@
 namespace plica {
 namespace {
 
-// The first of the gates (judge.hpp) that a fit does not pass.
 std::string why_inadequate(const JudgedFit& j, const Standards& limit) {
   if (j.worst.first > limit.worst_block)
     return fmt::format("does not explain {} (z {:.1f}, limit {:.1f})", j.worst.second,
@@ -18,12 +17,6 @@ std::string why_inadequate(const JudgedFit& j, const Standards& limit) {
     return fmt::format("the means over the levels (chi-square {:.1f}, limit {:.1f})",
                        j.chi2_of_means, limit.chi2_of_means);
   return fmt::format("leaves a gap of {:.1f}", j.gap_after);
-}
-
-std::string why_rejected(const JudgedFit& j, const Standards& limit) {
-  if (!j.adequate) return why_inadequate(j, limit);
-  if (j.absurd) return "only with a value far out of its prior";
-  return j.fails_held_out ? "does not predict the held-out readings" : "";
 }
 
 TriedHypothesis told(const JudgedFit& j, const GapProblem& problem, const Findings& found,
@@ -54,6 +47,12 @@ TriedHypothesis told(const JudgedFit& j, const GapProblem& problem, const Findin
 }
 
 } // namespace
+
+std::string why_rejected(const JudgedFit& j, const Standards& limit) {
+  if (!j.adequate) return why_inadequate(j, limit);
+  if (j.absurd) return "only with a value far out of its prior";
+  return j.fails_held_out ? "does not predict the held-out readings" : "";
+}
 
 Tried tried(const GapProblem& problem, const Findings& found, const NamedEffects& names,
             const JudgedFit& best) {

@@ -7,6 +7,10 @@
 
 namespace plica {
 
+// Which gate of the verdict (judge.hpp) a fit does not pass, in words; empty: it passes all. Of one
+// that is not adequate the first of its parts that is too far off.
+std::string why_rejected(const JudgedFit& j, const Standards& limit);
+
 struct Tried {
   std::vector<TriedHypothesis> all; // by evidence, the nominal case among them
   std::optional<std::size_t> best;  // which of them the account is of; none of the nominal case
