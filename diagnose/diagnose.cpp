@@ -273,7 +273,7 @@ private:
     for (std::size_t i = 0; i < std::min(most, best.size()); ++i) {
       const GapShrink turn = in_turn(context, plain, best[i]->fit);
       best[i]->held_out_shrink = turn.shrink();
-      best[i]->held_out_met = turn.interval[0] > 0;
+      best[i]->held_out_met = turn.is_sure();
     }
   }
 

@@ -21,7 +21,7 @@ TEST(StageShare, goes_from_its_beginning_to_its_end_whatever_thread_works) {
     EXPECT_NEAR(told[i], 0.2 + 0.05 * double(i + 1), 1e-12);
 }
 
-// Softer and heavier at once than the case says: singles, sets, a next measurement.
+// Softer and heavier at once than the case says, and weighed: singles, sets, a next measurement.
 TEST(StageShare, of_a_whole_diagnosis_never_goes_back) {
   Case nominal = changed_beam::beam_of(3, 0.6, 0.03, 0.005, true);
   changed_beam::add_masses(nominal);
@@ -30,6 +30,7 @@ TEST(StageShare, of_a_whole_diagnosis_never_goes_back) {
   truth.materials["steel"].E *= 0.8;
   Measured m;
   changed_beam::add_modes(m, "");
+  m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
   changed_beam::take_readings(m, changed_beam::read_by(truth, m));
   std::vector<double> told;
   std::vector<std::string> stages;

@@ -10,7 +10,7 @@ namespace plica {
 namespace {
 
 std::string no_better(const char* how, const GapShrink& g) {
-  if (g.interval[0] > 0) return "";
+  if (g.is_sure()) return "";
   return fmt::format("{}readings are foretold no better with it (shrink {:.0f} % [{:.0f}, {:.0f}])",
                      how, 100 * g.shrink(), 100 * g.interval[0], 100 * g.interval[1]);
 }

@@ -105,6 +105,8 @@ struct GapShrink {
   double shrink() const { return before > 0 ? 1 - after / before : 0; }
   std::array<double, 2> interval{}; // of the shrink, 90 %
   int readings = 0;
+  // Its interval lies above zero, by more than what a search leaves by rounding.
+  bool is_sure() const { return interval[0] > 1e-3; }
 };
 
 // What the gap is made of: the squared differences of the fitted readings from the nominal case
