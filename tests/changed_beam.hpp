@@ -57,6 +57,22 @@ inline Case with_third_point(Case c, double along, double mass) {
   return c;
 }
 
+// Two halves of a clamped beam of 0.6 m that meet in the cap "joint", in springs or rigidly.
+inline Case two_halves(const std::optional<Sextuple>& springs) {
+  Case c = beam_of(4, 0.6, 0.025, 0.012, true);
+  Part second = c.parts[0];
+  std::get<BeamPart>(c.parts[0].body).points = {{0, 0, 0}, {0, 0.15, 0}, {0, 0.3, 0}};
+  second.name = "beam2";
+  std::get<BeamPart>(second.body).points = {{0, 0.3, 0}, {0, 0.45, 0}, {0, 0.6, 0}};
+  c.parts.push_back(second);
+  Cap joint;
+  joint.name = "joint";
+  joint.of = {"beam.end", "beam2.start"};
+  joint.stiffness = springs;
+  c.caps.push_back(joint);
+  return c;
+}
+
 inline MeasuredMode bending(Axis axis, int order, const std::string& state, double frequency = 1) {
   MeasuredMode mode;
   mode.shape = MeasuredShape::transverse;

@@ -6,26 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <stdexcept>
 
 namespace plica {
 namespace {
 
 using namespace changed_beam;
 
-// Two halves of a clamped beam that meet in springs.
 Case two_halves(double bending_stiffness) {
-  Case c = beam_of(4, 0.6, 0.025, 0.012, true);
-  Part second = c.parts[0];
-  std::get<BeamPart>(c.parts[0].body).points = {{0, 0, 0}, {0, 0.15, 0}, {0, 0.3, 0}};
-  second.name = "beam2";
-  std::get<BeamPart>(second.body).points = {{0, 0.3, 0}, {0, 0.45, 0}, {0, 0.6, 0}};
-  c.parts.push_back(second);
-  Cap joint;
-  joint.name = "joint";
-  joint.of = {"beam.end", "beam2.start"};
-  joint.stiffness = {1e9, 1e9, 1e9, bending_stiffness, 1e6, bending_stiffness};
-  c.caps.push_back(joint);
-  return c;
+  return changed_beam::two_halves(
+      Sextuple{1e9, 1e9, 1e9, bending_stiffness, 1e6, bending_stiffness});
 }
 
 TEST(JointDirections, what_gives_way_is_found_whatever_stands_for_rigid) {
@@ -102,6 +92,36 @@ TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
     if (p.name == "slip") {
       EXPECT_LE(p.interval[0], 2e-5);
       EXPECT_GE(p.interval[1], 2e-5);
+    }
+}
+
+// A clamp that is drawn as rigid slips as one that is drawn with the springs that it sticks with.
+TEST(JointDirections, a_clamp_drawn_as_rigid_slips_by_the_same_law) {
+  constexpr double stuck = 9e3; // Nm/rad
+  const auto slipping = [](Case nominal, double first) {
+    Sensor tip;
+    tip.name = "tip";
+    tip.at = {0, 0.6, 0};
+    nominal.sensors.push_back(tip);
+    const Measured any = swept(nominal, {}, {});
+    const Nominal model = nominal_of(nominal, any);
+    const std::vector<Hypothesis> all = joint_friction().hypotheses(model.structure(any));
+    const auto bending = std::find_if(all.begin(), all.end(), [](const Hypothesis& h) {
+      return h.way == "bending" && h.place == "caps.joint";
+    });
+    if (bending == all.end()) throw std::runtime_error("no clamp that slips as it bends");
+    Eigen::VectorXd values(6); // ratio or stiffness, share, slip, exponent, across, loss
+    values << first, 0.8, 1e-4, 1, 1, 1;
+    return swept(nominal, {&*bending}, values);
+  };
+  const Measured rigid = slipping(changed_beam::two_halves({}), stuck),
+                 drawn = slipping(two_halves(stuck), 1);
+  EXPECT_LT(rigid.peaks[0].frequency.back(), 0.95 * rigid.peaks[0].frequency.front());
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t k = 0; k < rigid.peaks[axis].level.size(); ++k) {
+      const double f = drawn.peaks[axis].frequency[k], zeta = drawn.peaks[axis].damping[k];
+      EXPECT_NEAR(rigid.peaks[axis].frequency[k], f, 5e-3 * f) << axis << ", " << k;
+      EXPECT_NEAR(rigid.peaks[axis].damping[k], zeta, 0.05 * zeta) << axis << ", " << k;
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/ranges.h>
 #include <set>
 #include <stdexcept>
 
@@ -125,6 +126,17 @@ void state_errors(GapProblem& p, const std::set<std::string>& without) {
     input_error("hold_out", "all that was measured is held out", "entries that are not");
 }
 
+// Clamps drawn as rigid of which a hypothesis says otherwise.
+std::vector<std::string> clamps_that_may_give_way(const GapProblem& p) {
+  std::vector<std::string> found;
+  for (const std::string& cap : p.nominal.rigid_clamps)
+    if (std::any_of(p.hypotheses.begin(), p.hypotheses.end(), [&](const Hypothesis& h) {
+          return h.place == "caps." + cap && h.effect.starts_with("joint_");
+        }))
+      found.push_back("caps." + cap);
+  return found;
+}
+
 void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
   ChosenEffects chosen = chosen_effects(p.nominal.structure(p.test.data));
   for (const std::string& name : chosen.without_place)
@@ -133,6 +145,10 @@ void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
   for (Hypothesis& h : chosen.hypotheses) p.hypotheses.push_back(grown(std::move(h), states));
   p.words = words;
   p.words.insert(p.words.end(), chosen.words.begin(), chosen.words.end());
+  if (const std::vector<std::string> clamps = clamps_that_may_give_way(p); !clamps.empty())
+    p.words.push_back(fmt::format("drawn as rigid, they may give way, and stand on springs that "
+                                  "the nominal case does not feel: {}",
+                                  fmt::join(clamps, ", ")));
 }
 
 } // namespace

@@ -99,8 +99,10 @@ struct Hypothesis {
   // The first change adds `present` times less than the group has; it softens.
   std::function<Softening(const Eigen::VectorXd&)> softening = {};
   double group_stiffness = 0; // N/m: stretch of the group = sqrt(2 energy / this)
-  double group_present = 1;   // share of the group that the nominal model has: 1, or 0 = none
-  double law_error = 0;       // share of what slip changes that its law may be off
+  // Of what the first change adds, how often the nominal model has it: 1, 0 = not at all, thousands
+  // of times where it is drawn as rigid.
+  double group_present = 1;
+  double law_error = 0; // share of what slip changes that its law may be off
   // It says where, not why: it counts only where no other effect at the place closes half as much,
   // and never explains all.
   bool names_place_only = false;
@@ -123,6 +125,8 @@ struct Structure {
   double mass = 0;      // kg
   double length = 0;    // m
   double frequency = 0; // Hz, of the lowest four modes, their geometric mean
+  // Caps that the case draws as rigid and that stand on springs in `data` (sprung_clamps.hpp).
+  std::vector<std::string> rigid_clamps = {};
 };
 
 struct LookAlike {
@@ -134,6 +138,9 @@ struct Effect {
   // For whoever reads one line only: "{mass} that nobody weighed". A parameter in braces is its
   // value; {ratio%} in percent, {ratio+} in percent off 1.
   std::string plain;
+  // In its place where the hypothesis has a parameter `stiffness`, since the case draws as rigid
+  // what gives way; empty: no hypothesis has.
+  std::string plain_of_rigid = {};
   std::string physics; // one sentence
   std::string signature;
   std::vector<LookAlike> look_alikes;

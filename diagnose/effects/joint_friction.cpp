@@ -1,3 +1,4 @@
+#include "diagnose/effects/joint_size.hpp"
 #include "diagnose/effects/joints_together.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "lab/measured/states.hpp"
@@ -49,30 +50,34 @@ bool has_levels(const Measured& m) {
 //
 // Stuck, the group has `ratio` times its stiffness; `share` of that slips. A joint that is drawn by
 // a static test is drawn as it slips: stuck it may be ten times as stiff. In all motions by one
-// law, or in one of them; turning is a path at a lever (places.hpp).
+// law, or in one of them; turning is a path at a lever (places.hpp). A clamp that is drawn as rigid
+// is stuck as stiff as its `stiffness` says, by the prior ten times what stands beside it, and
+// slips in one motion: what it has in terms of another nobody knows.
 std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (!has_levels(s.measured)) return found; // a softer joint says the same
   constexpr Prior drawn{PriorKind::log_normal, 1, 1.2}, absent{PriorKind::log_normal, 0.3, 0.7};
   std::vector<JointGroup> groups = joint_groups(s);
-  if (const auto all = joints_together(groups)) groups.push_back(all->group);
+  for (JointsTogether& all : joints_together(groups)) groups.push_back(std::move(all.group));
   for (const JointGroup& group : groups) {
-    const double present = group.present ? 1 : 0;
-    const auto add = [&](JointDirection motion, const Prior& ratio, double stiffness) {
+    // `stiffness`: of the group, in this motion as a path.
+    const auto add = [&](JointDirection motion, const JointSize& size, double stiffness) {
+      const double present = group.present ? 1 / size.share : 0;
       found.push_back({.effect = "joint_friction",
                        .place = group.place,
                        .way = way_of(motion),
-                       .parameters = {{"ratio", "", ratio},
+                       .parameters = {size.parameter,
                                       {"share", "", {PriorKind::uniform, 0, 1}},
                                       {"slip", "m", {PriorKind::log_normal, 1e-5, 2}},
                                       {"exponent", "", {PriorKind::log_normal, 1, 0.7}},
                                       {"across", "", {PriorKind::log_normal, 1, 0.8}},
                                       {"loss", "", {PriorKind::log_normal, 1, 0.5}}},
                        .size = 1,
-                       .changes = {added_group(group, motion)},
+                       .changes = {added_group(group, motion, size.share)},
                        .coefficients =
-                           [present](const Eigen::VectorXd& v) {
-                             return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
+                           [size, present](const Eigen::VectorXd& v) {
+                             return Eigen::VectorXd(
+                                 Eigen::VectorXd::Constant(1, size.units(v[0]) - present));
                            },
                        .softening =
                            [](const Eigen::VectorXd& v) {
@@ -82,16 +87,18 @@ std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
                                               .across = v[4],
                                               .loss = v[5]};
                            },
-                       .group_stiffness = stiffness,
+                       .group_stiffness = size.share * stiffness,
                        .group_present = present,
                        .law_error = law_error});
     };
-    add(JointDirection::all, group.present ? drawn : absent, group.stiffness);
+    if (!group.rigid)
+      add(JointDirection::all, {.parameter = {"ratio", "", group.present ? drawn : absent}},
+          group.stiffness);
     for (const auto& [motion, k] : motions_of(s.built.model, group)) {
       const double lever = turns(motion) ? lever_of(s) : 1;
       Prior ratio = group.present ? ratio_prior(s, k, motion) : absent;
       if (group.present) ratio.width = std::max(ratio.width, drawn.width);
-      add(motion, ratio, k / (lever * lever));
+      add(motion, joint_size(group, motion, k, ratio), k / (lever * lever));
     }
   }
   return found;
@@ -100,17 +107,16 @@ std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
 } // namespace
 
 Effect joint_friction() {
-  return {
-      .name = "joint_friction",
-      .plain = "a joint that slips",
-      .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
-      .signature = "frequencies fall with the level, damping rises and falls again",
-      .look_alikes = {{"ply_slip", "the static stiffness at a small and a large stroke"},
-                      {"joint_stiffness", "further levels"},
-                      {"damping", "a free decay at a low level"}},
-      .needs =
-          "a joint, connector, interlock or springs of a mount, and two levels of an excitation",
-      .hypotheses = joint_friction_hypotheses};
+  return {.name = "joint_friction",
+          .plain = "a joint that slips",
+          .physics = "a joint slips: its stiffness falls and its damping changes with amplitude",
+          .signature = "frequencies fall with the level, damping rises and falls again",
+          .look_alikes = {{"ply_slip", "the static stiffness at a small and a large stroke"},
+                          {"joint_stiffness", "further levels"},
+                          {"damping", "a free decay at a low level"}},
+          .needs = "a joint or a clamp between parts, a connector, an interlock or springs of a "
+                   "mount, and two levels of an excitation",
+          .hypotheses = joint_friction_hypotheses};
 }
 
 } // namespace plica

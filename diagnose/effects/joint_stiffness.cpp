@@ -1,19 +1,25 @@
+#include "diagnose/effects/joint_size.hpp"
 #include "diagnose/effects/joints_together.hpp"
 
 namespace plica {
 namespace {
 
-// Numbers of a joint that bear a motion, times a factor; of an interlock that has none in terms of
-// what stands in for it.
-CaseEdits with_joint(const Case& now, const std::string& place,
-                     const std::optional<BeamProperties>& absent, JointDirection motion,
-                     double factor) {
+// What stands for numbers that the case does not have.
+struct StandIn {
+  std::optional<BeamProperties> tube; // of an interlock without stiffness
+  Sextuple springs{};                 // of a rigid clamp
+};
+
+// Numbers of a joint that bear a motion, times a factor; where it has none those of what stands in
+// for it.
+CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& stand_in,
+                     JointDirection motion, double factor) {
   CaseEdits edits;
   const auto bears = [&](JointDirection own) {
     return motion == JointDirection::all || motion == own;
   };
   if (place.starts_with("caps.")) {
-    Sextuple k = cap_named(now, place.substr(5))->stiffness.value_or(Sextuple{});
+    Sextuple k = cap_named(now, place.substr(5))->stiffness.value_or(stand_in.springs);
     constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
                                 JointDirection::lateral, JointDirection::bending,
                                 JointDirection::torsion, JointDirection::bending};
@@ -26,7 +32,7 @@ CaseEdits with_joint(const Case& now, const std::string& place,
   const std::string path = "parts." + place + ".";
   if (const auto* liner = std::get_if<Interlock>(&part->body)) {
     const auto own = [&](double drawn, double BeamProperties::*number) {
-      return absent ? (*absent).*number : drawn;
+      return stand_in.tube ? (*stand_in.tube).*number : drawn;
     };
     using B = BeamProperties;
     if (bears(JointDirection::axial)) scale(edits, path + "EA", own(liner->EA, &B::EA), factor);
@@ -50,41 +56,53 @@ CaseEdits with_joint(const Case& now, const std::string& place,
   return edits;
 }
 
+StandIn stand_in_of(const Structure& s, const JointGroup& group,
+                    const std::vector<std::string>& places) {
+  StandIn found;
+  if (!group.present) found.tube = tube_of(s.built.model, group);
+  if (group.rigid) found.springs = cap_named(s.data, places.front().substr(5))->stiffness.value();
+  return found;
+}
+
 std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  std::vector<JointGroup> groups = joint_groups(s);
-  const auto all = joints_together(groups);
-  if (all) groups.push_back(all->group);
-  for (const JointGroup& group : groups) {
-    if (group.mount) continue; // boundary_compliance
-    const std::vector<std::string> places =
-        all && group.place == all->group.place ? all->places : std::vector{group.place};
-    const double present = group.present ? 1 : 0;
-    std::optional<BeamProperties> absent;
-    if (!group.present) absent = tube_of(s.built.model, group);
-    const auto add = [&](JointDirection motion, const Prior& prior) {
-      found.push_back({.effect = "joint_stiffness",
-                       .place = group.place,
-                       .way = way_of(motion),
-                       .parameters = {{"ratio", "", prior}},
-                       .changes = {added_group(group, motion)},
-                       .coefficients =
-                           [present](const Eigen::VectorXd& v) {
-                             return Eigen::VectorXd(Eigen::VectorXd::Constant(1, v[0] - present));
-                           },
-                       .in_case =
-                           [places, absent, motion](const Case& now, const Eigen::VectorXd& v) {
-                             CaseEdits edits;
-                             for (const std::string& place : places)
-                               for (auto& edit : with_joint(now, place, absent, motion, v[0]))
-                                 edits.push_back(std::move(edit));
-                             return edits;
-                           }});
+  const auto add_group = [&](const JointGroup& group, const std::vector<std::string>& places) {
+    const StandIn stand_in = stand_in_of(s, group, places);
+    const auto add = [&](JointDirection motion, const JointSize& size) {
+      const double present = group.present ? 1 / size.share : 0;
+      found.push_back(
+          {.effect = "joint_stiffness",
+           .place = group.place,
+           .way = way_of(motion),
+           .parameters = {size.parameter},
+           .changes = {added_group(group, motion, size.share)},
+           .coefficients =
+               [size, present](const Eigen::VectorXd& v) {
+                 return Eigen::VectorXd(Eigen::VectorXd::Constant(1, size.units(v[0]) - present));
+               },
+           .in_case =
+               [places, stand_in, motion, size](const Case& now, const Eigen::VectorXd& v) {
+                 CaseEdits edits;
+                 for (const std::string& place : places)
+                   for (auto& edit :
+                        with_joint(now, place, stand_in, motion, size.share * size.units(v[0])))
+                     edits.push_back(std::move(edit));
+                 return edits;
+               }});
     };
-    add(JointDirection::all, {PriorKind::log_normal, group.present ? 1 : 0.3, 1});
+    // What a rigid clamp has in one motion in terms of another nobody knows: no factor of all.
+    if (!group.rigid)
+      add(JointDirection::all,
+          {.parameter = {"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 1}}});
     for (const auto& [motion, k] : motions_of(s.built.model, group))
-      add(motion, group.present ? ratio_prior(s, k, motion) : Prior{PriorKind::log_normal, 0.3, 1});
-  }
+      add(motion, joint_size(group, motion, k,
+                             group.present ? ratio_prior(s, k, motion)
+                                           : Prior{PriorKind::log_normal, 0.3, 1}));
+  };
+  const std::vector<JointGroup> groups = joint_groups(s);
+  for (const JointGroup& group : groups)
+    if (!group.mount) add_group(group, {group.place}); // of a mount: boundary_compliance
+  for (const JointsTogether& all : joints_together(groups)) add_group(all.group, all.places);
   return found;
 }
 
@@ -93,12 +111,13 @@ std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
 Effect joint_stiffness() {
   return {.name = "joint_stiffness",
           .plain = "a joint with {ratio} times the drawn stiffness",
+          .plain_of_rigid = "a clamp that is drawn as rigid and gives way, {stiffness}",
           .physics = "a joint between two parts is softer or stiffer than the case says",
           .signature = "modes that strain the joint move, at every level alike",
           .look_alikes = {{"joint_friction", "further levels"},
                           {"ply_slip", "modes that do not strain the joint"},
                           {"boundary_compliance", "an accelerometer on the held end"}},
-          .needs = "a joint, connector or interlock",
+          .needs = "a joint or a clamp between parts, a connector or an interlock",
           .hypotheses = joint_stiffness_hypotheses};
 }
 

@@ -6,12 +6,12 @@
 namespace plica {
 
 // Where there are several joints of springs, as the coils of a liner are: a group of all of them,
-// at "joints", as stiff as they are in a row, with what it is made of.
+// at "joints", as stiff as they are in a row, with what it is made of. Clamps that are drawn as
+// rigid are another, at "clamps".
 struct JointsTogether {
   JointGroup group;
   std::vector<std::string> places;
 };
-// None: there are not.
-std::optional<JointsTogether> joints_together(const std::vector<JointGroup>& groups);
+std::vector<JointsTogether> joints_together(const std::vector<JointGroup>& groups);
 
 } // namespace plica

@@ -49,9 +49,10 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
       nodes.insert(node);
   for (const Mount& m : s.data.mount)
     if (name == "mount" && m.kind != MountKind::free) nodes.insert(cap_node(s, m.cap));
-  if (name == "joints")
-    for (const JointGroup& group : joint_groups(s))
-      if (!group.mount) add_component(nodes, model, group.place);
+  for (const auto& [all, rigid] : {std::pair{"joints", false}, {"clamps", true}})
+    if (name == all)
+      for (const JointGroup& group : joint_groups(s))
+        if (!group.mount && group.rigid == rigid) add_component(nodes, model, group.place);
   for (const Spot& spot : spots(s))
     if (spot.place == name) nodes.insert(spot.nodes.begin(), spot.nodes.end());
   for (const Part& part : s.data.parts)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace plica {
 namespace {
@@ -145,6 +146,8 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
     g.mount = std::any_of(s.data.mount.begin(), s.data.mount.end(),
                           [&](const Mount& m) { return g.place == "mount." + m.cap; });
     if (!g.mount) g.stiffness /= double(g.bushings.size()); // in series
+    g.rigid = std::any_of(s.rigid_clamps.begin(), s.rigid_clamps.end(),
+                          [&](const std::string& cap) { return g.place == "caps." + cap; });
   }
   for (const Part& part : s.data.parts) {
     const auto* liner = std::get_if<Interlock>(&part.body);
@@ -343,10 +346,21 @@ ModelChange ground_springs(const std::vector<int>& nodes, double translation, do
           Follow::series};
 }
 
-ModelChange added_group(const JointGroup& group, JointDirection motion) {
-  return {
-      [group, motion](Model& model) { scale_group(model, group, group.present ? 2 : 1, motion); },
-      Follow::series};
+ModelChange added_group(const JointGroup& group, JointDirection motion, double share) {
+  if (!group.rigid)
+    return {
+        [group, motion](Model& model) { scale_group(model, group, group.present ? 2 : 1, motion); },
+        Follow::series};
+  return {[group, motion, share](Model& model) {
+            for (int i : group.bushings) {
+              BushingElement beside = model.bushings[std::size_t(i)];
+              const Matrix6 whole = std::exchange(beside.bushing.law, Matrix6::Zero());
+              for (int row : rows_of(motion))
+                beside.bushing.law(row, row) = share * whole(row, row);
+              model.bushings.push_back(beside);
+            }
+          },
+          Follow::series};
 }
 
 Vector3d quad_centre(const Model& model, int quad) {

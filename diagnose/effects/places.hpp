@@ -26,6 +26,7 @@ struct JointGroup {
   double stiffness = 0; // N/m, the largest of its translations
   bool present = true;  // false: the case gives it no stiffness
   bool mount = false;   // the springs of a mount
+  bool rigid = false;   // the case draws it so: what its springs have says nothing
 };
 std::vector<JointGroup> joint_groups(const Structure& s);
 // What stands in for an interlock without stiffness: a thin tube of its radius, massless, as its
@@ -42,8 +43,11 @@ bool turns(JointDirection motion);
 void scale_group(Model& model, const JointGroup& group, double factor,
                  JointDirection motion = JointDirection::all);
 
-// Adds the group once more; one that is absent, at its reference stiffness.
-ModelChange added_group(const JointGroup& group, JointDirection motion = JointDirection::all);
+// Adds the group once more; one that is absent, at its reference stiffness. Of one that is rigid a
+// share, as springs beside it: a millionth has no digits left in the difference of two numbers that
+// stand for rigid.
+ModelChange added_group(const JointGroup& group, JointDirection motion = JointDirection::all,
+                        double share = 1);
 
 // N/m or Nm/rad of the group in one motion, from its one end to the other; 0: it has none, or its
 // motions are coupled.

@@ -5,6 +5,7 @@
 #include "diagnose/predict/built_in_state.hpp"
 #include "diagnose/predict/loose_motions.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
+#include "diagnose/predict/sprung_clamps.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/end_caps.hpp"
 #include "model/shape/build_bellows.hpp"
@@ -283,7 +284,8 @@ Structure Nominal::structure(const Measured& measured) const {
           .stiffness = stiffness,
           .mass = mass,
           .length = length,
-          .frequency = frequency};
+          .frequency = frequency,
+          .rigid_clamps = rigid_clamps};
 }
 
 Nominal nominal_of(const Case& data, const Measured& measured) {
@@ -291,14 +293,15 @@ Nominal nominal_of(const Case& data, const Measured& measured) {
   plain.analyses.error_bars = false;
   const bool coarse = build(plain).model.mesh.nodes.size() > small_mesh;
   plain = with_counted_mesh(plain, coarse);
+  Nominal nominal;
+  nominal.coarse = coarse;
+  nominal.rigid_clamps = put_springs_in_clamps(plain);
   std::vector<std::pair<std::string, Case>> wanted{{"", plain}};
   for (const MeasuredState& s : measured.states) {
     Case changed = plain;
     for (const auto& [path, value] : s.numbers) *number_at(changed, path) = value;
     wanted.emplace_back(s.name, std::move(changed));
   }
-  Nominal nominal;
-  nominal.coarse = coarse;
   nominal.states.resize(wanted.size());
   in_parallel(int(wanted.size()), [&](int i) {
     auto& [name, own] = wanted[std::size_t(i)];

@@ -16,7 +16,7 @@ namespace plica {
 struct SlipGroup {
   int change = 0;
   double stiffness = 0; // N/m: stretch = sqrt(2 energy / this)
-  double present = 1;   // share of the group that the nominal model has
+  double present = 1;   // how often the nominal model has what the change adds
 };
 
 // The sliders of a group that slips.

@@ -171,7 +171,7 @@ void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
     all.push_back(std::move(h));
   }
   for (const JointGroup& group : joint_groups(s))
-    if (group.present && !has_tolerance(s, group.place + ".EA"))
+    if (group.present && !group.rigid && !has_tolerance(s, group.place + ".EA"))
       all.push_back(varying("joint", group.place, scatters::joints,
                             [group](Model& m) { scale_group(m, group, 1 + step); }));
 }

@@ -13,21 +13,25 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return number + (unit.empty() || unit == "°" ? "" : " ") + unit;
 }
 
-// A parameter as a plain sentence asks for it: "mass", "loss%", "ratio+". Where an effect has a
-// size in each state, the first.
+// Null: the effect has none. Where it has a size in each state, the first.
+const EstimatedParameter* of_parameter(const NamedEffect& e, const std::string& name) {
+  for (const EstimatedParameter& p : e.parameters)
+    if (p.name == name || p.name.starts_with(name + ", ")) return &p;
+  return nullptr;
+}
+
+// A parameter as a plain sentence asks for it: "mass", "loss%", "ratio+".
 std::string value_words(const NamedEffect& e, std::string name) {
   const char form = name.back();
   if (form == '%' || form == '+') name.pop_back();
-  for (const EstimatedParameter& p : e.parameters) {
-    if (p.name != name && !p.name.starts_with(name + ", ")) continue;
-    if (form == '%') return significant(100 * p.value, 2) + " %";
-    if (form == '+') return with_sign(100 * (p.value - 1), 0) + " %";
-    const ShownEstimate shown = shown_estimate(p);
-    const double value = shown.from_below ? shown.interval[0] : shown.value;
-    const std::string words = with_unit(significant(rounded(value, 2), 2), shown.unit);
-    return shown.from_below ? "anything from " + words + " up" : words;
-  }
-  return "an amount";
+  const EstimatedParameter* p = of_parameter(e, name);
+  if (!p) return "an amount";
+  if (form == '%') return significant(100 * p->value, 2) + " %";
+  if (form == '+') return with_sign(100 * (p->value - 1), 0) + " %";
+  const ShownEstimate shown = shown_estimate(*p);
+  const double value = shown.from_below ? shown.interval[0] : shown.value;
+  const std::string words = with_unit(significant(rounded(value, 2), 2), shown.unit);
+  return shown.from_below ? "anything from " + words + " up" : words;
 }
 
 // ", 0.38 m along": of what may sit anywhere along its part.
@@ -90,7 +94,10 @@ std::string values_words(const NamedEffect& e, std::string (*number)(double, int
 }
 
 std::string plain_words(const NamedEffect& e) {
-  const std::string& plain = effect_named(e.name).plain;
+  const Effect& effect = effect_named(e.name);
+  const std::string& plain = !effect.plain_of_rigid.empty() && of_parameter(e, "stiffness")
+                                 ? effect.plain_of_rigid
+                                 : effect.plain;
   std::string text;
   for (std::size_t at = 0; at < plain.size();) {
     const std::size_t open = plain.find('{', at), close = plain.find('}', at);

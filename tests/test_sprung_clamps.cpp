@@ -1,0 +1,218 @@
+// Clamps that a case draws as rigid, and that a diagnosis may find giving way.
+#include "diagnose/effects/places.hpp"
+#include "diagnose/predict/sprung_clamps.hpp"
+#include "tests/bellows_case.hpp"
+#include "tests/changed_beam.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+namespace plica {
+namespace {
+
+using namespace changed_beam;
+using Names = std::vector<std::string>;
+
+Names clamps_of(Case data) {
+  return put_springs_in_clamps(data);
+}
+
+Names clamps_of_shipped(const std::string& name, const std::string& model) {
+  return clamps_of(
+      read_case(std::string(PLICA_SOURCE_DIR) + "/cases/" + name + "/" + name + ".yaml", model)
+          .data);
+}
+
+// Euler's beam, clamped and free, in whose middle a spring k takes the moment: of b = beta L,
+// w = A (cosh - cos) + B (sinh - sin) from the clamp, C (cosh + cos) + D (sinh + sin) from the free
+// end, the same deflection, moment and shear at the spring, slopes M / k apart. `compliance`:
+// EI / (k L). The determinant of these four.
+double determinant(double b, double compliance) {
+  const double x = b / 2, c = std::cos(x), s = std::sin(x), C = std::cosh(x), S = std::sinh(x);
+  Eigen::Matrix4d rows;
+  // deflection; slope, that of the free half being against its own direction; moment; shear
+  rows << C - c, S - s, -(C + c), -(S + s),                                             //
+      S + s + compliance * b * (C + c), C - c + compliance * b * (S + s), S - s, C + c, //
+      C + c, S + s, -(C - c), -(S - s),                                                 //
+      S - s, C + c, S + s, C - c;
+  return rows.determinant() / (C * C); // of one size over b
+}
+
+// The lowest three, Hz.
+std::array<double, 3> frequencies(double L, double EI, double mass_per_length, double k) {
+  const double compliance = EI / (k * L);
+  std::array<double, 3> found{};
+  std::size_t count = 0;
+  constexpr double step = 0.05;
+  for (double b = 0.5; count < found.size(); b += step) {
+    double low = b, high = b + step;
+    const double sign = determinant(low, compliance);
+    if (sign * determinant(high, compliance) > 0) continue;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = (low + high) / 2;
+      (sign * determinant(middle, compliance) > 0 ? low : high) = middle;
+    }
+    found[count++] = low * low / (2 * std::numbers::pi * L * L) * std::sqrt(EI / mass_per_length);
+  }
+  return found;
+}
+
+// Before and after the clamp has come loose: k, Nm/rad, about both axes. Each mode is some
+// thousandths off, as mounted anew.
+Measured loosened(double k) {
+  constexpr double L = 0.6, width = 0.025, depth = 0.012, E = 200e9, rho = 7850, rigid = 1e12;
+  const auto modes = [&](Axis axis, double stiffness) {
+    const double a = axis == Axis::x ? depth : width, h = axis == Axis::x ? width : depth;
+    return frequencies(L, E * a * h * h * h / 12, rho * width * depth, stiffness);
+  };
+  constexpr std::array mounted_anew{0.001, -0.0015, 0.0005, 0.0015, -0.001};
+  Measured m;
+  m.specimen = "beam";
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  std::size_t off = 0;
+  for (Axis axis : {Axis::z, Axis::x})
+    for (int order = 1; order <= (axis == Axis::z ? 3 : 2); ++order, ++off) {
+      const auto i = std::size_t(order - 1);
+      m.modes.push_back(bending(axis, order, "before", modes(axis, rigid)[i]));
+      m.modes.push_back(bending(axis, order, "after", modes(axis, k)[i] * (1 + mounted_anew[off])));
+    }
+  return m;
+}
+
+// 1.8751, 4.6941, 7.8548: a cantilever without a spring (Blevins, table 8-1); with one as soft as
+// air the clamped half, 1.8751 at twice the length.
+TEST(SprungClamps, are_held_against_the_beam_of_textbooks) {
+  const auto b_of = [](double hertz) { return std::sqrt(2 * std::numbers::pi * hertz); };
+  const std::array<double, 3> whole = frequencies(1, 1, 1, 1e12);
+  EXPECT_NEAR(b_of(whole[0]), 1.8751, 1e-4);
+  EXPECT_NEAR(b_of(whole[1]), 4.6941, 1e-4);
+  EXPECT_NEAR(b_of(whole[2]), 7.8548, 1e-4);
+}
+
+TEST(SprungClamps, do_not_move_the_nominal_structure) {
+  const Case rigid = two_halves({});
+  const Results own = test::run_silently(rigid);
+  const Nominal nominal = nominal_of(rigid, {});
+  EXPECT_EQ(nominal.rigid_clamps, Names{"joint"});
+  const Eigen::VectorXd& lambda = nominal.states.front().model->lambda();
+  ASSERT_GE(own.modes.size(), 6U);
+  for (std::size_t j = 0; j < 6; ++j)
+    EXPECT_NEAR(frequency(lambda[Eigen::Index(j)]) / own.modes[j].frequency, 1, 1e-4) << j;
+}
+
+// A fifth to four fifths of the beam's own compliance, by its two axes.
+TEST(SprungClamps, one_that_gives_way_is_found_with_its_stiffness) {
+  constexpr double loose = 5e3; // Nm/rad
+  const Case nominal = two_halves({});
+  const Diagnosis d = diagnosis_of(nominal, loosened(loose));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "joint_stiffness") << d.headline;
+  EXPECT_EQ(e.place, "caps.joint") << d.headline;
+  EXPECT_EQ(e.way, "bending") << d.headline;
+  const EstimatedParameter& k = e.parameters.front();
+  EXPECT_EQ(k.name, "stiffness");
+  EXPECT_EQ(k.unit, "Nm/rad");
+  EXPECT_LE(k.interval[0], loose) << d.headline;
+  EXPECT_GE(k.interval[1], loose) << d.headline;
+  EXPECT_LT(k.interval[1], 2 * loose) << d.headline;
+  EXPECT_TRUE(std::any_of(d.assumptions.begin(), d.assumptions.end(), [](const std::string& words) {
+    return words.starts_with("drawn as rigid") && words.ends_with(" caps.joint");
+  }));
+
+  const CaseEdits edits = e.in_case(nominal); // which has no number there
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0].path, "caps.joint.stiffness");
+  std::string text = edits[0].value;
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
+  std::istringstream numbers(text);
+  Sextuple springs{};
+  for (double& number : springs) numbers >> number;
+  ASSERT_TRUE(numbers) << edits[0].value;
+  for (const std::size_t about : {3, 5}) {
+    EXPECT_GE(springs[about], k.interval[0]);
+    EXPECT_LE(springs[about], k.interval[1]);
+  }
+  EXPECT_GT(springs[4], 1e3 * loose) << "torsion stays rigid";
+  for (const std::size_t along : {0, 1, 2}) EXPECT_GT(springs[along], 1e9);
+}
+
+TEST(SprungClamps, one_that_holds_is_not_named) {
+  const Diagnosis d = diagnosis_of(two_halves({}), loosened(1e12));
+  EXPECT_EQ(d.verdict, Verdict::none) << d.headline;
+  for (const NamedEffect& e : d.effects) EXPECT_NE(e.name, "joint_stiffness") << d.headline;
+}
+
+TEST(SprungClamps, join_parts_in_a_row) {
+  EXPECT_EQ(clamps_of(two_halves({})), Names{"joint"});
+  EXPECT_EQ(clamps_of(two_halves(Sextuple{1, 1, 1, 1, 1, 1})), Names{}) << "drawn with springs";
+  Case mounted = two_halves({});
+  mounted.mount.push_back({.cap = "joint"});
+  EXPECT_EQ(clamps_of(mounted), Names{});
+  Case one_part = two_halves({});
+  one_part.caps.back().of = {"beam.end", "beam.point[2]"};
+  EXPECT_EQ(clamps_of(one_part), Names{});
+  Case side_by_side = two_halves({});
+  Part inner = side_by_side.parts[0];
+  inner.name = "inner";
+  side_by_side.parts.push_back(inner);
+  side_by_side.caps[0].of.push_back("inner.start");
+  side_by_side.caps[1].of = {"beam.end", "inner.end"};
+  EXPECT_EQ(clamps_of(side_by_side), Names{}) << "a beam within a beam";
+}
+
+// The interlock ends in the caps of its bellows and is a joint itself; a clamp between pipe and
+// bellows is what it is drawn for, whatever stands for the bellows, the arms of a chain too.
+TEST(SprungClamps, of_the_shipped_cases_stand_between_pipes_and_bellows) {
+  Case lined = test::verification_case("bellows_a");
+  test::add_liner(lined, Attachment::caps);
+  EXPECT_EQ(clamps_of(lined), Names{});
+  EXPECT_EQ(clamps_of_shipped("bellow_a2", ""), Names{});
+  EXPECT_EQ(clamps_of_shipped("bolted_lap", ""), Names{});
+  const Names four{"clamp_1", "clamp_2", "clamp_3", "clamp_4"};
+  for (const char* model : {"pipe", "connector"})
+    EXPECT_EQ(clamps_of_shipped("dual_assembly", model), four) << model;
+}
+
+// One hypothesis of each motion for a clamp, and one for all clamps alike; the number that stands
+// for rigid is in none of their priors.
+TEST(SprungClamps, may_give_way_each_and_all_alike) {
+  Case nominal = two_halves({});
+  Part third = nominal.parts[1];
+  third.name = "beam3";
+  std::get<BeamPart>(third.body).points = {{0, 0.6, 0}, {0, 0.75, 0}};
+  nominal.parts.push_back(third);
+  Cap second = nominal.caps[1];
+  second.name = "second";
+  second.of = {"beam2.end", "beam3.start"};
+  nominal.caps.push_back(second);
+  const Measured none;
+  const Nominal model = nominal_of(nominal, none);
+  const Structure s = model.structure(none);
+  std::map<std::string, int> places;
+  for (const Hypothesis& h : joint_stiffness().hypotheses(s)) {
+    ++places[h.place];
+    EXPECT_NE(h.way, "");
+    const bool turning = h.way == "bending" || h.way == "torsion";
+    const double beside = s.stiffness * (turning ? std::pow(lever_of(s), 2) : 1);
+    const double expected = (h.place == "clamps" ? 20 : 10) * beside; // two in a row
+    EXPECT_NEAR(h.parameters[0].prior.centre / expected, 1, 0.01) << h.place << " " << h.way;
+    const Sextuple springs = cap_named(s.data, "joint")->stiffness.value();
+    const Eigen::VectorXd rigid = Eigen::VectorXd::Constant(1, springs[turning ? 3 : 0]);
+    EXPECT_NEAR(h.coefficients(rigid)[0] / h.coefficients(0 * rigid)[0], 0, 1e-9)
+        << "at what stands for rigid nothing changes";
+    const CaseEdits edits =
+        h.in_case(nominal, h.parameters[0].prior.centre * 0.1 * Eigen::VectorXd::Ones(1));
+    EXPECT_EQ(edits.size(), h.place == "clamps" ? 2U : 1U);
+  }
+  EXPECT_EQ(places,
+            (std::map<std::string, int>{{"caps.joint", 4}, {"caps.second", 4}, {"clamps", 4}}));
+}
+
+} // namespace
+} // namespace plica
