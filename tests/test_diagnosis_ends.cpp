@@ -6,6 +6,7 @@
 #include "diagnose/weigh/scatter.hpp"
 #include "diagnose/weigh/uncertainty.hpp"
 #include "tests/tube_case.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
@@ -119,7 +120,7 @@ TestData sweeps_of(Case truth, double along_x, double along_z) {
       Index first = 0;
       modes.gamma.col(base).cwiseAbs().maxCoeff(&first);
       set.hertz = VectorXd::LinSpaced(1500, 0.7 * modes.hertz(first), 1.4 * modes.hertz(first));
-      set.references = {std::string("base.") + "xyz"[base]};
+      set.references = {std::string("base.") + axis_word(base)};
       set.H.emplace_back(set.hertz.size(), 4);
       for (const std::string sensor : {"tip", "root"})
         for (int axis : {0, 2}) {
@@ -129,7 +130,7 @@ TestData sweeps_of(Case truth, double along_x, double along_z) {
                       .axis = axis,
                       .peaks = {}};
           set.H[0].col(Index(set.responses.size())) = *predict.response(VectorXd(), run, set.hertz);
-          set.responses.push_back(sensor + "." + "xyz"[axis]);
+          set.responses.push_back(sensor + "." + axis_word(axis));
         }
       test.responses.push_back({set});
     }

@@ -2,6 +2,8 @@
 // amplitude.
 #include "diagnose/predict/state_answers.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -149,7 +151,7 @@ std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
 bool StateAnswers::predict_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
   Softening softening = acting_.softening;
   constexpr int along_the_pipe = 1;
-  const int along = run.input.base >= 0 ? run.input.base : run.input.force.back() - 'x';
+  const int along = run.input.base >= 0 ? run.input.base : axis_of_channel(run.input.force);
   if (along != along_the_pipe) softening.distance *= softening.across;
   // Of a table that is not stated what the case says; a hammer's force moves little.
   constexpr double little = 1e-6;

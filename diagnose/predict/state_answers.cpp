@@ -5,6 +5,7 @@
 #include "diagnose/predict/sensor_axes.hpp"
 #include "diagnose/readings/response_peaks.hpp"
 #include "lab/measured/slope_at.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +148,7 @@ VectorXd StateAnswers::input_of(const AffineModes& m, const TestRun& run) const 
   if (run.input.base >= 0) return m.gamma * base_of(run);
   VectorXd input(m.lambda.size());
   for (Index i = 0; i < input.size(); ++i)
-    input[i] = -seen_at(m, i, driven_sensor(run), run.input.force.back() - 'x');
+    input[i] = -seen_at(m, i, driven_sensor(run), axis_of_channel(run.input.force));
   return input;
 }
 

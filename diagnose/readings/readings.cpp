@@ -93,7 +93,7 @@ private:
                          .level = m.acceleration.value_or(m.force.value_or(0)),
                          .by_force = m.force.has_value(),
                          .sensor = m.drive.substr(0, dot),
-                         .axis = m.drive.empty() ? 0 : m.drive.back() - 'x',
+                         .axis = m.drive.empty() ? 0 : axis_of_channel(m.drive),
                          .peaks = {}};
     std::vector<TestRun>& runs = list_.all.runs;
     auto same = std::find_if(runs.begin(), runs.end(), [&](const TestRun& r) {
