@@ -63,15 +63,16 @@ protected:
     return r;
   }
 
-  // exp of the answers; none where there is no stable structure.
+  // exp of the answers, not a number where the model has none; none where there is no stable
+  // structure.
   std::optional<std::vector<double>> answers(const Acting& acting,
                                              const std::vector<const Hypothesis*>& together = {}) {
     StateAnswers state(models_.of(0, together), sweep_, acting, 1);
     std::vector<double> all;
     for (const Reading& r : sweep_.readings) {
       const std::optional<double> value = state.answer(r);
-      if (!value) return std::nullopt;
-      all.push_back(std::exp(*value));
+      if (!state.is_stable()) return std::nullopt;
+      all.push_back(value ? std::exp(*value) : std::numeric_limits<double>::quiet_NaN());
     }
     return all;
   }

@@ -120,7 +120,7 @@ double StateAnswers::seen_at(const AffineModes& m, Index mode, int sensor, int a
 
 // A mode that is known by its kind, at what a shaker drives it to: at resonance the amplitude q is
 // a / (w^2 phi) where the controller holds the acceleration a, F phi / (2 zeta w^2) under a force.
-std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
+double StateAnswers::slipping_mode(const Reading& reading) {
   const auto [known, made] = driven_.try_emplace({reading.run, reading.peak}, 0., 0.);
   if (made) {
     const TestRun& run = test_.runs[std::size_t(reading.run)];
@@ -137,7 +137,10 @@ std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
     if (sensor < 0) return not_given;
     const auto state = slipping(acting_.softening, driven, table());
     auto m = state ? table().modes(state->front().stiffness) : std::nullopt;
-    if (!m) return std::nullopt;
+    if (!m) {
+      stable_ = false;
+      return not_given;
+    }
     const Index mode = labelled_mode(*m, reading);
     if (mode >= 0)
       known->second = {m->hertz(mode),
