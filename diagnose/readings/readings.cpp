@@ -104,7 +104,7 @@ private:
     const int run = int(same - runs.begin());
     TestRun& own = *same;
     Reading reading{.kind = ReadingKind::frequency,
-                    .name = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order),
+                    .name = "",
                     .unit = "Hz",
                     .entry = entry_name("modes", i),
                     .state = m.state,
@@ -118,7 +118,7 @@ private:
                     .sigma = relative(m.sigma, m.frequency, frequency_sigma(m.damping.value_or(0))),
                     .assumed = !m.sigma};
     own.peaks.push_back(m.frequency);
-    if (m.direction) reading.name += std::string(" in ") + axis_word(reading.axis);
+    reading.name = mode_name(reading);
     if (driven.level > 0) reading.name += at_level(driven) + " at " + m.drive;
     list_.add(reading);
     add_damping(reading, m.damping, m.sigma_damping);
