@@ -24,23 +24,11 @@ std::string short_name(const RivalSet& r) {
   return name;
 }
 
-// What is offered, in one list of readings.
-struct OfferedReadings {
-  std::vector<Offer> offers;
-  TestReadings readings;
-  std::vector<Index> first{0}; // reading of each offer, and the end
-};
-
 OfferedReadings menu_of(const Case& data, const Nominal& nominal, const Measured& measured,
                         const TestReadings& test, const std::shared_ptr<StateModels>& models) {
-  OfferedReadings m{.offers = menu(data, measured, test, nominal.states.front().further_places()),
-                    .readings = {}};
-  for (Offer& offer : m.offers) {
-    drop_unanswered(nominal, offer.readings, models);
-    append_readings(m.readings, offer.readings);
-    m.first.push_back(Index(m.readings.readings.size()));
-  }
-  return m;
+  std::vector<Offer> offers = menu(data, measured, test, nominal.states.front().further_places());
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings, models);
+  return in_one_list(std::move(offers));
 }
 
 // Draws of all rivals together: rows are shares, of each effect at its place, and last what is

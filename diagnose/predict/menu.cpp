@@ -150,6 +150,15 @@ void append_readings(TestReadings& all, const TestReadings& part) {
   all.runs.insert(all.runs.end(), part.runs.begin(), part.runs.end());
 }
 
+OfferedReadings in_one_list(std::vector<Offer> offers) {
+  OfferedReadings all{.offers = std::move(offers), .readings = {}};
+  for (const Offer& offer : all.offers) {
+    append_readings(all.readings, offer.readings);
+    all.first.push_back(Eigen::Index(all.readings.readings.size()));
+  }
+  return all;
+}
+
 std::vector<Offer> menu(const Case& data, const Measured& measured, const TestReadings& test,
                         const std::vector<std::string>& further) {
   return Menu(data, measured, test).offers(further);

@@ -23,6 +23,14 @@ std::vector<Offer> menu(const Case& data, const Measured& measured, const TestRe
 // One test after the other, in one list.
 void append_readings(TestReadings& all, const TestReadings& part);
 
+// Offers with all their readings in one list, for a predictor that answers them at once.
+struct OfferedReadings {
+  std::vector<Offer> offers;
+  TestReadings readings;
+  std::vector<Eigen::Index> first{0}; // reading of each offer, and the end
+};
+OfferedReadings in_one_list(std::vector<Offer> offers);
+
 // Standard deviation of a log reading, scatter of specimens included.
 double usual_sigma(ReadingKind kind);
 
