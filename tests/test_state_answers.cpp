@@ -184,7 +184,7 @@ TEST(Menu, offers_other_levels_and_further_sensors_where_a_sweep_was_run) {
 
 // The first and the third mode of a beam in z; between them lie its second, and one in x.
 TEST(PassedOver, is_what_lies_between_two_modes_of_no_kind_and_is_not_said_to_be_missed) {
-  const Case beam = changed_beam::beam_of(5, 0.5, 0.03, 0.01, true);
+  const Case beam = changed_beam::held_beam();
   Measured m;
   for (const int order : {1, 3}) m.modes.push_back(changed_beam::bending(Axis::z, order, ""));
   const VectorXd y = changed_beam::read_by(beam, m);
