@@ -18,6 +18,7 @@
 #include "io/write/write_pretest.hpp"
 #include "io/write/write_supposition.hpp"
 #include "solve/sparse_factor.hpp"
+#include "words/directions.hpp"
 
 #include <fmt/core.h>
 
@@ -273,7 +274,8 @@ void add_diagnose_command(CommandLine& line) {
       .add_option_function<std::vector<char>>(
           "--bases",
           [options](const std::vector<char>& axes) {
-            for (char axis : axes) options->plan.bases.push_back(axis - 'x');
+            for (char axis : axes)
+              options->plan.bases.push_back(place_among(axis_names, std::string(1, axis)));
           },
           "of a planned test: axes of the table")
       ->check(CLI::IsMember({'x', 'y', 'z'}));

@@ -23,7 +23,7 @@ std::pair<std::string, double> channel_as(const std::string& channel,
   if (dot == std::string::npos || dot + 2 != channel.size()) return {"", 1};
   for (const Renamed& r : list) {
     if (channel.substr(0, dot) != r.was) continue;
-    const int axis = channel.back() - 'x' + 1;
+    const int axis = axis_of_channel(channel) + 1;
     for (std::size_t k = 0; k < 3; ++k)
       if (std::abs(r.as->axes[k]) == axis)
         return {r.as->name + "." + axis_word(int(k)), r.as->axes[k] < 0 ? -1 : 1};

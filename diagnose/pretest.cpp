@@ -89,8 +89,8 @@ double apart(const std::vector<VectorXd>& g, const std::vector<Hypothesis>& all)
 }
 
 // What may be measured besides, and is not in the test.
-std::vector<Offer> offers_beside(const Case& data, const Nominal& nominal, const TestReadings& test,
-                                 const std::shared_ptr<StateModels>& models) {
+OfferedReadings offers_beside(const Case& data, const Nominal& nominal, const TestReadings& test,
+                              const std::shared_ptr<StateModels>& models) {
   std::vector<Offer> offers = menu(data, Measured{}, test, nominal.states.front().further_places());
   const auto has = [&](const Reading& r) {
     return r.run < 0 &&
@@ -102,32 +102,29 @@ std::vector<Offer> offers_beside(const Case& data, const Nominal& nominal, const
   std::erase_if(offers, [&](const Offer& o) {
     return o.readings.readings.empty() || has(o.readings.readings.front());
   });
-  return offers;
+  return in_one_list(std::move(offers));
 }
 
 // Whitened change of every offered reading by every hypothesis: by offer, then hypothesis.
-std::vector<std::vector<VectorXd>> changes_of(const std::vector<Offer>& offers,
+std::vector<std::vector<VectorXd>> changes_of(const OfferedReadings& offered,
                                               const Nominal& nominal,
                                               const std::vector<Signature>& own,
                                               const std::vector<Hypothesis>& all,
                                               const std::shared_ptr<StateModels>& models) {
-  std::vector<std::vector<VectorXd>> change(offers.size(), std::vector<VectorXd>(all.size()));
-  TestReadings together;
-  std::vector<Index> first{0};
-  for (const Offer& o : offers) {
-    append_readings(together, o.readings);
-    first.push_back(Index(together.readings.size()));
-  }
-  const auto y0 = Predictor(nominal, together, {}, models)(VectorXd());
+  const std::size_t count = offered.offers.size();
+  const TestReadings& readings = offered.readings;
+  const std::vector<Index>& first = offered.first;
+  std::vector<std::vector<VectorXd>> change(count, std::vector<VectorXd>(all.size()));
+  const auto y0 = Predictor(nominal, readings, {}, models)(VectorXd());
   in_parallel(int(all.size()), [&](int h) {
-    const Predictor predict(nominal, together, {&all[std::size_t(h)]}, models);
+    const Predictor predict(nominal, readings, {&all[std::size_t(h)]}, models);
     const auto y = predict(predict.values_of(own[std::size_t(h)].z));
-    for (std::size_t o = 0; o < offers.size(); ++o) {
+    for (std::size_t o = 0; o < count; ++o) {
       VectorXd d = VectorXd::Zero(first[o + 1] - first[o]);
       for (Index k = 0; k < d.size() && y && y0; ++k) {
         const double x = (*y)[first[o] + k] - (*y0)[first[o] + k];
         if (std::isfinite(x))
-          d[k] = x / usual_sigma(together.readings[std::size_t(first[o] + k)].kind);
+          d[k] = x / usual_sigma(readings.readings[std::size_t(first[o] + k)].kind);
       }
       change[o][std::size_t(h)] = d;
     }
@@ -149,8 +146,9 @@ std::vector<PlannedAddition> better(const Case& data, const Nominal& nominal,
                                     const TestReadings& test, const std::vector<Signature>& own,
                                     const std::vector<Hypothesis>& all,
                                     const std::shared_ptr<StateModels>& models) {
-  const std::vector<Offer> offers = offers_beside(data, nominal, test, models);
-  std::vector<std::vector<VectorXd>> change = changes_of(offers, nominal, own, all, models);
+  const OfferedReadings offered = offers_beside(data, nominal, test, models);
+  const std::vector<Offer>& offers = offered.offers;
+  std::vector<std::vector<VectorXd>> change = changes_of(offered, nominal, own, all, models);
   std::vector<VectorXd> g;
   for (const Signature& s : own) g.push_back(s.g);
   std::vector<PlannedAddition> proposals;

@@ -106,6 +106,21 @@ double end_of_slices(const ModesRequest& request, int extension) {
   return eigenvalue(request.band[1] * std::pow(1.15, 1 + extension));
 }
 
+// How many modes there are at most.
+int most_modes(const DistributedMatrix& K, const DistributedMatrix& M, const Ranks& ranks) {
+  const int most = std::min(dofs_with_mass(M, ranks), K.size() - 1);
+  if (most <= 0)
+    throw ModelError("what is free to move has no mass, so there are no modes (is a density zero?)",
+                     {"materials", "parts"});
+  return most;
+}
+
+// How many are sought at first: some beyond those asked for, of a free body beyond its rigid modes.
+int first_count(const ModesRequest& request, const ShiftedFactor& base, int most) {
+  const int least = base.sigma < 0 ? 6 : 1;
+  return std::min(most, (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes);
+}
+
 } // namespace
 
 int dofs_with_mass(const DistributedMatrix& M, const Ranks& ranks) {
@@ -130,15 +145,10 @@ ShiftedFactor factor_under_spectrum(const DistributedMatrix& K, const Distribute
 DistributedModes find_modes(const DistributedMatrix& K, const DistributedMatrix& M,
                             const ModesRequest& request, ShiftedFactor& base, const Ranks& ranks,
                             const MumpsSettings& settings) {
-  const int most = std::min(dofs_with_mass(M, ranks), K.size() - 1);
-  if (most <= 0)
-    throw ModelError("what is free to move has no mass, so there are no modes (is a density zero?)",
-                     {"materials", "parts"});
+  const int most = most_modes(K, M, ranks);
   DistributedModes modes;
   Stopwatch watch;
-  const int least = base.sigma < 0 ? 6 : 1; // a free body: beyond its rigid modes
-  int count =
-      std::min(most, (request.count > 0 ? std::max(request.count, least) : 16) + guard_modes);
+  int count = first_count(request, base, most);
   unsigned seed = 1;
   bool scaled = base.sigma == 0;
   const bool sliced = request.count == 0;

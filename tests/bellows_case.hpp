@@ -44,6 +44,21 @@ inline void add_liner(Case& data, Attachment attachment) {
                                            .radius = 0.02}});
 }
 
+// A light one between the caps, with a slider beside it along the bellows, N.
+inline Interlock sliding_liner(double slip_force) {
+  Interlock liner{.along = "bellows",
+                  .attachment = Attachment::caps,
+                  .EA = 2e3,
+                  .EI = 1,
+                  .GJ = 0.5,
+                  .mass = 0.05,
+                  .radius = 0.02};
+  liner.friction.emplace();
+  liner.friction->axial.emplace();
+  liner.friction->axial->sliders = {{.stiffness = 1e5, .slip_force = slip_force}};
+  return liner;
+}
+
 // The bellows alone: what harmonic_model.hpp takes.
 struct BareBellows {
   Mesh mesh;

@@ -36,6 +36,20 @@ inline Case beam_of(int stretches, double length, double width, double depth, bo
   return c;
 }
 
+// The beam of the tests of baselines: half a metre of 30 x 10 mm in five stretches, held.
+inline Case held_beam() {
+  return beam_of(5, 0.5, 0.03, 0.01, true);
+}
+
+// With 120 g clamped to it 0.3 m along.
+inline Case with_a_clamp(Case c) {
+  PointMass mass;
+  mass.at = "beam.point[4]";
+  mass.mass = 0.12;
+  c.parts.push_back({"clamp", mass});
+  return c;
+}
+
 // Masses of 40, 50 and 60 g at points 2 to 4 of it: m1, m2, m3.
 inline void add_masses(Case& c) {
   for (int k = 2; k <= 4; ++k) {
@@ -80,6 +94,14 @@ inline MeasuredMode bending(Axis axis, int order, const std::string& state, doub
   mode.order = order;
   mode.state = state;
   mode.frequency = frequency;
+  return mode;
+}
+
+// Of one kind, with 1 % of damping, its frequency to be read of a model.
+inline MeasuredMode damped_mode(MeasuredShape shape, Axis axis, int order) {
+  MeasuredMode mode = bending(axis, order, "");
+  mode.shape = shape;
+  mode.damping = 0.01;
   return mode;
 }
 

@@ -18,7 +18,7 @@ constexpr double true_modulus = 200e9, drawn_modulus = 185e9;
 
 // Drawn too soft by 8 %, its modulus free in the fit.
 Case drawn_too_soft() {
-  Case c = beam_of(5, 0.5, 0.03, 0.01, true);
+  Case c = held_beam();
   c.materials.at("steel").E = drawn_modulus;
   c.fit.emplace();
   c.fit->parameters = {test::fit_parameter("materials.steel.E", 150e9, 250e9)};
@@ -27,13 +27,7 @@ Case drawn_too_soft() {
 
 // The true beam, each mode off by some percent more, before and after it got 120 g.
 Measured of_the_true_beam() {
-  const Case truth = beam_of(5, 0.5, 0.03, 0.01, true);
-  Case heavier = truth;
-  PointMass mass;
-  mass.at = "beam.point[4]";
-  mass.mass = 0.12;
-  heavier.parts.push_back({"clamp", mass});
-  return before_and_after(truth, heavier);
+  return before_and_after(held_beam(), with_a_clamp(held_beam()));
 }
 
 FittedBaseline fitted_to(const Measured& m) {
@@ -89,8 +83,7 @@ TEST(FitBaseline, asks_for_what_to_fit_and_for_a_baseline_as_it_is_drawn) {
     return std::string();
   };
   Measured m = of_the_true_beam();
-  EXPECT_EQ(key(beam_of(5, 0.5, 0.03, 0.01, true), m),
-            "diagnose.fit_baseline: needs a section `fit`");
+  EXPECT_EQ(key(held_beam(), m), "diagnose.fit_baseline: needs a section `fit`");
   m.states[0].set = {{"materials.steel.E", "190 GPa"}};
   EXPECT_EQ(key(drawn_too_soft(), m), "diagnose.fit_baseline: needs a baseline that differs from "
                                       "the case by no known change");

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 // A held beam with three masses, the second of which, 50 g, gains 40 g.
 Case with_masses() {
-  Case c = beam_of(5, 0.5, 0.03, 0.01, true);
+  Case c = held_beam();
   add_masses(c);
   return c;
 }

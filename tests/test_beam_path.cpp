@@ -92,7 +92,7 @@ TEST(FreeParts, have_the_modes_of_a_free_beam_whether_they_hang_or_not) {
 }
 
 TEST(Orders, bind_however_far_the_frequency) {
-  const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
+  const Case nominal = held_beam();
   Measured m;
   m.specimen = "beam";
   m.modes = {bending(Axis::z, 1, "", 1), bending(Axis::z, 2, "", 1)};

@@ -1,7 +1,6 @@
 // Forces along beams and temperatures of decks: closed forms, the same deck in CalculiX.
-#include "tests/calculix_steps.hpp"
 #include "tests/curved_plate.hpp"
-#include "tests/deck_loads.hpp"
+#include "tests/loads_beside_calculix.hpp"
 #include "words/input_error.hpp"
 
 #include <cmath>
@@ -277,17 +276,7 @@ TEST(CalculixLoads, of_hot_shells_and_of_their_sides_give_its_displacements) {
                 "*STEP\n*STATIC\n*TEMPERATURE\nALL, 20.\n*DSLOAD\nUPPER, "
                 "P, 0.001\n" +
                 print + "*STEP\n*STATIC\n*DSLOAD, OP=NEW\nLOWER, P, 0.003\n" + print);
-  const auto theirs = calculix_steps(deck);
-  ASSERT_EQ(theirs.size(), 3U) << "CalculiX (ccx) is not there, or broke off";
-  const Results ours = loads_of("model.inp", deck);
-  ASSERT_EQ(ours.deck_loads.size(), 3U);
-  for (std::size_t step = 0; step < 3; ++step)
-    for (const auto& [node, u] : theirs[step]) {
-      const Eigen::Vector3d own = 1e3 * node_of(ours.deck_loads[step], node).displacement.head<3>();
-      fmt::print("step {} node {}: {:.5f} {:.5f} {:.5f} mm, CalculiX {:.5f} {:.5f} {:.5f}\n",
-                 step + 1, node, own[0], own[1], own[2], u[0], u[1], u[2]);
-      EXPECT_LT((own - u).norm(), 0.01 * u.norm()) << "step " << step + 1 << " node " << node;
-    }
+  expect_displacements_of_calculix(deck, 3);
 }
 
 } // namespace

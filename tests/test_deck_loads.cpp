@@ -1,7 +1,6 @@
 // Loads of decks as static analyses: beams and plates in closed form, the same deck in CalculiX.
-#include "tests/calculix_steps.hpp"
 #include "tests/curved_plate.hpp"
-#include "tests/deck_loads.hpp"
+#include "tests/loads_beside_calculix.hpp"
 
 #include <cmath>
 
@@ -228,18 +227,7 @@ std::string calculix_plate() {
 }
 
 TEST(CalculixLoads, steps_of_forces_pressure_weight_and_moved_nodes_give_its_displacements) {
-  const std::string deck = calculix_plate();
-  const auto theirs = calculix_steps(deck);
-  ASSERT_EQ(theirs.size(), 4U) << "CalculiX (ccx) is not there, or broke off";
-  const Results ours = loads_of("model.inp", deck);
-  ASSERT_EQ(ours.deck_loads.size(), 4U);
-  for (std::size_t step = 0; step < 4; ++step)
-    for (const auto& [node, u] : theirs[step]) {
-      const Eigen::Vector3d own = 1e3 * node_of(ours.deck_loads[step], node).displacement.head<3>();
-      fmt::print("step {} node {}: {:.5f} {:.5f} {:.5f} mm, CalculiX {:.5f} {:.5f} {:.5f}\n",
-                 step + 1, node, own[0], own[1], own[2], u[0], u[1], u[2]);
-      EXPECT_LT((own - u).norm(), 0.01 * u.norm()) << "step " << step + 1 << " node " << node;
-    }
+  expect_displacements_of_calculix(calculix_plate(), 4);
 }
 
 } // namespace

@@ -5,7 +5,9 @@
 #include "diagnose/weigh/damping_weights.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "diagnose/weigh/uncertainty.hpp"
+#include "tests/changed_beam.hpp"
 #include "tests/tube_case.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
@@ -119,7 +121,7 @@ TestData sweeps_of(Case truth, double along_x, double along_z) {
       Index first = 0;
       modes.gamma.col(base).cwiseAbs().maxCoeff(&first);
       set.hertz = VectorXd::LinSpaced(1500, 0.7 * modes.hertz(first), 1.4 * modes.hertz(first));
-      set.references = {std::string("base.") + "xyz"[base]};
+      set.references = {std::string("base.") + axis_word(base)};
       set.H.emplace_back(set.hertz.size(), 4);
       for (const std::string sensor : {"tip", "root"})
         for (int axis : {0, 2}) {
@@ -129,7 +131,7 @@ TestData sweeps_of(Case truth, double along_x, double along_z) {
                       .axis = axis,
                       .peaks = {}};
           set.H[0].col(Index(set.responses.size())) = *predict.response(VectorXd(), run, set.hertz);
-          set.responses.push_back(sensor + "." + "xyz"[axis]);
+          set.responses.push_back(sensor + "." + axis_word(axis));
         }
       test.responses.push_back({set});
     }
@@ -305,32 +307,12 @@ Measured modes_of(const Case& truth) {
   m.statics.push_back(m.statics.front());
   m.statics.back().direction = StaticDirection::transverse_x;
   m.mass = MeasuredMass{.value = 1, .sigma = 0.001, .repeats = {}};
-  for (const auto& [shape, axis, order] : {std::tuple{MeasuredShape::transverse, Axis::x, 1},
-                                           {MeasuredShape::transverse, Axis::x, 2},
-                                           {MeasuredShape::transverse, Axis::z, 1},
-                                           {MeasuredShape::transverse, Axis::z, 2},
-                                           {MeasuredShape::axial, Axis::y, 1}}) {
-    MeasuredMode mode;
-    mode.shape = shape;
-    mode.direction = axis;
-    mode.order = order;
-    mode.frequency = 1;
-    mode.damping = 0.01;
-    m.modes.push_back(mode);
-  }
-  const TestReadings readings = readings_of({.data = m, .responses = {}});
-  const VectorXd y = *Predictor(nominal_of(truth, m), readings, {})(VectorXd());
-  for (Index i = 0; i < y.size(); ++i) {
-    const Reading& r = readings.readings[std::size_t(i)];
-    const double value = std::exp(y[i]);
-    if (r.kind == ReadingKind::mass) m.mass->value = value;
-    if (r.kind == ReadingKind::frequency) m.modes[std::size_t(r.entry[6] - '0')].frequency = value;
-    if (r.kind == ReadingKind::stiffness) {
-      MeasuredStatic& k = m.statics[std::size_t(r.entry[7] - '0')];
-      k.value = value;
-      k.sigma = 0.015 * value;
-    }
-  }
+  for (const auto& [axis, order] :
+       {std::pair{Axis::x, 1}, {Axis::x, 2}, {Axis::z, 1}, {Axis::z, 2}})
+    m.modes.push_back(changed_beam::damped_mode(MeasuredShape::transverse, axis, order));
+  m.modes.push_back(changed_beam::damped_mode(MeasuredShape::axial, Axis::y, 1));
+  changed_beam::take_readings(m, changed_beam::read_by(truth, m));
+  for (MeasuredStatic& k : m.statics) k.sigma = 0.015 * k.value;
   return m;
 }
 

@@ -26,7 +26,7 @@ std::string problem_of(const Case& data) {
 }
 
 TEST(ChosenEffects, are_those_that_the_case_lets_in) {
-  Case data = beam_of(5, 0.5, 0.03, 0.01, true);
+  Case data = held_beam();
   data.diagnose.effects = {"added_mass", "extra_support"};
   data.diagnose.without = {"extra_support"};
   data.diagnose.places = {"beam.point[3]"};
@@ -43,7 +43,7 @@ TEST(ChosenEffects, are_those_that_the_case_lets_in) {
 }
 
 TEST(ChosenEffects, refuse_what_is_none) {
-  const Case data = beam_of(5, 0.5, 0.03, 0.01, true);
+  const Case data = held_beam();
   Case effect = data, place = data, parameter = data, nothing = data, empty = data;
   effect.diagnose.without = {"addedmass"};
   place.diagnose.places = {"bellow"};
@@ -111,7 +111,7 @@ TEST(States, orders_of_modes_rise_with_their_frequencies) {
 // What is wrong with a test of a beam, with its key.
 std::string refusal_of(const Measured& m) {
   try {
-    diagnosis_of(beam_of(5, 0.5, 0.03, 0.01, true), m);
+    diagnosis_of(held_beam(), m);
   } catch (const InputError& error) {
     return error.problems().front().key + ": " + error.problems().front().wrong;
   }

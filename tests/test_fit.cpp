@@ -84,6 +84,17 @@ FitRequest three_numbers() {
   return request;
 }
 
+// The first and the last of them, the mass tied to the caps.
+FitRequest tied_mass(double constant) {
+  FitRequest request = three_numbers();
+  request.parameters.erase(request.parameters.begin() + 1);
+  request.ties = {{.path = "parts.bellows.inner.mass",
+                   .constant = constant,
+                   .of_text = {},
+                   .of = {{"parts.bellows.end_cap", -2}}}};
+  return request;
+}
+
 // Each of 100 fits to data with 0.5 % noise: the true value within two standard deviations in at
 // least 90 (95 are expected), and the scatter of the results as large as stated.
 TEST(Fit, brings_known_parameters_back_within_their_stated_uncertainty) {
@@ -156,12 +167,7 @@ TEST(Fit, keeps_ties_and_constraints) {
   const Case data = small_pipe();
   std::mt19937_64 random(1);
   const Measured measured = measured_on(data, 0.01, random);
-  FitRequest request = three_numbers();
-  request.parameters.erase(request.parameters.begin() + 1);
-  request.ties = {{.path = "parts.bellows.inner.mass",
-                   .constant = 0.7,
-                   .of_text = {},
-                   .of = {{"parts.bellows.end_cap", -2}}}};
+  FitRequest request = tied_mass(0.7);
   request.constraints = {
       {.name = "stiff", .of_text = {}, .of = {{"k_axial", 1}}, .min = 6.6e4, .max = {}}};
   const FitResult fit = fit_case(data, request, {measured, {}}, {});
@@ -227,12 +233,7 @@ TEST(Fit, refuses_designs_whose_ties_leave_their_range) {
   const Case data = small_pipe();
   std::mt19937_64 random(1);
   const Measured measured = measured_on(data, 0.01, random);
-  FitRequest request = three_numbers();
-  request.parameters.erase(request.parameters.begin() + 1);
-  request.ties = {{.path = "parts.bellows.inner.mass",
-                   .constant = 0.41,
-                   .of_text = {},
-                   .of = {{"parts.bellows.end_cap", -2}}}};
+  FitRequest request = tied_mass(0.41);
   const FitResult fit =
       fit_case(data, request, {measured, {}}, {.search = FitSearch::global, .evaluations = 300});
   EXPECT_GE(fit.ties[0].value, 0);

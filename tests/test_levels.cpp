@@ -6,6 +6,7 @@
 #include "run/routes/ply_slip.hpp"
 #include "solve/backbone.hpp"
 #include "tests/fit_parameter.hpp"
+#include "tests/sliding_chain.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -23,17 +24,7 @@ Results run_quietly(const Case& data) {
 
 // 0.5 kg between two elements, each 20 kN/m with a slider of 60 kN/m and 3 N beside it, along y.
 Case mass_between_sliders() {
-  ConnectorChain chain;
-  chain.length = 0.2;
-  chain.count = 2;
-  chain.spring = {.axial = 2e4, .transverse = 1e6, .bending = 1e3, .torsion = 1e3};
-  chain.mass = 1; // half of it in the middle
-  chain.friction.emplace().axial.emplace().sliders = {{6e4, 3}};
-  Case data;
-  data.name = "sliders";
-  data.parts.push_back({"chain", chain});
-  data.caps = {{.name = "left", .of = {"chain.left"}}, {.name = "right", .of = {"chain.right"}}};
-  data.mount = {{.cap = "left"}, {.cap = "right"}};
+  Case data = test::sliding_chain();
   data.sensors = {{.name = "mid", .at = {0, 0.1, 0}}};
   data.analyses.error_bars = false;
   data.analyses.modes = Modes{.count = 3};

@@ -31,6 +31,22 @@ Case coarse_bellows(int modes = 0) {
   return data;
 }
 
+const double resonance_of_mass = std::sqrt(5.4e4 / 20) / (2 * pi);
+
+// 18 to 22 kg on the right end, which is free; the left one is moved along through the resonance.
+Case free_end_with_mass() {
+  Case data = coarse_bellows(8);
+  data.mount.pop_back();
+  data.caps[1].mass = 20;
+  data.caps[1].inertia = {0.02, 0.02, 0.02, 0, 0, 0};
+  data.tolerances = {{.path = "caps.right.mass", .value = 20, .low = 18, .high = 22}};
+  data.analyses.damping.modal = 0.02;
+  data.analyses.error_bars = false;
+  data.analyses.response = Response{
+      .bases = {1}, .band = {resonance_of_mass / 10, 3 * resonance_of_mass}, .points = 400};
+  return data;
+}
+
 LifeHistory trip() {
   LifeHistory history{.name = "trip", .signals = {{.of = "axial", .signal = {}}}, .repeats = 50};
   VectorXd motion(9);
@@ -93,15 +109,8 @@ TEST(LifeIntervals, of_a_history_is_that_of_its_stress_to_the_power_of_the_slope
 // with the fourth power of it, the swings a second with m^(-1/2). In a sweep the cycles near the
 // resonance go with its width, m^(-1/2) too. m lies between 18 and 22 kg: 5 and 95 % at 18.2, 21.8.
 TEST(LifeIntervals, of_random_motion_and_of_a_sweep_go_with_the_mass_by_hand) {
-  Case data = coarse_bellows(8);
-  data.mount.pop_back(); // the right end is free
-  data.caps[1].mass = 20;
-  data.caps[1].inertia = {0.02, 0.02, 0.02, 0, 0, 0};
-  data.tolerances = {{.path = "caps.right.mass", .value = 20, .low = 18, .high = 22}};
-  data.analyses.damping.modal = 0.02;
-  data.analyses.error_bars = false;
-  const double f = std::sqrt(5.4e4 / 20) / (2 * pi);
-  data.analyses.response = Response{.bases = {1}, .band = {f / 10, 3 * f}, .points = 400};
+  Case data = free_end_with_mass();
+  const double f = resonance_of_mass;
   data.analyses.response->random.emplace();
   data.analyses.response->random->level = 0.5;
   data.analyses.life->random = {{.name = "road", .of = "y", .duration = 3600}};
@@ -126,26 +135,9 @@ TEST(LifeIntervals, of_random_motion_and_of_a_sweep_go_with_the_mass_by_hand) {
 // joints solved anew, and so has the sum.
 TEST(LifeIntervals, of_a_sweep_with_friction_are_of_its_joints_solved_anew) {
   const auto swept = [](double slip_force) {
-    Case data = coarse_bellows(8);
-    data.mount.pop_back(); // the right end is free
-    data.caps[1].mass = 20;
-    data.caps[1].inertia = {0.02, 0.02, 0.02, 0, 0, 0};
-    data.tolerances = {{.path = "caps.right.mass", .value = 20, .low = 18, .high = 22}};
-    data.analyses.damping.modal = 0.02;
-    data.analyses.error_bars = false;
-    const double f = std::sqrt(5.4e4 / 20) / (2 * pi);
-    data.analyses.response = Response{.bases = {1}, .band = {f / 10, 3 * f}, .points = 400};
-    Interlock liner{.along = "bellows",
-                    .attachment = Attachment::caps,
-                    .EA = 2e3,
-                    .EI = 1,
-                    .GJ = 0.5,
-                    .mass = 0.05,
-                    .radius = 0.02};
-    liner.friction.emplace();
-    liner.friction->axial.emplace();
-    liner.friction->axial->sliders = {{.stiffness = 1e5, .slip_force = slip_force}};
-    data.parts.push_back({"liner", liner});
+    Case data = free_end_with_mass();
+    const double f = resonance_of_mass;
+    data.parts.push_back({"liner", sliding_liner(slip_force)});
     for (const bool friction : {false, true})
       data.analyses.life->sweeps.push_back({.name = friction ? "balanced" : "linear",
                                             .of = "y",

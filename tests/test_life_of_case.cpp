@@ -287,17 +287,7 @@ TEST(LifeOfCase, random_motion_is_miles_and_its_history) {
 TEST(LifeOfCase, sweep_with_friction_between_stuck_and_slipping) {
   const auto damage = [](double slip_force) {
     MassOnBellows m(0.02);
-    Interlock liner{.along = "bellows",
-                    .attachment = Attachment::caps,
-                    .EA = 2e3,
-                    .EI = 1,
-                    .GJ = 0.5,
-                    .mass = 0.05,
-                    .radius = 0.02};
-    liner.friction.emplace();
-    liner.friction->axial.emplace();
-    liner.friction->axial->sliders = {{.stiffness = 1e5, .slip_force = slip_force}};
-    m.data.parts.push_back({"liner", liner});
+    m.data.parts.push_back({"liner", sliding_liner(slip_force)});
     m.data.analyses.life->strokes.clear();
     for (const bool friction : {false, true})
       m.data.analyses.life->sweeps.push_back({.name = friction ? "balanced" : "linear",

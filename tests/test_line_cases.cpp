@@ -8,6 +8,7 @@
 #include "io/write/write_results.hpp"
 #include "run/analyses/run.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <cmath>
@@ -256,7 +257,7 @@ TEST(LineCases, the_starter_is_drawn_with_its_muffler_and_hangers) {
   for (const ModeResult& m : r.modes) // the bellows moves along, the line is what they are about
     for (std::size_t d = 0; d < 3; ++d)
       if (m.effective_mass[d] > 0.5 * r.free_mass[d]) {
-        EXPECT_EQ(m.direction, std::string(1, "xyz"[d])) << m.frequency;
+        EXPECT_EQ(m.direction, axis_word(int(d))) << m.frequency;
         EXPECT_EQ(m.shape, d == 1 ? "axial" : "transverse") << m.frequency;
       }
   const std::string page = report_html(r);

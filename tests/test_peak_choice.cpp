@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace plica {
 namespace {
@@ -58,6 +59,22 @@ TEST(PeakChoice, passes_over_a_mode_between_two_at_a_cost) {
       << "the test says that it has not got one";
   EXPECT_EQ(paired(test, model, false, {}, {{true, true, false, true, true}, {}}), (Peaks{1, 3}))
       << "one along another axis";
+}
+
+// Two ways through the same sums: what is passed over costs nothing, or could but never does.
+TEST(PeakChoice, pairs_alike_where_nothing_is_passed_over_at_a_cost) {
+  std::mt19937 draw(20261127);
+  std::uniform_real_distribution<double> step(0, 0.3);
+  for (int round = 0; round < 200; ++round) {
+    const auto list = [&](std::size_t count) {
+      std::vector<double> hertz{100};
+      while (hertz.size() < count) hertz.push_back(hertz.back() * std::exp(step(draw)));
+      return hertz;
+    };
+    const std::vector<double> test = list(5), model = list(12);
+    EXPECT_EQ(paired(test, model, false),
+              paired(test, model, false, {}, {std::vector<bool>(model.size(), false), {}}));
+  }
 }
 
 TEST(PeakChoice, leaves_out_what_is_below_twelve_percent_of_the_highest) {

@@ -38,4 +38,9 @@ constexpr int place_among(const std::array<const char*, N>& words, std::string_v
   return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 
+// Axis of a channel "mid.y" by its last letter, 0..2; -1: it is the name of none.
+constexpr int axis_of_channel(std::string_view channel) {
+  return channel.empty() ? -1 : place_among(axis_names, channel.substr(channel.size() - 1));
+}
+
 } // namespace plica

@@ -6,6 +6,7 @@
 #include "diagnose/weigh/scatter.hpp"
 #include "solve/parallel.hpp"
 #include "solve/strain_energy.hpp"
+#include "words/directions.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -106,9 +107,9 @@ std::pair<Index, double> row_of(const NominalState& state, const std::string& ch
   const std::size_t dot = channel.rfind('.');
   if (dot == std::string::npos) return {-1, 1};
   const std::string sensor = channel.substr(0, dot);
-  const int axis = channel.back() - 'x';
+  const int axis = axis_of_channel(channel);
   for (std::size_t s = 0; s < state.built.sensors.size(); ++s)
-    if (state.built.sensors[s].name == sensor && axis >= 0 && axis < 3) {
+    if (state.built.sensors[s].name == sensor && axis >= 0) {
       Index along = 0;
       state.axes[s].row(axis).cwiseAbs().maxCoeff(&along);
       return {6 * Index(s) + along, state.axes[s](axis, along)};

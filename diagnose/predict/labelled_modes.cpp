@@ -25,14 +25,17 @@ bool is_of(const ModeLabel& label, MeasuredShape shape, int axis) {
          (label.shape == word_of(shape) && (axis < 0 || label.direction == axis_word(axis)));
 }
 
+double looked_for(const Reading& r) { // Hz
+  return r.paired_as > 0 ? r.paired_as : r.value;
+}
+
 } // namespace
 
 // Modes of a kind, increasing: those that have more of nominal modes of this kind in them than of
 // any other, and enough to be seen.
 std::vector<Index> StateAnswers::modes_of_kind(const AffineModes& m, MeasuredShape shape,
                                                int axis) {
-  const bool linear = linear_ && *linear_ && &m == &**linear_;
-  if (const auto known = of_kind_.find({shape, axis}); linear && known != of_kind_.end())
+  if (const auto known = of_kind_.find({shape, axis}); is_linear(m) && known != of_kind_.end())
     return known->second;
   std::vector<Index> found;
   constexpr double seen = 0.01;
@@ -48,17 +51,17 @@ std::vector<Index> StateAnswers::modes_of_kind(const AffineModes& m, MeasuredSha
       (other[j] < 0 ? own : shares[other[j]]) += std::pow(m.likeness(Index(j), i), 2);
     if (own > seen && own > shares.maxCoeff()) found.push_back(i);
   }
-  if (linear) of_kind_[{shape, axis}] = found;
+  if (is_linear(m)) of_kind_[{shape, axis}] = found;
   return found;
 }
 
 // Modes known by their kind: in their order, as they lie nearest.
-std::optional<double> StateAnswers::labelled(const Reading& reading) {
+double StateAnswers::labelled(const Reading& reading) {
   const bool is_component = reading.kind == ReadingKind::component;
   if (acting_.group && test_.runs[std::size_t(reading.run)].level > 0 && !is_component)
     return slipping_mode(reading);
   const AffineModes* m = linear_modes();
-  if (!m) return std::nullopt;
+  if (!m) return not_given;
   const Index mode = labelled_mode(*m, reading);
   if (mode < 0) return not_given;
   if (is_component) return component(*m, mode, reading);
@@ -93,30 +96,40 @@ double StateAnswers::component(const AffineModes& m, Index mode, const Reading& 
 }
 
 // Where the kind of motion is known the order that the test states binds; where it states no
-// direction, of those of that order along each axis the nearest. Of unknown kind, in their order as
-// they lie nearest, those passed over at a cost.
+// direction, of those of that order along each axis the nearest.
 Index StateAnswers::labelled_mode(const AffineModes& m, const Reading& reading) {
-  const auto looked_for = [](const Reading& r) { return r.paired_as > 0 ? r.paired_as : r.value; };
-  if (reading.shape != MeasuredShape::other) {
-    Index nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
-    const bool either = reading.axis < 0 && reading.shape == MeasuredShape::transverse;
-    for (int axis : either ? std::vector{0, 2} : std::vector{reading.axis}) {
-      const std::vector<Index> modes = modes_of_kind(m, reading.shape, axis);
-      if (reading.order > int(modes.size())) continue;
-      const Index own = modes[std::size_t(reading.order - 1)];
-      if (const double off = std::abs(std::log(m.hertz(own) / looked_for(reading))); off < least) {
-        least = off;
-        nearest = own;
-      }
-    }
-    return nearest;
+  if (reading.shape == MeasuredShape::other) {
+    const std::map<int, Index> list = listed_modes(m, reading);
+    const auto own = list.find(reading.order);
+    return own == list.end() ? -1 : own->second;
   }
+  Index nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  const bool either = reading.axis < 0 && reading.shape == MeasuredShape::transverse;
+  for (int axis : either ? std::vector{0, 2} : std::vector{reading.axis}) {
+    const std::vector<Index> modes = modes_of_kind(m, reading.shape, axis);
+    if (reading.order > int(modes.size())) continue;
+    const Index own = modes[std::size_t(reading.order - 1)];
+    if (const double off = std::abs(std::log(m.hertz(own) / looked_for(reading))); off < least) {
+      least = off;
+      nearest = own;
+    }
+  }
+  return nearest;
+}
+
+// Modes of unknown kind of one run and axis, by the order that the test gives them: in their order
+// as they lie nearest, those passed over at a cost.
+std::map<int, Index> StateAnswers::listed_modes(const AffineModes& m, const Reading& reading) {
+  const std::pair of{reading.run, reading.axis};
+  if (const auto known = listed_.find(of); is_linear(m) && known != listed_.end())
+    return known->second;
   std::map<int, double> measured; // by order
   for (const Reading& r : test_.readings)
     if (r.kind == ReadingKind::frequency && r.run == reading.run && r.shape == reading.shape &&
         r.axis == reading.axis)
       measured[r.order] = looked_for(r);
+  if (measured.empty()) return {};
   std::vector<Index> modes = modes_of_kind(m, reading.shape, reading.axis);
   const auto before = std::min(modes.size(), std::size_t(std::max(0, measured.begin()->first - 1)));
   modes.erase(modes.begin(), modes.begin() + Index(before));
@@ -133,9 +146,14 @@ Index StateAnswers::labelled_mode(const AffineModes& m, const Reading& reading) 
     between.counts.push_back(
         may_move(own_.nominal->labels[std::size_t(m.nominal(i))], reading.axis));
   }
-  const auto place = std::distance(measured.begin(), measured.find(reading.order));
-  const Index pair = paired(wanted, hertz, false, {}, between)[std::size_t(place)];
-  return pair < 0 ? -1 : modes[std::size_t(pair)];
+  std::map<int, Index> found;
+  const std::vector<Index> pairs = paired(wanted, hertz, false, {}, between);
+  for (auto next = pairs.begin(); const auto& [order, value] : measured) {
+    found[order] = *next < 0 ? -1 : modes[std::size_t(*next)];
+    ++next;
+  }
+  if (is_linear(m)) listed_[of] = found;
+  return found;
 }
 
 } // namespace plica

@@ -151,17 +151,21 @@ void append_readings(TestReadings& all, const TestReadings& part) {
   all.runs.insert(all.runs.end(), part.runs.begin(), part.runs.end());
 }
 
-OfferedReadings offered_beside(const Case& data, const Nominal& nominal, const Measured& measured,
-                               const TestReadings& test,
-                               const std::shared_ptr<StateModels>& models) {
-  OfferedReadings all{.offers =
-                          menu(data, measured, test, nominal.states.front().further_places())};
-  for (Offer& offer : all.offers) {
-    drop_unanswered(nominal, offer.readings, models);
+OfferedReadings in_one_list(std::vector<Offer> offers) {
+  OfferedReadings all{.offers = std::move(offers), .readings = {}};
+  for (const Offer& offer : all.offers) {
     append_readings(all.readings, offer.readings);
     all.first.push_back(Eigen::Index(all.readings.readings.size()));
   }
   return all;
+}
+
+OfferedReadings offered_beside(const Case& data, const Nominal& nominal, const Measured& measured,
+                               const TestReadings& test,
+                               const std::shared_ptr<StateModels>& models) {
+  std::vector<Offer> offers = menu(data, measured, test, nominal.states.front().further_places());
+  for (Offer& offer : offers) drop_unanswered(nominal, offer.readings, models);
+  return in_one_list(std::move(offers));
 }
 
 double OfferedReadings::apart(std::size_t offer, const Eigen::VectorXd& a,

@@ -30,8 +30,7 @@ double usual_sigma(ReadingKind kind);
 void drop_unanswered(const Nominal& nominal, TestReadings& test,
                      const std::shared_ptr<StateModels>& models = nullptr);
 
-// What is offered beside a test, in one list of readings; what the nominal case does not answer is
-// left out.
+// Offers with all their readings in one list, for a predictor that answers them at once.
 struct OfferedReadings {
   std::vector<Offer> offers;
   TestReadings readings = {};
@@ -41,6 +40,8 @@ struct OfferedReadings {
   // standard deviations.
   double apart(std::size_t offer, const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
 };
+OfferedReadings in_one_list(std::vector<Offer> offers);
+// The menu beside a test; what the nominal case does not answer is left out.
 OfferedReadings offered_beside(const Case& data, const Nominal& nominal, const Measured& measured,
                                const TestReadings& test,
                                const std::shared_ptr<StateModels>& models);

@@ -17,9 +17,11 @@ public:
     for (const bool counts : between.counts) until_.push_back(until_.back() + int(counts));
   }
 
+  bool is_zero() const { return between_.counts.empty(); }
+
   // From mode `a` to a later one, which measured mode i takes.
   double operator()(std::size_t i, std::size_t a, std::size_t b) const {
-    if (between_.counts.empty()) return 0;
+    if (is_zero()) return 0;
     const int missed = between_.missed.empty() ? 0 : between_.missed[i];
     return passed_over * std::max(0, until_[b] - until_[a + 1] - missed);
   }
@@ -46,17 +48,27 @@ std::vector<Index> paired(const std::vector<double>& measured, const std::vector
   // Of the measured modes up to i, the last of which takes j; and which the one before it takes.
   std::vector<std::vector<double>> cost(m, std::vector<double>(n, far));
   std::vector<std::vector<std::size_t>> before(m, std::vector<std::size_t>(n, 0));
-  for (std::size_t i = 0; i < m; ++i)
+  for (std::size_t i = 0; i < m; ++i) {
+    double least = i == 0 ? 0 : far;
+    std::size_t nearest = 0;
     for (std::size_t j = i; j < n; ++j) {
-      double least = i == 0 ? 0 : far;
-      for (std::size_t k = i == 0 ? j : i - 1; k < j; ++k)
+      // Where nothing between costs, what was least for the last j stays so but for the new j - 1.
+      std::size_t k = i == 0 ? j : j - 1;
+      if (i > 0 && !cost_between.is_zero()) {
+        k = i - 1;
+        least = far;
+        nearest = 0;
+      }
+      for (; k < j; ++k)
         if (const double all = cost[i - 1][k] + cost_between(i, k, j); all < least) {
           least = all;
-          before[i][j] = k;
+          nearest = k;
         }
+      before[i][j] = nearest;
       cost[i][j] = least + std::abs(std::log(measured[i] / model[j])) +
                    (handicaps.empty() ? 0 : handicaps[j]);
     }
+  }
   auto j =
       std::size_t(std::min_element(cost[m - 1].begin(), cost[m - 1].end()) - cost[m - 1].begin());
   for (std::size_t i = m; i-- > 0;) {

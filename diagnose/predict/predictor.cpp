@@ -341,7 +341,8 @@ std::optional<Answered> Predictor::answers(const VectorXd& values, Slip slip, Wh
       answers[s].emplace(answers_of(s, *acts[s]));
     }
     const std::optional<double> answer = answers[s]->answer(reading);
-    if (!answer) return std::nullopt;
+    if (!answers[s]->is_stable()) return std::nullopt;
+    if (!answer) continue;
     found.log[i] = *answer;
     if (across == Across::asked && reading.kind == ReadingKind::cross && std::isfinite(*answer))
       found.across.row(i) = answers[s]->scatter_across(reading).transpose();

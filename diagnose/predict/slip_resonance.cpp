@@ -2,6 +2,8 @@
 // amplitude.
 #include "diagnose/predict/state_answers.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -118,7 +120,7 @@ double StateAnswers::seen_at(const AffineModes& m, Index mode, int sensor, int a
 
 // A mode that is known by its kind, at what a shaker drives it to: at resonance the amplitude q is
 // a / (w^2 phi) where the controller holds the acceleration a, F phi / (2 zeta w^2) under a force.
-std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
+double StateAnswers::slipping_mode(const Reading& reading) {
   const auto [known, made] = driven_.try_emplace({reading.run, reading.peak}, 0., 0.);
   if (made) {
     const TestRun& run = test_.runs[std::size_t(reading.run)];
@@ -135,7 +137,10 @@ std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
     if (sensor < 0) return not_given;
     const auto state = slipping(acting_.softening, driven, table());
     auto m = state ? table().modes(state->front().stiffness) : std::nullopt;
-    if (!m) return std::nullopt;
+    if (!m) {
+      stable_ = false;
+      return not_given;
+    }
     const Index mode = labelled_mode(*m, reading);
     if (mode >= 0)
       known->second = {m->hertz(mode),
@@ -149,7 +154,7 @@ std::optional<double> StateAnswers::slipping_mode(const Reading& reading) {
 bool StateAnswers::predict_slipping_peaks(const TestRun& run, std::vector<Peak>& found) {
   Softening softening = acting_.softening;
   constexpr int along_the_pipe = 1;
-  const int along = run.input.base >= 0 ? run.input.base : run.input.force.back() - 'x';
+  const int along = run.input.base >= 0 ? run.input.base : axis_of_channel(run.input.force);
   if (along != along_the_pipe) softening.distance *= softening.across;
   // Of a table that is not stated what the case says; a hammer's force moves little.
   constexpr double little = 1e-6;

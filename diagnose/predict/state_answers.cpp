@@ -5,6 +5,7 @@
 #include "diagnose/predict/sensor_axes.hpp"
 #include "diagnose/readings/response_peaks.hpp"
 #include "lab/measured/slope_at.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,10 +44,11 @@ std::array<double, 2> band_of(const TestRun& run) {
 } // namespace
 
 std::optional<double> StateAnswers::answer(const Reading& reading) {
-  if (reading.kind == ReadingKind::mass) return std::log(mass());
-  if (reading.kind == ReadingKind::stiffness) return static_stiffness(reading);
-  if (is_of_rig(reading)) return rig_answer(reading);
-  return dynamic(reading);
+  const double y = reading.kind == ReadingKind::mass        ? std::log(mass())
+                   : reading.kind == ReadingKind::stiffness ? static_stiffness(reading)
+                   : is_of_rig(reading)                     ? rig_answer(reading)
+                                                            : dynamic(reading);
+  return std::isnan(y) ? std::nullopt : std::optional(y);
 }
 
 int StateAnswers::nominal_mode(const Reading& reading) {
@@ -73,6 +75,7 @@ const AffineModes* StateAnswers::linear_modes() {
   if (!linear_) {
     linear_ = acting_.given ? std::optional(*acting_.given) : own_.free.modes(acting_.all);
     if (*linear_) (*linear_)->zeta *= acting_.setup.damping;
+    stable_ = stable_ && *linear_;
   }
   return *linear_ ? &**linear_ : nullptr;
 }
@@ -147,7 +150,7 @@ VectorXd StateAnswers::input_of(const AffineModes& m, const TestRun& run) const 
   if (run.input.base >= 0) return m.gamma * base_of(run);
   VectorXd input(m.lambda.size());
   for (Index i = 0; i < input.size(); ++i)
-    input[i] = -seen_at(m, i, driven_sensor(run), run.input.force.back() - 'x');
+    input[i] = -seen_at(m, i, driven_sensor(run), axis_of_channel(run.input.force));
   return input;
 }
 
@@ -232,7 +235,7 @@ bool StateAnswers::predict_peaks(int number) {
   const TestRun& run = test_.runs[std::size_t(number)];
   std::vector<Peak> found;
   if (acting_.group) {
-    if (!predict_slipping_peaks(run, found)) return false;
+    if (!predict_slipping_peaks(run, found)) return stable_ = false;
   } else {
     for (const auto& [other, peaks] : peaks_) { // the level is not felt
       const TestRun& like = test_.runs[std::size_t(other)];
@@ -252,11 +255,11 @@ bool StateAnswers::predict_peaks(int number) {
   return true;
 }
 
-std::optional<double> StateAnswers::dynamic(const Reading& reading) {
+double StateAnswers::dynamic(const Reading& reading) {
   const TestRun& run = test_.runs[std::size_t(reading.run)];
   if (!run.input.any()) return labelled(reading);
   if (!answers_to(run)) return not_given;
-  if (!predict_peaks(reading.run)) return std::nullopt;
+  if (!predict_peaks(reading.run)) return not_given;
   Peak& peak = peaks_.at(reading.run)[std::size_t(reading.peak)];
   if (peak.mode < 0) return not_given;
   if (reading.kind == ReadingKind::component) return component(*peak.modes, peak.mode, reading);
@@ -287,9 +290,8 @@ std::optional<double> StateAnswers::dynamic(const Reading& reading) {
   return std::log(cross / main + cross_floor);
 }
 
-std::optional<double> StateAnswers::cross_resonance(const Reading& reading, const TestRun& run,
-                                                    int sensor) {
-  if (!predict_peaks(reading.at_run)) return std::nullopt;
+double StateAnswers::cross_resonance(const Reading& reading, const TestRun& run, int sensor) {
+  if (!predict_peaks(reading.at_run)) return not_given;
   const Peak& peak = peaks_.at(reading.at_run).front();
   if (peak.mode < 0) return not_given;
   std::vector<double> near;

@@ -35,9 +35,13 @@ public:
                Eigen::Index seen)
       : own_(state), test_(test), acting_(acting), seen_(seen) {}
 
-  // Logarithm of what the reading would be; not a number where the model does not give it. Empty
-  // where there is no stable structure.
+  // Logarithm of what the reading would be (a component of a shape as it is); none where the model
+  // does not give it.
   std::optional<double> answer(const Reading& reading);
+
+  // False once an answer asked for modes of a structure that is not stable, alone or as softly as
+  // its group may slip: then no answer stands. Mass and static stiffness ask for none.
+  bool is_stable() const { return stable_; }
 
   // Of a reading along another axis: what a sensor that is turned and a table that moves across
   // would add to its square (Answered).
@@ -50,7 +54,8 @@ public:
   std::optional<Eigen::VectorXcd> response(const TestRun& run, const Eigen::VectorXd& hertz);
 
 private:
-  static constexpr double not_given = std::numeric_limits<double>::quiet_NaN(); // by the model
+  // What the model does not give, within here.
+  static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
   // A peak of a run: the modes at its amplitude, and which of them it is.
   struct Peak {
@@ -76,7 +81,7 @@ private:
     std::function<double(const AffineModes&, Eigen::Index)> amplitude;
   };
 
-  const AffineModes* linear_modes();
+  const AffineModes* linear_modes(); // none: not stable
   Eigen::VectorXd damping_of(const AffineModes& linear) const;
   Eigen::Vector3d base_of(const TestRun& run) const {
     return acting_.setup.base.col(run.input.base);
@@ -98,7 +103,7 @@ private:
   std::vector<Eigen::Index> peak_modes(const AffineModes& m, const TestRun& run) const;
   std::optional<std::vector<Slipping>> slipping(const Softening& softening, const Driven& driven,
                                                 SlipTable& table) const;
-  std::optional<double> slipping_mode(const Reading& reading);
+  double slipping_mode(const Reading& reading);
   SlipTable& table();
   bool predict_peaks(int run);
   bool predict_slipping_peaks(const TestRun& run, std::vector<Peak>& found);
@@ -107,12 +112,13 @@ private:
   std::pair<double, double> summit(const Peak& peak, int sensor, int axis) const;
   double width(const Peak& peak, const TestRun& run) const;
   double highest(const Peak& peak, const TestRun& run, int sensor, int axis) const;
-  // Each as answer(): empty where there is no stable structure.
-  std::optional<double> dynamic(const Reading& reading);
-  std::optional<double> cross_resonance(const Reading& reading, const TestRun& run, int sensor);
-  std::optional<double> labelled(const Reading& reading);
+  double dynamic(const Reading& reading);
+  double cross_resonance(const Reading& reading, const TestRun& run, int sensor);
+  double labelled(const Reading& reading);
   std::vector<Eigen::Index> modes_of_kind(const AffineModes& m, MeasuredShape shape, int axis);
+  bool is_linear(const AffineModes& m) const { return linear_ && *linear_ && &m == &**linear_; }
   Eigen::Index labelled_mode(const AffineModes& m, const Reading& reading);
+  std::map<int, Eigen::Index> listed_modes(const AffineModes& m, const Reading& reading);
   double seen_at(const AffineModes& m, Eigen::Index mode, int sensor, int axis) const;
   double component(const AffineModes& m, Eigen::Index mode, const Reading& reading) const;
 
@@ -120,6 +126,7 @@ private:
   const TestReadings& test_;
   const Acting& acting_;
   const Eigen::Index seen_;
+  bool stable_ = true;
   std::optional<std::optional<AffineModes>> linear_;
   std::map<double, std::optional<EndStiffness>> rig_; // by what the group keeps
   // By the ends: a rig, what a group has less by amplitude and direction, and Z by frequency,
@@ -131,7 +138,9 @@ private:
   };
   std::map<std::vector<std::string>, Rig> rigs_;
   std::map<int, std::vector<Peak>> peaks_;
-  std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_; // linear modes
+  // Of linear modes: by kind and axis; of modes of unknown kind by run and axis, then by order.
+  std::map<std::pair<MeasuredShape, int>, std::vector<Eigen::Index>> of_kind_;
+  std::map<std::pair<int, int>, std::map<int, Eigen::Index>> listed_;
   std::shared_ptr<SlipTable> table_; // what it holds stands as long as this
   // Of modes that a shaker drives, by run and peak: Hz, damping.
   std::map<std::pair<int, int>, std::pair<double, double>> driven_;

@@ -112,6 +112,8 @@ constexpr double cross_floor = 0.02;
 double cross_value(double log_reading);
 // "base y", "force at mid.y"; empty for none.
 std::string word_of(const Input& input);
+// The mode that a reading without excitation is of: "transverse mode 2 in z".
+std::string mode_name(const Reading& reading);
 // In its unit, what its logarithm stands for.
 double value_of(const Reading& reading, double log_value);
 // How well a component of a mode shape is measured, of the largest.

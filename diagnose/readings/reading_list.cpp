@@ -34,6 +34,11 @@ std::string word_of(const Input& input) {
   return input.force.empty() ? "" : "force at " + input.force;
 }
 
+std::string mode_name(const Reading& reading) {
+  return std::string(word_of(reading.shape)) + " mode " + std::to_string(reading.order) +
+         (reading.axis < 0 ? "" : std::string(" in ") + axis_word(reading.axis));
+}
+
 std::string at_level(const TestRun& run) {
   if (run.level == 0) return "";
   return fmt::format(", {:g} {}", run.level, run.by_force ? "N" : "m/s2");

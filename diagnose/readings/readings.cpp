@@ -93,7 +93,7 @@ private:
                          .level = m.acceleration.value_or(m.force.value_or(0)),
                          .by_force = m.force.has_value(),
                          .sensor = m.drive.substr(0, dot),
-                         .axis = m.drive.empty() ? 0 : m.drive.back() - 'x',
+                         .axis = m.drive.empty() ? 0 : axis_of_channel(m.drive),
                          .peaks = {}};
     std::vector<TestRun>& runs = list_.all.runs;
     auto same = std::find_if(runs.begin(), runs.end(), [&](const TestRun& r) {
@@ -104,7 +104,7 @@ private:
     const int run = int(same - runs.begin());
     TestRun& own = *same;
     Reading reading{.kind = ReadingKind::frequency,
-                    .name = std::string(word_of(m.shape)) + " mode " + std::to_string(m.order),
+                    .name = "",
                     .unit = "Hz",
                     .entry = entry_name("modes", i),
                     .state = m.state,
@@ -118,7 +118,7 @@ private:
                     .sigma = relative(m.sigma, m.frequency, frequency_sigma(m.damping.value_or(0))),
                     .assumed = !m.sigma};
     own.peaks.push_back(m.frequency);
-    if (m.direction) reading.name += std::string(" in ") + axis_word(reading.axis);
+    reading.name = mode_name(reading);
     if (driven.level > 0) reading.name += at_level(driven) + " at " + m.drive;
     list_.add(reading);
     add_damping(reading, m.damping, m.sigma_damping);

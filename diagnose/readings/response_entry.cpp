@@ -13,7 +13,7 @@ using Eigen::Index;
 Input ResponseEntry::input() const {
   const std::string& reference_name = set->references[std::size_t(reference)];
   if (reference_name.starts_with("base."))
-    return {.base = reference_name.back() - 'x', .force = ""};
+    return {.base = axis_of_channel(reference_name), .force = ""};
   return {.force = reference_name};
 }
 

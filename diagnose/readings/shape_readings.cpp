@@ -1,5 +1,7 @@
 #include "diagnose/readings/shape_readings.hpp"
 
+#include "words/directions.hpp"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -42,7 +44,7 @@ std::vector<std::size_t> read_channels(const MeasuredVector& v, const VectorXd& 
   double seen = 0;
   for (std::size_t i = 0; i < v.channels.size(); ++i) {
     all.push_back(i);
-    if (v.channels[i].back() - 'x' != axis) continue;
+    if (axis_of_channel(v.channels[i]) != axis) continue;
     along.push_back(i);
     seen += std::pow(real[Eigen::Index(i)], 2);
   }
@@ -102,7 +104,7 @@ void add_shape_readings(const MeasuredMode& mode, const Reading& frequency, Read
   for (std::size_t i : chosen) {
     const std::string& channel = mode.vector->channels[i];
     read.sensors.push_back(channel.substr(0, channel.rfind('.')));
-    read.axes.push_back(channel.back() - 'x');
+    read.axes.push_back(axis_of_channel(channel));
     read.values.push_back(shape.real[Eigen::Index(i)] / largest);
   }
   turn_like_an_earlier_one(read, list.all.shapes);

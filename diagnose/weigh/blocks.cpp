@@ -44,8 +44,7 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
   if (r.run < 0) return label;
   const TestRun& run = test.runs[std::size_t(r.run)];
   if (!run.input.any()) {
-    label.band = r.name.substr(r.name.find("damping of ") == 0 ? 11 : 0);
-    label.band = label.band.substr(0, label.band.find_first_of(r.of_shape < 0 ? "," : ":,"));
+    label.band = mode_name(r);
     if (run.level > 0 && run.by_force) label.band += fmt::format(", {:g} N", run.level);
     if (run.level > 0 && !run.by_force) label.level = run.level;
     if (r.axis >= 0) label.direction = axis_word(r.axis);
@@ -176,11 +175,10 @@ std::vector<LevelTrend> level_trends(const TestReadings& test) {
     if (r.run < 0 || (r.kind != ReadingKind::frequency && r.kind != ReadingKind::damping)) continue;
     const TestRun& run = test.runs[std::size_t(r.run)];
     if (!(run.level > 0)) continue;
-    const std::string mode = r.name.substr(r.name.starts_with("damping of ") ? 11 : 0);
     const std::string name =
         std::string(kind_name(r.kind)) + " of " +
         (run.input.any() ? "peak " + std::to_string(r.peak + 1) + ", " + word_of(run.input)
-                         : mode.substr(0, mode.find(','))) +
+                         : mode_name(r)) +
         (r.state.empty() ? "" : ", " + r.state);
     series[name].add(std::log(run.level), r.log_value, r.sigma);
   }

@@ -1,6 +1,7 @@
 #include "lab/identification/identified_measured.hpp"
 
 #include "lab/measured/entries.hpp"
+#include "words/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,8 @@ using Eigen::Index;
 int part_axis(const std::string& channel, const std::vector<MeasuredSensor>& sensors) {
   const auto dot = channel.rfind('.');
   if (dot == std::string::npos || dot + 2 != channel.size()) return -1;
-  const int own = channel.back() - 'x';
-  if (own < 0 || own > 2) return -1;
+  const int own = axis_of_channel(channel);
+  if (own < 0) return -1;
   for (const MeasuredSensor& s : sensors)
     if (s.name == channel.substr(0, dot) && s.axes.size() == 3)
       return std::abs(s.axes[std::size_t(own)]) - 1;
@@ -30,7 +31,7 @@ void add_drive(const FrfSet& set, const Measured& test, MeasuredMode& mode) {
   const std::string& reference = set.references[0];
   if (set.quantity == FrfQuantity::transmissibility && reference.starts_with("base.") &&
       reference.size() == 6) {
-    mode.base = static_cast<Axis>(reference.back() - 'x');
+    mode.base = static_cast<Axis>(axis_of_channel(reference));
     mode.level = set.level;
     return;
   }

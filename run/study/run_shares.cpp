@@ -1,4 +1,4 @@
-#include "app/run_shares.hpp"
+#include "run/study/run_shares.hpp"
 
 #include <algorithm>
 #include <array>
