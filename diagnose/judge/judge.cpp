@@ -112,24 +112,6 @@ std::vector<const JudgedFit*> choices_alike(const std::vector<const JudgedFit*>&
   return first;
 }
 
-} // namespace
-
-double Judgement::probability_of(const std::string& effect) const {
-  for (const auto& [name, p] : probabilities)
-    if (name == effect) return p;
-  return 0;
-}
-
-double Judgement::share_of(const std::string& effect, const std::string& place) const {
-  const auto known = places.find(effect);
-  if (known == places.end()) return 1;
-  for (const auto& [name, share] : known->second)
-    if (name == place) return share;
-  return 0;
-}
-
-namespace {
-
 // What explains the test as well as what leads: an effect that closes none of the gap, which is not
 // named, or several effects without it at its place. What leads is not sure then.
 std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector<JudgedFit>& sets,

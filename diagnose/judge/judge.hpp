@@ -43,37 +43,11 @@
 #pragma once
 
 #include "diagnose/judge/inclusion.hpp"
-#include "diagnose/judge/judged_fit.hpp"
-#include "diagnose/results/diagnosis.hpp"
+#include "diagnose/judge/judgement.hpp"
 
 #include <functional>
-#include <map>
 
 namespace plica {
-
-struct Judgement {
-  Verdict verdict = Verdict::none;
-  std::vector<const JudgedFit*> named; // one; an ambiguous list; or sets, the best first
-  // Where nothing is named, what comes nearest; null: nothing is better than the nominal case.
-  const JudgedFit* nearest = nullptr;
-  std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
-  std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
-  bool stopped = false;                                                      // before all was tried
-  std::string withheld;                 // why an effect that leads is not named; empty = nothing is
-  std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn
-  std::optional<HypothesisFit> sampled; // the same with draws (Objection)
-  std::string warning;                  // what it is named in spite of; empty = nothing
-  bool mounted_anew = false;            // none, though the nominal case is not adequate
-  // Whether what is named are sets that explain the test.
-  bool names_sets() const {
-    return verdict == Verdict::several ||
-           (verdict == Verdict::ambiguous && named.front()->fit.together.size() > 1);
-  }
-  // Whether what leads was found by all rules, none of which withheld it.
-  bool is_settled() const { return verdict != Verdict::unknown && withheld.empty(); }
-  double probability_of(const std::string& effect) const;
-  double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
-};
 
 // Why a fit that leads must not be named; empty = it may.
 struct Objection {

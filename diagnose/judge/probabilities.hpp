@@ -2,7 +2,8 @@
 // among sets that explain the test alike, or over all that was tried.
 #pragma once
 
-#include "diagnose/judge/judge.hpp"
+#include "diagnose/judge/inclusion.hpp"
+#include "diagnose/judge/judgement.hpp"
 
 namespace plica {
 

@@ -105,7 +105,7 @@ public:
 
   std::vector<JudgedFit> beside(const JudgedFit& lead) {
     constexpr double hint = 0.5; // nats
-    begins_ = ends_; // all sizes lie behind
+    begins_ = ends_;             // all sizes lie behind
     context_.predictors.solve_anew();
     std::vector<Asked> asked;
     for (const auto& [own, h] : asked_for(lead.fit, few))

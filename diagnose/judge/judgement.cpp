@@ -1,0 +1,19 @@
+#include "diagnose/judge/judgement.hpp"
+
+namespace plica {
+
+double Judgement::probability_of(const std::string& effect) const {
+  for (const auto& [name, p] : probabilities)
+    if (name == effect) return p;
+  return 0;
+}
+
+double Judgement::share_of(const std::string& effect, const std::string& place) const {
+  const auto known = places.find(effect);
+  if (known == places.end()) return 1;
+  for (const auto& [name, share] : known->second)
+    if (name == place) return share;
+  return 0;
+}
+
+} // namespace plica
