@@ -100,16 +100,17 @@ bool leaves_room(const JudgedFit& nominal, const JudgedFit& set) {
          set.gap_after > std::sqrt(threshold::least_closed) * nominal.gap_after;
 }
 
-// Of standing sets the first of each choice of effects that is not told apart from the best. Where
-// these are more than three, nothing says what acts beside what they share.
-std::vector<const JudgedFit*> choices_alike(const std::vector<const JudgedFit*>& standing) {
+// Of standing sets the first of each choice of effects.
+std::vector<const JudgedFit*> choices_of(const std::vector<const JudgedFit*>& standing) {
   std::vector<const JudgedFit*> first;
   std::set<std::vector<std::string>> seen;
   for (const JudgedFit* set : standing)
-    if (evidence_of(standing.front()->fit) - evidence_of(set->fit) < threshold::alike &&
-        seen.insert(set->fit.effects()).second)
-      first.push_back(set);
+    if (seen.insert(set->fit.effects()).second) first.push_back(set);
   return first;
+}
+
+std::string alike_words(std::size_t sets) {
+  return fmt::format("{} sets of effects explain the test alike", sets);
 }
 
 // What explains the test as well as what leads: an effect that closes none of the gap, which is not
@@ -186,7 +187,8 @@ std::string short_of_most(const JudgedFit& nominal, const JudgedFit& lead) {
   return "";
 }
 
-// Standing sets, or of these a list where the best is not believed.
+// Standing sets, or of these a list where the best is not believed, or where these are of different
+// effects: what they share is as sure as any of a list then.
 void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& standing,
                const std::vector<const JudgedFit*>& different, const Objecting& objecting,
                Judgement& result) {
@@ -198,10 +200,15 @@ void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& st
     result.withheld = edge_words;
   else if (objecting)
     result.withheld = objecting(lead).why;
+  double odds = threshold::even_odds;
+  if (result.withheld.empty() && different.size() > 1) {
+    result.withheld = alike_words(different.size());
+    odds = threshold::shared_odds;
+  }
   if (result.withheld.empty()) return;
   result.verdict = Verdict::ambiguous;
   result.named = different;
-  claim_no_more_than_is_closed(nominal, &lead, result);
+  claim_no_more_than_is_closed(nominal, &lead, odds, result);
 }
 
 // Of a fit that does not lead any more.
@@ -248,7 +255,7 @@ Judgement nearest_so_far(const JudgedFit& nominal, const Inclusion& inclusion) {
   result.stopped = true;
   weigh_all(inclusion, result);
   result.withheld = "the search was stopped";
-  claim_no_more_than_is_closed(nominal, result.nearest, result);
+  claim_no_more_than_is_closed(nominal, result.nearest, threshold::even_odds, result);
   return result;
 }
 
@@ -271,7 +278,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     return result;
   }
   const auto standing = standing_sets(none, effects, sets, standards.apart);
-  const auto different = choices_alike(standing);
+  const auto different = choices_of(standing);
   const bool few = different.size() <= threshold::most_listed;
   if (!standing.empty() && few && !leaves_room(nominal, *standing.front())) {
     name_sets(nominal, standing, different, referee.to_sets, result);
@@ -282,7 +289,7 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
                  outdone_by(effects, sets, inclusion, *credible.front(), standards.apart),
                  standards, referee.to_all, result);
     if (!result.withheld.empty())
-      claim_no_more_than_is_closed(nominal, result.named.front(), result);
+      claim_no_more_than_is_closed(nominal, result.named.front(), threshold::even_odds, result);
     return result;
   }
   weigh_all(inclusion, result);
@@ -292,10 +299,11 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     result.named = different;
     result.named.resize(threshold::most_listed);
     forget_what_was_asked(result);
-    result.withheld = fmt::format("{} sets of effects explain the test alike", different.size());
+    result.withheld = alike_words(different.size());
   }
   if (result.verdict == Verdict::unknown)
-    claim_no_more_than_is_closed(nominal, result.nearest, result);
+    claim_no_more_than_is_closed(nominal, result.nearest,
+                                 result.withheld.empty() ? 1 : threshold::even_odds, result);
   if (result.verdict == Verdict::unknown && !result.nearest && referee.mounted_anew) {
     result.verdict = Verdict::none;
     result.mounted_anew = true;

@@ -10,9 +10,10 @@
 //               is adequate (among so many effects some nats turn up by chance), each member worth
 //               3, held-out readings met and better by three tenths, or where nothing is held out
 //               readings in turn (the interval of their shrink above zero), and three readings for
-//               each free parameter; with it all sets within 5 of it that are as adequate, whether
-//               or not held-out readings speak for them. Where more than three of different effects
-//               come within 3 nothing says what acts beside what they share: mostly, or ambiguous.
+//               each free parameter; with it all sets of the same effects elsewhere within 5 of it
+//               that are as adequate, whether or not held-out readings speak for them. Where such
+//               sets are of different effects nothing says what acts beside what they share: up to
+//               three of them are ambiguous, of more what they share is asked about as mostly.
 //               Where the law of something that slips is allowed to be off by a tenth of the gap,
 //               that may be what else acts: mostly, with what closes as much
 //   identified  best effect adequate, ln BF above the threshold over the nominal case and 5 over
@@ -23,10 +24,10 @@
 //               fitted readings, closes less than half of the gap, foretells readings taken in
 //               turn no better than no effect does, leaves more than nine of ten healthy specimens
 //               do, or is within 5 of what is as adequate and closes nothing, or within 3 of a set
-//               without it at its place: then up to three effects within 8 of it. Or sets of which
-//               too many explain the test alike to be several, or the best leaves more than nine of
-//               ten healthy specimens do, or its effects cancel: some of them open ten
-//               times the gap, which the others close. A parameter is free where its posterior is
+//               without it at its place: then up to three effects within 8 of it. Or sets of
+//               different effects that explain the test alike, of which what they share is no more
+//               than 0.85 sure, or the best leaves more than nine of ten healthy specimens do, or
+//               its effects cancel: some of them open ten times the gap, which the others close. A parameter is free where its posterior is
 //               narrower than half its prior, or a move within the prior changes a reading by a
 //               tenth of its standard deviation. Of a list none is sure: 5 nats are odds of nine to
 //               one

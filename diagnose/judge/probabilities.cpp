@@ -68,13 +68,12 @@ void weigh_all(const Inclusion& inclusion, Judgement& result) {
   }
 }
 
-void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest,
+void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest, double odds,
                                   Judgement& result) {
   const double left = nearest ? nearest->gap_after / nominal.gap_after : 1;
   const double closed = std::clamp(1 - left * left, 0., 1.);
   for (auto& [effect, probability] : result.probabilities)
-    if (effect != "none")
-      probability *= result.withheld.empty() ? closed : threshold::even_odds * closed;
+    if (effect != "none") probability *= odds * closed;
 }
 
 } // namespace plica

@@ -22,9 +22,9 @@ void weigh_standing(const std::vector<const JudgedFit*>& sets, Judgement& result
 void weigh_all(const Inclusion& inclusion, Judgement& result);
 
 // Where nothing explains the test, being ahead of all others that are known does not make an effect
-// the cause: of what it leaves, something that is not known is. What failed a test of its own has
-// even odds at most. `nearest`: what leaves least; null: the nominal case.
-void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest,
+// the cause: of what it leaves, something that is not known is. `nearest`: what leaves least; null:
+// the nominal case. `odds`: at most, of effects that close all.
+void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest, double odds,
                                   Judgement& result);
 
 } // namespace plica

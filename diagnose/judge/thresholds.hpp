@@ -39,6 +39,7 @@ inline constexpr double as_far_off = 2;     // of what is left, between places o
 inline constexpr double one_factor = 1.2;   // gap that one factor on everything may leave more
 inline constexpr double cause_closes = 0.5; // of what a place without a cause closes
 inline constexpr double even_odds = 0.5;    // at most, of what failed a test of its own
+inline constexpr double shared_odds = 0.85; // at most, of what sets of different effects share
 
 // Of a fit.
 inline constexpr double absurd_z = 3;            // standard deviations of a prior
