@@ -81,7 +81,7 @@ Measured test_of(const Case& truth, const Case& nominal) {
     mode.damping = 0.01;
     m.modes.push_back(mode);
   }
-  m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = 0.0005, .repeats = {}}};
   changed_beam::take_readings(m, changed_beam::read_by(truth, m));
   return m;
 }
@@ -228,7 +228,7 @@ TEST(Readings, a_peak_that_is_gone_at_the_next_level_is_said) {
 struct OneReading {
   static constexpr double sigma = 0.01;
   OneReading() : nominal(cantilever()), data(test_of(nominal, nominal)) {
-    data.mass->value *= 1.02;
+    data.weighings.front().value *= 1.02;
     data.modes.clear();
     test = readings_of({.data = data, .responses = {}});
     model = nominal_of(nominal, data);

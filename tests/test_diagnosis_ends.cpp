@@ -274,7 +274,7 @@ Measured modes_of(const Case& truth) {
   Measured m = static_test(1);
   m.statics.push_back(m.statics.front());
   m.statics.back().direction = StaticDirection::transverse_x;
-  m.mass = MeasuredMass{.value = 1, .sigma = 0.001, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = 0.001, .repeats = {}}};
   for (const auto& [shape, axis, order] : {std::tuple{MeasuredShape::transverse, Axis::x, 1},
                                            {MeasuredShape::transverse, Axis::x, 2},
                                            {MeasuredShape::transverse, Axis::z, 1},
@@ -293,7 +293,7 @@ Measured modes_of(const Case& truth) {
   for (Index i = 0; i < y.size(); ++i) {
     const Reading& r = readings.readings[std::size_t(i)];
     const double value = std::exp(y[i]);
-    if (r.kind == ReadingKind::mass) m.mass->value = value;
+    if (r.kind == ReadingKind::mass) m.weighings.front().value = value;
     if (r.kind == ReadingKind::frequency) m.modes[std::size_t(r.entry[6] - '0')].frequency = value;
     if (r.kind == ReadingKind::stiffness) {
       MeasuredStatic& k = m.statics[std::size_t(r.entry[7] - '0')];
