@@ -87,6 +87,21 @@ void add_peak(std::vector<MeasuredComparison>& rows, const MeasuredMode& m, cons
                     .of_peak = true});
 }
 
+void add_weighings(std::vector<MeasuredComparison>& rows, const Results& results,
+                   const Measured& measured) {
+  for (std::size_t i = 0; i < measured.weighings.size(); ++i) {
+    const MeasuredMass& w = measured.weighings[i];
+    if (as_drawn(measured, w.state))
+      rows.push_back({.quantity = "mass",
+                      .unit = "kg",
+                      .measured = w.value,
+                      .sigma = w.sigma.value_or(0),
+                      .computed = results.model.mass,
+                      .entry = weighing_name(measured, i),
+                      .kind = ComparedKind::mass});
+  }
+}
+
 // First peaks of the measured levels at which the model was excited too.
 void add_level_peaks(std::vector<MeasuredComparison>& rows, const Results& results,
                      const MeasuredPeaks& measured, const std::string& from) {
@@ -192,14 +207,7 @@ std::vector<std::string> unanswered(const Results& results, const Measured& meas
 
 std::vector<MeasuredComparison> compare(const Results& results, const Measured& measured) {
   std::vector<MeasuredComparison> rows;
-  if (measured.mass && as_drawn(measured, measured.mass->state))
-    rows.push_back({.quantity = "mass",
-                    .unit = "kg",
-                    .measured = measured.mass->value,
-                    .sigma = measured.mass->sigma.value_or(0),
-                    .computed = results.model.mass,
-                    .entry = "mass",
-                    .kind = ComparedKind::mass});
+  add_weighings(rows, results, measured);
   for (std::size_t i = 0; i < measured.statics.size(); ++i) {
     const MeasuredStatic& k = measured.statics[i];
     if (!results.statics) break;

@@ -305,9 +305,16 @@ void compare_numbers(const TestData& a, const TestData& b, Correlation& c) {
     const double e = std::hypot(x.value_or(0), y.value_or(0));
     return e > 0 ? std::optional<double>(e) : std::nullopt;
   };
-  if (a.data.mass && b.data.mass)
-    c.numbers.push_back({"mass", "kg", a.data.mass->value, b.data.mass->value,
-                         either(a.data.mass->sigma, b.data.mass->sigma)});
+  const std::vector<MeasuredMass>& simulated = a.data.weighings;
+  for (const MeasuredMass& t : b.data.weighings) {
+    if (simulated.empty()) break;
+    auto s = std::find_if(simulated.begin(), simulated.end(),
+                          [&](const MeasuredMass& w) { return w.state == t.state; });
+    if (s == simulated.end()) s = simulated.begin(); // a run names no state
+    const bool several = b.data.weighings.size() > 1 && !t.state.empty();
+    c.numbers.push_back({several ? "mass, " + t.state : "mass", "kg", s->value, t.value,
+                         either(s->sigma, t.sigma)});
+  }
   for (const MeasuredStatic& t : b.data.statics)
     for (const MeasuredStatic& s : a.data.statics)
       if (s.direction == t.direction)

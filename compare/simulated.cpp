@@ -46,10 +46,7 @@ Measured as_measured(const Results& results) {
                          .mass = 0,
                          .node = static_cast<int>(m.sensors.size()) + 1});
   }
-  if (results.model.mass > 0) {
-    m.mass.emplace();
-    m.mass->value = results.model.mass;
-  }
+  if (results.model.mass > 0) m.weighings.emplace_back().value = results.model.mass;
   if (results.statics) {
     const std::array values = results.statics->all();
     for (std::size_t d = 0; d < values.size(); ++d) {

@@ -125,7 +125,9 @@ inline void take_readings(Measured& m, const Eigen::VectorXd& y) {
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const Reading& r = readings[i];
     const double value = std::exp(y[Eigen::Index(i)]);
-    if (r.kind == ReadingKind::mass && m.mass) m.mass->value = value;
+    if (r.kind == ReadingKind::mass)
+      for (MeasuredMass& w : m.weighings)
+        if (w.state == r.state) w.value = value;
     if (r.kind == ReadingKind::frequency) m.modes[std::stoul(r.entry.substr(6))].frequency = value;
     if (r.kind == ReadingKind::stiffness) m.statics[std::stoul(r.entry.substr(7))].value = value;
   }

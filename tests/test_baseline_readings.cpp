@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace plica {
@@ -29,13 +31,22 @@ Case with_a_heavier_one() {
   return c;
 }
 
+MeasuredMass weighing(double value, const std::string& state) {
+  return {.value = value, .sigma = {}, .repeats = {}, .state = state};
+}
+
+constexpr double off_the_drawing = 1.004; // of the mass: nothing that an effect has to explain
+
 Measured weighed_in(const std::string& state, const Case& as_it_was) {
   Measured m = before_and_after(with_masses(), with_a_heavier_one());
-  m.mass.emplace();
-  m.mass->value = 1;
-  m.mass->state = state;
-  const VectorXd y = read_by(as_it_was, m);
-  m.mass->value = 1.004 * std::exp(y[0]);
+  m.weighings = {weighing(1, state)};
+  m.weighings[0].value = off_the_drawing * std::exp(read_by(as_it_was, m)[0]);
+  return m;
+}
+
+Measured weighed_twice() {
+  Measured m = weighed_in("before", with_masses());
+  m.weighings.push_back(weighed_in("after", with_a_heavier_one()).weighings[0]);
   return m;
 }
 
@@ -73,11 +84,101 @@ TEST(Weighing, knows_what_was_changed_in_its_state) {
                .set = {{"parts.m2.mass", "150 g"}},
                .numbers = {{"parts.m2.mass", 0.15}}}};
   add_modes(m, "");
-  m.mass.emplace();
-  m.mass->value = 1;
-  m.mass->state = "loaded";
+  m.weighings = {weighing(1, "loaded")};
   const Case c = with_masses();
   EXPECT_NEAR(std::exp(read_by(c, m)[0]), nominal_of(c, m).mass + 0.15 - 0.05, 1e-9);
+}
+
+// What the drawing has wrong of the mass it has wrong twice: of the 4 per mille that the specimen
+// is heavier nothing is left, and what two readings of the scale scatter, 2 per mille each, counts.
+TEST(Weighing, before_and_after_says_what_came_within_the_scatter_of_the_scale) {
+  const Measured m = weighed_twice();
+  const std::vector<Reading> all = readings_of({.data = m, .responses = {}}).readings;
+  EXPECT_EQ(all.at(0).name, "mass, before");
+  EXPECT_EQ(all.at(0).entry, "mass[0]");
+  EXPECT_EQ(all.at(1).name, "mass, after");
+  EXPECT_EQ(all.at(1).entry, "mass[1]");
+
+  const auto [test, u] = of_the_change(m);
+  ASSERT_EQ(test.readings.front().kind, ReadingKind::mass);
+  EXPECT_EQ(test.readings.front().state, "after");
+  EXPECT_EQ(std::count_if(test.readings.begin(), test.readings.end(),
+                          [](const Reading& r) { return r.kind == ReadingKind::mass; }),
+            1);
+  const double drawn = nominal_of(with_masses(), m).mass;
+  EXPECT_NEAR(test.readings.front().log_value - u.nominal[0] - u.bias[0],
+              std::log((drawn + 0.04) / drawn), 1e-4);
+  EXPECT_NEAR(std::sqrt(u.total()(0, 0)), 0.002 * std::sqrt(2), 2e-5);
+}
+
+TEST(Weighing, repeated_in_one_state_is_one_reading_known_as_well_as_it_repeats) {
+  Measured m;
+  m.states = before_and_after(with_masses(), with_masses()).states;
+  m.weighings = {weighing(1.2, "before"), weighing(1.30, "after"), weighing(1.31, "after")};
+  const TestReadings test = readings_of({.data = m, .responses = {}});
+  const double apart = std::log(1.31 / 1.30);
+  ASSERT_EQ(test.readings.size(), 2U);
+  EXPECT_EQ(test.readings[1].name, "mass, after, mean of 2");
+  EXPECT_NEAR(test.readings[1].value, std::sqrt(1.30 * 1.31), 1e-12);
+  EXPECT_NEAR(test.readings[0].sigma, apart / std::sqrt(2), 1e-12) << "more than was assumed";
+  EXPECT_NEAR(test.readings[1].sigma, apart / 2, 1e-12);
+  ASSERT_EQ(test.warnings.size(), 1U);
+  EXPECT_EQ(test.warnings[0].find("repeated measurements of a mass scatter by 0.54 %"), 0U)
+      << test.warnings[0];
+
+  for (MeasuredMass& w : m.weighings) w.sigma = 0.001;
+  EXPECT_TRUE(readings_of({.data = m, .responses = {}}).warnings.empty()) << "it is stated";
+}
+
+// A cantilever before and after 50 g came to its end, in one plane. The curvature of its modes at
+// the clamp is their motion at the end: every mode falls by a like share, as where the clamp, the
+// whole beam or its mass gave way or grew.
+Case plain_beam() {
+  return beam_of(4, 0.6, 0.03, 0.01, true);
+}
+constexpr double came = 0.05; // kg
+
+// By the scale, to a gram; `gained` between its two weighings.
+Measured loaded_at_its_end(std::optional<double> gained) {
+  Case loaded = plain_beam();
+  PointMass mass;
+  mass.at = "beam.point[5]";
+  mass.mass = came;
+  loaded.parts.push_back({"clamp", mass});
+  Measured m = before_and_after(plain_beam(), loaded);
+  std::erase_if(m.modes, [](const MeasuredMode& mode) { return mode.direction == Axis::x; });
+  if (!gained) return m;
+  const double before = off_the_drawing * nominal_of(plain_beam(), {}).mass;
+  m.weighings = {weighing(before, "before"), weighing(before + *gained, "after")};
+  for (MeasuredMass& w : m.weighings) w.sigma = 0.001;
+  return m;
+}
+
+// How probable an effect is, wherever it sits; zero where it is not named.
+double share_of(const char* effect, const Diagnosis& d) {
+  for (const NamedEffect& e : d.effects)
+    if (e.name == effect) return e.anywhere;
+  return 0;
+}
+
+TEST(Weighing, before_and_after_tells_a_mass_from_lost_stiffness) {
+  const Diagnosis alone = diagnosis_of(plain_beam(), loaded_at_its_end({}));
+  EXPECT_LT(share_of("added_mass", alone), 0.8) << alone.headline;
+  const Diagnosis d = diagnosis_of(plain_beam(), loaded_at_its_end(came));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  ASSERT_EQ(d.effects.front().name, "added_mass") << d.headline;
+  EXPECT_GT(share_of("added_mass", d), share_of("added_mass", alone)) << d.headline;
+  const std::array<double, 2> interval = d.effects.front().parameters.front().interval;
+  EXPECT_LT(interval[0], came);
+  EXPECT_GT(interval[1], came);
+  EXPECT_LT(interval[1] - interval[0], 0.012) << "kg, of two weighings to a gram";
+}
+
+TEST(Weighing, before_and_after_that_agree_speak_against_a_mass) {
+  const Diagnosis d = diagnosis_of(plain_beam(), loaded_at_its_end(0.));
+  EXPECT_FALSE(d.effects.empty()) << d.headline;
+  for (const char* effect : {"added_mass", "unweighed_mass"})
+    EXPECT_LT(share_of(effect, d), 0.1) << effect << ": " << d.headline;
 }
 
 // On the scale before the mass came: it weighs what is drawn, and the modes say what came.

@@ -128,9 +128,9 @@ TEST(Correlate, finds_the_stretch_of_the_frequencies) {
 
 TEST(Correlate, compares_mass_and_stiffness) {
   TestData a, b;
-  a.data.mass.emplace().value = 1.712;
-  b.data.mass.emplace().value = 1.7096;
-  b.data.mass->sigma = 0.0005;
+  a.data.weighings.emplace_back().value = 1.712;
+  b.data.weighings.emplace_back().value = 1.7096;
+  b.data.weighings[0].sigma = 0.0005;
   a.data.statics.resize(1);
   a.data.statics[0].value = 65540;
   b.data.statics.resize(2);
@@ -142,6 +142,23 @@ TEST(Correlate, compares_mass_and_stiffness) {
   ASSERT_EQ(c.numbers.size(), 2U);
   EXPECT_EQ(c.numbers[1].quantity, "axial stiffness");
   EXPECT_EQ(*c.numbers[1].sigma, 900);
+}
+
+// A run names no state: it stands beside each weighing; another test where it weighed the same.
+TEST(Correlate, compares_weighings_by_their_state) {
+  TestData a, b;
+  const auto weighing = [](double value, const char* state) {
+    return MeasuredMass{.value = value, .sigma = {}, .repeats = {}, .state = state};
+  };
+  a.data.weighings = {weighing(1.2, "")};
+  b.data.weighings = {weighing(1.21, "delivered"), weighing(1.22, "mounted")};
+  const Correlation of_run = correlate(a, b);
+  ASSERT_EQ(of_run.numbers.size(), 2U);
+  EXPECT_EQ(of_run.numbers[1].quantity, "mass, mounted");
+  EXPECT_EQ(of_run.numbers[1].simulated, 1.2);
+  EXPECT_EQ(of_run.numbers[1].measured, 1.22);
+  const Correlation of_itself = correlate(b, b);
+  for (const ComparedNumber& n : of_itself.numbers) EXPECT_EQ(n.simulated, n.measured);
 }
 
 // Table 6.5 of the thesis: hose B softens.

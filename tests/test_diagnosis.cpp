@@ -71,7 +71,7 @@ Measured test_of(const Case& truth, const Case& nominal) {
   for (const auto& [axis, order] :
        {std::pair{Axis::x, 1}, {Axis::x, 2}, {Axis::z, 1}, {Axis::z, 2}, {Axis::z, 3}})
     m.modes.push_back(changed_beam::damped_mode(MeasuredShape::transverse, axis, order));
-  m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = 0.0005, .repeats = {}}};
   changed_beam::take_readings(m, changed_beam::read_by(truth, m));
   return m;
 }
@@ -218,7 +218,7 @@ TEST(Readings, a_peak_that_is_gone_at_the_next_level_is_said) {
 struct OneReading {
   static constexpr double sigma = 0.01;
   OneReading() : nominal(cantilever()), data(test_of(nominal, nominal)) {
-    data.mass->value *= 1.02;
+    data.weighings.front().value *= 1.02;
     data.modes.clear();
     test = readings_of({.data = data, .responses = {}});
     model = nominal_of(nominal, data);

@@ -306,7 +306,7 @@ Measured modes_of(const Case& truth) {
   Measured m = static_test(1);
   m.statics.push_back(m.statics.front());
   m.statics.back().direction = StaticDirection::transverse_x;
-  m.mass = MeasuredMass{.value = 1, .sigma = 0.001, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = 0.001, .repeats = {}}};
   for (const auto& [axis, order] :
        {std::pair{Axis::x, 1}, {Axis::x, 2}, {Axis::z, 1}, {Axis::z, 2}})
     m.modes.push_back(changed_beam::damped_mode(MeasuredShape::transverse, axis, order));

@@ -145,6 +145,35 @@ TEST(States, something_is_measured_after_the_baseline_and_a_mass_says_when) {
   EXPECT_EQ(mass[0].line, 5);
 }
 
+// One weighing, or a list of them: each belongs to a state that is there.
+TEST(States, are_those_of_weighings_too) {
+  const std::string modes =
+      "modes:\n"
+      "  - {frequency: 10 Hz, shape: transverse, direction: z, state: before}\n"
+      "  - {frequency: 9 Hz, shape: transverse, direction: z, state: after}\n";
+  const auto problem = [&](const std::string& mass) {
+    const auto all = problems_of(two_states + modes + mass);
+    return all.size() == 1 ? std::to_string(all[0].line) + ": " + all[0].key + " " + all[0].wrong
+                           : std::to_string(all.size()) + " problems";
+  };
+  const std::string list = "mass:\n  - {value: 1 kg, state: before}\n";
+  EXPECT_EQ(problem("mass: {value: 1 kg, state: before}\n"), "0 problems");
+  EXPECT_EQ(problem(list + "  - {value: 1 kg, state: after}\n"), "0 problems");
+  EXPECT_EQ(problem("mass: {value: 1 kg, state: befor}\n"),
+            "8: mass.state there is no state 'befor'");
+  EXPECT_EQ(problem(list + "  - {value: 1 kg, state: befor}\n"),
+            "10: mass[1].state there is no state 'befor'");
+  EXPECT_EQ(problem("mass:\n  - {value: 1 kg, state: befor}\n"),
+            "9: mass[0].state there is no state 'befor'");
+  EXPECT_EQ(problem(list + "  - {value: 1 kg}\n"),
+            "10: mass[1] does not say in which state it was weighed");
+  EXPECT_EQ(problem("mass: []\n"), "8: mass has 0 items");
+  EXPECT_EQ(problem("mass: 1 kg\n").find("8: mass is "), 0U) << problem("mass: 1 kg\n");
+  EXPECT_EQ(problem(list + "hold_out: [mass]\n"), "0 problems") << "a list of one is `mass`";
+  EXPECT_EQ(problem(list + "hold_out: [\"mass[0]\"]\n"),
+            "10: hold_out[0] there is no entry 'mass[0]'");
+}
+
 TEST(States, a_run_is_compared_with_what_belongs_to_the_drawing) {
   Measured m;
   m.states = {
@@ -156,11 +185,15 @@ TEST(States, a_run_is_compared_with_what_belongs_to_the_drawing) {
   m.peaks.resize(2);
   m.peaks[0].state = "after";
   m.peaks[1].state = "before";
-  m.hold_out = {"modes[0]", "modes[3]", "peaks[0]", "peaks[1].frequency[2]"};
+  m.weighings.resize(2);
+  m.weighings[0].state = "after";
+  m.weighings[1].state = "before";
+  m.hold_out = {"modes[0]", "modes[3]", "peaks[0]", "peaks[1].frequency[2]", "mass[0]", "mass[1]"};
   const Measured own = measured_as_drawn(m);
   ASSERT_EQ(own.modes.size(), 2U);
   EXPECT_EQ(own.modes[0].frequency, 10);
-  EXPECT_EQ(own.hold_out, (std::vector<std::string>{"modes[1]", "peaks[0].frequency[2]"}));
+  EXPECT_EQ(own.weighings.size(), 1U);
+  EXPECT_EQ(own.hold_out, (std::vector<std::string>{"modes[1]", "peaks[0].frequency[2]", "mass"}));
 
   for (MeasuredState& s : m.states) s.baseline = false;
   m.modes.push_back(bending(Axis::z, 1, "", 11));

@@ -297,7 +297,7 @@ TEST(DiagnosisOfARig, finds_a_lap_that_is_softer_by_its_tables_alone) {
 // the case besides that of the diagnosis.
 TEST(DiagnosisOfARig, goes_on_without_a_table_that_the_mesh_cannot_answer) {
   Measured m = rig_of(lapped_tube());
-  m.mass = MeasuredMass{.value = 2700 * 2 * pi * 0.02 * 0.002 * 0.6, .sigma = 1e-3, .repeats = {}};
+  m.weighings = {{.value = 2700 * 2 * pi * 0.02 * 0.002 * 0.6, .sigma = 1e-3, .repeats = {}}};
   Case data = lapped_tube();
   for (Part& part : data.parts) std::get<BeamPart>(part.body).elements = 1300;
   data.mount.push_back({.cap = "lap"});

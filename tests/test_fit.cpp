@@ -54,8 +54,8 @@ Measured measured_on(const Case& data, double noise, std::mt19937_64& random) {
   const Results r = run(for_headline(data), [](const std::string&) {});
   std::normal_distribution<double> normal(0, noise);
   Measured m;
-  m.mass = MeasuredMass{
-      .value = r.model.mass * (1 + normal(random)), .sigma = noise * r.model.mass, .repeats = {}};
+  m.weighings = {
+      {.value = r.model.mass * (1 + normal(random)), .sigma = noise * r.model.mass, .repeats = {}}};
   const auto add = [&](StaticDirection direction, double value) {
     m.statics.push_back(
         {direction, value * (1 + normal(random)), noise * value, {}, {}, {}, {}, {}});

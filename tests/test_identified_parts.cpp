@@ -171,14 +171,16 @@ TEST(IdentifiedMeasured, replaces_responses_and_keeps_the_rest) {
   test.sensors = {{.name = "p1"}, {.name = "p2"}, {.name = "p3"}, {.name = "p4"}};
   test.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
                  {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
-  test.mass = MeasuredMass{.value = 1.7, .sigma = 0.1, .repeats = {}, .state = "before"};
+  test.weighings = {{.value = 1.7, .sigma = 0.1, .repeats = {}, .state = "before"},
+                    {.value = 1.8, .sigma = 0.1, .repeats = {}, .state = "after"}};
   test.modes.resize(2);
   test.modes[0].state = "before";
   test.modes[1].state = "after";
   test.frf.resize(1);
   test.peaks.resize(1);
   test.stiffness.resize(1);
-  test.hold_out = {"modes[0]", "modes[1]", "frf[0]", "peaks[0].frequency[1]", "stiffness[0]"};
+  test.hold_out = {"modes[0]",     "modes[1]", "frf[0]", "peaks[0].frequency[1]",
+                   "stiffness[0]", "mass[1]"};
   FrfSet set = synthetic(three_modes(), FrfQuantity::accelerance, 40, 180, 1401, 1);
   set.level = 5;
   const Measured m =
@@ -197,8 +199,9 @@ TEST(IdentifiedMeasured, replaces_responses_and_keeps_the_rest) {
     EXPECT_EQ(mode.vector->channels, set.responses);
     EXPECT_TRUE(mode.sigma && mode.sigma_damping);
   }
-  EXPECT_EQ(m.hold_out,
-            (std::vector<std::string>{"modes[0]", "peaks[0].frequency[1]", "stiffness[0]"}));
+  EXPECT_EQ(m.hold_out, (std::vector<std::string>{"modes[0]", "peaks[0].frequency[1]",
+                                                  "stiffness[0]", "mass[1]"}));
+  EXPECT_EQ(m.weighings.size(), 2U);
   EXPECT_EQ(m.states.size(), 2U);
   EXPECT_EQ(m.caveats.size(), 1U);
 }

@@ -27,7 +27,7 @@ Measured test_of(const Case& truth) {
   m.specimen = "beam";
   for (int order = 1; order <= 4; ++order)
     for (Axis axis : {Axis::x, Axis::z}) m.modes.push_back(changed_beam::bending(axis, order, ""));
-  m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = 0.0005, .repeats = {}}};
   VectorXd y = changed_beam::read_by(truth, m);
   constexpr std::array noise{0.0006, -0.0004, 0.0009, -0.0011, 0.0003, 0.0007, -0.0008, 0.0001};
   for (std::size_t k = 0; k < noise.size(); ++k) y[1 + Eigen::Index(k)] += noise[k];

@@ -15,6 +15,7 @@
 #include "io/write/simulated_yaml.hpp"
 #include "io/write/write_identification.hpp"
 #include "lab/identification/identify.hpp"
+#include "lab/measured/entries.hpp"
 
 #include <fmt/format.h>
 
@@ -80,12 +81,30 @@ TEST(MeasuredRoundTrip, a_run_is_read_as_a_test) {
     EXPECT_EQ(read.modes[i].vector->real, written.modes[i].vector->real);
   }
   EXPECT_EQ(read.sensors.at(1).axes, (std::vector<int>{1, -3, 2}));
-  EXPECT_EQ(read.mass->value, written.mass->value);
+  EXPECT_EQ(read.weighings.at(0).value, written.weighings.at(0).value);
   const std::vector<FrfSet> frfs = responses_to_base(results);
   const Correlation c = correlate({read, {frfs}}, {written, {frfs}});
   ASSERT_EQ(c.pairs.size(), written.modes.size());
   for (const PairedMode& p : c.pairs) EXPECT_EQ(p.frequency_error, 0);
   for (const ComparedResponse& r : c.responses) EXPECT_NEAR(r.frac, 1, 1e-12);
+}
+
+TEST(MeasuredRoundTrip, weighings_of_several_states_stay_a_list) {
+  const TemporaryFolder folder("weighings");
+  Measured written;
+  written.specimen = "a";
+  written.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+                    {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  written.weighings = {{.value = 1.2, .sigma = 0.001, .repeats = {}, .state = "before"},
+                       {.value = 1.25, .sigma = {}, .repeats = {}, .state = "after"}};
+  written.hold_out = {"mass[1]"};
+  write_whole(folder.path / "measured.yaml", simulated_yaml(written));
+  const Measured read = read_measured((folder.path / "measured.yaml").string());
+  ASSERT_EQ(read.weighings.size(), 2U);
+  EXPECT_EQ(read.weighings[0].sigma, 0.001);
+  EXPECT_EQ(read.weighings[1].value, 1.25);
+  EXPECT_EQ(read.weighings[1].state, "after");
+  EXPECT_TRUE(is_held_out(read, "mass[1]"));
 }
 
 // What identify writes for a measured.yaml is read there.

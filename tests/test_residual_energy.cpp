@@ -32,7 +32,7 @@ Case beams() {
 Measured modal_test(const Case& specimen) {
   Measured m;
   m.specimen = specimen.name;
-  m.mass = MeasuredMass{.value = 1, .sigma = {}, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = {}, .repeats = {}}};
   const Nominal model = nominal_of(specimen, m);
   const TestReadings test = readings_of({.data = m, .responses = {}});
   const AffineModes modes = *Predictor(model, test, {}).modes(VectorXd());

@@ -123,6 +123,18 @@ TEST(Schema, shipped_cases_and_their_data_conform) {
   }
 }
 
+TEST(Schema, takes_one_weighing_or_a_list) {
+  const Json schema = Json::parse(measured_schema());
+  const auto holds = [&](const char* mass) {
+    return conforms(Json{{"specimen", "a"}, {"mass", Json::parse(mass)}}, schema);
+  };
+  EXPECT_TRUE(holds(R"({"value": 1})"));
+  EXPECT_TRUE(holds(R"([{"value": 1, "state": "before"}, {"value": 2, "state": "after"}])"));
+  EXPECT_FALSE(holds("[]"));
+  EXPECT_FALSE(holds("1"));
+  EXPECT_FALSE(holds(R"([{"sigma": 1}])"));
+}
+
 TEST(Schema, refuses_misspelt_keys_wrong_units_and_keys_of_another_shape) {
   const Json schema = Json::parse(case_schema());
   const fs::path broken = fs::path(PLICA_SOURCE_DIR) / "tests/broken_cases";

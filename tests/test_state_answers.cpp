@@ -166,10 +166,27 @@ TEST(Menu, offers_the_scale_and_a_sweep_along_every_axis_where_only_modes_are_kn
                    "a sweep along z (1 m/s2)"}));
 }
 
+// What was weighed in a baseline says nothing of what came after it.
+TEST(Menu, offers_the_scale_until_a_later_state_was_weighed) {
+  Measured m;
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  for (const MeasuredState& s : m.states) changed_beam::add_modes(m, s.name);
+  const auto offers_scale = [&] {
+    return offered(mass_on_a_beam(), m).front() == "weigh the specimen";
+  };
+  for (const char* state : {"before", "after"}) {
+    EXPECT_TRUE(offers_scale()) << "before it was weighed " << state;
+    m.weighings.emplace_back().value = 2;
+    m.weighings.back().state = state;
+  }
+  EXPECT_FALSE(offers_scale());
+}
+
 // One end is held: nothing can be pulled between two. What was weighed is not weighed again.
 TEST(Menu, offers_other_levels_and_further_sensors_where_a_sweep_was_run) {
   Measured m;
-  m.mass.emplace().value = 2;
+  m.weighings.emplace_back().value = 2;
   m.peaks.emplace_back();
   m.peaks.back().base = m.peaks.back().direction = Axis::z;
   m.peaks.back().sensor = "tip";

@@ -36,12 +36,52 @@ std::string problem_of(const std::string& text) {
 TEST(WhatLabsSay, sensors_that_were_not_weighed_come_besides) {
   const std::string sensors = "sensors:\n  - {name: s1, at: [0, 0, 0], mass: 5 g}\n"
                               "  - {name: s2, at: [0, 1, 0], mass: 3 g}\n";
-  EXPECT_NEAR(measured_of(sensors + "mass: {value: 1.2 kg, sigma: 2 g}\n").mass->value, 1.2, 1e-12);
+  EXPECT_NEAR(measured_of(sensors + "mass: {value: 1.2 kg, sigma: 2 g}\n").weighings.at(0).value,
+              1.2, 1e-12);
   EXPECT_NEAR(measured_of(sensors + "mass: {value: 1.2 kg, sigma: 2 g, without_sensors: true}\n")
-                  .mass->value,
+                  .weighings.at(0)
+                  .value,
               1.208, 1e-12);
   EXPECT_NE(problem_of("mass: {value: 1.2 kg, without_sensors: true}\n").find("none has a mass"),
             std::string::npos);
+}
+
+TEST(WhatLabsSay, every_weighing_says_whether_it_saw_the_sensors) {
+  const std::string sensors = "sensors:\n  - {name: s1, at: [0, 0, 0], mass: 5 g}\n",
+                    mass = "mass:\n"
+                           "  - {value: 1.2 kg, without_sensors: true}\n"
+                           "  - {value: 1.3 kg}\n"
+                           "  - {value: 1.4 kg, repeats: [1.39 kg, 1.41 kg], "
+                           "without_sensors: true}\n";
+  const Measured m = measured_of(sensors + mass);
+  ASSERT_EQ(m.weighings.size(), 3U);
+  EXPECT_NEAR(m.weighings[0].value, 1.205, 1e-12);
+  EXPECT_NEAR(m.weighings[1].value, 1.3, 1e-12);
+  EXPECT_NEAR(m.weighings[2].value, 1.405, 1e-12);
+  EXPECT_NEAR(*m.weighings[2].sigma, 0.01 * std::sqrt(2), 1e-12);
+  for (const char* key : {"mass[0].without_sensors", "mass[2].without_sensors"})
+    EXPECT_NE(problem_of(mass).find(key), std::string::npos) << problem_of(mass);
+}
+
+TEST(WhatLabsSay, a_run_stands_beside_every_weighing_of_the_specimen_as_drawn) {
+  Results results;
+  results.model.mass = 1.25;
+  const std::vector<MeasuredComparison> rows =
+      compare(results, measured_of("states:\n"
+                                   "  - {name: delivered, baseline: true}\n"
+                                   "  - {name: mounted, baseline: true}\n"
+                                   "  - {name: after}\n"
+                                   "mass:\n"
+                                   "  - {value: 1.2 kg, sigma: 1 g, state: delivered}\n"
+                                   "  - {value: 1.3 kg, state: after}\n"
+                                   "  - {value: 1.201 kg, state: mounted}\n"));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].entry, "mass[0]");
+  EXPECT_EQ(rows[0].sigma, 0.001);
+  EXPECT_EQ(rows[1].entry, "mass[2]");
+  EXPECT_EQ(rows[1].measured, 1.201);
+  EXPECT_EQ(rows[1].computed, 1.25);
+  EXPECT_EQ(compare(results, measured_of("mass: {value: 1.2 kg}\n")).at(0).entry, "mass");
 }
 
 // 3 N/mm up to 1 mm, 1 N/mm beyond it: over 2 mm a secant of 2 and a tangent of 1.

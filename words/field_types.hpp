@@ -7,7 +7,7 @@
 //   points      a list of lists, into a vector or array of std::array<double, N>
 //   whole       an integer, or std::array<int, N>
 //   flag, text, texts
-//   one_or_more one text, or a list of them; required
+//   one_or_more one text, or a list of them; required. One map, or a list, into std::vector<T>
 //   choice      one word out of several; `tag`: the same, and it decides which keys follow
 //   choices     a list of words, into std::vector<int>
 //   choices_or  the same, or in place of the words one map or several, into std::vector<T>

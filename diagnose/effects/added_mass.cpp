@@ -1,5 +1,6 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
+#include "lab/measured/states.hpp"
 
 namespace plica {
 namespace {
@@ -23,9 +24,11 @@ std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes)
 
 constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less
 
-// A mass all round a crown turns with it; one that is clamped softly does not.
+// A mass all round a crown turns with it; one that is clamped softly does not. Beside a baseline it
+// is what came since, and what was weighed afterwards was weighed with it.
 std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
+  const bool on_scale = has_baseline(s.measured);
   const EffectParameter mass{
       "mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, largest_share * s.mass}};
   const auto add = [&](const Spot& spot, const char* way, ModelChange one_kilogram) {
@@ -35,7 +38,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
                      .parameters = {mass},
                      .changes = {std::move(one_kilogram)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
-                     .at_rig = false});
+                     .at_rig = on_scale});
   };
   for (const Spot& spot : spots(s)) {
     if (is_along(s, spot)) continue;
@@ -55,6 +58,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
   for (const BeamPath& path : beam_paths(s)) {
     found.push_back(anywhere_along(path, mass, mass_along(s, path)));
     found.back().effect = "added_mass";
+    found.back().at_rig = on_scale;
     found.back().in_case = [path, all = places_of(s, path.nodes)](const Case& now,
                                                                   const Eigen::VectorXd& v) {
       return with_mass_at(now, all[path.nearest(v[1])], v[0]);
@@ -66,16 +70,19 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
 } // namespace
 
 Effect added_mass() {
-  return {.name = "added_mass",
-          .plain = "{mass} that nobody weighed",
-          .physics = "a mass at a spot that the scale did not see: a sensor, a clamp, a deposit",
-          .signature = "modes that move the spot fall, mass and static stiffness stay",
-          .look_alikes = {{"local_damage", "weigh the part"},
-                          {"component_mass", "weigh the part"},
-                          {"unweighed_mass", "a second sensor of the same mass"},
-                          {"boundary_compliance", "the antinodes of further modes"}},
-          .needs = "a sensor, bellows, pipe, chain or beam",
-          .hypotheses = added_mass_hypotheses};
+  return {
+      .name = "added_mass",
+      .plain = "{mass} that nobody weighed",
+      .physics = "a mass at a spot that the scale did not see, or that came after the baseline: a "
+                 "sensor, a clamp, a deposit",
+      .signature = "modes that move the spot fall, static stiffness stays; the mass grows where "
+                   "a baseline was weighed",
+      .look_alikes = {{"local_damage", "weigh the part"},
+                      {"component_mass", "weigh the part"},
+                      {"unweighed_mass", "a second sensor of the same mass"},
+                      {"boundary_compliance", "the antinodes of further modes"}},
+      .needs = "a sensor, bellows, pipe, chain or beam",
+      .hypotheses = added_mass_hypotheses};
 }
 
 } // namespace plica

@@ -16,7 +16,7 @@ std::vector<std::string> changed_states(const Measured& measured) {
     };
     if (!s.baseline && s.set.empty() &&
         (in_it(measured.statics) || in_it(measured.modes) || in_it(measured.peaks) ||
-         in_it(measured.frf) || (measured.mass && measured.mass->state == s.name)))
+         in_it(measured.frf) || in_it(measured.weighings)))
       found.push_back(s.name);
   }
   return found;

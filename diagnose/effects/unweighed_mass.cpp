@@ -1,11 +1,14 @@
 #include "diagnose/effects/places.hpp"
+#include "lab/measured/states.hpp"
 
 namespace plica {
 namespace {
 
-// On every shell and beam part, a share of its own mass.
+// On every shell and beam part, a share of its own mass. Beside a baseline it is what came since,
+// and what was weighed afterwards was weighed with it.
 std::vector<Hypothesis> unweighed_mass_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
+  const bool on_scale = has_baseline(s.measured);
   for (const Part& part : s.data.parts) {
     if (!std::holds_alternative<Bellows>(part.body) && !std::holds_alternative<Plate>(part.body) &&
         !std::holds_alternative<BeamPart>(part.body))
@@ -27,7 +30,7 @@ std::vector<Hypothesis> unweighed_mass_hypotheses(const Structure& s) {
                                   },
                                   Follow::series}},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
-                     .at_rig = false,
+                     .at_rig = on_scale,
                      .in_case =
                          [name = part.name](const Case& now, const Eigen::VectorXd& v) {
                            return with_own_material(now, name, 1, 1 + v[0]);
@@ -41,8 +44,10 @@ std::vector<Hypothesis> unweighed_mass_hypotheses(const Structure& s) {
 Effect unweighed_mass() {
   return {.name = "unweighed_mass",
           .plain = "mass spread over a part that nobody weighed, {ratio%} of its own",
-          .physics = "mass spread over a part that the scale did not see: a fluid, a coating",
-          .signature = "all modes of the part fall, mass and static stiffness stay",
+          .physics = "mass spread over a part that the scale did not see, or that came after the "
+                     "baseline: a fluid, a coating",
+          .signature = "all modes of the part fall, static stiffness stays; the mass grows where a "
+                       "baseline was weighed",
           .look_alikes = {{"boundary_compliance", "an accelerometer on the held end"},
                           {"fixture_flexibility", "a response of the fixture"},
                           {"added_mass", "further modes"}},

@@ -26,7 +26,8 @@ public:
 
   std::vector<Offer> offers(const std::vector<std::string>& further) const {
     std::vector<Offer> all;
-    if (!measured_.mass || is_baseline(measured_, measured_.mass->state))
+    if (std::all_of(measured_.weighings.begin(), measured_.weighings.end(),
+                    [&](const MeasuredMass& w) { return is_baseline(measured_, w.state); }))
       all.push_back({"weigh the specimen", 0.2, numbers(ReadingKind::mass, {})});
     if (!end_caps(case_).empty())
       for (const auto& [direction, name] :

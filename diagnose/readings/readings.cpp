@@ -60,15 +60,18 @@ public:
 
 private:
   void numbers() {
-    if (const auto& mass = measured_.mass)
+    for (std::size_t i = 0; i < measured_.weighings.size(); ++i) {
+      const MeasuredMass& w = measured_.weighings[i];
       list_.add({.kind = ReadingKind::mass,
                  .name = "mass",
                  .unit = "kg",
-                 .entry = "mass",
-                 .state = mass->state,
+                 .entry = weighing_name(measured_, i),
+                 .state = w.state,
                  .sensor = "",
-                 .value = mass->value,
-                 .sigma = relative(mass->sigma, mass->value, mass_sigma)});
+                 .value = w.value,
+                 .sigma = relative(w.sigma, w.value, mass_sigma),
+                 .assumed = !w.sigma});
+    }
     for (std::size_t i = 0; i < measured_.statics.size(); ++i) {
       const MeasuredStatic& k = measured_.statics[i];
       list_.add({.kind = ReadingKind::stiffness,

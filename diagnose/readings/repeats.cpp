@@ -10,7 +10,7 @@ namespace plica {
 namespace {
 
 // What readings of one thing share: state, input, axis and level; of a peak its number; of a mode
-// known by its kind, with the run that drives it, shape and order.
+// known by its kind, with the run that drives it, shape and order; of a weighing its state alone.
 using Thing = std::tuple<std::string, Input, int, double, int, int>;
 
 bool known_by_kind(const TestReadings& test, const Reading& r) {
@@ -21,7 +21,14 @@ bool may_be_of_a_pair(const Reading& r) {
   return r.axis < 0 && r.shape == MeasuredShape::transverse;
 }
 
+// That several readings of one thing make a mean.
+bool is_pooled(const TestReadings& test, const Reading& r) {
+  if (r.kind == ReadingKind::mass) return true;
+  return known_by_kind(test, r) && !may_be_of_a_pair(r) && r.kind != ReadingKind::component;
+}
+
 Thing thing_of(const TestReadings& test, const Reading& r) {
+  if (r.kind == ReadingKind::mass) return {r.state, {}, -1, 0, -1, 0};
   if (known_by_kind(test, r))
     return {r.state, {}, r.axis, double(r.run), static_cast<int>(r.shape), r.order};
   const TestRun& run = test.runs[std::size_t(r.run)];
@@ -31,11 +38,12 @@ Thing thing_of(const TestReadings& test, const Reading& r) {
 } // namespace
 
 void widen_by_repeats(TestReadings& test) {
-  for (const auto& [kind, name] : {std::pair{ReadingKind::frequency, "frequency"},
-                                   std::pair{ReadingKind::damping, "damping"}}) {
+  for (const auto& [kind, name] :
+       {std::pair{ReadingKind::frequency, "frequency"}, std::pair{ReadingKind::damping, "damping"},
+        std::pair{ReadingKind::mass, "mass"}}) {
     std::map<Thing, std::vector<double>> groups;
     for (const Reading& r : test.readings)
-      if (r.kind == kind && r.run >= 0 && !may_be_of_a_pair(r))
+      if (r.kind == kind && (r.run >= 0 || kind == ReadingKind::mass) && !may_be_of_a_pair(r))
         groups[thing_of(test, r)].push_back(r.log_value);
     double sum = 0;
     std::size_t freedom = 0;
@@ -68,7 +76,7 @@ void pool_repeats(TestReadings& test) {
   std::vector<int> count;
   for (const Reading& r : test.readings) {
     std::size_t k = kept.size();
-    if (known_by_kind(test, r) && !may_be_of_a_pair(r) && r.kind != ReadingKind::component)
+    if (is_pooled(test, r))
       k = first.try_emplace({r.kind, r.held_out, thing_of(test, r)}, k).first->second;
     const double own = 1 / (r.sigma * r.sigma);
     if (k == kept.size()) {

@@ -223,9 +223,15 @@ MatrixXd numeric_of(const TestReadings& test, const MatrixXd& weights,
       if (same_way(test, test.readings[std::size_t(a.reading)],
                    test.readings[std::size_t(b.reading)]))
         S(a.reading, b.reading) += std::pow(numeric_cross, 2);
+  const auto kind_of = [&](Index i) { return test.readings[std::size_t(i)].kind; };
   for (Index i = 0; i < S.rows(); ++i) {
     S(i, i) += std::pow(share_of_correction * correction[i], 2);
-    const ReadingKind kind = test.readings[std::size_t(i)].kind;
+    // What a mesh misses of the mass it misses in every state.
+    for (Index j = 0; j < i && kind_of(i) == ReadingKind::mass; ++j)
+      if (kind_of(j) == ReadingKind::mass)
+        S(i, j) = S(j, i) =
+            share_of_correction * share_of_correction * correction[i] * correction[j];
+    const ReadingKind kind = kind_of(i);
     if (kind == ReadingKind::stiffness || kind == ReadingKind::dynamic_stiffness)
       S(i, i) += std::pow(numeric_stiffness, 2);
     if (kind == ReadingKind::component) S(i, i) += std::pow(numeric_component, 2);

@@ -154,6 +154,17 @@ public:
     for (std::size_t i = 0; i < x.size(); ++i) read(node->items[i], at(key, i), x[i]);
   }
   template <class T>
+  void one_or_more(std::vector<T>& x, const char* key, const Need& need, const char* help) {
+    if (const YamlNode* node = find(key); node && node->kind == YamlNode::Kind::list)
+      return list(x, key, {.required = need.required, .min_items = 1}, help);
+    const YamlNode* node = take(key, need.required, help);
+    if (node && node->kind == YamlNode::Kind::map)
+      read(*node, at(key), x.emplace_back());
+    else if (node)
+      log_.add(node->line, at(key), "is " + kind_of(*node),
+               "allowed: a map with keys and values, or a list of maps");
+  }
+  template <class T>
   void named(std::vector<T>& x, std::string T::*name, const char* key, const Need& need,
              const char* help) {
     for (const YamlEntry* entry : by_name(key, need, help)) {

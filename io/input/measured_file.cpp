@@ -5,6 +5,7 @@
 #include "io/input/measured_states.hpp"
 #include "io/lab_files/stiffness_table.hpp"
 #include "io/lab_files/universal_modes.hpp"
+#include "lab/measured/entries.hpp"
 #include "lab/measured/measured_fields.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/check_log.hpp"
@@ -234,7 +235,9 @@ void take_repeats(const std::vector<double>& repeats, double value, std::optiona
 }
 
 void take_all_repeats(Measured& m, ReadLog& log) {
-  if (m.mass) take_repeats(m.mass->repeats, m.mass->value, m.mass->sigma, "mass", log);
+  for (std::size_t i = 0; i < m.weighings.size(); ++i)
+    take_repeats(m.weighings[i].repeats, m.weighings[i].value, m.weighings[i].sigma,
+                 weighing_key(log, i), log);
   for (std::size_t i = 0; i < m.statics.size(); ++i)
     take_repeats(m.statics[i].repeats, m.statics[i].value, m.statics[i].sigma, item("static", i),
                  log);
@@ -244,13 +247,15 @@ void take_all_repeats(Measured& m, ReadLog& log) {
 
 // What the scale did not see comes besides.
 void weigh_sensors(Measured& m, ReadLog& log) {
-  if (!m.mass || !m.mass->without_sensors) return;
   double sensors = 0;
   for (const MeasuredSensor& s : m.sensors) sensors += s.mass;
-  if (sensors == 0)
-    log.add("mass.without_sensors", "says that the sensors were not weighed, and none has a mass",
-            "sensors with a mass");
-  m.mass->value += sensors;
+  for (std::size_t i = 0; i < m.weighings.size(); ++i) {
+    if (!m.weighings[i].without_sensors) continue;
+    if (sensors == 0)
+      log.add(weighing_key(log, i) + ".without_sensors",
+              "says that the sensors were not weighed, and none has a mass", "sensors with a mass");
+    m.weighings[i].value += sensors;
+  }
 }
 
 void check_slopes(const Measured& m, ReadLog& log) {
@@ -265,8 +270,14 @@ void check_hold_out(const Measured& m, ReadLog& log) {
   for (const auto& [key, where] : log.lines)
     for (const char* list : {"static[", "stiffness[", "modes[", "peaks[", "frf[", "signals["})
       if (key.starts_with(list) && key.find('.') == std::string::npos) entries.push_back(key);
+  for (std::size_t i = 0; i < m.weighings.size(); ++i) entries.push_back(weighing_name(m, i));
+  const auto is_entry = [&](const std::string& path) {
+    if (!log.lines.contains(path)) return false;
+    if (path.starts_with("mass[") && m.weighings.size() == 1) return false; // it is `mass`
+    return path.ends_with(']') || path == "mass";
+  };
   for (std::size_t i = 0; i < m.hold_out.size(); ++i)
-    if (!log.lines.count(m.hold_out[i]) || !m.hold_out[i].ends_with(']'))
+    if (!is_entry(m.hold_out[i]))
       log.add(item("hold_out", i), "there is no entry '" + shown(m.hold_out[i]) + "'",
               entries.empty() ? "this file has none" : suggestion(m.hold_out[i], entries));
 }

@@ -34,6 +34,10 @@ std::string thing(const MeasuredFrf& f) {
 
 } // namespace
 
+std::string weighing_key(const ReadLog& log, std::size_t i) {
+  return log.lines.contains("mass[0]") ? item("mass", i) : "mass";
+}
+
 void check_states(const Measured& m, ReadLog& log) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < m.states.size(); ++i) {
@@ -42,13 +46,13 @@ void check_states(const Measured& m, ReadLog& log) {
       log.add(key, "the name is used by another state", "names must differ");
     names.push_back(m.states[i].name);
   }
+  const auto check_one = [&](const std::string& state, const std::string& entry) {
+    if (!state.empty() && std::find(names.begin(), names.end(), state) == names.end())
+      log.add(entry + ".state", "there is no state '" + shown(state) + "'",
+              names.empty() ? "this file has no states" : suggestion(state, names));
+  };
   const auto check = [&](const auto& entries, const char* list) {
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const std::string &state = entries[i].state, key = item(list, i) + ".state";
-      if (!state.empty() && std::find(names.begin(), names.end(), state) == names.end())
-        log.add(key, "there is no state '" + shown(state) + "'",
-                names.empty() ? "this file has no states" : suggestion(state, names));
-    }
+    for (std::size_t i = 0; i < entries.size(); ++i) check_one(entries[i].state, item(list, i));
   };
   check(m.statics, "static");
   check(m.stiffness, "stiffness");
@@ -56,10 +60,8 @@ void check_states(const Measured& m, ReadLog& log) {
   check(m.peaks, "peaks");
   check(m.frf, "frf");
   check(m.signals, "signals");
-  if (m.mass && !m.mass->state.empty() &&
-      std::find(names.begin(), names.end(), m.mass->state) == names.end())
-    log.add("mass.state", "there is no state '" + shown(m.mass->state) + "'",
-            names.empty() ? "this file has no states" : suggestion(m.mass->state, names));
+  for (std::size_t i = 0; i < m.weighings.size(); ++i)
+    check_one(m.weighings[i].state, weighing_key(log, i));
 }
 
 void check_baselines(const Measured& m, ReadLog& log) {
@@ -80,9 +82,10 @@ void check_baselines(const Measured& m, ReadLog& log) {
   check(m.modes, "modes");
   check(m.peaks, "peaks");
   check(m.frf, "frf");
-  if (m.mass && m.mass->state.empty())
-    log.add("mass", "does not say in which state it was weighed",
-            "state: one of `states`, as there is a baseline");
+  for (std::size_t i = 0; i < m.weighings.size(); ++i)
+    if (m.weighings[i].state.empty())
+      log.add(weighing_key(log, i), "does not say in which state it was weighed",
+              "state: one of `states`, as there is a baseline");
 }
 
 } // namespace plica

@@ -4,7 +4,12 @@
 #include "io/input/field_reader.hpp"
 #include "lab/measured/measured.hpp"
 
+#include <string>
+
 namespace plica {
+
+// The key of a weighing as the file has it: "mass", or "mass[1]" of a list.
+std::string weighing_key(const ReadLog& log, std::size_t i);
 
 // Names that two states share, and entries of a state that is not there.
 void check_states(const Measured& m, ReadLog& log);

@@ -145,6 +145,12 @@ public:
     add(key, list_schema(schema_of<T>(), need.min_items, 10000, help), need.required);
   }
   template <class T>
+  void one_or_more(std::vector<T>&, const char* key, const Need& need, const char* help) {
+    const Json map = schema_of<T>();
+    add(key, {{"oneOf", {map, list_schema(map, 1, 10000, "")}}, {"description", help}},
+        need.required);
+  }
+  template <class T>
   void named(std::vector<T>&, std::string T::*, const char* key, const Need& need,
              const char* help) {
     add(key, names_schema(schema_of<T>(), need.min_items, help), need.required);

@@ -84,6 +84,15 @@ std::string states_text(const std::vector<MeasuredState>& states) {
   return text;
 }
 
+std::string weighings_text(const std::vector<MeasuredMass>& weighings) {
+  std::string text = weighings.empty() ? "" : "mass:";
+  for (const MeasuredMass& w : weighings)
+    text += fmt::format("{} {{value: {}{}{}}}{}", weighings.size() > 1 ? "\n  -" : "", w.value,
+                        optional_number("sigma", w.sigma), optional_text("state", w.state),
+                        &w == &weighings.back() ? "\n" : "");
+  return text;
+}
+
 } // namespace
 
 std::string simulated_yaml(const Measured& m) {
@@ -95,10 +104,7 @@ std::string simulated_yaml(const Measured& m) {
                     signed_axes_text(s.axes), s.mass > 0 ? fmt::format(", mass: {}", s.mass) : "",
                     s.node > 0 ? fmt::format(", node: {}", s.node) : "");
   text += states_text(m.states);
-  if (m.mass)
-    text +=
-        fmt::format("mass: {{value: {}{}{}}}\n", m.mass->value,
-                    optional_number("sigma", m.mass->sigma), optional_text("state", m.mass->state));
+  text += weighings_text(m.weighings);
   if (!m.statics.empty()) text += "static:\n";
   for (const MeasuredStatic& s : m.statics)
     text += fmt::format("  - {{direction: {}, value: {}{}{}{}{}}}\n", word_of(s.direction), s.value,

@@ -111,6 +111,8 @@ Measured identified_measured(const Measured& test, const std::vector<IdentifiedR
   const auto stays = [&](const char* list, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) renamed[entry_name(list, i)] = entry_name(list, i);
   };
+  renamed["mass"] = "mass";
+  stays("mass", test.weighings.size());
   stays("static", test.statics.size());
   stays("stiffness", test.stiffness.size());
   stays("peaks", test.peaks.size());

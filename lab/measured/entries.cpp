@@ -8,6 +8,10 @@ std::string entry_name(const char* list, std::size_t i) {
   return std::string(list) + "[" + std::to_string(i) + "]";
 }
 
+std::string weighing_name(const Measured& measured, std::size_t i) {
+  return measured.weighings.size() == 1 ? "mass" : entry_name("mass", i);
+}
+
 bool is_held_out(const Measured& measured, const std::string& entry) {
   return std::any_of(
       measured.hold_out.begin(), measured.hold_out.end(), [&](const std::string& held) {

@@ -10,6 +10,8 @@
 namespace plica {
 
 std::string entry_name(const char* list, std::size_t i); // "frf[3]"
+// "mass", as one weighing is written; of several "mass[1]".
+std::string weighing_name(const Measured& measured, std::size_t i);
 
 // By itself or with the entry that it is of: "peaks[0]" holds out "peaks[0].frequency[3]".
 bool is_held_out(const Measured& measured, const std::string& entry);

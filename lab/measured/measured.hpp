@@ -39,7 +39,8 @@ struct MeasuredState {
   std::map<std::string, double> numbers; // the same in SI, once a case gives the units
 };
 
-// `repeats` are single results; where no sigma is given it is their standard deviation.
+// One weighing. `repeats` are single results; where no sigma is given it is their standard
+// deviation.
 struct MeasuredMass {
   double value = 0;
   std::optional<double> sigma;
@@ -150,7 +151,7 @@ struct Measured {
   std::string source;   // where the numbers are from
   std::vector<MeasuredSensor> sensors;
   std::vector<MeasuredState> states;
-  std::optional<MeasuredMass> mass;
+  std::vector<MeasuredMass> weighings; // under `mass`
   std::vector<MeasuredStatic> statics;
   std::vector<MeasuredStiffnessTable> stiffness; // dynamic
   std::vector<MeasuredMode> modes;

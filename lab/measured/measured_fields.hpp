@@ -204,7 +204,8 @@ template <class V> void fields(V& v, Measured& m) {
   v.text(m.source, "source", {}, "where the numbers are from");
   v.list(m.sensors, "sensors", optional_key, "accelerometers");
   v.list(m.states, "states", optional_key, "states of the specimen in which entries were measured");
-  v.object(m.mass, "mass", optional_key, "weighed mass");
+  v.one_or_more(m.weighings, "mass", optional_key,
+                "weighed mass, or a list of weighings: of several states, or repeated");
   v.list(m.statics, "static", optional_key, "static stiffnesses from a rig");
   v.list(m.stiffness, "stiffness", optional_key, "dynamic stiffnesses from a rig");
   v.list(m.modes, "modes", optional_key, "identified modes");

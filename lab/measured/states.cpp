@@ -30,6 +30,12 @@ Measured measured_in(const Measured& measured,
                      const std::function<bool(const std::string& state)>& kept) {
   Measured result = measured;
   std::map<std::string, std::string> renamed; // of those kept: "modes[3]" to "modes[1]"
+  std::erase_if(result.weighings, [&](const MeasuredMass& w) { return !kept(w.state); });
+  if (!result.weighings.empty()) renamed["mass"] = "mass"; // all of them
+  std::size_t weighing = 0;
+  for (std::size_t i = 0; i < measured.weighings.size(); ++i)
+    if (kept(measured.weighings[i].state))
+      renamed[weighing_name(measured, i)] = weighing_name(result, weighing++);
   const auto keep = [&](auto& entries, const char* list) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -46,7 +52,6 @@ Measured measured_in(const Measured& measured,
   keep(result.peaks, "peaks");
   keep(result.frf, "frf");
   keep(result.signals, "signals");
-  if (result.mass && !kept(result.mass->state)) result.mass.reset();
   std::erase_if(result.states, [&](const MeasuredState& s) { return !kept(s.name); });
   result.hold_out = renamed_paths(result.hold_out, renamed);
   return result;

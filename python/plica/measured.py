@@ -38,10 +38,22 @@ class Measured:
 
     @property
     def mass(self) -> float | None:
-        """In kg; None where it was not weighed."""
+        """In kg, of several weighings the first; None where it was not weighed."""
         entry = self.data.get("mass")
+        if isinstance(entry, list):
+            entry = entry[0] if entry else None
         value, _ = si(entry.get("value") if isinstance(entry, dict) else entry, "mass")
         return float(value) if isinstance(value, (int, float)) else None
+
+    @property
+    def weighings(self) -> Any:
+        """DataFrame: value [kg], sigma, state, ... of each; empty where it was not weighed."""
+        entry = self.data.get("mass") or []
+        rows = entry if isinstance(entry, list) else [entry]
+        in_kg = ("value", "sigma", "repeats")  # "5 g" is a mass there
+        return frame_of([{key: si(value, "mass")[0] if key in in_kg else value
+                          for key, value in row.items()} for row in rows],
+                        {"value": "kg", "sigma": "kg"})
 
     def entries(self, name: str) -> Any:
         """DataFrame of a list: "sensors", "modes", "static", "frf", "signals", "states"."""

@@ -17,7 +17,8 @@ Rows = Any  # a DataFrame, or an iterable of dicts
 QUANTITIES = {"m/s2 per N": "accelerance", "m/s per N": "mobility", "m per N": "receptance"}
 
 
-def measured(folder: str | Path, specimen: str, *, mass: float | Mapping[str, Any] | None = None,
+def measured(folder: str | Path, specimen: str, *,
+             mass: float | Mapping[str, Any] | Rows | None = None,
              sensors: Rows = (), static: Rows = (), modes: Rows = (), peaks: Rows = (),
              frf: Frf | Sequence[Frf] = (), signals: Signals | Sequence[Signals] = (),
              source: str = "", states: Rows = (), hold_out: Sequence[str] = (),
@@ -25,10 +26,11 @@ def measured(folder: str | Path, specimen: str, *, mass: float | Mapping[str, An
     """Writes measured.yaml with its tables into `folder` and gives it back, read.
 
     Numbers are in SI. Rows are DataFrames or dicts with the keys of `plica schema measured`; NaN
-    and None are left out. `frf`: one table an input, frf_1.csv and so on; `base.y` is a motion
-    of the table, any other (`mid.y`) a force, and `unit` says what the response is; `sigma`
-    {"relative": 0.02, "floor": 0.01} goes to all of them. ValueError where a unit is not SI or a
-    number none; FileExistsError names a file that is there already. Reading back needs PyYAML.
+    and None are left out. `mass`: a number, one weighing as a dict, several as rows. `frf`: one
+    table an input, frf_1.csv and so on; `base.y` is a motion of the table, any other (`mid.y`) a
+    force, and `unit` says what the response is; `sigma` {"relative": 0.02, "floor": 0.01} goes to
+    all of them. ValueError where a unit is not SI or a number none; FileExistsError names a file
+    that is there already. Reading back needs PyYAML.
     """
     folder = Path(folder)
     frfs = [Frf(f.frequency, f.by_input(driven), f.outputs, (driven,), f.unit, f.level)
@@ -37,8 +39,7 @@ def measured(folder: str | Path, specimen: str, *, mass: float | Mapping[str, An
     files: dict[str, str] = {}
     entries: dict[str, Any] = {
         "specimen": specimen, "source": source or None, "sensors": _rows(sensors),
-        "states": _rows(states), "mass": {"value": mass} if isinstance(mass, (int, float))
-        else mass,
+        "states": _rows(states), "mass": _mass(mass),
         "static": _rows(static), "modes": _rows(modes), "peaks": _rows(peaks),
         "frf": [_frf_entry(f, f"frf_{k}.csv", sigma, files) for k, f in enumerate(frfs, 1)],
         "signals": [_signals_entry(s, f"signals_{k}.csv", files)
@@ -52,6 +53,12 @@ def measured(folder: str | Path, specimen: str, *, mass: float | Mapping[str, An
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
     return read_measured(folder)
+
+
+def _mass(mass: float | Mapping[str, Any] | Rows | None) -> Any:
+    if isinstance(mass, (int, float)):
+        return {"value": mass}
+    return mass if mass is None or isinstance(mass, Mapping) else _rows(mass)
 
 
 def _rows(rows: Rows) -> list[dict[str, Any]]:

@@ -28,6 +28,21 @@ def test_responses_from_arrays_are_identified(tmp_path):
         plica.measured(tmp_path / "lab", "pipe")
 
 
+def test_several_weighings_are_rows(tmp_path):
+    states = [{"name": "before", "baseline": True}, {"name": "after"}]
+    rows = [{"value": 1.2, "sigma": 0.001, "state": "before"}, {"value": 1.25, "state": "after"}]
+    written = plica.measured(tmp_path / "lab", "pipe", states=states, mass=rows)
+    assert written.mass == 1.2 and list(written.weighings["value"]) == [1.2, 1.25]
+    assert list(written.weighings["state"]) == ["before", "after"]
+    data = tmp_path / "measured.yaml"
+    data.write_text("specimen: a\nmass: {value: 883.1 g, sigma: 0.5 g}\n")
+    one = plica.read_measured(data).weighings
+    assert one["value"][0] == pytest.approx(0.8831) and one["sigma"][0] == pytest.approx(5e-4)
+    assert one.attrs["units"] == {"value": "kg", "sigma": "kg"}
+    data.write_text("specimen: a\n")
+    assert plica.read_measured(data).weighings.empty
+
+
 def test_several_inputs_of_one_test_are_identified_together(tmp_path):
     """Two masses between three springs, driven at each: frequencies, damping and shapes."""
     f, k, zeta = np.arange(4.0, 20.0, 0.02), 1000.0, 0.01

@@ -202,7 +202,7 @@ const std::string measured = "specimen: t\n"
                              "sensors:\n"
                              "  - {name: a, at: [0, 0, 0], axes: [x, y, z], mass: 5 g, node: 1}\n"
                              "  - {name: b, at: [0, 100 mm, 0], axes: [x, y, z]}\n"
-                             "mass: {value: 1.2 kg, sigma: 2 g}\n"
+                             "mass: [{value: 1.2 kg, sigma: 2 g}, {value: 1201 g}]\n"
                              "modes:\n"
                              "  - {frequency: 21.5 Hz, sigma: 0.1 Hz, damping: 2 %, shape: other}\n"
                              "frf:\n";
