@@ -30,7 +30,7 @@ TEST(StageShare, of_a_whole_diagnosis_never_goes_back) {
   truth.materials["steel"].E *= 0.8;
   Measured m;
   changed_beam::add_modes(m, "");
-  m.mass = MeasuredMass{.value = 1, .sigma = 0.0005, .repeats = {}};
+  m.weighings = {{.value = 1, .sigma = 0.0005, .repeats = {}}};
   changed_beam::take_readings(m, changed_beam::read_by(truth, m));
   std::vector<double> told;
   std::vector<std::string> stages;

@@ -2,6 +2,8 @@
 #include "diagnose/effects/places.hpp"
 #include "lab/measured/states.hpp"
 
+#include <algorithm>
+
 namespace plica {
 namespace {
 
@@ -22,6 +24,13 @@ std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes)
   return all;
 }
 
+// What a plate bears there is told of the sensor.
+bool is_at_sensor(const Structure& s, const Spot& spot) {
+  const auto& sensors = s.built.sensors;
+  return std::any_of(sensors.begin(), sensors.end(),
+                     [&](const BuiltSensor& sensor) { return sensor.node == spot.touched; });
+}
+
 constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less
 
 // A mass all round a crown turns with it; one that is clamped softly does not. Beside a baseline it
@@ -40,8 +49,8 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = on_scale});
   };
-  for (const Spot& spot : spots(s)) {
-    if (is_along(s, spot)) continue;
+  for (const Spot& spot : contact_spots(s)) {
+    if (is_along(s, spot) || (spot.normal && is_at_sensor(s, spot))) continue;
     add(spot, "", on_each({spot.touched}));
     found.back().in_case = [at = place_of(s, spot.touched),
                             name = spot.place](const Case& now, const Eigen::VectorXd& v) {
@@ -55,7 +64,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
     add(spot, "all round", on_each(spot.nodes));
     add(spot, "on the mean motion", {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 1, 0)}});
   }
-  for (const BeamPath& path : beam_paths(s)) {
+  for (const BeamPath& path : line_paths(s)) {
     found.push_back(anywhere_along(path, mass, mass_along(s, path)));
     found.back().effect = "added_mass";
     found.back().at_rig = on_scale;
@@ -81,7 +90,7 @@ Effect added_mass() {
                       {"component_mass", "weigh the part"},
                       {"unweighed_mass", "a second sensor of the same mass"},
                       {"boundary_compliance", "the antinodes of further modes"}},
-      .needs = "a sensor, bellows, pipe, chain or beam",
+      .needs = "a sensor, bellows, pipe, chain, plate or beam",
       .hypotheses = added_mass_hypotheses};
 }
 

@@ -1,5 +1,7 @@
 #include "diagnose/effects/beam_path.hpp"
 
+#include "model/description/pipe_model.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,8 +15,8 @@ using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int degree = 6;     // of the entries of h h'
-constexpr int intervals = 16; // of a path, about
+constexpr int degree = 6;             // of the entries of h h'
+constexpr std::size_t intervals = 16; // of a path, about
 
 // Factors on the DOFs of two nodes of the motion along `d` at a share t of the way between.
 RowVectorXd motion(const Vector3d& from, const Vector3d& to, const Vector3d& d, double t) {
@@ -49,6 +51,50 @@ std::vector<ModelChange> changes_along(const Structure& s, const BeamPath& path,
     changes.push_back({.apply = {}, .on_motion = {std::move(own)}});
   }
   return changes;
+}
+
+// Numbers among the nodes of a part from its one end to the other where its stretches end: the path
+// has these nodes, since across them slope or curvature may leap.
+std::vector<std::size_t> ends_of_stretches(const Structure& s, const Part& part,
+                                           const std::vector<int>& nodes) {
+  std::vector<std::size_t> ends{0};
+  if (const auto* beam = std::get_if<BeamPart>(&part.body))
+    for (std::size_t k = 2; k < beam->points.size(); ++k) {
+      const std::string point = part.name + ".point[" + std::to_string(k) + "]";
+      const int node = s.built.model.mesh.sets.at(point).front();
+      ends.push_back(std::size_t(std::find(nodes.begin(), nodes.end(), node) - nodes.begin()));
+    }
+  if (const auto* pipe = std::get_if<EquivalentPipe>(&part.body)) {
+    const auto stretches = pipe_stretches(*pipe, s.data.materials.at(pipe->material));
+    for (std::size_t k = 0; k + 1 < stretches.size(); ++k)
+      ends.push_back(ends.back() + std::size_t(stretches[k].elements));
+  }
+  if (const auto* chain = std::get_if<ConnectorChain>(&part.body); chain && chain->arms > 0) {
+    ends.push_back(1);
+    ends.push_back(nodes.size() - 2);
+  }
+  ends.push_back(nodes.size() - 1);
+  return ends;
+}
+
+// Of a part whose nodes lie in order from its one end to the other.
+BeamPath path_of(const Structure& s, const Part& part) {
+  const std::vector<Vector3d>& x = s.built.model.mesh.nodes;
+  const std::vector<int>& nodes = s.built.model.mesh.sets.at(part.name + ".all");
+  const std::vector<std::size_t> ends = ends_of_stretches(s, part, nodes);
+  BeamPath path{.part = part.name, .nodes = {nodes.front()}, .at = {0}};
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const std::size_t elements = ends[k] - ends[k - 1];
+    const std::size_t wanted = std::max<std::size_t>(intervals * elements / ends.back(), 1);
+    const std::size_t step = (elements + wanted - 1) / wanted;
+    for (std::size_t from = ends[k - 1]; from < ends[k]; from += step) {
+      const int node = nodes[std::min(from + step, ends[k])];
+      path.at.push_back(path.at.back() +
+                        (x[std::size_t(node)] - x[std::size_t(path.nodes.back())]).norm());
+      path.nodes.push_back(node);
+    }
+  }
+  return path;
 }
 
 } // namespace
@@ -88,34 +134,23 @@ Hypothesis anywhere_along(const BeamPath& path, const EffectParameter& size,
 
 std::vector<BeamPath> beam_paths(const Structure& s) {
   std::vector<BeamPath> found;
-  const Model& model = s.built.model;
-  for (const Part& part : s.data.parts) {
-    const auto* beam = std::get_if<BeamPart>(&part.body);
-    if (!beam || beam->points.size() < 2) continue;
-    std::vector<const BeamElement*> own;
-    for (const BeamElement& b : model.beams)
-      if (model.components[std::size_t(b.component)] == part.name) own.push_back(&b);
-    const auto stretches = int(beam->points.size()) - 1;
-    if (int(own.size()) != stretches * beam->elements) continue;
-    const int wanted = std::clamp(intervals / stretches, 1, beam->elements);
-    const int step = (beam->elements + wanted - 1) / wanted;
-    BeamPath path{.part = part.name, .nodes = {own.front()->node1}, .at = {0}};
-    for (int k = 0; k < stretches; ++k)
-      for (int e = 0; e < beam->elements; e += step) {
-        const int last = std::min(e + step, beam->elements) - 1;
-        const int node = own[std::size_t(k * beam->elements + last)]->node2;
-        const auto& x = model.mesh.nodes;
-        path.at.push_back(path.at.back() +
-                          (x[std::size_t(node)] - x[std::size_t(path.nodes.back())]).norm());
-        path.nodes.push_back(node);
-      }
-    found.push_back(std::move(path));
-  }
+  for (const Part& part : s.data.parts)
+    if (std::holds_alternative<BeamPart>(part.body)) found.push_back(path_of(s, part));
+  return found;
+}
+
+std::vector<BeamPath> line_paths(const Structure& s) {
+  std::vector<BeamPath> found;
+  for (const Part& part : s.data.parts)
+    if (std::holds_alternative<BeamPart>(part.body) ||
+        std::holds_alternative<EquivalentPipe>(part.body) ||
+        std::holds_alternative<ConnectorChain>(part.body))
+      found.push_back(path_of(s, part));
   return found;
 }
 
 bool is_along(const Structure& s, const Spot& spot) {
-  return spot.on_beam && s.data.diagnose.places.empty();
+  return spot.on_path && s.data.diagnose.places.empty();
 }
 
 std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path,

@@ -1,8 +1,13 @@
-// A beam as a path of places: what sits on it may sit anywhere along.
+// A beam, equivalent pipe or chain of connectors as a path of places: what sits on it may sit
+// anywhere along.
 //
 // Between two nodes of the path a beam moves by Hermite's cubics across and straight along itself,
 // so that a spring or mass at a place s adds k h(s) h(s)', whose entries are polynomials of degree
 // six: exactly the sum of those at seven places between the two nodes, with Lagrange's weights.
+//
+// A pipe is of beams. Of a chain the rings move rigidly with half of the link on either side, and a
+// link gives way midway: the cubics leave either ring as its rigid half does, and round what is a
+// step and a kink in the middle. Rigid arms move by them exactly.
 #pragma once
 
 #include "diagnose/effects/places.hpp"
@@ -25,8 +30,10 @@ Hypothesis anywhere_along(const BeamPath& path, const EffectParameter& size,
 
 // Of every part that is a beam.
 std::vector<BeamPath> beam_paths(const Structure& s);
+// Of these and of every equivalent pipe and chain of connectors.
+std::vector<BeamPath> line_paths(const Structure& s);
 
-// A point of a beam is one of the places along it, unless the case asks for places by name.
+// What lies on a path is one of the places along it, unless the case asks for places by name.
 bool is_along(const Structure& s, const Spot& spot);
 
 // A change each for springs of 1 N/m along axes, or a mass of 1 kg, at the samples.

@@ -13,6 +13,13 @@ ModelChange on_each(const std::vector<int>& nodes, const Eigen::Vector3d& along)
   }};
 }
 
+// In its own plane a plate is far too stiff for a spring to be felt.
+ModelChange along_normal(const Spot& spot) {
+  Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, 6);
+  row.leftCols<3>() = spot.normal->transpose();
+  return {.apply = {}, .on_motion = {{.nodes = {spot.touched}, .rows = row, .stiffness = 1}}};
+}
+
 // Whether what holds along all axes shows otherwise than what holds along one.
 bool sees_two_directions(const Measured& m) {
   std::set<Axis> seen;
@@ -36,8 +43,12 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
   };
-  for (const Spot& spot : spots(s)) {
+  for (const Spot& spot : contact_spots(s)) {
     if (spot.place.starts_with("sensor.") || is_along(s, spot)) continue;
+    if (spot.normal) {
+      add(spot, "across", along_normal(spot));
+      continue;
+    }
     add(spot, "x", on_each({spot.touched}, Eigen::Vector3d::UnitX()));
     add(spot, "y", on_each({spot.touched}, Eigen::Vector3d::UnitY()));
     add(spot, "z", on_each({spot.touched}, Eigen::Vector3d::UnitZ()));
@@ -46,11 +57,11 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
       add(spot, "on the mean motion",
           {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 0, 1)}});
   }
-  // From a touch, thousandths of the beam's own stiffness, to a pin: beyond a hundred times that
+  // From a touch, thousandths of the part's own stiffness, to a pin: beyond a hundred times that
   // the readings do not feel how stiff. Every power of ten alike, half of them pins.
   const double own = s.stiffness;
   const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
-  for (const BeamPath& path : beam_paths(s)) {
+  for (const BeamPath& path : line_paths(s)) {
     const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {
       found.push_back(anywhere_along(path, {"k", "N/m", any}, support_along(s, path, axes)));
       found.back().effect = "extra_support";
@@ -74,7 +85,7 @@ Effect extra_support() {
           .physics = "something touches the structure between its held ends",
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
           .look_alikes = {{"joint_stiffness", "other modes"}, {"component_mass", "weigh the part"}},
-          .needs = "a bellows, pipe, chain or beam",
+          .needs = "a bellows, pipe, chain, plate or beam",
           .hypotheses = extra_support_hypotheses};
 }
 

@@ -97,11 +97,17 @@ void add_stretches(std::vector<Hypothesis>& found, const Structure& s, const Par
                    Lost what) {
   const auto& beam = std::get<BeamPart>(part.body);
   if (what == Lost::shear && beam.points.size() == 2) return;
-  const std::vector<int> own = elements_of(s.built.model, part.name);
-  for (std::size_t k = 0; k + 1 < beam.points.size(); ++k) {
-    const auto first = own.begin() + std::ptrdiff_t(k) * beam.elements;
-    found.push_back(damage(part.name + ".stretch[" + std::to_string(k + 1) + "]", way_of(what),
-                           halved({first, first + beam.elements}, what)));
+  const Model& model = s.built.model;
+  const std::vector<int> own = elements_of(model, part.name);
+  auto first = own.begin();
+  for (std::size_t k = 1; k < beam.points.size(); ++k) {
+    const int end = model.mesh.sets.at(part.name + ".point[" + std::to_string(k + 1) + "]").front();
+    auto last = std::find_if(first, own.end(),
+                             [&](int i) { return model.beams[std::size_t(i)].node2 == end; });
+    if (last != own.end()) ++last;
+    found.push_back(damage(part.name + ".stretch[" + std::to_string(k) + "]", way_of(what),
+                           halved({first, last}, what)));
+    first = last;
   }
 }
 

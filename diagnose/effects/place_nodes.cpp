@@ -53,7 +53,7 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
     if (name == all)
       for (const JointGroup& group : joint_groups(s))
         if (!group.mount && group.rigid == rigid) add_component(nodes, model, group.place);
-  for (const Spot& spot : spots(s))
+  for (const Spot& spot : contact_spots(s))
     if (spot.place == name) nodes.insert(spot.nodes.begin(), spot.nodes.end());
   for (const Part& part : s.data.parts)
     if (const auto* body = std::get_if<PointMass>(&part.body); body && part.name == name) {
@@ -74,7 +74,7 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
 
 std::vector<int> nodes_at(const Structure& s, const std::string& place,
                           const std::optional<double>& along) {
-  for (const BeamPath& path : beam_paths(s))
+  for (const BeamPath& path : line_paths(s))
     if (along && path.part == place) return {path.nodes[path.nearest(*along)]};
   std::set<int> nodes;
   const std::string between = " and ";

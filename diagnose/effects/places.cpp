@@ -1,6 +1,7 @@
 #include "diagnose/effects/places.hpp"
 
 #include "diagnose/effects/on_table.hpp"
+#include "diagnose/effects/plate_spots.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,6 @@ namespace plica {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr int stations = 8;
 
 double mean_y(const Mesh& mesh, const std::vector<int>& nodes) {
   double sum = 0;
@@ -42,10 +41,11 @@ int top_of(const Mesh& mesh, const std::vector<int>& nodes) {
                            [&](int a, int b) { return mesh.nodes[a].z() < mesh.nodes[b].z(); });
 }
 
-void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part) {
+void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part,
+                      int most) {
   const Mesh& mesh = s.built.model.mesh;
   const std::vector<double> y = roots(mesh, part);
-  for (int k : stations_of(int(y.size()) - 1))
+  for (int k : stations_of(int(y.size()) - 1, most))
     if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
       found.push_back({part + ".convolution[" + std::to_string(k) + "]", ring->nodes,
                        top_of(mesh, ring->nodes)});
@@ -67,7 +67,8 @@ void add_along(std::vector<Spot>& found, const Structure& s, const std::string& 
   for (int k : stations_of(int(nodes.size()) - 2))
     found.push_back({part + ".node[" + std::to_string(k) + "]",
                      {nodes[std::size_t(k)]},
-                     nodes[std::size_t(k)]});
+                     nodes[std::size_t(k)],
+                     true});
 }
 
 bool is_held(const Structure& s, int node) {
@@ -104,27 +105,52 @@ double largest_translation(const BushingElement& b) {
 
 } // namespace
 
-std::vector<int> stations_of(int count) {
+std::vector<int> stations_of(int count, int most) {
   std::vector<int> chosen;
-  const int wanted = std::min(count, stations);
-  for (int i = 0; i < wanted; ++i)
-    chosen.push_back(wanted == count ? i + 1 : 1 + ((2 * i + 1) * count) / (2 * wanted));
+  const int even = std::min(count, 8);
+  for (int i = 0; i < even; ++i)
+    chosen.push_back(even == count ? i + 1 : 1 + ((2 * i + 1) * count) / (2 * even));
+  const auto away = [&](int k) {
+    int nearest = count;
+    for (int other : chosen) nearest = std::min(nearest, std::abs(other - k));
+    return nearest;
+  };
+  while (int(chosen.size()) < std::min(count, most)) {
+    int farthest = 1;
+    for (int k = 2; k <= count; ++k)
+      if (away(k) > away(farthest)) farthest = k;
+    chosen.insert(std::upper_bound(chosen.begin(), chosen.end(), farthest), farthest);
+  }
   return chosen;
 }
 
-std::vector<Spot> spots(const Structure& s) {
+namespace {
+
+std::vector<Spot> spots_of(const Structure& s, int crowns, bool on_plates) {
   std::vector<Spot> found;
   for (const BuiltSensor& sensor : s.built.sensors)
     found.push_back({"sensor." + sensor.name, {sensor.node}, sensor.node});
   for (const Part& part : s.data.parts) {
-    if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name);
+    if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name, crowns);
     if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
     if (std::holds_alternative<EquivalentPipe>(part.body) ||
         std::holds_alternative<ConnectorChain>(part.body))
       add_along(found, s, part.name);
+    if (const auto* plate = std::get_if<Plate>(&part.body); plate && on_plates)
+      for (Spot& spot : plate_spots(s.built, part.name, *plate)) found.push_back(std::move(spot));
   }
   std::erase_if(found, [&](const Spot& spot) { return is_held(s, spot.touched); });
   return found;
+}
+
+} // namespace
+
+std::vector<Spot> spots(const Structure& s) {
+  return spots_of(s, 8, false);
+}
+
+std::vector<Spot> contact_spots(const Structure& s) {
+  return spots_of(s, 16, true);
 }
 
 std::vector<JointGroup> joint_groups(const Structure& s) {

@@ -10,12 +10,16 @@ struct Spot {
   std::string place;
   std::vector<int> nodes;
   int touched = 0;
-  bool on_beam = false; // a point of a beam, along which any place is looked at (beam_path.hpp)
+  bool on_path = false; // of a beam, pipe or chain, where any place is looked at (beam_path.hpp)
+  std::optional<Eigen::Vector3d> normal = {}; // of a plate, which gives way along it alone
 };
-// Numbers of 1..count that are looked at: all, or eight evenly spread.
-std::vector<int> stations_of(int count);
+// Numbers of 1..count that are looked at: all, or eight evenly spread, and up to `most` between.
+std::vector<int> stations_of(int count, int most = 8);
 // Sensors, and up to eight stations along every shell of revolution, pipe, chain and beam.
 std::vector<Spot> spots(const Structure& s);
+// Where something may touch or sit: these, of bellows up to sixteen crowns, so that of up to 32
+// each is looked at or lies next to one that is, and a grid on every plate (plate_spots.hpp).
+std::vector<Spot> contact_spots(const Structure& s);
 
 // Springs that the structure's parts meet in: joints, connectors, the interlock.
 struct JointGroup {

@@ -1,0 +1,239 @@
+// Where things touch or sit: along pipes and chains, on crowns, on plates.
+#include "diagnose/effects/beam_path.hpp"
+#include "diagnose/effects/place_nodes.hpp"
+#include "tests/changed_beam.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace plica {
+namespace {
+
+using namespace changed_beam;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+EquivalentPipe pipe_of(double start, double length, double of_length) {
+  EquivalentPipe p;
+  p.material = "steel";
+  p.start = start;
+  p.length = p.convoluted = length;
+  p.outer = {.radius = 0.05,
+             .wall = 0.001,
+             .axial = 5e4 * of_length / length,
+             .torsion = 2e5 * of_length / length};
+  p.end_radius = 0.05;
+  p.end_wall = 0.0005;
+  p.elements = 40;
+  return p;
+}
+
+Case empty_case() {
+  Case c;
+  c.name = "pipe";
+  c.materials["steel"] = {.E = 193e9, .nu = 0.3, .rho = 8000};
+  c.analyses.modes = Modes{.count = 8};
+  c.analyses.damping.modal = 0.01;
+  return c;
+}
+
+void hold_ends(Case& c, const std::string& left, const std::string& right) {
+  c.caps.push_back({.name = "left", .of = {left}});
+  c.caps.push_back({.name = "right", .of = {right}});
+  c.mount.push_back({.cap = "left"});
+  c.mount.push_back({.cap = "right"});
+}
+
+Case held_at_both_ends(const std::variant<EquivalentPipe, ConnectorChain>& body) {
+  Case c = empty_case();
+  std::visit([&](const auto& own) { c.parts.push_back({"pipe", own}); }, body);
+  hold_ends(c, "pipe.left", "pipe.right");
+  return c;
+}
+
+ConnectorChain chain_with_arms() {
+  ConnectorChain chain;
+  chain.start = 0.1;
+  chain.length = 0.5;
+  chain.arms = 0.03;
+  chain.count = 20;
+  chain.spring = {.axial = 1e6, .transverse = 1e6, .bending = 500, .torsion = 1e3};
+  chain.mass = 1;
+  chain.radius = 0.05;
+  return chain;
+}
+
+// Of a mesh that moves along z as the cubic w(y), sections turning with it, a spring at y stores
+// w(y)^2 / 2: exactly, anywhere, since Hermite's cubics hold w.
+TEST(ContactPlaces, a_spring_anywhere_along_a_pipe_or_chain_feels_a_cubic_as_it_is) {
+  EquivalentPipe with_ends = pipe_of(0.1, 0.5, 0.5);
+  with_ends.convoluted = 0.4;
+  const auto w = [](double y) { return 1 + 2 * y - 30 * y * y + 40 * y * y * y; };
+  const auto slope = [](double y) { return 2 - 60 * y + 120 * y * y; };
+  Measured m;
+  for (const Case& c : {held_at_both_ends(with_ends), held_at_both_ends(chain_with_arms())}) {
+    const BuiltCase built = build(c);
+    const Structure s{.data = c, .built = built, .measured = m};
+    const std::vector<BeamPath> paths = line_paths(s);
+    ASSERT_EQ(paths.size(), 1U);
+    EXPECT_TRUE(beam_paths(s).empty());
+    const BeamPath& path = paths.front();
+    EXPECT_NEAR(path.length(), 0.5, 1e-12);
+    EXPECT_LE(path.nodes.size(), 21U);
+    const std::vector<ModelChange> samples = support_along(s, path, {Vector3d::UnitZ()});
+    for (double at : {0., 0.013, 0.1, 0.237, 0.44, 0.499, 0.5}) {
+      const VectorXd weight = path.weights(at);
+      ASSERT_EQ(weight.size(), Index(samples.size()));
+      double energy = 0;
+      for (std::size_t j = 0; j < samples.size(); ++j) {
+        const OnMotion& own = samples[j].on_motion.front();
+        VectorXd u = VectorXd::Zero(12);
+        for (Index n = 0; n < 2; ++n) {
+          const double y = built.model.mesh.nodes[std::size_t(own.nodes[std::size_t(n)])].y();
+          u[6 * n + 2] = w(y);
+          u[6 * n + 3] = slope(y);
+        }
+        energy += weight[Index(j)] * (own.rows * u).squaredNorm();
+      }
+      EXPECT_NEAR(energy, w(0.1 + at) * w(0.1 + at), 1e-9) << at;
+    }
+  }
+}
+
+// A place of the case and a sensor off the even steps are nodes more; the path has its length all
+// the same, and damage of a stretch takes the elements that lie in it.
+TEST(ContactPlaces, a_beam_with_nodes_off_its_even_steps_has_a_path_and_its_stretches) {
+  Case c = beam_of(2, 0.6, 0.03, 0.006, true);
+  std::get<BeamPart>(c.parts[0].body).places = {{"hanger", {0, 0.11, 0}}};
+  const BuiltCase built = build(c);
+  const Measured m;
+  const Structure s{.data = c, .built = built, .measured = m, .stiffness = 1e4, .mass = 1};
+  ASSERT_EQ(built.model.beams.size(), 13U);
+  ASSERT_EQ(beam_paths(s).size(), 1U);
+  EXPECT_NEAR(beam_paths(s).front().length(), 0.6, 1e-12);
+  std::vector<std::size_t> changed;
+  for (const Hypothesis& h : effect_named("local_damage").hypotheses(s)) {
+    if (!h.place.starts_with("beam.stretch[")) continue;
+    Model model = built.model;
+    h.changes.front().apply(model);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < model.beams.size(); ++i)
+      if (model.beams[i].section.EI_y != built.model.beams[i].section.EI_y) ++count;
+    changed.push_back(count);
+  }
+  EXPECT_EQ(changed, (std::vector<std::size_t>{7, 6}));
+}
+
+// Of 16 crowns all, of 27 each or the next one; damage is looked for at eight of them.
+TEST(ContactPlaces, every_convolution_lies_at_or_beside_a_place) {
+  EXPECT_EQ(stations_of(16, 16).size(), 16U);
+  for (int count : {17, 27, 32}) {
+    const std::vector<int> chosen = stations_of(count, 16), damaged = stations_of(count);
+    EXPECT_EQ(chosen.size(), 16U);
+    const std::set<int> all(chosen.begin(), chosen.end());
+    EXPECT_EQ(all.size(), 16U);
+    EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.end()));
+    EXPECT_TRUE(std::includes(chosen.begin(), chosen.end(), damaged.begin(), damaged.end()));
+    for (int k = 1; k <= count; ++k)
+      EXPECT_TRUE(all.contains(k - 1) || all.contains(k) || all.contains(k + 1)) << k;
+  }
+}
+
+// The truth is made of two pipes that meet where a hanger holds them, on a node of their own.
+TEST(ContactPlaces, a_hanger_between_the_nodes_of_a_pipe_is_found_within_its_interval) {
+  const double L = 0.8, at = 0.2734, k = 4e4;
+  Case truth = empty_case();
+  truth.parts.push_back({"one", pipe_of(0, at, L)});
+  truth.parts.push_back({"other", pipe_of(at, L - at, L)});
+  hold_ends(truth, "one.left", "other.right");
+  truth.caps.push_back({.name = "hanger", .of = {"one.right", "other.left"}});
+  truth.mount.push_back(
+      {.cap = "hanger", .kind = MountKind::springs, .stiffness = {0, 0, k, 0, 0, 0}});
+  Measured m;
+  m.specimen = "pipe";
+  for (int order = 1; order <= 4; ++order) m.modes.push_back(bending(Axis::z, order, ""));
+  for (int order = 1; order <= 2; ++order) m.modes.push_back(bending(Axis::x, order, ""));
+  take_readings(m, read_by(truth, m));
+  for (MeasuredMode& mode : m.modes) mode.sigma = 2e-3 * mode.frequency;
+  const Diagnosis d = diagnosis_of(held_at_both_ends(pipe_of(0, L, L)), m);
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "extra_support") << d.headline;
+  EXPECT_EQ(e.place, "pipe");
+  EXPECT_EQ(e.way, "z");
+  ASSERT_EQ(e.parameters.back().name, "at");
+  const std::array<double, 2>& interval = e.parameters.back().interval;
+  const auto holds = [&](double place) { return interval[0] <= place && place <= interval[1]; };
+  EXPECT_TRUE(holds(at) || holds(L - at)) // either half answers alike
+      << interval[0] << " to " << interval[1] << ": " << d.headline;
+}
+
+Case plate_case() {
+  Case c = empty_case();
+  c.name = "plate";
+  Plate plate;
+  plate.material = "steel";
+  plate.corners = {{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.16, 0}, {0, 0.24, 0}}};
+  plate.thickness = 3e-3;
+  plate.elements = {12, 8};
+  c.parts.push_back({"plate", plate});
+  c.caps.push_back({.name = "clamp", .of = {"plate.edge4"}});
+  c.mount.push_back({.cap = "clamp"});
+  c.sensors.push_back({.name = "corner", .at = {0.3, 0, 0}, .mass = 4e-3});
+  return c;
+}
+
+TEST(ContactPlaces, a_plate_has_a_grid_of_them_named_by_percents_of_its_edges) {
+  const Case c = plate_case();
+  const BuiltCase built = build(c);
+  const Measured m;
+  const Structure s{.data = c, .built = built, .measured = m, .stiffness = 1e4, .mass = 1};
+  std::set<std::string> masses, supports;
+  for (const Hypothesis& h : effect_named("added_mass").hypotheses(s)) masses.insert(h.place);
+  for (const Hypothesis& h : effect_named("extra_support").hypotheses(s)) {
+    supports.insert(h.place);
+    EXPECT_EQ(h.way, "across");
+  }
+  EXPECT_EQ(supports.size(), 20U); // the clamped edge has none
+  EXPECT_EQ(masses.size(), 20U);   // one of them at the sensor
+  EXPECT_TRUE(masses.contains("sensor.corner"));
+  EXPECT_FALSE(masses.contains("plate.spot[100][0]"));
+  EXPECT_TRUE(supports.contains("plate.spot[100][0]"));
+  const std::vector<int> nodes = nodes_at(s, "plate.spot[50][25]");
+  ASSERT_EQ(nodes.size(), 1U);
+  const Vector3d& x = built.model.mesh.nodes[std::size_t(nodes[0])];
+  EXPECT_NEAR((x - Vector3d(0.15, 0.05, 0)).norm(), 0, 1e-12); // the plate is 0.2 m wide there
+}
+
+// A node of the mesh between two spots, 0.15 kg on 1.44 kg of plate: the first mode falls by 9 %,
+// the third stays. Of all single effects the mass at the spot beside it leads.
+TEST(ContactPlaces, a_mass_on_a_plate_off_its_sensors_is_told_within_its_cell) {
+  Case nominal = plate_case();
+  nominal.diagnose.model_error = 0.015; // the grid is coarse
+  Case truth = nominal;
+  truth.sensors.push_back({.name = "lump", .at = {0.225, 0.1125, 0}, .mass = 0.15});
+  Measured m;
+  m.specimen = "plate";
+  for (int order = 1; order <= 7; ++order) {
+    m.modes.push_back(bending(Axis::z, order, ""));
+    m.modes.back().shape = MeasuredShape::other;
+  }
+  take_readings(m, read_by(truth, m));
+  for (MeasuredMode& mode : m.modes) mode.sigma = 2e-3 * mode.frequency;
+  const Diagnosis d = diagnosis_of(nominal, m);
+  const auto best = std::find_if(d.tried.begin(), d.tried.end(),
+                                 [](const TriedHypothesis& t) { return t.effects.size() == 1; });
+  ASSERT_NE(best, d.tried.end());
+  EXPECT_EQ(best->effects.front().name, "added_mass") << d.headline;
+  const std::string& place = best->effects.front().place;
+  EXPECT_TRUE(place == "plate.spot[75][50]" || place == "plate.spot[75][75]")
+      << place << ": " << d.headline;
+}
+
+} // namespace
+} // namespace plica
