@@ -1,6 +1,6 @@
 // Joints that give way in one direction, drawn with whatever large number stands for rigid.
 #include "diagnose/effects/chosen_effects.hpp"
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/joint_groups.hpp"
 #include "tests/changed_beam.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Clamps that a case draws as rigid, and that a diagnosis may find giving way.
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/predict/sprung_clamps.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"

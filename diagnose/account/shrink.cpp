@@ -1,8 +1,7 @@
 #include "diagnose/account/shrink.hpp"
-#include "diagnose/effects/beam_stiffness.hpp"
 
 #include "compare/search/search.hpp"
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"

@@ -1,5 +1,6 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/spots.hpp"
 #include "lab/measured/states.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 // step and a kink in the middle. Rigid arms move by them exactly.
 #pragma once
 
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/spots.hpp"
 
 namespace plica {
 

@@ -1,4 +1,4 @@
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/effect.hpp"
 
 namespace plica {
 namespace {

@@ -1,7 +1,7 @@
 // How stiff a joint is in a motion, as a hypothesis says it.
 #pragma once
 
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/joint_groups.hpp"
 
 namespace plica {
 

@@ -1,7 +1,7 @@
 // All joints of a structure as one cause.
 #pragma once
 
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/joint_groups.hpp"
 
 namespace plica {
 

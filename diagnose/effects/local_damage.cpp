@@ -1,4 +1,5 @@
 #include "diagnose/effects/beam_path.hpp"
+#include "diagnose/effects/places.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,9 @@
 #include "diagnose/effects/place_nodes.hpp"
 
 #include "diagnose/effects/beam_path.hpp"
+#include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/spots.hpp"
 
 #include <algorithm>
 #include <set>

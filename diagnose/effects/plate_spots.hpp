@@ -4,7 +4,8 @@
 // (corner 2 to 3), at a node of the mesh: spot[0][0] is corner 1, spot[100][100] corner 3.
 #pragma once
 
-#include "diagnose/effects/places.hpp"
+#include "diagnose/effects/effect.hpp"
+#include "diagnose/effects/spot.hpp"
 
 namespace plica {
 

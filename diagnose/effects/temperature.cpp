@@ -1,6 +1,5 @@
 #include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/effects/in_state.hpp"
-#include "diagnose/effects/places.hpp"
 
 #include <algorithm>
 

@@ -27,10 +27,10 @@
 //               without it at its place: then up to three effects within 8 of it. Or sets of
 //               different effects that explain the test alike, of which what they share is no more
 //               than 0.85 sure, or the best leaves more than nine of ten healthy specimens do, or
-//               its effects cancel: some of them open ten times the gap, which the others close. A parameter is free where its posterior is
-//               narrower than half its prior, or a move within the prior changes a reading by a
-//               tenth of its standard deviation. Of a list none is sure: 5 nats are odds of nine to
-//               one
+//               its effects cancel: some of them open ten times the gap, which the others close. A
+//               parameter is free where its posterior is narrower than half its prior, or a move
+//               within the prior changes a reading by a tenth of its standard deviation. Of a list
+//               none is sure: 5 nats are odds of nine to one
 //   mostly      nothing adequate; effects of a probability of 0.9 each (inclusion.hpp) close at
 //               least half of the gap, the lower end of the interval counts, with no parameter
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings

@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/spots.hpp"
 #include "diagnose/predict/built_in_state.hpp"
 #include "diagnose/predict/loose_motions.hpp"
 #include "diagnose/predict/sensor_axes.hpp"

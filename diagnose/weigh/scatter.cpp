@@ -1,6 +1,7 @@
 #include "diagnose/weigh/scatter.hpp"
 #include "diagnose/effects/beam_stiffness.hpp"
 
+#include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/effects/places.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "model/description/case_path.hpp"

@@ -1,0 +1,17 @@
+// Places of a structure where something may touch it or sit on it.
+#pragma once
+
+#include "diagnose/effects/effect.hpp"
+#include "diagnose/effects/spot.hpp"
+
+namespace plica {
+
+// Numbers of 1..count that are looked at: all, or eight evenly spread, and up to `most` between.
+std::vector<int> stations_of(int count, int most = 8);
+// Sensors, and up to eight stations along every shell of revolution, pipe, chain and beam.
+std::vector<Spot> spots(const Structure& s);
+// Where something may touch or sit: these, of bellows up to sixteen crowns, so that of up to 32
+// each is looked at or lies next to one that is, and a grid on every plate (plate_spots.hpp).
+std::vector<Spot> contact_spots(const Structure& s);
+
+} // namespace plica
