@@ -194,9 +194,12 @@ std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis
   for (const std::string& effect : explained.left_out)
     words += fmt::format("No key of a case says {}: not taken over.\n", effect);
   if (explained.in.empty()) return words + "No effect was taken over into a case.\n";
-  settings.stage("the case with its effects", 0);
+  DiagnosisSettings solving = settings; // whose shares of the work are none of the diagnosis
+  solving.stage = [&](const std::string& stage, double) { settings.stage(stage, 0); };
+  solving.advance = [](double) {};
+  solving.stage("the case with its effects", 0);
   const Ledger left =
-      said_where(a, [&] { return suppose(explained.data, a.test, Supposition{}, settings); });
+      said_where(a, [&] { return suppose(explained.data, a.test, Supposition{}, solving); });
   out.add(explained_file, explained.text);
   const double foretold = diagnosis.ledger.gap * (1 - diagnosis.ledger.explained);
   return words +
