@@ -25,11 +25,12 @@ std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes)
   return all;
 }
 
-// What a plate bears there is told of the sensor.
-bool is_at_sensor(const Structure& s, const Spot& spot) {
+// Where a sensor sits a mass is told of the sensor.
+bool is_told_of_sensor(const Structure& s, const Spot& spot) {
   const auto& sensors = s.built.sensors;
-  return std::any_of(sensors.begin(), sensors.end(),
-                     [&](const BuiltSensor& sensor) { return sensor.node == spot.touched; });
+  return std::any_of(sensors.begin(), sensors.end(), [&](const BuiltSensor& sensor) {
+    return sensor.node == spot.touched && spot.place != "sensor." + sensor.name;
+  });
 }
 
 constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less
@@ -50,8 +51,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = on_scale});
   };
-  for (const Spot& spot : contact_spots(s)) {
-    if (is_along(s, spot) || (spot.normal && is_at_sensor(s, spot))) continue;
+  const auto add_at_point = [&](const Spot& spot) {
     add(spot, "", on_each({spot.touched}));
     found.back().in_case = [at = place_of(s, spot.touched),
                             name = spot.place](const Case& now, const Eigen::VectorXd& v) {
@@ -61,6 +61,10 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
               {"sensors[" + std::to_string(i) + "].mass", yaml_of(now.sensors[i].mass + v[0])}};
       return with_mass_at(now, at, v[0]);
     };
+  };
+  for (const Spot& spot : contact_spots(s)) {
+    if (is_along(s, spot)) continue;
+    if (!is_told_of_sensor(s, spot)) add_at_point(spot);
     if (spot.nodes.size() < 2) continue;
     add(spot, "all round", on_each(spot.nodes));
     add(spot, "on the mean motion", {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 1, 0)}});
