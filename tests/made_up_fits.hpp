@@ -60,7 +60,9 @@ public:
     return singles.back();
   }
 
-  // The hypothesis that came last, of a set its last member, names a place and no cause.
+  // The hypothesis that came last, of a set its last member, sits there.
+  void move_last(const std::string& place) { hypotheses_.back().place = place; }
+  // It names a place and no cause.
   void leave_cause_open() { hypotheses_.back().names_place_only = true; }
 
   std::vector<JudgedFit> singles, sets;

@@ -70,12 +70,24 @@ TEST(Headline, of_sets_names_one_or_two_and_counts_more) {
   const std::string first = "Several effects: added_mass at here and ply_slip at here",
                     odds = " (odds above a million to one over no effect)";
   EXPECT_EQ(headline(specimen(1), fits.judgement(false)), first + odds);
-  fits.add_pair("added_mass", "damping", 19);
+  fits.add_pair("added_mass", "ply_slip", 19);
+  fits.move_last("there");
   EXPECT_EQ(headline(specimen(1), fits.judgement(false)),
-            first + "; or added_mass at here and damping at here" + odds);
-  fits.add_pair("added_mass", "temperature", 18);
+            first + "; or added_mass at here and ply_slip at there" + odds);
+  fits.add_pair("added_mass", "ply_slip", 18);
+  fits.move_last("elsewhere");
   EXPECT_EQ(headline(specimen(1), fits.judgement(false)),
             first + odds + "; 2 other sets explain the test as well");
+}
+
+TEST(Headline, of_sets_of_different_effects_lists_them) {
+  Fits fits;
+  fits.add("added_mass", 10, false);
+  fits.add_pair("added_mass", "ply_slip", 20);
+  fits.add_pair("added_mass", "damping", 15.1);
+  EXPECT_EQ(headline(specimen(1), fits.judgement(false)),
+            "Ambiguous: added_mass at here and ply_slip at here; or added_mass at here and damping "
+            "at here; 2 sets of effects explain the test alike");
 }
 
 // 1 - (2 / 6.8)^2 of the gap.

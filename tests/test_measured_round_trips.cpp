@@ -93,6 +93,7 @@ TEST(MeasuredRoundTrip, weighings_of_several_states_stay_a_list) {
   const TemporaryFolder folder("weighings");
   Measured written;
   written.specimen = "a";
+  written.source = "a scale";
   written.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
                     {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
   written.weighings = {{.value = 1.2, .sigma = 0.001, .repeats = {}, .state = "before"},
