@@ -70,7 +70,8 @@ void weigh_all(const Inclusion& inclusion, Judgement& result) {
 
 void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest, double odds,
                                   Judgement& result) {
-  const double left = nearest && nominal.gap_after > 0 ? nearest->gap_after / nominal.gap_after : 1;
+  const double before = nominal.gap_after;
+  const double left = !nearest ? 1 : before > 0 ? nearest->gap_after / before : 0;
   const double closed = std::clamp(1 - left * left, 0., 1.);
   for (auto& [effect, probability] : result.probabilities)
     if (effect != "none") probability *= odds * closed;
