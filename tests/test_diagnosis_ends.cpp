@@ -207,10 +207,10 @@ TEST(HeldEnds, readings_answer_to_damping_as_the_model_says) {
   EXPECT_EQ(roots, 6);
 }
 
-// A section that stands a little askew moves across the table, too, most at its other resonance, by
-// c / zeta of that mode: the logarithm of that share over the floor falls by the share's part of
-// both, and hardly answers to another mode.
-TEST(CrossReadings, answer_to_the_damping_of_the_mode_that_they_show) {
+// A section that stands askew moves across the table, too, by c / zeta of the mode that resonates
+// there. In terms of its height where the table drives it, which has the same zeta, that tells how
+// far askew it stands: modes of unlike damping do not make it more.
+TEST(CrossReadings, at_a_resonance_do_not_answer_to_its_damping) {
   Case data = lapped_beam();
   for (Part& part : data.parts) {
     auto& beam = std::get<BeamPart>(part.body);
@@ -221,19 +221,20 @@ TEST(CrossReadings, answer_to_the_damping_of_the_mode_that_they_show) {
   const TestReadings readings = readings_of(test);
   const Nominal nominal = nominal_of(data, test.data);
   const Eigen::MatrixXd W = damping_weights(nominal, readings);
-  const VectorXd y = *Predictor(nominal, readings, {})(VectorXd());
-  int resonances = 0;
+  int heights = 0, resonances = 0;
   for (Index i = 0; i < W.rows(); ++i) {
     const Reading& r = readings.readings[std::size_t(i)];
-    if (r.kind != ReadingKind::cross || r.name.find("at its resonance") == std::string::npos)
-      continue;
-    ++resonances;
-    const double share = 1 - cross_floor * std::exp(-y[i]);
-    EXPECT_GT(share, 0.7) << r.name;
-    Index mode = 0;
-    EXPECT_NEAR(W.row(i).minCoeff(&mode), -share, 0.15) << r.name;
-    EXPECT_LT((W.row(i).sum() - W(i, mode)), 0.15) << r.name;
+    if (r.kind == ReadingKind::amplitude && r.sensor == "tip") {
+      ++heights;
+      EXPECT_NEAR(W.row(i).minCoeff(), -1, 0.1) << r.name;
+    } else if (r.kind == ReadingKind::cross && r.at_run >= 0) {
+      ++resonances;
+      EXPECT_GT(r.value, 0.03) << r.name; // the tangent of how far askew
+      EXPECT_LT(r.value, 0.08) << r.name;
+      EXPECT_LT(W.row(i).cwiseAbs().maxCoeff(), 0.02) << r.name;
+    }
   }
+  EXPECT_GT(heights, 0);
   EXPECT_GT(resonances, 0);
 }
 
