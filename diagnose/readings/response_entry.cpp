@@ -36,6 +36,11 @@ Eigen::VectorXcd ResponseEntry::response(Index column) const {
   return acceleration_of(*set, reference, column);
 }
 
+bool ResponseEntry::covers(double hertz, double distance) const {
+  return set->hertz.minCoeff() <= hertz * (1 - distance) &&
+         set->hertz.maxCoeff() >= hertz * (1 + distance);
+}
+
 double ResponseEntry::largest(Index column, double hertz, double distance) const {
   const Eigen::VectorXcd H = response(column);
   double value = 0;

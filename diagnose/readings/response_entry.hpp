@@ -19,6 +19,8 @@ struct ResponseEntry {
   std::vector<std::string> sensors() const;
   // Accelerations over the input.
   Eigen::VectorXcd response(Eigen::Index column) const;
+  // Whether it was measured as far as this relative distance to either side of a frequency.
+  bool covers(double hertz, double distance) const;
   // Largest response within a relative distance of a frequency.
   double largest(Eigen::Index column, double hertz, double distance) const;
   // Of a response at a resonance that was fitted to another.

@@ -109,9 +109,11 @@ private:
         if (run.input == at.input || run.state != at.state || run.level != at.level) continue;
         const Index c = own.entry.column(at.sensor, at.axis);
         const Index main = other.entry.column(at.sensor, at.axis);
-        if (c < 0 || main < 0) continue;
-        const double height = other.entry.largest(main, at.peaks.front(), resonance_window);
-        const double ratio = own.entry.largest(c, at.peaks.front(), resonance_window) / height;
+        // Beside a band that ends in its flank a resonance would look smaller than it is.
+        const double resonance = at.peaks.front();
+        if (c < 0 || main < 0 || !own.entry.covers(resonance, resonance_window)) continue;
+        const double height = other.entry.largest(main, resonance, resonance_window);
+        const double ratio = own.entry.largest(c, resonance, resonance_window) / height;
         if (!(height > 0 && ratio > 0)) continue;
         const double noise = own.entry.stated_noise(ratio * height);
         Reading reading = own.entry.blank(run, int(own.run), 0);
