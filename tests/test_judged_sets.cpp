@@ -46,6 +46,26 @@ TEST(Judge, takes_a_pair_only_when_each_half_is_needed) {
   EXPECT_EQ(unshrunk.judgement(false).verdict, Verdict::unknown);
 }
 
+// As single effects are told apart by five nats, so are sets. What they share is as sure as a list
+// is.
+TEST(Judge, lists_sets_of_different_effects_within_five_nats) {
+  Fits fits;
+  fits.add("added_mass", 10, false);
+  fits.add_pair("added_mass", "ply_slip", 30);
+  fits.add_pair("added_mass", "damping", 25.1);
+  Judgement j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::ambiguous);
+  EXPECT_EQ(j.named.size(), 2u);
+  EXPECT_TRUE(j.names_sets());
+  EXPECT_NEAR(probability(j, "added_mass"), threshold::shared_odds, 1e-12);
+  EXPECT_NEAR(probability(j, "ply_slip"), threshold::shared_odds / (1 + std::exp(-4.9)), 1e-12);
+  fits.sets.back().fit.log_evidence = 24.9;
+  j = fits.judgement(false);
+  EXPECT_EQ(j.verdict, Verdict::several);
+  EXPECT_EQ(j.named.size(), 1u);
+  EXPECT_NEAR(probability(j, "added_mass"), 1, 1e-12);
+}
+
 // Of an effect at two places, one of which holds in a set a nat behind.
 TEST(Judge, weighs_places_over_the_sets_that_explain_the_test) {
   Fits fits;
