@@ -197,16 +197,21 @@ std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis
   DiagnosisSettings solving = settings; // whose shares of the work are none of the diagnosis
   solving.stage = [&](const std::string& stage, double) { settings.stage(stage, 0); };
   solving.advance = [](double) {};
-  solving.stage("the case with its effects", 0);
-  const Ledger left =
-      said_where(a, [&] { return suppose(explained.data, a.test, Supposition{}, solving); });
   out.add(explained_file, explained.text);
-  const double foretold = diagnosis.ledger.gap * (1 - diagnosis.ledger.explained);
-  return words +
-         fmt::format(
-             "{} has {} of {} effects in it: G falls from {:.3g} to {:.3g} (the ledger: {:.3g})\n",
-             explained_file, explained.in.size(), explained.in.size() + explained.left_out.size(),
-             diagnosis.ledger.gap, left.gap, foretold);
+  words += fmt::format("{} has {} of {} effects in it: ", explained_file, explained.in.size(),
+                       explained.in.size() + explained.left_out.size());
+  try { // the diagnosis is finished, whatever becomes of this
+    solving.stage("the case with its effects", 0);
+    const Ledger left =
+        said_where(a, [&] { return suppose(explained.data, a.test, Supposition{}, solving); });
+    const double foretold = diagnosis.ledger.gap * (1 - diagnosis.ledger.explained);
+    return words + fmt::format("G falls from {:.3g} to {:.3g} (the ledger: {:.3g})\n",
+                               diagnosis.ledger.gap, left.gap, foretold);
+  } catch (const Interrupted&) {
+    return words + "stopped before it was solved\n";
+  } catch (const std::exception& error) {
+    return words + fmt::format("it could not be solved: {}\n", error.what());
+  }
 }
 
 int diagnose_case(const DiagnoseOptions& options) {
@@ -243,12 +248,14 @@ int diagnose_case(const DiagnoseOptions& options) {
   write_diagnosis(diagnosis, title_of(file.data), PLICA_VERSION, out);
   std::string words = diagnosis_text(diagnosis);
   if (options.add) words += add_effects(a, start.edits, diagnosis, settings, out);
+  const bool stopped = search_is_ended() || is_interrupted();
+  forget_interrupt();
   hand_over(out);
   progress.finish();
   if (!options.out.quiet)
     print(fmt::format("{}\nReport: {}\n", words,
                       out.shown("diagnosis.html", "diagnosis.json").string()));
-  return search_is_ended() ? interrupted_exit() : 0;
+  return stopped ? interrupted_exit() : 0;
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "run/study/refine.hpp"
 #include "run/study/run_shares.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <stdexcept>
 
@@ -82,8 +83,10 @@ private:
       results = run_itself(finer);
       results.mesh_choice =
           fmt::format("refined around for modes of {} waves, from {} elements", waves, elements);
+      std::vector<Case> variants;
+      for (const Case& variant : request_.variants) variants.push_back(resolving(variant, waves));
       request_.data = std::move(finer);
-      for (Case& variant : request_.variants) variant = resolving(variant, waves);
+      request_.variants = std::move(variants);
     } catch (const std::exception& error) { // the first run is good
       results.warnings.push_back(fmt::format("not refined for modes of {} waves around, which miss "
                                              "the accuracy: {}",
@@ -176,13 +179,16 @@ private:
     return request_.words ? request_.words(std::current_exception()) : error.what();
   }
 
+  // A case that is run once more on a finer mesh does not begin anew.
   void tell(const std::string& of, const Stage& stage, double done) const {
-    step_({.of = of, .stage = stage, .done = done});
+    behind_ = std::max(behind_, done);
+    step_({.of = of, .stage = stage, .done = behind_});
   }
 
   WholeRunRequest request_;
   const std::function<void(const RunStep&)>& step_;
   const Plan plan_;
+  mutable double behind_ = 0; // largest share that was told
 };
 
 } // namespace

@@ -158,7 +158,7 @@ TEST(DiagnosisTerminal, says_all_in_fifteen_lines) {
                {"pipe: Several causes together, 90 % of the gap [80, 96]: plies of the wall",
                 "; and 2 more; 7 % is not explained\n", "bond 0.398 (0.342 to 0.487)", "[48, 52]",
                 "probability 99 %", "mass 20.1 (18.2 to 23.4) g; or a joint with",
-                "; told apart by weigh the part\n",
+                "; to tell them apart: weigh the part\n",
                 "what is left sits in frequency in y, peak 1 5 %, mass 3 %",
                 "Where (z): stiffness in y -7.1; ", "bellows +9.4",
                 "3.95 before, 0.327 after; held out 2.28 before, 0.434 after",
@@ -238,7 +238,7 @@ TEST(DiagnosisReport, begins_in_plain_words_with_a_waterfall) {
                       "ply_slip at bellows: bond 0.398 (0.342 to 0.487)",
                       "added_mass at sensor.mid: mass 20.1 (18.2 to 23.4) g", "stroke-dasharray",
                       "the gap of the nominal case", "To measure next: a sweep along z",
-                      "frequency in y, peak 1: 5 % of the gap", "told apart by weigh the part",
+                      "frequency in y, peak 1: 5 % of the gap", "to tell them apart: weigh the part",
                       "bellows 96.0\u00a0%, hose, left 3.0\u00a0%"});
   expect_parts(html, {"gap before", "gap, fitted"}); // its root, G being its square
   EXPECT_EQ(html.find("G before"), std::string::npos);

@@ -71,13 +71,15 @@ public:
 
 private:
   void add_inclusion(const Judgement& judgement) {
-    for (const auto& [effect, probability] : judgement.probabilities) {
-      const auto places = judgement.places.find(effect);
-      if (places == judgement.places.end()) continue; // "none"
-      result_.inclusion.push_back(
-          {.effect = effect, .probability = probability, .places = places->second});
+    for (const auto& [effect, places] : judgement.places) {
+      const double probability = judgement.probability_of(effect);
+      result_.inclusion.push_back({.effect = effect, .probability = probability, .places = places});
       for (auto& [place, share] : result_.inclusion.back().places) share *= probability;
     }
+    std::stable_sort(result_.inclusion.begin(), result_.inclusion.end(),
+                     [](const EffectInclusion& a, const EffectInclusion& b) {
+                       return a.probability > b.probability;
+                     });
   }
 
   // With places along a part as they stand beside the effects: of the same draws.

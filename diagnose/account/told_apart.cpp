@@ -73,12 +73,13 @@ Pairs pairs_of(const LedgerRow& row, const std::vector<HypothesisFit>& told, std
   return pairs;
 }
 
-// What effects say of those that look like them; empty: nothing of these.
+// What effects say of those that look like them, of the first two that do; empty: nothing of these.
 std::string look_alikes_of(const LedgerRow& row) {
   for (const NamedEffect& a : row.effects)
     for (const NamedEffect& b : row.effects)
       for (const auto& [other, how] : effect_named(a.name).look_alikes)
-        if (other == b.name) return how;
+        if (other == b.name)
+          return row.effects.size() > 2 ? a.name + " from " + b.name + ": " + how : how;
   return "";
 }
 

@@ -25,12 +25,12 @@ std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes)
   return all;
 }
 
-// Where a sensor sits a mass is told of the sensor.
+// Where a sensor sits a mass is told of the sensor; where several do, of each.
 bool is_told_of_sensor(const Structure& s, const Spot& spot) {
   const auto& sensors = s.built.sensors;
-  return std::any_of(sensors.begin(), sensors.end(), [&](const BuiltSensor& sensor) {
-    return sensor.node == spot.touched && spot.place != "sensor." + sensor.name;
-  });
+  return !spot.place.starts_with("sensor.") &&
+         std::any_of(sensors.begin(), sensors.end(),
+                     [&](const BuiltSensor& sensor) { return sensor.node == spot.touched; });
 }
 
 constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less

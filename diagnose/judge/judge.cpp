@@ -285,9 +285,9 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     return result;
   }
   if (!credible.empty() && best - none >= standards.evidence) {
-    name_singles(credible, rivals,
-                 outdone_by(effects, sets, inclusion, *credible.front(), standards.apart),
-                 standards, referee.to_all, result);
+    std::string outdone = outdone_by(effects, sets, inclusion, *credible.front(), standards.apart);
+    if (outdone.empty() && !few) outdone = alike_words(different.size());
+    name_singles(credible, rivals, outdone, standards, referee.to_all, result);
     if (!result.withheld.empty())
       claim_no_more_than_is_closed(nominal, result.named.front(), threshold::even_odds, result);
     return result;
@@ -299,6 +299,9 @@ Judgement judge(const JudgedFit& nominal, const std::vector<EffectFits>& effects
     result.named = different;
     result.named.resize(threshold::most_listed);
     forget_what_was_asked(result);
+    claim_no_more_than_is_closed(
+        nominal, different.front(),
+        result.withheld.empty() ? threshold::shared_odds : threshold::even_odds, result);
     result.withheld = alike_words(different.size());
   }
   if (result.verdict == Verdict::unknown)

@@ -142,7 +142,8 @@ std::string waterfall(const Ledger& ledger) {
     if (effect) name = fmt::format("<b>{}</b> {}", i + 1, name); // as the picture has it
     name += fields_names(row);
     if (!row.told_apart_by.empty())
-      name += "<span class=\"change\">told apart by " + html_escape(row.told_apart_by) + "</span>";
+      name += "<span class=\"change\">to tell them apart: " + html_escape(row.told_apart_by) +
+              "</span>";
     rows.push_back(
         {{name, html_fixed(100 * row.share, 0), percent_range(row.interval),
           row.effects.size() == 1 ? html_fixed(100 * row.effects.front().anywhere, 0) + "\u00a0%"

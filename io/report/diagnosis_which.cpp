@@ -64,7 +64,8 @@ const char* probabilities_of(const Diagnosis& d) {
                                      [](const LedgerRow& row) { return !row.effects.empty(); });
   const bool sets =
       d.verdict == Verdict::several || (d.verdict == Verdict::ambiguous && effects > 1);
-  if (sets) return "Of each effect, over the sets that explain the test.";
+  if (sets)
+    return "Of each effect, over the sets that explain the test; of many over all that were tried.";
   if (d.verdict == Verdict::mostly)
     return "Of each effect, averaged over all sets that were tried.";
   if (d.verdict == Verdict::unknown)

@@ -159,7 +159,7 @@ std::string ledger_text(const Ledger& ledger) {
     if (row.effects.size() == 1)
       words += fmt::format("; probability {:.0f} %", 100 * row.effects.front().anywhere);
     else if (!row.told_apart_by.empty())
-      words += "; told apart by " + row.told_apart_by;
+      words += "; to tell them apart: " + row.told_apart_by;
     rows.push_back({fmt::format("{:.0f} %", 100 * row.share), interval_words(row.interval), words});
   }
   std::string text = fmt::format(
