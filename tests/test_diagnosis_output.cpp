@@ -234,12 +234,13 @@ TEST(DiagnosisReport, begins_in_plain_words_with_a_waterfall) {
   ASSERT_NE(banner, std::string::npos);
   EXPECT_LT(banner, html.find("What the gap is made of"));
   EXPECT_LT(html.find("What the gap is made of"), html.find("odds 120:1"));
-  expect_parts(html, {"<b>1</b> plies of the wall that slip on each other, at bellows",
-                      "ply_slip at bellows: bond 0.398 (0.342 to 0.487)",
-                      "added_mass at sensor.mid: mass 20.1 (18.2 to 23.4) g", "stroke-dasharray",
-                      "the gap of the nominal case", "To measure next: a sweep along z",
-                      "frequency in y, peak 1: 5 % of the gap", "to tell them apart: weigh the part",
-                      "bellows 96.0\u00a0%, hose, left 3.0\u00a0%"});
+  expect_parts(html,
+               {"<b>1</b> plies of the wall that slip on each other, at bellows",
+                "ply_slip at bellows: bond 0.398 (0.342 to 0.487)",
+                "added_mass at sensor.mid: mass 20.1 (18.2 to 23.4) g", "stroke-dasharray",
+                "the gap of the nominal case", "To measure next: a sweep along z",
+                "frequency in y, peak 1: 5 % of the gap", "to tell them apart: weigh the part",
+                "bellows 96.0\u00a0%, hose, left 3.0\u00a0%"});
   expect_parts(html, {"gap before", "gap, fitted"}); // its root, G being its square
   EXPECT_EQ(html.find("G before"), std::string::npos);
 }

@@ -50,9 +50,9 @@ bool has_levels(const Measured& m) {
 //
 // Stuck, the group has `ratio` times its stiffness; `share` of that slips. A joint that is drawn by
 // a static test is drawn as it slips: stuck it may be ten times as stiff. In all motions by one
-// law, or in one of them; turning is a path at a lever (joint_groups.hpp). A clamp that is drawn as rigid
-// is stuck as stiff as its `stiffness` says, by the prior ten times what stands beside it, and
-// slips in one motion: what it has in terms of another nobody knows.
+// law, or in one of them; turning is a path at a lever (joint_groups.hpp). A clamp that is drawn as
+// rigid is stuck as stiff as its `stiffness` says, by the prior ten times what stands beside it,
+// and slips in one motion: what it has in terms of another nobody knows.
 std::vector<Hypothesis> joint_friction_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (!has_levels(s.measured)) return found; // a softer joint says the same
