@@ -62,13 +62,17 @@ Measured swept(const Case& nominal, const std::vector<const Hypothesis*>& togeth
   return m;
 }
 
-// The lap slides as it bends; along the beam it holds.
-TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
-  Case nominal = two_halves(3e3);
+Case seen_at_its_tip(Case beam) {
   Sensor tip;
   tip.name = "tip";
   tip.at = {0, 0.6, 0};
-  nominal.sensors.push_back(tip);
+  beam.sensors.push_back(tip);
+  return beam;
+}
+
+// The lap slides as it bends; along the beam it holds.
+TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
+  const Case nominal = seen_at_its_tip(two_halves(3e3));
   const Measured any = swept(nominal, {}, {});
   const Nominal model = nominal_of(nominal, any);
   const std::vector<Hypothesis> all = joint_friction().hypotheses(model.structure(any));
@@ -98,11 +102,8 @@ TEST(JointDirections, what_slips_in_one_motion_is_found_as_that) {
 // A clamp that is drawn as rigid slips as one that is drawn with the springs that it sticks with.
 TEST(JointDirections, a_clamp_drawn_as_rigid_slips_by_the_same_law) {
   constexpr double stuck = 9e3; // Nm/rad
-  const auto slipping = [](Case nominal, double first) {
-    Sensor tip;
-    tip.name = "tip";
-    tip.at = {0, 0.6, 0};
-    nominal.sensors.push_back(tip);
+  const auto slipping = [](const Case& clamped, double first) {
+    const Case nominal = seen_at_its_tip(clamped);
     const Measured any = swept(nominal, {}, {});
     const Nominal model = nominal_of(nominal, any);
     const std::vector<Hypothesis> all = joint_friction().hypotheses(model.structure(any));
