@@ -35,6 +35,7 @@ slow: check-deps build
 sealed: build
 	ctest --preset slow -R sealed_suite --verbose
 	ctest --preset slow -R sealed_mounted --verbose
+	ctest --preset slow -R sealed_strangers --verbose
 	ctest --preset slow -R sealed_changes --verbose
 	ctest --preset slow -R sealed_sets --verbose
 	ctest --preset slow -R sealed_ablations --verbose

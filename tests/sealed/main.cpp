@@ -1,5 +1,6 @@
 // plica_sealed: makes specimens with known causes, has them diagnosed, and scores the verdicts.
-//   plica_sealed make  --data D --truth T --seed S [--cases smoke|all|beams|mounted] [--first N]
+//   plica_sealed make  --data D --truth T --seed S [--cases smoke|all|beams|mounted|strangers]
+//                      [--first N]
 //   plica_sealed run   --data D --plica build/app/plica --out O [--ablate form]
 //   plica_sealed score --data D --truth T --out O [--require]
 //   plica_sealed check --work W
@@ -33,8 +34,9 @@ int main(int argc, char** argv) {
   make->add_option("--seed", seed, "of all chance");
   make->add_option("--cases", cases,
                    "smoke; all; beams: those of all that need no wall; mounted: on springs, with "
-                   "sensors on the ends and between the axes, a level in turn held out")
-      ->check(CLI::IsMember({"smoke", "all", "beams", "mounted"}));
+                   "sensors on the ends and between the axes, a level in turn held out; strangers: "
+                   "sixty of what the library does not know")
+      ->check(CLI::IsMember({"smoke", "all", "beams", "mounted", "strangers"}));
   make->add_option("--jobs", jobs, "specimens at once");
   make->add_option("--first", first, "only so many of them; their order is random");
 
@@ -97,8 +99,9 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (make->parsed()) {
-      auto suite = cases == "mounted" ? sealed::plan_mounted(seed)
-                                      : sealed::plan_suite(seed, cases == "smoke");
+      auto suite = cases == "mounted"     ? sealed::plan_mounted(seed)
+                   : cases == "strangers" ? sealed::plan_sixty_strangers(seed)
+                                          : sealed::plan_suite(seed, cases == "smoke");
       if (cases == "beams") sealed::keep_beams(suite);
       if (first > 0) sealed::keep_first(suite, first);
       std::printf("%s\n", sealed::make_suite(suite, data, truth, jobs).c_str());

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <set>
+#include <span>
 
 namespace sealed {
 namespace {
@@ -51,21 +52,24 @@ void plan_effects(Planner& p) {
       }
 }
 
-void plan_strangers(Planner& p) {
-  struct Plan {
-    const char* cls;
-    int bellows, lap, cantilever;
-  };
-  const Plan plans[] = {{"clearance", 5, 2, 0},        {"hardening", 5, 2, 0},
-                        {"absorber", 4, 0, 2},         {"sloshing", 3, 0, 0},
-                        {"coupling_spring", 3, 0, 0},  {"eccentric_mass", 3, 0, 0},
-                        {"rocking_table", 2, 1, 0},    {"time_delay", 2, 0, 0},
-                        {"sensor_resonance", 3, 0, 0}, {"rubber", 3, 0, 0}};
-  for (const Plan& plan : plans)
+struct StrangerPlan {
+  const char* cls;
+  int bellows, lap, cantilever;
+};
+// Outside of the library by design, and those that look like something in it.
+constexpr StrangerPlan beyond_the_library[] = {
+    {"clearance", 5, 2, 0}, {"hardening", 5, 2, 0}, {"absorber", 4, 0, 2}};
+constexpr StrangerPlan mimics[] = {{"sloshing", 3, 0, 0},       {"coupling_spring", 3, 0, 0},
+                                   {"eccentric_mass", 3, 0, 0}, {"rocking_table", 2, 1, 0},
+                                   {"time_delay", 2, 0, 0},     {"sensor_resonance", 3, 0, 0},
+                                   {"rubber", 3, 0, 0}};
+
+void plan_strangers(Planner& p, std::span<const StrangerPlan> plans, int times = 1) {
+  for (const StrangerPlan& plan : plans)
     for (const auto& [structure, count] :
          {std::pair{"short_bellows", plan.bellows}, std::pair{"bolted_lap", plan.lap},
           std::pair{"cantilever_masses", plan.cantilever}})
-      for (int v = 0; v < count; ++v)
+      for (int v = 0; v < times * count; ++v)
         p.add(structure, "stranger", plan.cls, strengths[std::size_t(v % 3)],
               {stranger(structure, plan.cls, v)}, 12, "");
 }
@@ -168,9 +172,18 @@ Suite plan_suite(std::uint64_t seed, bool smoke) {
                      : "bolted_lap",
             "none", "none", "", {}, 12, "");
     plan_effects(p);
-    plan_strangers(p);
+    plan_strangers(p, beyond_the_library);
+    plan_strangers(p, mimics);
     plan_pairs(p);
   }
+  number_suite(p.suite);
+  return p.suite;
+}
+
+Suite plan_sixty_strangers(std::uint64_t seed) {
+  Planner p;
+  p.suite.seed = seed;
+  plan_strangers(p, beyond_the_library, 3);
   number_suite(p.suite);
   return p.suite;
 }

@@ -1,5 +1,5 @@
 # Makes specimens, has them diagnosed where the truth does not exist, and scores the verdicts.
-#   cmake -DSEALED=plica_sealed -DPLICA=plica -DWORK=folder -DCASES=smoke|all|beams|mounted|changes|sets -DSEED=1
+#   cmake -DSEALED=plica_sealed -DPLICA=plica -DWORK=folder -DCASES=smoke|all|beams|mounted|strangers|changes|sets -DSEED=1
 #         [-DABLATE=form,levels] [-DREQUIRE=ON] -P score_sealed.cmake
 function(step)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE failed)

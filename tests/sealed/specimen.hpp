@@ -44,9 +44,10 @@ struct Suite {
 };
 
 Suite plan_suite(std::uint64_t seed, bool smoke);
-void keep_first(Suite& suite, int count); // their order is random
-void keep_beams(Suite& suite);            // without those that need a wall
-Suite plan_mounted(std::uint64_t seed);   // specimens that are mounted, all of them
+void keep_first(Suite& suite, int count);       // their order is random
+void keep_beams(Suite& suite);                  // without those that need a wall
+Suite plan_mounted(std::uint64_t seed);         // specimens that are mounted, all of them
+Suite plan_sixty_strangers(std::uint64_t seed); // outside of the library by design
 
 // Effects that are made of a wall of its own, and what that is called.
 bool needs_wall(const Effect& e);

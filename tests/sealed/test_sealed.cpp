@@ -140,6 +140,18 @@ TEST(SealedSuite, has_the_promised_specimens) {
   }
 }
 
+TEST(SealedSuite, sixty_strangers_are_outside_of_the_library) {
+  const Suite suite = plan_sixty_strangers(1);
+  EXPECT_EQ(suite.specimens.size(), 60u);
+  std::map<std::string, int> classes;
+  for (const Specimen& s : suite.specimens) {
+    EXPECT_EQ(s.kind, "stranger");
+    ++classes[s.cls];
+  }
+  EXPECT_EQ(classes,
+            (std::map<std::string, int>{{"absorber", 18}, {"clearance", 21}, {"hardening", 21}}));
+}
+
 // Euler's beam, 100 times as long as deep (Blevins 1979); lambda^2 of the first three modes clamped
 // and free.
 TEST(SealedChanges, a_line_bends_as_a_slender_beam_does) {
