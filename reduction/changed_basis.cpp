@@ -57,6 +57,22 @@ MatrixXd seen_by(const SparseMatrix& A, const MatrixXd& V) { // V' A V
   return transposed_product(V, symmetric_product(A, V));
 }
 
+// Forces of what acts on a motion that is a sum of terms, the first of them among the changes
+// given: on columns of u, each times its scale.
+void add_forces(const std::vector<PreparedChange>& changes, Index first, const VectorXd& c,
+                const MatrixXd& u, const VectorXd& scale, MatrixXd& forces) {
+  Eigen::RowVectorXd moved = Eigen::RowVectorXd::Zero(u.cols());
+  const auto each = [&](const auto& act) {
+    for (Index k = 0; k < c.size(); ++k) {
+      const PreparedChange& d = changes[std::size_t(first + k)];
+      for (std::size_t j = 0; j < d.dofs.size(); ++j) act(d.dofs[j], c[k] * d.factors[Index(j)]);
+    }
+  };
+  each([&](int dof, double factor) { moved += factor * u.row(dof); });
+  moved = moved.cwiseProduct(scale.transpose());
+  each([&](int dof, double factor) { forces.row(dof) += factor * moved; });
+}
+
 } // namespace
 
 ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChange>& changes) const {
@@ -101,21 +117,6 @@ ParametricModel::Basis ParametricModel::basis_of(const std::vector<PreparedChang
   return {std::move(X), std::move(E), std::move(T)};
 }
 
-VectorXd with_products(VectorXd coefficients, const std::vector<std::array<int, 2>>& products) {
-  const Index own = coefficients.size();
-  coefficients.conservativeResize(own + Index(products.size()));
-  for (std::size_t k = 0; k < products.size(); ++k)
-    coefficients[own + Index(k)] = coefficients[products[k][0]] * coefficients[products[k][1]];
-  return coefficients;
-}
-
-MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const VectorXd& coefficients) {
-  MatrixXd sum = A;
-  for (std::size_t k = 0; k < dA.size(); ++k)
-    if (dA[k].size() > 0 && coefficients[Index(k)] != 0) sum += coefficients[Index(k)] * dA[k];
-  return sum;
-}
-
 AffineModel ParametricModel::with(const std::vector<PreparedChange>& changes) const {
   return reduced(changes, basis_of(changes));
 }
@@ -134,7 +135,7 @@ ParametricModel::InnerMass ParametricModel::inner_mass(const MatrixXd& X) const 
 }
 
 void ParametricModel::add_changes(const std::vector<PreparedChange>& changes, const Basis& basis,
-                                  Index along, AffineModel& affine) const {
+                                  AffineModel& affine) const {
   const MatrixXd &X = basis.X, &T = basis.T;
   MatrixXd all; // of what reaches everywhere
   const auto is_whole = [&](const PreparedChange& d) { return Index(d.dofs.size()) == X.rows(); };
@@ -148,6 +149,7 @@ void ParametricModel::add_changes(const std::vector<PreparedChange>& changes, co
   affine.d_mass.resize(changes.size());
   in_parallel(int(changes.size()), [&](int i) {
     const PreparedChange& d = changes[std::size_t(i)];
+    if (d.term) return;
     const bool whole = is_whole(d);
     const MatrixXd own = whole ? MatrixXd()
                                : over_q(side_by_side(Psi_(d.dofs, Eigen::all),
@@ -158,8 +160,38 @@ void ParametricModel::add_changes(const std::vector<PreparedChange>& changes, co
     affine.dK[std::size_t(i)] = seen_by(d.K, V);
     affine.dM[std::size_t(i)] = seen_by(d.M, V);
     affine.d_load[std::size_t(i)] = V.transpose() * Mr;
-    affine.d_mass[std::size_t(i)] = r.col(along).dot(Mr.col(along));
+    affine.d_mass[std::size_t(i)] = r.col(affine.weighed_along).dot(Mr.col(affine.weighed_along));
   });
+  add_sums(changes, basis, affine);
+}
+
+void ParametricModel::add_sums(const std::vector<PreparedChange>& changes, const Basis& basis,
+                               AffineModel& affine) const {
+  for (std::size_t i = 0; i < changes.size();) {
+    if (!changes[i].term) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < changes.size() && changes[end].term && !changes[end].term->begins) ++end;
+    const auto count = Index(end - i);
+    MotionSum sum{.of = changes[i].term->of,
+                  .first = Index(i),
+                  .rows = MatrixXd::Zero(count, Psi_.cols() + W_.cols() + basis.X.cols()),
+                  .rigid = MatrixXd::Zero(count, 3)};
+    for (Index k = 0; k < count; ++k) {
+      const PreparedChange& d = changes[i + std::size_t(k)];
+      for (std::size_t j = 0; j < d.dofs.size(); ++j) {
+        const int dof = d.dofs[j];
+        const double factor = d.factors[Index(j)];
+        sum.rows.row(k) += factor * side_by_side(Psi_.row(dof), W_.row(dof), basis.X.row(dof));
+        sum.rigid.row(k) += factor * rigid_.row(dof).head<3>();
+      }
+    }
+    sum.rows = over_q(sum.rows, basis.T);
+    affine.sums.push_back(std::move(sum));
+    i = end;
+  }
 }
 
 MatrixXd ParametricModel::nominal_over_q(const InnerMass& mass, const MatrixXd& T,
@@ -202,10 +234,10 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
                        .rigid_mass = loose_mass()};
   affine.load = rigid.leftCols(3);
   // Along the axis that supports hold least of it.
-  Index along = 0;
-  affine.mass = rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&along);
+  affine.mass =
+      rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&affine.weighed_along);
   affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)), T);
-  add_changes(changes, basis, along, affine);
+  add_changes(changes, basis, affine);
   affine.nominal = nominal_over_q(mass, T, affine.M);
   return affine;
 }
@@ -215,8 +247,7 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
                                            int modes) const {
   const Basis basis = basis_of(changes);
   const AffineModel f = reduced(changes, basis);
-  const VectorXd coefficients = with_products(of_changes, f.products);
-  const MatrixXd K = summed(f.K, f.dK, coefficients), M = summed(f.M, f.dM, coefficients);
+  const MatrixXd K = f.stiffness(of_changes), M = f.mass_matrix(of_changes);
   Suspension suspension = f.suspension;
   suspension.rigid = suspension.rigid(free, Eigen::all).eval();
   const auto lowest =
@@ -231,13 +262,18 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
                      basis.X * inner.bottomRows(basis.X.cols());
   MatrixXd r =
       symmetric_product(system_.K, u) - symmetric_product(system_.M, u) * lambda.asDiagonal();
+  const VectorXd coefficients = with_products(of_changes, f.products);
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const PreparedChange& d = changes[i];
+    if (d.term) continue;
     const MatrixXd own = u(d.dofs, Eigen::all);
     const MatrixXd force =
         symmetric_product(d.K, own) - symmetric_product(d.M, own * lambda.asDiagonal());
     r(d.dofs, Eigen::all) += coefficients[Index(i)] * force;
   }
+  for (const MotionSum& sum : f.sums)
+    add_forces(changes, sum.first, sum.coefficients_of(of_changes), u,
+               sum.of == MotionTerm::Of::spring ? VectorXd::Ones(count) : VectorXd(-lambda), r);
   for (int dof : held_) r.row(dof).setZero();
   const VectorXd energy = r.cwiseProduct(solve_inside(r)).colwise().sum();
   return (energy.array() / (2 * lambda.array())).matrix();

@@ -43,6 +43,19 @@ void append_columns(MatrixXd& A, const MatrixXd& more) {
   A.rightCols(more.cols()) = more;
 }
 
+PreparedChange prepared_term(const MotionTerm& term, const DofMap& map) {
+  DofColumn column = dof_column(map, term.node, term.dof);
+  const auto own = Index(column.dofs.size());
+  PreparedChange made{{.K = SparseMatrix(int(own), int(own)),
+                       .M = SparseMatrix(int(own), int(own)),
+                       .dofs = std::move(column.dofs)},
+                      MatrixXd(map.size(), 0),
+                      MatrixXd(own, 0)};
+  made.term = term;
+  made.factors = std::move(column.factors);
+  return made;
+}
+
 constexpr int followed = 6; // modes whose change the basis follows
 
 } // namespace
@@ -76,13 +89,17 @@ void ParametricModel::follow_series(const std::vector<PreparedChange*>& changes)
   const Index modes = std::min<Index>(followed, lambda_.size());
   std::vector<Loaded> first, second;
   std::vector<std::size_t> of_second;
+  constexpr double negligible = 1e-8;
   for (const PreparedChange* change : changes) {
+    if (change->term) {
+      first.push_back({&change->dofs, change->factors});
+      continue;
+    }
     const MatrixXd Phi = W_(change->dofs, Eigen::seqN(0, modes)),
                    Psi = Psi_(change->dofs, Eigen::all);
     MatrixXd f(Index(change->dofs.size()), 2 * modes + Psi.cols());
     f << symmetric_product(change->K, Phi), symmetric_product(change->M, Phi),
         symmetric_product(change->K, Psi);
-    constexpr double negligible = 1e-8;
     first.push_back({&change->dofs, independent_columns(f, negligible)});
   }
   std::vector<MatrixXd> to_first = answers(first);
@@ -143,6 +160,10 @@ std::vector<PreparedChange>
 ParametricModel::prepare(const std::vector<ModelChange>& changes) const {
   std::vector<PreparedChange> made;
   for (const ModelChange& change : changes) {
+    if (change.term) {
+      made.push_back(prepared_term(*change.term, system_.map));
+      continue;
+    }
     Model changed = model_;
     if (change.apply) change.apply(changed);
     MatrixDifference difference = matrix_difference(changed, model_, system_, change.on_motion);

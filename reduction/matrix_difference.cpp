@@ -141,6 +141,18 @@ OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness) {
   return {std::move(nodes), std::move(rows), mass, stiffness};
 }
 
+DofColumn dof_column(const DofMap& map, int node, int dof) {
+  const auto full = std::size_t(6 * node + dof);
+  if (map.independent[full] >= 0) return {{map.independent[full]}, Eigen::VectorXd::Ones(1)};
+  DofColumn column;
+  column.factors.resize(Index(map.dependent[full].size()));
+  for (const WeightedDof& own : map.dependent[full]) {
+    column.factors[Index(column.dofs.size())] = own.factor;
+    column.dofs.push_back(own.dof);
+  }
+  return column;
+}
+
 MatrixDifference matrix_difference(const Model& changed, const Model& nominal, const System& system,
                                    const std::vector<OnMotion>& on_motion) {
   MatrixDifference d;

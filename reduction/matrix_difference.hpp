@@ -16,11 +16,28 @@ struct OnMotion {
 // On the mean translation of nodes along x, y and z.
 OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness);
 
+// One DOF of a motion that is a sum over DOFs, each times the coefficient of its change: a spring
+// of 1 N/m to the ground, or a mass of 1 kg, on that motion adds coefficient_i coefficient_j
+// between DOFs i and j. The terms of one motion follow each other.
+struct MotionTerm {
+  enum class Of { spring, mass };
+  int node = 0, dof = 0; // 0 to 5
+  Of of = Of::spring;
+  bool begins = false; // a motion
+};
+
 // Over the independent DOFs that differ.
 struct MatrixDifference {
   SparseMatrix K, M;     // lower triangles
   std::vector<int> dofs; // independent ones
 };
+
+// What one DOF is over the independent ones, as a column over `dofs`.
+struct DofColumn {
+  std::vector<int> dofs;
+  Eigen::VectorXd factors;
+};
+DofColumn dof_column(const DofMap& map, int node, int dof);
 
 // From the elements that differ, or, where most do or the shape is another, by assembling anew.
 // `system`: that of the nominal model. Throws std::invalid_argument when the unknowns differ.

@@ -11,13 +11,15 @@
 // 113 (1991)), or, for a change of the whole, modes and constraint modes of the changed structure
 // (multi-model basis: Balmes, Mech. Syst. Signal Process. 10 (1996) 381). Exact for c = 0 below the
 // cut of the modes, in statics of boundary and marked nodes always.
+//
+// What a spring or a mass at a place that moves adds is no such sum; its motion is:
+//   K(c) += x x',  x = sum_i c_i V' e_i   over the terms i of a motion (MotionTerm).
 #pragma once
 
+#include "reduction/affine_model.hpp"
 #include "reduction/matrix_difference.hpp"
-#include "reduction/suspension.hpp"
 #include "solve/modes.hpp"
 
-#include <array>
 #include <functional>
 #include <optional>
 
@@ -33,6 +35,7 @@ struct ModelChange {
   std::function<void(Model&)> apply;
   Follow follow = Follow::series;
   std::vector<OnMotion> on_motion = {}; // besides
+  std::optional<MotionTerm> term = {};  // in place of both
 };
 
 // A change over the independent DOFs that it touches, with what it adds to the basis.
@@ -44,31 +47,9 @@ struct PreparedChange : MatrixDifference {
   // Of a product its two factors, by their numbers among the changes; it stands behind all that are
   // none.
   std::optional<std::array<int, 2>> product_of = {};
+  std::optional<MotionTerm> term = {}; // then K and M are empty
+  Eigen::VectorXd factors = {};        // of the term, over `dofs`
 };
-
-// Matrices over q; the first 6 coordinates of each boundary node are its DOFs.
-struct AffineModel {
-  Eigen::MatrixXd K, M;
-  std::vector<Eigen::MatrixXd> dK, dM;      // per change, products last
-  std::vector<std::array<int, 2>> products; // their factors
-  Eigen::MatrixXd load;                     // V' M r, r: translations along x y z
-  std::vector<Eigen::MatrixXd> d_load;
-  double mass = 0; // of the whole, kg
-  std::vector<double> d_mass;
-  Eigen::MatrixXd marked;  // 6 rows per marked node, then per observed one: its motion
-  Eigen::VectorXd lambda;  // of the nominal modes
-  Eigen::MatrixXd nominal; // their coordinates, M-orthonormal
-  int boundary = 0;        // coordinates of boundary nodes
-  Suspension suspension;   // over q
-};
-
-// Coefficients of all changes from those of the ones that are no products.
-Eigen::VectorXd with_products(Eigen::VectorXd coefficients,
-                              const std::vector<std::array<int, 2>>& products);
-
-// A + sum_k c_k dA_k over the changes that are not empty.
-Eigen::MatrixXd summed(const Eigen::MatrixXd& A, const std::vector<Eigen::MatrixXd>& dA,
-                       const Eigen::VectorXd& coefficients);
 
 class ParametricModel {
 public:
@@ -131,9 +112,10 @@ private:
   Basis basis_of(const std::vector<PreparedChange>& changes) const;
   AffineModel reduced(const std::vector<PreparedChange>& changes, const Basis& basis) const;
   InnerMass inner_mass(const Eigen::MatrixXd& X) const;
-  // `along`: the axis of d_mass.
   void add_changes(const std::vector<PreparedChange>& changes, const Basis& basis,
-                   Eigen::Index along, AffineModel& affine) const;
+                   AffineModel& affine) const;
+  void add_sums(const std::vector<PreparedChange>& changes, const Basis& basis,
+                AffineModel& affine) const;
   Eigen::MatrixXd nominal_over_q(const InnerMass& mass, const Eigen::MatrixXd& T,
                                  const Eigen::MatrixXd& M) const;
   Eigen::MatrixXd loose_mass() const;

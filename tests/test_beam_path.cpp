@@ -1,5 +1,4 @@
 // Places along a beam, modes of free and hung ones, orders that bind, priors with bounds.
-#include "diagnose/effects/beam_path.hpp"
 #include "diagnose/results/normal_distribution.hpp"
 #include "tests/changed_beam.hpp"
 
@@ -14,22 +13,6 @@ namespace {
 
 using namespace changed_beam;
 using Eigen::VectorXd;
-
-// A spring between two nodes of a path is the sum of those at the samples, exactly: that of an
-// element whose ends move by a cubic, at a third of the way.
-TEST(BeamPath, weights_of_a_place_are_those_of_polynomials_of_degree_six) {
-  const BeamPath path{.part = "beam", .nodes = {0, 1, 2}, .at = {0, 0.3, 1.2}};
-  const double s = 0.6, t = (s - 0.3) / 0.9;
-  const VectorXd w = path.weights(s);
-  ASSERT_EQ(w.size(), 13);
-  EXPECT_TRUE(w.head(6).isZero());
-  const auto h = [](double x) { return 1 - 3 * x * x + 2 * x * x * x; };
-  double sum = 0;
-  for (int j = 0; j <= 6; ++j) sum += w[6 + j] * h(j / 6.) * h(j / 6.);
-  EXPECT_NEAR(sum, h(t) * h(t), 1e-12);
-  EXPECT_NEAR(w.sum(), 1, 1e-12);
-  EXPECT_NEAR(path.weights(0.3)[6], 1, 1e-12); // on a node
-}
 
 // Closed form: the clamped beam with a spring k at its tip (Blevins, Formulas for Natural Frequency
 // and Mode Shape, table 8-1), kappa = k L^3 / EI: kappa (sin b cosh b - cos b sinh b) +

@@ -38,7 +38,7 @@ TEST(LikelyValues, are_where_the_draws_of_a_place_are_densest) {
                .way = "z",
                .parameters = {{"k", "N/m", {PriorKind::normal, 0, 1}},
                               {"at", "m", {PriorKind::uniform, 0, 1}}},
-               .along = 1};
+               .along = {1}};
   HypothesisFit fit;
   fit.together = {&h};
   fit.solved = true;

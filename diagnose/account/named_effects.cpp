@@ -34,8 +34,8 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
     else
       add_other_places(e);
     if (own.in_case) e.in_case = in_case(own, e.parameters);
-    std::optional<double> along;
-    if (own.along) along = e.parameters[*own.along].value;
+    std::vector<double> along;
+    for (const std::size_t p : own.along) along.push_back(e.parameters[p].value);
     e.nodes = nodes_at(structure, e.place, along);
   }
   return members;
@@ -72,7 +72,8 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
   for (std::size_t i = 0; i < h.parameters.size(); ++i) {
     const Index row = first + Index(i);
     Interval between = interval_of(ways, row, h.parameters[i].prior);
-    if (h.along == i) end_at_millimetres(between.ends, h.parameters[i].prior);
+    if (std::find(h.along.begin(), h.along.end(), i) != h.along.end())
+      end_at_millimetres(between.ends, h.parameters[i].prior);
     const double value = likely[Index(i)];
     const bool within = value >= between.ends[0] && value <= between.ends[1];
     e.parameters.push_back({.name = h.parameters[i].name,

@@ -1,5 +1,6 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
 #include "lab/measured/states.hpp"
 
@@ -69,15 +70,30 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
     add(spot, "all round", on_each(spot.nodes));
     add(spot, "on the mean motion", {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 1, 0)}});
   }
-  for (const BeamPath& path : line_paths(s)) {
-    found.push_back(anywhere_along(path, mass, mass_along(s, path)));
+  const auto add_anywhere = [&](const std::string& part, const std::vector<EffectParameter>& place,
+                                const auto& motion,
+                                std::function<Triple(const Eigen::VectorXd&)> at) {
+    std::vector<MovingMotion> motions;
+    for (int axis = 0; axis < 3; ++axis) motions.push_back(motion(Eigen::Vector3d::Unit(axis)));
+    found.push_back(anywhere(part, mass, place, std::move(motions)));
     found.back().effect = "added_mass";
     found.back().at_rig = on_scale;
-    found.back().in_case = [path, all = places_of(s, path.nodes)](const Case& now,
-                                                                  const Eigen::VectorXd& v) {
-      return with_mass_at(now, all[path.nearest(v[1])], v[0]);
+    found.back().in_case = [at = std::move(at)](const Case& now, const Eigen::VectorXd& v) {
+      return with_mass_at(now, at(v), v[0]);
     };
-  }
+  };
+  for (const BeamPath& path : line_paths(s))
+    add_anywhere(
+        path.part, path.place(),
+        [&](const Eigen::Vector3d& d) { return motion_along(s, path, d, MotionTerm::Of::mass); },
+        [path, all = places_of(s, path.nodes)](const Eigen::VectorXd& v) {
+          return all[path.nearest(v[1])];
+        });
+  for (const PlateGrid& grid : plate_grids(s))
+    add_anywhere(
+        grid.part, grid.place(),
+        [&](const Eigen::Vector3d& d) { return motion_on(s, grid, d, MotionTerm::Of::mass); },
+        [grid](const Eigen::VectorXd& v) { return grid.point(v[1], v[2]); });
   return found;
 }
 

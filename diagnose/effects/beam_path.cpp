@@ -10,47 +10,23 @@ namespace plica {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using Vector6 = Eigen::Vector<double, 6>;
 
-constexpr int degree = 6;             // of the entries of h h'
 constexpr std::size_t intervals = 16; // of a path, about
 
-// Factors on the DOFs of two nodes of the motion along `d` at a share t of the way between.
-RowVectorXd motion(const Vector3d& from, const Vector3d& to, const Vector3d& d, double t) {
+// Factors on the DOFs of the two ends of the motion along `d` at a share t of the way between.
+std::array<Vector6, 2> hermite(const Vector3d& from, const Vector3d& to, const Vector3d& d,
+                               double t) {
   const double h = (to - from).norm();
   const Vector3d e = (to - from) / h, straight = d.dot(e) * e, across = d - straight;
   const Vector3d turn = e.cross(across); // slope across = rotation . turn
   const double t2 = t * t, t3 = t2 * t;
-  RowVectorXd row(12);
-  row << ((1 - 3 * t2 + 2 * t3) * across + (1 - t) * straight).transpose(),
-      (h * (t - 2 * t2 + t3) * turn).transpose(),
-      ((3 * t2 - 2 * t3) * across + t * straight).transpose(), (h * (t3 - t2) * turn).transpose();
-  return row;
-}
-
-// A change each at the samples: seven in an interval, those at its ends shared.
-std::vector<ModelChange> changes_along(const Structure& s, const BeamPath& path,
-                                       const std::vector<Vector3d>& axes, double mass,
-                                       double stiffness) {
-  std::vector<ModelChange> changes;
-  const auto n = int(path.nodes.size()) - 1;
-  for (int sample = 0; sample <= degree * n; ++sample) {
-    const auto i = std::size_t(std::min(sample / degree, n - 1));
-    const double t = double(sample - degree * int(i)) / degree;
-    OnMotion own{.nodes = {path.nodes[i], path.nodes[i + 1]},
-                 .rows = MatrixXd(Index(axes.size()), 12),
-                 .mass = mass,
-                 .stiffness = stiffness};
-    const std::vector<Vector3d>& x = s.built.model.mesh.nodes;
-    for (std::size_t a = 0; a < axes.size(); ++a)
-      own.rows.row(Index(a)) =
-          motion(x[std::size_t(own.nodes[0])], x[std::size_t(own.nodes[1])], axes[a], t);
-    changes.push_back({.apply = {}, .on_motion = {std::move(own)}});
-  }
-  return changes;
+  std::array<Vector6, 2> ends;
+  ends[0] << (1 - 3 * t2 + 2 * t3) * across + (1 - t) * straight, h * (t - 2 * t2 + t3) * turn;
+  ends[1] << (3 * t2 - 2 * t3) * across + t * straight, h * (t3 - t2) * turn;
+  return ends;
 }
 
 // Numbers among the nodes of a part from its one end to the other where its stretches end: the path
@@ -105,31 +81,8 @@ std::size_t BeamPath::nearest(double s) const {
   return std::size_t(found - at.begin());
 }
 
-VectorXd BeamPath::weights(double s) const {
-  const auto n = int(nodes.size()) - 1;
-  const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, s);
-  const auto i = std::size_t(next - at.begin() - 1);
-  const double t = std::clamp((s - at[i]) / (at[i + 1] - at[i]), 0., 1.);
-  VectorXd w = VectorXd::Zero(degree * n + 1);
-  for (int j = 0; j <= degree; ++j) {
-    double lagrange = 1;
-    for (int k = 0; k <= degree; ++k)
-      if (k != j) lagrange *= (t * degree - k) / double(j - k);
-    w[degree * Index(i) + j] = lagrange;
-  }
-  return w;
-}
-
-Hypothesis anywhere_along(const BeamPath& path, const EffectParameter& size,
-                          std::vector<ModelChange> samples) {
-  return {.effect = "",
-          .place = path.part,
-          .way = "",
-          .parameters = {size, {"at", "m", {PriorKind::towards_ends, 0, path.length()}}},
-          .changes = std::move(samples),
-          .coefficients = [path](const VectorXd& v) { return VectorXd(v[0] * path.weights(v[1])); },
-          .at_rig = false,
-          .along = 1};
+std::vector<EffectParameter> BeamPath::place() const {
+  return {{"at", "m", {PriorKind::towards_ends, 0, length()}}};
 }
 
 std::vector<BeamPath> beam_paths(const Structure& s) {
@@ -153,13 +106,30 @@ bool is_along(const Structure& s, const Spot& spot) {
   return spot.on_path && s.data.diagnose.places.empty();
 }
 
-std::vector<ModelChange> support_along(const Structure& s, const BeamPath& path,
-                                       const std::vector<Vector3d>& axes) {
-  return changes_along(s, path, axes, 0, 1);
-}
-
-std::vector<ModelChange> mass_along(const Structure& s, const BeamPath& path) {
-  return changes_along(s, path, {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}, 1, 0);
+MovingMotion motion_along(const Structure& s, const BeamPath& path, const Vector3d& direction,
+                          MotionTerm::Of of) {
+  std::vector<Vector3d> x;
+  for (int node : path.nodes) x.push_back(s.built.model.mesh.nodes[std::size_t(node)]);
+  constexpr double somewhere = 1. / 3, nothing = 1e-12;
+  Eigen::MatrixX<bool> takes_part = Eigen::MatrixX<bool>::Constant(Index(x.size()), 6, false);
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const auto ends = hermite(x[i], x[i + 1], direction, somewhere);
+    for (Index end = 0; end < 2; ++end)
+      for (int dof = 0; dof < 6; ++dof)
+        if (std::abs(ends[std::size_t(end)][dof]) > nothing) takes_part(Index(i) + end, dof) = true;
+  }
+  const MotionTerms terms(path.nodes, takes_part);
+  return {.terms = terms.changes(of, [](std::size_t, int) { return Follow::series; }),
+          .factors = [terms, x, direction, at = path.at](const VectorXd& place) {
+            const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, place[0]);
+            const auto i = std::size_t(next - at.begin() - 1);
+            const double t = std::clamp((place[0] - at[i]) / (at[i + 1] - at[i]), 0., 1.);
+            const auto ends = hermite(x[i], x[i + 1], direction, t);
+            VectorXd factors = VectorXd::Zero(terms.size());
+            terms.add(i, ends[0], factors);
+            terms.add(i + 1, ends[1], factors);
+            return factors;
+          }};
 }
 
 } // namespace plica

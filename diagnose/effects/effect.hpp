@@ -106,7 +106,8 @@ struct Hypothesis {
   // It says where, not why: it counts only where no other effect at the place closes half as much,
   // and never explains all.
   bool names_place_only = false;
-  std::optional<std::size_t> along = {}; // the parameter that says where along `place` it acts, m
+  // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
+  std::vector<std::size_t> along = {};
   // Of all parameters those that act in a state, where states differ (growth.hpp).
   std::function<Eigen::VectorXd(const Eigen::VectorXd&, const std::string& state)> values_in = {};
   // What a case says in place of the effect at these values, where it says that much already; none

@@ -1,5 +1,6 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
 
 #include <set>
@@ -62,11 +63,21 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
   // the readings do not feel how stiff. Every power of ten alike, half of them pins.
   const double own = s.stiffness;
   const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
+  const auto add_anywhere = [&](const std::string& part, const std::vector<EffectParameter>& place,
+                                const char* way, std::vector<MovingMotion> motions) {
+    found.push_back(anywhere(part, {"k", "N/m", any}, place, std::move(motions)));
+    found.back().effect = "extra_support";
+    found.back().way = way;
+  };
+  for (const PlateGrid& grid : plate_grids(s))
+    add_anywhere(grid.part, grid.place(), "across",
+                 {motion_on(s, grid, std::nullopt, MotionTerm::Of::spring)});
   for (const BeamPath& path : line_paths(s)) {
     const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {
-      found.push_back(anywhere_along(path, {"k", "N/m", any}, support_along(s, path, axes)));
-      found.back().effect = "extra_support";
-      found.back().way = way;
+      std::vector<MovingMotion> motions;
+      for (const Eigen::Vector3d& axis : axes)
+        motions.push_back(motion_along(s, path, axis, MotionTerm::Of::spring));
+      add_anywhere(path.part, path.place(), way, std::move(motions));
     };
     const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                           z = Eigen::Vector3d::UnitZ();

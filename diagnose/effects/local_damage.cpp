@@ -154,7 +154,7 @@ void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const Beam
                          return Eigen::VectorXd(2 *
                                                 lost(path, v[0], v[1] - v[2] / 2, v[1] + v[2] / 2));
                        },
-                   .along = 1});
+                   .along = {1}});
 }
 
 // Young's modulus lost over a quarter of the circumference of a convolution, in eight directions

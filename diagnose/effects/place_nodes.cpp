@@ -3,6 +3,7 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
 
 #include <algorithm>
@@ -75,9 +76,13 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
 } // namespace
 
 std::vector<int> nodes_at(const Structure& s, const std::string& place,
-                          const std::optional<double>& along) {
-  for (const BeamPath& path : line_paths(s))
-    if (along && path.part == place) return {path.nodes[path.nearest(*along)]};
+                          const std::vector<double>& along) {
+  if (along.size() == 1)
+    for (const BeamPath& path : line_paths(s))
+      if (path.part == place) return {path.nodes[path.nearest(along[0])]};
+  if (along.size() == 2)
+    for (const PlateGrid& grid : plate_grids(s))
+      if (grid.part == place) return {grid.nearest(along[0], along[1])};
   std::set<int> nodes;
   const std::string between = " and ";
   for (std::size_t from = 0; from <= place.size();) {

@@ -6,8 +6,9 @@
 namespace plica {
 
 // Nodes of what the place names: a sensor, a crown, a point, a cap, a mount, a part or several.
-// `along`: m along a beam, its nearest node. None where it is everywhere, or on the table.
+// `along`: m along a line, or along either edge of a plate: the nearest node. None where it is
+// everywhere, or on the table.
 std::vector<int> nodes_at(const Structure& s, const std::string& place,
-                          const std::optional<double>& along = {});
+                          const std::vector<double>& along = {});
 
 } // namespace plica

@@ -10,28 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int most_lines = 5; // either way
-
-// Numbers of the nodes on the lines across an edge of so many elements, the edges among them.
-std::set<int> on_lines(int elements) {
-  std::set<int> numbers;
-  const int steps = std::min(elements, most_lines - 1);
-  for (int k = 0; k <= steps; ++k) numbers.insert(int(std::lround(double(k) * elements / steps)));
-  return numbers;
-}
+constexpr int most_cells = 4; // either way
 
 std::string percent(int i, int of) {
   return "[" + std::to_string(std::lround(100. * i / of)) + "]";
-}
-
-// Of the bilinear surface through the corners, at shares of the way along edges 1 and 2.
-Vector3d normal_at(const Plate& plate, double a, double b) {
-  const auto corner = [&](std::size_t k) {
-    return Vector3d(Vector3d::Map(plate.corners[k].data()));
-  };
-  const Vector3d along = (1 - b) * (corner(1) - corner(0)) + b * (corner(2) - corner(3)),
-                 across = (1 - a) * (corner(3) - corner(0)) + a * (corner(2) - corner(1));
-  return along.cross(across).normalized();
 }
 
 // Nodes and DOFs that supports or caps on the table hold.
@@ -54,18 +36,49 @@ bool moves_along_normal(const Spot& spot, const std::set<std::pair<int, int>>& h
 
 } // namespace
 
+bool is_grid(const BuiltCase& built, const std::string& part, const Plate& plate) {
+  const auto& [along, across] = plate.elements;
+  return along >= 1 && across >= 1 &&
+         int(built.model.mesh.sets.at(part + ".all").size()) == (along + 1) * (across + 1);
+}
+
+std::set<int> lines_across(int elements, int most) {
+  std::set<int> numbers;
+  const int steps = std::min(elements, most);
+  for (int k = 0; k <= steps; ++k) numbers.insert(int(std::lround(double(k) * elements / steps)));
+  return numbers;
+}
+
+Triple point_at(const Plate& plate, double a, double b) {
+  Triple x{};
+  for (std::size_t i = 0; i < 3; ++i)
+    x[i] = (1 - b) * ((1 - a) * plate.corners[0][i] + a * plate.corners[1][i]) +
+           b * ((1 - a) * plate.corners[3][i] + a * plate.corners[2][i]);
+  return x;
+}
+
+Vector3d normal_at(const Plate& plate, double a, double b) {
+  const auto corner = [&](std::size_t k) {
+    return Vector3d(Vector3d::Map(plate.corners[k].data()));
+  };
+  const Vector3d along = (1 - b) * (corner(1) - corner(0)) + b * (corner(2) - corner(3)),
+                 across = (1 - a) * (corner(3) - corner(0)) + a * (corner(2) - corner(1));
+  return along.cross(across).normalized();
+}
+
 std::vector<Spot> plate_spots(const BuiltCase& built, const std::string& part, const Plate& plate) {
   std::vector<Spot> found;
   const std::vector<int>& nodes =
       built.model.mesh.sets.at(part + ".all"); // row by row along edge 1
   const int along = plate.elements[0], across = plate.elements[1];
-  if (along < 1 || across < 1 || int(nodes.size()) != (along + 1) * (across + 1)) return found;
-  for (int j : on_lines(across))
-    for (int i : on_lines(along)) {
+  if (!is_grid(built, part, plate)) return found;
+  for (int j : lines_across(across, most_cells))
+    for (int i : lines_across(along, most_cells)) {
       const int node = nodes[std::size_t(j * (along + 1) + i)];
       found.push_back({.place = part + ".spot" + percent(i, along) + percent(j, across),
                        .nodes = {node},
                        .touched = node,
+                       .on_path = true,
                        .normal = normal_at(plate, double(i) / along, double(j) / across)});
     }
   const auto held = held_dofs(built);

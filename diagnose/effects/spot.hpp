@@ -15,7 +15,8 @@ struct Spot {
   std::string place;
   std::vector<int> nodes;
   int touched = 0;
-  bool on_path = false; // of a beam, pipe or chain, where any place is looked at (beam_path.hpp)
+  // Of a part any place of which is looked at (beam_path.hpp, plate_places.hpp).
+  bool on_path = false;
   std::optional<Eigen::Vector3d> normal = {}; // of a plate, which gives way along it alone
 };
 

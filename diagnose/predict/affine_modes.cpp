@@ -39,48 +39,23 @@ VectorXd damping_by_likeness(const MatrixXd& likeness, const VectorXd& zeta) {
   return own;
 }
 
-FreeAffineModel::FreeAffineModel(const AffineModel& f, const std::vector<int>& free,
+FreeAffineModel::FreeAffineModel(const AffineModel& model, const std::vector<int>& free,
                                  const VectorXd& zeta)
-    : K_(f.K(free, free)), M_(f.M(free, free)), load_(f.load(free, Eigen::all)),
-      marked_(f.marked(Eigen::all, free)), nominal_(M_ * f.nominal(free, Eigen::all)),
-      suspension_(f.suspension), products_(f.products), zeta_(zeta) {
-  suspension_.rigid = f.suspension.rigid(free, Eigen::all);
-  const auto kept = [&](const MatrixXd& whole) {
-    return whole.isZero(0) ? MatrixXd() : MatrixXd(whole(free, free));
-  };
-  for (std::size_t k = 0; k < f.dK.size(); ++k) {
-    dK_.push_back(kept(f.dK[k]));
-    dM_.push_back(kept(f.dM[k]));
-    d_load_.emplace_back(f.d_load[k](free, Eigen::all));
-  }
-}
+    : free_(model.restricted_to(free)), momentum_(free_.M * free_.nominal), zeta_(zeta) {}
 
-std::optional<AffineModes> FreeAffineModel::modes(const VectorXd& of_changes, int group) const {
-  const VectorXd c = with_products(of_changes, products_);
-  auto found = reduced_modes(summed(K_, dK_, c), summed(M_, dM_, c), suspension_, most_modes);
+std::optional<AffineModes> FreeAffineModel::modes(const VectorXd& c, int group) const {
+  auto found =
+      reduced_modes(free_.stiffness(c), free_.mass_matrix(c), free_.suspension, most_modes);
   if (!found) return std::nullopt;
   const MatrixXd& q = found->q;
   AffineModes m;
   m.lambda = std::move(found->lambda);
-  m.gamma = q.transpose() * summed(load_, d_load_, c);
-  m.marked = marked_ * q;
-  m.likeness = nominal_.transpose() * q;
-  if (group >= 0) m.group = q.transpose() * group_stiffness(of_changes, group) * q;
+  m.gamma = q.transpose() * free_.loads(c);
+  m.marked = free_.marked * q;
+  m.likeness = momentum_.transpose() * q;
+  if (group >= 0) m.group = q.transpose() * free_.stiffness_of(group, c) * q;
   m.zeta = damping_by_likeness(m.likeness, zeta_);
   return m;
-}
-
-MatrixXd FreeAffineModel::group_stiffness(const VectorXd& of_changes, int group) const {
-  MatrixXd K = dK_[std::size_t(group)];
-  if (K.size() == 0) K = MatrixXd::Zero(K_.rows(), K_.cols());
-  for (std::size_t k = 0; k < products_.size(); ++k) {
-    const auto& [a, b] = products_[k];
-    const MatrixXd& together = dK_[std::size_t(of_changes.size()) + k];
-    if (together.size() == 0) continue;
-    if (a == group) K += of_changes[b] * together;
-    if (b == group) K += of_changes[a] * together;
-  }
-  return K;
 }
 
 AffineModes FreeAffineModel::changed(const AffineModes& modes, double more) const {

@@ -1,7 +1,7 @@
 // Modes of a reduced model under change, with what excites and shows them.
 #pragma once
 
-#include "reduction/parametric_model.hpp"
+#include "reduction/affine_model.hpp"
 
 #include <Eigen/Core>
 #include <optional>
@@ -41,13 +41,8 @@ public:
   AffineModes changed(const AffineModes& modes, double more) const;
 
 private:
-  // What one more of the group adds, the others as they are.
-  Eigen::MatrixXd group_stiffness(const Eigen::VectorXd& of_changes, int group) const;
-
-  Eigen::MatrixXd K_, M_, load_, marked_, nominal_; // nominal: M times the nominal modes
-  Suspension suspension_;
-  std::vector<Eigen::MatrixXd> dK_, dM_, d_load_; // of dK_ and dM_ those that are zero are empty
-  std::vector<std::array<int, 2>> products_;      // the last of these are
+  AffineModel free_;
+  Eigen::MatrixXd momentum_; // M times the nominal modes
   Eigen::VectorXd zeta_;
 };
 

@@ -40,12 +40,8 @@ RigDynamics::RigDynamics(const StateModel& state, const std::vector<std::string>
                          const VectorXd& coefficients, double damping,
                          const std::optional<SlipGroup>& group)
     : state_(state), damping_(damping) {
-  const AffineModel& whole = state.whole;
-  const auto all = [&](const VectorXd& c) {
-    return std::pair{summed(whole.K, whole.dK, with_products(c, whole.products)),
-                     summed(whole.M, whole.dM, with_products(c, whole.products))};
-  };
-  std::tie(K_, M_) = all(coefficients);
+  K_ = state.whole.stiffness(coefficients);
+  M_ = state.whole.mass_matrix(coefficients);
   ends_ = cap_coordinates(*state.nominal, ends);
   for (int i = 0; i < int(K_.rows()); ++i)
     if (std::find(ends_.begin(), ends_.end(), i) == ends_.end()) others_.push_back(i);
@@ -54,9 +50,7 @@ RigDynamics::RigDynamics(const StateModel& state, const std::vector<std::string>
     highest_ = share * std::sqrt(lambda[lambda.size() - 1]);
   if (ends_.empty()) return;
   if (group) {
-    VectorXd more = coefficients;
-    more[group->change] += 1;
-    group_ = all(more).first - K_;
+    group_ = state.whole.stiffness_of(group->change, coefficients);
     group_stiffness_ = group->stiffness;
   }
   C_ = viscous(state, others_, K_, M_);

@@ -86,11 +86,7 @@ VectorXd StateAnswers::damping_of(const AffineModes& linear) const {
 }
 
 double StateAnswers::mass() const {
-  double sum = own_.whole.mass;
-  const VectorXd c = with_products(acting_.rig, own_.whole.products);
-  for (std::size_t k = 0; k < own_.whole.d_mass.size(); ++k)
-    sum += c[Index(k)] * own_.whole.d_mass[k];
-  return sum;
+  return own_.whole.weight(acting_.rig);
 }
 
 std::optional<double> StateAnswers::stiffness_at(StaticDirection direction, double kept) {
@@ -106,8 +102,7 @@ std::optional<EndStiffness> StateAnswers::ends_at(double kept) const {
     double& group = c[acting_.group->change];
     group = (group + acting_.group->present) * kept - acting_.group->present;
   }
-  c = with_products(std::move(c), own_.whole.products);
-  return rig_stiffness(*own_.nominal, summed(own_.whole.K, own_.whole.dK, c));
+  return rig_stiffness(*own_.nominal, own_.whole.stiffness(c));
 }
 
 // A group that slips answers by what it keeps at the stroke; without one, by what is left when all

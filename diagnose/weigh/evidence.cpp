@@ -207,6 +207,23 @@ private:
   std::vector<std::pair<double, VectorXd>> starts_;
 };
 
+// Places on a part that answer alike lie anywhere: all of it is looked at, at several sizes.
+void try_everywhere(const Hypothesis& h, Search& search) {
+  const bool on_line = h.along.size() == 1;
+  const int stations = on_line ? 40 : 9; // each way
+  const int places = on_line ? stations : stations * stations;
+  for (int i = 0; i < places; ++i)
+    for (double size : {-1.2, -0.6, 0., 0.6, 1.2}) {
+      VectorXd there = VectorXd::Constant(search.parameters(), size);
+      int left = i;
+      for (const std::size_t parameter : h.along) {
+        there[Index(parameter)] = normal_quantile((left % stations + 0.5) / stations);
+        left /= stations;
+      }
+      search.try_from(there);
+    }
+}
+
 } // namespace
 
 HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together,
@@ -222,15 +239,8 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
       if (last < p) there[last] += z;
       search.try_from(there);
     }
-  } else if (together.size() == 1 && together[0]->along) {
-    // Places along a part that answer alike lie anywhere: all of it is looked at.
-    constexpr int stations = 40;
-    for (int i = 0; i < stations; ++i)
-      for (double size : {-1.2, -0.6, 0., 0.6, 1.2}) {
-        VectorXd there = VectorXd::Constant(p, size);
-        there[Index(*together[0]->along)] = normal_quantile((i + 0.5) / stations);
-        search.try_from(there);
-      }
+  } else if (together.size() == 1 && !together[0]->along.empty()) {
+    try_everywhere(*together[0], search);
     refined = 10;
     apart = 0.2;
   } else if (together.size() == 1 && together[0]->softening && p == 6) {
@@ -267,7 +277,7 @@ void complete(const FitContext& context, HypothesisFit& fit) {
 namespace {
 
 bool acts_along(const Hypothesis* h) {
-  return h->along.has_value();
+  return !h->along.empty();
 }
 
 // Where the chains of a fit begin: at its optima and on the ridges of its places.
@@ -277,8 +287,8 @@ std::vector<ChainStart> starts_of(const HypothesisFit& fit, const ResidualModel&
   std::vector<ChainStart> starts{{fit.z, covariance}};
   for (const VectorXd& other : fit.others) starts.push_back({other, covariance});
   for (std::size_t member = 0; member < fit.together.size(); ++member)
-    if (const auto along = fit.together[member]->along)
-      for (ChainStart& start : ridge_from(residuals, fit.z, fit.first_of(member) + Index(*along)))
+    for (const std::size_t along : fit.together[member]->along)
+      for (ChainStart& start : ridge_from(residuals, fit.z, fit.first_of(member) + Index(along)))
         starts.push_back(std::move(start));
   return starts;
 }
@@ -316,21 +326,39 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
 
 namespace {
 
-// "0.22 or 0.38": where it acts along its part, and where it would as well.
+// "0.22" of a line, "0.22 m along and 0.05 m across" of a plate.
+std::string place_words(const std::vector<double>& at) {
+  return at.size() == 1 ? fmt::format("{:.3g}", at[0])
+                        : fmt::format("{:.3g} m along and {:.3g} m across", at[0], at[1]);
+}
+
+// "0.22 or 0.38 m along": where it acts on its part, and where it would as well.
 std::string places_along(const HypothesisFit& fit, std::size_t member) {
   const Hypothesis& h = *fit.together[member];
-  const Index row = fit.first_of(member) + Index(*h.along);
-  const Prior& prior = h.parameters[*h.along].prior;
-  const double apart = 0.05 * (prior.width - prior.centre);
-  std::vector<double> places{likely_values(fit, member)[Index(*h.along)]};
-  for (const VectorXd& other : fit.others)
-    if (const double at = value_of(prior, other[row]);
-        std::all_of(places.begin(), places.end(),
-                    [&](double known) { return std::abs(at - known) > apart; }))
-      places.push_back(at);
+  constexpr double apart = 0.05; // of the part
+  const auto is_elsewhere = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const Prior& prior = h.parameters[h.along[i]].prior;
+      if (std::abs(a[i] - b[i]) > apart * (prior.width - prior.centre)) return true;
+    }
+    return false;
+  };
+  const VectorXd likely = likely_values(fit, member);
+  std::vector<std::vector<double>> places{{}};
+  for (const std::size_t parameter : h.along) places[0].push_back(likely[Index(parameter)]);
+  for (const VectorXd& other : fit.others) {
+    std::vector<double> at;
+    for (const std::size_t parameter : h.along)
+      at.push_back(
+          value_of(h.parameters[parameter].prior, other[fit.first_of(member) + Index(parameter)]));
+    if (std::all_of(places.begin(), places.end(),
+                    [&](const std::vector<double>& known) { return is_elsewhere(at, known); }))
+      places.push_back(std::move(at));
+  }
   std::string text;
-  for (double at : places) text += fmt::format("{}{:.3g}", text.empty() ? "" : " or ", at);
-  return text;
+  for (const std::vector<double>& at : places)
+    text += (text.empty() ? "" : " or ") + place_words(at);
+  return h.along.size() == 1 ? text + " m along" : text;
 }
 
 } // namespace
@@ -342,7 +370,7 @@ std::string name_of(const HypothesisFit& fit) {
     const Hypothesis& h = *fit.together[member];
     if (!name.empty()) name += " and ";
     name += h.effect + " at " + h.place;
-    if (h.along && fit.values.size() > 0) name += ", " + places_along(fit, member) + " m along";
+    if (!h.along.empty() && fit.values.size() > 0) name += ", " + places_along(fit, member);
     if (!h.way.empty()) name += " (" + h.way + ")";
   }
   return name;

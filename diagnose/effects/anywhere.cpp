@@ -1,0 +1,65 @@
+#include "diagnose/effects/anywhere.hpp"
+
+#include <cmath>
+
+namespace plica {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+Hypothesis anywhere(const std::string& part, const EffectParameter& size,
+                    const std::vector<EffectParameter>& place, std::vector<MovingMotion> motions) {
+  Hypothesis h{.effect = "", .place = part, .way = "", .parameters = {size}, .at_rig = false};
+  for (const EffectParameter& p : place) {
+    h.along.push_back(h.parameters.size());
+    h.parameters.push_back(p);
+  }
+  std::vector<std::function<VectorXd(const VectorXd&)>> factors;
+  for (MovingMotion& m : motions) {
+    h.changes.insert(h.changes.end(), m.terms.begin(), m.terms.end());
+    factors.push_back(std::move(m.factors));
+  }
+  h.coefficients = [factors = std::move(factors),
+                    count = Index(h.changes.size())](const VectorXd& v) {
+    VectorXd all(count);
+    Index first = 0;
+    for (const auto& of : factors) {
+      const VectorXd own = of(v.tail(v.size() - 1));
+      all.segment(first, own.size()) = std::sqrt(v[0]) * own;
+      first += own.size();
+    }
+    return all;
+  };
+  return h;
+}
+
+MotionTerms::MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& takes_part)
+    : nodes_(std::move(nodes)) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    number_.emplace_back();
+    for (int dof = 0; dof < 6; ++dof)
+      number_.back()[std::size_t(dof)] = takes_part(Index(i), dof) ? count_++ : -1;
+  }
+}
+
+std::vector<ModelChange>
+MotionTerms::changes(MotionTerm::Of of,
+                     const std::function<Follow(std::size_t, int)>& follow) const {
+  std::vector<ModelChange> all;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (int dof = 0; dof < 6; ++dof)
+      if (number_[i][std::size_t(dof)] >= 0)
+        all.push_back(
+            {.apply = {},
+             .follow = follow(i, dof),
+             .term = MotionTerm{.node = nodes_[i], .dof = dof, .of = of, .begins = all.empty()}});
+  return all;
+}
+
+void MotionTerms::add(std::size_t node, const Eigen::Vector<double, 6>& factors,
+                      VectorXd& to) const {
+  for (int dof = 0; dof < 6; ++dof)
+    if (const Index k = number_[node][std::size_t(dof)]; k >= 0) to[k] += factors[dof];
+}
+
+} // namespace plica

@@ -1,0 +1,39 @@
+// What acts anywhere on a part: a spring or a mass on a motion that moves with its place.
+//
+// Motion along a direction d at a place p of a part is h(p)' u, u the DOFs of its nodes. A spring k
+// there adds k h h', a mass m the same for each axis: the square of sums whose coefficients are
+// sqrt(k) h_i(p) (MotionTerm), without any sampling of the place.
+#pragma once
+
+#include "diagnose/effects/effect.hpp"
+
+namespace plica {
+
+struct MovingMotion {
+  std::vector<ModelChange> terms; // one motion, a term for each DOF
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& place)> factors; // of the terms
+};
+
+// `place`: parameters that say where; `size`: N/m or kg.
+Hypothesis anywhere(const std::string& part, const EffectParameter& size,
+                    const std::vector<EffectParameter>& place, std::vector<MovingMotion> motions);
+
+// The terms of a motion: of each node of a list its DOFs that take part.
+class MotionTerms {
+public:
+  // `takes_part`: nodes x 6.
+  MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& takes_part);
+  // `follow`: by the position of the node in the list.
+  std::vector<ModelChange> changes(MotionTerm::Of of,
+                                   const std::function<Follow(std::size_t, int)>& follow) const;
+  Eigen::Index size() const { return count_; }
+  // Adds the six factors of a node where they have terms.
+  void add(std::size_t node, const Eigen::Vector<double, 6>& factors, Eigen::VectorXd& to) const;
+
+private:
+  std::vector<int> nodes_;
+  std::vector<std::array<Eigen::Index, 6>> number_; // of a term; -1 = none
+  Eigen::Index count_ = 0;
+};
+
+} // namespace plica
