@@ -46,8 +46,9 @@ Asked asked_of(const CaseFile& file) {
 VectorXd usual_values(const Hypothesis& h, double size) {
   VectorXd values(Eigen::Index(h.parameters.size()));
   for (std::size_t i = 0; i < h.parameters.size(); ++i)
-    values[Eigen::Index(i)] =
-        h.along == i ? h.parameters[i].prior.width : value_of(h.parameters[i].prior, size);
+    values[Eigen::Index(i)] = value_of(h.parameters[i].prior, size);
+  for (const std::size_t place : h.along)
+    values[Eigen::Index(place)] = h.parameters[place].prior.width;
   return values;
 }
 

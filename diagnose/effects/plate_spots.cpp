@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int most_cells = 4; // either way
+constexpr int cells_of_spots = 4; // either way
 
 std::string percent(int i, int of) {
   return "[" + std::to_string(std::lround(100. * i / of)) + "]";
@@ -72,8 +72,8 @@ std::vector<Spot> plate_spots(const BuiltCase& built, const std::string& part, c
       built.model.mesh.sets.at(part + ".all"); // row by row along edge 1
   const int along = plate.elements[0], across = plate.elements[1];
   if (!is_grid(built, part, plate)) return found;
-  for (int j : lines_across(across, most_cells))
-    for (int i : lines_across(along, most_cells)) {
+  for (int j : lines_across(across, cells_of_spots))
+    for (int i : lines_across(along, cells_of_spots)) {
       const int node = nodes[std::size_t(j * (along + 1) + i)];
       found.push_back({.place = part + ".spot" + percent(i, along) + percent(j, across),
                        .nodes = {node},
