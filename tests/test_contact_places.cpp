@@ -2,8 +2,10 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/place_nodes.hpp"
 #include "diagnose/effects/plate_places.hpp"
+#include "reduction/parametric_model.hpp"
 #include "tests/changed_beam.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -226,6 +228,56 @@ TEST(ContactPlaces, a_spring_anywhere_on_a_plate_feels_a_cubic_as_it_is) {
       });
       EXPECT_NEAR(moved, w(x, y), 1e-10) << x << ", " << y;
     }
+}
+
+// Of the mesh with something at a node, solved whole.
+VectorXd whole_with(const BuiltCase& built, int node, MotionTerm::Of of, double size, int count) {
+  System system = assemble(built.model);
+  const int dof = system.map.independent[std::size_t(6 * node + 2)];
+  (of == MotionTerm::Of::spring ? system.K : system.M).coeffRef(dof, dof) += size;
+  std::vector<int> inside;
+  for (int i = 0; i < system.map.size(); ++i)
+    if (system.map.full[std::size_t(i)] / 6 != built.held_nodes[0]) inside.push_back(i);
+  const SparseMatrix K = restrict_to(system.K, inside), M = restrict_to(system.M, inside);
+  BaseFactor base = factor_below_spectrum(K, M);
+  return find_modes(K, M, {.count = count, .band = {}, .proof = true}, base).lambda.head(count);
+}
+
+// A touch, a mass of 3 % of the plate's, a pin, a mass of a third of it: at a node between those of
+// the grid, so that no static answer at it is in the basis.
+TEST(ContactPlaces, anywhere_on_a_plate_answers_as_the_mesh_does_at_its_nodes) {
+  Case c = plate_case();
+  std::get<Plate>(c.parts[0].body).elements = {24, 16};
+  const BuiltCase built = build(c);
+  const Measured m;
+  const Structure s{.data = c, .built = built, .measured = m};
+  const PlateGrid grid = plate_grids(s).front();
+  const ParametricModel model(built.model, built.held_nodes, {built.sensors[0].node}, 20);
+  constexpr int watched = 5;
+  struct Put {
+    MotionTerm::Of of;
+    double size, tolerance;
+  };
+  using enum MotionTerm::Of;
+  for (const auto& [i, j] : {std::pair{14, 6}, {22, 16}, {19, 7}}) {
+    const int node = built.model.mesh.sets.at("plate.all")[std::size_t(25 * j + i)];
+    const Eigen::Vector2d place(i / 24. * grid.length[0], j / 16. * grid.length[1]);
+    for (const Put& put :
+         {Put{spring, 1e3, 2e-4}, {mass, 0.05, 1e-3}, {spring, 1e8, 6e-3}, {mass, 0.5, 6e-3}}) {
+      const MovingMotion motion = motion_on(s, grid, std::nullopt, put.of);
+      const AffineModel affine = model.with(model.prepare(motion.terms));
+      std::vector<int> free;
+      for (int k = affine.boundary; k < int(affine.K.rows()); ++k) free.push_back(k);
+      const AffineModel held = affine.restricted_to(free);
+      const VectorXd x = std::sqrt(put.size) * motion.factors(place);
+      const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> got(held.stiffness(x),
+                                                                   held.mass_matrix(x));
+      const VectorXd want = whole_with(built, node, put.of, put.size, watched);
+      for (Index k = 0; k < watched; ++k)
+        EXPECT_NEAR(std::sqrt(got.eigenvalues()[k] / want[k]), 1, put.tolerance)
+            << put.size << " at " << place.transpose() << ", mode " << k + 1;
+    }
+  }
 }
 
 TEST(ContactPlaces, a_plate_has_spots_named_by_percents_of_its_edges_where_a_case_asks_for_them) {

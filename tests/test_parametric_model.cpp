@@ -3,6 +3,7 @@
 #include "solve/modes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace plica {
@@ -34,11 +35,7 @@ VectorXd whole(Model model, int count) {
 }
 
 VectorXd reduced(const AffineModel& f, const VectorXd& c, int count) {
-  MatrixXd K = f.K, M = f.M;
-  for (Eigen::Index k = 0; k < c.size(); ++k) {
-    K += c[k] * f.dK[std::size_t(k)];
-    M += c[k] * f.dM[std::size_t(k)];
-  }
+  const MatrixXd K = f.stiffness(c), M = f.mass_matrix(c);
   const Eigen::Index n = K.rows() - f.boundary;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K.bottomRightCorner(n, n),
                                                                  M.bottomRightCorner(n, n));
@@ -186,6 +183,72 @@ TEST(ParametricModel, a_released_boundary_on_springs_moves_as_the_whole_does) {
   const MatrixXd K = affine.K + 2e4 * affine.dK[0];
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K, affine.M);
   expect_near(pairs.eigenvalues().head(watched), want, 1e-3);
+}
+
+ModelChange term(int node, int dof, MotionTerm::Of of, bool begins) {
+  return {.apply = {}, .term = MotionTerm{.node = node, .dof = dof, .of = of, .begins = begins}};
+}
+
+// A motion of one DOF is that DOF: the whole structure with a spring, with a mass.
+TEST(ParametricModel, follows_what_acts_on_a_motion_of_its_own) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const std::vector<PreparedChange> changes = model.prepare(
+      std::vector{term(8, 2, MotionTerm::Of::spring, true),
+                  term(9, 2, MotionTerm::Of::spring, false), term(9, 0, MotionTerm::Of::mass, true),
+                  term(9, 1, MotionTerm::Of::mass, true), term(9, 2, MotionTerm::Of::mass, true)});
+  const AffineModel affine = model.with(changes);
+  ASSERT_EQ(affine.sums.size(), 4U);
+  std::vector<int> free;
+  for (int i = affine.boundary; i < int(affine.K.rows()); ++i) free.push_back(i);
+  for (double k : {1e2, 1e4, 1e6}) {
+    Model changed = cantilever();
+    BushingElement b{.node1 = 9, .node2 = -1, .bushing = {}};
+    b.bushing.law.diagonal()[2] = k;
+    changed.bushings.push_back(b);
+    VectorXd c = VectorXd::Zero(5);
+    c[1] = std::sqrt(k);
+    expect_near(reduced(affine, c, watched), whole(changed, watched), 1e-3);
+    EXPECT_LT(model.frequency_errors(changes, c, free, watched).maxCoeff(), 1e-3);
+  }
+  for (double mass : {0.005, 0.5}) {
+    Model changed = cantilever();
+    mass_at(9, mass).apply(changed);
+    VectorXd c = VectorXd::Zero(5);
+    c.tail<3>().setConstant(std::sqrt(mass));
+    expect_near(reduced(affine, c, watched), whole(changed, watched), 1e-3);
+    EXPECT_NEAR(affine.weight(c), affine.mass + mass, 1e-12);
+    EXPECT_LT(model.frequency_errors(changes, c, free, watched).maxCoeff(), 1e-3);
+  }
+}
+
+// The mean of two nodes, as a sum of terms and as a change of its own.
+TEST(ParametricModel, a_motion_of_two_nodes_is_the_square_of_their_sum) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  for (const auto of : {MotionTerm::Of::spring, MotionTerm::Of::mass}) {
+    const double size = of == MotionTerm::Of::spring ? 3e4 : 0.2;
+    std::vector<ModelChange> terms;
+    for (int dof : {0, 1, 2})
+      for (int node : {5, 7}) terms.push_back(term(node, dof, of, node == 5));
+    const AffineModel sums = model.with(model.prepare(terms));
+    const bool spring = of == MotionTerm::Of::spring;
+    const AffineModel mean = model.with({model.prepare(
+        {.apply = {}, .on_motion = {on_mean_motion({5, 7}, spring ? 0 : 1, spring ? 1 : 0)}})});
+    const VectorXd c = VectorXd::Constant(6, std::sqrt(size) / 2),
+                   one = VectorXd::Constant(1, size);
+    expect_near(reduced(sums, c, watched), reduced(mean, one, watched), 1e-6);
+    EXPECT_NEAR(sums.weight(c), mean.weight(one), 1e-12);
+    // What a translation of the base excites does not hang on the coordinates.
+    const auto excited = [](const AffineModel& f, const VectorXd& x) {
+      return MatrixXd(f.loads(x).transpose() * f.stiffness(x).ldlt().solve(f.loads(x)));
+    };
+    const auto held = [](const AffineModel& f) {
+      std::vector<int> free;
+      for (int i = f.boundary; i < int(f.K.rows()); ++i) free.push_back(i);
+      return f.restricted_to(free);
+    };
+    const MatrixXd got = excited(held(sums), c), want = excited(held(mean), one);
+    EXPECT_NEAR((got - want).norm() / want.norm(), 0, 1e-4); // of two bases
+  }
 }
 
 } // namespace

@@ -42,16 +42,15 @@ MotionTerms::MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& tak
   }
 }
 
-std::vector<ModelChange>
-MotionTerms::changes(MotionTerm::Of of,
-                     const std::function<Follow(std::size_t, int)>& follow) const {
+std::vector<ModelChange> MotionTerms::changes(MotionTerm::Of of,
+                                              const std::function<Follow(int)>& follow) const {
   std::vector<ModelChange> all;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     for (int dof = 0; dof < 6; ++dof)
       if (number_[i][std::size_t(dof)] >= 0)
         all.push_back(
             {.apply = {},
-             .follow = follow(i, dof),
+             .follow = follow(dof),
              .term = MotionTerm{.node = nodes_[i], .dof = dof, .of = of, .begins = all.empty()}});
   return all;
 }

@@ -23,9 +23,9 @@ class MotionTerms {
 public:
   // `takes_part`: nodes x 6.
   MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& takes_part);
-  // `follow`: by the position of the node in the list.
+  // `follow`: of a DOF, 0 to 5.
   std::vector<ModelChange> changes(MotionTerm::Of of,
-                                   const std::function<Follow(std::size_t, int)>& follow) const;
+                                   const std::function<Follow(int)>& follow) const;
   Eigen::Index size() const { return count_; }
   // Adds the six factors of a node where they have terms.
   void add(std::size_t node, const Eigen::Vector<double, 6>& factors, Eigen::VectorXd& to) const;

@@ -119,7 +119,7 @@ MovingMotion motion_along(const Structure& s, const BeamPath& path, const Vector
         if (std::abs(ends[std::size_t(end)][dof]) > nothing) takes_part(Index(i) + end, dof) = true;
   }
   const MotionTerms terms(path.nodes, takes_part);
-  return {.terms = terms.changes(of, [](std::size_t, int) { return Follow::series; }),
+  return {.terms = terms.changes(of, [](int) { return Follow::series; }),
           .factors = [terms, x, direction, at = path.at](const VectorXd& place) {
             const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, place[0]);
             const auto i = std::size_t(next - at.begin() - 1);

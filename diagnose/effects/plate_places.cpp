@@ -14,8 +14,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Vector6 = Eigen::Vector<double, 6>;
 
-constexpr int most_cells = 12;  // either way
-constexpr int most_sampled = 6; // cells either way whose nodes' static answers join the basis
+constexpr int most_cells = 8; // either way
 
 struct Cell {
   std::size_t line; // before the place
@@ -143,21 +142,13 @@ MovingMotion motion_on(const Structure& s, const PlateGrid& grid,
                                takes_part(Index(node), dof) = true;
                          });
   const MotionTerms terms(grid.nodes, takes_part);
-  // In its plane, and between the nodes that are sampled, what a plate does follows from these.
+  // What it does in its plane follows from the nominal modes.
   Index out = 0;
   const Vector3d normal = grid.normal(grid.length[0] / 2, grid.length[1] / 2);
   normal.cwiseAbs().maxCoeff(&out);
   const bool moves_out = !direction || std::abs(direction->dot(normal)) > 0.5;
-  const auto is_sampled = [](std::size_t line, std::size_t lines) {
-    const std::size_t step = lines > most_sampled + 1 ? 2 : 1;
-    return line % step == 0 || line + 1 == lines;
-  };
-  const auto follow = [&](std::size_t node, int dof) {
-    const std::size_t lines = grid.at[0].size();
-    return moves_out && dof == int(out) && is_sampled(node % lines, lines) &&
-                   is_sampled(node / lines, grid.at[1].size())
-               ? Follow::series
-               : Follow::nominal;
+  const auto follow = [&](int dof) {
+    return moves_out && dof == int(out) ? Follow::series : Follow::nominal;
   };
   return {.terms = terms.changes(of, follow), .factors = [motion, terms](const VectorXd& place) {
             VectorXd factors = VectorXd::Zero(terms.size());

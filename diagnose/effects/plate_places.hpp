@@ -1,6 +1,6 @@
 // A plate as a surface of places: what touches it or sits on it may do so anywhere.
 //
-// Between four nodes of its mesh, on up to twelve cells either way, it moves along its normal by
+// Between four nodes of its mesh, on up to eight cells either way, it moves along its normal by
 // Adini's polynomials, whose edges are Hermite's cubics (Adini and Clough, Report to NSF G7337
 // (1960)), and bilinearly in its own plane.
 #pragma once
