@@ -62,8 +62,11 @@ public:
     if (changes_)
       effects.push_back(
           {{"name", change_.name}, {"place", change_.place}, {"value", change_.value}});
-    const double own = changes_ ? structure_.position(change_.place) : 0;
-    const auto at = change_.value.find("at");
+    std::vector<double> point = changes_ ? structure_.point(change_.place) : std::vector<double>{0};
+    const char* further[] = {"at", "across"};
+    for (std::size_t i = 0; i < point.size(); ++i)
+      if (const auto own = change_.value.find(further[i]); own != change_.value.end())
+        point[i] += own->second;
     return {{"id", id},
             {"structure", structure_.name()},
             {"mechanism", mechanism_.name},
@@ -74,8 +77,7 @@ public:
             {"class", changes_ ? change_.name : "none"},
             {"strength", ""},
             {"effects", effects},
-            {"position",
-             std::isnan(own) ? json() : json(own + (at == change_.value.end() ? 0 : at->second))},
+            {"position", point},
             {"ratio", ratio_},
             {"detectable", detectable_}};
   }

@@ -8,7 +8,6 @@
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
 namespace sealed {
@@ -143,6 +142,11 @@ public:
         mass += change.value.at("mass");
       M += mass * w * w.transpose();
     }
+    if (change.name == "added_mass" && change.place == "plate") {
+      const VectorXd w = product(polynomials(change.value.at("at") / lx).value,
+                                 polynomials(change.value.at("across") / ly).value);
+      M += change.value.at("mass") * w * w.transpose();
+    }
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(K, M);
     constexpr double turn = 2 * std::numbers::pi;
     constexpr int count = 7;
@@ -157,12 +161,12 @@ public:
               .smallest = 1e-8,
               .largest = 0.01,
               .inverse = true};
-    return {.effect = {"added_mass",
-                       std::string("sensor.") + sensors[std::size_t(draws.below(6))].name,
-                       {}},
-            .size = "mass",
-            .smallest = 1e-5,
-            .largest = 0.25};
+    Effect mass{"added_mass", "plate", {}};
+    if (draws.below(2) == 0)
+      mass.place = std::string("sensor.") + sensors[std::size_t(draws.below(6))].name;
+    else // off the clamp, where nothing moves
+      mass.value = {{"at", draws.between(0.3, 1) * lx}, {"across", draws.between(0, 1) * ly}};
+    return {.effect = mass, .size = "mass", .smallest = 1e-5, .largest = 0.25};
   }
   bool alike(const std::string& effect, const std::string& place, const std::string& other_effect,
              const std::string& other_place) const override { // the middle line divides it evenly
@@ -175,10 +179,15 @@ public:
     };
     return effect == other_effect && side(place) == side(other_place);
   }
-  double position(const std::string& place) const override { // one number a sensor
-    for (std::size_t k = 0; k < sensors.size(); ++k)
-      if (place == std::string("sensor.") + sensors[k].name) return double(k + 1) * lx;
-    return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> point(const std::string& place) const override {
+    if (place == "plate") return {0, 0};
+    for (const Sensor& sensor : sensors)
+      if (place == std::string("sensor.") + sensor.name) return {sensor.x, sensor.y};
+    return {};
+  }
+  std::vector<double> mirrored(std::vector<double> point) const override {
+    point[1] = ly - point[1];
+    return point;
   }
 
 private:

@@ -43,13 +43,18 @@ public:
   }
   bool has_interval_of_place(const json& said) const {
     return said.contains("interval") && said["interval"].contains("at") &&
-           !truth_["position"].is_null();
+           !truth_["position"].empty();
   }
   bool place_in_interval(const json& said) const {
-    const json& range = said["interval"]["at"];
-    const double from = structure_->position(said["place"]);
-    return either(
-        [&](double p) { return p >= from + double(range[0]) && p <= from + double(range[1]); });
+    const std::vector<double> from = structure_->point(said["place"]);
+    return either([&](const std::vector<double>& p) {
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!said["interval"].contains(axes[i]) || from.size() != p.size()) return false;
+        const json& range = said["interval"][axes[i]];
+        if (p[i] < from[i] + double(range[0]) || p[i] > from[i] + double(range[1])) return false;
+      }
+      return true;
+    });
   }
   std::optional<bool> size_in_interval(const json& said) const {
     const json& effect = truth_["effects"][0];
@@ -64,22 +69,29 @@ public:
   }
 
 private:
-  bool either(const std::function<bool(double)>& holds) const { // halves may be alike
-    const double p = truth_["position"];
-    return holds(p) || (structure_->symmetric() && holds(structure_->length() - p));
+  bool either(const std::function<bool(const std::vector<double>&)>& holds) const {
+    const std::vector<double> p = truth_["position"]; // halves may be alike
+    return holds(p) || holds(structure_->mirrored(p));
   }
   bool place_is_right(const json& said) const {
     if (said.value("place", "") == truth_["effects"][0]["place"] && !has_interval_of_place(said))
       return true;
-    if (truth_["position"].is_null()) return false;
+    if (truth_["position"].empty()) return false;
     for (const json& other : said.value("other_places", json::array()))
       if (other == truth_["effects"][0]["place"]) return true;
     if (has_interval_of_place(said) && place_in_interval(said)) return true;
-    double own = structure_->position(said.value("place", ""));
-    if (said.contains("value") && said["value"].contains("at")) own += double(said["value"]["at"]);
-    return either([&](double p) { return std::abs(p - own) <= 0.05 * structure_->length(); });
+    std::vector<double> own = structure_->point(said.value("place", ""));
+    for (std::size_t i = 0; i < own.size(); ++i)
+      own[i] += said.value("value", json::object()).value(axes[i], 0.);
+    return either([&](const std::vector<double>& p) {
+      double away = 0;
+      for (std::size_t i = 0; i < std::min(p.size(), own.size()); ++i)
+        away = std::hypot(away, p[i] - own[i]);
+      return p.size() == own.size() && away <= 0.05 * structure_->length();
+    });
   }
 
+  static constexpr const char* axes[] = {"at", "across"};
   const json& truth_;
   std::unique_ptr<ChangedStructure> structure_;
 };

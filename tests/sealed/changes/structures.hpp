@@ -6,6 +6,8 @@
 #include "../specimen.hpp"
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 namespace sealed {
@@ -69,9 +71,21 @@ public:
   virtual std::vector<std::string> channels(std::size_t /*mode*/) const { return {}; }
   virtual Change draw_change(Draws& draws) const = 0;
   // Where a place of a diagnosis is, m along the structure; NaN: nowhere.
-  virtual double position(const std::string& place) const = 0;
+  virtual double position(const std::string& /*place*/) const {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  // The same, of a plate along and across; empty: nowhere.
+  virtual std::vector<double> point(const std::string& place) const {
+    const double along = position(place);
+    return std::isnan(along) ? std::vector<double>() : std::vector<double>{along};
+  }
   virtual double length() const = 0;
   virtual bool symmetric() const { return false; } // what sits at s or at length - s is alike
+  // Where what sits at a point sits as well.
+  virtual std::vector<double> mirrored(std::vector<double> point) const {
+    if (symmetric()) point[0] = length() - point[0];
+    return point;
+  }
   // Whether two changes of one place each cannot be told apart by any frequency.
   virtual bool alike(const std::string& /*effect*/, const std::string& /*place*/,
                      const std::string& /*other_effect*/,
