@@ -102,8 +102,12 @@ private:
     Diagnosis result = account_of(problem_, found, settings_);
     if (settings_.plan_next && !settings_.stop()) {
       settings_.stage("next measurement", share::next_measurement);
-      result.next = next_after(found);
-      say_what_tells_apart(problem_, told.fits, result.ledger);
+      const OfferedReadings menu =
+          offered_beside(problem_.data, problem_.nominal, problem_.test.data, problem_.readings,
+                         problem_.predictors->models());
+      result.next = next_after(found, menu);
+      const std::string warning = say_what_tells_apart(problem_, menu, told.fits, result.ledger);
+      if (!warning.empty()) result.warnings.push_back(warning);
     }
     if (judgement.stopped)
       result.warnings.insert(result.warnings.begin(),
@@ -134,7 +138,8 @@ private:
 
   // What would tell apart what the test leaves open: the nominal case, sets of effects, their
   // numbers.
-  std::vector<ProposedMeasurement> next_after(const Findings& found) const {
+  std::vector<ProposedMeasurement> next_after(const Findings& found,
+                                              const OfferedReadings& menu) const {
     constexpr std::size_t most = 5;
     constexpr double never_ruled_out = 0.02, ruled_out = 1e-3;
     std::vector<RivalSet> rivals;
@@ -150,8 +155,7 @@ private:
     };
     if (found.nominal.adequate) add(found.nominal, found.inclusion.none());
     for (const auto& [fit, probability] : found.inclusion.first(most)) add(*fit, probability);
-    return next_measurements(problem_.data, problem_.nominal, problem_.test.data, problem_.readings,
-                             rivals, problem_.predictors->models());
+    return next_measurements(problem_.nominal, menu, rivals, problem_.predictors->models());
   }
 
   std::vector<JudgedFit> sets_of(const SetSearch& search, const HypothesisFit& plain) const {

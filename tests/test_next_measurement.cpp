@@ -71,8 +71,9 @@ protected:
   }
 
   std::vector<ProposedMeasurement> next(const std::vector<RivalSet>& rivals) const {
-    return next_measurements(case_, nominal_, measured_,
-                             readings_of({.data = measured_, .responses = {}}), rivals, models_);
+    const TestReadings test = readings_of({.data = measured_, .responses = {}});
+    return next_measurements(nominal_, offered_beside(case_, nominal_, measured_, test, models_),
+                             rivals, models_);
   }
   static const ProposedMeasurement& find(const std::vector<ProposedMeasurement>& all,
                                          const std::string& what) {

@@ -40,11 +40,15 @@ protected:
     }
     return row;
   }
+  OfferedReadings menu() const {
+    return offered_beside(case_, problem_->nominal, test_.data, problem_->readings,
+                          problem_->predictors->models());
+  }
   std::string told_apart_by(const std::vector<HypothesisFit>& told) const {
     Ledger ledger;
     ledger.rows = {row_of(told), {}};
     ledger.rows.back().left = "unexplained";
-    say_what_tells_apart(*problem_, told, ledger);
+    EXPECT_EQ(say_what_tells_apart(*problem_, menu(), told, ledger), "");
     EXPECT_EQ(ledger.rows.back().told_apart_by, "");
     return ledger.rows.front().told_apart_by;
   }
@@ -71,6 +75,19 @@ TEST_F(ToldApart, what_shows_alike_in_all_that_can_be_measured_is_by_what_its_ef
 
 TEST_F(ToldApart, one_effect_alone_is_told_apart_from_nothing) {
   EXPECT_EQ(told_apart_by({set("component_mass", "m3", 4)}), "");
+}
+
+TEST_F(ToldApart, says_where_it_looks_at_some_of_the_sets_only) {
+  std::vector<HypothesisFit> told{set("component_mass", "m3", 4), set("temperature", "all", 100)};
+  told.resize(most_told_apart + 1, told.front());
+  Ledger ledger;
+  ledger.rows = {row_of({told[0], told[1]})};
+  EXPECT_EQ(say_what_tells_apart(*problem_, menu(), told, ledger),
+            "what tells effects of a row apart is said of the best 8 of 9 sets that explain the "
+            "test alike");
+  EXPECT_EQ(ledger.rows.front().told_apart_by, "weigh the specimen");
+  ledger.rows = {row_of({told[0]})};
+  EXPECT_EQ(say_what_tells_apart(*problem_, menu(), told, ledger), "") << "nothing is asked";
 }
 
 } // namespace

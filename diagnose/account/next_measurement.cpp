@@ -1,6 +1,5 @@
 #include "diagnose/account/next_measurement.hpp"
 
-#include "diagnose/predict/menu.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/Cholesky>
@@ -151,12 +150,10 @@ private:
 
 } // namespace
 
-std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& nominal,
-                                                   const Measured& measured,
-                                                   const TestReadings& test,
+std::vector<ProposedMeasurement> next_measurements(const Nominal& nominal,
+                                                   const OfferedReadings& menu,
                                                    const std::vector<RivalSet>& rivals,
                                                    const std::shared_ptr<StateModels>& models) {
-  const OfferedReadings menu = offered_beside(data, nominal, measured, test, models);
   if (menu.readings.readings.empty()) return {};
   const Draws draws(nominal, menu, rivals, models);
   const Separation separation(nominal, menu, rivals, models);

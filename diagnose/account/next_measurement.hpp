@@ -13,6 +13,7 @@
 #pragma once
 
 #include "diagnose/account/ledger.hpp"
+#include "diagnose/predict/menu.hpp"
 
 namespace plica {
 
@@ -23,10 +24,9 @@ struct RivalSet {
   ShareDraws draws;
 };
 
-// Best first, at most eight; those that change nothing are left out.
-std::vector<ProposedMeasurement> next_measurements(const Case& data, const Nominal& nominal,
-                                                   const Measured& measured,
-                                                   const TestReadings& test,
+// Of the menu, the best first, at most eight; those that change nothing are left out.
+std::vector<ProposedMeasurement> next_measurements(const Nominal& nominal,
+                                                   const OfferedReadings& menu,
                                                    const std::vector<RivalSet>& rivals,
                                                    const std::shared_ptr<StateModels>& models);
 

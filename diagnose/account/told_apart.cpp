@@ -1,10 +1,10 @@
 #include "diagnose/account/told_apart.hpp"
 
-#include "diagnose/predict/menu.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/core.h>
 
 namespace plica {
 namespace {
@@ -13,15 +13,12 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-constexpr std::size_t most = 8; // sets that are looked at
-
 // What sets would show in all that could be measured.
 class MenuAnswers {
 public:
-  MenuAnswers(const GapProblem& problem, const std::vector<HypothesisFit>& sets)
-      : menu_(offered_beside(problem.data, problem.nominal, problem.test.data, problem.readings,
-                             problem.predictors->models())),
-        y_(std::min(most, sets.size())) {
+  MenuAnswers(const GapProblem& problem, const OfferedReadings& menu,
+              const std::vector<HypothesisFit>& sets)
+      : menu_(menu), y_(std::min(most_told_apart, sets.size())) {
     in_parallel(int(y_.size()), [&](int i) {
       const HypothesisFit& set = sets[std::size_t(i)];
       y_[std::size_t(i)] = Predictor(problem.nominal, menu_.readings, set.together,
@@ -50,7 +47,7 @@ private:
     return y_[a] && y_[b] ? menu_.apart(offer, *y_[a], *y_[b]) : 0;
   }
 
-  OfferedReadings menu_;
+  const OfferedReadings& menu_;
   std::vector<std::optional<VectorXd>> y_;
 };
 
@@ -85,16 +82,20 @@ std::string look_alikes_of(const LedgerRow& row) {
 
 } // namespace
 
-void say_what_tells_apart(const GapProblem& problem, const std::vector<HypothesisFit>& told,
-                          Ledger& ledger) {
+std::string say_what_tells_apart(const GapProblem& problem, const OfferedReadings& menu,
+                                 const std::vector<HypothesisFit>& told, Ledger& ledger) {
   std::optional<MenuAnswers> answers;
   for (LedgerRow& row : ledger.rows) {
     if (row.effects.size() < 2) continue;
-    if (!answers) answers.emplace(problem, told);
+    if (!answers) answers.emplace(problem, menu, told);
     if (const Pairs pairs = pairs_of(row, told, answers->sets()); !pairs.empty())
       row.told_apart_by = answers->best_for(pairs);
     if (row.told_apart_by.empty()) row.told_apart_by = look_alikes_of(row);
   }
+  if (!answers || answers->sets() == told.size()) return "";
+  return fmt::format("what tells effects of a row apart is said of the best {} of {} sets that "
+                     "explain the test alike",
+                     answers->sets(), told.size());
 }
 
 } // namespace plica
