@@ -37,10 +37,8 @@ public:
     const FitContext context = problem_.context();
     const BlockScores scores(problem_.readings, problem_.uncertainty);
     settings_.stage(fmt::format("signatures of {} hypotheses", problem_.hypotheses.size()),
-                    share::signatures);
-    StageShare behind(settings_, share::signatures, share::fits, problem_.hypotheses.size());
-    std::vector<Signature> all =
-        signatures(context, problem_.hypotheses, [&] { behind.one_is_done(); });
+                    share::bases);
+    std::vector<Signature> all = signatures_of_all(context);
     find_smallest(context, all);
     Standards standards = standards_of(context, *problem_.held_out, scores);
     standards.gate = !settings_.without.contains("adequacy");
@@ -68,6 +66,15 @@ public:
   }
 
 private:
+  std::vector<Signature> signatures_of_all(const FitContext& context) const {
+    const std::vector<Hypothesis>& all = problem_.hypotheses;
+    const std::size_t states = problem_.predictors->models()->fitted_states(context.test).size();
+    StageShare reduced(settings_, share::bases, share::signatures, states * all.size());
+    reduce_each(context, all, [&] { reduced.one_is_done(); });
+    StageShare behind(settings_, share::signatures, share::fits, all.size());
+    return signatures(context, all, [&] { behind.one_is_done(); });
+  }
+
   // Single effects are known: sets of them, the verdict and its account.
   Diagnosis concluded(const SetSearch& search, const HypothesisFit& plain) {
     const FitContext& context = search.context;

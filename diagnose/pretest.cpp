@@ -197,6 +197,7 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   const FitContext context{predictors, test, u, measured, fitted};
   const std::vector<Hypothesis> all = chosen_effects(nominal.structure(runs)).hypotheses;
   stage("signatures of " + std::to_string(all.size()) + " hypotheses");
+  reduce_each(context, all);
   std::vector<Signature> own = signatures(context, all);
   find_smallest(context, own);
   const Likeness alike = likeness(own);

@@ -40,12 +40,19 @@ TEST(StageShare, of_a_whole_diagnosis_never_goes_back) {
     told.push_back(share);
   };
   settings.advance = [&](double share) { told.push_back(share); };
-  diagnose(nominal, {.data = m, .responses = {}}, settings);
+  const Diagnosis d = diagnose(nominal, {.data = m, .responses = {}}, settings);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.front(), 0);
   EXPECT_LT(told.back(), 1);
   EXPECT_NE(std::find(stages.begin(), stages.end(), "sets of 2 effects"), stages.end());
   EXPECT_GT(told.size(), 3 * stages.size()) << "within stages, too";
+  const auto within = [&](double begins, double ends) {
+    return std::count_if(told.begin(), told.end(), [&](double share) {
+      return share > begins + 1e-9 && share < ends + 1e-9;
+    });
+  };
+  EXPECT_EQ(within(share::bases, share::signatures), d.hypotheses) << "as each is reduced";
+  EXPECT_EQ(within(share::signatures, share::fits), d.hypotheses + 1) << "and the next stage";
 }
 
 } // namespace

@@ -78,8 +78,10 @@ Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z)
           .noncentrality = std::max(0., own(d).squaredNorm() - paid)};
 }
 
-// Reduced models with each hypothesis in it, a few at a time.
-void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all) {
+} // namespace
+
+void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all,
+                 const std::function<void()>& one_is_done) {
   constexpr std::size_t at_once = 4;
   std::vector<StateModels::Together> groups;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -88,14 +90,15 @@ void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all) 
   }
   StateModels& models = *context.predictors.models();
   for (std::size_t state : models.fitted_states(context.test))
-    in_parallel(int(groups.size()), [&](int i) { models.reduce(state, groups[std::size_t(i)]); });
+    in_parallel(int(groups.size()), [&](int i) {
+      const StateModels::Together& group = groups[std::size_t(i)];
+      models.reduce(state, group);
+      for (std::size_t k = 0; k < group.size(); ++k) one_is_done();
+    });
 }
-
-} // namespace
 
 std::vector<Signature> signatures(const FitContext& context, const std::vector<Hypothesis>& all,
                                   const std::function<void()>& one_is_done) {
-  reduce_each(context, all);
   std::vector<Signature> found(all.size());
   in_parallel(int(all.size()), [&](int i) {
     Signature& s = found[std::size_t(i)];

@@ -12,8 +12,9 @@ namespace plica {
 // take them.
 namespace share {
 
-inline constexpr double specimens = 0.08, signatures = 0.26, fits = 0.53, chains = 0.56,
-                        sets = 0.58, ledger = 0.90, report = 0.94, next_measurement = 0.98;
+inline constexpr double specimens = 0.08, bases = 0.26, signatures = 0.46, fits = 0.53,
+                        chains = 0.56, sets = 0.58, ledger = 0.90, report = 0.94,
+                        next_measurement = 0.98;
 
 } // namespace share
 
