@@ -253,16 +253,19 @@ TEST(DiagnosisReport, draws_the_part_also_where_nothing_is_marked) {
 }
 
 TEST(DiagnosisReport, says_what_its_probabilities_are_of) {
-  const auto of = [](Verdict verdict, const std::vector<LedgerRow>& rows) {
-    return diagnosis_html(made_up_diagnosis(verdict, rows), "Pipe");
+  const auto of = [](const Weighing& weighing) {
+    Diagnosis d = made_up_diagnosis(Verdict::mostly, {cause({slipping_plies()}, 0.6)});
+    d.weighing = weighing;
+    return diagnosis_html(d, "Pipe");
   };
-  const std::vector<LedgerRow> one{cause({slipping_plies()}, 0.6)};
-  const std::vector<LedgerRow> two{cause({slipping_plies()}, 0.6), cause({mass_of_20_g()}, 0.2)};
-  expect_parts(of(Verdict::identified, one), {"were one of them all there is"});
-  expect_parts(of(Verdict::mostly, one), {"averaged over all sets that were tried."});
-  expect_parts(of(Verdict::unknown, one), {"averaged over all sets that were tried, and no more"});
-  expect_parts(of(Verdict::several, two), {"over the sets that explain the test"});
-  expect_parts(of(Verdict::ambiguous, two), {"over the sets that explain the test"});
+  using enum Weighing::Over;
+  expect_parts(of({.over = singles}), {"were one of them all there is."});
+  expect_parts(of({.over = standing_sets}), {"over the sets that explain the test."});
+  expect_parts(of({.over = all_sets}), {"averaged over all sets that were tried."});
+  expect_parts(
+      of({.over = all_sets, .limited = true}),
+      {"averaged over all sets that were tried, and no more than the share of the gap that "
+       "what leads closes."});
 }
 
 // Readers of the words of before are told so by the version.

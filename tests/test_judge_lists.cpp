@@ -17,6 +17,10 @@ std::vector<std::string> effects_named(const Judgement& judgement) {
 
 using Words = std::vector<std::string>;
 
+bool is_over(const Judgement& j, Weighing::Over over, bool limited = false) {
+  return j.weighing.over == over && j.weighing.limited == limited;
+}
+
 GapShrink shrunk_to(double after) {
   return {.before = 1, .after = after, .interval = {0.1, 0.9}, .readings = 10};
 }
@@ -38,13 +42,45 @@ TEST(Judge, says_mostly_of_what_names_a_place_and_no_cause) {
   EXPECT_EQ(j.verdict, Verdict::mostly);
   EXPECT_EQ(effects_named(j), Words{"component_stiffness"});
   EXPECT_TRUE(j.is_settled());
+  EXPECT_TRUE(is_over(j, Weighing::Over::singles));
   Fits sets;
   sets.add("added_mass", 10, false);
   sets.add_pair("added_mass", "component_stiffness", 20);
   EXPECT_EQ(sets.judgement(false).verdict, Verdict::several);
   sets.leave_cause_open();
-  EXPECT_EQ(sets.judgement(false).verdict, Verdict::mostly);
-  EXPECT_EQ(sets.judgement(false).named.front()->fit.together.size(), 2u);
+  const Judgement of_sets = sets.judgement(false);
+  EXPECT_EQ(of_sets.verdict, Verdict::mostly);
+  EXPECT_EQ(of_sets.named.front()->fit.together.size(), 2u);
+  EXPECT_TRUE(is_over(of_sets, Weighing::Over::standing_sets));
+}
+
+// Whatever the verdict: of one effect, of one that nobody believes, of sets, of what is nearest.
+TEST(Judge, says_what_its_probabilities_are_of) {
+  Fits one;
+  one.add("added_mass", 10);
+  EXPECT_TRUE(is_over(one.judgement(false), Weighing::Over::singles));
+  const Referee strict{.to_all = [](const JudgedFit&) -> Objection { return {.why = "no"}; }};
+  EXPECT_TRUE(is_over(one.judgement(false, strict), Weighing::Over::singles, true));
+  Fits sets;
+  sets.add("added_mass", 10, false);
+  sets.add_pair("added_mass", "ply_slip", 30);
+  EXPECT_TRUE(is_over(sets.judgement(false), Weighing::Over::standing_sets));
+  sets.add_pair("added_mass", "temperature", 29);
+  EXPECT_TRUE(is_over(sets.judgement(false), Weighing::Over::standing_sets, true));
+  Fits many; // of which nothing leads
+  for (const char* end : {"boundary_compliance", "local_damage"}) {
+    many.add(end, 10, false);
+    for (const char* warm : {"damping", "temperature"}) many.add_pair(end, warm, 20);
+  }
+  EXPECT_EQ(many.judgement(false).verdict, Verdict::ambiguous);
+  EXPECT_TRUE(is_over(many.judgement(false), Weighing::Over::all_sets, true));
+  Fits nearest;
+  nearest.add_gap("ply_slip", 2);
+  EXPECT_EQ(nearest.judgement_of_gaps(6.8).verdict, Verdict::mostly);
+  EXPECT_TRUE(is_over(nearest.judgement_of_gaps(6.8), Weighing::Over::all_sets));
+  nearest.add_gap("temperature", 2.2);
+  EXPECT_EQ(nearest.judgement_of_gaps(6.8).verdict, Verdict::unknown);
+  EXPECT_TRUE(is_over(nearest.judgement_of_gaps(6.8), Weighing::Over::all_sets, true));
 }
 
 TEST(Judge, lists_three_within_five_nats_and_a_fourth_within_three) {

@@ -35,6 +35,7 @@ public:
     result_.case_name = problem_.data.name;
     result_.verdict = judgement.verdict;
     result_.probabilities = judgement.probabilities;
+    result_.weighing = judgement.weighing;
     add_inclusion(judgement);
     std::vector<std::vector<NamedEffect>> members;
     for (const HypothesisFit& fit : told.fits) members.push_back(names_.members_of(fit));

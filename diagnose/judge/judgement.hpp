@@ -16,6 +16,7 @@ struct Judgement {
   const JudgedFit* nearest = nullptr;
   std::vector<std::pair<std::string, double>> probabilities; // of effects, wherever they sit
   std::map<std::string, std::vector<std::pair<std::string, double>>> places; // of an effect
+  Weighing weighing;                                                         // of these
   bool stopped = false;                                                      // before all was tried
   std::string withheld;                 // why an effect that leads is not named; empty = nothing is
   std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn

@@ -11,6 +11,7 @@ namespace plica {
 
 void weigh_singles(const JudgedFit& nominal, const std::vector<EffectFits>& effects,
                    Judgement& result) {
+  result.weighing = {.over = Weighing::Over::singles};
   const double none = nominal.fit.log_evidence;
   double highest = none, sum = 0;
   for (const EffectFits& f : effects) highest = std::max(highest, f.log_evidence);
@@ -35,6 +36,7 @@ void weigh_with_doubt(double apart, Judgement& result) {
 }
 
 void weigh_standing(const std::vector<const JudgedFit*>& sets, Judgement& result) {
+  result.weighing = {.over = Weighing::Over::standing_sets};
   std::map<std::string, double> effects;
   std::map<std::string, std::map<std::string, double>> places;
   double all = 0, highest = -1e300;
@@ -60,6 +62,7 @@ void weigh_standing(const std::vector<const JudgedFit*>& sets, Judgement& result
 }
 
 void weigh_all(const Inclusion& inclusion, Judgement& result) {
+  result.weighing = {.over = Weighing::Over::all_sets};
   result.probabilities = inclusion.effects();
   for (const auto& [effect, probability] : result.probabilities) {
     if (effect == "none") continue;
@@ -70,6 +73,7 @@ void weigh_all(const Inclusion& inclusion, Judgement& result) {
 
 void claim_no_more_than_is_closed(const JudgedFit& nominal, const JudgedFit* nearest, double odds,
                                   Judgement& result) {
+  result.weighing.limited = true;
   const double before = nominal.gap_after;
   const double left = !nearest ? 1 : before > 0 ? nearest->gap_after / before : 0;
   const double closed = std::clamp(1 - left * left, 0., 1.);

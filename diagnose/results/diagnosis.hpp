@@ -48,6 +48,13 @@ struct EffectInclusion {
   std::vector<std::pair<std::string, double>> places = {}; // of effect and place, largest first
 };
 
+// What probabilities of effects are of.
+struct Weighing {
+  // One effect or none, were it all there is; sets that explain the test; all that were tried.
+  enum class Over { singles, standing_sets, all_sets } over = Over::singles;
+  bool limited = false; // to the share of the gap that what leads closes
+};
+
 // One hypothesis that was tried, or a set of them.
 struct TriedHypothesis {
   std::vector<NamedEffect> effects; // none = the nominal case
@@ -208,6 +215,7 @@ struct Diagnosis {
   std::optional<std::size_t> best;
   std::vector<EffectNotTried> not_tried;
   std::vector<std::pair<std::string, double>> probabilities; // of effects and "none"
+  Weighing weighing;                                         // of these
   std::vector<EffectInclusion> inclusion;                    // these by place, without "none"
   Ledger ledger;
   GapShrink gap;

@@ -58,20 +58,21 @@ HtmlRow row_of(const TriedHypothesis& h, bool best) {
   return row;
 }
 
-// What the probabilities are of: sets have been weighed where one effect does not explain the test.
-const char* probabilities_of(const Diagnosis& d) {
-  const auto effects = std::count_if(d.ledger.rows.begin(), d.ledger.rows.end(),
-                                     [](const LedgerRow& row) { return !row.effects.empty(); });
-  const bool sets =
-      d.verdict == Verdict::several || (d.verdict == Verdict::ambiguous && effects > 1);
-  if (sets)
-    return "Of each effect, over the sets that explain the test; of many over all that were tried.";
-  if (d.verdict == Verdict::mostly)
-    return "Of each effect, averaged over all sets that were tried.";
-  if (d.verdict == Verdict::unknown)
-    return "Of each effect, averaged over all sets that were tried, and no more than the share of "
-           "the gap that the nearest closes.";
-  return "Of each effect and of none, were one of them all there is.";
+std::string probabilities_of(const Weighing& weighing) {
+  const auto over = [&] {
+    switch (weighing.over) {
+    case Weighing::Over::singles:
+      return "Of each effect and of none, were one of them all there is";
+    case Weighing::Over::standing_sets:
+      return "Of each effect, over the sets that explain the test";
+    case Weighing::Over::all_sets:
+      return "Of each effect, averaged over all sets that were tried";
+    }
+    return "";
+  };
+  return std::string(over()) +
+         (weighing.limited ? ", and no more than the share of the gap that what leads closes."
+                           : ".");
 }
 
 constexpr double worth_showing = 0.005; // of a probability
@@ -142,7 +143,7 @@ std::string probabilities_html(const Diagnosis& d) {
     rows.push_back(
         {{fmt::format("{} below 0.5 %", others), html_fixed(100 * rest, 1), "", ""}, "total"});
   return "<h3>Probabilities</h3>\n" +
-         html_table(probabilities_of(d),
+         html_table(probabilities_of(d.weighing),
                     {{"effect", "", false}, {"", "%"}, {"", "", false}, {"at", "", false}}, rows);
 }
 
