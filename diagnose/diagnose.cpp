@@ -4,6 +4,7 @@
 #include "diagnose/account/next_measurement.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/account/told_apart.hpp"
+#include "diagnose/judge/added_up.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
@@ -113,15 +114,20 @@ private:
           offered_beside(problem_.data, problem_.nominal, problem_.test.data, problem_.readings,
                          problem_.predictors->models());
       result.next = next_after(found, menu);
-      const std::string warning = say_what_tells_apart(problem_, menu, told.fits, result.ledger);
-      if (!warning.empty()) result.warnings.push_back(warning);
+      warn(result, say_what_tells_apart(problem_, menu, told.fits, result.ledger));
     }
+    if (told.first->fit.together.size() > 1 && !judgement.stopped)
+      warn(result, warning_of_added_up(sets));
     if (judgement.stopped)
       result.warnings.insert(result.warnings.begin(),
                              "stopped before all effects were tried: this is what came nearest");
     result.not_tried = problem_.not_tried;
     result.seconds = watch_.seconds();
     return result;
+  }
+
+  static void warn(Diagnosis& result, std::string warning) {
+    if (!warning.empty()) result.warnings.push_back(std::move(warning));
   }
 
   // With what the user is warned of beside it.

@@ -1,4 +1,5 @@
 // The search for sets of effects, on a problem in closed form (gains.hpp).
+#include "diagnose/judge/added_up.hpp"
 #include "tests/gains.hpp"
 
 #include <gtest/gtest.h>
@@ -130,6 +131,28 @@ TEST(SetSearch, finds_beside_what_leads_what_its_residual_asks_for) {
   ASSERT_EQ(beside.size(), 1u);
   EXPECT_EQ(beside.front().fit.effects(), (Effects{"gain", "mass"}));
   EXPECT_NEAR(beside.front().fit.log_evidence, log_evidence_of({mass, gain}, mass + gain), 1e-2);
+}
+
+// Beside a mass as many gains as may be, each as good. With changes of the model, which do nothing
+// here, sets of two of them would add these up.
+TEST(SetSearch, warns_where_it_does_not_solve_all_anew_that_may_count) {
+  const auto warning = [](std::size_t count, bool changes) {
+    Gains gains(8);
+    const auto add = [&](const std::string& effect, const VectorXd& g) {
+      Hypothesis& h = gains.add(effect, "here", g);
+      if (!changes) return;
+      h.changes = {{.apply = [](Model& model) { model.beams.front().section.EI_y *= 2; }}};
+      h.coefficients = [](const VectorXd&) { return VectorXd(VectorXd::Zero(1)); };
+    };
+    add("mass", gains.along(0, 10));
+    for (std::size_t k = 0; k < count; ++k) add("gain" + std::to_string(k), gains.along(1, 10));
+    gains.measure(gains.along(0, 10) + gains.along(1, 10));
+    return warning_of_added_up(gains.sets());
+  };
+  EXPECT_EQ(warning(most_solved_anew, true), "");
+  EXPECT_EQ(warning(most_solved_anew + 2, true).find("2 more sets of effects come within 8 nats"),
+            0U);
+  EXPECT_EQ(warning(most_solved_anew + 2, false), "") << "nothing is added up";
 }
 
 TEST(SetSearch, finds_nothing_where_it_is_stopped_at_once) {

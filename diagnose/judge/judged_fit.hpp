@@ -34,6 +34,8 @@ struct JudgedFit {
   double gap_after = 0;
   std::optional<double> held_out_after, held_out_shrink;
   bool at_the_edge = false; // adequate, though nine of ten healthy specimens leave less
+  bool added_up =
+      false; // changes of several effects, which were not solved together (added_up.hpp)
   int free_parameters = 0;
   Eigen::Index readings = 0, moved = 0; // fitted, and that it moves; a shape counts as one
   // It closes nothing of the gap, or less than a tenth where the nominal case does not explain the

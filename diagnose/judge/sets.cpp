@@ -1,5 +1,6 @@
 #include "diagnose/judge/sets.hpp"
 
+#include "diagnose/judge/added_up.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
 
@@ -106,7 +107,7 @@ public:
   std::vector<JudgedFit> beside(const JudgedFit& lead) {
     constexpr double hint = 0.5; // nats
     begins_ = ends_;             // all sizes lie behind
-    context_.predictors.solve_anew();
+    add_up_no_more();
     std::vector<Asked> asked;
     for (const auto& [own, h] : asked_for(lead.fit, few))
       if (own > hint) add_joined(lead.fit, *h, asked);
@@ -297,15 +298,13 @@ private:
   // The sets that may count once more, with what their members do to each other: so far their
   // changes were added up.
   void solve_anew(std::vector<JudgedFit>& found) {
-    constexpr double may_count = 8; // nats
-    constexpr std::size_t most = 8;
     if (found.empty() || settings_.stop()) return;
     const double best = best_of(found).fit.log_evidence;
     const auto count = std::min<std::ptrdiff_t>(
-        most, std::find_if(found.begin(), found.end(), [&](const JudgedFit& j) {
-                return j.fit.log_evidence < best - may_count;
-              }) - found.begin());
-    context_.predictors.solve_anew();
+        most_solved_anew, std::find_if(found.begin(), found.end(), [&](const JudgedFit& j) {
+                            return j.fit.log_evidence < best - may_count;
+                          }) - found.begin());
+    add_up_no_more();
     std::vector<Asked> asked;
     for (auto j = found.begin(); j != found.begin() + count; ++j)
       asked.push_back({j->fit.together, j->fit.z});
@@ -313,16 +312,14 @@ private:
     add(found, fitted(asked));
   }
 
+  void add_up_no_more() {
+    context_.predictors.solve_anew();
+    adds_up_ = false;
+  }
+
   static bool is_of(const HypothesisFit& fit, const Together& members) {
     return fit.together.size() == members.size() &&
            std::is_permutation(members.begin(), members.end(), fit.together.begin());
-  }
-
-  // Of those that explain the test, else of all; sorted.
-  static const JudgedFit& best_of(const std::vector<JudgedFit>& found) {
-    const auto credible =
-        std::find_if(found.begin(), found.end(), [](const JudgedFit& j) { return j.credible(); });
-    return credible == found.end() ? found.front() : *credible;
   }
 
   // What members change is prepared once: each is in several sets.
@@ -346,6 +343,7 @@ private:
       const Asked& set = asked[std::size_t(i)];
       own[std::size_t(i)] = judged(fit_of(context_, set.together, set.start), nominal_.fit,
                                    context_, held_out_, scores_, standards_);
+      own[std::size_t(i)].added_up = adds_up_ && change_together(set.together);
       behind.one_is_done();
     });
     begins_ = ends;
@@ -365,6 +363,7 @@ private:
   const Standards& standards_;
   const DiagnosisSettings& settings_;
   bool levels_matter_ = false;
+  bool adds_up_ = true; // what members of sets change
   double begins_ = share::sets,
          ends_ = share::ledger; // of the stage: what lies before its next list
   std::vector<Together> asked_;

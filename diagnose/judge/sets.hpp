@@ -7,6 +7,9 @@
 // place by what the others do, and left out in turn. Growth ends at five effects, where a further
 // one is worth too little, or with a set that explains the test and whose residual asks for no
 // more.
+//
+// While sets are searched, changes of the model are added up; those that may count are then fitted
+// anew (added_up.hpp), and so is all that is tried from there on.
 #pragma once
 
 #include "diagnose/judge/identifiability.hpp"
