@@ -59,6 +59,21 @@ void add_director(Row& row, const Eigen::Vector3d& a, const Eigen::Matrix<double
         f[i] * Eigen::Vector3d(directors.col(i)).cross(a).transpose();
 }
 
+// At a point of the membrane, of its tangents along r and s: right-handed axes, e1 along r, and
+// what the shape functions change along e1 and e2.
+template <int N> struct MembraneAxes {
+  MembraneAxes(const Eigen::Vector3d& x_r, const Eigen::Vector3d& x_s,
+               const Eigen::Matrix<double, N, 1>& dr, const Eigen::Matrix<double, N, 1>& ds)
+      : normal(x_r.cross(x_s).normalized()), e1(x_r.normalized()), e2(normal.cross(e1)) {
+    const Eigen::Vector3d dual_r = x_s.cross(normal) / x_r.cross(x_s).norm();
+    const Eigen::Vector3d dual_s = normal.cross(x_r) / x_r.cross(x_s).norm();
+    d1 = e1.dot(dual_r) * dr + e1.dot(dual_s) * ds;
+    d2 = e2.dot(dual_r) * dr + e2.dot(dual_s) * ds;
+  }
+  Eigen::Vector3d normal, e1, e2;
+  Eigen::Matrix<double, N, 1> d1, d2;
+};
+
 // Rotation of the membrane about its normal, (e2.u,1 - e1.u,2)/2, minus the nodal rotation about
 // it.
 template <int N>
@@ -66,16 +81,12 @@ Eigen::Matrix<double, 1, 6 * N> drilling_row(const Eigen::Vector3d& x_r, const E
                                              const Eigen::Matrix<double, N, 1>& shape,
                                              const Eigen::Matrix<double, N, 1>& dr,
                                              const Eigen::Matrix<double, N, 1>& ds) {
-  const Eigen::Vector3d normal = x_r.cross(x_s).normalized();
-  const Eigen::Vector3d e1 = x_r.normalized(), e2 = normal.cross(e1);
-  const Eigen::Vector3d dual_r = x_s.cross(normal) / x_r.cross(x_s).norm();
-  const Eigen::Vector3d dual_s = normal.cross(x_r) / x_r.cross(x_s).norm();
-  const Eigen::Matrix<double, N, 1> d1 = e1.dot(dual_r) * dr + e1.dot(dual_s) * ds;
-  const Eigen::Matrix<double, N, 1> d2 = e2.dot(dual_r) * dr + e2.dot(dual_s) * ds;
+  const MembraneAxes<N> axes(x_r, x_s, dr, ds);
   Eigen::Matrix<double, 1, 6 * N> row = Eigen::Matrix<double, 1, 6 * N>::Zero();
-  add_translation(row, e2 / 2, d1);
-  add_translation(row, -e1 / 2, d2);
-  for (int i = 0; i < N; ++i) row.template segment<3>(6 * i + 3) -= shape[i] * normal.transpose();
+  add_translation(row, axes.e2 / 2, axes.d1);
+  add_translation(row, -axes.e1 / 2, axes.d2);
+  for (int i = 0; i < N; ++i)
+    row.template segment<3>(6 * i + 3) -= shape[i] * axes.normal.transpose();
   return row;
 }
 
@@ -93,24 +104,20 @@ drilling_tie(const Eigen::Matrix<double, 3, N>& rest, const Eigen::Matrix<double
              const std::array<Eigen::Matrix3d, N>& turned, const Eigen::Matrix<double, N, 1>& shape,
              const Eigen::Matrix<double, N, 1>& dr, const Eigen::Matrix<double, N, 1>& ds) {
   const Eigen::Vector3d x_r = rest * dr, x_s = rest * ds;
-  const Eigen::Vector3d normal = x_r.cross(x_s).normalized();
-  const Eigen::Vector3d e1 = x_r.normalized(), e2 = normal.cross(e1);
-  const Eigen::Vector3d dual_r = x_s.cross(normal) / x_r.cross(x_s).norm();
-  const Eigen::Vector3d dual_s = normal.cross(x_r) / x_r.cross(x_s).norm();
-  const Eigen::Matrix<double, N, 1> d1 = e1.dot(dual_r) * dr + e1.dot(dual_s) * ds;
-  const Eigen::Matrix<double, N, 1> d2 = e2.dot(dual_r) * dr + e2.dot(dual_s) * ds;
-  const Eigen::Vector3d x_1 = now * d1, x_2 = now * d2;
+  const MembraneAxes<N> axes(x_r, x_s, dr, ds);
+  const Eigen::Vector3d x_1 = now * axes.d1, x_2 = now * axes.d2;
   Eigen::Vector3d t1 = Eigen::Vector3d::Zero(), t2 = t1;
   for (int i = 0; i < N; ++i) {
-    t1 += shape[i] * (turned[i] * e1);
-    t2 += shape[i] * (turned[i] * e2);
+    t1 += shape[i] * (turned[i] * axes.e1);
+    t2 += shape[i] * (turned[i] * axes.e2);
   }
   DrillingTie<N> tie{Eigen::Matrix<double, 1, 6 * N>::Zero(), (t2.dot(x_1) - t1.dot(x_2)) / 2};
-  add_translation(tie.row, t2 / 2, d1);
-  add_translation(tie.row, -t1 / 2, d2);
+  add_translation(tie.row, t2 / 2, axes.d1);
+  add_translation(tie.row, -t1 / 2, axes.d2);
   for (int i = 0; i < N; ++i)
     tie.row.template segment<3>(6 * i + 3) +=
-        shape[i] / 2 * ((turned[i] * e2).cross(x_1) - (turned[i] * e1).cross(x_2)).transpose();
+        shape[i] / 2 *
+        ((turned[i] * axes.e2).cross(x_1) - (turned[i] * axes.e1).cross(x_2)).transpose();
   return tie;
 }
 

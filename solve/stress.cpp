@@ -148,18 +148,24 @@ MatrixXd shell_stress(const Model& model, const Points& points, Eigen::Index col
   return stress;
 }
 
+// Of no beams.
+StressField field_of_shells(Points points, MatrixXd shell) {
+  return {.shell = std::move(shell),
+          .node_of_point = std::move(points.node),
+          .director = std::move(points.director),
+          .thickness = std::move(points.thickness),
+          .section = std::move(points.section),
+          .beam = {},
+          .node_of_row = {}};
+}
+
 // stress_of(shell): rows of its corners; beam_stress(beam): rows of its fibres.
 template <class ShellStress, class BeamStress>
 StressField recovered(const Model& model, Eigen::Index columns, const ShellStress& stress_of,
                       const BeamStress& beam_stress) {
   Points points = points_of(model.mesh);
-  StressField field{.shell = shell_stress(model, points, columns, stress_of),
-                    .node_of_point = std::move(points.node),
-                    .director = std::move(points.director),
-                    .thickness = std::move(points.thickness),
-                    .section = std::move(points.section),
-                    .beam = {},
-                    .node_of_row = {}};
+  MatrixXd shell = shell_stress(model, points, columns, stress_of);
+  StressField field = field_of_shells(std::move(points), std::move(shell));
   const std::size_t fibres =
       std::transform_reduce(model.beams.begin(), model.beams.end(), std::size_t{0}, std::plus<>(),
                             [](const BeamElement& beam) { return 2 * beam.section.fibres.size(); });
@@ -195,13 +201,8 @@ StressField recover_stress(const Model& model, const MatrixXd& u) {
 
 StressField stress_points(const Model& model) {
   Points points = points_of(model.mesh);
-  return {.shell = MatrixXd(12 * Eigen::Index(points.node.size()), 0),
-          .node_of_point = std::move(points.node),
-          .director = std::move(points.director),
-          .thickness = std::move(points.thickness),
-          .section = std::move(points.section),
-          .beam = {},
-          .node_of_row = {}};
+  MatrixXd shell(12 * Eigen::Index(points.node.size()), 0);
+  return field_of_shells(std::move(points), std::move(shell));
 }
 
 StressField combined(const StressField& field, const MatrixXd& Q) {

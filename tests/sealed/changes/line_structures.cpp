@@ -66,6 +66,12 @@ FoundModes joined(FoundModes a, const FoundModes& b) {
   return a;
 }
 
+std::vector<std::string> bending_labels(char axis, int count) {
+  std::vector<std::string> all;
+  for (int k = 1; k <= count; ++k) all.push_back(transverse(axis, k));
+  return all;
+}
+
 std::vector<Station> stations_at(const std::vector<double>& places) {
   std::vector<Station> all;
   for (const double s : places) all.push_back({fmt::format("h{}", all.size() + 1), s});
@@ -184,11 +190,7 @@ public:
   double damping() const override { return 0.002; }
   double length() const override { return 0.72; }
   bool symmetric() const override { return true; }
-  std::vector<std::string> labels() const override {
-    std::vector<std::string> all;
-    for (int k = 1; k <= 6; ++k) all.push_back(transverse('z', k));
-    return all;
-  }
+  std::vector<std::string> labels() const override { return bending_labels('z', 6); }
   std::vector<Station> stations() const override { return stations_at(struck()); }
   std::vector<std::string> channels(std::size_t /*mode*/) const override {
     return channels_of(struck(), 'z');
@@ -240,11 +242,7 @@ public:
   bool symmetric() const override { return true; }
   double damping() const override { return 0.008; }
   double length() const override { return 0.5; }
-  std::vector<std::string> labels() const override {
-    std::vector<std::string> all;
-    for (int k = 1; k <= 6; ++k) all.push_back(transverse('z', k));
-    return all;
-  }
+  std::vector<std::string> labels() const override { return bending_labels('z', 6); }
   std::vector<Station> stations() const override { return stations_at(struck()); }
   std::vector<std::string> channels(std::size_t /*mode*/) const override {
     return channels_of(struck(), 'z');
