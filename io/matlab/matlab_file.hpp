@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-struct _mat_t; // the name of matio's, NOLINT(bugprone-reserved-identifier)
+struct _mat_t; // the name of matio's
 struct matvar_t;
 
 namespace plica {
