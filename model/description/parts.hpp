@@ -244,7 +244,10 @@ struct ConnectorChain {
 };
 
 struct PointMass {
-  std::string at;  // set of one or more nodes (the mass is rigidly tied when more than one)
+  // Set of one or more nodes. Several are rigid with it, unless it is soft or has no mass: then it
+  // moves with their mean motion, and they are free to deform.
+  std::string at;
+  bool soft = false;
   Triple offset{}; // from that node to the centre of mass
   double mass = 0;
   Sextuple inertia{}; // about the centre of mass: xx yy zz xy yz zx, kg m2

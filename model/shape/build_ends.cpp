@@ -164,7 +164,10 @@ void add_mass(Building& b, const std::string& name, const PointMass& mass) {
   int node = nodes.front();
   if (nodes.size() > 1) {
     node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
-    add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
+    if (mass.soft || !has_mass(mass.mass, mass.inertia))
+      add_distributing_coupling(b.built.model, node, nodes, "mass " + name);
+    else
+      add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
   }
   b.built.mass_nodes[name] = node;
   b.built.model.masses.push_back({node, rigid_mass(mass.mass, mass.inertia, mass.offset)});
