@@ -36,7 +36,7 @@ std::pair<std::string, double> channel_as(const std::string& channel,
 Measured named_by_place(Measured test, const Measured& simulated, double reach) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> near;
   for (std::size_t i = 0; i < test.sensors.size(); ++i)
-    for (std::size_t j = 0; j < simulated.sensors.size(); ++j) {
+    for (std::size_t j = 0; test.sensors[i].on.empty() && j < simulated.sensors.size(); ++j) {
       const auto at = [](const MeasuredSensor& s) {
         return Eigen::Map<const Eigen::Vector3d>(s.at.data());
       };

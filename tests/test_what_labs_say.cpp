@@ -42,7 +42,8 @@ TEST(WhatLabsSay, sensors_that_were_not_weighed_come_besides) {
                   .weighings.at(0)
                   .value,
               1.208, 1e-12);
-  EXPECT_NE(problem_of("mass: {value: 1.2 kg, without_sensors: true}\n").find("none has a mass"),
+  EXPECT_NE(problem_of("mass: {value: 1.2 kg, without_sensors: true}\n")
+                .find("none on the part has a mass"),
             std::string::npos);
 }
 

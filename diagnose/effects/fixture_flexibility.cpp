@@ -52,6 +52,8 @@ std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
                          },
                          Follow::series};
     };
+    std::vector<int> released = ends.nodes;
+    released.insert(released.end(), ends.fixtures.begin(), ends.fixtures.end());
     found.push_back(
         {.effect = "fixture_flexibility",
          .place = ends.place,
@@ -70,7 +72,7 @@ std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
                    v[0] * omega * omega, v[0], inertia * std::pow(omega * v[2], 2), inertia));
              },
          .at_rig = false,
-         .released = ends.nodes,
+         .released = std::move(released),
          .in_case =
              [place = ends.place](const Case& now, const Eigen::VectorXd& v) {
                return on_fixtures(now, place, v);

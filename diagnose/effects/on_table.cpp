@@ -1,5 +1,8 @@
 #include "diagnose/effects/on_table.hpp"
 
+#include "solve/couplings.hpp"
+#include "words/input_error.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -14,6 +17,44 @@ bool is_end_of_a_part(const Case& data, const std::string& set) {
     return std::any_of(std::begin(ends), std::end(ends),
                        [&](const char* end) { return set == part.name + end; });
   });
+}
+
+int node_of_fixture(BuiltCase& built, const Case& data, const std::string& place) {
+  const auto mount = std::find_if(data.mount.begin(), data.mount.end(), [&](const Mount& m) {
+    return m.kind != MountKind::free && place_of(m) == place;
+  });
+  if (mount == data.mount.end())
+    input_error("sensors", "the case holds nothing at '" + place + "'", "a mount of the case");
+  if (mount->kind == MountKind::springs) return node_on_table(built, *mount);
+  const auto known = built.fixture_nodes.find(mount->cap);
+  if (known != built.fixture_nodes.end()) return known->second;
+  Model& model = built.model;
+  const int end = built.cap_nodes.at(mount->cap);
+  const Eigen::Vector3d at = model.mesh.nodes[std::size_t(end)];
+  BushingElement tie{.node1 = end, .node2 = add_node(model, at), .bushing = {}};
+  constexpr double too_soft = 1e-3; // N/m and Nm/rad, to hold anything
+  tie.bushing.law.diagonal().setConstant(too_soft);
+  model.bushings.push_back(tie);
+  built.held_nodes.push_back(tie.node2);
+  built.fixture_nodes[mount->cap] = tie.node2;
+  return tie.node2;
+}
+
+void add_sensor_beside_the_part(BuiltCase& built, const Case& data, const Sensor& sensor) {
+  const Eigen::Vector3d at(sensor.at[0], sensor.at[1], sensor.at[2]);
+  const std::vector<int> all{0, 1, 2, 3, 4, 5};
+  int node = -1;
+  if (sensor.on == on_the_table) {
+    node = add_node(built.model, at);
+    for (int dof : all)
+      built.model.constraints.push_back({node, dof, {}, "sensor " + sensor.name + " on the table"});
+    built.table_nodes.push_back(node);
+  } else {
+    const int fixture = node_of_fixture(built, data, sensor.on);
+    node = add_node(built.model, at);
+    add_kinematic_coupling(built.model, fixture, {node}, all, "arm of sensor " + sensor.name);
+  }
+  built.sensors.push_back({sensor.name, node, 0, {sensor.axes[0], sensor.axes[1], sensor.axes[2]}});
 }
 
 } // namespace
@@ -62,6 +103,8 @@ BuiltCase build_on_table(const Case& data) {
     for (int i : springs) model.bushings[std::size_t(i)].node2 = foot;
     built.held_nodes.push_back(foot);
   }
+  for (const Sensor& sensor : data.sensors)
+    if (!sensor.on.empty()) add_sensor_beside_the_part(built, data, sensor);
   return built;
 }
 

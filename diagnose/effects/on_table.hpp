@@ -5,6 +5,7 @@
 // not feel them, whatever they are.
 #pragma once
 
+#include "lab/measured/measured.hpp"
 #include "model/shape/build.hpp"
 
 namespace plica {
@@ -17,7 +18,10 @@ Case clamped_by_mounts(Case data);
 // "mount.left", or that of a support.
 std::string place_of(const Mount& mount);
 
-// As build(), the feet among held_nodes.
+// As build(), the feet among held_nodes. Sensors that sit beside the part come last. On a fixture
+// they are rigid arms: of the foot of its springs, or of a node in the place of an end that is held
+// rigidly, which the table holds beside it. A spring ties that node to the end, too soft to hold
+// anything: where both are let go it goes where the end goes. On the table they do not move.
 BuiltCase build_on_table(const Case& data);
 
 // What the table holds of a mount: the cap's node, or the foot of its springs.

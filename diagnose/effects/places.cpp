@@ -91,14 +91,27 @@ int cap_node(const Structure& s, const std::string& cap) {
   return found == s.built.cap_nodes.end() ? -1 : found->second;
 }
 
+std::vector<std::string> sensor_names(const Structure& s) {
+  std::vector<std::string> names;
+  for (const BuiltSensor& sensor : s.built.sensors) names.push_back(sensor.name);
+  for (const MeasuredSensor& sensor : s.measured.sensors)
+    if (!sensor.on.empty()) names.push_back(sensor.name);
+  return names;
+}
+
 std::vector<HeldEnds> held_ends(const Structure& s, bool rigid) {
   std::vector<HeldEnds> found;
   HeldEnds all{.place = "mount", .nodes = {}};
   for (const Mount& m : s.data.mount) {
     if (m.kind == MountKind::free || (rigid && m.kind != MountKind::rigid)) continue;
     const int node = node_on_table(s.built, m);
-    found.push_back({place_of(m), {node}});
+    HeldEnds own{.place = place_of(m), .nodes = {node}};
+    if (const auto fixture = s.built.fixture_nodes.find(m.cap);
+        fixture != s.built.fixture_nodes.end())
+      own.fixtures.push_back(fixture->second);
     all.nodes.push_back(node);
+    all.fixtures.insert(all.fixtures.end(), own.fixtures.begin(), own.fixtures.end());
+    found.push_back(std::move(own));
   }
   if (all.nodes.size() > 1) found.push_back(std::move(all));
   return found;

@@ -29,6 +29,9 @@ struct PartGroup {
 };
 std::vector<PartGroup> part_groups(const Structure& s);
 
+// Sensors of the case, then those of the test beside the part.
+std::vector<std::string> sensor_names(const Structure& s);
+
 // Reference node of a cap; -1 = none.
 int cap_node(const Structure& s, const std::string& cap);
 // What the table holds: a cap that is mounted rigidly, or the foot under the springs of a mount
@@ -36,6 +39,9 @@ int cap_node(const Structure& s, const std::string& cap);
 struct HeldEnds {
   std::string place;
   std::vector<int> nodes;
+  // Of rigid mounts, where sensors sit on the fixture: its nodes, which stay on the table when the
+  // ends give way and go with them when the fixture moves.
+  std::vector<int> fixtures = {};
 };
 // Each, and all of them alike; `rigid`: without the feet of springs.
 std::vector<HeldEnds> held_ends(const Structure& s, bool rigid = false);

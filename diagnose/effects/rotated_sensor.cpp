@@ -1,4 +1,4 @@
-#include "diagnose/effects/effect.hpp"
+#include "diagnose/effects/places.hpp"
 
 #include "words/directions.hpp"
 
@@ -12,14 +12,14 @@ using Eigen::Vector3d;
 
 std::vector<Hypothesis> rotated_sensor_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  for (const BuiltSensor& sensor : s.built.sensors)
+  for (const std::string& sensor : sensor_names(s))
     for (int axis = 0; axis < 3; ++axis)
       found.push_back(
           {.effect = "rotated_sensor",
-           .place = "sensor." + sensor.name,
+           .place = "sensor." + sensor,
            .way = std::string("about ") + axis_word(axis),
            .parameters = {{"angle", "rad", {PriorKind::normal, 0, 0.25}}},
-           .setup = [name = sensor.name, axis](TestSetup& setup, const Eigen::VectorXd& v) {
+           .setup = [name = sensor, axis](TestSetup& setup, const Eigen::VectorXd& v) {
              Matrix3d& reading = setup.reading_of(name);
              reading = Eigen::AngleAxisd(-v[0], Vector3d::Unit(axis)).toRotationMatrix() * reading;
            }});

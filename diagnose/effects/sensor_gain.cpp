@@ -1,16 +1,16 @@
-#include "diagnose/effects/effect.hpp"
+#include "diagnose/effects/places.hpp"
 
 namespace plica {
 namespace {
 
 std::vector<Hypothesis> sensor_gain_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
-  for (const BuiltSensor& sensor : s.built.sensors)
+  for (const std::string& sensor : sensor_names(s))
     found.push_back({.effect = "sensor_gain",
-                     .place = "sensor." + sensor.name,
+                     .place = "sensor." + sensor,
                      .way = "",
                      .parameters = {{"gain", "", {PriorKind::log_normal, 1, 0.15}}},
-                     .setup = [name = sensor.name](TestSetup& setup, const Eigen::VectorXd& v) {
+                     .setup = [name = sensor](TestSetup& setup, const Eigen::VectorXd& v) {
                        setup.reading_of(name) *= v[0];
                      }});
   return found;

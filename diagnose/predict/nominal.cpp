@@ -13,6 +13,7 @@
 #include "run/analyses/damping.hpp"
 #include "solve/model_error.hpp"
 #include "solve/parallel.hpp"
+#include "words/did_you_mean.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
@@ -75,16 +76,19 @@ std::vector<int> boundary_of(const BuiltCase& built, const Case& data, const Mea
 }
 
 // Supports, or springs to the ground.
-bool held_otherwise(const Model& model) {
-  return std::any_of(model.constraints.begin(), model.constraints.end(),
-                     [](const Constraint& c) { return c.terms.empty(); }) ||
+bool held_otherwise(const BuiltCase& built) {
+  const Model& model = built.model;
+  const std::set<int> table(built.table_nodes.begin(), built.table_nodes.end());
+  return std::any_of(
+             model.constraints.begin(), model.constraints.end(),
+             [&](const Constraint& c) { return c.terms.empty() && !table.contains(c.node); }) ||
          std::any_of(model.bushings.begin(), model.bushings.end(),
                      [](const BushingElement& b) { return b.node2 < 0; });
 }
 
 // Springs of mounts are all that holds it.
-bool hangs_in_springs(const Case& data, const Model& model) {
-  return !held_otherwise(model) &&
+bool hangs_in_springs(const Case& data, const BuiltCase& built) {
+  return !held_otherwise(built) &&
          std::none_of(data.mount.begin(), data.mount.end(),
                       [](const Mount& m) { return m.kind == MountKind::rigid; });
 }
@@ -136,7 +140,8 @@ VectorXd damping_of_springs(const BuiltCase& built, const Model& model, const Ve
   return zeta;
 }
 
-// Where a test sees shapes and the case has no sensor, as sensors without mass.
+// Where a test sees shapes and the case has no sensor, then what sits beside the part, as sensors
+// without mass.
 std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
   std::set<std::string> seen;
   for (const MeasuredMode& mode : measured.modes)
@@ -144,10 +149,35 @@ std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
       for (const std::string& channel : mode.vector->channels)
         seen.insert(channel.substr(0, channel.rfind('.')));
   for (const Sensor& sensor : data.sensors) seen.erase(sensor.name);
-  std::vector<Sensor> stations;
+  std::vector<Sensor> stations, beside;
   for (const MeasuredSensor& m : measured.sensors)
-    if (seen.contains(m.name)) stations.push_back({.name = m.name, .at = m.at});
+    if (!m.on.empty())
+      beside.push_back({.name = m.name, .at = m.at, .on = m.on});
+    else if (seen.contains(m.name))
+      stations.push_back({.name = m.name, .at = m.at});
+  stations.insert(stations.end(), beside.begin(), beside.end());
   return stations;
+}
+
+// Sensors beside the part need something that is there, and a name of their own.
+void check_sensors_beside_the_part(const Case& data, const Measured& measured) {
+  std::vector<std::string> places{on_the_table};
+  for (const Mount& m : data.mount)
+    if (m.kind != MountKind::free) places.push_back(place_of(m));
+  std::vector<InputProblem> problems;
+  for (std::size_t i = 0; i < measured.sensors.size(); ++i) {
+    const MeasuredSensor& own = measured.sensors[i];
+    if (own.on.empty()) continue;
+    const std::string key = "sensors[" + std::to_string(i) + "].";
+    if (std::find(places.begin(), places.end(), own.on) == places.end())
+      problems.push_back({"", 0, key + "on", "the case stands on no '" + own.on + "'",
+                          suggestion(own.on, places)});
+    if (std::any_of(data.sensors.begin(), data.sensors.end(),
+                    [&](const Sensor& s) { return s.name == own.name; }))
+      problems.push_back({"", 0, key + "on", "the case has sensor '" + own.name + "' on the part",
+                          "a name that no sensor of the case has, or no `on`"});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 // Whose place the model has not, of the sensors from `first` on; none: something else is wrong.
@@ -208,8 +238,8 @@ std::unique_ptr<ParametricModel> reduced_model(const NominalState& state,
     return std::find(boundary.begin(), boundary.end(), node) == boundary.end();
   });
   std::sort(held.begin(), held.end());
-  const bool free = held.empty() && !held_otherwise(built.model);
-  const bool hung = !free && hangs_in_springs(state.data, built.model);
+  const bool free = held.empty() && !held_otherwise(built);
+  const bool hung = !free && hangs_in_springs(state.data, built);
   if (free && boundary.empty()) boundary = {anchor_of(built.model)};
   Model model = model_in_state(state.data, built);
   MatrixXd loose = MatrixXd::Identity(6, free || hung ? 6 : 0);
@@ -257,6 +287,21 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   return state;
 }
 
+// The longest side of what encloses the part.
+double length_of(const NominalState& state) {
+  std::set<int> beside;
+  for (const Sensor& s : state.data.sensors)
+    if (!s.on.empty()) beside.insert(state.observed[std::size_t(state.number_of(s.name))].node);
+  const std::vector<Eigen::Vector3d>& nodes = state.built.model.mesh.nodes;
+  Eigen::Vector3d low = nodes.front(), high = low;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (beside.contains(int(i))) continue;
+    low = low.cwiseMin(nodes[i]);
+    high = high.cwiseMax(nodes[i]);
+  }
+  return (high - low).maxCoeff();
+}
+
 } // namespace
 
 int NominalState::number_of(const std::string& sensor) const {
@@ -291,6 +336,7 @@ Structure Nominal::structure(const Measured& measured) const {
 
 Nominal nominal_of(const Case& data, const Measured& measured) {
   Case plain = clamped_by_mounts(data);
+  check_sensors_beside_the_part(plain, measured);
   plain.analyses.error_bars = false;
   const bool coarse = build(plain).model.mesh.nodes.size() > small_mesh;
   plain = with_counted_mesh(plain, coarse);
@@ -316,12 +362,7 @@ Nominal nominal_of(const Case& data, const Measured& measured) {
   nominal.frequency =
       plica::frequency(std::exp(lambda.head(std::min(lowest, lambda.size())).array().log().mean()));
   nominal.stiffness = model.mass * lambda[0];
-  Eigen::Vector3d low = first.built.model.mesh.nodes.front(), high = low;
-  for (const Eigen::Vector3d& x : first.built.model.mesh.nodes) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  nominal.length = (high - low).maxCoeff();
+  nominal.length = length_of(first);
   return nominal;
 }
 

@@ -24,7 +24,8 @@ struct NominalState {
   std::vector<ModeLabel> labels;
   std::vector<int> kinds; // of each label: a number for its shape and direction
   // The sensors of the case, then places where one might be put, massless and named by the place,
-  // then the stations of a test: where it sees shapes and the case has no sensor.
+  // then the stations of a test: where it sees shapes and the case has no sensor, and what sits
+  // beside the part.
   std::vector<BuiltSensor> observed;
   std::size_t stations = 0;
   std::vector<Eigen::Matrix3d> axes; // of each: rows are its own axes

@@ -180,21 +180,21 @@ void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
 void add_test(std::vector<Hypothesis>& all, const Structure& s) {
   all.push_back(of_the_test("damping", "all", scatters::all_damping_of(s.data),
                             [](TestSetup& setup, double v) { setup.damping *= std::exp(v); }));
-  for (const BuiltSensor& sensor : s.built.sensors) {
-    const auto reading = [name = sensor.name](TestSetup& setup) -> Eigen::Matrix3d& {
+  for (const std::string& sensor : sensor_names(s)) {
+    const auto reading = [name = sensor](TestSetup& setup) -> Eigen::Matrix3d& {
       return setup.reading.try_emplace(name, Eigen::Matrix3d::Identity()).first->second;
     };
-    all.push_back(of_the_test("gain", "sensor." + sensor.name, scatters::gain,
+    all.push_back(of_the_test("gain", "sensor." + sensor, scatters::gain,
                               [reading](TestSetup& setup, double v) { reading(setup) *= 1 + v; }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
-          "place", "sensor." + sensor.name, scatters::off_place,
-          [name = sensor.name, axis](TestSetup& setup, double v) {
+          "place", "sensor." + sensor, scatters::off_place,
+          [name = sensor, axis](TestSetup& setup, double v) {
             setup.moved.try_emplace(name, Eigen::Vector3d::Zero()).first->second[axis] += v;
           }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
-          "turn", "sensor." + sensor.name, scatters::turn * radians,
+          "turn", "sensor." + sensor, scatters::turn * radians,
           [reading, axis](TestSetup& setup, double v) {
             reading(setup) = Eigen::AngleAxisd(v, Eigen::Vector3d::Unit(axis)).toRotationMatrix() *
                              reading(setup);

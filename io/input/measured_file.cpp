@@ -2,6 +2,7 @@
 
 #include "io/input/field_reader.hpp"
 #include "io/input/measured_orders.hpp"
+#include "io/input/measured_sensors.hpp"
 #include "io/input/measured_states.hpp"
 #include "io/lab_files/stiffness_table.hpp"
 #include "io/lab_files/universal_modes.hpp"
@@ -21,19 +22,6 @@
 namespace plica {
 
 namespace {
-
-void check_sensors(const Measured& m, ReadLog& log) {
-  for (std::size_t i = 0; i < m.sensors.size(); ++i) {
-    const MeasuredSensor& s = m.sensors[i];
-    const std::string key = item("sensors", i);
-    for (std::size_t j = 0; j < i; ++j)
-      if (!s.name.empty() && m.sensors[j].name == s.name)
-        log.add(key + ".name", "the name '" + shown(s.name) + "' is used by another sensor",
-                "names must differ");
-    if (s.axes.size() == 3 && !are_three_axes(s.axes))
-      log.add(key + ".axes", "two axes of the sensor coincide", three_axes);
-  }
-}
 
 void check_sensor_named(const Measured& m, const std::string& key, const std::string& name,
                         ReadLog& log) {
@@ -129,6 +117,7 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
     check_channels(m, f.channels, key + ".channels", "", log);
     if (!f.force.empty() && !m.sensors.empty())
       check_channels(m, {f.force}, key + ".force", "", log);
+    check_driven(m, f.force, key + ".force", log);
     const bool asked = log.lines.count(key + ".base") > 0;
     if (asked == !f.force.empty())
       log.add(key, asked ? "has a base and a driven channel" : "says neither base nor force",
@@ -144,6 +133,7 @@ void check_responses(const Measured& m, const std::string& path, ReadLog& log) {
     check_file(s.file, key + ".file", path, log);
     check_channels(m, s.channels, key + ".channels", s.reference, log);
     if (!s.force.empty()) check_channels(m, {s.force}, key + ".force", "", log);
+    check_driven(m, s.force, key + ".force", log);
     if (s.base && !s.force.empty())
       log.add(key, "has a base and a driven channel",
               "base, or force for the channel that was driven");
@@ -198,6 +188,7 @@ void check_drive(const Measured& m, const MeasuredMode& mode, const std::string&
     return;
   }
   check_channel(sensor_channels(m), mode.drive, key + ".drive", log);
+  check_driven(m, mode.drive, key + ".drive", log);
   if (mode.base || mode.level)
     log.add(key, "has both a table and a shaker", "base and level, or drive and its level");
   if (levels != 1)
@@ -243,19 +234,6 @@ void take_all_repeats(Measured& m, ReadLog& log) {
                  log);
   for (std::size_t i = 0; i < m.modes.size(); ++i)
     take_repeats(m.modes[i].repeats, m.modes[i].frequency, m.modes[i].sigma, item("modes", i), log);
-}
-
-// What the scale did not see comes besides.
-void weigh_sensors(Measured& m, ReadLog& log) {
-  double sensors = 0;
-  for (const MeasuredSensor& s : m.sensors) sensors += s.mass;
-  for (std::size_t i = 0; i < m.weighings.size(); ++i) {
-    if (!m.weighings[i].without_sensors) continue;
-    if (sensors == 0)
-      log.add(weighing_key(log, i) + ".without_sensors",
-              "says that the sensors were not weighed, and none has a mass", "sensors with a mass");
-    m.weighings[i].value += sensors;
-  }
 }
 
 void check_slopes(const Measured& m, ReadLog& log) {

@@ -27,7 +27,11 @@ struct MeasuredSensor {
   std::vector<int> axes{1, 2, 3}; // its own three axes: 1 x, 2 y, 3 z, negative = reversed
   double mass = 0;
   int node = 0; // its number in universal files; 0 = found by its name
+  // What it sits on beside the part: "table", or the fixture under a mount, "mount.left", or under
+  // an end that a support holds, "supports[0]"; empty = the part.
+  std::string on = {};
 };
+inline constexpr const char* on_the_table = "table";
 
 // A state of the specimen in which some entries were measured: "loaded", "as_delivered".
 struct MeasuredState {

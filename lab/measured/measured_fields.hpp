@@ -32,6 +32,9 @@ template <class V> void fields(V& v, MeasuredSensor& s) {
             "directions of the part frame its three axes point in");
   v.quantity(s.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
   v.whole(s.node, "node", {.min = 1}, "its number in universal files");
+  v.text(s.on, "on", {},
+         "what it sits on beside the part: table, or the fixture under a mount or a support of the "
+         "case, such as mount.left");
 }
 
 template <class V> void fields(V& v, MeasuredState& s) {

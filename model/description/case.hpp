@@ -52,6 +52,8 @@ struct Sensor {
   std::vector<int> axes{1, 2, 3}; // its own three axes: 1 x, 2 y, 3 z, negative = reversed
   double mass = 0;                // rides on that node
   double reach = 5e-3;            // m, how far the nearest node may be
+  // Of a test: what it sits on beside the part, MeasuredSensor::on; empty = the part.
+  std::string on = {};
 };
 
 // The same case with some numbers changed: shown beside the nominal results.

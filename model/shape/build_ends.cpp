@@ -196,6 +196,7 @@ void add_mount(Building& b) {
 void place_sensors(Building& b) {
   for (std::size_t i = 0; i < b.data.sensors.size(); ++i) {
     const Sensor& sensor = b.data.sensors[i];
+    if (!sensor.on.empty()) continue; // it is not on the part
     auto [node, distance] = nearest_node(b.built.model.mesh, vector(sensor.at));
     auto [axis_node, along] = nearest_section(b, vector(sensor.at));
     if (const auto [beam_node, off] = nearest_beam(b, sensor); off < along) {

@@ -22,6 +22,10 @@ struct BuiltCase {
   std::vector<BuiltSensor> sensors;
   std::vector<std::array<double, 2>>
       meridian; // [y, r] of the shells of revolution that follow one another
+  // Where sensors sit beside the part (build_on_table of a diagnosis): of rigid mounts, by their
+  // caps, a node of the fixture under the end; and nodes of the table.
+  std::map<std::string, int> fixture_nodes = {};
+  std::vector<int> table_nodes = {};
 };
 
 // Of every bellows with `wall.slip` by its name: the laws of its plies from end to end.
