@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace plica {
@@ -15,6 +16,16 @@ double mean_y(const Mesh& mesh, const std::vector<int>& nodes) {
   double sum = 0;
   for (int node : nodes) sum += mesh.nodes[node].y();
   return sum / double(nodes.size());
+}
+
+void set_places_along(WallElements& wall, const Model& model) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int q : wall.quads)
+    for (int node : model.mesh.quads[std::size_t(q)].nodes) {
+      low = std::min(low, model.mesh.nodes[std::size_t(node)].y());
+      high = std::max(high, model.mesh.nodes[std::size_t(node)].y());
+    }
+  for (int q : wall.quads) wall.along.push_back((quad_centre(model, q).y() - low) / (high - low));
 }
 
 } // namespace
@@ -68,9 +79,11 @@ std::vector<WallElements> walls(const Structure& s) {
     WallElements wall{.part = part.name,
                       .quads = {},
                       .convolution = {},
+                      .along = {},
                       .root_radius = bellows->root_radius,
                       .plies = bellows->wall.plies,
-                      .bond = bellows->wall.bond};
+                      .bond = bellows->wall.bond,
+                      .thickness_field = bellows->wall.thickness_field};
     const std::vector<double> y = roots(model.mesh, part.name);
     wall.convolutions = std::max(0, int(y.size()) - 1);
     for (std::size_t q = 0; q < model.mesh.quads.size(); ++q) {
@@ -81,6 +94,7 @@ std::vector<WallElements> walls(const Structure& s) {
       wall.quads.push_back(int(q));
       wall.convolution.push_back(above == std::ptrdiff_t(y.size()) ? 0 : int(above));
     }
+    set_places_along(wall, model);
     found.push_back(std::move(wall));
   }
   return found;

@@ -13,10 +13,12 @@ struct WallElements {
   std::string part;
   std::vector<int> quads;
   std::vector<int> convolution;
+  std::vector<double> along; // of each, where it sits from the left end, 0, to the right, 1
   int convolutions = 0;
   double root_radius = 0;
   std::vector<double> plies; // m
   double bond = 1;
+  std::optional<double> thickness_field = {}; // as in Wall
 };
 std::vector<WallElements> walls(const Structure& s);
 

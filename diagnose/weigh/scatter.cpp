@@ -114,7 +114,56 @@ void add_material(std::vector<Hypothesis>& all, bool modulus_known, bool density
     }));
 }
 
-// A smooth field along each wall: cosines of one to four half waves, each with its share.
+// A smooth field of stiffness: cosines of one to four half waves, each with its share.
+void add_field_of_stiffness(std::vector<Hypothesis>& all, const WallElements& wall) {
+  for (int k = 1; k <= waves && wall.convolutions > 1; ++k)
+    all.push_back(varying("stiffness field", wall.part, scatters::field * std::sqrt(2. / waves),
+                          [wall, k](Model& m) {
+                            // One section per convolution.
+                            std::map<int, int> section;
+                            for (std::size_t i = 0; i < wall.quads.size(); ++i) {
+                              ShellQuad& quad = m.mesh.quads[std::size_t(wall.quads[i])];
+                              const auto [at, made] = section.try_emplace(wall.convolution[i], 0);
+                              if (made) {
+                                const double x = (wall.convolution[i] - 0.5) / wall.convolutions;
+                                ShellProperties own = m.shells[quad.section];
+                                own.section.E *= 1 + step * std::cos(std::numbers::pi * k * x);
+                                at->second = int(m.shells.size());
+                                m.shells.push_back(own);
+                              }
+                              quad.section = at->second;
+                            }
+                          }));
+}
+
+// The same of thickness, where the case says how far it scatters: membrane and mass go with it,
+// bending with its cube. Stiffness and mass follow a parabola through two points of each cosine; a
+// large field lets the motion settle where the wall is thin.
+void add_field_of_thickness(std::vector<Hypothesis>& all, const WallElements& wall, double field) {
+  const double sigma = field * std::sqrt(2. / waves), reach = 2 * sigma;
+  constexpr double small = 0.03;
+  const Follow follow = field > small ? Follow::series : Follow::nominal;
+  const std::vector<double> samples{-reach, reach};
+  const auto coefficients = coefficients_through(
+      [reach](double x) { return VectorXd(Eigen::Vector2d(x / reach, x * x / (reach * reach))); },
+      samples);
+  for (int k = 1; k <= waves; ++k) {
+    Hypothesis h{.effect = "thickness field",
+                 .place = wall.part,
+                 .way = "",
+                 .parameters = {{"thickness", "", {PriorKind::normal, 0, sigma}}},
+                 .coefficients = [coefficients](const VectorXd& v) { return coefficients(v[0]); }};
+    for (double x : samples)
+      h.changes.push_back({[wall, k, x](Model& m) {
+                             for (std::size_t i = 0; i < wall.quads.size(); ++i)
+                               m.mesh.quads[std::size_t(wall.quads[i])].thickness *=
+                                   1 + x * std::cos(std::numbers::pi * k * wall.along[i]);
+                           },
+                           follow});
+    all.push_back(std::move(h));
+  }
+}
+
 void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
   for (const WallElements& wall : walls(s)) {
     if (!has_tolerance(s, wall.part + ".wall.plies"))
@@ -122,28 +171,14 @@ void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
           varying("thickness", wall.part, scatters::thickness, [quads = wall.quads](Model& m) {
             for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;
           }));
-    for (int k = 1; k <= waves && wall.convolutions > 1; ++k)
-      all.push_back(varying("stiffness field", wall.part, scatters::field * std::sqrt(2. / waves),
-                            [wall, k](Model& m) {
-                              // One section per convolution.
-                              std::map<int, int> section;
-                              for (std::size_t i = 0; i < wall.quads.size(); ++i) {
-                                ShellQuad& quad = m.mesh.quads[std::size_t(wall.quads[i])];
-                                const auto [at, made] = section.try_emplace(wall.convolution[i], 0);
-                                if (made) {
-                                  const double x = (wall.convolution[i] - 0.5) / wall.convolutions;
-                                  ShellProperties own = m.shells[quad.section];
-                                  own.section.E *= 1 + step * std::cos(std::numbers::pi * k * x);
-                                  at->second = int(m.shells.size());
-                                  m.shells.push_back(own);
-                                }
-                                quad.section = at->second;
-                              }
-                            }));
+    if (!wall.thickness_field)
+      add_field_of_stiffness(all, wall);
+    else if (*wall.thickness_field > 0)
+      add_field_of_thickness(all, wall, *wall.thickness_field);
   }
 }
 
-// The same along a beam that stands as one part.
+// A field of stiffness along a beam that stands as one part.
 void add_beams(std::vector<Hypothesis>& all, const Structure& s) {
   for (const Part& part : s.data.parts) {
     if (!std::holds_alternative<BeamPart>(part.body)) continue;

@@ -1,7 +1,9 @@
 // What varies between admissible specimens and tests: the scatter that no effect has to explain.
 //
 // Standard deviations stand below; the tolerances of the case itself come besides. The wall's
-// thickness scatters where the drawing gives no tolerance, its stiffness as a smooth field.
+// thickness scatters where the drawing gives no tolerance, its stiffness as a smooth field. What
+// varies along a sheet is its thickness: where the case says how far (Wall::thickness_field), that
+// field stands in place of the one of stiffness.
 #pragma once
 
 #include "diagnose/effects/effect.hpp"

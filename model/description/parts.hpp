@@ -55,6 +55,9 @@ struct Wall {
   Thinning thinning = Thinning::none;
   double thinning_exponent = 0.5; // local: t(r) = t (r_root / r)^p
   std::optional<PlySlip> slip = {};
+  // Standard deviation of a smooth field of thickness along the wall, over the thickness: how far
+  // admissible walls differ. None = not known.
+  std::optional<double> thickness_field = {};
   bool operator==(const Wall&) const = default;
 };
 

@@ -91,6 +91,9 @@ template <class V> void fields(V& v, Wall& w) {
     v.quantity(w.thinning_exponent, "thinning_exponent", {.min = 0, .max = 3},
                "exponent of local thinning");
   v.object(w.slip, "slip", optional_key, "friction between the plies, which stick until they slip");
+  v.quantity(w.thickness_field, "thickness_field", {.unit = Dimension::ratio, .min = 0, .max = 0.2},
+             "how far the thickness scatters smoothly along the wall: standard deviation that a "
+             "diagnosis gives it, in place of 2 % of stiffness");
 }
 
 template <class V> void fields(V& v, MeshDensity& m) {
