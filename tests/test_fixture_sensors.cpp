@@ -54,6 +54,17 @@ Case beam(bool on_springs = false) {
   return c;
 }
 
+// One that bends far below what it does as a rigid body.
+Case slender(bool on_springs = false) {
+  Case c = beam_of(4, 0.4, 0.03, 0.012, true);
+  if (on_springs) {
+    c.mount[0].kind = MountKind::springs;
+    c.mount[0].stiffness = {1e8, 1e8, 1e8, 1e6, 1e6, 1e6};
+  }
+  c.sensors = {{.name = "tip", .at = {0, 0.4, 0}}};
+  return c;
+}
+
 Hypothesis of(const std::string& effect, const Nominal& nominal, const Measured& m,
               const std::string& way = "", const std::string& place = "mount.root") {
   for (Hypothesis& h : effect_named(effect).hypotheses(nominal.structure(m)))
@@ -88,11 +99,11 @@ TEST(FixtureSensors, read_one_on_what_does_not_move) {
   const Measured m = watched();
   for (bool on_springs : {false, true}) {
     const Nominal nominal = nominal_of(beam(on_springs), m);
-    for (const MeasuredSensor& s : m.sensors)
+    for (const char* sensor : {"before", "table"})
       for (int base : {0, 1, 2})
         for (int axis : {0, 1, 2}) {
-          const VectorXcd H = shown(nominal, nullptr, VectorXd(), s.name, base, axis, hertz);
-          EXPECT_LT((H.array() - (axis == base ? 1. : 0.)).abs().maxCoeff(), 1e-9) << s.name;
+          const VectorXcd H = shown(nominal, nullptr, VectorXd(), sensor, base, axis, hertz);
+          EXPECT_LT((H.array() - (axis == base ? 1. : 0.)).abs().maxCoeff(), 1e-9) << sensor;
         }
   }
 }
@@ -143,17 +154,18 @@ TEST(FixtureSensors, are_rigid_arms_of_a_fixture_that_rocks) {
 TEST(FixtureSensors, tell_a_fixture_from_an_end_that_gives_way) {
   const Measured m = watched();
   const VectorXd soft = Eigen::Vector2d(2e6, 2e3);
-  const Nominal rigid = nominal_of(beam(), m), sprung = nominal_of(beam(true), m);
+  const Nominal rigid = nominal_of(slender(), m), sprung = nominal_of(slender(true), m);
   const Hypothesis springs = of("boundary_compliance", rigid, m),
                    ratio = of("boundary_compliance", sprung, m);
   const auto check = [&](const Nominal& nominal, const Hypothesis& h, const VectorXd& values) {
-    const VectorXcd tip = shown(nominal, &h, values, "tip", 2, 2, hertz),
-                    fixture = shown(nominal, &h, values, "before", 2, 2, hertz);
+    const VectorXd low = VectorXd::LinSpaced(400, 10, 200);
+    const VectorXcd tip = shown(nominal, &h, values, "tip", 2, 2, low),
+                    fixture = shown(nominal, &h, values, "before", 2, 2, low);
     EXPECT_GT(tip.cwiseAbs().maxCoeff(), 2);
     EXPECT_LT((fixture.array() - 1.).abs().maxCoeff(), 1e-9);
   };
   check(rigid, springs, soft);
-  check(sprung, ratio, VectorXd::Constant(1, 0.02));
+  check(sprung, ratio, VectorXd::Constant(1, 0.002));
   const Hypothesis under = of("fixture_flexibility", sprung, m);
   const VectorXcd moved =
       shown(sprung, &under, Eigen::Vector4d(0.5, 300, 1.5, 1.3), "near", 1, 1, hertz);
@@ -176,7 +188,7 @@ TEST(FixtureSensors, change_nothing_of_the_part) {
                    without = lambda(data, none, effect, values);
     return (with - without).cwiseQuotient(without).cwiseAbs().maxCoeff();
   };
-  EXPECT_LT(apart("boundary_compliance", springs), 1e-7);
+  EXPECT_LT(apart("boundary_compliance", springs), 1e-6); // of the spring that ties them
   EXPECT_LT(apart("fixture_flexibility", fixture), 1e-7);
   EXPECT_NEAR(nominal_of(data, watched()).length / nominal_of(data, none).length, 1, 1e-12);
 }
@@ -243,12 +255,6 @@ TestData sweeps(const Case& nominal_case, const Measured& m, bool at_fixture) {
     test.responses.push_back({set});
   }
   return test;
-}
-
-Case slender() {
-  Case c = beam_of(4, 0.4, 0.03, 0.012, true);
-  c.sensors = {{.name = "tip", .at = {0, 0.4, 0}}};
-  return c;
 }
 
 TEST(FixtureSensors, rule_out_what_leaves_the_fixture_at_rest) {
