@@ -35,14 +35,16 @@ std::pair<std::string, double> channel_as(const std::string& channel,
 
 Measured named_by_place(Measured test, const Measured& simulated, double reach) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> near;
-  for (std::size_t i = 0; i < test.sensors.size(); ++i)
-    for (std::size_t j = 0; test.sensors[i].on.empty() && j < simulated.sensors.size(); ++j) {
+  for (std::size_t i = 0; i < test.sensors.size(); ++i) {
+    if (!test.sensors[i].on.empty()) continue; // beside the part
+    for (std::size_t j = 0; j < simulated.sensors.size(); ++j) {
       const auto at = [](const MeasuredSensor& s) {
         return Eigen::Map<const Eigen::Vector3d>(s.at.data());
       };
       const double distance = (at(test.sensors[i]) - at(simulated.sensors[j])).norm();
       if (distance <= reach) near.emplace_back(distance, i, j);
     }
+  }
   std::sort(near.begin(), near.end());
   std::vector<char> taken(test.sensors.size(), 0), given(simulated.sensors.size(), 0);
   for (std::size_t j = 0; j < given.size(); ++j)

@@ -95,6 +95,8 @@ private:
       }
       const ParsedQuantity number = number_of(found->second, p.unit);
       if (!number.wrong.empty()) refuse(key + ".value." + p.name, number.wrong, number.allowed);
+      if (p.prior.kind == PriorKind::log_normal && number.value < 0)
+        refuse(key + ".value." + p.name, "is below 0", "0 or more");
       p.prior = {PriorKind::normal, number.value, 1};
       values_.back().push_back({p.name, p.unit, number.value, {number.value, number.value}, 0});
     }

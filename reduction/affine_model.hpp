@@ -26,7 +26,7 @@ struct AffineModel {
   Eigen::MatrixXd stiffness(const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd mass_matrix(const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd loads(const Eigen::VectorXd& coefficients) const; // as `load`
-  double weight(const Eigen::VectorXd& coefficients) const;         // kg
+  double weight(const Eigen::VectorXd& coefficients) const; // kg, less what sits on held DOFs
   // Of what changes by one more of change `group`.
   Eigen::MatrixXd stiffness_of(int group, const Eigen::VectorXd& coefficients) const;
   // These coordinates alone. What a change leaves as it is becomes empty.

@@ -72,9 +72,12 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
   for (std::size_t i = 0; i < h.parameters.size(); ++i) {
     const Index row = first + Index(i);
     Interval between = interval_of(ways, row, h.parameters[i].prior);
-    if (std::find(h.along.begin(), h.along.end(), i) != h.along.end())
-      end_at_millimetres(between.ends, h.parameters[i].prior);
     const double value = likely[Index(i)];
+    if (std::find(h.along.begin(), h.along.end(), i) != h.along.end()) {
+      // Two coordinates of a place belong together: neither is moved into its interval.
+      between.ends = {std::min(between.ends[0], value), std::max(between.ends[1], value)};
+      end_at_millimetres(between.ends, h.parameters[i].prior);
+    }
     const bool within = value >= between.ends[0] && value <= between.ends[1];
     e.parameters.push_back({.name = h.parameters[i].name,
                             .unit = h.parameters[i].unit,

@@ -64,7 +64,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
     };
   };
   for (const Spot& spot : contact_spots(s)) {
-    if (is_along(s, spot)) continue;
+    if (is_anywhere(s, spot)) continue;
     if (!is_told_of_sensor(s, spot)) add_at_point(spot);
     if (spot.nodes.size() < 2) continue;
     add(spot, "all round", on_each(spot.nodes));
@@ -87,7 +87,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
         path.part, path.place(),
         [&](const Eigen::Vector3d& d) { return motion_along(s, path, d, MotionTerm::Of::mass); },
         [path, all = places_of(s, path.nodes)](const Eigen::VectorXd& v) {
-          return all[path.nearest(v[1])];
+          return all[nearest_of(path.at, v[1])];
         });
   for (const PlateGrid& grid : plate_grids(s))
     add_anywhere(

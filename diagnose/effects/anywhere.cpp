@@ -1,5 +1,6 @@
 #include "diagnose/effects/anywhere.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plica {
@@ -31,6 +32,19 @@ Hypothesis anywhere(const std::string& part, const EffectParameter& size,
     return all;
   };
   return h;
+}
+
+std::size_t nearest_of(const std::vector<double>& places, double place) {
+  const auto found = std::min_element(places.begin(), places.end(), [&](double a, double b) {
+    return std::abs(a - place) < std::abs(b - place);
+  });
+  return std::size_t(found - places.begin());
+}
+
+Between between(const std::vector<double>& places, double place) {
+  const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);
+  const auto i = std::size_t(next - places.begin() - 1);
+  return {i, std::clamp((place - places[i]) / (places[i + 1] - places[i]), 0., 1.)};
 }
 
 MotionTerms::MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& takes_part)

@@ -75,12 +75,6 @@ BeamPath path_of(const Structure& s, const Part& part) {
 
 } // namespace
 
-std::size_t BeamPath::nearest(double s) const {
-  const auto found = std::min_element(
-      at.begin(), at.end(), [&](double a, double b) { return std::abs(a - s) < std::abs(b - s); });
-  return std::size_t(found - at.begin());
-}
-
 std::vector<EffectParameter> BeamPath::place() const {
   return {{"at", "m", {PriorKind::towards_ends, 0, length()}}};
 }
@@ -102,8 +96,8 @@ std::vector<BeamPath> line_paths(const Structure& s) {
   return found;
 }
 
-bool is_along(const Structure& s, const Spot& spot) {
-  return spot.on_path && s.data.diagnose.places.empty();
+bool is_anywhere(const Structure& s, const Spot& spot) {
+  return spot.anywhere && s.data.diagnose.places.empty();
 }
 
 MovingMotion motion_along(const Structure& s, const BeamPath& path, const Vector3d& direction,
@@ -121,9 +115,7 @@ MovingMotion motion_along(const Structure& s, const BeamPath& path, const Vector
   const MotionTerms terms(path.nodes, takes_part);
   return {.terms = terms.changes(of, [](int) { return Follow::series; }),
           .factors = [terms, x, direction, at = path.at](const VectorXd& place) {
-            const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, place[0]);
-            const auto i = std::size_t(next - at.begin() - 1);
-            const double t = std::clamp((place[0] - at[i]) / (at[i + 1] - at[i]), 0., 1.);
+            const auto [i, t] = between(at, place[0]);
             const auto ends = hermite(x[i], x[i + 1], direction, t);
             VectorXd factors = VectorXd::Zero(terms.size());
             terms.add(i, ends[0], factors);

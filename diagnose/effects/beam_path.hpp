@@ -18,7 +18,6 @@ struct BeamPath {
   std::vector<int> nodes; // some of the part's, its points among them
   std::vector<double> at; // of each: m along the part
   double length() const { return at.back(); }
-  std::size_t nearest(double s) const;        // of the nodes
   std::vector<EffectParameter> place() const; // m from its first node
 };
 
@@ -28,7 +27,7 @@ std::vector<BeamPath> beam_paths(const Structure& s);
 std::vector<BeamPath> line_paths(const Structure& s);
 
 // What lies on a path is one of the places along it, unless the case asks for places by name.
-bool is_along(const Structure& s, const Spot& spot);
+bool is_anywhere(const Structure& s, const Spot& spot);
 
 // Of a place on the path, along a direction.
 MovingMotion motion_along(const Structure& s, const BeamPath& path,

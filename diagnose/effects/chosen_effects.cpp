@@ -91,7 +91,8 @@ private:
       return;
     }
     std::vector<std::string> known;
-    bool found = false, outside = false, wide = false;
+    bool found = false, wide = false;
+    std::set<std::string> places, empty; // of these, where nothing is left of the prior
     for (Hypothesis& h : result_.hypotheses) {
       if (h.effect != asked.effect) continue;
       for (EffectParameter& p : h.parameters) {
@@ -102,14 +103,20 @@ private:
           wide = asked.widening.has_value();
         else
           p.prior.width *= asked.widening.value_or(1);
-        if (asked.between.size() == 2) outside = !bound(p.prior, asked.between) || outside;
+        places.insert(h.place);
+        if (asked.between.size() == 2 && !bound(p.prior, asked.between)) empty.insert(h.place);
       }
     }
     if (!known.empty() && !found)
       refuse(key + ".parameter",
              asked.effect + " has no parameter '" + shown(asked.parameter) + "'",
              suggestion(asked.parameter, known));
-    if (outside)
+    const bool nowhere = empty == places;
+    if (!nowhere) // a part may be too short for it
+      std::erase_if(result_.hypotheses, [&](const Hypothesis& h) {
+        return h.effect == asked.effect && empty.contains(h.place);
+      });
+    if (found && nowhere)
       refuse(key + ".between", "leaves nothing of the prior",
              "[low, high] that the parameter may have");
     if (wide)

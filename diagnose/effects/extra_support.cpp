@@ -46,9 +46,9 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
                      .at_rig = false});
   };
   for (const Spot& spot : contact_spots(s)) {
-    if (spot.place.starts_with("sensor.") || is_along(s, spot)) continue;
+    if (spot.place.starts_with("sensor.") || is_anywhere(s, spot)) continue;
     if (spot.normal) {
-      add(spot, "across", along_normal(spot));
+      add(spot, "along the normal", along_normal(spot));
       continue;
     }
     add(spot, "x", on_each({spot.touched}, Eigen::Vector3d::UnitX()));
@@ -70,7 +70,7 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
     found.back().way = way;
   };
   for (const PlateGrid& grid : plate_grids(s))
-    add_anywhere(grid.part, grid.place(), "across",
+    add_anywhere(grid.part, grid.place(), "along the normal",
                  {motion_on(s, grid, std::nullopt, MotionTerm::Of::spring)});
   for (const BeamPath& path : line_paths(s)) {
     const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {

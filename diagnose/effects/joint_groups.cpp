@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace plica {
@@ -46,7 +47,10 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
     groups.push_back({.place = name, .bushings = {}, .beams = {}});
     return groups.back();
   };
+  std::set<int> fixtures;
+  for (const auto& [cap, node] : s.built.fixture_nodes) fixtures.insert(node);
   for (std::size_t i = 0; i < model.bushings.size(); ++i) {
+    if (fixtures.contains(model.bushings[i].node2)) continue; // for a sensor to sit on
     JointGroup& group = group_of(model.bushings[i].component);
     group.bushings.push_back(int(i));
     group.stiffness = std::max(group.stiffness, largest_translation(model.bushings[i]));

@@ -79,7 +79,7 @@ std::vector<int> nodes_at(const Structure& s, const std::string& place,
                           const std::vector<double>& along) {
   if (along.size() == 1)
     for (const BeamPath& path : line_paths(s))
-      if (path.part == place) return {path.nodes[path.nearest(along[0])]};
+      if (path.part == place) return {path.nodes[nearest_of(path.at, along[0])]};
   if (along.size() == 2)
     for (const PlateGrid& grid : plate_grids(s))
       if (grid.part == place) return {grid.nearest(along[0], along[1])};

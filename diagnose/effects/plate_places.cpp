@@ -16,18 +16,8 @@ using Vector6 = Eigen::Vector<double, 6>;
 
 constexpr int most_cells = 8; // either way
 
-struct Cell {
-  std::size_t line; // before the place
-  double local;     // of the place, from -1 to 1
-};
-
-Cell cell_of(const std::vector<double>& at, double place) {
-  const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, place);
-  const auto i = std::size_t(next - at.begin() - 1);
-  return {i, std::clamp(2 * (place - at[i]) / (at[i + 1] - at[i]) - 1, -1., 1.)};
-}
-
-// Adini's: of the motion of a corner, and of its slopes over half a cell.
+// Adini's, over the cell from -1 to 1: of the motion of a corner, and of its slopes over half a
+// cell.
 struct CornerShapes {
   double value, slope_along, slope_across, bilinear;
 };
@@ -49,16 +39,16 @@ public:
   std::size_t number(std::size_t i, std::size_t j) const { return j * grid_.at[0].size() + i; }
 
   template <class Add> void each_corner(const VectorXd& place, const Add& add) const {
-    const Cell a = cell_of(grid_.at[0], place[0]), b = cell_of(grid_.at[1], place[1]);
+    const Between a = between(grid_.at[0], place[0]), b = between(grid_.at[1], place[1]);
     const Vector3d normal = grid_.normal(place[0], place[1]), d = direction_.value_or(normal),
                    in_plane = d - d.dot(normal) * normal;
     const double out = d.dot(normal);
-    for (const std::size_t j : {b.line, b.line + 1})
-      for (const std::size_t i : {a.line, a.line + 1}) {
+    for (const std::size_t j : {b.first, b.first + 1})
+      for (const std::size_t i : {a.first, a.first + 1}) {
         const CornerShapes shapes =
-            adini(i == a.line ? -1 : 1, j == b.line ? -1 : 1, a.local, b.local);
-        const Vector3d along = x_[number(a.line + 1, j)] - x_[number(a.line, j)],
-                       across = x_[number(i, b.line + 1)] - x_[number(i, b.line)];
+            adini(i == a.first ? -1 : 1, j == b.first ? -1 : 1, 2 * a.share - 1, 2 * b.share - 1);
+        const Vector3d along = x_[number(a.first + 1, j)] - x_[number(a.first, j)],
+                       across = x_[number(i, b.first + 1)] - x_[number(i, b.first)];
         Vector6 factors; // a slope over d is the rotation . (d x normal)
         factors << shapes.value * out * normal + shapes.bilinear * in_plane,
             out / 2 *
@@ -90,21 +80,14 @@ Triple PlateGrid::point(double along, double across) const {
 }
 
 int PlateGrid::nearest(double along, double across) const {
-  const auto line = [](const std::vector<double>& all, double place) {
-    return std::size_t(std::min_element(all.begin(), all.end(),
-                                        [&](double p, double q) {
-                                          return std::abs(p - place) < std::abs(q - place);
-                                        }) -
-                       all.begin());
-  };
-  return nodes[line(at[1], across) * at[0].size() + line(at[0], along)];
+  return nodes[nearest_of(at[1], across) * at[0].size() + nearest_of(at[0], along)];
 }
 
 std::vector<PlateGrid> plate_grids(const Structure& s) {
   std::vector<PlateGrid> found;
   for (const Part& part : s.data.parts) {
     const auto* plate = std::get_if<Plate>(&part.body);
-    if (!plate || !is_grid(s.built, part.name, *plate)) continue;
+    if (!plate || plate_spots(s.built, part.name, *plate).empty()) continue; // or all of it is held
     const std::vector<int>& all = s.built.model.mesh.sets.at(part.name + ".all");
     PlateGrid grid{.part = part.name, .at = {}, .nodes = {}, .plate = *plate};
     std::array<std::vector<int>, 2> lines;

@@ -78,7 +78,7 @@ std::vector<Spot> plate_spots(const BuiltCase& built, const std::string& part, c
       found.push_back({.place = part + ".spot" + percent(i, along) + percent(j, across),
                        .nodes = {node},
                        .touched = node,
-                       .on_path = true,
+                       .anywhere = true,
                        .normal = normal_at(plate, double(i) / along, double(j) / across)});
     }
   const auto held = held_dofs(built);

@@ -16,7 +16,7 @@ struct Spot {
   std::vector<int> nodes;
   int touched = 0;
   // Of a part any place of which is looked at (beam_path.hpp, plate_places.hpp).
-  bool on_path = false;
+  bool anywhere = false;
   std::optional<Eigen::Vector3d> normal = {}; // of a plate, which gives way along it alone
 };
 

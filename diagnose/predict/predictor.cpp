@@ -126,6 +126,7 @@ StateModels::Changes StateModels::products(const NominalState& state, const Hypo
     std::vector<std::optional<PreparedChange>> each(of_a.size() * of_b.size());
     in_parallel(int(each.size()), [&](int k) {
       const auto i = std::size_t(k) / of_b.size(), j = std::size_t(k) % of_b.size();
+      if (of_a[i].term || of_b[j].term) return; // they add up
       each[std::size_t(k)] = state.model->product(both_in(state, a, i, b, j), of_a[i], of_b[j]);
       if (each[std::size_t(k)]) each[std::size_t(k)]->product_of = {int(i), int(j)};
     });

@@ -9,6 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <fmt/format.h>
@@ -224,6 +225,27 @@ void try_everywhere(const Hypothesis& h, Search& search) {
     }
 }
 
+// A start, and others with the last of its hypotheses larger, smaller and elsewhere on its part.
+void try_around(const VectorXd& start, const Hypothesis& last, Search& search) {
+  const Index first = start.size() - Index(last.parameters.size());
+  constexpr std::array away{0., -1.5, 1.5};
+  for (double z : away) {
+    VectorXd there = start;
+    if (first < start.size()) there[first] += z;
+    search.try_from(there);
+  }
+  const std::size_t each = last.along.empty() ? 1 : away.size();
+  for (std::size_t i = 1; i < (last.along.size() == 2 ? each * each : each); ++i) {
+    VectorXd there = start;
+    std::size_t left = i;
+    for (const std::size_t parameter : last.along) {
+      there[first + Index(parameter)] += away[left % each];
+      left /= each;
+    }
+    search.try_from(there);
+  }
+}
+
 } // namespace
 
 HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothesis*>& together,
@@ -233,12 +255,7 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
   std::size_t refined = p > 1 ? 3 : 2;
   double apart = 0.8; // in standard deviations of the priors
   if (start.size() == p) {
-    const Index last = p - Index(together.back()->parameters.size());
-    for (double z : {0., -1.5, 1.5}) {
-      VectorXd there = start;
-      if (last < p) there[last] += z;
-      search.try_from(there);
-    }
+    try_around(start, *together.back(), search);
   } else if (together.size() == 1 && !together[0]->along.empty()) {
     try_everywhere(*together[0], search);
     refined = 10;

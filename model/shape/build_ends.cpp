@@ -159,15 +159,36 @@ bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
   return true;
 }
 
+namespace {
+
+[[noreturn]] void no_mean_motion(const std::string& name) {
+  input_error("parts." + name + ".soft", "the set has no mean motion: its nodes lie on one line",
+              "a circle, or no `soft`");
+}
+
+void tie_softly(Building& b, const std::string& name, int node, const std::vector<int>& nodes) {
+  try {
+    add_distributing_coupling(b.built.model, node, nodes, "mass " + name);
+  } catch (const std::invalid_argument&) {
+    no_mean_motion(name);
+  }
+}
+
+} // namespace
+
 void add_mass(Building& b, const std::string& name, const PointMass& mass) {
   const std::vector<int> nodes = b.set(mass.at, "parts." + name + ".at");
   int node = nodes.front();
   if (nodes.size() > 1) {
     node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
-    if (mass.soft || !has_mass(mass.mass, mass.inertia))
-      add_distributing_coupling(b.built.model, node, nodes, "mass " + name);
+    if (!has_mass(mass.mass, mass.inertia)) // its node is there in every state of a test
+      add_kinematic_coupling(b.built.model, nodes.front(), {node}, all_dofs, "mass " + name);
+    else if (mass.soft)
+      tie_softly(b, name, node, nodes);
     else
       add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
+  } else if (mass.soft) {
+    no_mean_motion(name);
   }
   b.built.mass_nodes[name] = node;
   b.built.model.masses.push_back({node, rigid_mass(mass.mass, mass.inertia, mass.offset)});
