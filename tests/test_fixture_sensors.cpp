@@ -15,6 +15,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <set>
 
 namespace plica::test {
 namespace {
@@ -194,6 +195,19 @@ TEST(FixtureSensors, change_nothing_of_the_part) {
 }
 
 // A table that moves across by a tenth is seen across by its own sensor, whatever the part does.
+// What ties the fixture of a sensor is no joint of the part.
+TEST(FixtureSensors, are_no_joints) {
+  const auto joints = [](const Measured& m) {
+    std::set<std::string> found;
+    const Nominal nominal = nominal_of(beam(), m);
+    for (const char* effect : {"joint_stiffness", "joint_friction"})
+      for (const Hypothesis& h : effect_named(effect).hypotheses(nominal.structure(m)))
+        found.insert(h.effect + " at " + h.place + " " + h.way);
+    return found;
+  };
+  EXPECT_EQ(joints(watched()), joints(Measured()));
+}
+
 TEST(FixtureSensors, see_a_table_that_moves_across) {
   const Measured m = [] {
     Measured own = watched();

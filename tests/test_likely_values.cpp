@@ -62,5 +62,39 @@ TEST(LikelyValues, are_where_the_draws_of_a_place_are_densest) {
   EXPECT_NE(name_of(fit).find("beam, 0.5"), std::string::npos) << name_of(fit);
 }
 
+// On a plate two numbers are one place: a heap of a fifth of the draws, narrow in both, and the
+// rest spread along a band whose two numbers cross it, so that each of them alone is densest
+// elsewhere.
+TEST(LikelyValues, of_a_place_on_a_plate_are_densest_in_both_numbers_together) {
+  constexpr int count = 1000, heap = 200;
+  Hypothesis h{.effect = "added_mass",
+               .place = "plate",
+               .way = "",
+               .parameters = {{"mass", "kg", {PriorKind::normal, 0, 1}},
+                              {"at", "m", {PriorKind::uniform, 0, 1}},
+                              {"across", "m", {PriorKind::uniform, 0, 0.1}}},
+               .along = {1, 2}};
+  HypothesisFit fit;
+  fit.together = {&h};
+  fit.solved = true;
+  fit.values = Eigen::Vector3d(0, 0.5, 0.05);
+  fit.z = Eigen::Vector3d::Zero();
+  fit.draws.resize(3, count);
+  for (int i = 0; i < count; ++i) {
+    const bool in_heap = i < heap;
+    const double share = in_heap ? (i + 0.5) / heap : (i - heap + 0.5) / (count - heap);
+    const double turn = std::remainder(0.618034 * i, 1.); // an even second number
+    const double at = in_heap ? 0.7 + 0.01 * normal_quantile(share) : 0.02 + 0.96 * share;
+    const double across =
+        in_heap ? 0.08 + 0.001 * normal_quantile(std::abs(turn) + 0.25) : 0.03 + 0.004 * turn;
+    fit.draws.col(i) << (in_heap ? 1 : -1), normal_quantile(at), normal_quantile(across / 0.1);
+  }
+  const VectorXd likely = likely_values(fit, 0);
+  EXPECT_NEAR(likely[1], 0.7, 0.01);
+  EXPECT_NEAR(likely[2], 0.08, 0.001);
+  EXPECT_NEAR(likely[0], 1, 1e-9) << "the mass that goes with the place";
+  EXPECT_NE(name_of(fit).find("m across"), std::string::npos) << name_of(fit);
+}
+
 } // namespace
 } // namespace plica

@@ -4,6 +4,7 @@
 #include "io/input/case_file.hpp"
 #include "run/analyses/run.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "words/input_error.hpp"
 #include "words/mode_kinds.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +45,8 @@ double lowest(const Results& results, const std::string& shape, int harmonic) {
 }
 
 // The mean motion of a circle is nil where it goes out of round by two waves: a soft ring leaves
-// these modes as they are, exactly, and a rigid one holds the root. Along the axis all of the circle
-// moves alike, so that both rings weigh the same there.
+// these modes as they are, exactly, and a rigid one holds the root. Along the axis all of the
+// circle moves alike, so that both rings weigh the same there.
 TEST(Rings, a_soft_one_lets_the_wall_go_out_of_round_and_a_rigid_one_does_not) {
   const auto run_of = [](const std::string& ring) {
     return run(ringed(ring), [](const std::string&) {});
@@ -75,6 +76,39 @@ TEST(Rings, one_without_mass_is_not_there) {
   constexpr int compared = 8;
   for (int k = 0; k < compared; ++k) EXPECT_NEAR(own[k] / bare[k], 1, 1e-8) << k;
   EXPECT_LT(nominal.state("").model->lambda()[0] / bare[0], 0.9);
+}
+
+Case plate_with_bar(double mass, bool soft) {
+  Case c;
+  c.name = "plate";
+  c.materials["steel"] = {.E = 193e9, .nu = 0.3, .rho = 8000};
+  Plate plate;
+  plate.material = "steel";
+  plate.corners = {{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}}};
+  plate.thickness = 3e-3;
+  plate.elements = {4, 4};
+  c.parts.push_back({"plate", plate});
+  PointMass bar;
+  bar.at = "plate.edge2";
+  bar.mass = mass;
+  bar.soft = soft;
+  c.parts.push_back({"bar", bar});
+  return c;
+}
+
+// Nodes on a line have no mean turning.
+TEST(Rings, a_bar_on_an_edge_may_be_absent_and_cannot_be_soft) {
+  const BuiltCase with = build(plate_with_bar(0.1, false)),
+                  without = build(plate_with_bar(0, false));
+  EXPECT_EQ(with.model.mesh.nodes.size(), without.model.mesh.nodes.size());
+  EXPECT_EQ(with.mass_nodes.at("bar"), without.mass_nodes.at("bar"));
+  EXPECT_LT(without.model.constraints.size(), with.model.constraints.size());
+  try {
+    build(plate_with_bar(0.1, true));
+    FAIL() << "a line is no circle";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("parts.bar.soft"), std::string::npos) << error.what();
+  }
 }
 
 } // namespace
