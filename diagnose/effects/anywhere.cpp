@@ -41,7 +41,7 @@ std::size_t nearest_of(const std::vector<double>& places, double place) {
   return std::size_t(found - places.begin());
 }
 
-Between between(const std::vector<double>& places, double place) {
+Neighbours neighbours_of(const std::vector<double>& places, double place) {
   const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);
   const auto i = std::size_t(next - places.begin() - 1);
   return {i, std::clamp((place - places[i]) / (places[i + 1] - places[i]), 0., 1.)};

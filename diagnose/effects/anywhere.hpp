@@ -21,11 +21,11 @@ Hypothesis anywhere(const std::string& part, const EffectParameter& size,
 // Of places in increasing order: the nearest, and the two that one lies between, with its share of
 // the way from the first.
 std::size_t nearest_of(const std::vector<double>& places, double place);
-struct Between {
+struct Neighbours {
   std::size_t first;
   double share;
 };
-Between between(const std::vector<double>& places, double place);
+Neighbours neighbours_of(const std::vector<double>& places, double place);
 
 // The terms of a motion: of each node of a list its DOFs that take part.
 class MotionTerms {

@@ -115,7 +115,7 @@ MovingMotion motion_along(const Structure& s, const BeamPath& path, const Vector
   const MotionTerms terms(path.nodes, takes_part);
   return {.terms = terms.changes(of, [](int) { return Follow::series; }),
           .factors = [terms, x, direction, at = path.at](const VectorXd& place) {
-            const auto [i, t] = between(at, place[0]);
+            const auto [i, t] = neighbours_of(at, place[0]);
             const auto ends = hermite(x[i], x[i + 1], direction, t);
             VectorXd factors = VectorXd::Zero(terms.size());
             terms.add(i, ends[0], factors);

@@ -39,7 +39,8 @@ public:
   std::size_t number(std::size_t i, std::size_t j) const { return j * grid_.at[0].size() + i; }
 
   template <class Add> void each_corner(const VectorXd& place, const Add& add) const {
-    const Between a = between(grid_.at[0], place[0]), b = between(grid_.at[1], place[1]);
+    const Neighbours a = neighbours_of(grid_.at[0], place[0]),
+                     b = neighbours_of(grid_.at[1], place[1]);
     const Vector3d normal = grid_.normal(place[0], place[1]), d = direction_.value_or(normal),
                    in_plane = d - d.dot(normal) * normal;
     const double out = d.dot(normal);
