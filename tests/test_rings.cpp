@@ -45,8 +45,8 @@ double lowest(const Results& results, const std::string& shape, int harmonic) {
 }
 
 // The mean motion of a circle is nil where it goes out of round by two waves: a soft ring leaves
-// these modes as they are, exactly, and a rigid one holds the root. Along the axis all of the
-// circle moves alike, so that both rings weigh the same there.
+// these modes as they are, exactly, and a rigid one holds the root. Along the axis both weigh, and
+// the rigid one holds the wall besides: no constraint makes a frequency lower (Rayleigh).
 TEST(Rings, a_soft_one_lets_the_wall_go_out_of_round_and_a_rigid_one_does_not) {
   const auto run_of = [](const std::string& ring) {
     return run(ringed(ring), [](const std::string&) {});
@@ -59,8 +59,8 @@ TEST(Rings, a_soft_one_lets_the_wall_go_out_of_round_and_a_rigid_one_does_not) {
   const double held = lowest(rigid, mode_kind::shell, 2);
   EXPECT_TRUE(held == 0 || held > 1.1 * out_of_round) << held << " and " << out_of_round;
   const double axial = lowest(bare, mode_kind::axial, 0);
-  EXPECT_NEAR(lowest(soft, mode_kind::axial, 0) / lowest(rigid, mode_kind::axial, 0), 1, 0.02);
-  EXPECT_LT(lowest(soft, mode_kind::axial, 0), 0.8 * axial);
+  EXPECT_LT(lowest(soft, mode_kind::axial, 0), lowest(rigid, mode_kind::axial, 0));
+  EXPECT_LT(lowest(rigid, mode_kind::axial, 0), 0.8 * axial);
 }
 
 // In a state of a test that sets its mass to nothing the ring is not there.
