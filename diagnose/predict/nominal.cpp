@@ -334,6 +334,20 @@ Structure Nominal::structure(const Measured& measured) const {
           .rigid_clamps = rigid_clamps};
 }
 
+namespace {
+
+// A mass that a state sets to nothing is not there: what it held round is free.
+void take_off(Case& data, const MeasuredState& state) {
+  for (Part& part : data.parts)
+    if (auto* body = std::get_if<PointMass>(&part.body);
+        body && body->mass == 0 && state.numbers.contains("parts." + part.name + ".mass")) {
+      body->soft = true;
+      body->inertia = {};
+    }
+}
+
+} // namespace
+
 Nominal nominal_of(const Case& data, const Measured& measured) {
   Case plain = clamped_by_mounts(data);
   check_sensors_beside_the_part(plain, measured);
@@ -347,6 +361,7 @@ Nominal nominal_of(const Case& data, const Measured& measured) {
   for (const MeasuredState& s : measured.states) {
     Case changed = plain;
     for (const auto& [path, value] : s.numbers) *number_at(changed, path) = value;
+    take_off(changed, s);
     wanted.emplace_back(s.name, std::move(changed));
   }
   nominal.states.resize(wanted.size());

@@ -290,11 +290,10 @@ template <class V> void fields(V& v, PointMass& m) {
   v.text(m.at, "at", {.required = true}, "node set it is fixed to, e.g. arm.end");
   v.quantities(m.offset, "offset", {.unit = Dimension::length},
                "[x, y, z] from that set to the centre of mass");
-  v.quantity(m.mass, "mass", {.unit = Dimension::mass, .required = true, .min = 0},
-             "mass; without mass and inertia it is not there and holds nothing");
+  v.quantity(m.mass, "mass", {.unit = Dimension::mass, .required = true, .min = 0}, "mass");
   v.flag(m.soft, "soft",
          "clamped softly: it moves with the mean motion of the set, whose circle may go out of "
-         "round; else the set is rigid with it");
+         "round, and without mass holds nothing; else the set is rigid with it");
   v.quantities(m.inertia, "inertia", {.unit = Dimension::inertia},
                "about the centre of mass: [xx, yy, zz, xy, yz, zx]");
 }

@@ -181,13 +181,13 @@ void add_mass(Building& b, const std::string& name, const PointMass& mass) {
   int node = nodes.front();
   if (nodes.size() > 1) {
     node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
-    if (!has_mass(mass.mass, mass.inertia)) // its node is there in every state of a test
-      add_kinematic_coupling(b.built.model, nodes.front(), {node}, all_dofs, "mass " + name);
-    else if (mass.soft)
-      tie_softly(b, name, node, nodes);
-    else
+    if (!mass.soft)
       add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
-  } else if (mass.soft) {
+    else if (has_mass(mass.mass, mass.inertia))
+      tie_softly(b, name, node, nodes);
+    else // nothing is there but its node, which all states of a test have
+      add_kinematic_coupling(b.built.model, nodes.front(), {node}, all_dofs, "mass " + name);
+  } else if (mass.soft && has_mass(mass.mass, mass.inertia)) {
     no_mean_motion(name);
   }
   b.built.mass_nodes[name] = node;
