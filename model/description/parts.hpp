@@ -247,8 +247,8 @@ struct ConnectorChain {
 };
 
 struct PointMass {
-  // Set of one or more nodes. Several are rigid with it, unless it is soft: then it moves with their
-  // mean motion, and they are free to deform; without mass it is not there.
+  // Set of one or more nodes. Several are rigid with it, unless it is soft: then it moves with
+  // their mean motion, and they are free to deform; without mass it is not there.
   std::string at;
   bool soft = false;
   Triple offset{}; // from that node to the centre of mass
