@@ -133,10 +133,25 @@ TEST(SetSearch, finds_beside_what_leads_what_its_residual_asks_for) {
   EXPECT_NEAR(beside.front().fit.log_evidence, log_evidence_of({mass, gain}, mass + gain), 1e-2);
 }
 
-// Beside a mass as many gains as may be, each as good. With changes of the model, which do nothing
-// here, sets of two of them would add these up.
-TEST(SetSearch, warns_where_it_does_not_solve_all_anew_that_may_count) {
-  const auto warning = [](std::size_t count, bool changes) {
+// Of sets a nat apart, all but the first so many added up, those within eight nats of the best.
+TEST(SetSearch, warns_of_sets_that_may_count_and_are_not_solved_anew) {
+  const auto warning = [](std::size_t solved) {
+    std::vector<JudgedFit> sets(12);
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      sets[k].fit.log_evidence = -double(k);
+      sets[k].added_up = k >= solved;
+    }
+    return warning_of_added_up(sets);
+  };
+  EXPECT_EQ(warning(12), "");
+  EXPECT_EQ(warning(9), "") << "the tenth lies nine nats behind";
+  EXPECT_EQ(warning(7).find("2 more sets of effects come within 8 nats"), 0U) << warning(7);
+}
+
+// Two that change the model are added up, unless they are solved anew; what changes the test alone
+// is exact either way.
+TEST(SetSearch, says_of_which_sets_the_changes_are_added_up) {
+  for (const bool changes : {true, false}) {
     Gains gains(8);
     const auto add = [&](const std::string& effect, const VectorXd& g) {
       Hypothesis& h = gains.add(effect, "here", g);
@@ -145,14 +160,17 @@ TEST(SetSearch, warns_where_it_does_not_solve_all_anew_that_may_count) {
       h.coefficients = [](const VectorXd&) { return VectorXd(VectorXd::Zero(1)); };
     };
     add("mass", gains.along(0, 10));
-    for (std::size_t k = 0; k < count; ++k) add("gain" + std::to_string(k), gains.along(1, 10));
+    for (int k = 0; k < 4; ++k) add("gain" + std::to_string(k), gains.along(1, 10));
     gains.measure(gains.along(0, 10) + gains.along(1, 10));
-    return warning_of_added_up(gains.sets());
-  };
-  EXPECT_EQ(warning(most_solved_anew, true), "");
-  EXPECT_EQ(warning(most_solved_anew + 2, true).find("2 more sets of effects come within 8 nats"),
-            0U);
-  EXPECT_EQ(warning(most_solved_anew + 2, false), "") << "nothing is added up";
+    std::size_t added_up = 0;
+    for (const JudgedFit& j : gains.sets()) {
+      if (j.credible()) {
+        EXPECT_FALSE(j.added_up) << "the best are solved anew";
+      }
+      added_up += j.added_up;
+    }
+    EXPECT_EQ(added_up > 0, changes);
+  }
 }
 
 TEST(SetSearch, finds_nothing_where_it_is_stopped_at_once) {
