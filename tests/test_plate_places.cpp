@@ -6,6 +6,7 @@
 #include "reduction/parametric_model.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/moving_motion.hpp"
+#include "tests/steel_plate.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -25,17 +26,9 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 Case plate_case() {
-  Case c;
-  c.name = "plate";
-  c.materials["steel"] = {.E = 193e9, .nu = 0.3, .rho = 8000};
+  Case c = steel_plate({{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.16, 0}, {0, 0.24, 0}}}, {12, 8});
   c.analyses.modes = Modes{.count = 8};
   c.analyses.damping.modal = 0.01;
-  Plate plate;
-  plate.material = "steel";
-  plate.corners = {{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.16, 0}, {0, 0.24, 0}}};
-  plate.thickness = 3e-3;
-  plate.elements = {12, 8};
-  c.parts.push_back({"plate", plate});
   c.caps.push_back({.name = "clamp", .of = {"plate.edge4"}});
   c.mount.push_back({.cap = "clamp"});
   c.sensors.push_back({.name = "corner", .at = {0.3, 0, 0}, .mass = 4e-3});

@@ -3,6 +3,7 @@
 #include "io/files/files.hpp"
 #include "io/input/case_file.hpp"
 #include "run/analyses/run.hpp"
+#include "tests/steel_plate.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "words/input_error.hpp"
 #include "words/mode_kinds.hpp"
@@ -79,15 +80,7 @@ TEST(Rings, one_without_mass_is_not_there) {
 }
 
 Case plate_with_bar(double mass, bool soft) {
-  Case c;
-  c.name = "plate";
-  c.materials["steel"] = {.E = 193e9, .nu = 0.3, .rho = 8000};
-  Plate plate;
-  plate.material = "steel";
-  plate.corners = {{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}}};
-  plate.thickness = 3e-3;
-  plate.elements = {4, 4};
-  c.parts.push_back({"plate", plate});
+  Case c = steel_plate({{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}}}, {4, 4});
   PointMass bar;
   bar.at = "plate.edge2";
   bar.mass = mass;

@@ -1,5 +1,6 @@
 // A mass where several sensors sit.
 #include "diagnose/effects/effect.hpp"
+#include "tests/steel_plate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +13,7 @@ using Eigen::VectorXd;
 
 // A clamped plate with two sensors of 4 and 6 g at one corner.
 Case plate_with_two_sensors() {
-  Case c;
-  c.name = "plate";
-  c.materials["steel"] = {.E = 193e9, .nu = 0.3, .rho = 8000};
-  Plate plate;
-  plate.material = "steel";
-  plate.corners = {{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}}};
-  plate.thickness = 3e-3;
-  plate.elements = {8, 8};
-  c.parts.push_back({"plate", plate});
+  Case c = steel_plate({{{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}}}, {8, 8});
   c.caps.push_back({.name = "clamp", .of = {"plate.edge4"}});
   c.mount.push_back({.cap = "clamp"});
   c.sensors.push_back({.name = "corner", .at = {0.3, 0, 0}, .mass = 4e-3});

@@ -34,13 +34,14 @@ bool moves_along_normal(const Spot& spot, const std::set<std::pair<int, int>>& h
   return false;
 }
 
-} // namespace
-
+// Whether the mesh is the grid of nodes that the plate asks for, line by line along edge 1.
 bool is_grid(const BuiltCase& built, const std::string& part, const Plate& plate) {
   const auto& [along, across] = plate.elements;
   return along >= 1 && across >= 1 &&
          int(built.model.mesh.sets.at(part + ".all").size()) == (along + 1) * (across + 1);
 }
+
+} // namespace
 
 std::set<int> lines_across(int elements, int most) {
   std::set<int> numbers;

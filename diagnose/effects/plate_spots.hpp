@@ -12,8 +12,6 @@
 
 namespace plica {
 
-// Whether the mesh is the grid of nodes that the plate asks for, line by line along edge 1.
-bool is_grid(const BuiltCase& built, const std::string& part, const Plate& plate);
 // Numbers of the lines of nodes across an edge of so many elements that part it into up to `most`
 // cells, both ends among them.
 std::set<int> lines_across(int elements, int most);
