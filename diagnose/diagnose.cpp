@@ -83,7 +83,8 @@ private:
     const Inclusion inclusion(search.nominal, search.fits, sets);
     const std::vector<Compensator> tempting = compensators(
         context, search.held_out, plain, problem_.nominal.structure(problem_.test.data));
-    Objections objections(problem_, search, plain, tempting, inclusion);
+    const std::vector<Hypothesis> resonating = resonators_of(problem_);
+    Objections objections(problem_, search, plain, tempting, resonating, inclusion);
     const Judgement judgement = judgement_of(search, plain, sets, inclusion, objections);
     std::vector<JudgedFit> beside;
     if (judgement.verdict != Verdict::ambiguous) {

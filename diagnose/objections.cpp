@@ -3,12 +3,16 @@
 #include "diagnose/account/ledger.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/reasons.hpp"
+#include "solve/parallel.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plica {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 Referee Objections::referee() {
   return {.to_all = [this](const JudgedFit& j) { return to_all(j); },
@@ -33,6 +37,7 @@ Objection Objections::to_most(const JudgedFit& leads) {
   if (!found.why.empty()) return found;
   beside_ = fit_beside(search_, leads);
   found.why = closes_too_little_beside(leads, *found.sampled);
+  if (found.why.empty()) found.why = resonates(leads);
   return found;
 }
 
@@ -66,6 +71,56 @@ std::string Objections::closes_too_little_beside(const JudgedFit& leads,
   if (others.empty()) return "";
   others.push_back({.fit = &sampled});
   return closes_too_little(ledger_of(context_, plain_, others), " where others may act beside it");
+}
+
+// A resonator in place of what leads, or of one of several.
+std::vector<HypothesisFit> Objections::with_resonators(const JudgedFit& leads) const {
+  reduce_each(context_, resonators_);
+  std::vector<HypothesisFit> fits(resonators_.size());
+  in_parallel(int(fits.size()), [&](int i) {
+    fits[std::size_t(i)] = fit_of(context_, {&resonators_[std::size_t(i)]});
+  });
+  std::erase_if(fits, [](const HypothesisFit& fit) { return !fit.solved; });
+  std::stable_sort(fits.begin(), fits.end(), [](const HypothesisFit& a, const HypothesisFit& b) {
+    return a.log_evidence > b.log_evidence;
+  });
+  const HypothesisFit& lead = leads.fit;
+  if (lead.together.size() < 2) return fits;
+  constexpr std::size_t most = 3; // resonators that are tried beside others
+  const std::size_t alone = fits.size();
+  for (std::size_t i = 0; i < std::min(most, alone); ++i)
+    for (std::size_t out = 0; out < lead.together.size(); ++out) {
+      std::vector<const Hypothesis*> together{fits[i].together.front()};
+      VectorXd z = fits[i].z;
+      for (std::size_t k = 0; k < lead.together.size(); ++k) {
+        if (k == out) continue;
+        together.push_back(lead.together[k]);
+        const VectorXd own =
+            lead.z.segment(lead.first_of(k), Index(lead.together[k]->parameters.size()));
+        z.conservativeResize(z.size() + own.size());
+        z.tail(own.size()) = own;
+      }
+      if (HypothesisFit fit = fit_of(context_, together, z); fit.solved)
+        fits.push_back(std::move(fit));
+    }
+  return fits;
+}
+
+std::string Objections::resonates(const JudgedFit& leads) const {
+  if (search_.settings.stop()) return "";
+  double highest = 0; // Hz
+  for (const Reading& r : context_.test.readings)
+    if (!r.held_out && r.kind == ReadingKind::frequency)
+      highest = std::max(highest, std::exp(r.log_value));
+  std::string why;
+  double most = 0;
+  for (const HypothesisFit& fit : with_resonators(leads))
+    if (const double more = dispersed_log_evidence(fit) - dispersed_log_evidence(leads.fit);
+        more > most) {
+      most = more;
+      why = resonator_explains_more(leads, fit, highest);
+    }
+  return why;
 }
 
 bool Objections::beside_baseline() const {

@@ -13,11 +13,13 @@ namespace plica {
 
 class Objections {
 public:
-  // All must outlive it. `tempting`: factors on everything that would close the gap.
+  // All must outlive it. `tempting`: factors on everything that would close the gap. `resonators`:
+  // effects/resonators.hpp.
   Objections(const GapProblem& problem, const SetSearch& search, const HypothesisFit& plain,
-             const std::vector<Compensator>& tempting, const Inclusion& inclusion)
+             const std::vector<Compensator>& tempting, const std::vector<Hypothesis>& resonators,
+             const Inclusion& inclusion)
       : problem_(problem), search_(search), context_(search.context), plain_(plain),
-        tempting_(tempting), inclusion_(inclusion) {}
+        tempting_(tempting), resonators_(resonators), inclusion_(inclusion) {}
 
   Referee referee(); // which must not outlive this
   // What was asked about last, with one effect more beside it each; empty where nothing was.
@@ -31,6 +33,8 @@ private:
 
   Objection to_most_alone(const JudgedFit& leads) const;
   std::string closes_too_little_beside(const JudgedFit& leads, const HypothesisFit& sampled) const;
+  std::string resonates(const JudgedFit& leads) const;
+  std::vector<HypothesisFit> with_resonators(const JudgedFit& leads) const;
   bool beside_baseline() const;
   std::string what_remains(const JudgedFit& leads) const;
 
@@ -39,6 +43,7 @@ private:
   const FitContext& context_;
   const HypothesisFit& plain_;
   const std::vector<Compensator>& tempting_;
+  const std::vector<Hypothesis>& resonators_;
   const Inclusion& inclusion_;
   std::vector<JudgedFit> beside_;
 };

@@ -1,5 +1,8 @@
 #include "reduction/affine_model.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plica {
 namespace {
 
@@ -18,6 +21,33 @@ MatrixXd summed(const MatrixXd& A, const std::vector<MatrixXd>& dA, const Vector
 // What is zero everywhere becomes empty.
 MatrixXd restricted(const MatrixXd& A, const std::vector<int>& coordinates) {
   return A.isZero(0) ? MatrixXd() : MatrixXd(A(coordinates, coordinates));
+}
+
+// Gives rows, or columns, for so many coordinates more; what is empty stays so.
+void append_rows(MatrixXd& A, Index more) {
+  A.conservativeResize(A.rows() + more, Eigen::NoChange);
+  A.bottomRows(more).setZero();
+}
+void append_columns(MatrixXd& A, Index more) {
+  A.conservativeResize(Eigen::NoChange, A.cols() + more);
+  A.rightCols(more).setZero();
+}
+void append_both(MatrixXd& A, Index more) {
+  if (A.size() == 0) return;
+  append_rows(A, more);
+  append_columns(A, more);
+}
+
+// x x' of the spring is among the squares; its other end is the mass, M = 1 over its coordinate.
+void tie_resonators(const std::vector<MotionSum>& sums, const VectorXd& c, MatrixXd& K) {
+  for (const MotionSum& sum : sums) {
+    const double omega = sum.frequency(c);
+    if (omega <= 0) continue;
+    const VectorXd force = omega * sum.over_q(c);
+    K.col(sum.coordinate) -= force;
+    K.row(sum.coordinate) -= force.transpose();
+    K(sum.coordinate, sum.coordinate) = omega * omega;
+  }
 }
 
 void add_squares(const std::vector<MotionSum>& sums, MotionTerm::Of of, const VectorXd& c,
@@ -51,9 +81,15 @@ VectorXd MotionSum::over_q(const VectorXd& all) const {
   return x;
 }
 
+double MotionSum::frequency(const VectorXd& all) const {
+  return of == MotionTerm::Of::resonator ? all[first + rows.rows() - 1] : 0;
+}
+
 MatrixXd AffineModel::stiffness(const VectorXd& c) const {
   MatrixXd all = summed(K, dK, with_products(c, products));
   add_squares(sums, MotionTerm::Of::spring, c, all);
+  add_squares(sums, MotionTerm::Of::resonator, c, all);
+  tie_resonators(sums, c, all);
   return all;
 }
 
@@ -65,9 +101,11 @@ MatrixXd AffineModel::mass_matrix(const VectorXd& c) const {
 
 MatrixXd AffineModel::loads(const VectorXd& c) const {
   MatrixXd all = summed(load, d_load, with_products(c, products));
-  for (const MotionSum& sum : sums)
-    if (sum.of == MotionTerm::Of::mass)
-      all.noalias() += sum.over_q(c) * (sum.coefficients_of(c).transpose() * sum.rigid);
+  for (const MotionSum& sum : sums) {
+    const Eigen::RowVectorXd rigid = sum.coefficients_of(c).transpose() * sum.rigid;
+    if (sum.of == MotionTerm::Of::mass) all.noalias() += sum.over_q(c) * rigid;
+    if (const double omega = sum.frequency(c); omega > 0) all.row(sum.coordinate) += rigid / omega;
+  }
   return all;
 }
 
@@ -75,11 +113,12 @@ double AffineModel::weight(const VectorXd& of_changes) const {
   const VectorXd c = with_products(of_changes, products);
   double sum = mass;
   for (std::size_t k = 0; k < d_mass.size(); ++k) sum += c[Index(k)] * d_mass[k];
-  for (const MotionSum& own : sums)
-    if (own.of == MotionTerm::Of::mass) {
-      const double moved = own.coefficients_of(of_changes).dot(own.rigid.col(weighed_along));
-      sum += moved * moved;
-    }
+  for (const MotionSum& own : sums) {
+    const double moved = own.coefficients_of(of_changes).dot(own.rigid.col(weighed_along));
+    if (own.of == MotionTerm::Of::mass) sum += moved * moved;
+    if (const double omega = own.frequency(of_changes); omega > 0)
+      sum += std::pow(moved / omega, 2);
+  }
   return sum;
 }
 
@@ -112,6 +151,9 @@ AffineModel AffineModel::restricted_to(const std::vector<int>& coordinates) cons
   for (const MotionSum& sum : sums) {
     own.sums.push_back(sum);
     own.sums.back().rows = sum.rows(Eigen::all, coordinates);
+    if (sum.of == MotionTerm::Of::resonator)
+      own.sums.back().coordinate =
+          std::find(coordinates.begin(), coordinates.end(), sum.coordinate) - coordinates.begin();
   }
   own.marked = marked(Eigen::all, coordinates);
   own.lambda = lambda;
@@ -120,6 +162,26 @@ AffineModel AffineModel::restricted_to(const std::vector<int>& coordinates) cons
   own.suspension = suspension;
   own.suspension.rigid = suspension.rigid(coordinates, Eigen::all);
   return own;
+}
+
+void AffineModel::hang_resonators() {
+  const Index before = K.rows();
+  Index more = 0;
+  for (MotionSum& sum : sums)
+    if (sum.of == MotionTerm::Of::resonator) sum.coordinate = before + more++;
+  if (more == 0) return;
+  for (MatrixXd* A : {&K, &M}) append_both(*A, more);
+  for (auto* changes : {&dK, &dM})
+    for (MatrixXd& A : *changes) append_both(A, more);
+  for (MatrixXd& A : d_load)
+    if (A.size() > 0) append_rows(A, more);
+  for (MatrixXd* A : {&load, &nominal, &suspension.rigid}) append_rows(*A, more);
+  append_columns(marked, more);
+  for (MotionSum& sum : sums) append_columns(sum.rows, more);
+  constexpr double far_above = 1e4;
+  const double idle = far_above * (lambda.size() > 0 ? lambda.maxCoeff() : K.trace() / M.trace());
+  K.bottomRightCorner(more, more).diagonal().setConstant(idle);
+  M.bottomRightCorner(more, more).setIdentity();
 }
 
 } // namespace plica

@@ -10,14 +10,16 @@
 
 namespace plica {
 
-// A motion that a spring or a mass acts on.
+// A motion that a spring, a mass or a resonator acts on.
 struct MotionSum {
   MotionTerm::Of of;
-  Eigen::Index first = 0; // of its terms, among the changes
-  Eigen::MatrixXd rows;   // a term each, over q
-  Eigen::MatrixXd rigid;  // a term each: by translations along x y z
+  Eigen::Index first = 0;       // of its terms, among the changes
+  Eigen::MatrixXd rows;         // a term each, over q
+  Eigen::MatrixXd rigid;        // a term each: by translations along x y z
+  Eigen::Index coordinate = -1; // of a resonator: its own in q, sqrt(mass) times its motion
   Eigen::VectorXd coefficients_of(const Eigen::VectorXd& all) const;
   Eigen::VectorXd over_q(const Eigen::VectorXd& all) const;
+  double frequency(const Eigen::VectorXd& all) const; // of a resonator, rad/s; 0 = there is none
 };
 
 // Matrices over q; the first 6 coordinates of each boundary node are its DOFs. The functions take
@@ -31,6 +33,9 @@ struct AffineModel {
   Eigen::MatrixXd stiffness_of(int group, const Eigen::VectorXd& coefficients) const;
   // These coordinates alone. What a change leaves as it is becomes empty.
   AffineModel restricted_to(const std::vector<int>& coordinates) const;
+  // Gives each resonator a coordinate of its own, behind all others. While there is none it moves
+  // by itself, far above the nominal modes.
+  void hang_resonators();
 
   Eigen::MatrixXd K, M;
   std::vector<Eigen::MatrixXd> dK, dM;      // per change, products last; empty = none

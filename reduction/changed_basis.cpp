@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 namespace plica {
 namespace {
@@ -71,6 +72,21 @@ void add_forces(const std::vector<PreparedChange>& changes, Index first, const V
   each([&](int dof, double factor) { moved += factor * u.row(dof); });
   moved = moved.cwiseProduct(scale.transpose());
   each([&](int dof, double factor) { forces.row(dof) += factor * moved; });
+}
+
+// Force per motion of what acts on a motion, its coefficients those of one, at each lambda. The
+// mass of a resonator moves by w^2 / (w^2 - lambda) of the motion that it hangs on.
+VectorXd resistance(const MotionSum& sum, const VectorXd& coefficients, const VectorXd& lambda) {
+  switch (sum.of) {
+  case MotionTerm::Of::spring:
+    return VectorXd::Ones(lambda.size());
+  case MotionTerm::Of::mass:
+    return -lambda;
+  case MotionTerm::Of::resonator:
+    break;
+  }
+  const double own = std::pow(sum.frequency(coefficients), 2);
+  return (-lambda.array() / (own - lambda.array())).matrix();
 }
 
 } // namespace
@@ -239,6 +255,7 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
   affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)), T);
   add_changes(changes, basis, affine);
   affine.nominal = nominal_over_q(mass, T, affine.M);
+  affine.hang_resonators();
   return affine;
 }
 
@@ -257,7 +274,7 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
   const VectorXd lambda = lowest->lambda.head(count);
   MatrixXd q = MatrixXd::Zero(K.rows(), count);
   q(free, Eigen::all) = lowest->q.leftCols(count);
-  const MatrixXd inner = basis.T * q.bottomRows(basis.T.cols());
+  const MatrixXd inner = basis.T * q.middleRows(Psi_.cols(), basis.T.cols());
   const MatrixXd u = Psi_ * q.topRows(Psi_.cols()) + W_ * inner.topRows(W_.cols()) +
                      basis.X * inner.bottomRows(basis.X.cols());
   MatrixXd r =
@@ -273,7 +290,7 @@ VectorXd ParametricModel::frequency_errors(const std::vector<PreparedChange>& ch
   }
   for (const MotionSum& sum : f.sums)
     add_forces(changes, sum.first, sum.coefficients_of(of_changes), u,
-               sum.of == MotionTerm::Of::spring ? VectorXd::Ones(count) : VectorXd(-lambda), r);
+               resistance(sum, of_changes, lambda), r);
   for (int dof : held_) r.row(dof).setZero();
   const VectorXd energy = r.cwiseProduct(solve_inside(r)).colwise().sum();
   return (energy.array() / (2 * lambda.array())).matrix();

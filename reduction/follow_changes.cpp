@@ -44,7 +44,7 @@ void append_columns(MatrixXd& A, const MatrixXd& more) {
 }
 
 PreparedChange prepared_term(const MotionTerm& term, const DofMap& map) {
-  DofColumn column = dof_column(map, term.node, term.dof);
+  DofColumn column = dof_column(map, term.nodes, term.dof);
   const auto own = Index(column.dofs.size());
   PreparedChange made{{.K = SparseMatrix(int(own), int(own)),
                        .M = SparseMatrix(int(own), int(own)),

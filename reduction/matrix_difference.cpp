@@ -2,6 +2,7 @@
 
 #include "solve/element_view.hpp"
 
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -141,14 +142,18 @@ OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness) {
   return {std::move(nodes), std::move(rows), mass, stiffness};
 }
 
-DofColumn dof_column(const DofMap& map, int node, int dof) {
-  const auto full = std::size_t(6 * node + dof);
-  if (map.independent[full] >= 0) return {{map.independent[full]}, Eigen::VectorXd::Ones(1)};
-  DofColumn column;
-  column.factors.resize(Index(map.dependent[full].size()));
-  for (const WeightedDof& own : map.dependent[full]) {
-    column.factors[Index(column.dofs.size())] = own.factor;
-    column.dofs.push_back(own.dof);
+DofColumn dof_column(const DofMap& map, const std::vector<int>& nodes, int dof) {
+  std::map<int, double> sum;
+  const double share = 1 / double(nodes.size());
+  for (int node : nodes) {
+    const auto full = std::size_t(6 * node + dof);
+    if (map.independent[full] >= 0) sum[map.independent[full]] += share;
+    for (const WeightedDof& own : map.dependent[full]) sum[own.dof] += share * own.factor;
+  }
+  DofColumn column{{}, Eigen::VectorXd(Index(sum.size()))};
+  for (const auto& [at, factor] : sum) {
+    column.factors[Index(column.dofs.size())] = factor;
+    column.dofs.push_back(at);
   }
   return column;
 }

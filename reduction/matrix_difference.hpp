@@ -18,10 +18,13 @@ OnMotion on_mean_motion(std::vector<int> nodes, double mass, double stiffness);
 
 // One DOF of a motion that is a sum over DOFs, each times the coefficient of its change: a spring
 // of 1 N/m to the ground, or a mass of 1 kg, on that motion adds coefficient_i coefficient_j
-// between DOFs i and j. The terms of one motion follow each other.
+// between DOFs i and j. The terms of one motion follow each other. A resonator is a mass that hangs
+// on the motion by a spring: coefficients are those of the spring, and behind them comes a term
+// without nodes whose coefficient is its frequency, rad/s.
 struct MotionTerm {
-  enum class Of { spring, mass };
-  int node = 0, dof = 0; // 0 to 5
+  enum class Of { spring, mass, resonator };
+  std::vector<int> nodes; // their mean; of several at once
+  int dof = 0;            // 0 to 5
   Of of = Of::spring;
   bool begins = false; // a motion
 };
@@ -32,12 +35,12 @@ struct MatrixDifference {
   std::vector<int> dofs; // independent ones
 };
 
-// What one DOF is over the independent ones, as a column over `dofs`.
+// What the mean of one DOF of nodes is over the independent ones, as a column over `dofs`.
 struct DofColumn {
   std::vector<int> dofs;
   Eigen::VectorXd factors;
 };
-DofColumn dof_column(const DofMap& map, int node, int dof);
+DofColumn dof_column(const DofMap& map, const std::vector<int>& nodes, int dof);
 
 // From the elements that differ, or, where most do or the shape is another, by assembling anew.
 // `system`: that of the nominal model. Throws std::invalid_argument when the unknowns differ.

@@ -14,8 +14,8 @@ double motion_of(const MovingMotion& motion, const Eigen::VectorXd& place, const
   EXPECT_EQ(factors.size(), Eigen::Index(motion.terms.size()));
   double moved = 0;
   for (std::size_t i = 0; i < motion.terms.size(); ++i)
-    moved +=
-        factors[Eigen::Index(i)] * given(motion.terms[i].term->node, motion.terms[i].term->dof);
+    moved += factors[Eigen::Index(i)] *
+             given(motion.terms[i].term->nodes.front(), motion.terms[i].term->dof);
   return moved;
 }
 

@@ -186,7 +186,7 @@ TEST(ParametricModel, a_released_boundary_on_springs_moves_as_the_whole_does) {
 }
 
 ModelChange term(int node, int dof, MotionTerm::Of of, bool begins) {
-  return {.apply = {}, .term = MotionTerm{.node = node, .dof = dof, .of = of, .begins = begins}};
+  return {.apply = {}, .term = MotionTerm{.nodes = {node}, .dof = dof, .of = of, .begins = begins}};
 }
 
 // A motion of one DOF is that DOF: the whole structure with a spring, with a mass.

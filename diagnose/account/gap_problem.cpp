@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/growth.hpp"
+#include "diagnose/effects/resonators.hpp"
 #include "diagnose/predict/passed_over.hpp"
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/results/stage_share.hpp"
@@ -137,12 +138,17 @@ std::vector<std::string> clamps_that_may_give_way(const GapProblem& p) {
   return found;
 }
 
+std::vector<Hypothesis> grown_in_states(std::vector<Hypothesis> all, const Measured& measured) {
+  const std::vector<std::string> states = changed_states(measured);
+  for (Hypothesis& h : all) h = grown(std::move(h), states);
+  return all;
+}
+
 void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
   ChosenEffects chosen = chosen_effects(p.nominal.structure(p.test.data));
   for (const std::string& name : chosen.without_place)
     p.not_tried.push_back({name, effect_named(name).needs});
-  const std::vector<std::string> states = changed_states(p.test.data);
-  for (Hypothesis& h : chosen.hypotheses) p.hypotheses.push_back(grown(std::move(h), states));
+  p.hypotheses = grown_in_states(std::move(chosen.hypotheses), p.test.data);
   p.words = words;
   p.words.insert(p.words.end(), chosen.words.begin(), chosen.words.end());
   if (const std::vector<std::string> clamps = clamps_that_may_give_way(p); !clamps.empty())
@@ -152,6 +158,10 @@ void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
 }
 
 } // namespace
+
+std::vector<Hypothesis> resonators_of(const GapProblem& p) {
+  return grown_in_states(resonators(p.nominal.structure(p.test.data)), p.test.data);
+}
 
 std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
                                        const DiagnosisSettings& settings) {

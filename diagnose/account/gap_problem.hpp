@@ -35,4 +35,8 @@ struct GapProblem {
 std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
                                        const DiagnosisSettings& settings);
 
+// What may hang on the structure by a spring of its own (effects/resonators.hpp), where several
+// states changed one after the other with a size for each.
+std::vector<Hypothesis> resonators_of(const GapProblem& problem);
+
 } // namespace plica

@@ -62,10 +62,10 @@ std::vector<ModelChange> MotionTerms::changes(MotionTerm::Of of,
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     for (int dof = 0; dof < 6; ++dof)
       if (number_[i][std::size_t(dof)] >= 0)
-        all.push_back(
-            {.apply = {},
-             .follow = follow(dof),
-             .term = MotionTerm{.node = nodes_[i], .dof = dof, .of = of, .begins = all.empty()}});
+        all.push_back({.apply = {},
+                       .follow = follow(dof),
+                       .term = MotionTerm{
+                           .nodes = {nodes_[i]}, .dof = dof, .of = of, .begins = all.empty()}});
   return all;
 }
 

@@ -1,5 +1,6 @@
 #include "diagnose/judge/reasons.hpp"
 
+#include "diagnose/effects/resonators.hpp"
 #include "diagnose/judge/thresholds.hpp"
 
 #include <algorithm>
@@ -88,6 +89,17 @@ std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tem
       return fmt::format("{} times {:.3g} would leave no more of the gap ({:.2g}, {:.2g} with it)",
                          c.name, c.factor, c.gap_after, leads.gap_after);
   return "";
+}
+
+std::string resonator_explains_more(const JudgedFit& leads, const HypothesisFit& resonator,
+                                    double highest_hertz) {
+  constexpr Eigen::Index frequency = 1; // among its parameters
+  const double more = dispersed_log_evidence(resonator) - dispersed_log_evidence(leads.fit);
+  if (more < threshold::effects_apart || resonator.values[frequency] > highest_hertz) return "";
+  const double left = std::sqrt(resonator.chi2 / double(resonator.error.size()));
+  return fmt::format("{} would leave {:.2g} of the gap, not {:.2g}",
+                     words_of_resonator(*resonator.together.front(), resonator.values), left,
+                     leads.gap_after);
 }
 
 std::string closes_less_than_half(const JudgedFit& leads, double gap_before) {
