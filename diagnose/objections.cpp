@@ -3,6 +3,7 @@
 #include "diagnose/account/ledger.hpp"
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/reasons.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ Objection Objections::to_most(const JudgedFit& leads) {
   if (!found.why.empty()) return found;
   beside_ = fit_beside(search_, leads);
   found.why = closes_too_little_beside(leads, *found.sampled);
-  if (found.why.empty()) found.why = resonates(leads);
+  if (found.why.empty()) found.why = resonates(leads, -threshold::alike);
   return found;
 }
 
@@ -74,7 +75,7 @@ std::string Objections::closes_too_little_beside(const JudgedFit& leads,
 }
 
 // A resonator in place of what leads, or of one of several.
-std::vector<HypothesisFit> Objections::with_resonators(const JudgedFit& leads) const {
+std::vector<HypothesisFit> Objections::with_resonators(const HypothesisFit& lead) const {
   reduce_each(context_, resonators_);
   std::vector<HypothesisFit> fits(resonators_.size());
   in_parallel(int(fits.size()), [&](int i) {
@@ -84,7 +85,6 @@ std::vector<HypothesisFit> Objections::with_resonators(const JudgedFit& leads) c
   std::stable_sort(fits.begin(), fits.end(), [](const HypothesisFit& a, const HypothesisFit& b) {
     return a.log_evidence > b.log_evidence;
   });
-  const HypothesisFit& lead = leads.fit;
   if (lead.together.size() < 2) return fits;
   constexpr std::size_t most = 3; // resonators that are tried beside others
   const std::size_t alone = fits.size();
@@ -106,21 +106,28 @@ std::vector<HypothesisFit> Objections::with_resonators(const JudgedFit& leads) c
   return fits;
 }
 
-std::string Objections::resonates(const JudgedFit& leads) const {
+std::string Objections::resonates(const JudgedFit& leads, double nats_more) {
   if (search_.settings.stop()) return "";
-  double highest = 0; // Hz
+  asked_for_resonators_ = true;
+  std::optional<double> highest; // Hz
   for (const Reading& r : context_.test.readings)
     if (!r.held_out && r.kind == ReadingKind::frequency)
-      highest = std::max(highest, std::exp(r.log_value));
-  std::string why;
-  double most = 0;
-  for (const HypothesisFit& fit : with_resonators(leads))
-    if (const double more = dispersed_log_evidence(fit) - dispersed_log_evidence(leads.fit);
-        more > most) {
-      most = more;
-      why = resonator_explains_more(leads, fit, highest);
-    }
-  return why;
+      highest = std::max(highest.value_or(0), std::exp(r.log_value));
+  std::vector<HypothesisFit> fits = with_resonators(leads.fit);
+  std::stable_sort(fits.begin(), fits.end(), [](const HypothesisFit& a, const HypothesisFit& b) {
+    return dispersed_log_evidence(a) > dispersed_log_evidence(b);
+  });
+  for (const HypothesisFit& fit : fits)
+    if (std::string why = resonator_explains(leads, fit, highest, nats_more); !why.empty())
+      return why;
+  return "";
+}
+
+std::string Objections::hint_of(const Judgement& judgement) {
+  if (judgement.verdict != Verdict::unknown || asked_for_resonators_) return "";
+  const std::string found =
+      resonates(judgement.nearest ? *judgement.nearest : search_.nominal, threshold::effects_apart);
+  return found.empty() ? "" : "perhaps what is not known here as a cause: " + found;
 }
 
 bool Objections::beside_baseline() const {

@@ -24,6 +24,9 @@ public:
   Referee referee(); // which must not outlive this
   // What was asked about last, with one effect more beside it each; empty where nothing was.
   const std::vector<JudgedFit>& beside() const { return beside_; }
+  // Where nothing is named, and it was not asked before: what hangs on a spring of its own and
+  // would explain far more; empty = nothing does.
+  std::string hint_of(const Judgement& judgement);
 
 private:
   // To effects that would explain all, one or together, and to such that would explain most.
@@ -33,8 +36,9 @@ private:
 
   Objection to_most_alone(const JudgedFit& leads) const;
   std::string closes_too_little_beside(const JudgedFit& leads, const HypothesisFit& sampled) const;
-  std::string resonates(const JudgedFit& leads) const;
-  std::vector<HypothesisFit> with_resonators(const JudgedFit& leads) const;
+  // What hangs on a spring of its own and is worth so many nats more.
+  std::string resonates(const JudgedFit& leads, double nats_more);
+  std::vector<HypothesisFit> with_resonators(const HypothesisFit& lead) const;
   bool beside_baseline() const;
   std::string what_remains(const JudgedFit& leads) const;
 
@@ -46,6 +50,7 @@ private:
   const std::vector<Hypothesis>& resonators_;
   const Inclusion& inclusion_;
   std::vector<JudgedFit> beside_;
+  bool asked_for_resonators_ = false;
 };
 
 } // namespace plica

@@ -82,6 +82,12 @@ public:
   }
   // What came last is known by its signature only.
   void leave_out_alone() { fitted_alone_.back() = false; }
+  // What came last is none of what is tried.
+  void take_away() {
+    hypotheses_.pop_back();
+    signatures_.pop_back();
+    fitted_alone_.pop_back();
+  }
 
   void measure(const VectorXd& r) { measured_ = u_.nominal + sigma_of_gains * r; }
 

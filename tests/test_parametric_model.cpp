@@ -251,5 +251,68 @@ TEST(ParametricModel, a_motion_of_two_nodes_is_the_square_of_their_sum) {
   }
 }
 
+// A mass on a spring, its DOF behind those of the cantilever, clamped at node 0.
+struct WithResonator {
+  MatrixXd K, M, rigid; // rigid: translations along x, y, z
+  WithResonator(int node, int dof, double mass, double omega) {
+    const Model model = cantilever();
+    const System system = assemble(model);
+    std::vector<int> free;
+    int own = -1;
+    for (int i = 0; i < system.map.size(); ++i) {
+      if (system.map.full[i] / 6 == 0) continue;
+      if (system.map.full[i] == 6 * node + dof) own = int(free.size());
+      free.push_back(i);
+    }
+    const auto n = Eigen::Index(free.size());
+    const auto dense = [&](const SparseMatrix& A) {
+      MatrixXd all = MatrixXd::Zero(n + 1, n + 1);
+      all.topLeftCorner(n, n) = MatrixXd(restrict_to(A, free)).selfadjointView<Eigen::Lower>();
+      return all;
+    };
+    K = dense(system.K);
+    M = dense(system.M);
+    const double k = mass * omega * omega;
+    K(own, own) += k;
+    K(n, n) = k;
+    K(own, n) = K(n, own) = -k;
+    M(n, n) = mass;
+    rigid = MatrixXd::Zero(n + 1, 3);
+    rigid.topRows(n) = rigid_body_motions(model, system.map, {0, 0, 0})(free, Eigen::seqN(0, 3));
+    rigid(n, dof) = 1;
+  }
+};
+
+// Far below, near, between and above the modes of the cantilever; the mass up to half of its own.
+TEST(ParametricModel, hangs_a_mass_by_a_spring_of_its_own) {
+  const ParametricModel model(cantilever(), {0}, {12}, 10);
+  const VectorXd nominal = whole(cantilever(), watched);
+  const std::vector<PreparedChange> changes = model.prepare(std::vector{
+      term(9, 2, MotionTerm::Of::resonator, true),
+      ModelChange{.apply = {}, .term = MotionTerm{.nodes = {}, .of = MotionTerm::Of::resonator}}});
+  const AffineModel affine = model.with(changes);
+  std::vector<int> free;
+  for (int i = affine.boundary; i < int(affine.K.rows()); ++i) free.push_back(i);
+  const AffineModel held = affine.restricted_to(free);
+  for (double lambda : {0.3 * nominal[0], nominal[0], nominal[1] / 2, 4 * nominal[2]})
+    for (double mass : {0.005, 0.05}) {
+      const double omega = std::sqrt(lambda);
+      const WithResonator want(9, 2, mass, omega);
+      const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(want.K, want.M);
+      const VectorXd c = Eigen::Vector2d(std::sqrt(mass) * omega, omega);
+      expect_near(reduced(affine, c, watched), pairs.eigenvalues().head(watched), 1e-3);
+      EXPECT_LT(model.frequency_errors(changes, c, free, watched).maxCoeff(), 1e-3);
+      EXPECT_NEAR(affine.weight(c), affine.mass + mass, 1e-12);
+      const MatrixXd load = want.M * want.rigid, own = held.loads(c);
+      const MatrixXd answer = load.transpose() * want.K.ldlt().solve(load);
+      EXPECT_NEAR((own.transpose() * held.stiffness(c).ldlt().solve(own) - answer).norm() /
+                      answer.norm(),
+                  0, 1e-4);
+    }
+  const VectorXd none = VectorXd::Zero(2);
+  expect_near(reduced(affine, none, watched), nominal, 1e-9);
+  EXPECT_EQ(affine.weight(none), affine.mass);
+}
+
 } // namespace
 } // namespace plica

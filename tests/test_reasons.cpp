@@ -144,5 +144,30 @@ TEST(Reasons, let_an_effect_beside_a_baseline_leave_three_tenths_of_the_change_o
   EXPECT_EQ(leaves_of_the_change(leading(3.1, mass), 10), "it leaves 31 % of the change");
 }
 
+// Of ten readings the mass leaves twice their errors, the resonator just these: with
+// ln Z = -(4 + n) / 2 ln(1 + chi2 / 4) it is 7 ln(11 / 3.5) = 8.02 nats ahead.
+TEST(Reasons, ask_that_a_mass_on_a_spring_of_its_own_explains_no_more) {
+  const auto fit_of = [](const Hypothesis& h, Eigen::VectorXd values, double error) {
+    HypothesisFit fit;
+    fit.together = {&h};
+    fit.z = Eigen::VectorXd::Zero(values.size());
+    fit.values = std::move(values);
+    fit.error = Eigen::VectorXd::Constant(10, error);
+    fit.J = Eigen::MatrixXd::Zero(10, fit.z.size());
+    fit.chi2 = fit.error.squaredNorm();
+    return fit;
+  };
+  const Hypothesis mass = acting("added_mass"), resonator = acting("resonator", "beam.point[3]");
+  JudgedFit lead = leading(2, mass);
+  lead.fit = fit_of(mass, Eigen::VectorXd::Constant(1, 0.01), 2);
+  const HypothesisFit rival = fit_of(resonator, Eigen::Vector2d(0.015, 805), 1);
+  EXPECT_EQ(resonator_explains(lead, rival, 900, 8),
+            "15 g on a spring of its own, which resonates at 805 Hz, at beam.point[3] would leave "
+            "1 of the gap (2 without it)");
+  EXPECT_EQ(resonator_explains(lead, rival, 900, 8.1), "");
+  EXPECT_NE(resonator_explains(lead, rival, std::nullopt, 8), "");
+  EXPECT_EQ(resonator_explains(lead, rival, 800, 8), "") << "a mass, for all that was measured";
+}
+
 } // namespace
 } // namespace plica

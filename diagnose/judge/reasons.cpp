@@ -91,15 +91,15 @@ std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tem
   return "";
 }
 
-std::string resonator_explains_more(const JudgedFit& leads, const HypothesisFit& resonator,
-                                    double highest_hertz) {
+std::string resonator_explains(const JudgedFit& leads, const HypothesisFit& resonator,
+                               std::optional<double> highest_hertz, double nats_more) {
   constexpr Eigen::Index frequency = 1; // among its parameters
   const double more = dispersed_log_evidence(resonator) - dispersed_log_evidence(leads.fit);
-  if (more < threshold::effects_apart || resonator.values[frequency] > highest_hertz) return "";
-  const double left = std::sqrt(resonator.chi2 / double(resonator.error.size()));
-  return fmt::format("{} would leave {:.2g} of the gap, not {:.2g}",
-                     words_of_resonator(*resonator.together.front(), resonator.values), left,
-                     leads.gap_after);
+  if (more < nats_more || (highest_hertz && resonator.values[frequency] > *highest_hertz))
+    return "";
+  return fmt::format("{} would leave {:.2g} of the gap ({:.2g} without it)",
+                     words_of_resonator(*resonator.together.front(), resonator.values),
+                     std::sqrt(resonator.chi2 / double(resonator.error.size())), leads.gap_after);
 }
 
 std::string closes_less_than_half(const JudgedFit& leads, double gap_before) {

@@ -28,11 +28,11 @@ bool is_like(const Compensator& c, const HypothesisFit& fit, bool beside_baselin
 std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tempting,
                      bool beside_baseline);
 
-// A mass on a spring of its own, first in `resonator`, explains far more, and resonates below the
-// highest frequency that was measured: below its resonance it looks like a mass, above it like a
-// support.
-std::string resonator_explains_more(const JudgedFit& leads, const HypothesisFit& resonator,
-                                    double highest_hertz);
+// A mass on a spring of its own, first in `resonator`, that is worth so many nats more than what
+// leads, and resonates below the highest frequency that was measured, where any was: else it is a
+// mass, for all that is known.
+std::string resonator_explains(const JudgedFit& leads, const HypothesisFit& resonator,
+                               std::optional<double> highest_hertz, double nats_more);
 
 // What explains the test closes half of its gap at least: errors may be smaller than they are
 // stated, and then what is adequate leaves room for the cause.
