@@ -124,9 +124,12 @@ std::string Objections::resonates(const JudgedFit& leads, double nats_more) {
 }
 
 std::string Objections::hint_of(const Judgement& judgement) {
-  if (judgement.verdict != Verdict::unknown || asked_for_resonators_) return "";
+  const bool at_the_edge =
+      judgement.verdict == Verdict::ambiguous && judgement.named.front()->at_the_edge;
+  if (asked_for_resonators_ || !(judgement.verdict == Verdict::unknown || at_the_edge)) return "";
+  const JudgedFit* nearest = at_the_edge ? judgement.named.front() : judgement.nearest;
   const std::string found =
-      resonates(judgement.nearest ? *judgement.nearest : search_.nominal, threshold::effects_apart);
+      resonates(nearest ? *nearest : search_.nominal, threshold::effects_apart);
   return found.empty() ? "" : "perhaps what is not known here as a cause: " + found;
 }
 

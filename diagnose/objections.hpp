@@ -24,8 +24,9 @@ public:
   Referee referee(); // which must not outlive this
   // What was asked about last, with one effect more beside it each; empty where nothing was.
   const std::vector<JudgedFit>& beside() const { return beside_; }
-  // Where nothing is named, and it was not asked before: what hangs on a spring of its own and
-  // would explain far more; empty = nothing does.
+  // Where nothing is named, or what is listed leaves more than healthy specimens do, and it was not
+  // asked before: what hangs on a spring of its own and would explain far more; empty = nothing
+  // does.
   std::string hint_of(const Judgement& judgement);
 
 private:

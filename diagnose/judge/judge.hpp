@@ -36,7 +36,9 @@
 //               beyond |z| = 3, three readings for each free parameter, and held-out readings
 //               better by three tenths, these or readings in turn with an interval above zero; the
 //               half is closed, too, where one effect more may act beside them, and of several
-//               each closes a tenth: what is left without the others is asked about. What would
+//               each closes a tenth: what is left without the others is asked about; and nothing
+//               that hangs on a spring of its own, and resonates among the frequencies that were
+//               measured, explains as much (within 3 nats), which is no effect here. What would
 //               be identified, or several, is mostly where an effect of it names a place and no
 //               cause (Hypothesis::names_place_only)
 //   unknown     everything else; probabilities are then no more than the share that what comes

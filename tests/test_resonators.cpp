@@ -1,0 +1,101 @@
+// What hangs on a structure by a spring of its own: no effect of the library, but what would
+// explain most of a test has to stand up to it.
+#include "diagnose/diagnose.hpp"
+#include "diagnose/effects/resonators.hpp"
+#include "tests/changed_beam.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace plica::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double length = 0.5, width = 0.03, depth = 0.01, E = 200e9, rho = 7850;
+
+// Frequencies (Hz) of Euler's cantilever with a mass on a spring at a place, by the modes of the
+// bare one (Blevins, Formulas for Natural Frequency and Mode Shape, table 8-1), which have a mass
+// of rho A L each.
+VectorXd with_a_hung_mass(double thickness, double mass, double hertz, double at) {
+  constexpr std::array<double, 8> lambda{1.87510407,  4.69409113,  7.85475744,  10.99554073,
+                                         14.13716839, 17.27875953, 20.42035225, 23.56194490};
+  constexpr auto n = Index(lambda.size());
+  const double area = width * depth, omega = 2 * std::numbers::pi * hertz;
+  const double bending = E * area * thickness * thickness / 12;
+  MatrixXd K = MatrixXd::Zero(n + 1, n + 1), M = MatrixXd::Zero(n + 1, n + 1);
+  VectorXd shape(n + 1);
+  for (Index i = 0; i < n; ++i) {
+    const double l = lambda[std::size_t(i)], x = l * at / length;
+    const double sigma = (std::cosh(l) + std::cos(l)) / (std::sinh(l) + std::sin(l));
+    shape[i] = std::cosh(x) - std::cos(x) - sigma * (std::sinh(x) - std::sin(x));
+    M(i, i) = rho * area * length;
+    K(i, i) = bending * std::pow(l / length, 4) * length;
+  }
+  shape[n] = -1;
+  M(n, n) = mass;
+  K += mass * omega * omega * shape * shape.transpose();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> pairs(K, M);
+  return pairs.eigenvalues().cwiseSqrt() / (2 * std::numbers::pi);
+}
+
+// The cantilever with 60 g on a spring 0.3 m along, which resonates between its modes.
+Measured hammered(double mass, double hertz) {
+  Measured m;
+  m.specimen = "beam";
+  const auto add = [&](Axis axis, double thickness, int count) {
+    const VectorXd f = with_a_hung_mass(thickness, mass, hertz, 0.3);
+    for (int order = 1; order <= count; ++order) {
+      m.modes.push_back(changed_beam::bending(axis, order, "", f[order - 1]));
+      m.modes.back().sigma = 0.001 * f[order - 1];
+    }
+  };
+  add(Axis::z, depth, 4);
+  add(Axis::x, width, 3);
+  return m;
+}
+
+TEST(Resonators, hang_at_sensors_and_anywhere_along_a_beam) {
+  Case c = changed_beam::held_beam();
+  c.sensors = {{.name = "tip", .at = {0, length, 0}}};
+  const Measured m;
+  const Nominal nominal = nominal_of(c, m);
+  const std::vector<Hypothesis> all = resonators(nominal.structure(m));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].place, "sensor.tip");
+  EXPECT_EQ(all[1].place, "beam");
+  EXPECT_EQ(all[1].along, std::vector<std::size_t>{2});
+  EXPECT_EQ(words_of_resonator(all[1], Eigen::Vector3d(0.015, 805, 0.3)),
+            "15 g on a spring of its own, which resonates at 805 Hz, at beam, 0.3 m");
+}
+
+// Of a model whose modes are those of Euler's beam within a per mille.
+TEST(Resonators, on_a_cantilever_move_its_modes_as_in_closed_form) {
+  const Measured m = hammered(0.06, 150);
+  const Nominal nominal = nominal_of(changed_beam::held_beam(), m);
+  const std::vector<Hypothesis> all = resonators(nominal.structure(m));
+  const TestData test{.data = m, .responses = {}};
+  const TestReadings readings = readings_of(test);
+  const auto y = Predictor(nominal, readings, {&all.back()})(Eigen::Vector3d(0.06, 150, 0.3));
+  ASSERT_TRUE(y);
+  for (std::size_t i = 0; i < readings.readings.size(); ++i)
+    EXPECT_NEAR((*y)[Index(i)], readings.readings[i].log_value, 0.005) << readings.readings[i].name;
+}
+
+TEST(Resonators, are_told_of_where_nothing_that_is_known_explains_the_test) {
+  const Measured m = hammered(0.06, 150);
+  const Diagnosis d = diagnose(changed_beam::held_beam(), {.data = m, .responses = {}}, {});
+  EXPECT_TRUE(d.verdict == Verdict::unknown || d.verdict == Verdict::ambiguous) << d.headline;
+  std::string told = d.headline;
+  for (const std::string& warning : d.warnings) told += "\n" + warning;
+  EXPECT_NE(told.find("on a spring of its own, which resonates at 15"), std::string::npos) << told;
+  EXPECT_NE(told.find("at beam, 0.3"), std::string::npos) << told;
+}
+
+} // namespace
+} // namespace plica::test
