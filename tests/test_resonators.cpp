@@ -17,7 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double length = 0.5, width = 0.03, depth = 0.01, E = 200e9, rho = 7850;
+// Of changed_beam::held_beam().
+constexpr double beam_length = 0.5, beam_width = 0.03, beam_depth = 0.01;
 
 // Frequencies (Hz) of Euler's cantilever with a mass on a spring at a place, by the modes of the
 // bare one (Blevins, Formulas for Natural Frequency and Mode Shape, table 8-1), which have a mass
@@ -26,16 +27,17 @@ VectorXd with_a_hung_mass(double thickness, double mass, double hertz, double at
   constexpr std::array<double, 8> lambda{1.87510407,  4.69409113,  7.85475744,  10.99554073,
                                          14.13716839, 17.27875953, 20.42035225, 23.56194490};
   constexpr auto n = Index(lambda.size());
-  const double area = width * depth, omega = 2 * std::numbers::pi * hertz;
+  const double area = beam_width * beam_depth, omega = 2 * std::numbers::pi * hertz;
+  constexpr double E = 200e9, rho = 7850;
   const double bending = E * area * thickness * thickness / 12;
   MatrixXd K = MatrixXd::Zero(n + 1, n + 1), M = MatrixXd::Zero(n + 1, n + 1);
   VectorXd shape(n + 1);
   for (Index i = 0; i < n; ++i) {
-    const double l = lambda[std::size_t(i)], x = l * at / length;
+    const double l = lambda[std::size_t(i)], x = l * at / beam_length;
     const double sigma = (std::cosh(l) + std::cos(l)) / (std::sinh(l) + std::sin(l));
     shape[i] = std::cosh(x) - std::cos(x) - sigma * (std::sinh(x) - std::sin(x));
-    M(i, i) = rho * area * length;
-    K(i, i) = bending * std::pow(l / length, 4) * length;
+    M(i, i) = rho * area * beam_length;
+    K(i, i) = bending * std::pow(l / beam_length, 4) * beam_length;
   }
   shape[n] = -1;
   M(n, n) = mass;
@@ -55,14 +57,14 @@ Measured hammered(double mass, double hertz) {
       m.modes.back().sigma = 0.001 * f[order - 1];
     }
   };
-  add(Axis::z, depth, 4);
-  add(Axis::x, width, 3);
+  add(Axis::z, beam_depth, 4);
+  add(Axis::x, beam_width, 3);
   return m;
 }
 
 TEST(Resonators, hang_at_sensors_and_anywhere_along_a_beam) {
   Case c = changed_beam::held_beam();
-  c.sensors = {{.name = "tip", .at = {0, length, 0}}};
+  c.sensors = {{.name = "tip", .at = {0, beam_length, 0}}};
   const Measured m;
   const Nominal nominal = nominal_of(c, m);
   const std::vector<Hypothesis> all = resonators(nominal.structure(m));
