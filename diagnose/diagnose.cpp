@@ -143,8 +143,7 @@ private:
         judge(search.nominal, search.ranked, sets, inclusion, search.standards, referee);
     std::vector<std::string>& warnings = problem_.readings.warnings;
     if (!judgement.warning.empty()) warnings.push_back(judgement.warning);
-    if (std::string hint = objections.hint_of(judgement); !hint.empty())
-      warnings.push_back(std::move(hint));
+    judgement.beyond = objections.beyond(judgement);
     if (judgement.mounted_anew)
       warnings.push_back(ask_for_a_baseline());
     else if (judgement.verdict == Verdict::none)

@@ -123,14 +123,12 @@ std::string Objections::resonates(const JudgedFit& leads, double nats_more) {
   return "";
 }
 
-std::string Objections::hint_of(const Judgement& judgement) {
+std::string Objections::beyond(const Judgement& judgement) {
   const bool at_the_edge =
       judgement.verdict == Verdict::ambiguous && judgement.named.front()->at_the_edge;
   if (asked_for_resonators_ || !(judgement.verdict == Verdict::unknown || at_the_edge)) return "";
   const JudgedFit* nearest = at_the_edge ? judgement.named.front() : judgement.nearest;
-  const std::string found =
-      resonates(nearest ? *nearest : search_.nominal, threshold::effects_apart);
-  return found.empty() ? "" : "perhaps what is not known here as a cause: " + found;
+  return resonates(nearest ? *nearest : search_.nominal, threshold::effects_apart);
 }
 
 bool Objections::beside_baseline() const {

@@ -27,7 +27,7 @@ public:
   // Where nothing is named, or what is listed leaves more than healthy specimens do, and it was not
   // asked before: what hangs on a spring of its own and would explain far more; empty = nothing
   // does.
-  std::string hint_of(const Judgement& judgement);
+  std::string beyond(const Judgement& judgement);
 
 private:
   // To effects that would explain all, one or together, and to such that would explain most.

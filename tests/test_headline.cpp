@@ -117,6 +117,21 @@ TEST(Headline, of_what_no_effect_explains_says_where_it_is_farthest_off_and_what
             nearest + "; not named: only with a value far out of its prior");
 }
 
+TEST(Headline, says_last_what_is_no_effect_here_and_would_do_better) {
+  Fits fits;
+  fits.add_gap("ply_slip", 2);
+  Judgement j = fits.judgement_of_gaps(6.8);
+  ASSERT_EQ(j.verdict, Verdict::mostly);
+  const std::string mostly = headline(specimen(6.8), j);
+  j.beyond = "10 g on a spring";
+  EXPECT_EQ(headline(specimen(6.8), j), mostly) << "it stood up to it";
+  const std::string words = "; what is no effect here would do better: 10 g on a spring";
+  j.verdict = Verdict::unknown;
+  EXPECT_TRUE(headline(specimen(6.8), j).ends_with(words)) << headline(specimen(6.8), j);
+  j.verdict = Verdict::ambiguous;
+  EXPECT_TRUE(headline(specimen(6.8), j).ends_with(words)) << headline(specimen(6.8), j);
+}
+
 TEST(Headline, of_a_search_that_was_stopped_says_so) {
   const JudgedFit nominal = specimen(6.8);
   Fits fits;

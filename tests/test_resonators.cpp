@@ -20,9 +20,13 @@ using Eigen::VectorXd;
 // Of changed_beam::held_beam().
 constexpr double beam_length = 0.5, beam_width = 0.03, beam_depth = 0.01;
 
+// Blevins, Formulas for Natural Frequency and Mode Shape, table 8-1.
+constexpr std::array<double, 8> lambda_of_cantilever{1.87510407,  4.69409113,  7.85475744,
+                                                     10.99554073, 14.13716839, 17.27875953,
+                                                     20.42035225, 23.56194490};
+
 // Frequencies (Hz) of Euler's cantilever with a mass on a spring at a place, by the modes of the
-// bare one (Blevins, Formulas for Natural Frequency and Mode Shape, table 8-1), which have a mass
-// of rho A L each.
+// bare one, which have a mass of rho A L each.
 VectorXd with_a_hung_mass(double thickness, double mass, double hertz, double at) {
   constexpr std::array<double, 8> lambda{1.87510407,  4.69409113,  7.85475744,  10.99554073,
                                          14.13716839, 17.27875953, 20.42035225, 23.56194490};
@@ -33,7 +37,7 @@ VectorXd with_a_hung_mass(double thickness, double mass, double hertz, double at
   MatrixXd K = MatrixXd::Zero(n + 1, n + 1), M = MatrixXd::Zero(n + 1, n + 1);
   VectorXd shape(n + 1);
   for (Index i = 0; i < n; ++i) {
-    const double l = lambda[std::size_t(i)], x = l * at / beam_length;
+    const double l = lambda_of_cantilever[std::size_t(i)], x = l * at / beam_length;
     const double sigma = (std::cosh(l) + std::cos(l)) / (std::sinh(l) + std::sin(l));
     shape[i] = std::cosh(x) - std::cos(x) - sigma * (std::sinh(x) - std::sin(x));
     M(i, i) = rho * area * beam_length;
@@ -76,7 +80,9 @@ TEST(Resonators, hang_at_sensors_and_anywhere_along_a_beam) {
             "15 g on a spring of its own, which resonates at 805 Hz, at beam, 0.3 m");
 }
 
-// Of a model whose modes are those of Euler's beam within a per mille.
+// But for what shear and rotary inertia take from Euler's beam, at most twice what they take from a
+// wave of its length (Timoshenko): (1 + E / (kappa G)) (lambda r / L)^2 / 2, r the radius of
+// gyration.
 TEST(Resonators, on_a_cantilever_move_its_modes_as_in_closed_form) {
   const Measured m = hammered(0.06, 150);
   const Nominal nominal = nominal_of(changed_beam::held_beam(), m);
@@ -85,18 +91,30 @@ TEST(Resonators, on_a_cantilever_move_its_modes_as_in_closed_form) {
   const TestReadings readings = readings_of(test);
   const auto y = Predictor(nominal, readings, {&all.back()})(Eigen::Vector3d(0.06, 150, 0.3));
   ASSERT_TRUE(y);
-  for (std::size_t i = 0; i < readings.readings.size(); ++i)
-    EXPECT_NEAR((*y)[Index(i)], readings.readings[i].log_value, 0.005) << readings.readings[i].name;
+  for (std::size_t i = 0; i < readings.readings.size(); ++i) {
+    const MeasuredMode& mode = m.modes[i];
+    const double thickness = mode.direction == Axis::z ? beam_depth : beam_width;
+    const double wave = lambda_of_cantilever[std::size_t(mode.order) - 1] / beam_length;
+    const double shear = (1 + 2.6 / 0.85) * std::pow(wave * thickness, 2) / 12;
+    EXPECT_NEAR((*y)[Index(i)], readings.readings[i].log_value, 0.001 + shear)
+        << readings.readings[i].name;
+  }
 }
 
+// Its mass, its frequency and its place, though the model is 2 % off in one mode and the readings
+// are said to be known within a per mille.
 TEST(Resonators, are_told_of_where_nothing_that_is_known_explains_the_test) {
   const Measured m = hammered(0.06, 150);
-  const Diagnosis d = diagnose(changed_beam::held_beam(), {.data = m, .responses = {}}, {});
+  const Diagnosis d =
+      diagnose(changed_beam::held_beam(), {.data = m, .responses = {}}, {.plan_next = false});
   EXPECT_TRUE(d.verdict == Verdict::unknown || d.verdict == Verdict::ambiguous) << d.headline;
-  std::string told = d.headline;
-  for (const std::string& warning : d.warnings) told += "\n" + warning;
-  EXPECT_NE(told.find("on a spring of its own, which resonates at 15"), std::string::npos) << told;
-  EXPECT_NE(told.find("at beam, 0.3"), std::string::npos) << told;
+  const auto number_behind = [&](const std::string& words) {
+    const std::size_t at = d.headline.find(words);
+    return at == std::string::npos ? 0 : std::stod(d.headline.substr(at + words.size()));
+  };
+  EXPECT_NEAR(number_behind("better: "), 60, 6) << d.headline;
+  EXPECT_NEAR(number_behind("which resonates at "), 150, 2) << d.headline;
+  EXPECT_NEAR(number_behind("at beam, "), 0.3, 0.01) << d.headline;
 }
 
 } // namespace

@@ -104,10 +104,12 @@ std::vector<Hypothesis> resonators(const Structure& s) {
 }
 
 std::string words_of_resonator(const Hypothesis& h, const VectorXd& values) {
-  std::string text = fmt::format("{:.3g} g on a spring of its own, which resonates at {:.3g} Hz, "
-                                 "at {}",
-                                 1e3 * values[0], values[1], h.place);
-  for (std::size_t i : h.along) text += fmt::format(", {:.3g} m", values[Index(i)]);
+  const auto shown = [](double value) { // three digits, without a power of ten
+    return fmt::format("{}", std::stod(fmt::format("{:.2e}", value)));
+  };
+  std::string text = fmt::format("{} g on a spring of its own, which resonates at {} Hz, at {}",
+                                 shown(1e3 * values[0]), shown(values[1]), h.place);
+  for (std::size_t i : h.along) text += fmt::format(", {} m", shown(values[Index(i)]));
   return text;
 }
 

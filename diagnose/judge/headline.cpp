@@ -47,6 +47,11 @@ std::string identified_words(const Judgement& judgement) {
   return text + ")" + places(judgement, *j.fit.together[0]);
 }
 
+std::string beyond(const Judgement& judgement) {
+  return judgement.beyond.empty() ? ""
+                                  : "; what is no effect here would do better: " + judgement.beyond;
+}
+
 std::string ambiguous_words(const Judgement& judgement) {
   std::string text;
   for (const JudgedFit* j : judgement.named) {
@@ -57,9 +62,11 @@ std::string ambiguous_words(const Judgement& judgement) {
     const double p = judgement.probability_of(h.effect) * judgement.share_of(h.effect, h.place);
     text += fmt::format(" {:.0f} %", 100 * p);
   }
-  if (judgement.names_sets()) return "Ambiguous: " + text + "; " + judgement.withheld;
+  if (judgement.names_sets())
+    return "Ambiguous: " + text + "; " + judgement.withheld + beyond(judgement);
   text = (judgement.named.size() == 1 ? "Perhaps " : "Ambiguous: ") + text;
-  return judgement.withheld.empty() ? text : text + "; not identified: " + judgement.withheld;
+  if (!judgement.withheld.empty()) text += "; not identified: " + judgement.withheld;
+  return text + beyond(judgement);
 }
 
 std::string several_words(const Judgement& judgement) {
@@ -84,13 +91,13 @@ std::string unknown_words(const JudgedFit& nominal, const Judgement& judgement) 
   if (j && j->credible())
     return fmt::format("Not settled: {} would explain the test and close {} of the gap, not far "
                        "enough ahead of what else would{}",
-                       name_of(j->fit), closed(nominal, *j), withheld);
+                       name_of(j->fit), closed(nominal, *j), withheld + beyond(judgement));
   std::string text = "None of the effects known here explains the test; it is farthest off in " +
                      nominal.worst.second;
   if (j)
     text += fmt::format("; nearest comes {}, which closes {} of the gap{}", name_of(j->fit),
                         closed(nominal, *j), withheld);
-  return text;
+  return text + beyond(judgement);
 }
 
 } // namespace

@@ -22,7 +22,8 @@ struct Judgement {
   std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn
   std::optional<HypothesisFit> sampled; // the same with draws (Objection)
   std::string warning;                  // what it is named in spite of; empty = nothing
-  bool mounted_anew = false;            // none, though the nominal case is not adequate
+  std::string beyond; // what would explain far more and is no effect here; empty = nothing is known
+  bool mounted_anew = false; // none, though the nominal case is not adequate
   // Whether what is named are sets that explain the test.
   bool names_sets() const {
     return verdict == Verdict::several ||
