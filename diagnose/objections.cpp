@@ -4,16 +4,12 @@
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/judge/reasons.hpp"
 #include "diagnose/judge/thresholds.hpp"
-#include "solve/parallel.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace plica {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 Referee Objections::referee() {
   return {.to_all = [this](const JudgedFit& j) { return to_all(j); },
@@ -38,7 +34,7 @@ Objection Objections::to_most(const JudgedFit& leads) {
   if (!found.why.empty()) return found;
   beside_ = fit_beside(search_, leads);
   found.why = closes_too_little_beside(leads, *found.sampled);
-  if (found.why.empty()) found.why = resonates(leads, -threshold::alike);
+  if (found.why.empty()) found.why = resonating_.instead_of(leads, -threshold::alike);
   return found;
 }
 
@@ -74,61 +70,15 @@ std::string Objections::closes_too_little_beside(const JudgedFit& leads,
   return closes_too_little(ledger_of(context_, plain_, others), " where others may act beside it");
 }
 
-// A resonator in place of what leads, or of one of several.
-std::vector<HypothesisFit> Objections::with_resonators(const HypothesisFit& lead) const {
-  reduce_each(context_, resonators_);
-  std::vector<HypothesisFit> fits(resonators_.size());
-  in_parallel(int(fits.size()), [&](int i) {
-    fits[std::size_t(i)] = fit_of(context_, {&resonators_[std::size_t(i)]});
-  });
-  std::erase_if(fits, [](const HypothesisFit& fit) { return !fit.solved; });
-  std::stable_sort(fits.begin(), fits.end(), [](const HypothesisFit& a, const HypothesisFit& b) {
-    return a.log_evidence > b.log_evidence;
-  });
-  if (lead.together.size() < 2) return fits;
-  constexpr std::size_t most = 3; // resonators that are tried beside others
-  const std::size_t alone = fits.size();
-  for (std::size_t i = 0; i < std::min(most, alone); ++i)
-    for (std::size_t out = 0; out < lead.together.size(); ++out) {
-      std::vector<const Hypothesis*> together{fits[i].together.front()};
-      VectorXd z = fits[i].z;
-      for (std::size_t k = 0; k < lead.together.size(); ++k) {
-        if (k == out) continue;
-        together.push_back(lead.together[k]);
-        const VectorXd own =
-            lead.z.segment(lead.first_of(k), Index(lead.together[k]->parameters.size()));
-        z.conservativeResize(z.size() + own.size());
-        z.tail(own.size()) = own;
-      }
-      if (HypothesisFit fit = fit_of(context_, together, z); fit.solved)
-        fits.push_back(std::move(fit));
-    }
-  return fits;
-}
-
-std::string Objections::resonates(const JudgedFit& leads, double nats_more) {
-  if (search_.settings.stop()) return "";
-  asked_for_resonators_ = true;
-  std::optional<double> highest; // Hz
-  for (const Reading& r : context_.test.readings)
-    if (!r.held_out && r.kind == ReadingKind::frequency)
-      highest = std::max(highest.value_or(0), std::exp(r.log_value));
-  std::vector<HypothesisFit> fits = with_resonators(leads.fit);
-  std::stable_sort(fits.begin(), fits.end(), [](const HypothesisFit& a, const HypothesisFit& b) {
-    return dispersed_log_evidence(a) > dispersed_log_evidence(b);
-  });
-  for (const HypothesisFit& fit : fits)
-    if (std::string why = resonator_explains(leads, fit, highest, nats_more); !why.empty())
-      return why;
-  return "";
-}
-
 std::string Objections::beyond(const Judgement& judgement) {
+  if (search_.settings.stop()) return "";
   const bool at_the_edge =
       judgement.verdict == Verdict::ambiguous && judgement.named.front()->at_the_edge;
-  if (asked_for_resonators_ || !(judgement.verdict == Verdict::unknown || at_the_edge)) return "";
+  if (judgement.verdict != Verdict::unknown && !at_the_edge) return "";
   const JudgedFit* nearest = at_the_edge ? judgement.named.front() : judgement.nearest;
-  return resonates(nearest ? *nearest : search_.nominal, threshold::effects_apart);
+  std::string words =
+      resonating_.instead_of(nearest ? *nearest : search_.nominal, threshold::effects_apart);
+  return words == judgement.withheld ? "" : words;
 }
 
 bool Objections::beside_baseline() const {

@@ -8,6 +8,7 @@
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
 #include "diagnose/judge/sets.hpp"
+#include "diagnose/resonating.hpp"
 
 namespace plica {
 
@@ -19,14 +20,13 @@ public:
              const std::vector<Compensator>& tempting, const std::vector<Hypothesis>& resonators,
              const Inclusion& inclusion)
       : problem_(problem), search_(search), context_(search.context), plain_(plain),
-        tempting_(tempting), resonators_(resonators), inclusion_(inclusion) {}
+        tempting_(tempting), resonating_(search, plain, resonators), inclusion_(inclusion) {}
 
   Referee referee(); // which must not outlive this
   // What was asked about last, with one effect more beside it each; empty where nothing was.
   const std::vector<JudgedFit>& beside() const { return beside_; }
-  // Where nothing is named, or what is listed leaves more than healthy specimens do, and it was not
-  // asked before: what hangs on a spring of its own and would explain far more; empty = nothing
-  // does.
+  // Where nothing is named, or what is listed leaves more than healthy specimens do: what hangs on
+  // a spring of its own and explains far more; empty = nothing does.
   std::string beyond(const Judgement& judgement);
 
 private:
@@ -37,9 +37,6 @@ private:
 
   Objection to_most_alone(const JudgedFit& leads) const;
   std::string closes_too_little_beside(const JudgedFit& leads, const HypothesisFit& sampled) const;
-  // What hangs on a spring of its own and is worth so many nats more.
-  std::string resonates(const JudgedFit& leads, double nats_more);
-  std::vector<HypothesisFit> with_resonators(const HypothesisFit& lead) const;
   bool beside_baseline() const;
   std::string what_remains(const JudgedFit& leads) const;
 
@@ -48,10 +45,9 @@ private:
   const FitContext& context_;
   const HypothesisFit& plain_;
   const std::vector<Compensator>& tempting_;
-  const std::vector<Hypothesis>& resonators_;
+  Resonating resonating_;
   const Inclusion& inclusion_;
   std::vector<JudgedFit> beside_;
-  bool asked_for_resonators_ = false;
 };
 
 } // namespace plica

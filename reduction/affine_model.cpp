@@ -179,7 +179,7 @@ void AffineModel::hang_resonators() {
   append_columns(marked, more);
   for (MotionSum& sum : sums) append_columns(sum.rows, more);
   constexpr double far_above = 1e4;
-  const double idle = far_above * (lambda.size() > 0 ? lambda.maxCoeff() : K.trace() / M.trace());
+  const double idle = far_above * lambda.maxCoeff();
   K.bottomRightCorner(more, more).diagonal().setConstant(idle);
   M.bottomRightCorner(more, more).setIdentity();
 }

@@ -14,6 +14,9 @@
 //
 // What a spring or a mass at a place that moves adds is no such sum; its motion is:
 //   K(c) += x x',  x = sum_i c_i V' e_i   over the terms i of a motion (MotionTerm).
+//
+// A resonator has a coordinate y of its own behind q, sqrt(mass) times its motion:
+//   K += [x; -w e_y] [x; -w e_y]',   M += e_y e_y',   load += sqrt(mass) along its motion
 #pragma once
 
 #include "reduction/affine_model.hpp"

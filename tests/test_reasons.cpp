@@ -146,27 +146,56 @@ TEST(Reasons, let_an_effect_beside_a_baseline_leave_three_tenths_of_the_change_o
 
 // Of ten readings the mass leaves twice their errors, the resonator just these: with
 // ln Z = -(4 + n) / 2 ln(1 + chi2 / 4) it is 7 ln(11 / 3.5) = 8.02 nats ahead.
-TEST(Reasons, ask_that_a_mass_on_a_spring_of_its_own_explains_no_more) {
-  const auto fit_of = [](const Hypothesis& h, Eigen::VectorXd values, double error) {
-    HypothesisFit fit;
-    fit.together = {&h};
-    fit.z = Eigen::VectorXd::Zero(values.size());
-    fit.values = std::move(values);
-    fit.error = Eigen::VectorXd::Constant(10, error);
-    fit.J = Eigen::MatrixXd::Zero(10, fit.z.size());
-    fit.chi2 = fit.error.squaredNorm();
-    return fit;
-  };
-  const Hypothesis mass = acting("added_mass"), resonator = acting("resonator", "beam.point[3]");
-  JudgedFit lead = leading(2, mass);
-  lead.fit = fit_of(mass, Eigen::VectorXd::Constant(1, 0.01), 2);
-  const HypothesisFit rival = fit_of(resonator, Eigen::Vector2d(0.015, 805), 1);
-  EXPECT_EQ(resonator_explains(lead, rival, 900, 8),
+class ResonatorExplains : public testing::Test {
+protected:
+  static JudgedFit fit_of(const Hypothesis& h, const Eigen::VectorXd& values, double error) {
+    JudgedFit j;
+    j.gap_after = error;
+    j.readings = j.moved = 10;
+    j.free_parameters = int(values.size());
+    j.fit.together = {&h};
+    j.fit.z = Eigen::VectorXd::Zero(values.size());
+    j.fit.values = values;
+    j.fit.error = Eigen::VectorXd::Constant(10, error);
+    j.fit.J = Eigen::MatrixXd::Zero(10, values.size());
+    j.fit.chi2 = j.fit.error.squaredNorm();
+    return j;
+  }
+  static Hypothesis hanging() {
+    Hypothesis h = acting("resonator", "beam.point[3]");
+    h.parameters = {{"mass", "kg", {}}, {"frequency", "Hz", {}}};
+    return h;
+  }
+  std::string words(std::array<double, 2> band, double nats = 8) const {
+    return resonator_explains(lead_, rival_, band, nats);
+  }
+
+  const Hypothesis mass_ = acting("added_mass"), resonator_ = hanging();
+  const JudgedFit lead_ = fit_of(mass_, Eigen::VectorXd::Constant(1, 0.01), 2);
+  JudgedFit rival_ = fit_of(resonator_, Eigen::Vector2d(0.015, 805), 1);
+};
+
+TEST_F(ResonatorExplains, what_leads_where_it_is_so_many_nats_ahead) {
+  EXPECT_EQ(words({100, 900}),
             "15 g on a spring of its own, which resonates at 805 Hz, at beam.point[3] would leave "
-            "1 of the gap (2 without it)");
-  EXPECT_EQ(resonator_explains(lead, rival, 900, 8.1), "");
-  EXPECT_NE(resonator_explains(lead, rival, std::nullopt, 8), "");
-  EXPECT_EQ(resonator_explains(lead, rival, 800, 8), "") << "a mass, for all that was measured";
+            "a gap of 1 (2 with what leads)");
+  EXPECT_EQ(words({100, 900}, 8.1), "");
+}
+
+TEST_F(ResonatorExplains, what_leads_among_the_frequencies_that_were_measured) {
+  EXPECT_EQ(words({100, 800}), "") << "a mass, for all that was measured";
+  EXPECT_EQ(words({810, 900}), "") << "a spring";
+  EXPECT_NE(resonator_explains(lead_, rival_, std::nullopt, 8), "");
+}
+
+TEST_F(ResonatorExplains, nothing_where_it_is_not_believed_itself) {
+  for (bool JudgedFit::*doubt : {&JudgedFit::absurd, &JudgedFit::fails_held_out}) {
+    rival_.*doubt = true;
+    EXPECT_EQ(words({100, 900}), "");
+    rival_.*doubt = false;
+  }
+  rival_.moved = 3;
+  EXPECT_EQ(words({100, 900}), "") << "two free parameters for three readings that they move";
 }
 
 } // namespace

@@ -1,11 +1,12 @@
 // What hangs on a structure by a spring of its own: no effect of the library, but what would
 // explain most of a test has to stand up to it.
+#include "diagnose/account/gap_problem.hpp"
 #include "diagnose/diagnose.hpp"
 #include "diagnose/effects/resonators.hpp"
 #include "tests/changed_beam.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -28,9 +29,7 @@ constexpr std::array<double, 8> lambda_of_cantilever{1.87510407,  4.69409113,  7
 // Frequencies (Hz) of Euler's cantilever with a mass on a spring at a place, by the modes of the
 // bare one, which have a mass of rho A L each.
 VectorXd with_a_hung_mass(double thickness, double mass, double hertz, double at) {
-  constexpr std::array<double, 8> lambda{1.87510407,  4.69409113,  7.85475744,  10.99554073,
-                                         14.13716839, 17.27875953, 20.42035225, 23.56194490};
-  constexpr auto n = Index(lambda.size());
+  constexpr auto n = Index(lambda_of_cantilever.size());
   const double area = beam_width * beam_depth, omega = 2 * std::numbers::pi * hertz;
   constexpr double E = 200e9, rho = 7850;
   const double bending = E * area * thickness * thickness / 12;
@@ -78,6 +77,14 @@ TEST(Resonators, hang_at_sensors_and_anywhere_along_a_beam) {
   EXPECT_EQ(all[1].along, std::vector<std::size_t>{2});
   EXPECT_EQ(words_of_resonator(all[1], Eigen::Vector3d(0.015, 805, 0.3)),
             "15 g on a spring of its own, which resonates at 805 Hz, at beam, 0.3 m");
+  EXPECT_EQ(words_of_resonator(all[1], Eigen::Vector4d(0.015, 1450, 0.3, 0.03)),
+            "15 g, then 30 g on a spring of its own, which resonates at 1450 Hz, at beam, 0.3 m")
+      << "of two states that changed";
+  c.diagnose.places = {"sensor"};
+  const Nominal asked = nominal_of(c, m);
+  const std::vector<Hypothesis> there = resonators(asked.structure(m));
+  ASSERT_EQ(there.size(), 1U);
+  EXPECT_EQ(there[0].place, "sensor.tip");
 }
 
 // But for what shear and rotary inertia take from Euler's beam, at most twice what they take from a
@@ -115,6 +122,23 @@ TEST(Resonators, are_told_of_where_nothing_that_is_known_explains_the_test) {
   EXPECT_NEAR(number_behind("better: "), 60, 6) << d.headline;
   EXPECT_NEAR(number_behind("which resonates at "), 150, 2) << d.headline;
   EXPECT_NEAR(number_behind("at beam, "), 0.3, 0.01) << d.headline;
+}
+
+// A light one that resonates high, a heavy one that resonates low: each is found from all over its
+// range, since one does for the other by no means.
+TEST(Resonators, are_found_wherever_they_resonate) {
+  for (const auto& [mass, hertz] : {std::pair{0.01, 480.}, {0.15, 60.}}) {
+    const Measured m = hammered(mass, hertz);
+    const TestData test{.data = m, .responses = {}};
+    const auto problem = stated_gap(changed_beam::held_beam(), test, {});
+    const std::vector<Hypothesis> all = resonators_of(*problem);
+    ASSERT_EQ(all.size(), 1U);
+    const HypothesisFit fit = fit_of(problem->context(), {&all.front()});
+    ASSERT_TRUE(fit.solved);
+    EXPECT_NEAR(fit.values[0] / mass, 1, 0.15) << hertz;
+    EXPECT_NEAR(fit.values[1] / hertz, 1, 0.02);
+    EXPECT_NEAR(fit.values[2], 0.3, 0.02);
+  }
 }
 
 } // namespace

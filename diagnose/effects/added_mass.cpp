@@ -1,3 +1,5 @@
+#include "diagnose/effects/added_mass.hpp"
+
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
 #include "diagnose/effects/plate_places.hpp"
@@ -26,23 +28,12 @@ std::vector<Triple> places_of(const Structure& s, const std::vector<int>& nodes)
   return all;
 }
 
-// Where a sensor sits a mass is told of the sensor; where several do, of each.
-bool is_told_of_sensor(const Structure& s, const Spot& spot) {
-  const auto& sensors = s.built.sensors;
-  return !spot.place.starts_with("sensor.") &&
-         std::any_of(sensors.begin(), sensors.end(),
-                     [&](const BuiltSensor& sensor) { return sensor.node == spot.touched; });
-}
-
-constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less
-
 // A mass all round a crown turns with it; one that is clamped softly does not. Beside a baseline it
 // is what came since, and what was weighed afterwards was weighed with it.
 std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const bool on_scale = has_baseline(s.measured);
-  const EffectParameter mass{
-      "mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, largest_share * s.mass}};
+  const EffectParameter mass = added_kilograms(s);
   const auto add = [&](const Spot& spot, const char* way, ModelChange one_kilogram) {
     found.push_back({.effect = "added_mass",
                      .place = spot.place,
@@ -98,6 +89,11 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
 }
 
 } // namespace
+
+EffectParameter added_kilograms(const Structure& s) {
+  constexpr double largest_share = 0.2; // of the part: what nobody would miss on seeing it is less
+  return {"mass", "kg", {PriorKind::log_normal, 0.03 * s.mass, 1, 0, largest_share * s.mass}};
+}
 
 Effect added_mass() {
   return {

@@ -24,7 +24,7 @@ public:
       if (own.empty()) result_.without_place.push_back(effect.name);
       for (Hypothesis& h : own) {
         all_places_.insert(h.place);
-        if (sits_where_asked(h)) result_.hypotheses.push_back(std::move(h));
+        if (sits_where_asked(s_.data, h)) result_.hypotheses.push_back(std::move(h));
       }
     }
     check_places();
@@ -63,13 +63,6 @@ private:
   }
   bool allowed(const std::string& name) const {
     return (asked_.effects.empty() || named(asked_.effects, name)) && !named(asked_.without, name);
-  }
-
-  // What acts everywhere or on the test has no place that could be elsewhere.
-  bool sits_where_asked(const Hypothesis& h) const {
-    return asked_.places.empty() || h.place == "all" || h.place == "base" ||
-           std::any_of(asked_.places.begin(), asked_.places.end(),
-                       [&](const std::string& p) { return h.place.starts_with(p); });
   }
 
   void check_places() {
@@ -167,6 +160,13 @@ private:
 
 ChosenEffects chosen_effects(const Structure& s) {
   return Choice(s).chosen();
+}
+
+bool sits_where_asked(const Case& data, const Hypothesis& h) {
+  const std::vector<std::string>& places = data.diagnose.places;
+  return places.empty() || h.place == "all" || h.place == "base" ||
+         std::any_of(places.begin(), places.end(),
+                     [&](const std::string& p) { return h.place.starts_with(p); });
 }
 
 } // namespace plica

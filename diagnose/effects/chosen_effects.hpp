@@ -15,4 +15,8 @@ struct ChosenEffects {
 // what names no effect, no parameter or no place, or leaves nothing.
 ChosenEffects chosen_effects(const Structure& s);
 
+// Whether it sits at a place that the case lets in. What acts everywhere or on the test has no
+// place that could be elsewhere.
+bool sits_where_asked(const Case& data, const Hypothesis& h);
+
 } // namespace plica

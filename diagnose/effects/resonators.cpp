@@ -1,8 +1,11 @@
 #include "diagnose/effects/resonators.hpp"
 
+#include "diagnose/effects/added_mass.hpp"
 #include "diagnose/effects/beam_path.hpp"
+#include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
+#include "lab/measured/states.hpp"
 
 #include <array>
 #include <cmath>
@@ -55,9 +58,9 @@ public:
     Hypothesis h{.effect = "resonator",
                  .place = place,
                  .way = way,
-                 .parameters = {{"mass", "kg", {PriorKind::log_normal, 0.03 * s_.mass, 1}},
+                 .parameters = {added_kilograms(s_),
                                 {"frequency", "Hz", {PriorKind::log_normal, s_.frequency, 1}}},
-                 .at_rig = false};
+                 .at_rig = has_baseline(s_.measured)};
     for (const EffectParameter& p : where) {
       h.along.push_back(h.parameters.size());
       h.parameters.push_back(p);
@@ -70,7 +73,7 @@ public:
     h.coefficients = [motions = std::move(motions)](const VectorXd& v) {
       return coefficients(motions, v);
     };
-    found_.push_back(std::move(h));
+    if (sits_where_asked(s_.data, h)) found_.push_back(std::move(h));
   }
 
   std::vector<Hypothesis> all() && { return std::move(found_); }
@@ -90,7 +93,7 @@ std::vector<Hypothesis> resonators(const Structure& s) {
     const auto on = [&](const std::vector<int>& nodes) {
       return along_each([&](int axis) { return mean_motion(nodes, axis); });
     };
-    listing.add(spot.place, "", {}, on({spot.touched}));
+    if (!is_told_of_sensor(s, spot)) listing.add(spot.place, "", {}, on({spot.touched}));
     if (spot.nodes.size() > 1) listing.add(spot.place, "on the mean motion", {}, on(spot.nodes));
   }
   for (const BeamPath& path : line_paths(s))
@@ -107,8 +110,13 @@ std::string words_of_resonator(const Hypothesis& h, const VectorXd& values) {
   const auto shown = [](double value) { // three digits, without a power of ten
     return fmt::format("{}", std::stod(fmt::format("{:.2e}", value)));
   };
-  std::string text = fmt::format("{} g on a spring of its own, which resonates at {} Hz, at {}",
-                                 shown(1e3 * values[0]), shown(values[1]), h.place);
+  std::string masses = shown(1e3 * values[0]) + " g";
+  const auto own = own_parameters + Index(h.along.size());
+  for (double later : values.tail(values.size() - own))
+    masses += ", then " + shown(1e3 * later) + " g";
+  std::string text = fmt::format("{} on a spring of its own, which resonates at {} Hz, at {}",
+                                 masses, shown(values[1]), h.place);
+  if (!h.way.empty()) text += " (" + h.way + ")";
   for (std::size_t i : h.along) text += fmt::format(", {} m", shown(values[Index(i)]));
   return text;
 }

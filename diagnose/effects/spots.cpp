@@ -107,4 +107,11 @@ std::vector<Spot> contact_spots(const Structure& s) {
   return spots_of(s, 16, true);
 }
 
+bool is_told_of_sensor(const Structure& s, const Spot& spot) {
+  const auto& sensors = s.built.sensors;
+  return !spot.place.starts_with("sensor.") &&
+         std::any_of(sensors.begin(), sensors.end(),
+                     [&](const BuiltSensor& sensor) { return sensor.node == spot.touched; });
+}
+
 } // namespace plica

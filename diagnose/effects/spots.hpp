@@ -13,5 +13,7 @@ std::vector<Spot> spots(const Structure& s);
 // Where something may touch or sit: these, of bellows up to sixteen crowns, so that of up to 32
 // each is looked at or lies next to one that is, and a grid on every plate (plate_spots.hpp).
 std::vector<Spot> contact_spots(const Structure& s);
+// Where a sensor sits a mass is told of the sensor; where several do, of each.
+bool is_told_of_sensor(const Structure& s, const Spot& spot);
 
 } // namespace plica

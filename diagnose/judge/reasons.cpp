@@ -91,15 +91,20 @@ std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tem
   return "";
 }
 
-std::string resonator_explains(const JudgedFit& leads, const HypothesisFit& resonator,
-                               std::optional<double> highest_hertz, double nats_more) {
+std::string resonator_explains(const JudgedFit& leads, const JudgedFit& resonator,
+                               const std::optional<std::array<double, 2>>& band, double nats_more) {
+  const Hypothesis& h = *resonator.fit.together.back();
+  const auto first = resonator.fit.first_of(resonator.fit.together.size() - 1);
+  const Eigen::VectorXd own =
+      resonator.fit.values.segment(first, Eigen::Index(h.parameters.size()));
   constexpr Eigen::Index frequency = 1; // among its parameters
-  const double more = dispersed_log_evidence(resonator) - dispersed_log_evidence(leads.fit);
-  if (more < nats_more || (highest_hertz && resonator.values[frequency] > *highest_hertz))
+  const double more = dispersed_log_evidence(resonator.fit) - dispersed_log_evidence(leads.fit);
+  if (more < nats_more || resonator.absurd || resonator.fails_held_out ||
+      !resonator.saturated().empty())
     return "";
-  return fmt::format("{} would leave {:.2g} of the gap ({:.2g} without it)",
-                     words_of_resonator(*resonator.together.front(), resonator.values),
-                     std::sqrt(resonator.chi2 / double(resonator.error.size())), leads.gap_after);
+  if (band && (own[frequency] < (*band)[0] || own[frequency] > (*band)[1])) return "";
+  return fmt::format("{} would leave a gap of {:.2g} ({:.2g} with what leads)",
+                     words_of_resonator(h, own), resonator.gap_after, leads.gap_after);
 }
 
 std::string closes_less_than_half(const JudgedFit& leads, double gap_before) {

@@ -28,11 +28,12 @@ bool is_like(const Compensator& c, const HypothesisFit& fit, bool beside_baselin
 std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tempting,
                      bool beside_baseline);
 
-// A mass on a spring of its own, first in `resonator`, that is worth so many nats more than what
-// leads, and resonates below the highest frequency that was measured, where any was: else it is a
-// mass, for all that is known.
-std::string resonator_explains(const JudgedFit& leads, const HypothesisFit& resonator,
-                               std::optional<double> highest_hertz, double nats_more);
+// A mass on a spring of its own, last in `resonator`, that is worth so many nats more than what
+// leads, can be told from the readings, and resonates among the frequencies that were measured
+// (`band`, Hz; none = all do): below these it is a spring, above them a mass, for all that is
+// known.
+std::string resonator_explains(const JudgedFit& leads, const JudgedFit& resonator,
+                               const std::optional<std::array<double, 2>>& band, double nats_more);
 
 // What explains the test closes half of its gap at least: errors may be smaller than they are
 // stated, and then what is adequate leaves room for the cause.
