@@ -39,6 +39,13 @@ set(plica_precompiled <Eigen/Dense> <Eigen/Sparse> <algorithm> <cmath> <function
   <string> <vector>)
 set(plica_precompiled_from_solve ${plica_precompiled}
   ${PROJECT_SOURCE_DIR}/solve/decompositions.hpp)
+# The rooms that have them for the others; one that is optimised has none for one that is not.
+set(plica_precompiled_below elements)
+set(plica_precompiled_above solve)
+if(PLICA_SANITIZE)
+  set(plica_precompiled_below words)
+  set(plica_precompiled_above shape)
+endif()
 
 # The rooms, what each links and where it lies, for the rule of includes: build/rooms.txt.
 set_property(GLOBAL PROPERTY PLICA_ROOMS "")
@@ -54,14 +61,19 @@ function(plica_library name)
   target_link_libraries(plica_${name} PUBLIC ${arg_LINKS} PRIVATE
     $<BUILD_INTERFACE:plica_options> ${arg_PRIVATE_LINKS})
   target_compile_features(plica_${name} PUBLIC cxx_std_20)
-  if(name STREQUAL "solve")
-    target_precompile_headers(plica_solve PRIVATE ${plica_precompiled_from_solve})
-  elseif(name MATCHES "^(elements|generation)$") # one without OpenMP, one with it
+  if(name MATCHES "^(elements|solve|reduction)$") # what the tests under sanitizers wait for
+    set_target_properties(plica_${name} PROPERTIES PLICA_RUNS ON)
+  endif()
+  if(name MATCHES "^(solve|${plica_precompiled_above})$")
+    target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled_from_solve})
+  elseif(name MATCHES "^(elements|generation|${plica_precompiled_below})$") # those without OpenMP, one with it
     target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
-  elseif(name MATCHES "^(words|life|mesh|lab|files|matlab|universal|lab_files)$")
-    target_precompile_headers(plica_${name} REUSE_FROM plica_elements)
-  else()
+  elseif(name STREQUAL "reduction")
     target_precompile_headers(plica_${name} REUSE_FROM plica_solve)
+  elseif(name MATCHES "^(words|life|mesh|lab|files|matlab|universal|lab_files)$")
+    target_precompile_headers(plica_${name} REUSE_FROM plica_${plica_precompiled_below})
+  else()
+    target_precompile_headers(plica_${name} REUSE_FROM plica_${plica_precompiled_above})
   endif()
   set_property(GLOBAL APPEND PROPERTY PLICA_LIBRARIES ${name})
   set_property(TARGET plica_${name} PROPERTY PLICA_LINKS ${arg_LINKS})
