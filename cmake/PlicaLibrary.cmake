@@ -44,7 +44,7 @@ set(plica_precompiled_below elements)
 set(plica_precompiled_above solve)
 if(PLICA_SANITIZE)
   set(plica_precompiled_below words)
-  set(plica_precompiled_above shape)
+  set(plica_precompiled_above description)
 endif()
 
 # The rooms, what each links and where it lies, for the rule of includes: build/rooms.txt.
