@@ -124,20 +124,25 @@ TEST(Resonators, are_told_of_where_nothing_that_is_known_explains_the_test) {
   EXPECT_NEAR(number_behind("at beam, "), 0.3, 0.01) << d.headline;
 }
 
-// A light one that resonates high, a heavy one that resonates low: each is found from all over its
-// range, since one does for the other by no means.
+// A light one that resonates high, a heavy one that resonates low, of what the model itself
+// answers: the search finds either, from all over their range.
 TEST(Resonators, are_found_wherever_they_resonate) {
-  for (const auto& [mass, hertz] : {std::pair{0.01, 480.}, {0.15, 60.}}) {
-    const Measured m = hammered(mass, hertz);
+  for (const Eigen::Vector3d& truth : {Eigen::Vector3d(0.01, 480, 0.3), {0.15, 60, 0.3}}) {
+    Measured m = hammered(truth[0], truth[1]);
+    const Nominal nominal = nominal_of(changed_beam::held_beam(), m);
+    const Hypothesis hanging = resonators(nominal.structure(m)).back();
+    const TestReadings readings = readings_of({.data = m, .responses = {}});
+    const auto y = Predictor(nominal, readings, {&hanging})(truth);
+    ASSERT_TRUE(y);
+    for (std::size_t i = 0; i < m.modes.size(); ++i)
+      m.modes[i].frequency = std::exp((*y)[Index(i)]);
     const TestData test{.data = m, .responses = {}};
     const auto problem = stated_gap(changed_beam::held_beam(), test, {});
     const std::vector<Hypothesis> all = resonators_of(*problem);
     ASSERT_EQ(all.size(), 1U);
     const HypothesisFit fit = fit_of(problem->context(), {&all.front()});
     ASSERT_TRUE(fit.solved);
-    EXPECT_NEAR(fit.values[0] / mass, 1, 0.15) << hertz;
-    EXPECT_NEAR(fit.values[1] / hertz, 1, 0.02);
-    EXPECT_NEAR(fit.values[2], 0.3, 0.02);
+    for (Index i = 0; i < truth.size(); ++i) EXPECT_NEAR(fit.values[i] / truth[i], 1, 0.05) << i;
   }
 }
 
