@@ -23,10 +23,12 @@ Objection Objections::to_all(const JudgedFit& leads) const {
   return foretells(leads, in_turn(context_, plain_, leads.fit), context_.fitted.rows().size());
 }
 
-Objection Objections::to_sets(const JudgedFit& leads) const {
+Objection Objections::to_sets(const JudgedFit& leads) {
   const MatrixXd shares = share_draws(context_, plain_, leads.fit, 1).shares;
   if (shares.cols() == 0) return {};
-  return {cancel(shares.col(0).head(Eigen::Index(leads.fit.together.size())))};
+  std::string why = cancel(shares.col(0).head(Eigen::Index(leads.fit.together.size())));
+  if (why.empty()) why = resonating_.instead_of(leads, threshold::effects_apart);
+  return {std::move(why)};
 }
 
 Objection Objections::to_most(const JudgedFit& leads) {
