@@ -220,6 +220,17 @@ TEST_F(ObjectionsTo, what_would_explain_most_ask_what_it_closes_where_others_act
   ASSERT_EQ(beside_.size(), 1U);
 }
 
+TEST_F(ObjectionsTo, sets_are_a_mass_on_a_spring_that_explains_far_more) {
+  leads("a", along(1, 5));
+  leads("b", along(2, 5));
+  measure(along(1, 5) + along(2, 5) + along(0, 3));
+  hang(along(1, 5));
+  EXPECT_EQ(why(Asked::sets), "") << "no more than what it stands for";
+  hang(2 * along(1, 5) + 2 * along(0, 8));
+  measure(along(1, 5) + along(2, 5) + along(0, 8));
+  EXPECT_NE(why(Asked::sets).find("on a spring of its own"), std::string::npos) << why(Asked::sets);
+}
+
 // Below its own resonance it looks like a mass, and then it explains the rest as well.
 TEST_F(ObjectionsTo, what_would_explain_most_are_a_mass_on_a_spring_that_explains_as_much) {
   leads("mass", everywhere(6));
