@@ -47,8 +47,14 @@ Neighbours neighbours_of(const std::vector<double>& places, double place) {
   return {i, std::clamp((place - places[i]) / (places[i + 1] - places[i]), 0., 1.)};
 }
 
-MotionTerms::MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& takes_part)
+MotionTerms::MotionTerms(std::vector<int> nodes, const std::function<void(const Sample&)>& samples)
     : nodes_(std::move(nodes)) {
+  constexpr double nothing = 1e-12;
+  Eigen::MatrixX<bool> takes_part = Eigen::MatrixX<bool>::Constant(Index(nodes_.size()), 6, false);
+  samples([&](std::size_t node, const Eigen::Vector<double, 6>& factors) {
+    for (int dof = 0; dof < 6; ++dof)
+      if (std::abs(factors[dof]) > nothing) takes_part(Index(node), dof) = true;
+  });
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     number_.emplace_back();
     for (int dof = 0; dof < 6; ++dof)

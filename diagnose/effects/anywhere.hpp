@@ -27,11 +27,16 @@ struct Neighbours {
 };
 Neighbours neighbours_of(const std::vector<double>& places, double place);
 
+// Of the way from one node to the next: no polynomial between them is zero there.
+inline constexpr double somewhere = 1. / 3;
+
 // The terms of a motion: of each node of a list its DOFs that take part.
 class MotionTerms {
 public:
-  // `takes_part`: nodes x 6.
-  MotionTerms(std::vector<int> nodes, const Eigen::MatrixX<bool>& takes_part);
+  using Sample = std::function<void(std::size_t node, const Eigen::Vector<double, 6>& factors)>;
+  // `samples` tells the six factors of nodes at a place between each of them and the next; what is
+  // zero there has no part in the motion.
+  MotionTerms(std::vector<int> nodes, const std::function<void(const Sample&)>& samples);
   // `follow`: of a DOF, 0 to 5.
   std::vector<ModelChange> changes(MotionTerm::Of of,
                                    const std::function<Follow(int)>& follow) const;

@@ -104,15 +104,13 @@ MovingMotion motion_along(const Structure& s, const BeamPath& path, const Vector
                           MotionTerm::Of of) {
   std::vector<Vector3d> x;
   for (int node : path.nodes) x.push_back(s.built.model.mesh.nodes[std::size_t(node)]);
-  constexpr double somewhere = 1. / 3, nothing = 1e-12;
-  Eigen::MatrixX<bool> takes_part = Eigen::MatrixX<bool>::Constant(Index(x.size()), 6, false);
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const auto ends = hermite(x[i], x[i + 1], direction, somewhere);
-    for (Index end = 0; end < 2; ++end)
-      for (int dof = 0; dof < 6; ++dof)
-        if (std::abs(ends[std::size_t(end)][dof]) > nothing) takes_part(Index(i) + end, dof) = true;
-  }
-  const MotionTerms terms(path.nodes, takes_part);
+  const MotionTerms terms(path.nodes, [&](const MotionTerms::Sample& sample) {
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+      const auto ends = hermite(x[i], x[i + 1], direction, somewhere);
+      sample(i, ends[0]);
+      sample(i + 1, ends[1]);
+    }
+  });
   return {.terms = terms.changes(of, [](int) { return Follow::series; }),
           .factors = [terms, x, direction, at = path.at](const VectorXd& place) {
             const auto [i, t] = neighbours_of(at, place[0]);

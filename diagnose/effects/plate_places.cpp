@@ -111,21 +111,14 @@ std::vector<PlateGrid> plate_grids(const Structure& s) {
 MovingMotion motion_on(const Structure& s, const PlateGrid& grid,
                        const std::optional<Vector3d>& direction, MotionTerm::Of of) {
   const PlateMotion motion(s, grid, direction);
-  constexpr double somewhere = 1. / 3, nothing = 1e-12;
-  Eigen::MatrixX<bool> takes_part =
-      Eigen::MatrixX<bool>::Constant(Index(grid.nodes.size()), 6, false);
   const auto between = [&](std::size_t edge, std::size_t i) {
     return grid.at[edge][i] + somewhere * (grid.at[edge][i + 1] - grid.at[edge][i]);
   };
-  for (std::size_t j = 0; j + 1 < grid.at[1].size(); ++j)
-    for (std::size_t i = 0; i + 1 < grid.at[0].size(); ++i)
-      motion.each_corner(Eigen::Vector2d(between(0, i), between(1, j)),
-                         [&](std::size_t node, const Vector6& factors) {
-                           for (int dof = 0; dof < 6; ++dof)
-                             if (std::abs(factors[dof]) > nothing)
-                               takes_part(Index(node), dof) = true;
-                         });
-  const MotionTerms terms(grid.nodes, takes_part);
+  const MotionTerms terms(grid.nodes, [&](const MotionTerms::Sample& sample) {
+    for (std::size_t j = 0; j + 1 < grid.at[1].size(); ++j)
+      for (std::size_t i = 0; i + 1 < grid.at[0].size(); ++i)
+        motion.each_corner(Eigen::Vector2d(between(0, i), between(1, j)), sample);
+  });
   // What it does in its plane follows from the nominal modes.
   Index out = 0;
   const Vector3d normal = grid.normal(grid.length[0] / 2, grid.length[1] / 2);
