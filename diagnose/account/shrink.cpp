@@ -76,12 +76,12 @@ GapShrink gap_shrink(const FitContext& context, const Whitening& white,
 
 namespace {
 
-constexpr Index singly = 24, groups = 12;
+constexpr Index singly = 24, most_groups = 12;
 
 // Fitted readings in groups that are foretold together: each by itself, or neighbours, which are of
 // one run.
 std::vector<std::vector<Index>> groups_of(Index readings) {
-  const Index count = readings <= singly ? readings : groups;
+  const Index count = readings <= singly ? readings : most_groups;
   std::vector<std::vector<Index>> all(static_cast<std::size_t>(count));
   for (Index i = 0; i < readings; ++i) all[std::size_t(i * count / readings)].push_back(i);
   return all;
