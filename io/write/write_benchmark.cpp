@@ -12,8 +12,6 @@
 namespace plica {
 namespace {
 
-constexpr int digits = 4;
-
 std::string benchmark_csv(const BenchmarkResult& result) {
   std::string text = "table,quantity,unit,test low,test high,published,column,ours\n";
   for (std::size_t k = 0; k < result.values.size(); ++k) {
