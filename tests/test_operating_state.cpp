@@ -162,9 +162,9 @@ TEST(OperatingState, ColumnSquirm) {
   const Results results = run_silently(data);
   ASSERT_GE(results.state->buckling.size(), 2u);
   EXPECT_TRUE(results.state->buckling_proved) << results.state->buckling_reason;
-  const double mean_circle = M_PI * 0.0305 * 0.0305, L = 0.06;
+  const double area = M_PI * 0.0305 * 0.0305, span = 0.06;
   compare("bellows A, both ends clamped", "column squirm", results.state->buckling[0].factor * 1e6,
-          4 * M_PI * M_PI * 1.5367 / (L * L) / mean_circle, 0.05);
+          4 * M_PI * M_PI * 1.5367 / (span * span) / area, 0.05);
   EXPECT_GT(results.state->buckling[0].sideways, 0.3);
   EXPECT_EQ(pressure_limit(results, "elastic column"), results.state->buckling[0].factor * 1e6);
   EXPECT_EQ(pressure_limit(results, "elastic in plane"), 0);
@@ -207,9 +207,9 @@ TEST(OperatingState, InPlaneSquirm) {
   };
   const Results results = squirming(40, 3);
   const double limit = pressure_limit(results, "elastic in plane");
-  const double mean_circle = M_PI * 0.0305 * 0.0305, L = 0.018;
+  const double area = M_PI * 0.0305 * 0.0305, span = 0.018;
   EXPECT_GT(limit, 0);
-  EXPECT_LT(limit, 4 * M_PI * M_PI * 1.5367 / (L * L) / mean_circle);
+  EXPECT_LT(limit, 4 * M_PI * M_PI * 1.5367 / (span * span) / area);
   EXPECT_LT(limit, pressure_limit(results, "elastic column"));
   EXPECT_GT(limit, 10 * pressure_limit(results, "in plane"));
   EXPECT_NEAR(pressure_limit(squirming(48, 4), "elastic in plane") / limit, 1, 0.02);
