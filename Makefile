@@ -19,9 +19,9 @@ run: program
 test: build
 	ctest --preset release -j $(JOBS)
 
-# After the tests: every source compiled by itself, by clang, warnings as errors; of that readers, elements
-# and what costs little under AddressSanitizer and UBSan; then every source by clang-tidy; the Debian
-# package in a root that has nothing else, the verification table.
+# After the tests: every source of the program and its tests read by itself, by clang, warnings as errors;
+# of that readers, elements and what costs little run under AddressSanitizer and UBSan; then every source
+# by clang-tidy; the Debian package in a root that has nothing else, the verification table.
 check: check-deps build
 	cmake --preset check
 	cmake --build --preset check -j $(JOBS)

@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 
 // What is instantiated, after `extern template` here and after `template` in decompositions.cpp.
+// They name types. NOLINTBEGIN(bugprone-macro-parentheses)
 // clang-format off
 #define PLICA_DECOMPOSITIONS(KEYWORD)                                                              \
   KEYWORD class LLT<MatrixXd>;                                                                     \
@@ -30,6 +31,7 @@
   KEYWORD struct general_matrix_matrix_product<Index, double, ColMajor, false, double, RowMajor,   \
                                                false, ColMajor, 1>;
 // clang-format on
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace Eigen {
 PLICA_DECOMPOSITIONS(extern template)

@@ -212,16 +212,14 @@ private:
 // where more than a size goes with the place at values that differ from place to place.
 void try_everywhere(const Hypothesis& h, Search& search) {
   const bool on_line = h.along.size() == 1;
-  const int stations = on_line ? 40 : 9; // each way
-  const int places = on_line ? stations : stations * stations;
-  constexpr std::array sizes{-1.2, -0.6, 0., 0.6, 1.2};
-  constexpr double reach = 1.5;
+  const int stations = on_line ? 40 : 9, places = on_line ? stations : stations * stations;
   const Index parameters = search.parameters();
   const bool only_size = parameters == Index(h.along.size()) + 1;
+  int number = 0;
   for (int i = 0; i < places; ++i)
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
-      VectorXd there = VectorXd::Constant(parameters, sizes[k]);
-      if (!only_size) there = spread_point(i * int(sizes.size()) + int(k), parameters, reach);
+    for (double size : {-1.2, -0.6, 0., 0.6, 1.2}) {
+      VectorXd there = only_size ? VectorXd::Constant(parameters, size)
+                                 : spread_point(number++, parameters, 1.5);
       int left = i;
       for (const std::size_t parameter : h.along) {
         there[Index(parameter)] = normal_quantile((left % stations + 0.5) / stations);
