@@ -17,8 +17,12 @@ Referee Objections::referee() {
           .to_most = [this](const JudgedFit& j) { return to_most(j); }};
 }
 
-Objection Objections::to_all(const JudgedFit& leads) const {
+Objection Objections::to_all(const JudgedFit& leads) {
   if (std::string rest = what_remains(leads); !rest.empty()) return {std::move(rest)};
+  // A fixture has a resonance of its own, as what hangs elsewhere has.
+  if (leads.fit.together.front()->effect == "fixture_flexibility")
+    if (std::string other = resonating_.instead_of(leads, threshold::effects_apart); !other.empty())
+      return {std::move(other)};
   if (!problem_.held_out->rows().empty()) return {};
   return foretells(leads, in_turn(context_, plain_, leads.fit), context_.fitted.rows().size());
 }

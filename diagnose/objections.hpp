@@ -31,7 +31,7 @@ public:
 
 private:
   // To effects that would explain all, one or together, and to such that would explain most.
-  Objection to_all(const JudgedFit& leads) const;
+  Objection to_all(const JudgedFit& leads);
   Objection to_sets(const JudgedFit& leads);
   Objection to_most(const JudgedFit& leads);
 

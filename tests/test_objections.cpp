@@ -220,6 +220,18 @@ TEST_F(ObjectionsTo, what_would_explain_most_ask_what_it_closes_where_others_act
   ASSERT_EQ(beside_.size(), 1U);
 }
 
+TEST_F(ObjectionsTo,
+       a_fixture_that_would_explain_all_is_a_mass_on_a_spring_that_explains_far_more) {
+  leads("fixture_flexibility", along(0, 6) + along(1, 6));
+  measure(along(0, 6) + along(1, 6) + along(2, 4));
+  gains_.hold_out(readings - 1);
+  EXPECT_EQ(why(Asked::all), "");
+  hang(along(0, 6) + along(1, 6));
+  EXPECT_EQ(why(Asked::all), "") << "no more than the fixture";
+  hang(along(0, 6) + along(1, 6) + along(2, 4));
+  EXPECT_NE(why(Asked::all).find("on a spring of its own"), std::string::npos) << why(Asked::all);
+}
+
 TEST_F(ObjectionsTo, sets_are_a_mass_on_a_spring_that_explains_far_more) {
   leads("a", along(1, 5));
   leads("b", along(2, 5));

@@ -28,7 +28,8 @@
 //               different effects that explain the test alike, of which what they share is no more
 //               than 0.85 sure, or the best leaves more than nine of ten healthy specimens do, or
 //               its effects cancel: some of them open ten times the gap, which the others close, or
-//               what hangs on a spring of its own explains far more (5 nats) in place of one. A
+//               what hangs on a spring of its own explains far more (5 nats) in place of one, or of
+//               a fixture that would be identified. A
 //               parameter is free where its posterior is narrower than half its prior, or a move
 //               within the prior changes a reading by a tenth of its standard deviation. Of a list
 //               none is sure: 5 nats are odds of nine to one
