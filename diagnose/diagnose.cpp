@@ -83,8 +83,8 @@ private:
     const Inclusion inclusion(search.nominal, search.fits, sets);
     const std::vector<Compensator> tempting = compensators(
         context, search.held_out, plain, problem_.nominal.structure(problem_.test.data));
-    const std::vector<Hypothesis> resonating = resonators_of(problem_);
-    Objections objections(problem_, search, plain, tempting, resonating, inclusion);
+    Objections objections(
+        problem_, search, plain, tempting, [&] { return resonators_of(problem_); }, inclusion);
     const Judgement judgement = judgement_of(search, plain, sets, inclusion, objections);
     std::vector<JudgedFit> beside;
     if (judgement.verdict != Verdict::ambiguous) {
@@ -143,7 +143,7 @@ private:
         judge(search.nominal, search.ranked, sets, inclusion, search.standards, referee);
     std::vector<std::string>& warnings = problem_.readings.warnings;
     if (!judgement.warning.empty()) warnings.push_back(judgement.warning);
-    judgement.beyond = objections.beyond(judgement);
+    if (!judgement.resonator) judgement.resonator = objections.resonator_beyond(judgement);
     if (judgement.mounted_anew)
       warnings.push_back(ask_for_a_baseline());
     else if (judgement.verdict == Verdict::none)

@@ -19,10 +19,9 @@ Referee Objections::referee() {
 
 Objection Objections::to_all(const JudgedFit& leads) {
   if (std::string rest = what_remains(leads); !rest.empty()) return {std::move(rest)};
-  // A fixture has a resonance of its own, as what hangs elsewhere has.
-  if (leads.fit.together.front()->effect == "fixture_flexibility")
-    if (std::string other = resonating_.instead_of(leads, threshold::effects_apart); !other.empty())
-      return {std::move(other)};
+  if (leads.fit.together.front()->resonates)
+    if (Objection found = outdone_by_resonator(leads, threshold::effects_apart); !found.why.empty())
+      return found;
   if (!problem_.held_out->rows().empty()) return {};
   return foretells(leads, in_turn(context_, plain_, leads.fit), context_.fitted.rows().size());
 }
@@ -31,8 +30,8 @@ Objection Objections::to_sets(const JudgedFit& leads) {
   const MatrixXd shares = share_draws(context_, plain_, leads.fit, 1).shares;
   if (shares.cols() == 0) return {};
   std::string why = cancel(shares.col(0).head(Eigen::Index(leads.fit.together.size())));
-  if (why.empty()) why = resonating_.instead_of(leads, threshold::effects_apart);
-  return {std::move(why)};
+  if (!why.empty()) return {std::move(why)};
+  return outdone_by_resonator(leads, threshold::effects_apart);
 }
 
 Objection Objections::to_most(const JudgedFit& leads) {
@@ -40,7 +39,10 @@ Objection Objections::to_most(const JudgedFit& leads) {
   if (!found.why.empty()) return found;
   beside_ = fit_beside(search_, leads);
   found.why = closes_too_little_beside(leads, *found.sampled);
-  if (found.why.empty()) found.why = resonating_.instead_of(leads, -threshold::alike);
+  if (!found.why.empty()) return found;
+  Objection other = outdone_by_resonator(leads, -threshold::alike);
+  found.why = std::move(other.why);
+  found.resonator = std::move(other.resonator);
   return found;
 }
 
@@ -76,15 +78,20 @@ std::string Objections::closes_too_little_beside(const JudgedFit& leads,
   return closes_too_little(ledger_of(context_, plain_, others), " where others may act beside it");
 }
 
-std::string Objections::beyond(const Judgement& judgement) {
-  if (search_.settings.stop()) return "";
+Objection Objections::outdone_by_resonator(const JudgedFit& leads, double nats_more) {
+  Objection found;
+  found.resonator = resonating_.instead_of(leads, nats_more);
+  if (search_.settings.stop()) return {"the search was stopped"};
+  if (found.resonator) found.why = "a mass on a spring of its own explains it";
+  return found;
+}
+
+std::optional<JudgedFit> Objections::resonator_beyond(const Judgement& judgement) {
+  if (search_.settings.stop()) return {};
   const bool at_the_edge =
       judgement.verdict == Verdict::ambiguous && judgement.named.front()->at_the_edge;
-  if (judgement.verdict != Verdict::unknown && !at_the_edge) return "";
-  const JudgedFit* nearest = at_the_edge ? judgement.named.front() : judgement.nearest;
-  std::string words =
-      resonating_.instead_of(nearest ? *nearest : search_.nominal, threshold::effects_apart);
-  return words == judgement.withheld ? "" : words;
+  if (judgement.verdict != Verdict::unknown && !at_the_edge) return {};
+  return resonating_.instead_of(judgement.told(search_.nominal), threshold::effects_apart);
 }
 
 bool Objections::beside_baseline() const {

@@ -14,20 +14,21 @@ namespace plica {
 
 class Objections {
 public:
-  // All must outlive it. `tempting`: factors on everything that would close the gap. `resonators`:
-  // effects/resonators.hpp.
+  // All must outlive it. `tempting`: factors on everything that would close the gap. `resonators`
+  // lists those of effects/resonators.hpp.
   Objections(const GapProblem& problem, const SetSearch& search, const HypothesisFit& plain,
-             const std::vector<Compensator>& tempting, const std::vector<Hypothesis>& resonators,
+             const std::vector<Compensator>& tempting, Resonating::Listed resonators,
              const Inclusion& inclusion)
       : problem_(problem), search_(search), context_(search.context), plain_(plain),
-        tempting_(tempting), resonating_(search, plain, resonators), inclusion_(inclusion) {}
+        tempting_(tempting), resonating_(search, plain, std::move(resonators)),
+        inclusion_(inclusion) {}
 
   Referee referee(); // which must not outlive this
   // What was asked about last, with one effect more beside it each; empty where nothing was.
   const std::vector<JudgedFit>& beside() const { return beside_; }
   // Where nothing is named, or what is listed leaves more than healthy specimens do: what hangs on
-  // a spring of its own and explains far more; empty = nothing does.
-  std::string beyond(const Judgement& judgement);
+  // a spring of its own and explains far more; none = nothing does.
+  std::optional<JudgedFit> resonator_beyond(const Judgement& judgement);
 
 private:
   // To effects that would explain all, one or together, and to such that would explain most.
@@ -37,6 +38,7 @@ private:
 
   Objection to_most_alone(const JudgedFit& leads) const;
   std::string closes_too_little_beside(const JudgedFit& leads, const HypothesisFit& sampled) const;
+  Objection outdone_by_resonator(const JudgedFit& leads, double nats_more);
   bool beside_baseline() const;
   std::string what_remains(const JudgedFit& leads) const;
 

@@ -13,12 +13,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+bool is_better(const JudgedFit& a, const JudgedFit& b) {
+  return dispersed_log_evidence(a.fit) > dispersed_log_evidence(b.fit);
+}
+
 // Those that were solved, the best first.
 void sort_solved(std::vector<JudgedFit>& fits) {
   std::erase_if(fits, [](const JudgedFit& j) { return !j.fit.solved; });
-  std::stable_sort(fits.begin(), fits.end(), [](const JudgedFit& a, const JudgedFit& b) {
-    return dispersed_log_evidence(a.fit) > dispersed_log_evidence(b.fit);
-  });
+  std::stable_sort(fits.begin(), fits.end(), is_better);
 }
 
 // Frequencies that were measured, Hz: the lowest and the highest; none = no frequency was.
@@ -46,6 +48,7 @@ void Resonating::fit_alone() {
   if (fitted_) return;
   fitted_ = true;
   search_.settings.stage("what may hang on springs", share::ledger);
+  hypotheses_ = list_();
   reduce_each(search_.context, hypotheses_);
   alone_.resize(hypotheses_.size());
   in_parallel(int(alone_.size()),
@@ -78,17 +81,20 @@ std::vector<JudgedFit> Resonating::beside_others_of(const HypothesisFit& lead) c
   return fits;
 }
 
-std::string Resonating::instead_of(const JudgedFit& leads, double nats_more) {
+std::optional<JudgedFit> Resonating::instead_of(const JudgedFit& leads, double nats_more) {
   fit_alone();
-  if (search_.settings.stop()) return "the search was stopped";
-  std::vector<JudgedFit> all = beside_others_of(leads.fit);
-  all.insert(all.end(), alone_.begin(), alone_.end());
-  sort_solved(all);
+  if (search_.settings.stop()) return {};
   const auto band = measured_band(search_.context.test);
-  for (const JudgedFit& resonator : all)
-    if (std::string words = resonator_explains(leads, resonator, band, nats_more); !words.empty())
-      return words;
-  return "";
+  const auto first_of = [&](std::vector<JudgedFit>& sorted) {
+    return std::find_if(sorted.begin(), sorted.end(), [&](const JudgedFit& own) {
+      return resonator_explains(leads, own, band, nats_more);
+    });
+  };
+  std::vector<JudgedFit> beside = beside_others_of(leads.fit);
+  const auto alone = first_of(alone_), other = first_of(beside);
+  if (other != beside.end() && (alone == alone_.end() || is_better(*other, *alone)))
+    return std::move(*other);
+  return alone == alone_.end() ? std::optional<JudgedFit>{} : *alone;
 }
 
 } // namespace plica

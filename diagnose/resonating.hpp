@@ -8,14 +8,16 @@ namespace plica {
 
 class Resonating {
 public:
-  // All must outlive it.
-  Resonating(const SetSearch& search, const HypothesisFit& plain,
-             const std::vector<Hypothesis>& hypotheses)
-      : search_(search), plain_(plain), hypotheses_(hypotheses) {}
+  using Listed = std::function<std::vector<Hypothesis>()>;
+  // `search` and `plain` must outlive it. `list` is asked when a resonator is first asked for; it
+  // must outlive what was found of it.
+  Resonating(const SetSearch& search, const HypothesisFit& plain, Listed list)
+      : search_(search), plain_(plain), list_(std::move(list)) {}
 
-  // The best in words, in place of what leads or of one of several, that is worth so many nats
-  // more, resonates among the frequencies that were measured and is itself believed; empty = none.
-  std::string instead_of(const JudgedFit& leads, double nats_more);
+  // The best, in place of what leads or of one of several, that is worth so many nats more,
+  // resonates among the frequencies that were measured and is itself believed. None, too, where the
+  // search was stopped.
+  std::optional<JudgedFit> instead_of(const JudgedFit& leads, double nats_more);
 
 private:
   JudgedFit judged_fit(const std::vector<const Hypothesis*>& together,
@@ -26,8 +28,9 @@ private:
 
   const SetSearch& search_;
   const HypothesisFit& plain_;
-  const std::vector<Hypothesis>& hypotheses_;
+  const Listed list_;
   bool fitted_ = false;
+  std::vector<Hypothesis> hypotheses_;
   std::vector<JudgedFit> alone_; // the best first
 };
 

@@ -120,6 +120,18 @@ Diagnosis made_up_diagnosis(Verdict verdict, const std::vector<LedgerRow>& cause
   return d;
 }
 
+Resonator hanging_mass() {
+  return {.found = {.name = "resonator",
+                    .place = "bellows.convolution[5]",
+                    .way = "on the mean motion",
+                    .parameters = {{"mass", "kg", 0.0102, {0.0098, 0.0106}, 0.2},
+                                   {"frequency", "Hz", 1450, {1440, 1461}, 0.1}},
+                    .nodes = {1, 2}},
+          .words = "10.2 g on a spring of its own, which resonates at 1450 Hz, at "
+                   "bellows.convolution[5]",
+          .gap_after = 1.25};
+}
+
 LedgerRow cause(std::vector<NamedEffect> effects, double share) {
   return {.effects = std::move(effects), .share = share, .interval = {share - 0.02, share + 0.02}};
 }
@@ -193,6 +205,20 @@ TEST(DiagnosisTerminal, begins_with_the_verdict_in_plain_words) {
                       ", whichever it is; less than 1 % is not explained"});
 }
 
+TEST(DiagnosisTerminal, ends_the_verdict_with_what_is_no_effect_here) {
+  Diagnosis d = made_up_diagnosis(Verdict::unknown, {cause({more_damping()}, 0.3)});
+  d.resonator = hanging_mass();
+  EXPECT_TRUE(plain_verdict(d).ends_with(
+      "; what is no effect here would do as well: 10.2 g on a spring of its own, which resonates "
+      "at 1450 Hz, at bellows.convolution[5]"))
+      << plain_verdict(d);
+  d.resonator->is_ahead = true;
+  const std::string better = "; what is no effect here would do better: 10.2 g on a spring";
+  EXPECT_NE(plain_verdict(d).find(better), std::string::npos) << plain_verdict(d);
+  d.ledger.rows.erase(d.ledger.rows.begin());
+  EXPECT_NE(plain_verdict(d).find(better), std::string::npos) << "where nothing comes nearer";
+}
+
 // Of a spring that holds rigidly only the lower end is known; what was stated has no interval.
 TEST(DiagnosisTerminal, gives_numbers_in_units_a_person_uses) {
   EXPECT_EQ(estimate_words({"offset", "m", 0.0021, {0.0018, 0.0024}, 0}), "2.10 (1.80 to 2.40) mm");
@@ -250,6 +276,32 @@ TEST(DiagnosisReport, draws_the_part_also_where_nothing_is_marked) {
   for (const Diagnosis& d : {made_up_diagnosis(Verdict::identified, {cause({more_damping()}, 0.9)}),
                              made_up_diagnosis(Verdict::none, {})})
     EXPECT_NE(diagnosis_html(d, "Pipe").find("<figure class=\"viewer\">"), std::string::npos);
+}
+
+TEST(DiagnosisReport, shows_what_is_no_effect_here_above_all_else_and_on_the_part) {
+  Diagnosis d = made_up_diagnosis(Verdict::unknown, {cause({more_damping()}, 0.3)});
+  EXPECT_EQ(diagnosis_html(d, "Pipe").find("on a spring"), std::string::npos);
+  d.resonator = hanging_mass();
+  const std::string html = diagnosis_html(d, "Pipe");
+  EXPECT_LT(html.find("would do as well: 10.2 g on a spring of its own"),
+            html.find("What the gap is made of"));
+  expect_parts(html,
+               {"a mass on a spring of its own, at bellows.convolution[5]: mass 10.2 (9.80 to "
+                "10.6) g, frequency 1450 (1440 to 1461) Hz; it leaves a gap of 1.25",
+                ">on a spring<"});
+}
+
+TEST(DiagnosisJson, has_what_is_no_effect_here_apart_from_effects) {
+  Diagnosis d = made_up_diagnosis(Verdict::unknown, {cause({more_damping()}, 0.3)});
+  EXPECT_TRUE(nlohmann::json::parse(diagnosis_json(d, "0.1")).at("resonator").is_null());
+  d.resonator = hanging_mass();
+  const auto json = nlohmann::json::parse(diagnosis_json(d, "0.1")).at("resonator");
+  EXPECT_EQ(json.at("place"), "bellows.convolution[5]");
+  EXPECT_EQ(json.at("value").at("mass"), 0.0102);
+  EXPECT_EQ(json.at("interval").at("frequency"), (std::vector<double>{1440, 1461}));
+  EXPECT_EQ(json.at("unit").at("frequency"), "Hz");
+  EXPECT_EQ(json.at("far_ahead"), false);
+  EXPECT_FALSE(json.contains("probability")) << "it is no effect of the library";
 }
 
 TEST(DiagnosisReport, says_what_its_probabilities_are_of) {

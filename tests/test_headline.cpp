@@ -123,9 +123,15 @@ TEST(Headline, says_last_what_is_no_effect_here_and_would_do_better) {
   Judgement j = fits.judgement_of_gaps(6.8);
   ASSERT_EQ(j.verdict, Verdict::mostly);
   const std::string mostly = headline(specimen(6.8), j);
-  j.beyond = "10 g on a spring";
+  const Hypothesis resonator{
+      .effect = "resonator", .place = "beam.point[3]", .way = "", .parameters = {}};
+  j.resonator = specimen(1);
+  j.resonator->fit.together = {&resonator};
+  j.resonator->fit.values = Eigen::Vector2d(0.015, 805);
   EXPECT_EQ(headline(specimen(6.8), j), mostly) << "it stood up to it";
-  const std::string words = "; what is no effect here would do better: 10 g on a spring";
+  const std::string words =
+      "; what is no effect here would do better: 15 g on a spring of its own, which resonates at "
+      "805 Hz, at beam.point[3], which would leave a gap of 1 (2 as it is told)";
   j.verdict = Verdict::unknown;
   EXPECT_TRUE(headline(specimen(6.8), j).ends_with(words)) << headline(specimen(6.8), j);
   j.verdict = Verdict::ambiguous;

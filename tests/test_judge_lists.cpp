@@ -300,6 +300,19 @@ TEST_F(MostOfThePair, is_handed_on_with_what_was_solved_for_it) {
   EXPECT_EQ(j.in_turn->after, 0.4);
 }
 
+TEST_F(MostOfThePair, hands_on_the_resonator_that_it_was_not_named_for) {
+  JudgedFit hanging = fits_.singles.front();
+  hanging.gap_after = 0.7;
+  const Referee strict{.to_most = [&](const JudgedFit&) -> Objection {
+    return {.why = "it may hang on a spring", .resonator = hanging};
+  }};
+  const Judgement j = fits_.judgement_of_gaps(20, strict);
+  EXPECT_EQ(j.verdict, Verdict::unknown);
+  EXPECT_EQ(j.withheld, "it may hang on a spring");
+  ASSERT_TRUE(j.resonator);
+  EXPECT_EQ(j.resonator->gap_after, 0.7);
+}
+
 TEST_F(MostOfThePair, is_unknown_where_what_is_left_of_it_was_not_tried) {
   const Judgement j = without_the_second(); // its first member is another hypothesis
   EXPECT_EQ(j.verdict, Verdict::unknown);

@@ -115,13 +115,18 @@ TEST(Resonators, are_told_of_where_nothing_that_is_known_explains_the_test) {
   const Diagnosis d =
       diagnose(changed_beam::held_beam(), {.data = m, .responses = {}}, {.plan_next = false});
   EXPECT_TRUE(d.verdict == Verdict::unknown || d.verdict == Verdict::ambiguous) << d.headline;
-  const auto number_behind = [&](const std::string& words) {
-    const std::size_t at = d.headline.find(words);
-    return at == std::string::npos ? 0 : std::stod(d.headline.substr(at + words.size()));
-  };
-  EXPECT_NEAR(number_behind("better: "), 60, 6) << d.headline;
-  EXPECT_NEAR(number_behind("which resonates at "), 150, 2) << d.headline;
-  EXPECT_NEAR(number_behind("at beam, "), 0.3, 0.01) << d.headline;
+  ASSERT_TRUE(d.resonator) << d.headline;
+  EXPECT_NE(d.headline.find("would do better: " + d.resonator->words), std::string::npos)
+      << d.headline;
+  EXPECT_EQ(d.resonator->found.place, "beam");
+  EXPECT_FALSE(d.resonator->found.nodes.empty());
+  const std::vector<EstimatedParameter>& found = d.resonator->found.parameters;
+  ASSERT_EQ(found.size(), 3U) << "mass, frequency and place";
+  EXPECT_NEAR(found[0].value, 0.06, 0.006);
+  EXPECT_NEAR(found[1].value, 150, 2);
+  EXPECT_NEAR(found[2].value, 0.3, 0.01);
+  for (const EstimatedParameter& p : found)
+    EXPECT_TRUE(p.interval[0] <= p.value && p.value <= p.interval[1]) << p.name;
 }
 
 // A light one that resonates high, a heavy one that resonates low, of what the model itself

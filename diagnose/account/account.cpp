@@ -8,6 +8,7 @@
 #include "diagnose/account/shrink.hpp"
 #include "diagnose/account/tried.hpp"
 #include "diagnose/judge/headline.hpp"
+#include "diagnose/judge/reasons.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
 #include "lab/measured/measured_words.hpp"
@@ -51,6 +52,7 @@ public:
     result_.best = all.best;
     for (const EffectFits& f : found_.ranked) result_.evaluations += f.best->fit.evaluations;
     how_far();
+    add_resonator();
     add_trends(told.best);
     result_.basis_error = problem_.predictors->of(told.best.together).basis_error(told.best.values);
     result_.drifts = told.drifts;
@@ -279,6 +281,21 @@ private:
       if (told.second) row.second = value(*told.second);
       result_.readings.push_back(std::move(row));
     }
+  }
+
+  void add_resonator() {
+    const std::optional<HypothesisFit>& fit = found_.told.resonator;
+    if (!fit) return;
+    const Judgement& judgement = found_.judgement;
+    NamedEffect found = names_.last_of(*fit);
+    result_.advice.push_back(fmt::format(
+        "what may hang at {}: look there, and knock on it or measure on it; what hangs on a spring "
+        "of its own shows its own resonance there",
+        found.place));
+    result_.resonator = {.found = std::move(found),
+                         .words = words_of_last(judgement.resonator->fit),
+                         .gap_after = judgement.resonator->gap_after,
+                         .is_ahead = judgement.resonator_is_ahead(found_.nominal)};
   }
 
   // Beside effects that were tried: what the case has no place for is not told apart from anything.

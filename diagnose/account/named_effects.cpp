@@ -20,7 +20,6 @@ bool is_same(const NamedEffect& a, const NamedEffect& b) {
 
 std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) const {
   const Judgement& judgement = found_.judgement;
-  const Structure structure = problem_.nominal.structure(problem_.test.data);
   std::vector<NamedEffect> members;
   for (std::size_t h = 0; h < fit.together.size(); ++h) {
     const Hypothesis& own = *fit.together[h];
@@ -34,11 +33,21 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
     else
       add_other_places(e);
     if (own.in_case) e.in_case = in_case(own, e.parameters);
-    std::vector<double> along;
-    for (const std::size_t p : own.along) along.push_back(e.parameters[p].value);
-    e.nodes = nodes_at(structure, e.place, along);
+    e.nodes = nodes_of(own, e);
   }
   return members;
+}
+
+NamedEffect NamedEffects::last_of(const HypothesisFit& fit) const {
+  NamedEffect e = named(fit, fit.together.size() - 1, 0, {});
+  e.nodes = nodes_of(*fit.together.back(), e);
+  return e;
+}
+
+std::vector<int> NamedEffects::nodes_of(const Hypothesis& h, const NamedEffect& e) const {
+  std::vector<double> along;
+  for (const std::size_t p : h.along) along.push_back(e.parameters[p].value);
+  return nodes_at(problem_.nominal.structure(problem_.test.data), e.place, along);
 }
 
 namespace {

@@ -19,7 +19,11 @@ public:
   NamedEffect named(const HypothesisFit& fit, std::size_t member, double probability,
                     const std::vector<JudgedFit>& fits) const;
 
+  // Of what comes last in a fit and is no effect of the library: name, values and nodes.
+  NamedEffect last_of(const HypothesisFit& fit) const;
+
 private:
+  std::vector<int> nodes_of(const Hypothesis& h, const NamedEffect& e) const;
   std::function<CaseEdits(const Case&)>
   in_case(const Hypothesis& h, const std::vector<EstimatedParameter>& parameters) const;
   void add_other_places(NamedEffect& e) const;

@@ -5,11 +5,6 @@
 namespace plica {
 namespace {
 
-const JudgedFit* first_of(const JudgedFit& nominal, const Judgement& judgement) {
-  if (!judgement.named.empty()) return judgement.named.front();
-  return judgement.nearest ? judgement.nearest : &nominal;
-}
-
 std::vector<HypothesisFit> fits_of(const FitContext& context, const Judgement& judgement,
                                    int particles) {
   if (judgement.sampled) return {*judgement.sampled};
@@ -38,11 +33,12 @@ GapShrink taken_in_turn(const FitContext& context, const HypothesisFit& nominal,
 Told told_of(GapProblem& problem, const JudgedFit& nominal, const std::vector<EffectFits>& ranked,
              const Judgement& judgement, int particles) {
   const FitContext context = problem.context();
-  const JudgedFit* first = first_of(nominal, judgement);
+  const JudgedFit* first = &judgement.told(nominal);
   Told told{.fits = fits_of(context, judgement, particles),
             .first = first,
             .best = {},
             .second = {},
+            .resonator = {},
             .in_turn = {},
             .drifts = {}};
   told.best = told.fits.empty() ? first->fit : told.fits.front();
@@ -53,6 +49,10 @@ Told told_of(GapProblem& problem, const JudgedFit& nominal, const std::vector<Ef
       complete(context, *told.second);
       break;
     }
+  if (judgement.resonator) {
+    told.resonator = judgement.resonator->fit;
+    sample(context, *told.resonator, particles, 1, dispersion(*told.resonator));
+  }
   constexpr std::size_t enough = 3; // readings, to take one in turn
   if (problem.held_out->rows().empty() && problem.fitted->rows().size() >= enough &&
       !told.best.together.empty())

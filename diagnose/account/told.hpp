@@ -14,6 +14,8 @@ struct Told {
   // On all readings, what was held out among them: the best, and the best effect beside it.
   HypothesisFit best;
   std::optional<HypothesisFit> second;
+  std::optional<HypothesisFit>
+      resonator;                      // with draws (Judgement::resonator), which comes last in it
   std::optional<GapShrink> in_turn;   // of the best, where nothing is held out
   std::vector<ParameterDrift> drifts; // of one effect
 };

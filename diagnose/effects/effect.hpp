@@ -106,6 +106,8 @@ struct Hypothesis {
   // It says where, not why: it counts only where no other effect at the place closes half as much,
   // and never explains all.
   bool names_place_only = false;
+  // It has a resonance of its own, for which another thing's may be taken.
+  bool resonates = false;
   // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
   std::vector<std::size_t> along = {};
   // Of all parameters those that act in a state, where states differ (growth.hpp).

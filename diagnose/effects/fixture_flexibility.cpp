@@ -73,6 +73,7 @@ std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
              },
          .at_rig = false,
          .released = std::move(released),
+         .resonates = true,
          .in_case =
              [place = ends.place](const Case& now, const Eigen::VectorXd& v) {
                return on_fixtures(now, place, v);

@@ -60,7 +60,8 @@ public:
                  .way = way,
                  .parameters = {added_kilograms(s_),
                                 {"frequency", "Hz", {PriorKind::log_normal, s_.frequency, 1}}},
-                 .at_rig = has_baseline(s_.measured)};
+                 .at_rig = has_baseline(s_.measured),
+                 .resonates = true};
     for (const EffectParameter& p : where) {
       h.along.push_back(h.parameters.size());
       h.parameters.push_back(p);

@@ -1,5 +1,7 @@
 #include "diagnose/judge/headline.hpp"
 
+#include "diagnose/judge/reasons.hpp"
+
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -47,12 +49,17 @@ std::string identified_words(const Judgement& judgement) {
   return text + ")" + places(judgement, *j.fit.together[0]);
 }
 
-std::string beyond(const Judgement& judgement) {
-  return judgement.beyond.empty() ? ""
-                                  : "; what is no effect here would do better: " + judgement.beyond;
+// "; what is no effect here would do better: 15 g on a spring of its own, which ..."
+std::string resonator_words(const JudgedFit& nominal, const Judgement& judgement) {
+  if (!judgement.resonator) return "";
+  const JudgedFit& own = *judgement.resonator;
+  return fmt::format("; what is no effect here would do {}: {}, which would leave a gap of {:.2g} "
+                     "({:.2g} as it is told)",
+                     judgement.resonator_is_ahead(nominal) ? "better" : "as well",
+                     words_of_last(own.fit), own.gap_after, judgement.told(nominal).gap_after);
 }
 
-std::string ambiguous_words(const Judgement& judgement) {
+std::string ambiguous_words(const JudgedFit& nominal, const Judgement& judgement) {
   std::string text;
   for (const JudgedFit* j : judgement.named) {
     if (!text.empty()) text += judgement.names_sets() ? "; or " : " or ";
@@ -63,10 +70,10 @@ std::string ambiguous_words(const Judgement& judgement) {
     text += fmt::format(" {:.0f} %", 100 * p);
   }
   if (judgement.names_sets())
-    return "Ambiguous: " + text + "; " + judgement.withheld + beyond(judgement);
+    return "Ambiguous: " + text + "; " + judgement.withheld + resonator_words(nominal, judgement);
   text = (judgement.named.size() == 1 ? "Perhaps " : "Ambiguous: ") + text;
   if (!judgement.withheld.empty()) text += "; not identified: " + judgement.withheld;
-  return text + beyond(judgement);
+  return text + resonator_words(nominal, judgement);
 }
 
 std::string several_words(const Judgement& judgement) {
@@ -91,13 +98,14 @@ std::string unknown_words(const JudgedFit& nominal, const Judgement& judgement) 
   if (j && j->credible())
     return fmt::format("Not settled: {} would explain the test and close {} of the gap, not far "
                        "enough ahead of what else would{}",
-                       name_of(j->fit), closed(nominal, *j), withheld + beyond(judgement));
+                       name_of(j->fit), closed(nominal, *j),
+                       withheld + resonator_words(nominal, judgement));
   std::string text = "None of the effects known here explains the test; it is farthest off in " +
                      nominal.worst.second;
   if (j)
     text += fmt::format("; nearest comes {}, which closes {} of the gap{}", name_of(j->fit),
                         closed(nominal, *j), withheld);
-  return text + beyond(judgement);
+  return text + resonator_words(nominal, judgement);
 }
 
 } // namespace
@@ -109,7 +117,7 @@ std::string headline(const JudgedFit& nominal, const Judgement& judgement) {
   case Verdict::identified:
     return identified_words(judgement);
   case Verdict::ambiguous:
-    return ambiguous_words(judgement);
+    return ambiguous_words(nominal, judgement);
   case Verdict::several:
     return several_words(judgement);
   case Verdict::mostly: {

@@ -138,6 +138,21 @@ std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector
 
 constexpr const char* edge_words = "nine of ten healthy specimens leave less";
 
+// Unless there is nothing to withhold.
+void withhold(Objection& objection, Judgement& result) {
+  result.withheld = std::move(objection.why);
+  result.in_turn = objection.in_turn;
+  result.sampled = std::move(objection.sampled);
+  result.resonator = std::move(objection.resonator);
+}
+
+// Of a fit that does not lead any more.
+void forget_what_was_asked(Judgement& result) {
+  result.sampled.reset();
+  result.in_turn.reset();
+  result.resonator.reset();
+}
+
 // Effects that are told apart from all others, or a list of those that are not: `rivals` stand, but
 // too far out of their priors to be named alone; `outdone`: why what leads is not sure.
 void name_singles(const std::vector<const EffectFits*>& credible,
@@ -158,9 +173,8 @@ void name_singles(const std::vector<const EffectFits*>& credible,
     result.withheld = edge_words;
   if (result.withheld.empty() && result.named.size() == 1 && objecting) {
     Objection objection = objecting(*result.named.front());
-    result.withheld = std::move(objection.why);
-    result.in_turn = objection.in_turn;
     result.warning = std::move(objection.warning);
+    withhold(objection, result);
   }
   if (!result.withheld.empty())
     for (const EffectFits* f : credible)
@@ -198,8 +212,10 @@ void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& st
   weigh_standing(standing, result);
   if (lead.at_the_edge)
     result.withheld = edge_words;
-  else if (objecting)
-    result.withheld = objecting(lead).why;
+  else if (objecting) {
+    Objection objection = objecting(lead);
+    withhold(objection, result);
+  }
   double odds = threshold::even_odds;
   if (result.withheld.empty() && different.size() > 1) {
     result.withheld = alike_words(different.size());
@@ -209,12 +225,6 @@ void name_sets(const JudgedFit& nominal, const std::vector<const JudgedFit*>& st
   result.verdict = Verdict::ambiguous;
   result.named = different;
   claim_no_more_than_is_closed(nominal, &lead, odds, result);
-}
-
-// Of a fit that does not lead any more.
-void forget_what_was_asked(Judgement& result) {
-  result.sampled.reset();
-  result.in_turn.reset();
 }
 
 // Effects that are far ahead and explain most, or nothing. Where members close too little, what is
@@ -230,9 +240,7 @@ void name_most(const JudgedFit& nominal, const Inclusion& inclusion, const Objec
     Objection objection;
     if (result.withheld.empty() && objecting) {
       objection = objecting(*lead);
-      result.withheld = std::move(objection.why);
-      result.in_turn = objection.in_turn;
-      result.sampled = std::move(objection.sampled);
+      withhold(objection, result);
     }
     if (result.withheld.empty()) {
       result.verdict = Verdict::mostly;

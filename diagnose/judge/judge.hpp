@@ -61,6 +61,7 @@ struct Objection {
   std::optional<HypothesisFit> sampled = {}; // the fit with draws at its dispersion, where it was
   std::vector<const Hypothesis*> small = {}; // members that close too little to be named
   std::string warning = {};                  // no objection, but the user is told
+  std::optional<JudgedFit> resonator = {};   // what explains as much, where that is why
 };
 using Objecting = std::function<Objection(const JudgedFit&)>;
 

@@ -16,4 +16,10 @@ double Judgement::share_of(const std::string& effect, const std::string& place) 
   return 0;
 }
 
+bool Judgement::resonator_is_ahead(const JudgedFit& nominal) const {
+  return resonator &&
+         dispersed_log_evidence(resonator->fit) - dispersed_log_evidence(told(nominal).fit) >=
+             threshold::effects_apart;
+}
+
 } // namespace plica

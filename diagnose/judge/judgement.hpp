@@ -22,7 +22,9 @@ struct Judgement {
   std::optional<GapShrink> in_turn;     // of what leads, where its readings were taken in turn
   std::optional<HypothesisFit> sampled; // the same with draws (Objection)
   std::string warning;                  // what it is named in spite of; empty = nothing
-  std::string beyond; // what would explain far more and is no effect here; empty = nothing is known
+  // What hangs on a spring of its own and explains as much as what leads, or far more, though it is
+  // no effect here; none = nothing is known of such a thing.
+  std::optional<JudgedFit> resonator;
   bool mounted_anew = false; // none, though the nominal case is not adequate
   // Whether what is named are sets that explain the test.
   bool names_sets() const {
@@ -31,6 +33,13 @@ struct Judgement {
   }
   // Whether what leads was found by all rules, none of which withheld it.
   bool is_settled() const { return verdict != Verdict::unknown && withheld.empty(); }
+  // What is told first: the best of what is named, else what comes nearest, else the nominal case.
+  const JudgedFit& told(const JudgedFit& nominal) const {
+    if (!named.empty()) return *named.front();
+    return nearest ? *nearest : nominal;
+  }
+  // Whether the resonator is far ahead of it.
+  bool resonator_is_ahead(const JudgedFit& nominal) const;
   double probability_of(const std::string& effect) const;
   double share_of(const std::string& effect, const std::string& place) const; // 1 where not known
 };

@@ -16,6 +16,11 @@ std::string no_better(const char* how, const GapShrink& g) {
                      how, 100 * g.shrink(), 100 * g.interval[0], 100 * g.interval[1]);
 }
 
+// Values of what comes last in a fit.
+Eigen::VectorXd values_of_last(const HypothesisFit& fit) {
+  return fit.values.tail(fit.values.size() - fit.first_of(fit.together.size() - 1));
+}
+
 } // namespace
 
 std::string held_out_no_better(const GapShrink& shrink) {
@@ -91,20 +96,19 @@ std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tem
   return "";
 }
 
-std::string resonator_explains(const JudgedFit& leads, const JudgedFit& resonator,
-                               const std::optional<std::array<double, 2>>& band, double nats_more) {
-  const Hypothesis& h = *resonator.fit.together.back();
-  const auto first = resonator.fit.first_of(resonator.fit.together.size() - 1);
-  const Eigen::VectorXd own =
-      resonator.fit.values.segment(first, Eigen::Index(h.parameters.size()));
-  constexpr Eigen::Index frequency = 1; // among its parameters
+bool resonator_explains(const JudgedFit& leads, const JudgedFit& resonator,
+                        const std::optional<std::array<double, 2>>& band, double nats_more) {
   const double more = dispersed_log_evidence(resonator.fit) - dispersed_log_evidence(leads.fit);
   if (more < nats_more || resonator.absurd || resonator.fails_held_out ||
       !resonator.saturated().empty())
-    return "";
-  if (band && (own[frequency] < (*band)[0] || own[frequency] > (*band)[1])) return "";
-  return fmt::format("{} would leave a gap of {:.2g} ({:.2g} with what leads)",
-                     words_of_resonator(h, own), resonator.gap_after, leads.gap_after);
+    return false;
+  constexpr Eigen::Index frequency = 1; // among its parameters
+  const double own = values_of_last(resonator.fit)[frequency];
+  return !band || (own >= (*band)[0] && own <= (*band)[1]);
+}
+
+std::string words_of_last(const HypothesisFit& with_resonator) {
+  return words_of_resonator(*with_resonator.together.back(), values_of_last(with_resonator));
 }
 
 std::string closes_less_than_half(const JudgedFit& leads, double gap_before) {

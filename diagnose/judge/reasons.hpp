@@ -32,8 +32,10 @@ std::string imitated(const JudgedFit& leads, const std::vector<Compensator>& tem
 // leads, can be told from the readings, and resonates among the frequencies that were measured
 // (`band`, Hz; none = all do): below these it is a spring, above them a mass, for all that is
 // known.
-std::string resonator_explains(const JudgedFit& leads, const JudgedFit& resonator,
-                               const std::optional<std::array<double, 2>>& band, double nats_more);
+bool resonator_explains(const JudgedFit& leads, const JudgedFit& resonator,
+                        const std::optional<std::array<double, 2>>& band, double nats_more);
+// "15 g on a spring of its own, which resonates at 805 Hz, at bellows.convolution[3]"
+std::string words_of_last(const HypothesisFit& with_resonator);
 
 // What explains the test closes half of its gap at least: errors may be smaller than they are
 // stated, and then what is adequate leaves room for the cause.

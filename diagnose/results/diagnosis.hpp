@@ -75,6 +75,15 @@ struct TriedHypothesis {
   std::vector<std::string> aside = {}; // readings that do not follow what it changes
 };
 
+// A mass on a spring of its own, which is no effect of the library, but explains the test as well
+// as what is told first, or far better.
+struct Resonator {
+  NamedEffect found; // "resonator", its mass, frequency and place
+  std::string words; // "15 g on a spring of its own, which resonates at 805 Hz, at beam.point[3]"
+  double gap_after = 0; // RMS of e
+  bool is_ahead = false;
+};
+
 // An effect that has no place in the case.
 struct EffectNotTried {
   std::string name, needs; // needs: "a bellows"
@@ -213,6 +222,7 @@ struct Diagnosis {
   // Of these what the gap is closed with, in gap, readings and pictures: the effects named, the
   // first of an ambiguous set, else what comes nearest. None: the nominal case.
   std::optional<std::size_t> best;
+  std::optional<Resonator> resonator; // none: nothing is known of one
   std::vector<EffectNotTried> not_tried;
   std::vector<std::pair<std::string, double>> probabilities; // of effects and "none"
   Weighing weighing;                                         // of these

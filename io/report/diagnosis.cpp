@@ -62,6 +62,12 @@ std::string facts(const Diagnosis& d) {
     add("effect, place, value (90 %)",
         fmt::format("{}; probability {} %", value, html_fixed(100 * e.probability, 1)));
   }
+  if (d.resonator)
+    add("no effect here",
+        fmt::format("a mass on a spring of its own, at {}: {}; it leaves a gap of {}",
+                    html_escape(d.resonator->found.place),
+                    html_escape(values_words(d.resonator->found, html_number)),
+                    html_fixed(d.resonator->gap_after, 2)));
   const TriedHypothesis* best = best_hypothesis(d);
   if (d.effects.empty() && best)
     add("best of what was tried", html_escape(hypothesis_label(*best)) +

@@ -33,6 +33,9 @@ std::string place_html(const Diagnosis& d) {
         drawn.sensors.push_back(
             {.name = std::to_string(i + 1), .node = middle_of(d.mesh, e.nodes)});
   }
+  if (d.resonator && !d.resonator->found.nodes.empty())
+    drawn.sensors.push_back(
+        {.name = "on a spring", .node = middle_of(d.mesh, d.resonator->found.nodes)});
   drawn.mesh = d.mesh;
   drawn.lines = d.lines;
   return part_viewer(drawn, part_picture(drawn, in_a_column));

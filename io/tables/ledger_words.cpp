@@ -79,6 +79,13 @@ std::string causes_words(const Ledger& ledger, const std::vector<const LedgerRow
   return text;
 }
 
+// "; what is no effect here would do better: 15 g on a spring of its own, which ..."
+std::string resonator_words(const Diagnosis& d) {
+  if (!d.resonator) return "";
+  return fmt::format("; what is no effect here would do {}: {}",
+                     d.resonator->is_ahead ? "better" : "as well", d.resonator->words);
+}
+
 std::string where_line(const Diagnosis& d) {
   constexpr std::size_t shown = 2;
   std::string text;
@@ -141,14 +148,14 @@ std::string plain_verdict(const Diagnosis& d) {
   if (causes.empty())
     return "Cause not found: nothing that is known here comes nearer to the test than the model "
            "as it is" +
-           rest_words(d.ledger);
+           rest_words(d.ledger) + resonator_words(d);
   std::string text = causes_words(d.ledger, causes);
   const bool is_list = causes.size() == 1 && causes.front()->effects.size() > 1;
   if (d.verdict == Verdict::mostly) text = "mostly " + text;
   if (d.verdict == Verdict::unknown) text = "cause not found; nearest comes " + text;
   if (d.verdict == Verdict::ambiguous && !is_list) text = "perhaps " + text;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + rest_words(d.ledger);
+  return text + rest_words(d.ledger) + resonator_words(d);
 }
 
 std::string ledger_text(const Ledger& ledger) {

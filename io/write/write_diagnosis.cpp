@@ -52,6 +52,15 @@ Json named_json(const NamedEffect& e) {
   return json;
 }
 
+Json json_of(const Resonator& r) {
+  Json json = named_json(r.found);
+  for (const char* of_effects : {"probability", "anywhere", "other_places"}) json.erase(of_effects);
+  json["what"] = r.words;
+  json["gap"] = json_number(r.gap_after);
+  json["far_ahead"] = r.is_ahead;
+  return json;
+}
+
 Json json_of(const EffectInclusion& e) {
   return {{"effect", e.effect},
           {"probability", json_number(e.probability)},
@@ -323,6 +332,7 @@ std::string diagnosis_json(const Diagnosis& d, const std::string& plica_version)
   json["inclusion"] = list_of(d.inclusion, item);
   json["readings"] = list_of(d.readings, item);
   json["best"] = d.best ? Json(*d.best) : Json(nullptr); // of hypotheses
+  json["resonator"] = d.resonator ? json_of(*d.resonator) : Json(nullptr);
   json["not_tried"] = list_of(d.not_tried, [](const EffectNotTried& e) {
     return Json{{"name", e.name}, {"needs", e.needs}};
   });
