@@ -39,7 +39,13 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
 }
 
 NamedEffect NamedEffects::last_of(const HypothesisFit& fit) const {
-  NamedEffect e = named(fit, fit.together.size() - 1, 0, {});
+  const std::size_t last = fit.together.size() - 1;
+  NamedEffect e = named(fit, last, 0, {});
+  for (std::size_t i = 0; i < e.parameters.size(); ++i) {
+    EstimatedParameter& p = e.parameters[i];
+    p.value = fit.values[fit.first_of(last) + Index(i)];
+    p.interval = {std::min(p.interval[0], p.value), std::max(p.interval[1], p.value)};
+  }
   e.nodes = nodes_of(*fit.together.back(), e);
   return e;
 }

@@ -19,7 +19,8 @@ public:
   NamedEffect named(const HypothesisFit& fit, std::size_t member, double probability,
                     const std::vector<JudgedFit>& fits) const;
 
-  // Of what comes last in a fit and is no effect of the library: name, values and nodes.
+  // Of what comes last in a fit and is no effect of the library: name, values at the optimum, with
+  // intervals, and nodes.
   NamedEffect last_of(const HypothesisFit& fit) const;
 
 private:
