@@ -281,14 +281,14 @@ void add_diagnose_command(CommandLine& line) {
       ->type_name("FILE")
       ->excludes("--pretest");
   command
-      .add_option_function<std::vector<char>>(
+      .add_option_function<std::vector<std::string>>(
           "--bases",
-          [options](const std::vector<char>& axes) {
-            for (char axis : axes)
-              options->plan.bases.push_back(place_among(axis_names, std::string(1, axis)));
+          [options](const std::vector<std::string>& axes) {
+            for (const std::string& axis : axes)
+              options->plan.bases.push_back(place_among(axis_names, axis));
           },
           "of a planned test: axes of the table")
-      ->check(CLI::IsMember({'x', 'y', 'z'}));
+      ->check(CLI::IsMember(std::vector<std::string>(axis_names.begin(), axis_names.end())));
   command.add_option("--levels", options->plan.levels, "of a planned test: m/s2")
       ->check(CLI::PositiveNumber);
   command.add_flag_callback(

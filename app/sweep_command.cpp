@@ -10,6 +10,7 @@
 #include "io/tables/result_path.hpp"
 #include "io/write/write_sweep.hpp"
 #include "lab/measured/states.hpp"
+#include "run/results/number_keys.hpp"
 #include "run/study/variant_runs.hpp"
 #include "solve/jobs.hpp"
 
@@ -46,7 +47,8 @@ bool is_headline(const std::string& result) {
   const std::vector<TreeStep> steps = steps_of(result);
   return !steps.empty() && sections.contains(steps.front().key) &&
          std::none_of(steps.begin(), steps.end(), [](const TreeStep& step) {
-           return beyond.contains(step.key) || step.key.starts_with("life_");
+           return beyond.contains(step.key) ||
+                  number_key::kind_of(step.key) == NumberKind::stress_range;
          });
 }
 

@@ -1,7 +1,8 @@
-# plica_library(<name> SOURCES ... LINKS ... PRIVATE_LINKS ... PACKAGES ...)
+# plica_library(<name> [RUNS] [BASIC] [OWN_HEADERS] SOURCES ... LINKS ... PRIVATE_LINKS ... PACKAGES ...)
 # One library per room, target plica::<name>, the component <name> of the installed package. The link
 # list is the rule of what it may include; PACKAGES are what a user of the component must find, as
-# find_dependency() takes them.
+# find_dependency() takes them. RUNS: tests under sanitizers wait for it. BASIC: it stands below solve/.
+# OWN_HEADERS: it is compiled by other options than the rooms beside it.
 add_library(plica_options INTERFACE)
 target_compile_options(plica_options INTERFACE
   $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion>)
@@ -39,19 +40,34 @@ set(plica_precompiled <Eigen/Dense> <Eigen/Sparse> <algorithm> <cmath> <function
   <string> <vector>)
 set(plica_precompiled_from_solve ${plica_precompiled}
   ${PROJECT_SOURCE_DIR}/solve/decompositions.hpp)
-# The rooms that have them for the others; one that is optimised has none for one that is not.
-set(plica_precompiled_below elements)
-set(plica_precompiled_above solve)
-if(PLICA_SANITIZE)
-  set(plica_precompiled_below words)
-  set(plica_precompiled_above description)
-endif()
+
+# From the room that has them for those like it; under sanitizers one that is optimised has none for
+# one that is not.
+function(plica_precompile name runs is_basic has_own)
+  if(is_basic)
+    set(headers ${plica_precompiled})
+    set(first elements)
+    set(first_of_idle words)
+  else()
+    set(headers ${plica_precompiled_from_solve})
+    set(first solve)
+    set(first_of_idle description)
+  endif()
+  if(PLICA_SANITIZE AND NOT runs)
+    set(first ${first_of_idle})
+  endif()
+  if(has_own OR name STREQUAL first)
+    target_precompile_headers(plica_${name} PRIVATE ${headers})
+  else()
+    target_precompile_headers(plica_${name} REUSE_FROM plica_${first})
+  endif()
+endfunction()
 
 # The rooms, what each links and where it lies, for the rule of includes: build/rooms.txt.
 set_property(GLOBAL PROPERTY PLICA_ROOMS "")
 
 function(plica_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS;PACKAGES" ${ARGN})
+  cmake_parse_arguments(arg "RUNS;BASIC;OWN_HEADERS" "" "SOURCES;LINKS;PRIVATE_LINKS;PACKAGES" ${ARGN})
   add_library(plica_${name} STATIC ${arg_SOURCES})
   add_library(plica::${name} ALIAS plica_${name})
   set_target_properties(plica_${name} PROPERTIES EXPORT_NAME ${name})
@@ -61,22 +77,8 @@ function(plica_library name)
   target_link_libraries(plica_${name} PUBLIC ${arg_LINKS} PRIVATE
     $<BUILD_INTERFACE:plica_options> ${arg_PRIVATE_LINKS})
   target_compile_features(plica_${name} PUBLIC cxx_std_20)
-  if(name MATCHES "^(elements|life|solve|reduction)$") # what the tests under sanitizers wait for
-    set_target_properties(plica_${name} PROPERTIES PLICA_RUNS ON)
-  endif()
-  if(name MATCHES "^(solve|${plica_precompiled_above})$")
-    target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled_from_solve})
-  elseif(name MATCHES "^(elements|generation|${plica_precompiled_below})$") # those without OpenMP, one with it
-    target_precompile_headers(plica_${name} PRIVATE ${plica_precompiled})
-  elseif(name STREQUAL "reduction")
-    target_precompile_headers(plica_${name} REUSE_FROM plica_solve)
-  elseif(name STREQUAL "life")
-    target_precompile_headers(plica_${name} REUSE_FROM plica_elements)
-  elseif(name MATCHES "^(words|mesh|lab|files|matlab|universal|lab_files)$")
-    target_precompile_headers(plica_${name} REUSE_FROM plica_${plica_precompiled_below})
-  else()
-    target_precompile_headers(plica_${name} REUSE_FROM plica_${plica_precompiled_above})
-  endif()
+  set_target_properties(plica_${name} PROPERTIES PLICA_RUNS ${arg_RUNS})
+  plica_precompile(${name} "${arg_RUNS}" "${arg_BASIC}" "${arg_OWN_HEADERS}")
   set_property(GLOBAL APPEND PROPERTY PLICA_LIBRARIES ${name})
   set_property(TARGET plica_${name} PROPERTY PLICA_LINKS ${arg_LINKS})
   set_property(TARGET plica_${name} PROPERTY PLICA_PACKAGES ${arg_PACKAGES})

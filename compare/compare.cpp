@@ -224,6 +224,7 @@ std::vector<MeasuredComparison> compare(const Results& results, const Measured& 
          .computed = over_stroke.value_or(results.statics->all()[std::size_t(k.direction)]),
          .entry = entry_name("static", i),
          .kind = ComparedKind::stiffness,
+         .static_test = int(k.direction),
          .over_stroke = over_stroke.has_value()});
   }
   for (std::size_t i = 0; i < measured.modes.size(); ++i) {

@@ -38,6 +38,13 @@ constexpr int place_among(const std::array<const char*, N>& words, std::string_v
   return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 
+// Whether a channel is a translation, "mid.y": not "mid" or "mid.ry".
+constexpr bool is_translation(std::string_view channel) {
+  const std::size_t dot = channel.rfind('.');
+  return dot != std::string_view::npos && dot > 0 &&
+         place_among(axis_names, channel.substr(dot + 1)) >= 0;
+}
+
 // Axis of a channel "mid.y" by its last letter, 0..2; -1: it is the name of none.
 constexpr int axis_of_channel(std::string_view channel) {
   return channel.empty() ? -1 : place_among(axis_names, channel.substr(channel.size() - 1));

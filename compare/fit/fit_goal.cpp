@@ -45,6 +45,13 @@ bool is_goal(const std::string& words) {
          words.find('=') != std::string::npos;
 }
 
+std::string quantity_of_goal(const std::string& words) {
+  const std::string_view all = words;
+  const std::size_t sign = all.find('=');
+  return std::string(
+      trimmed(sign == std::string_view::npos ? all.substr(all.find(' ')) : all.substr(0, sign)));
+}
+
 Parsed<FitGoal> goal_of(const std::string& words, const Case& data) {
   Parsed<FitGoal> parsed;
   if (const std::size_t sign = words.find('='); sign != std::string::npos) {
@@ -62,7 +69,7 @@ Parsed<FitGoal> goal_of(const std::string& words, const Case& data) {
     return parsed;
   }
   parsed.value.aim = words.starts_with("least ") ? GoalAim::least : GoalAim::most;
-  parsed.value.quantity = trimmed(std::string_view(words).substr(words.find(' ')));
+  parsed.value.quantity = quantity_of_goal(words);
   check_quantity(data, parsed);
   return parsed;
 }

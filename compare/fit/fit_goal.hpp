@@ -31,6 +31,7 @@ template <class T> struct Parsed {
 
 // Whether a target is one of these, and not the name of something measured.
 bool is_goal(const std::string& words);
+std::string quantity_of_goal(const std::string& words); // of such a one
 Parsed<FitGoal> goal_of(const std::string& words, const Case& data);
 Parsed<FitLimit> limit_of(const std::string& words, const Case& data);
 

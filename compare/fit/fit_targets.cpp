@@ -5,6 +5,7 @@
 #include "lab/measured/entries.hpp"
 #include "run/analyses/run.hpp"
 #include "run/results/computed_numbers.hpp"
+#include "run/results/number_keys.hpp"
 #include "run/study/error_bars.hpp"
 #include "words/short_text.hpp"
 
@@ -22,6 +23,10 @@ namespace {
 
 constexpr double response_sigma = 0.1; // relative, where the measured data state none
 
+bool is_frequency(const std::string& quantity) {
+  return number_key::kind_of(quantity) == NumberKind::frequency;
+}
+
 // "peaks[0]" names "peaks[0].frequency[3]", and each quantity itself.
 bool names(const FitTarget& target, const MeasuredComparison& row) {
   const std::string& name = target.quantity;
@@ -31,12 +36,14 @@ bool names(const FitTarget& target, const MeasuredComparison& row) {
 } // namespace
 
 bool FitProblem::asks_for_life() const {
-  const auto is_life = [](const std::string& words) {
-    return words.find("life_") != std::string::npos || words.find("damage") != std::string::npos;
+  const auto is_life = [](const std::string& quantity) {
+    const NumberKind kind = number_key::kind_of(quantity);
+    return kind == NumberKind::stress_range || kind == NumberKind::damage;
   };
-  return std::any_of(
-             request_.targets.begin(), request_.targets.end(),
-             [&](const FitTarget& t) { return is_goal(t.quantity) && is_life(t.quantity); }) ||
+  return std::any_of(request_.targets.begin(), request_.targets.end(),
+                     [&](const FitTarget& t) {
+                       return is_goal(t.quantity) && is_life(quantity_of_goal(t.quantity));
+                     }) ||
          std::any_of(request_.constraints.begin(), request_.constraints.end(),
                      [&](const FitConstraint& c) {
                        return std::any_of(c.of.begin(), c.of.end(),
@@ -171,12 +178,12 @@ bool FitProblem::friction_alone() const {
     if (!FrictionResponses::is_friction(tie.path)) return false;
   for (const FitConstraint& c : request_.constraints)
     for (const auto& [what, factor] : c.of)
-      if (what.starts_with("f_")) return false;
+      if (is_frequency(what)) return false;
   for (const Aim& aim : aims_)
-    if (aim.quantity.starts_with("f_")) return false;
+    if (is_frequency(aim.quantity)) return false;
   return curves_.empty() && stiffness_.empty() &&
          std::all_of(targets_.begin(), targets_.end(), [](const Target& t) {
-           if (t.goal) return !t.quantity.starts_with("f_");
+           if (t.goal) return !is_frequency(t.quantity);
            return t.kind == ComparedKind::mass || t.level.has_value() ||
                   (t.kind == ComparedKind::stiffness && !t.over_stroke);
          });

@@ -1,5 +1,6 @@
 #include "diagnose/account/overlays.hpp"
 
+#include "diagnose/readings/reading_list.hpp"
 #include "lab/measured/entries.hpp"
 #include "lab/measured/measured_words.hpp"
 
@@ -29,7 +30,7 @@ std::vector<OverlaidResponse> overlays_of(GapProblem& problem, const HypothesisF
       const auto column = std::find(set.responses.begin(), set.responses.end(), channel);
       if (column == set.responses.end()) continue;
       OverlaidResponse o;
-      o.name = reading->name.substr(reading->name.find(" at ") + 1);
+      o.name = where_seen(run);
       o.hertz = set.hertz;
       o.measured = acceleration_of(set, 0, column - set.responses.begin());
       const auto response_of = [&](const HypothesisFit& fit) {

@@ -76,34 +76,33 @@ Identities identities_of(const std::vector<const Hypothesis*>& together) {
   return all;
 }
 
-std::optional<StateModels::Changes> StateModels::kept(const NominalState& state,
-                                                      const Hypothesis& h) {
+std::optional<StateModels::Changes> StateModels::kept(std::size_t s, const Hypothesis& h) {
   const std::lock_guard lock(mutex_);
-  const auto known = kept_.find({&state, h.identity.number()});
+  const auto known = kept_.find({s, h.identity.number()});
   return known == kept_.end() ? std::nullopt : std::optional(known->second);
 }
 
-StateModels::Changes StateModels::prepared(const NominalState& state, const Hypothesis& h) {
-  if (auto known = kept(state, h)) return std::move(*known);
+StateModels::Changes StateModels::prepared(std::size_t s, const Hypothesis& h) {
+  if (auto known = kept(s, h)) return std::move(*known);
+  const NominalState& state = nominal_.states[s];
   Changes made = state.model->prepare(changes_in(state, h));
   if (!is_costly(h)) return made;
   const std::lock_guard lock(mutex_);
-  return kept_.try_emplace({&state, h.identity.number()}, std::move(made)).first->second;
+  return kept_.try_emplace({s, h.identity.number()}, std::move(made)).first->second;
 }
 
 StateModels::Changes StateModels::changes(std::size_t s, const Together& together) {
   std::vector<Changes> parts(together.size());
-  in_parallel(int(parts.size()), [&](int h) {
-    parts[std::size_t(h)] = prepared(nominal_.states[s], *together[std::size_t(h)]);
-  });
+  in_parallel(int(parts.size()),
+              [&](int h) { parts[std::size_t(h)] = prepared(s, *together[std::size_t(h)]); });
   Changes behind;
   if (solves_anew_) {
     std::vector<int> first{0};
     for (const Changes& part : parts) first.push_back(first.back() + int(part.size()));
     for (std::size_t a = 0; a < parts.size(); ++a)
       for (std::size_t b = a + 1; b < parts.size(); ++b)
-        for (PreparedChange& change : products(nominal_.states[s], *together[a], parts[a], first[a],
-                                               *together[b], parts[b], first[b]))
+        for (PreparedChange& change :
+             products(s, *together[a], parts[a], first[a], *together[b], parts[b], first[b]))
           behind.push_back(std::move(change));
   }
   parts.push_back(std::move(behind));
@@ -113,16 +112,17 @@ StateModels::Changes StateModels::changes(std::size_t s, const Together& togethe
   return all;
 }
 
-StateModels::Changes StateModels::products(const NominalState& state, const Hypothesis& a,
-                                           const Changes& of_a, int a_first, const Hypothesis& b,
-                                           const Changes& of_b, int b_first) {
-  const std::tuple key{&state, a.identity.number(), b.identity.number()};
+StateModels::Changes StateModels::products(std::size_t s, const Hypothesis& a, const Changes& of_a,
+                                           int a_first, const Hypothesis& b, const Changes& of_b,
+                                           int b_first) {
+  const std::tuple key{s, a.identity.number(), b.identity.number()};
   std::optional<Changes> found;
   {
     const std::lock_guard lock(mutex_);
     if (const auto known = products_.find(key); known != products_.end()) found = known->second;
   }
   if (!found) {
+    const NominalState& state = nominal_.states[s];
     std::vector<std::optional<PreparedChange>> each(of_a.size() * of_b.size());
     in_parallel(int(each.size()), [&](int k) {
       const auto i = std::size_t(k) / of_b.size(), j = std::size_t(k) % of_b.size();
@@ -195,7 +195,7 @@ void StateModels::reduce(std::size_t s, const Together& each) {
   for (std::size_t i = 0; i < each.size(); ++i) {
     const Hypothesis* h = each[i];
     const Changes own =
-        is_costly(*h) ? prepared(state, *h) : Changes(next, next + std::ptrdiff_t(count[i]));
+        is_costly(*h) ? prepared(s, *h) : Changes(next, next + std::ptrdiff_t(count[i]));
     next += std::ptrdiff_t(count[i]);
     Lazy& model = lazy(s, {h});
     std::call_once(model.once, [&] { make(s, {h}, own, model.model); });
@@ -203,13 +203,12 @@ void StateModels::reduce(std::size_t s, const Together& each) {
 }
 
 void StateModels::keep(std::size_t s, const Together& each) {
-  const NominalState& state = nominal_.states[s];
   in_parallel(int(each.size()), [&](int i) {
     const Hypothesis& h = *each[std::size_t(i)];
-    if (kept(state, h)) return;
-    Changes made = prepared(state, h);
+    if (kept(s, h)) return;
+    Changes made = prepared(s, h);
     const std::lock_guard lock(mutex_);
-    kept_.try_emplace({&state, h.identity.number()}, std::move(made));
+    kept_.try_emplace({s, h.identity.number()}, std::move(made));
   });
 }
 

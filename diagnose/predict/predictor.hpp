@@ -43,21 +43,21 @@ private:
     StateModel model;
   };
   using Changes = std::vector<PreparedChange>;
-  std::optional<Changes> kept(const NominalState& state, const Hypothesis& h);
-  Changes prepared(const NominalState& state, const Hypothesis& h);
+  std::optional<Changes> kept(std::size_t state, const Hypothesis& h);
+  Changes prepared(std::size_t state, const Hypothesis& h);
   // Of two hypotheses; `a_first`: where the changes of each stand among those of the set.
-  Changes products(const NominalState& state, const Hypothesis& a, const Changes& of_a, int a_first,
+  Changes products(std::size_t state, const Hypothesis& a, const Changes& of_a, int a_first,
                    const Hypothesis& b, const Changes& of_b, int b_first);
   Lazy& lazy(std::size_t state, const Together& together);
   void make(std::size_t state, const Together& together, const Changes& changes, StateModel& own);
 
   const Nominal& nominal_;
   std::mutex mutex_;
-  std::map<std::pair<const NominalState*, std::uint64_t>, Changes> kept_;
+  std::map<std::pair<std::size_t, std::uint64_t>, Changes> kept_; // by state and hypothesis
   std::map<std::pair<std::size_t, Identities>, Lazy> known_;
   bool solves_anew_ = false;
   // Of pairs of hypotheses, their factors numbered among the changes of each.
-  std::map<std::tuple<const NominalState*, std::uint64_t, std::uint64_t>, Changes> products_;
+  std::map<std::tuple<std::size_t, std::uint64_t, std::uint64_t>, Changes> products_;
 };
 
 // What readings would be.

@@ -44,4 +44,9 @@ std::string at_level(const TestRun& run) {
   return fmt::format(", {:g} {}", run.level, run.by_force ? "N" : "m/s2");
 }
 
+std::string where_seen(const TestRun& run) {
+  return "at " + run.sensor + " in " + axis_word(run.axis) + ", " + word_of(run.input) +
+         at_level(run);
+}
+
 } // namespace plica

@@ -21,5 +21,7 @@ private:
 };
 
 std::string at_level(const TestRun& run); // ", 5 m/s2"; empty for zero
+// "at mid in y, base y, 5 m/s2": where the peaks of a response are seen.
+std::string where_seen(const TestRun& run);
 
 } // namespace plica

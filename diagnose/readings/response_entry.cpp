@@ -82,8 +82,7 @@ Reading ResponseEntry::blank(const TestRun& run, int run_number, int peak) const
 
 void add_peak(const ResponseEntry& entry, const TestRun& run, int number, int k,
               const FittedPeak& peak, ReadingList& list) {
-  const std::string of = " of peak " + std::to_string(k + 1) + " at " + run.sensor + " in " +
-                         axis_word(run.axis) + ", " + word_of(run.input) + at_level(run);
+  const std::string of = " of peak " + std::to_string(k + 1) + " " + where_seen(run);
   const Eigen::VectorXd& hertz = entry.set->hertz;
   const double step = (hertz[hertz.size() - 1] - hertz[0]) /
                       double(std::max<Index>(1, hertz.size() - 1)) / peak.frequency;

@@ -30,12 +30,6 @@ Turned turned(const MeasuredVector& v) {
   return {z.real(), z.imag().norm() / std::max(z.norm(), 1e-300)};
 }
 
-// "mid.y", as diagnosis knows channels; not "mid" or "mid.ry".
-bool is_translation(const std::string& channel) {
-  const std::size_t n = channel.size();
-  return n > 2 && channel[n - 2] == '.' && channel[n - 1] >= 'x' && channel[n - 1] <= 'z';
-}
-
 // Channels that are read: those along the direction of the mode where they show most of it, and of
 // many some that lie evenly along the list, for neighbours say the same.
 std::vector<std::size_t> read_channels(const MeasuredVector& v, const VectorXd& real, int axis) {

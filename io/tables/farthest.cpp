@@ -1,6 +1,7 @@
 #include "io/tables/farthest.hpp"
 
 #include "io/tables/text.hpp"
+#include "words/directions.hpp"
 #include "words/mode_kinds.hpp"
 
 #include <cmath>
@@ -23,13 +24,14 @@ bool is_within(const MeasuredComparison& row) {
   return row.sigma > 0 ? std::abs(sigma_deviation(row)) <= 2 : farness(row) <= 0.02;
 }
 
-// "transverse stiffness x": a mode across in x, where the mode says so.
-bool moves_that_way(const ModeResult& mode, const std::string& stiffness) {
-  if (mode.shape == mode_kind::torsion) return stiffness.starts_with("torsional");
-  if (mode.shape != mode_kind::axial && mode.shape != mode_kind::transverse) return false;
-  return stiffness.starts_with(mode.shape + " ") &&
-         (mode.shape == mode_kind::axial || mode.direction.empty() ||
-          stiffness.find(" stiffness " + mode.direction) != std::string::npos);
+// Whether a mode moves as the end does in a static test; across, where the mode says which way.
+bool moves_as(const ModeResult& mode, std::size_t static_test) {
+  constexpr int along_pipe = 1;
+  const int dof = dof_of_static_test.at(static_test);
+  if (mode.shape == mode_kind::torsion) return dof == 3 + along_pipe;
+  if (mode.shape == mode_kind::axial) return dof == along_pipe;
+  return mode.shape == mode_kind::transverse && (dof == 0 || dof == 2) &&
+         (mode.direction.empty() || mode.direction == axis_word(dof));
 }
 
 } // namespace
@@ -56,7 +58,7 @@ std::optional<std::size_t> mode_that_shows(const Results& results, const Measure
   for (std::size_t m = 0; m < results.modes.size(); ++m) {
     const ModeResult& mode = results.modes[m];
     if (row.kind == ComparedKind::stiffness) {
-      if (moves_that_way(mode, row.quantity)) return m;
+      if (row.static_test >= 0 && moves_as(mode, std::size_t(row.static_test))) return m;
       continue;
     }
     const double off = std::abs(mode.frequency - row.computed);

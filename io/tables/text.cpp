@@ -2,6 +2,7 @@
 
 #include "lab/measured/measured_words.hpp"
 #include "run/results/computed_numbers.hpp"
+#include "run/results/number_keys.hpp"
 #include "words/mode_kinds.hpp"
 
 #include <fmt/format.h>
@@ -142,19 +143,21 @@ ShownUnit shown_unit(double value, const std::string& unit) {
 namespace {
 
 HeadlineQuantity quantity_of(const std::string& key) {
-  std::string rest = key.size() > 2 ? key.substr(2) : "";
-  std::replace(rest.begin(), rest.end(), '_', ' ');
-  const std::string name = key.starts_with("k_")      ? rest + " stiffness"
-                           : key.starts_with("f_")    ? "first " + rest + " mode"
-                           : key.starts_with("life_") ? "stress range, " + key.substr(5)
-                                                      : key;
+  const std::string own(number_key::rest_of(key));
+  std::string words = own;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  const NumberKind kind = number_key::kind_of(key);
+  const std::string name = kind == NumberKind::stiffness      ? words + " stiffness"
+                           : kind == NumberKind::frequency    ? "first " + words + " mode"
+                           : kind == NumberKind::stress_range ? "stress range, " + own
+                                                              : key;
   return {key, name, unit_of_result(key)};
 }
 
 int rank(const std::string& key) {
   static const std::map<std::string, int> ranks{
       {"k_axial", 0}, {"f_axial", 1}, {"f_transverse", 2}, {"f_torsion", 3}, {"mass", 5}};
-  if (key.starts_with("life_")) return 6;
+  if (number_key::kind_of(key) == NumberKind::stress_range) return 6;
   const auto known = ranks.find(key);
   return known == ranks.end() ? 4 : known->second;
 }

@@ -1,5 +1,6 @@
 #include "run/results/computed_numbers.hpp"
 
+#include "run/results/number_keys.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ const std::vector<ComputedNumber>& computed_numbers() {
 std::optional<Dimension> unit_of_computed(const std::string& name) {
   for (const ComputedNumber& n : computed_numbers())
     if (n.name == name) return n.unit;
-  if (name.starts_with("life_")) return Dimension::pressure;
+  if (number_key::kind_of(name) == NumberKind::stress_range) return Dimension::pressure;
   return std::nullopt;
 }
 
@@ -46,7 +47,7 @@ std::map<std::string, double> computed_numbers_of(const Results& results) {
     numbers["k_torsion"] = k->k_torsion;
   }
   if (results.life && !results.life->spots.empty())
-    numbers["damage"] = results.life->spots.front().damage;
+    numbers[number_key::damage] = results.life->spots.front().damage;
   return numbers;
 }
 

@@ -1,5 +1,6 @@
 #include "run/results/results.hpp"
 
+#include "run/results/number_keys.hpp"
 #include "words/directions.hpp"
 #include "words/mode_kinds.hpp"
 
@@ -15,16 +16,17 @@ DirectCheck farthest(const std::vector<DirectCheck>& checks) {
 
 std::map<std::string, double> headline(const Results& results) {
   std::map<std::string, double> numbers;
-  numbers["mass"] = results.model.mass;
+  numbers[number_key::mass] = results.model.mass;
   if (results.statics) numbers["k_axial"] = results.statics->k_axial;
   for (const ModeResult& mode : results.modes) {
     if (place_among(mode_kind::of_a_rod, mode.shape) < 0) continue;
-    const auto [place, is_new] = numbers.try_emplace("f_" + mode.shape, mode.frequency);
+    const auto [place, is_new] =
+        numbers.try_emplace(number_key::of(NumberKind::frequency, mode.shape), mode.frequency);
     if (!is_new && mode.frequency < place->second) place->second = mode.frequency;
   }
   if (results.life)
     for (const DutyResult& duty : results.life->duties)
-      if (duty.range > 0) numbers["life_" + duty.name] = duty.range;
+      if (duty.range > 0) numbers[number_key::of(NumberKind::stress_range, duty.name)] = duty.range;
   return numbers;
 }
 

@@ -83,6 +83,7 @@ struct MeasuredComparison { // one measured number beside the computed one
   double measured = 0, sigma = 0, computed = 0;
   std::string entry = {}; // of the measured data: "modes[0]"
   ComparedKind kind = ComparedKind::frequency;
+  int static_test = -1;             // of a stiffness: its place in stiffness_names
   bool of_peak = false;             // of a peak of a response rather than of a mode
   bool over_stroke = false;         // a stiffness from a curve of the force
   std::optional<double> level = {}; // m/s2, of a peak over the level

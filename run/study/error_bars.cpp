@@ -4,6 +4,7 @@
 #include "model/description/toleranced_damping.hpp"
 #include "model/shape/mesh_choice.hpp"
 #include "run/analyses/run.hpp"
+#include "run/results/number_keys.hpp"
 #include "run/stages.hpp"
 #include "run/study/finer_run.hpp"
 #include "run/study/refine.hpp"
@@ -139,7 +140,8 @@ void add_tolerances(ErrorBars& all, const Case& fine, const StageListener& stage
   }
   const Headline found = headline_of(together);
   for (const auto& [key, value] : nominal) {
-    if (key.starts_with("damage")) continue; // a high power of stress: said of its range
+    if (number_key::kind_of(key) == NumberKind::damage)
+      continue; // a high power of stress: said of its range
     const double predicted = value * std::exp(sum(tolerances, effects[key], u));
     const double deviation = std::abs(value_of(found, key) / predicted - 1);
     if (deviation > all.interaction) all.interaction = deviation;

@@ -1,6 +1,7 @@
 #include "run/study/finer_run.hpp"
 
 #include "run/analyses/stress.hpp"
+#include "run/results/number_keys.hpp"
 #include "run/study/match_modes.hpp"
 
 #include <algorithm>
@@ -39,9 +40,9 @@ std::map<std::string, double> numbers_with_errors(const Results& results) {
   std::map<std::string, double> numbers = headline(results);
   if (!results.life) return numbers;
   for (const DutyResult& duty : results.life->duties)
-    if (duty.damage > 0) numbers["damage_" + duty.name] = duty.damage;
+    if (duty.damage > 0) numbers[number_key::of(NumberKind::damage, duty.name)] = duty.damage;
   if (!results.life->spots.empty() && results.life->spots[0].damage > 0)
-    numbers["damage"] = results.life->spots[0].damage;
+    numbers[number_key::damage] = results.life->spots[0].damage;
   return numbers;
 }
 
@@ -107,7 +108,8 @@ void add_differences(ErrorBars& all, const Results& nominal, const FinerRun& fin
   for (ErrorBar& bar : all.bars) {
     const auto found = fine.headline.find(bar.key);
     const double value = found == fine.headline.end() ? not_known : found->second;
-    const bool of_stress = bar.key.starts_with("life_") || bar.key.starts_with("damage");
+    const NumberKind kind = number_key::kind_of(bar.key);
+    const bool of_stress = kind == NumberKind::stress_range || kind == NumberKind::damage;
     bar.mesh.*member = (value - bar.value) / (of_stress ? stress_share : share);
   }
   for (std::size_t i = 0; i < all.statics.size(); ++i)

@@ -1,5 +1,7 @@
 #include "run/study/life_intervals.hpp"
 
+#include "run/results/number_keys.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,9 @@ void add_life_intervals(const Case& data, Results& results) {
   for (DutyResult& duty : found.duties) {
     const bool one = has_one_range(duty);
     if (!one && (duty.life || !(duty.damage > 0))) continue;
-    const ErrorBar* bar = interval_of(results.error_bars, (one ? "life_" : "damage_") + duty.name);
+    const ErrorBar* bar =
+        interval_of(results.error_bars,
+                    number_key::of(one ? NumberKind::stress_range : NumberKind::damage, duty.name));
     if (!bar && !scatters) continue;
     found.with_tolerances = found.with_tolerances || bar;
     if (one)
@@ -74,7 +78,7 @@ void add_life_intervals(const Case& data, Results& results) {
     else
       duty.damage_between = of_damage(duty.damage, bar, scatter);
   }
-  const ErrorBar* all = interval_of(results.error_bars, "damage");
+  const ErrorBar* all = interval_of(results.error_bars, number_key::damage);
   if (!found.spots.empty() && found.spots[0].damage > 0 && (all || scatters))
     found.damage_between = of_damage(found.spots[0].damage, all, scatter);
 }
