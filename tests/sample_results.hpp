@@ -85,7 +85,7 @@ inline void add_words(Results& r) {
                    "Two plies of 0.25 mm, slipping; the thesis says so of A1 only."};
   r.warnings = {"sensor 'mid' sits 1.3 mm from its place <script>alert(1)</script>"};
   r.comparison = {
-      {"axial stiffness", "N/m", 54365, 900, 65872, "static[0]", ComparedKind::stiffness},
+      {"axial stiffness", "N/m", 54365, 900, 65872, "static[0]", ComparedKind::stiffness, 0},
       {"axial mode 1", "Hz", 116, 1, 131.26},
       {"transverse mode 1", "Hz", 178, 1, 183.4},
       {"mass, weighed", "kg", 1.7096, 0.0005, 1.7093, "mass", ComparedKind::mass}};

@@ -3,6 +3,7 @@
 
 #include "io/tables/farthest.hpp"
 #include "io/tables/summary.hpp"
+#include "lab/measured/measured_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,20 +75,23 @@ TEST(FarthestOff, has_a_mode_that_shows_it) {
   Results r;
   r.modes = {mode_of(90, "transverse", "x", 1, -1), mode_of(91, "transverse", "z", 1, -1),
              mode_of(130, "axial", "", 1, -1), mode_of(300, "torsion", "", 1, -1)};
-  const auto shown = [&](const char* quantity, const char* unit, double computed) {
-    const bool is_frequency = std::string(unit) == "Hz";
-    return mode_that_shows(
-        r, {.quantity = quantity,
-            .unit = unit,
-            .computed = computed,
-            .kind = is_frequency ? ComparedKind::frequency : ComparedKind::stiffness});
+  const auto of_frequency = [&](double computed) {
+    return mode_that_shows(r, {.quantity = "a mode", .unit = "Hz", .computed = computed});
   };
-  EXPECT_EQ(shown("axial mode 1", "Hz", 130), 2U);
-  EXPECT_EQ(shown("frequency of the peak, base x", "Hz", 91.2), 1U);
-  EXPECT_EQ(shown("transverse stiffness z", "N/m", 5e4), 1U);
-  EXPECT_EQ(shown("axial stiffness", "N/m", 5e4), 2U);
-  EXPECT_EQ(shown("torsional stiffness", "Nm/rad", 5e4), 3U);
-  EXPECT_EQ(shown("bending stiffness x", "Nm/rad", 5e4), std::nullopt);
+  const auto of_stiffness = [&](StaticDirection direction) {
+    return mode_that_shows(r, {.quantity = stiffness_name(direction),
+                               .unit = stiffness_unit(direction),
+                               .computed = 5e4,
+                               .kind = ComparedKind::stiffness,
+                               .static_test = int(direction)});
+  };
+  EXPECT_EQ(of_frequency(130), 2U);
+  EXPECT_EQ(of_frequency(91.2), 1U);
+  EXPECT_EQ(of_stiffness(StaticDirection::transverse_x), 0U);
+  EXPECT_EQ(of_stiffness(StaticDirection::transverse_z), 1U);
+  EXPECT_EQ(of_stiffness(StaticDirection::axial), 2U);
+  EXPECT_EQ(of_stiffness(StaticDirection::torsion), 3U);
+  EXPECT_EQ(of_stiffness(StaticDirection::bending_x), std::nullopt);
 }
 
 } // namespace

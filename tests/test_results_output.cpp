@@ -12,9 +12,12 @@
 #include "io/write/vtu.hpp"
 #include "io/write/write_results.hpp"
 #include "run/results/computed_numbers.hpp"
+#include "run/results/number_keys.hpp"
 
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -30,6 +33,7 @@
 #include <map>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 namespace {
 
@@ -269,6 +273,23 @@ TEST(Headline, has_a_unit_for_each_result) {
                                           {"life.spots[0].damage", ""},
                                           {"modes[0].residual", ""}})
     EXPECT_EQ(unit_of_result(path), unit) << path;
+}
+
+TEST(NumberKeys, say_what_they_are_of) {
+  using enum NumberKind;
+  for (const auto& [key, kind, rest] : {std::tuple{"k_axial", stiffness, "axial"},
+                                        {"f_transverse", frequency, "transverse"},
+                                        {"life_road", stress_range, "road"},
+                                        {"damage_road", damage, "road"},
+                                        {"life_damage", stress_range, "damage"}}) {
+    EXPECT_EQ(number_key::kind_of(key), kind) << key;
+    EXPECT_EQ(number_key::rest_of(key), rest) << key;
+    EXPECT_EQ(number_key::of(kind, rest), key);
+  }
+  EXPECT_EQ(number_key::kind_of("damage"), damage);
+  EXPECT_EQ(number_key::kind_of("mass"), mass);
+  for (const char* other : {"damages", "parts.k_axial", "lifetime"})
+    EXPECT_EQ(number_key::kind_of(other), NumberKind::other) << other;
 }
 
 TEST(Numbers, keep_integer_digits_and_drop_what_is_not_finite) {
