@@ -17,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <tuple>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
