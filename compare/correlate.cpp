@@ -328,7 +328,7 @@ void add_limits(const TestData& a, const TestData& b, Correlation& c) {
                        b.data.specimen + " are the same");
   std::set<std::string> sensors;
   for (const std::string& channel : c.channels)
-    sensors.insert(channel.substr(0, channel.rfind('.')));
+    sensors.insert(std::string(sensor_of_channel(channel)));
   if (c.channels.empty())
     c.limits.emplace_back(
         "no mode has a shape over common channels on both sides: modes are paired by "

@@ -1,6 +1,7 @@
 #include "compare/sensors_by_place.hpp"
 
 #include "words/directions.hpp"
+#include "words/units.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -19,14 +20,12 @@ struct Renamed {
 // Channels of one sensor in the axes of another: new name and sign; empty name = it stays.
 std::pair<std::string, double> channel_as(const std::string& channel,
                                           const std::vector<Renamed>& list) {
-  const auto dot = channel.rfind('.');
-  if (dot == std::string::npos || dot + 2 != channel.size()) return {"", 1};
+  if (!is_translation(channel)) return {"", 1};
   for (const Renamed& r : list) {
-    if (channel.substr(0, dot) != r.was) continue;
-    const int axis = axis_of_channel(channel) + 1;
+    if (sensor_of_channel(channel) != r.was) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      if (std::abs(r.as->axes[k]) == axis)
-        return {r.as->name + "." + axis_word(int(k)), r.as->axes[k] < 0 ? -1 : 1};
+      if (axis_of_signed(r.as->axes[k]) == axis_of_channel(channel))
+        return {r.as->name + "." + axis_word(int(k)), sign_of(r.as->axes[k])};
   }
   return {"", 1};
 }
@@ -69,8 +68,9 @@ Measured named_by_place(Measured test, const Measured& simulated, double reach) 
     }
   }
   test.caveats.push_back(std::to_string(renamed.size()) + " of " +
-                         std::to_string(test.sensors.size()) +
-                         " nodes stand within 5 mm of a sensor of the simulation, and are called "
+                         std::to_string(test.sensors.size()) + " nodes stand within " +
+                         short_number(1e3 * reach) +
+                         " mm of a sensor of the simulation, and are called "
                          "as it");
   return test;
 }

@@ -25,7 +25,7 @@ MeasuredVector at_sensors(const Results& results, std::size_t mode) {
     for (int k = 0; k < 3; ++k) {
       const int axis = s.axes[k];
       v.channels.push_back(s.name + "." + axis_word(k));
-      v.real.push_back((axis < 0 ? -1 : 1) * results.shapes[mode](s.node, std::abs(axis) - 1));
+      v.real.push_back(sign_of(axis) * results.shapes[mode](s.node, axis_of_signed(axis)));
     }
   return v;
 }

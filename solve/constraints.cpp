@@ -26,7 +26,7 @@ std::vector<int> owners(const Model& model) {
     if (row.terms.empty() && other.terms.empty()) continue;
     throw ConstraintError("two constraints determine one degree of freedom: " + row_name(other) +
                               " and " + row_name(row),
-                          {other.origin, row.origin});
+                          {other, row});
   }
   return owner;
 }
@@ -61,7 +61,7 @@ public:
       if (state_[from] == State::open)
         throw ConstraintError("constraints determine each other in a circle: " + row_name(row) +
                                   " and " + row_name(model_.constraints[owner_[from]]),
-                              {row.origin, model_.constraints[owner_[from]].origin});
+                              {row, model_.constraints[owner_[from]]});
       resolve(from);
       if (owner_[from] < 0)
         sum[map_.independent[from]] += term.factor;

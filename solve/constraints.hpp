@@ -12,9 +12,9 @@
 namespace plica {
 
 struct ConstraintError : std::runtime_error {
-  ConstraintError(const std::string& what, std::vector<std::string> of)
-      : std::runtime_error(what), origins(std::move(of)) {}
-  std::vector<std::string> origins; // of the two rows
+  ConstraintError(const std::string& what, std::vector<Constraint> both)
+      : std::runtime_error(what), rows(std::move(both)) {}
+  std::vector<Constraint> rows; // the two
 };
 
 struct WeightedDof {

@@ -239,9 +239,6 @@ int SparseFactor::negative_pivots() const {
 double SparseFactor::factor_entries() const {
   return impl_->common.lnz;
 }
-double SparseFactor::factor_flops() const {
-  return impl_->common.fl;
-}
 
 void set_threads(int threads) {
   omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());

@@ -55,7 +55,6 @@ public:
   int rows() const;
   int negative_pivots() const; // ldlt only
   double factor_entries() const;
-  double factor_flops() const;
 
 private:
   struct Impl;

@@ -1,5 +1,5 @@
 // Places along a beam, modes of free and hung ones, orders that bind, priors with bounds.
-#include "diagnose/results/normal_distribution.hpp"
+#include "run/results/normal_distribution.hpp"
 #include "tests/changed_beam.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "io/decks/op4_file.hpp"
 #include "io/decks/read_deck.hpp"
 #include "io/files/files.hpp"
-#include "io/superelements/nastran.hpp"
+#include "io/superelements/nastran_dmig.hpp"
 #include "io/superelements/op4.hpp"
 #include "tests/deck_text.hpp"
 #include "tests/support/temporary_folder.hpp"

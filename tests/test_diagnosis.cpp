@@ -2,12 +2,12 @@
 #include "changed_beam.hpp"
 #include "diagnose/diagnose.hpp"
 #include "diagnose/predict/peak_choice.hpp"
-#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "model/description/case.hpp"
 #include "model/description/case_path.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <gtest/gtest.h>
 

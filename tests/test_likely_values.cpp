@@ -1,7 +1,7 @@
 // What is told of the draws of a posterior: intervals, and the place where they are densest.
-#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "diagnose/weigh/likely_values.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <gtest/gtest.h>
 

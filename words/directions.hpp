@@ -50,4 +50,17 @@ constexpr int axis_of_channel(std::string_view channel) {
   return channel.empty() ? -1 : place_among(axis_names, channel.substr(channel.size() - 1));
 }
 
+// What a channel is of: "mid" of "mid.y".
+constexpr std::string_view sensor_of_channel(std::string_view channel) {
+  return channel.substr(0, channel.rfind('.'));
+}
+
+// A sensor's own axis: 1..3 = x y z of the part, negative where it is reversed.
+constexpr int axis_of_signed(int own) { // 0..2
+  return (own < 0 ? -own : own) - 1;
+}
+constexpr double sign_of(int own) {
+  return own < 0 ? -1 : 1;
+}
+
 } // namespace plica

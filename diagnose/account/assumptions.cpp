@@ -44,10 +44,9 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
       "levels, no block beyond z = {:.1f}; ln BF over the nominal case at least {:.1f}",
       standards.chi2, problem.fitted->rows().size(), standards.chi2_of_means, standards.worst_block,
       standards.evidence);
-  add("sure: chi-square at most {:.1f} and {:.1f} of the means, where nine of ten healthy "
-      "specimens "
+  add("sure: chi-square at most {:.1f} and {:.1f} of the means, where {:g} % of healthy specimens "
       "stay",
-      standards.sure_chi2, standards.sure_chi2_of_means);
+      standards.sure_chi2, standards.sure_chi2_of_means, percent(threshold::sure));
   list.insert(list.end(), problem.words.begin(), problem.words.end());
   list.insert(list.end(), problem.baseline.words.begin(), problem.baseline.words.end());
   if (problem.uncertainty.change_error > 0)

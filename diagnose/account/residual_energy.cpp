@@ -1,9 +1,9 @@
 #include "diagnose/account/residual_energy.hpp"
 
-#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
 #include "diagnose/weigh/scatter.hpp"
+#include "run/results/normal_distribution.hpp"
 #include "solve/parallel.hpp"
 #include "solve/strain_energy.hpp"
 #include "words/directions.hpp"
@@ -104,12 +104,10 @@ private:
 
 // Row of AffineModes::marked that a channel shows, with its sign; -1 = no such sensor.
 std::pair<Index, double> row_of(const NominalState& state, const std::string& channel) {
-  const std::size_t dot = channel.rfind('.');
-  if (dot == std::string::npos) return {-1, 1};
-  const std::string sensor = channel.substr(0, dot);
+  if (!is_translation(channel)) return {-1, 1};
   const int axis = axis_of_channel(channel);
   for (std::size_t s = 0; s < state.built.sensors.size(); ++s)
-    if (state.built.sensors[s].name == sensor && axis >= 0) {
+    if (state.built.sensors[s].name == sensor_of_channel(channel)) {
       Index along = 0;
       state.axes[s].row(axis).cwiseAbs().maxCoeff(&along);
       return {6 * Index(s) + along, state.axes[s](axis, along)};

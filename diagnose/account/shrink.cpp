@@ -3,11 +3,11 @@
 #include "compare/search/search.hpp"
 #include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/judge/thresholds.hpp"
-#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/nearest_rank.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "run/results/normal_distribution.hpp"
 #include "solve/parallel.hpp"
 
 #include <Eigen/LU>

@@ -1,6 +1,6 @@
 #include "diagnose/effects/effect.hpp"
 
-#include "diagnose/results/normal_distribution.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -148,10 +148,11 @@ Likeness likeness(const std::vector<Signature>& all) {
     return std::find(result.effects.begin(), result.effects.end(), s.hypothesis->effect) -
            result.effects.begin();
   };
+  constexpr double has_direction = 0.5; // |g|: of less, a cosine says what rounding makes of it
   for (const Signature& a : all)
     for (const Signature& b : all) {
       const double size = a.g.norm() * b.g.norm();
-      if (!(a.g.norm() > 0.5 && b.g.norm() > 0.5)) continue; // no data speak of them
+      if (!(a.g.norm() > has_direction && b.g.norm() > has_direction)) continue;
       double& cosine = result.cosine(number(a), number(b));
       cosine = std::max(cosine, std::abs(a.g.dot(b.g)) / size);
     }

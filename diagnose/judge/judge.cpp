@@ -137,6 +137,7 @@ std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector
 }
 
 constexpr const char* edge_words = "nine of ten healthy specimens leave less";
+static_assert(threshold::sure == 0.9 && threshold::most_closed == 0.5, "words here say so");
 
 // Unless there is nothing to withhold.
 void withhold(Objection& objection, Judgement& result) {

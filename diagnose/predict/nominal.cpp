@@ -147,7 +147,7 @@ std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
   for (const MeasuredMode& mode : measured.modes)
     if (mode.vector)
       for (const std::string& channel : mode.vector->channels)
-        seen.insert(channel.substr(0, channel.rfind('.')));
+        seen.emplace(sensor_of_channel(channel));
   for (const Sensor& sensor : data.sensors) seen.erase(sensor.name);
   std::vector<Sensor> stations, beside;
   for (const MeasuredSensor& m : measured.sensors)

@@ -1,5 +1,7 @@
 #include "diagnose/predict/sensor_axes.hpp"
 
+#include "words/directions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,7 @@ Eigen::Matrix3d axes_of(const BuiltSensor& sensor, const Measured& measured) {
     if (m.name == sensor.name && m.axes.size() == 3) std::copy_n(m.axes.begin(), 3, axes.begin());
   Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i)
-    rows(i, std::abs(axes[std::size_t(i)]) - 1) = axes[std::size_t(i)] > 0 ? 1 : -1;
+    rows(i, axis_of_signed(axes[std::size_t(i)])) = sign_of(axes[std::size_t(i)]);
   return rows;
 }
 

@@ -131,7 +131,7 @@ double StateAnswers::static_stiffness(const Reading& reading) {
 // The sensor at which a force drives; -1: none is called so.
 int StateAnswers::driven_sensor(const TestRun& run) const {
   const std::string& channel = run.input.force;
-  return own_.nominal->number_of(channel.substr(0, channel.rfind('.')));
+  return own_.nominal->number_of(std::string(sensor_of_channel(channel)));
 }
 
 // Whether the model has what drives the run.

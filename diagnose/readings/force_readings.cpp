@@ -51,7 +51,7 @@ ForceReadings::Channel ForceReadings::main_channel(const ResponseEntry& entry) c
     Channel same = channel(known->second.first, known->second.second);
     if (!same.peaks.empty()) return same;
   }
-  Channel best = channel(driven.substr(0, driven.rfind('.')), axis_of_channel(driven));
+  Channel best = channel(std::string(sensor_of_channel(driven)), axis_of_channel(driven));
   if (!best.peaks.empty()) return best;
   for (const std::string& sensor : entry.sensors())
     for (int axis = 0; axis < 3; ++axis)

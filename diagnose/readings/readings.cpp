@@ -91,11 +91,10 @@ private:
   // A mode without excitation is known by its kind.
   void mode_alone(std::size_t i) {
     const MeasuredMode& m = measured_.modes[i];
-    const auto dot = m.drive.rfind('.');
     const TestRun driven{.state = m.state,
                          .level = m.acceleration.value_or(m.force.value_or(0)),
                          .by_force = m.force.has_value(),
-                         .sensor = m.drive.substr(0, dot),
+                         .sensor = std::string(sensor_of_channel(m.drive)),
                          .axis = m.drive.empty() ? 0 : axis_of_channel(m.drive),
                          .peaks = {}};
     std::vector<TestRun>& runs = list_.all.runs;

@@ -26,7 +26,7 @@ Index ResponseEntry::column(const std::string& sensor, int axis) const {
 std::vector<std::string> ResponseEntry::sensors() const {
   std::vector<std::string> names;
   for (const std::string& channel : set->responses)
-    if (const std::string name = channel.substr(0, channel.rfind('.'));
+    if (const std::string name(sensor_of_channel(channel));
         std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   return names;

@@ -97,7 +97,7 @@ void add_shape_readings(const MeasuredMode& mode, const Reading& frequency, Read
   ReadShape read;
   for (std::size_t i : chosen) {
     const std::string& channel = mode.vector->channels[i];
-    read.sensors.push_back(channel.substr(0, channel.rfind('.')));
+    read.sensors.emplace_back(sensor_of_channel(channel));
     read.axes.push_back(axis_of_channel(channel));
     read.values.push_back(shape.real[Eigen::Index(i)] / largest);
   }

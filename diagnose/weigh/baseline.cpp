@@ -2,6 +2,7 @@
 
 #include "diagnose/weigh/normal_draws.hpp"
 #include "lab/measured/states.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -230,7 +231,7 @@ private:
 
 double most_of(const Remounting& seen) {
   if (seen.measurements <= 0) return seen.frequency;
-  constexpr double one_sided = 1.645; // 95 %
+  const double one_sided = normal_quantile(0.95);
   const double n = seen.measurements, share = 2 / (9 * n);
   return seen.frequency * std::pow(1 - share - one_sided * std::sqrt(share), -1.5);
 }

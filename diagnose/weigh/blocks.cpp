@@ -2,8 +2,8 @@
 
 #include "diagnose/weigh/weighted_line.hpp"
 
-#include "diagnose/results/normal_distribution.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "run/results/normal_distribution.hpp"
 #include "words/directions.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "diagnose/weigh/cross_scatter.hpp"
 
 #include "diagnose/readings/reading.hpp"
-#include "diagnose/results/normal_distribution.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #include "diagnose/weigh/evidence.hpp"
 
 #include "compare/search/search.hpp"
-#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/likely_values.hpp"
 #include "diagnose/weigh/ridge.hpp"
 #include "diagnose/weigh/spread_point.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

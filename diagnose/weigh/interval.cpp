@@ -1,7 +1,7 @@
 #include "diagnose/weigh/interval.hpp"
 
-#include "diagnose/results/normal_distribution.hpp"
 #include "diagnose/weigh/blocks.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/effects/places.hpp"
-#include "diagnose/results/normal_distribution.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/toleranced_damping.hpp"
+#include "run/results/normal_distribution.hpp"
 #include "run/study/error_bars.hpp"
 
 #include <Eigen/Geometry>
@@ -95,9 +95,17 @@ void add_tolerances(std::vector<Hypothesis>& all, const Structure& s) {
   }
 }
 
-bool has_tolerance(const Structure& s, const std::string& part_of_path) {
+// Of a number that begins so and ends so: "materials.", ".E" is the modulus of any material.
+bool has_tolerance(const Structure& s, const std::string& head, const std::string& tail) {
   return std::any_of(s.data.tolerances.begin(), s.data.tolerances.end(), [&](const Tolerance& t) {
-    return t.path.find(part_of_path) != std::string::npos;
+    return t.path.starts_with(head) && t.path.ends_with(tail);
+  });
+}
+
+// Of a number of a place, "caps.left" or the name of a part.
+bool has_tolerance_at(const Structure& s, const std::string& place, const std::string& number) {
+  return std::any_of(s.data.tolerances.begin(), s.data.tolerances.end(), [&](const Tolerance& t) {
+    return t.path == place + number || t.path == "parts." + place + number;
   });
 }
 
@@ -166,7 +174,7 @@ void add_field_of_thickness(std::vector<Hypothesis>& all, const WallElements& wa
 
 void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
   for (const WallElements& wall : walls(s)) {
-    if (!has_tolerance(s, wall.part + ".wall.plies"))
+    if (!has_tolerance(s, "parts." + wall.part + ".wall.plies", ""))
       all.push_back(
           varying("thickness", wall.part, scatters::thickness, [quads = wall.quads](Model& m) {
             for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;
@@ -201,13 +209,13 @@ void add_beams(std::vector<Hypothesis>& all, const Structure& s) {
 
 void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
   for (Hypothesis& h : component_mass().hypotheses(s)) {
-    if (has_tolerance(s, h.place + ".mass")) continue;
+    if (has_tolerance_at(s, h.place, ".mass")) continue;
     h.parameters = {{"mass", "", {PriorKind::normal, 1, scatters::masses}}};
     h.changes.front().follow = Follow::nominal;
     all.push_back(std::move(h));
   }
   for (const JointGroup& group : joint_groups(s))
-    if (group.present && !group.rigid && !has_tolerance(s, group.place + ".EA"))
+    if (group.present && !group.rigid && !has_tolerance_at(s, group.place, ".EA"))
       all.push_back(varying("joint", group.place, scatters::joints,
                             [group](Model& m) { scale_group(m, group, 1 + step); }));
 }
@@ -246,10 +254,10 @@ void add_test(std::vector<Hypothesis>& all, const Structure& s) {
 } // namespace
 
 double scatters::all_damping_of(const Case& data) {
-  constexpr double tail = 0.05, of_tail = 1.645; // standard deviations there
+  constexpr double tail = 0.05;
   for (const Tolerance& t : data.tolerances)
     if (t.path == toleranced_damping && quantile(t, tail) > 0)
-      return std::log(quantile(t, 1 - tail) / quantile(t, tail)) / (2 * of_tail);
+      return std::log(quantile(t, 1 - tail) / quantile(t, tail)) / (2 * normal_quantile(1 - tail));
   return all_damping;
 }
 
@@ -261,7 +269,7 @@ bool is_nuisance(const Hypothesis& varied) {
 std::vector<Hypothesis> scatter(const Structure& s) {
   std::vector<Hypothesis> all;
   add_tolerances(all, s);
-  add_material(all, has_tolerance(s, ".E"), has_tolerance(s, ".rho"));
+  add_material(all, has_tolerance(s, "materials.", ".E"), has_tolerance(s, "materials.", ".rho"));
   add_walls(all, s);
   add_beams(all, s);
   add_masses(all, s);

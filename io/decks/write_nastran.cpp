@@ -93,7 +93,7 @@ private:
       text_ += fmt::format("SUBCASE {}\n  LABEL = {}\n  DLOAD = {}\n{}", ++subcase, label, load,
                            set.empty() ? "" : "  ACCELERATION(SORT2,PHASE) = 1\n");
     };
-    for (int d : base_directions()) add(std::string("BASE ") + "XYZ"[d], 10 + d);
+    for (int d : base_directions()) add(fmt::format("BASE {}", "XYZ"[d]), 10 + d);
     const std::vector<Motion>& motions = case_.analyses.response->motions;
     for (std::size_t k = 0; k < motions.size(); ++k)
       add("MOTION " + name_of(motions[k]), 100 + int(k));

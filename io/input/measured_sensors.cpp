@@ -37,7 +37,7 @@ void check_sensors(const Measured& m, ReadLog& log) {
 
 void check_driven(const Measured& m, const std::string& channel, const std::string& key,
                   ReadLog& log) {
-  const std::string name = channel.substr(0, channel.rfind('.'));
+  const std::string name(sensor_of_channel(channel));
   if (std::any_of(m.sensors.begin(), m.sensors.end(),
                   [&](const MeasuredSensor& s) { return s.name == name && !s.on.empty(); }))
     log.add(key, "'" + shown(name) + "' sits beside the part, where nothing drives it",

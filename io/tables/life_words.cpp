@@ -2,6 +2,7 @@
 
 #include "io/tables/text.hpp"
 #include "io/tables/text_table.hpp"
+#include "run/results/number_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -130,7 +131,8 @@ std::string repeats_words(const LifeResult& life) {
 
 std::string duty_mesh_error(const Results& results, const DutyResult& duty) {
   for (const ErrorBar& bar : results.error_bars.bars)
-    if (bar.key == "life_" + duty.name) return mesh_error_percent(bar.value, bar.mesh);
+    if (bar.key == number_key::of(NumberKind::stress_range, duty.name))
+      return mesh_error_percent(bar.value, bar.mesh);
   return "-";
 }
 

@@ -7,7 +7,7 @@
 #include "io/superelements/labels.hpp"
 #include "io/superelements/matlab.hpp"
 #include "io/superelements/matrix_market.hpp"
-#include "io/superelements/nastran.hpp"
+#include "io/superelements/nastran_dmig.hpp"
 #include "io/superelements/op4.hpp"
 #include "io/tables/certificate_words.hpp"
 #include "io/tables/text.hpp"

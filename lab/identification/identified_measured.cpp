@@ -15,13 +15,11 @@ using Eigen::Index;
 
 // Axis of the part frame, 0..2, along which "mid.y" measures; -1 = none.
 int part_axis(const std::string& channel, const std::vector<MeasuredSensor>& sensors) {
-  const auto dot = channel.rfind('.');
-  if (dot == std::string::npos || dot + 2 != channel.size()) return -1;
+  if (!is_translation(channel)) return -1;
   const int own = axis_of_channel(channel);
-  if (own < 0) return -1;
   for (const MeasuredSensor& s : sensors)
-    if (s.name == channel.substr(0, dot) && s.axes.size() == 3)
-      return std::abs(s.axes[std::size_t(own)]) - 1;
+    if (s.name == sensor_of_channel(channel) && s.axes.size() == 3)
+      return axis_of_signed(s.axes[std::size_t(own)]);
   return own;
 }
 
@@ -35,7 +33,7 @@ void add_drive(const FrfSet& set, const Measured& test, MeasuredMode& mode) {
     mode.level = set.level;
     return;
   }
-  const std::string sensor = reference.substr(0, reference.rfind('.'));
+  const std::string_view sensor = sensor_of_channel(reference);
   if (!set.level || set.quantity == FrfQuantity::transmissibility ||
       std::none_of(test.sensors.begin(), test.sensors.end(),
                    [&](const MeasuredSensor& s) { return s.name == sensor; }))

@@ -46,12 +46,14 @@ struct Support {
   std::vector<int> dofs; // 0..5 = ux uy uz rx ry rz
 };
 
+inline constexpr double sensor_reach = 5e-3; // m, from a sensor to the part it sits on
+
 struct Sensor {
   std::string name;
   Triple at{};                    // sits on the nearest node; one farther than `reach` is an error
   std::vector<int> axes{1, 2, 3}; // its own three axes: 1 x, 2 y, 3 z, negative = reversed
   double mass = 0;                // rides on that node
-  double reach = 5e-3;            // m, how far the nearest node may be
+  double reach = sensor_reach;    // m, how far the nearest node may be
   // Of a test: what it sits on beside the part, MeasuredSensor::on; empty = the part.
   std::string on = {};
 };

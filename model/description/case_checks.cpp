@@ -117,11 +117,11 @@ void check_sensors(const Case& data, CheckLog& log) {
       nearest = std::min(nearest, d);
     }
     constexpr double rounding = 5e-6; // of what the message shows
-    if (nearest > 5e-3 + rounding)
+    if (nearest > sensor_reach + rounding)
       log.add(key,
               "the sensor is off the part" +
                   (name.empty() ? "" : ": " + millimetres(nearest) + " away from '" + name + "'"),
-              "allowed: at most 5 mm from the nearest part");
+              "allowed: at most " + millimetres(sensor_reach) + " from the nearest part");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "model/shape/build.hpp"
 
 #include "model/shape/building.hpp"
+#include "model/shape/constraint_clash.hpp"
 #include "model/shape/wall_places.hpp"
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
@@ -36,8 +37,10 @@ BuiltCase built_case(const Case& data, JointState state, const PlyLaws& plies) {
   for (std::size_t i = 0; i < data.supports.size(); ++i) {
     const Support& support = data.supports[i];
     const std::string key = "supports[" + std::to_string(i) + "]";
+    const std::size_t first = b.built.model.constraints.size();
     add_support(b.built.model, b.set(support.set, key + ".set"), support.dofs,
                 "support of " + support.set);
+    asked_at(b.built.model, first, key + ".set");
   }
   add_springs(b.built.model, b.built.joints, state);
   tie_wall_places(b);

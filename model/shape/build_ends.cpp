@@ -1,9 +1,11 @@
 #include "model/shape/building.hpp"
+#include "model/shape/constraint_clash.hpp"
 #include "model/shape/renewed_ends.hpp"
 #include "model/shape/wall_places.hpp"
 
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
+#include "words/units.hpp"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -22,6 +24,12 @@ bool has_mass(double mass, const Sextuple& J) {
   return mass > 0 || std::any_of(J.begin(), J.end(), [](double v) { return v != 0; });
 }
 
+void tie_spider(Building& b, const std::string& cap, int leader, const std::vector<int>& nodes) {
+  const std::size_t first = b.built.model.constraints.size();
+  add_kinematic_coupling(b.built.model, leader, nodes, all_dofs, "spider of cap " + cap);
+  asked_at(b.built.model, first, "caps." + cap + ".of");
+}
+
 // Reference node in the middle of the circles, tied rigidly to them. One that follows others, or
 // may have to as places on shells do, cannot follow it too: it leads them.
 int add_spider(Building& b, const std::string& cap, const std::vector<int>& circles) {
@@ -31,12 +39,11 @@ int add_spider(Building& b, const std::string& cap, const std::vector<int>& circ
       leader != circles.end() && std::none_of(leader + 1, circles.end(), leads)) {
     std::vector<int> others = circles;
     std::erase(others, *leader);
-    if (!others.empty())
-      add_kinematic_coupling(b.built.model, *leader, others, all_dofs, "spider of cap " + cap);
+    if (!others.empty()) tie_spider(b, cap, *leader, others);
     return *leader;
   }
   const int node = add_node(b.built.model, centroid(b.built.model.mesh, circles));
-  add_kinematic_coupling(b.built.model, node, circles, all_dofs, "spider of cap " + cap);
+  tie_spider(b, cap, node, circles);
   return node;
 }
 
@@ -181,9 +188,11 @@ void add_mass(Building& b, const std::string& name, const PointMass& mass) {
   int node = nodes.front();
   if (nodes.size() > 1) {
     node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
-    if (!mass.soft)
+    if (!mass.soft) {
+      const std::size_t first = b.built.model.constraints.size();
       add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
-    else if (has_mass(mass.mass, mass.inertia))
+      asked_at(b.built.model, first, "parts." + name + ".at");
+    } else if (has_mass(mass.mass, mass.inertia))
       tie_softly(b, name, node, nodes);
     else // nothing is there but its node, which all states of a test have
       add_kinematic_coupling(b.built.model, nodes.front(), {node}, all_dofs, "mass " + name);
@@ -244,8 +253,9 @@ void place_sensors(Building& b) {
       input_error("sensors[" + std::to_string(i) + "].at",
                   "sensor \"" + sensor.name + "\" is " + in_millimetres(distance) +
                       " away from the nearest node",
-                  "at most 5 mm; that node is at [" + in_millimetres(x.x()) + ", " +
-                      in_millimetres(x.y()) + ", " + in_millimetres(x.z()) + "]");
+                  "at most " + short_number(1e3 * sensor.reach) + " mm; that node is at [" +
+                      in_millimetres(x.x()) + ", " + in_millimetres(x.y()) + ", " +
+                      in_millimetres(x.z()) + "]");
     }
     b.built.sensors.push_back(
         {sensor.name, node, distance, {sensor.axes[0], sensor.axes[1], sensor.axes[2]}});

@@ -1,4 +1,5 @@
 #include "model/shape/building.hpp"
+#include "model/shape/constraint_clash.hpp"
 
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
@@ -23,7 +24,9 @@ int liner_end(Building& b, const std::string& name, const std::string& end,
   if (cap >= 0) return cap;
   const std::vector<int> circle = b.built.model.mesh.sets.at(end);
   const int node = add_node(b.built.model, centre);
+  const std::size_t first = b.built.model.constraints.size();
   add_distributing_coupling(b.built.model, node, circle, "end of interlock " + name);
+  asked_at(b.built.model, first, "parts." + name + ".along");
   return node;
 }
 
@@ -104,7 +107,9 @@ void add_liner(Building& b, const std::string& name, const Interlock& liner) {
       const Vector3d centre = centroid(b.built.model.mesh, circle);
       if ((centre - left).norm() < 1e-9 || (centre - right).norm() < 1e-9) continue;
       nodes.push_back(add_node(b.built.model, centre));
+      const std::size_t first = b.built.model.constraints.size();
       add_distributing_coupling(b.built.model, nodes.back(), circle, "tie of interlock " + name);
+      asked_at(b.built.model, first, "parts." + name + ".attachment");
     }
   }
   nodes.push_back(liner_end(b, name, liner.along + ".right", right));

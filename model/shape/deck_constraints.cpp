@@ -111,6 +111,7 @@ private:
 
   void add_row(int node, int dof, const Row& row) {
     Constraint own{node, dof, {}, row.origin};
+    own.of_deck = true;
     for (int d = 0; d < 3; ++d)
       if (d != dof % 3 && std::abs(row.direction[d]) > rounding)
         own.terms.push_back({node, dof / 3 * 3 + d, -row.direction[d]});

@@ -18,8 +18,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double farthest = 5e-3; // m, off the wall
-constexpr double least = 1e-3;    // of the shape function of a corner that follows
+constexpr double least = 1e-3; // of the shape function of a corner that follows
 
 struct Shapes {
   Eigen::Vector4d N, dr, ds;
@@ -239,11 +238,11 @@ void add_wall_places(Building& b, const std::string& part, const std::vector<Par
     if (wall.nodes.empty())
       input_error("parts." + name, "is on no shell: the part has none",
                   "`within`, for the nodes near the place");
-    if (const double off = off_wall(wall); off > farthest)
+    if (const double off = off_wall(wall); off > sensor_reach)
       input_error("parts." + name + ".at", fmt::format("is {:.2f} mm off the wall", 1e3 * off),
                   fmt::format("at most {:.0f} mm; the wall is nearest at [{:.2f} mm, {:.2f} mm, "
                               "{:.2f} mm]",
-                              1e3 * farthest, 1e3 * wall.at.x(), 1e3 * wall.at.y(),
+                              1e3 * sensor_reach, 1e3 * wall.at.x(), 1e3 * wall.at.y(),
                               1e3 * wall.at.z()));
     const int node = add_node(b.built.model, vector(place.at));
     b.built.model.mesh.sets[part + "." + place.name] = {node};

@@ -59,7 +59,7 @@ LifeCount::LifeCount(const Case& data, const BuiltCase& built)
                 "a bellows, a plate, a surface or shells of a deck");
   state_ = VectorXd::Zero(6 * Index(points_.points.size()));
   if (built.model.rest) state_ = plane_of(field).col(0);
-  for (const WallPoint& p : points_.points)
+  for (const StressPoint& p : points_.points)
     at_.push_back(built.model.mesh.nodes[std::size_t(p.node)]);
 }
 
@@ -183,7 +183,7 @@ std::vector<Worst> worst_directions(const std::vector<DutyMap>& duties, Index si
 std::vector<Worst> worst_of_places(const ShellPoints& points, const std::vector<Worst>& sites) {
   std::vector<std::array<Worst, 2>> worst(points.places.size());
   for (const Worst& own : sites) {
-    const WallPoint& p = points.points[std::size_t(own.site / 2)];
+    const StressPoint& p = points.points[std::size_t(own.site / 2)];
     Worst& of_place = worst[std::size_t(p.place)][std::size_t(own.site % 2)];
     if (of_place < own) of_place = own;
   }
@@ -241,7 +241,7 @@ std::optional<MeridianDamage> damage_along_meridian(const ShellPoints& points, c
 } // namespace
 
 LifeSpot LifeCount::spot_at(Index site, Index direction, double damage) const {
-  const WallPoint& p = points_.points[std::size_t(site / 2)];
+  const StressPoint& p = points_.points[std::size_t(site / 2)];
   LifeSpot spot{.place = p.place,
                 .outer = site % 2 != 0,
                 .node = p.node,

@@ -26,7 +26,7 @@ Vector6 faces_of(const Vector6& s, double factor) {
   return faces;
 }
 
-PlaceStress row_of(const WallPoint& p, const Mesh& mesh, const Vector6& s, bool outer, int ply) {
+PlaceStress row_of(const StressPoint& p, const Mesh& mesh, const Vector6& s, bool outer, int ply) {
   const Vector3d face = outer ? s.tail<3>() : s.head<3>();
   PlaceStress row{.place = p.place,
                   .outer = outer,
@@ -115,7 +115,7 @@ MeridianPoints meridian_points(const ShellPoints& points, const Mesh& mesh, cons
   std::map<int, Index> point_of_ring;
   const double angle = std::atan2(at[2], at[0]);
   for (Index i = 0; i < Index(points.points.size()); ++i) {
-    const WallPoint& p = points.points[std::size_t(i)];
+    const StressPoint& p = points.points[std::size_t(i)];
     if (p.ring < 0 || points.places[std::size_t(p.place)].part != part) continue;
     const Vector3d& x = mesh.nodes[std::size_t(p.node)];
     const double off =

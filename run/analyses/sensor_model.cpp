@@ -79,7 +79,7 @@ MatrixXd at_sensors(const BuiltCase& built, const MatrixXd& u) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int axis = built.sensors[s].axes[k];
       rows.row(Index(3 * s + k)) =
-          (axis < 0 ? -1. : 1.) * u.row(6 * built.sensors[s].node + std::abs(axis) - 1);
+          sign_of(axis) * u.row(6 * built.sensors[s].node + axis_of_signed(axis));
     }
   return rows;
 }

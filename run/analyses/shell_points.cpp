@@ -125,13 +125,13 @@ ShellPoints shell_points(const Case& data, const BuiltCase& built, const StressF
     const auto [wall, is_new] = wall_of_section.try_emplace(section, int(all.plies.size()));
     if (is_new)
       all.plies.push_back(bellows ? plies_of(bellows->wall, shell.section) : std::vector<double>{});
-    WallPoint p{.node = node,
-                .place = places.of(node, component),
-                .revolved = bellows != nullptr,
-                .ring = places.ring_of(node),
-                .e1 = along_wall(field.director[i]),
-                .e2 = {},
-                .wall = wall->second};
+    StressPoint p{.node = node,
+                  .place = places.of(node, component),
+                  .revolved = bellows != nullptr,
+                  .ring = places.ring_of(node),
+                  .e1 = along_wall(field.director[i]),
+                  .e2 = {},
+                  .wall = wall->second};
     const Vector3d& x = built.model.mesh.nodes[std::size_t(node)];
     const Vector3d around = Vector3d::UnitY().cross(Vector3d(x.x(), 0, x.z()));
     if (p.revolved && around.norm() > 0) p.e1 = around.cross(field.director[i]).normalized();
@@ -153,7 +153,7 @@ MatrixXd plane_stress(const ShellPoints& points, const MatrixXd& shell) {
   const auto count = int(points.points.size());
 #pragma omp parallel for schedule(static) if (count > 1000)
   for (int i = 0; i < count; ++i) {
-    const WallPoint& p = points.points[std::size_t(i)];
+    const StressPoint& p = points.points[std::size_t(i)];
     Eigen::Matrix<double, 3, 6> T;
     T << row_of(p.e1, p.e1), row_of(p.e2, p.e2), row_of(p.e1, p.e2);
     for (Index face : {0, 1})

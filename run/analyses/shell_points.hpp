@@ -12,7 +12,7 @@
 
 namespace plica {
 
-struct WallPoint {
+struct StressPoint {
   int node = 0, place = 0;
   bool revolved = false;  // of a wall of revolution about y
   int ring = -1;          // of the mesh, where it is one's
@@ -22,7 +22,7 @@ struct WallPoint {
 
 struct ShellPoints {
   std::vector<StressPlace> places;
-  std::vector<WallPoint> points; // as in StressField
+  std::vector<StressPoint> points; // as in StressField
   // By wall: bending stress of each ply over that of the field, from inside; empty: the wall is
   // one.
   std::vector<std::vector<double>> plies;

@@ -1,6 +1,7 @@
 #include "run/study/bellows_shells.hpp"
 
 #include "run/analyses/run.hpp"
+#include "run/analyses/static_stiffness.hpp"
 #include "solve/stress.hpp"
 
 #include <Eigen/Geometry>
@@ -64,14 +65,7 @@ BellowsStatics::BellowsStatics(const Case& alone, const StageListener& stage) {
   const std::array<int, 2> caps{built.cap_nodes.at("left"), built.cap_nodes.at("right")};
   const auto K = route->end_stiffness(caps);
   if (!K) throw std::runtime_error("a bellows alone has no static stiffness");
-  const EndStiffness k = end_stiffness(K->bottomRightCorner<6, 6>());
-  stiffness_ = {.k_axial = k.axial,
-                .k_transverse_x = k.transverse_x,
-                .k_transverse_z = k.transverse_z,
-                .k_bending_x = k.bending_x,
-                .k_bending_z = k.bending_z,
-                .k_torsion = k.torsion,
-                .end_stiffness = *K};
+  stiffness_ = static_stiffness(*K, false);
   const StressField field = recover_stress(built.model, route->follow(caps, unit_movements(*K)));
   below_ = meridional(field, built.model.mesh, Face::below);
   above_ = meridional(field, built.model.mesh, Face::above);

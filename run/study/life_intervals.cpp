@@ -1,5 +1,6 @@
 #include "run/study/life_intervals.hpp"
 
+#include "run/results/normal_distribution.hpp"
 #include "run/results/number_keys.hpp"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 
 namespace plica {
 namespace {
-
-constexpr double ninety = 1.6448536269514722; // standard deviations from the middle to 95 %
 
 // How far a life or a damage goes from the nominal one, as a logarithm.
 double decades(double nominal, double other) {
@@ -63,7 +62,8 @@ void add_life_intervals(const Case& data, Results& results) {
   LifeResult& found = *results.life;
   const std::optional<double> deviation =
       asked.deviation ? asked.deviation : deviation_of(asked.curve);
-  const double scatter = ninety * deviation.value_or(0);
+  constexpr double upper = 0.95; // end of the 90 % interval
+  const double scatter = normal_quantile(upper) * deviation.value_or(0);
   const bool scatters = deviation.has_value();
   for (DutyResult& duty : found.duties) {
     const bool one = has_one_range(duty);

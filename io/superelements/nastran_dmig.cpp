@@ -1,4 +1,4 @@
-#include "io/superelements/nastran.hpp"
+#include "io/superelements/nastran_dmig.hpp"
 
 #include "io/decks/nastran_cards.hpp"
 #include "io/superelements/labels.hpp"

@@ -1,4 +1,4 @@
-#include "diagnose/results/normal_distribution.hpp"
+#include "run/results/normal_distribution.hpp"
 
 #include <boost/math/distributions/normal.hpp>
 
