@@ -115,8 +115,8 @@ struct Asked {
 Asked asked_for(const TestedCase& tested) {
   const CaseFile& file = tested.file;
   Asked a{.file = file, .test_file = required(tested.test, file), .test = {}, .inputs = {}};
+  resolve_states(a.test_file, file);
   a.test.data = a.test_file.data;
-  resolve_states(a.test.data, file.data, a.test_file.path.string());
   a.test.responses = load_each_frf(a.test.data, a.test_file.path.parent_path());
   a.inputs = files_of(file);
   for (fs::path& path : files_of(a.test_file)) a.inputs.push_back(std::move(path));

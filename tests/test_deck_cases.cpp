@@ -150,6 +150,24 @@ supports: [{set: web.edge4, fix: [ux, uy, uz, rx, ry, rz]}]
   expect_same(run_text(loose + supports + "]\n" + asked, folder.path), plain);
 }
 
+// What the deck holds and a cap ties is told of at the cap, with how to let it go.
+TEST(DeckCase, a_cap_on_what_the_deck_holds_is_told_of_held) {
+  const TemporaryFolder folder("deck_case");
+  write_whole(folder.path / "plate.inp", plate_deck());
+  try {
+    run_text(
+        std::string("case: plate\nparts:\n  web: {type: deck, file: plate.inp, length_unit: mm, "
+                    "mass_unit: t}\ncaps: {root: {of: web.ROOT, mass: 1 kg}}\n") +
+            asked,
+        folder.path);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().front().key, "caps.root.of") << error.what();
+    EXPECT_EQ(error.problems().front().allowed.rfind("held: false at the part of the deck", 0), 0U)
+        << error.what();
+  }
+}
+
 // The reference of a coupling that averages follows its nodes: a cap on it leads the rest.
 TEST(DeckCase, a_cap_takes_the_reference_of_an_average) {
   const TemporaryFolder folder("deck_case");

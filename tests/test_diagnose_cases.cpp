@@ -13,9 +13,9 @@ namespace {
 Diagnosis diagnosis_of(const std::string& name, const std::string& model = "") {
   const auto folder = std::filesystem::path(PLICA_SOURCE_DIR) / "cases" / name;
   const CaseFile file = read_case((folder / (name + ".yaml")).string(), model);
-  const std::string measured = (folder / "measured.yaml").string();
-  TestData test{.data = read_measured(measured), .responses = {}};
-  resolve_states(test.data, file.data, measured);
+  MeasuredFile measured = read_measured_file((folder / "measured.yaml").string());
+  resolve_states(measured, file);
+  TestData test{.data = std::move(measured.data), .responses = {}};
   for (const MeasuredFrf& own : test.data.frf) {
     Measured one = test.data;
     one.frf = {own};

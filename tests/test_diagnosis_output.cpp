@@ -219,6 +219,14 @@ TEST(DiagnosisTerminal, ends_the_verdict_with_what_is_no_effect_here) {
   EXPECT_NE(plain_verdict(d).find(better), std::string::npos) << "where nothing comes nearer";
 }
 
+TEST(DiagnosisTerminal, says_how_sure_an_effect_is_and_that_it_sits_there) {
+  NamedEffect mass = mass_of_20_g();
+  mass.probability = 0.31;
+  mass.anywhere = 0.39;
+  const Diagnosis d = made_up_diagnosis(Verdict::ambiguous, {cause({mass}, 0.6)});
+  expect_parts(ledger_text(d.ledger), {"; probability 39 %, 31 % there\n"});
+}
+
 // Of a spring that holds rigidly only the lower end is known; what was stated has no interval.
 TEST(DiagnosisTerminal, gives_numbers_in_units_a_person_uses) {
   EXPECT_EQ(estimate_words({"offset", "m", 0.0021, {0.0018, 0.0024}, 0}), "2.10 (1.80 to 2.40) mm");

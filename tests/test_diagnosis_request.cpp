@@ -93,6 +93,53 @@ TEST(States, a_baseline_has_what_the_others_have) {
   EXPECT_EQ(problems[0].wrong, "no baseline has a transverse mode 2 in z");
 }
 
+// A damping, a shape or a height that nobody measured before the change would be held against what
+// the case assumes.
+TEST(States, a_baseline_has_each_quantity_that_the_others_have) {
+  const std::string mode = "  - {frequency: 10 Hz, shape: transverse, direction: z, state: ";
+  const std::string peak =
+      "  - {base: y, sensor: a, direction: y, level: [1 m/s2], frequency: [10 Hz], ";
+  const auto problems = problems_of(
+      two_states + "sensors: [{name: a, at: [0, 0, 0]}]\nmodes:\n" + mode + "before}\n" + mode +
+      "after, damping: 1 %,\n     vector: {channels: [a.z], real: [1]}}\npeaks:\n" + peak +
+      "state: before}\n" + peak + "amplitude: [9], state: after}\n");
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[0].line, 8);
+  EXPECT_EQ(problems[0].key, "modes[1].damping");
+  EXPECT_EQ(problems[0].wrong, "no baseline has the damping of the transverse mode 1 in z");
+  EXPECT_EQ(problems[1].line, 9);
+  EXPECT_EQ(problems[1].key, "modes[1].vector");
+  EXPECT_EQ(problems[2].line, 12);
+  EXPECT_EQ(problems[2].key, "peaks[1].amplitude");
+}
+
+TEST(States, something_is_measured_in_each_and_a_misspelt_one_is_said_once) {
+  const std::string mode = "  - {frequency: 10 Hz, shape: transverse, direction: z, state: ";
+  const auto problems = problems_of(two_states + "  - {name: later}\nmodes:\n" + mode +
+                                    "before}\n" + mode + "after}\n" + mode + "lather}\n");
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0].line, 5);
+  EXPECT_EQ(problems[0].key, "states[2].name");
+  EXPECT_EQ(problems[0].wrong, "nothing was measured in this state");
+  EXPECT_EQ(problems[1].key, "modes[2].state");
+  EXPECT_EQ(problems[1].wrong, "there is no state 'lather'");
+}
+
+// What two modes far apart make as one is neither; what was measured again is one.
+TEST(States, one_order_is_one_mode) {
+  const std::string first = "specimen: beam\nmodes:\n"
+                            "  - {frequency: 80.5 Hz, shape: transverse, direction: z}\n";
+  const auto problems =
+      problems_of(first + "  - {frequency: 297.7 Hz, shape: transverse, direction: z}\n");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].line, 4);
+  EXPECT_EQ(problems[0].key, "modes[1].order");
+  EXPECT_EQ(problems[0].wrong, "is 1 at 297.7 Hz, as of the mode of the same kind at 80.5 Hz");
+  for (const char* fine : {"81 Hz, shape: transverse, direction: z", "297.7 Hz, shape: axial",
+                           "297.7 Hz, shape: transverse, direction: x"})
+    EXPECT_TRUE(problems_of(first + "  - {frequency: " + fine + "}\n").empty()) << fine;
+}
+
 // Two modes taken for each other: the second of a kind cannot lie above the third.
 TEST(States, orders_of_modes_rise_with_their_frequencies) {
   const std::string modes =
@@ -127,6 +174,35 @@ TEST(DiagnosisRequest, what_leaves_nothing_to_explain_is_refused_at_its_key) {
   m.hold_out.clear();
   m.modes[0].order = 30;
   EXPECT_EQ(refusal_of(m), "modes[0]: the model gives none of the measured quantities");
+}
+
+TEST(DiagnosisRequest, what_drove_the_part_has_a_place_on_it) {
+  Measured m;
+  m.modes = {bending(Axis::z, 1, "", 30)};
+  m.modes[0].drive = "far.z";
+  m.modes[0].force = 2;
+  EXPECT_EQ(refusal_of(m), "modes[0].drive: the case has no sensor 'far', at which it was driven");
+}
+
+// A state's number that the case has not: at its line, with what may be meant.
+TEST(States, set_numbers_of_the_case) {
+  const test::TemporaryFolder folder("states");
+  const CaseFile file = read_case(PLICA_SOURCE_DIR "/cases/lap_beam/lap_beam.yaml");
+  const std::string path = folder.path / "measured.yaml";
+  std::ofstream(path) << "specimen: lap_beam\nstates:\n  - name: heavier\n"
+                         "    set: {materials.steal.rho: 7900 kg/m3}\nmodes:\n"
+                         "  - {frequency: 80 Hz, shape: transverse, state: heavier}\n";
+  MeasuredFile measured = read_measured_file(path);
+  try {
+    resolve_states(measured, file);
+    FAIL() << "the case has such a number";
+  } catch (const InputError& error) {
+    const InputProblem& p = error.problems().front();
+    EXPECT_EQ(p.line, 4) << error.what();
+    EXPECT_EQ(p.key, "states[0].set");
+    EXPECT_EQ(p.wrong, "the case has no number at 'materials.steal.rho'");
+    EXPECT_EQ(p.allowed, "did you mean 'materials.steel.rho'?");
+  }
 }
 
 TEST(States, something_is_measured_after_the_baseline_and_a_mass_says_when) {

@@ -30,13 +30,12 @@ struct Asked {
   TestReadings readings;
 };
 Asked asked_of(const CaseFile& file) {
-  Asked asked{
-      .measured =
-          read_measured_file((fs::path(file.path).parent_path() / "measured.yaml").string()).data,
-      .readings = {}};
+  MeasuredFile test =
+      read_measured_file((fs::path(file.path).parent_path() / "measured.yaml").string());
+  resolve_states(test, file);
+  Asked asked{.measured = std::move(test.data), .readings = {}};
   asked.measured.frf.clear();
   asked.measured.hold_out.clear();
-  resolve_states(asked.measured, file.data, "measured.yaml");
   asked.readings = readings_of(TestData{.data = asked.measured, .responses = {}});
   return asked;
 }

@@ -9,19 +9,28 @@
 namespace plica {
 namespace {
 
-// How sure the place is, where it is not: "; place 61 %, beam.point[2] 30 %".
-std::string places(const Judgement& judgement, const Hypothesis& named) {
-  constexpr double place_known = 0.95, worth_a_word = 0.05;
+constexpr double worth_a_word = 0.05;
+
+// Places but the named one that an effect may sit at as well, with `all` of its probability over
+// them: ", beam.point[2] 30 %".
+std::string other_places(const Judgement& judgement, const Hypothesis& named, double all) {
   constexpr int most = 3;
-  const double own = judgement.share_of(named.effect, named.place);
   const auto known = judgement.places.find(named.effect);
-  if (own > place_known || known == judgement.places.end()) return "";
-  std::string text = fmt::format("; the place {:.0f} %", 100 * own);
+  if (known == judgement.places.end()) return "";
+  std::string text;
   int told = 0;
   for (const auto& [place, share] : known->second)
-    if (place != named.place && share > worth_a_word && told++ < most)
-      text += fmt::format(", {} {:.0f} %", place, 100 * share);
+    if (place != named.place && all * share > worth_a_word && told++ < most)
+      text += fmt::format(", {} {:.0f} %", place, 100 * all * share);
   return text;
+}
+
+// How sure the place is, where it is not: "; the place 61 %, beam.point[2] 30 %".
+std::string places(const Judgement& judgement, const Hypothesis& named) {
+  constexpr double place_known = 0.95;
+  const double own = judgement.share_of(named.effect, named.place);
+  if (own > place_known || !judgement.places.contains(named.effect)) return "";
+  return fmt::format("; the place {:.0f} %", 100 * own) + other_places(judgement, named, 1);
 }
 
 // "71 %", of G.
@@ -66,8 +75,9 @@ std::string ambiguous_words(const JudgedFit& nominal, const Judgement& judgement
     text += name_of(j->fit);
     if (judgement.names_sets()) continue;
     const Hypothesis& h = *j->fit.together[0];
-    const double p = judgement.probability_of(h.effect) * judgement.share_of(h.effect, h.place);
-    text += fmt::format(" {:.0f} %", 100 * p);
+    const double anywhere = judgement.probability_of(h.effect);
+    text += fmt::format(" {:.0f} %", 100 * anywhere * judgement.share_of(h.effect, h.place)) +
+            other_places(judgement, h, anywhere);
   }
   if (judgement.names_sets())
     return "Ambiguous: " + text + "; " + judgement.withheld + resonator_words(nominal, judgement);

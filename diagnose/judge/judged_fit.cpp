@@ -34,6 +34,13 @@ int free_parameters(const HypothesisFit& fit) {
   return count;
 }
 
+// Whether all parameters are as they were expected, and as well known, once the readings are seen.
+bool stays_at_priors(const HypothesisFit& fit) {
+  if (fit.together.empty()) return false;
+  return fit.farthest < threshold::untold_z &&
+         fit.covariance.diagonal().cwiseSqrt().minCoeff() > threshold::untold;
+}
+
 // How many readings are fitted, and how many of them the fit moves: a shape stands for all of its
 // components.
 std::pair<Eigen::Index, Eigen::Index> fitted_and_moved(const HypothesisFit& fit,
@@ -105,6 +112,7 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
       (j.fit.chi2 > standards.sure_chi2 || j.chi2_of_means > standards.sure_chi2_of_means);
   j.absurd = j.fit.farthest > threshold::absurd_z;
   j.free_parameters = free_parameters(j.fit);
+  j.stays_at_priors = stays_at_priors(j.fit);
   std::tie(j.readings, j.moved) = fitted_and_moved(j.fit, context);
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {

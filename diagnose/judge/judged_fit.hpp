@@ -41,10 +41,13 @@ struct JudgedFit {
   // It closes nothing of the gap, or less than a tenth where the nominal case does not explain the
   // test: what it is allowed to be off (evidence.hpp) is larger than what it explains.
   bool explains_nothing = false;
+  bool stays_at_priors = false; // no reading says anything of any of its parameters
   bool credible() const { return stands() && !absurd; }
   // Not refuted by any reading: what is named has to be told apart from it, though it may be too
   // far out of its prior to be named for sure.
-  bool stands() const { return adequate && !fails_held_out && !explains_nothing; }
+  bool stands() const {
+    return adequate && !fails_held_out && !explains_nothing && !stays_at_priors;
+  }
   // Whether there are too few readings for several effects, or for what explains most: less than
   // three for each free parameter.
   bool too_free() const;

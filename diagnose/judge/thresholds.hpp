@@ -46,7 +46,9 @@ inline constexpr double absurd_z = 3;            // standard deviations of a pri
 inline constexpr double believable_shrink = 0.6; // of held-out readings, though they are not met
 inline constexpr double moves = 0.1;             // standard deviations of a reading
 inline constexpr double narrower = 0.5;          // standard deviations of a prior
-inline constexpr int readings_each = 3;          // of a free parameter, for several effects
+inline constexpr double untold_z = 0.1;  // |z| below which a parameter is as it was expected,
+inline constexpr double untold = 0.95;   // and standard deviations of a prior, as well known
+inline constexpr int readings_each = 3;  // of a free parameter, for several effects
 inline constexpr int spare_readings = 2; // beyond several free parameters, to identify an effect
 
 } // namespace plica::threshold

@@ -7,6 +7,7 @@
 #include "diagnose/predict/loose_motions.hpp"
 #include "diagnose/predict/sensor_axes.hpp"
 #include "diagnose/predict/sprung_clamps.hpp"
+#include "lab/measured/entries.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/end_caps.hpp"
 #include "model/shape/build_bellows.hpp"
@@ -154,7 +155,7 @@ std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
     if (!m.on.empty())
       beside.push_back({.name = m.name, .at = m.at, .on = m.on});
     else if (seen.contains(m.name))
-      stations.push_back({.name = m.name, .at = m.at});
+      stations.push_back({.name = m.name, .at = m.at, .if_there = true});
   stations.insert(stations.end(), beside.begin(), beside.end());
   return stations;
 }
@@ -180,37 +181,38 @@ void check_sensors_beside_the_part(const Case& data, const Measured& measured) {
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
-// Whose place the model has not, of the sensors from `first` on; none: something else is wrong.
-std::optional<std::size_t> misplaced(const InputError& error, std::size_t first) {
-  const std::string& key = error.problems().front().key;
-  constexpr std::string_view list = "sensors[";
-  if (!key.starts_with(list)) return std::nullopt;
-  const std::size_t number = std::stoul(key.substr(list.size()));
-  return number >= first ? std::optional(number - first) : std::nullopt;
-}
-
 // Builds the case of the state, with the stations of the test that lie on it: what shows at one
 // beside it is no reading.
 std::vector<BuiltSensor> build_with_stations(NominalState& state, const Measured& measured) {
-  std::vector<Sensor> stations = stations_of(state.data, measured);
-  const std::vector<Sensor> own = state.data.sensors;
-  for (;;) {
-    state.data.sensors = own;
-    state.data.sensors.insert(state.data.sensors.end(), stations.begin(), stations.end());
-    try {
-      state.built = build_on_table(state.data);
-      break;
-    } catch (const InputError& error) {
-      const auto off = misplaced(error, own.size());
-      if (!off) throw;
-      stations.erase(stations.begin() + std::ptrdiff_t(*off));
-    }
-  }
+  std::vector<Sensor>& sensors = state.data.sensors;
+  const std::size_t own = sensors.size();
+  for (Sensor& station : stations_of(state.data, measured)) sensors.push_back(std::move(station));
+  state.built = build_on_table(state.data);
   std::vector<BuiltSensor>& all = state.built.sensors;
-  const auto first = all.end() - std::ptrdiff_t(stations.size());
+  std::erase_if(sensors, [&](const Sensor& s) {
+    return std::none_of(all.begin(), all.end(),
+                        [&](const BuiltSensor& built) { return built.name == s.name; });
+  });
+  const auto first = all.begin() + std::ptrdiff_t(own);
   std::vector<BuiltSensor> built(first, all.end());
   all.erase(first, all.end());
   return built;
+}
+
+// What was driven has a place on the model.
+void check_driven_places(const NominalState& state, const Measured& measured) {
+  std::vector<std::string> places;
+  for (const BuiltSensor& s : state.built.sensors) places.push_back(s.name);
+  const auto check = [&](const std::string& channel, const std::string& key) {
+    const std::string sensor(sensor_of_channel(channel));
+    if (channel.empty() || state.number_of(sensor) >= 0) return;
+    input_error(key, "the case has no sensor '" + shown(sensor) + "', at which it was driven",
+                places.empty() ? "a sensor of the case there" : suggestion(sensor, places));
+  };
+  for (std::size_t i = 0; i < measured.modes.size(); ++i)
+    check(measured.modes[i].drive, entry_name("modes", i) + ".drive");
+  for (std::size_t i = 0; i < measured.frf.size(); ++i)
+    check(measured.frf[i].force, entry_name("frf", i) + ".force");
 }
 
 // The sensors, where one might be put besides, and the stations.
@@ -273,6 +275,7 @@ NominalState state_of(Case data, const std::string& name, const Measured& measur
   state.data = std::move(data);
   state.data.analyses.damping.coupled = false; // all of it acts mode by mode
   observe(state, build_with_stations(state, measured), measured);
+  check_driven_places(state, measured);
   state.model = reduced_model(state, measured);
   const Model& model = state.model->model();
   const VectorXd& lambda = state.model->lambda();

@@ -139,9 +139,12 @@ private:
           "taken for others (order, direction), or the case wants to be fitted first "
           "(--fit-baseline)",
           100 * seen));
+    const double shared = request_.correlation;
+    if (shared < 1)
+      why +=
+          fmt::format(", {:g} % of its square common to baselines and later states", 100 * shared);
     found.words.push_back(
         fmt::format("model error of {}: {:.2g} %, {}", plural(kind), 100 * sigma, why));
-    const double shared = request_.correlation;
     const Index n = u_.form.rows();
     for (Index i = 0; i < n; ++i)
       for (Index j = 0; j < n; ++j)

@@ -332,26 +332,40 @@ std::vector<std::filesystem::path> files_of(const MeasuredFile& file) {
   return files;
 }
 
-void resolve_states(Measured& measured, const Case& data, const std::string& path) {
+void resolve_states(MeasuredFile& file, const CaseFile& asked) {
   std::vector<InputProblem> problems;
-  Case copy = data;
+  Case copy = asked.data;
+  std::vector<std::string> paths;
+  for (const auto& [path, line] : asked.lines)
+    if (quantity_at(copy, path)) paths.push_back(path);
+  Measured& measured = file.data;
+  constexpr int few = 3; // paths that are told where none is near
   for (std::size_t i = 0; i < measured.states.size(); ++i)
     for (const auto& [where, text] : measured.states[i].set) {
       const std::string key = item("states", i) + ".set";
+      const auto add = [&](const std::string& wrong, const std::string& allowed) {
+        for (const std::string& at : {key + "." + where, key})
+          if (const auto line = file.lines.find(at); line != file.lines.end()) {
+            problems.push_back({file.path.string(), line->second, key, wrong, allowed});
+            return;
+          }
+        problems.push_back({file.path.string(), 0, key, wrong, allowed});
+      };
       const std::optional<Quantity> number = quantity_at(copy, where);
       const ParsedQuantity parsed =
           number ? parse_quantity(text, number->unit)
                  : ParsedQuantity{.wrong = "the case has no number at '" + shown(where) + "'",
-                                  .allowed = "the path of a number that the case file gives"};
+                                  .allowed = suggestion(where, paths, few)};
       if (!parsed.wrong.empty())
-        problems.push_back({path, 0, key, parsed.wrong, parsed.allowed});
+        add(parsed.wrong, parsed.allowed);
       else if (!allows(*number, parsed.value))
-        problems.push_back({path, 0, key, where + " = " + shown(text) + " is not allowed",
-                            describe(*number, number->unit)});
+        add(where + " = " + shown(text) + " is not allowed", describe(*number, number->unit));
       else
         measured.states[i].numbers[where] = parsed.value;
     }
-  if (!problems.empty()) throw InputError(std::move(problems));
+  if (problems.empty()) return;
+  sort_by_line(problems, file.path.string());
+  throw InputError(std::move(problems));
 }
 
 } // namespace plica

@@ -37,6 +37,6 @@ void add_problems_of_test(const std::string& case_path, const std::string& model
 std::vector<std::filesystem::path> files_of(const MeasuredFile& file);
 
 // Turns what the states set into numbers of the case. Throws InputError.
-void resolve_states(Measured& measured, const Case& data, const std::string& path);
+void resolve_states(MeasuredFile& file, const CaseFile& asked);
 
 } // namespace plica

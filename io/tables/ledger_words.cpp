@@ -38,6 +38,14 @@ std::string plain_with_values(const NamedEffect& e) {
   return plain_at_place(e) + (values.empty() ? "" : ": " + values);
 }
 
+// Of the effect, and that it sits there: "39 %, 31 % there".
+std::string odds_words(const NamedEffect& e) {
+  const std::string anywhere = fmt::format("{:.0f} %", 100 * e.anywhere);
+  const std::string there = fmt::format("{:.0f} %", 100 * e.probability);
+  return e.probability >= e.anywhere || there == anywhere ? anywhere
+                                                          : anywhere + ", " + there + " there";
+}
+
 std::string interval_words(const std::array<double, 2>& share) {
   return fmt::format("[{:.0f}, {:.0f}]", 100 * share[0], 100 * share[1]);
 }
@@ -164,7 +172,7 @@ std::string ledger_text(const Ledger& ledger) {
     if (!is_told(row)) continue;
     std::string words = row_by(row, plain_with_values);
     if (row.effects.size() == 1)
-      words += fmt::format("; probability {:.0f} %", 100 * row.effects.front().anywhere);
+      words += "; probability " + odds_words(row.effects.front());
     else if (!row.told_apart_by.empty())
       words += "; to tell them apart: " + row.told_apart_by;
     rows.push_back({fmt::format("{:.0f} %", 100 * row.share), interval_words(row.interval), words});

@@ -56,6 +56,7 @@ struct Sensor {
   double reach = sensor_reach;    // m, how far the nearest node may be
   // Of a test: what it sits on beside the part, MeasuredSensor::on; empty = the part.
   std::string on = {};
+  bool if_there = false; // of a test: left out where the part is not within `reach`
 };
 
 // The same case with some numbers changed: shown beside the nominal results.

@@ -249,6 +249,7 @@ void place_sensors(Building& b) {
     }
     constexpr double rounding = 5e-6; // of what the message shows
     if (distance > sensor.reach + rounding) {
+      if (sensor.if_there) continue;
       const Vector3d& x = b.built.model.mesh.nodes[node];
       input_error("sensors[" + std::to_string(i) + "].at",
                   "sensor \"" + sensor.name + "\" is " + in_millimetres(distance) +
