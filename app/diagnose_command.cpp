@@ -223,8 +223,9 @@ int diagnose_case(const DiagnoseOptions& options) {
   Progress progress(options.out.quiet);
   progress.title(file.data.name +
                  (options.chosen.model.empty() ? "" : ", " + options.chosen.model));
-  DiagnosisSettings settings{.without = {options.without.begin(), options.without.end()},
-                             .plan_next = options.plan_next};
+  DiagnosisSettings settings{.plan_next = options.plan_next};
+  for (const std::string& guard : options.without)
+    settings.without.insert(static_cast<Guard>(place_among(guard_names, guard)));
   settings.stage = [&](const std::string& stage, double share) {
     if (options.supposed.empty()) progress.share(share);
     progress.stage(stage);
@@ -268,7 +269,7 @@ void add_diagnose_command(CommandLine& line) {
   add_case(command, options->chosen);
   add_measured(command, options->measured);
   command.add_option("--without", options->without, "leave a guard out, to see what it does")
-      ->check(CLI::IsMember({"form", "nuisance", "reassembly", "adequacy", "levels", "heldout"}));
+      ->check(CLI::IsMember(std::vector<std::string>(guard_names.begin(), guard_names.end())));
   command.add_flag("--fit-baseline", options->fit_baseline,
                    "adjust the case to the baseline first, by its section fit");
   command.add_flag("--pretest", options->pretest,

@@ -42,7 +42,7 @@ public:
     std::vector<Signature> all = signatures_of_all(context);
     find_smallest(context, all);
     Standards standards = standards_of(context, *problem_.held_out, scores);
-    standards.gate = !settings_.without.contains("adequacy");
+    standards.gate = !settings_.without.contains(Guard::adequacy);
     standards.evidence = evidence_threshold(context, all);
 
     settings_.search();
@@ -152,7 +152,7 @@ private:
   }
 
   // What would tell apart what the test leaves open: the nominal case, sets of effects, their
-  // numbers.
+  // numbers. Of an answer that lists several, these.
   std::vector<ProposedMeasurement> next_after(const Findings& found,
                                               const OfferedReadings& menu) const {
     constexpr std::size_t most = 5;
@@ -169,7 +169,14 @@ private:
       rivals.back().draws = share_draws(found.context, found.nominal.fit, j.fit, count);
     };
     if (found.nominal.adequate) add(found.nominal, found.inclusion.none());
-    for (const auto& [fit, probability] : found.inclusion.first(most)) add(*fit, probability);
+    const std::vector<const JudgedFit*>& listed = found.judgement.named;
+    if (found.judgement.verdict == Verdict::ambiguous && listed.size() > 1) {
+      double best = -1e300;
+      for (const JudgedFit* j : listed) best = std::max(best, evidence_of(j->fit));
+      for (const JudgedFit* j : listed) add(*j, std::exp(evidence_of(j->fit) - best));
+    } else {
+      for (const auto& [fit, probability] : found.inclusion.first(most)) add(*fit, probability);
+    }
     return next_measurements(problem_.nominal, menu, rivals, problem_.predictors->models());
   }
 

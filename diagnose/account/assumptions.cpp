@@ -7,7 +7,7 @@
 namespace plica {
 
 std::vector<std::string> assumptions_of(const GapProblem& problem, const Standards& standards,
-                                        const std::set<std::string>& without) {
+                                        const Guards& without) {
   std::vector<std::string> list;
   const auto add = [&]<class... V>(fmt::format_string<V...> format, V&&... values) {
     list.push_back(fmt::format(format, std::forward<V>(values)...));
@@ -52,7 +52,8 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
   if (problem.uncertainty.change_error > 0)
     add("what an effect changes it changes with an error of {:g} % of the change, with long tails",
         percent(problem.uncertainty.change_error));
-  for (const std::string& w : without) list.push_back("left out: " + w);
+  for (const Guard left : without)
+    list.push_back(std::string("left out: ") + guard_names.at(std::size_t(left)));
   return list;
 }
 

@@ -4,12 +4,11 @@
 #include "diagnose/account/gap_problem.hpp"
 #include "diagnose/judge/judge.hpp"
 
-#include <set>
 
 namespace plica {
 
 // `without`: guards that were left out.
 std::vector<std::string> assumptions_of(const GapProblem& problem, const Standards& standards,
-                                        const std::set<std::string>& without);
+                                        const Guards& without);
 
 } // namespace plica

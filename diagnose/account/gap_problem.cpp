@@ -70,7 +70,7 @@ std::string first_after(const TestData& test, const TestReadings& readings) {
   return "";
 }
 
-TestReadings chosen_readings(const TestData& test, const std::set<std::string>& without) {
+TestReadings chosen_readings(const TestData& test, const Guards& without) {
   TestReadings readings = readings_of(test);
   if (readings.readings.empty())
     input_error("specimen", "nothing was measured of it that a diagnosis reads", is_answered);
@@ -80,8 +80,8 @@ TestReadings chosen_readings(const TestData& test, const std::set<std::string>& 
     input_error("states[" + std::to_string(i) + "].baseline",
                 "nothing was measured but in baselines", "entries of a state that is none");
   }
-  if (without.contains("levels")) lowest_levels_only(readings);
-  if (without.contains("heldout"))
+  if (without.contains(Guard::levels)) lowest_levels_only(readings);
+  if (without.contains(Guard::heldout))
     for (Reading& r : readings.readings) r.held_out = false;
   return readings;
 }
@@ -104,7 +104,7 @@ void set_aside(TestReadings& test, const std::vector<std::string>& refused) {
 }
 
 // What the scatter of readings rests on comes first; readings of baselines go with it.
-void state_errors(GapProblem& p, const std::set<std::string>& without) {
+void state_errors(GapProblem& p, const Guards& without) {
   const Measured& measured = p.test.data;
   p.remounting = remounting_of(p.readings, measured, p.data.diagnose);
   p.uncertainty = uncertainty_of(p.data, p.nominal, p.readings, measured, without, p.remounting);

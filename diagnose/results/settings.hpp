@@ -1,6 +1,7 @@
 // What a diagnosis is asked for.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <set>
 #include <string>
@@ -8,10 +9,14 @@
 
 namespace plica {
 
+// What keeps a diagnosis from being sure and wrong; levels: all but the lowest.
+enum class Guard { form, nuisance, reassembly, adequacy, levels, heldout };
+inline constexpr std::array guard_names{"form",     "nuisance", "reassembly",
+                                        "adequacy", "levels",   "heldout"};
+using Guards = std::set<Guard>;
+
 struct DiagnosisSettings {
-  // Guards left out, for ablations: form, nuisance, reassembly, adequacy, levels (all but the
-  // lowest), heldout.
-  std::set<std::string> without = {};
+  Guards without = {};                 // guards left out, for ablations
   bool plan_next = true;               // propose the next measurement
   int particles = 160;                 // of the Markov chains
   std::vector<std::string> words = {}; // what was done to the case before, told among assumptions

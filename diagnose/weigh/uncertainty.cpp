@@ -295,7 +295,7 @@ void Uncertainty::settle_cross() {
 }
 
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
-                           const Measured& measured, const std::set<std::string>& without,
+                           const Measured& measured, const Guards& without,
                            const Remounting& remounting) {
   const auto n = Index(test.readings.size());
   Uncertainty u;
@@ -313,16 +313,16 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   const MatrixXd weights = damping_weights(nominal, test);
   u.measurement = measurement_of(test, u.series);
   u.reassembly = reassembly_of(test, weights, remounting);
-  if (without.contains("reassembly")) u.reassembly.setZero();
+  if (without.contains(Guard::reassembly)) u.reassembly.setZero();
   u.numeric = numeric_of(test, weights, u.cross, u.correction);
   const MatrixXd own_damping = shared_damping(test, weights, scatters::mode_damping, always) +
                                shared_rig_loss(test, scatters::mode_damping);
   MatrixXd random = u.measurement + u.reassembly + u.numeric;
-  if (!without.contains("form")) random += own_damping;
+  if (!without.contains(Guard::form)) random += own_damping;
 
   std::vector<Hypothesis> varied = scatter(nominal.structure(measured));
   std::erase_if(varied, [&](const Hypothesis& h) {
-    return without.contains(is_nuisance(h) ? "nuisance" : "form");
+    return without.contains(is_nuisance(h) ? Guard::nuisance : Guard::form);
   });
   auto [form, noise] = draw_specimens(nominal, test, varied, coarse, random);
   for (CrossScatter& c : u.cross) c.power = added_square(form.row(c.reading), coarse[c.reading]);
@@ -330,7 +330,7 @@ Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestR
   form.colwise() -= u.bias;
   u.settle_cross();
   u.form = covariance(form);
-  if (!without.contains("form")) u.form += own_damping;
+  if (!without.contains(Guard::form)) u.form += own_damping;
   u.healthy = form + noise;
   return u;
 }

@@ -8,9 +8,9 @@
 #pragma once
 
 #include "diagnose/predict/predictor.hpp"
+#include "diagnose/results/settings.hpp"
 #include "diagnose/weigh/cross_scatter.hpp"
 
-#include <set>
 #include <string>
 
 namespace plica {
@@ -43,7 +43,7 @@ struct Uncertainty {
 
 // `without`: groups left out, for ablations: "form", "nuisance", "reassembly".
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
-                           const Measured& measured, const std::set<std::string>& without,
+                           const Measured& measured, const Guards& without,
                            const Remounting& remounting = {});
 
 constexpr int specimens = 500;
