@@ -186,8 +186,14 @@ TEST(RollerBeam, something_supports_it_and_where_whatever_its_points) {
   auto& beam = std::get<BeamPart>(other_points.parts[0].body);
   beam.points = {{0, 0, 0}, {0, 0.1, 0}, {0, 0.2, 0}, {0, 0.343, 0}, {0, 0.501, 0}};
   std::get<PointMass>(other_points.parts[1].body).at = "beam.point[4]";
-  for (const auto& [data, first] : {std::pair{&drawn, 0}, {&on_supports, 3}, {&other_points, 3}})
-    for (int k = first; k < (first == 0 ? 6 : 4); ++k) {
+  Case both = other_points;
+  both.mount.clear();
+  both.caps.clear();
+  both.supports = on_supports.supports;
+  const std::vector<int> all{0, 1, 2, 3, 4, 5}, some{0, 3, 5};
+  for (const auto& [data, stations] : {std::pair{&drawn, &all}, std::pair{&on_supports, &some},
+                                       std::pair{&other_points, &some}, std::pair{&both, &some}})
+    for (int k : *stations) {
       const std::string station = "station_" + std::to_string(k + 1);
       const Diagnosis d = diagnosis_of(*data, read_measured(folder + station + "/measured.yaml"));
       ASSERT_TRUE(d.verdict == Verdict::identified || d.verdict == Verdict::ambiguous)
