@@ -190,10 +190,11 @@ TEST(RollerBeam, something_supports_it_and_where_whatever_its_points) {
   both.mount.clear();
   both.caps.clear();
   both.supports = on_supports.supports;
-  const std::vector<int> all{0, 1, 2, 3, 4, 5}, some{0, 3, 5};
-  for (const auto& [data, stations] : {std::pair{&drawn, &all}, std::pair{&on_supports, &some},
-                                       std::pair{&other_points, &some}, std::pair{&both, &some}})
-    for (int k : *stations) {
+  const std::vector<int> some{0, 3, 5};
+  const std::vector<std::pair<const Case*, std::vector<int>>> ways{
+      {&drawn, {0, 1, 2, 3, 4, 5}}, {&on_supports, some}, {&other_points, some}, {&both, some}};
+  for (const auto& [data, stations] : ways)
+    for (int k : stations) {
       const std::string station = "station_" + std::to_string(k + 1);
       const Diagnosis d = diagnosis_of(*data, read_measured(folder + station + "/measured.yaml"));
       ASSERT_TRUE(d.verdict == Verdict::identified || d.verdict == Verdict::ambiguous)
