@@ -18,14 +18,15 @@ struct Range {
   double low, high;
   bool holds(double x) const { return x >= low && x <= high; }
 };
-constexpr Range modulus{1e9, 1.3e12};     // Pa: plastics to diamond
-constexpr Range density{10, 23e3};        // kg/m3: foam to osmium
-constexpr Range extent{1e-3, 20};         // m, of a model
-constexpr double thickest_wall = 0.25;    // of the largest extent of its part
-constexpr double widest_joint = 2;        // radii of the larger end that a cap joins
-constexpr double heaviest = 100;          // kg, of a body in an exhaust system
-constexpr double highest_convolution = 1; // of the root radius
-constexpr double one_place = 1e-3;        // m: ends that lie there are one, however small they are
+constexpr Range modulus{1e9, 1.3e12};         // Pa: plastics to diamond
+constexpr Range density{10, 23e3};            // kg/m3: foam to osmium
+constexpr Range extent{1e-3, 20};             // m, of a model
+constexpr double thickest_wall = 0.25;        // of the largest extent of its part
+constexpr double widest_joint = 2;            // radii of the larger end that a cap joins
+constexpr double heaviest = 100;              // kg, of a body in an exhaust system
+constexpr double highest_convolution = 1;     // of the root radius
+constexpr double far_from_its_place = 2.5e-3; // m, of a sensor
+constexpr double one_place = 1e-3; // m: ends that lie there are one, however small they are
 
 std::string listed(const std::set<std::string>& names) {
   std::string text;
@@ -84,7 +85,7 @@ std::set<std::string> unused_materials(const Case& data) {
 class Doubts {
 public:
   Doubts(const Case& data, const BuiltCase& built)
-      : case_(data), model_(built.model), held_nodes_(built.held_nodes),
+      : case_(data), model_(built.model), held_nodes_(built.held_nodes), sensors_(built.sensors),
         boxes_(model_.components.size()) {
     for_each_shell([&](const auto& shell) {
       for (int node : shell.nodes)
@@ -99,6 +100,7 @@ public:
       std::visit([&](const auto& body) { placed(part.name, body); }, part.body);
     size();
     caps();
+    sensors();
     pieces();
     return std::move(doubts_);
   }
@@ -115,6 +117,14 @@ private:
 
   std::size_t component(const auto& shell) const {
     return std::size_t(model_.shells[std::size_t(shell.section)].component);
+  }
+
+  void sensors() {
+    for (const BuiltSensor& s : sensors_)
+      if (s.distance > far_from_its_place)
+        add("sensor " + s.name + " sits " + short_text(1e3 * s.distance, 2) +
+            " mm from its place, at the nearest node: is that the place of the sensor, or of the "
+            "part beside it?");
   }
 
   void material(const std::string& of, double E, double rho) {
@@ -271,6 +281,7 @@ private:
   const Case& case_;
   const Model& model_;
   const std::vector<int>& held_nodes_;
+  const std::vector<BuiltSensor>& sensors_;
   std::vector<Box> boxes_; // of the shells of each component
   std::vector<std::string> doubts_;
   std::set<std::string> said_; // the same
