@@ -13,7 +13,7 @@ constexpr double worth_a_word = 0.05;
 
 // Places but the named one that an effect may sit at as well, with `all` of its probability over
 // them: ", beam.point[2] 30 %".
-std::string other_places(const Judgement& judgement, const Hypothesis& named, double all) {
+std::string named_elsewhere(const Judgement& judgement, const Hypothesis& named, double all) {
   constexpr int most = 3;
   const auto known = judgement.places.find(named.effect);
   if (known == judgement.places.end()) return "";
@@ -30,7 +30,7 @@ std::string places(const Judgement& judgement, const Hypothesis& named) {
   constexpr double place_known = 0.95;
   const double own = judgement.share_of(named.effect, named.place);
   if (own > place_known || !judgement.places.contains(named.effect)) return "";
-  return fmt::format("; the place {:.0f} %", 100 * own) + other_places(judgement, named, 1);
+  return fmt::format("; the place {:.0f} %", 100 * own) + named_elsewhere(judgement, named, 1);
 }
 
 // "71 %", of G.
@@ -77,7 +77,7 @@ std::string ambiguous_words(const JudgedFit& nominal, const Judgement& judgement
     const Hypothesis& h = *j->fit.together[0];
     const double anywhere = judgement.probability_of(h.effect);
     text += fmt::format(" {:.0f} %", 100 * anywhere * judgement.share_of(h.effect, h.place)) +
-            other_places(judgement, h, anywhere);
+            named_elsewhere(judgement, h, anywhere);
   }
   if (judgement.names_sets())
     return "Ambiguous: " + text + "; " + judgement.withheld + resonator_words(nominal, judgement);
