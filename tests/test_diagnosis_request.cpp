@@ -133,8 +133,8 @@ TEST(States, one_order_is_one_mode) {
       problems_of(first + "  - {frequency: 297.7 Hz, shape: transverse, direction: z}\n");
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].line, 4);
-  EXPECT_EQ(problems[0].key, "modes[1].order");
-  EXPECT_EQ(problems[0].wrong, "is 1 at 297.7 Hz, as of the mode of the same kind at 80.5 Hz");
+  EXPECT_EQ(problems[0].key, "modes[1]") << "it states no order";
+  EXPECT_EQ(problems[0].wrong, "is mode 1 at 297.7 Hz, as is the one of the same kind at 80.5 Hz");
   for (const char* fine : {"81 Hz, shape: transverse, direction: z", "297.7 Hz, shape: axial",
                            "297.7 Hz, shape: transverse, direction: x"})
     EXPECT_TRUE(problems_of(first + "  - {frequency: " + fine + "}\n").empty()) << fine;

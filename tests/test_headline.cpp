@@ -55,13 +55,14 @@ TEST(Headline, of_a_list_gives_each_its_share) {
       << words;
 }
 
+// In a list odds of 2 to 1 count as 2^(ln 9 / 5) to 1.
 TEST(Headline, of_a_list_says_where_else_each_may_be) {
   Fits fits;
   fits.add("added_mass", std::log(900.), true, "left");
   fits.add("added_mass", std::log(300.), true, "right");
   fits.add("local_damage", std::log(300.));
   EXPECT_EQ(headline(specimen(1), fits.judgement(false)),
-            "Ambiguous: added_mass at left 50 %, right 17 % or local_damage at here 33 %");
+            "Ambiguous: added_mass at left 43 %, right 14 % or local_damage at here 42 %");
 }
 
 TEST(Headline, of_one_that_is_not_believed_says_perhaps_and_why) {

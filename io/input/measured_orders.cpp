@@ -38,8 +38,9 @@ void check_orders(const Measured& m, ReadLog& log) {
       if (counted_with(a) != counted_with(b)) continue;
       if (a.order == b.order) {
         if (!are_two_modes(a, b)) continue;
-        log.add(item("modes", i) + ".order",
-                fmt::format("is {} at {:.6g} Hz, as of the mode of the same kind at {:.6g} Hz",
+        const std::string own = item("modes", i), order = own + ".order";
+        log.add(log.lines.contains(order) ? order : own,
+                fmt::format("is mode {} at {:.6g} Hz, as is the one of the same kind at {:.6g} Hz",
                             b.order, b.frequency, a.frequency),
                 "orders count modes upwards from 1, which is taken where none is given; a mode "
                 "that was measured again lies within a fifth");

@@ -1,10 +1,12 @@
 #include "model/shape/doubts.hpp"
 
 #include "model/description/deck_model.hpp"
+#include "model/shape/wall_places.hpp"
 #include "words/short_text.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -119,12 +121,30 @@ private:
     return std::size_t(model_.shells[std::size_t(shell.section)].component);
   }
 
+  // How far a point is off walls and lines.
+  double off_part(const Eigen::Vector3d& x) const {
+    const WallPoint wall = nearest_on_wall(model_, x);
+    double off = wall.nodes.empty() ? std::numeric_limits<double>::infinity() : off_wall(wall);
+    for (const BeamElement& b : model_.beams) {
+      const Eigen::Vector3d a = model_.mesh.nodes[std::size_t(b.node1)],
+                            along = model_.mesh.nodes[std::size_t(b.node2)] - a;
+      const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0., 1.);
+      off = std::min(off, (x - a - t * along).norm());
+    }
+    return off;
+  }
+
   void sensors() {
-    for (const BuiltSensor& s : sensors_)
-      if (s.distance > far_from_its_place)
-        add("sensor " + s.name + " sits " + short_text(1e3 * s.distance, 2) +
+    for (const BuiltSensor& s : sensors_) {
+      if (s.distance <= far_from_its_place) continue;
+      const auto own = std::find_if(case_.sensors.begin(), case_.sensors.end(),
+                                    [&](const Sensor& c) { return c.name == s.name; });
+      const double off = off_part({own->at[0], own->at[1], own->at[2]});
+      if (off > far_from_its_place)
+        add("sensor " + s.name + " sits " + short_text(1e3 * std::min(off, s.distance), 2) +
             " mm from its place, at the nearest node: is that the place of the sensor, or of the "
             "part beside it?");
+    }
   }
 
   void material(const std::string& of, double E, double rho) {
