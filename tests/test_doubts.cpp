@@ -59,11 +59,11 @@ TEST(Doubts, name_what_a_forgotten_unit_gives) {
   expect_doubt(with(plate_case, "7850 kg/m3", "0"), "has no density");
 }
 
-// Four millimetres above an edge is no place on the plate.
+// Four millimetres beside an edge, which half a wall of 2 mm reaches, is no place on the plate.
 TEST(Doubts, name_a_sensor_that_sits_elsewhere) {
   const std::string on = plate_case + "sensors: [{name: a, at: [300 mm, 201 mm, 0]}]\n";
   EXPECT_TRUE(doubts_of(on).empty());
-  expect_doubt(with(on, "201 mm", "204 mm"), "sensor a sits 4 mm from its place");
+  expect_doubt(with(on, "201 mm", "204 mm"), "sensor a is 3 mm off the part");
 }
 
 TEST(Doubts, name_materials_that_no_part_uses) {

@@ -141,9 +141,8 @@ private:
                                     [&](const Sensor& c) { return c.name == s.name; });
       const double off = off_part({own->at[0], own->at[1], own->at[2]});
       if (off > far_from_its_place)
-        add("sensor " + s.name + " sits " + short_text(1e3 * std::min(off, s.distance), 2) +
-            " mm from its place, at the nearest node: is that the place of the sensor, or of the "
-            "part beside it?");
+        add("sensor " + s.name + " is " + short_text(1e3 * off, 2) +
+            " mm off the part, and moves as its nearest node does: is its place meant so?");
     }
   }
 
