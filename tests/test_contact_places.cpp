@@ -1,5 +1,6 @@
 // Where things touch or sit: along pipes and chains, on crowns.
 #include "diagnose/effects/beam_path.hpp"
+#include "io/input/case_file.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/moving_motion.hpp"
 
@@ -66,6 +67,22 @@ ConnectorChain chain_with_arms() {
   chain.mass = 1;
   chain.radius = 0.05;
   return chain;
+}
+
+// Of 27 convolutions a dent is in one that is looked at, or in the next.
+TEST(ContactPlaces, a_dent_is_never_farther_than_the_next_convolution) {
+  const Case data = read_case(PLICA_SOURCE_DIR "/cases/bellow_a2/bellow_a2.yaml", "one_wall").data;
+  const BuiltCase built = build(data);
+  const Measured m;
+  std::set<int> looked_at;
+  const std::string head = "bellows.convolution[";
+  for (const Hypothesis& h :
+       local_damage().hypotheses({.data = data, .built = built, .measured = m}))
+    if (h.place.starts_with(head)) looked_at.insert(std::stoi(h.place.substr(head.size())));
+  ASSERT_FALSE(looked_at.empty());
+  for (int k = 1; k <= 27; ++k)
+    EXPECT_TRUE(looked_at.contains(k) || looked_at.contains(k - 1) || looked_at.contains(k + 1))
+        << k;
 }
 
 // A mesh that moves along z as the cubic w(y), sections turning with it, does so anywhere: exactly,

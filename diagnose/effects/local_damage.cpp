@@ -164,7 +164,7 @@ std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
   for (const WallElements& wall : walls(s))
-    for (int k : stations_of(wall.convolutions))
+    for (int k : stations_of(wall.convolutions, local_stations))
       for (int i = 0; i < directions; ++i) {
         const double angle = std::numbers::pi * i / directions;
         const std::string way = fmt::format("{:g} degrees", 180. * i / directions);

@@ -104,7 +104,7 @@ std::vector<Spot> spots(const Structure& s) {
 }
 
 std::vector<Spot> contact_spots(const Structure& s) {
-  return spots_of(s, 16, true);
+  return spots_of(s, local_stations, true);
 }
 
 bool is_told_of_sensor(const Structure& s, const Spot& spot) {

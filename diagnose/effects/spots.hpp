@@ -6,12 +6,15 @@
 
 namespace plica {
 
+// Of what acts at one place: of up to 32 crowns or convolutions each is looked at or lies next to
+// one that is.
+inline constexpr int local_stations = 16;
 // Numbers of 1..count that are looked at: all, or eight evenly spread, and up to `most` between.
 std::vector<int> stations_of(int count, int most = 8);
 // Sensors, and up to eight stations along every shell of revolution, pipe, chain and beam.
 std::vector<Spot> spots(const Structure& s);
-// Where something may touch or sit: these, of bellows up to sixteen crowns, so that of up to 32
-// each is looked at or lies next to one that is, and a grid on every plate (plate_spots.hpp).
+// Where something may touch or sit: these, of bellows up to sixteen crowns (local_stations), and a
+// grid on every plate (plate_spots.hpp).
 std::vector<Spot> contact_spots(const Structure& s);
 // Where a sensor sits a mass is told of the sensor; where several do, of each.
 bool is_told_of_sensor(const Structure& s, const Spot& spot);
