@@ -9,6 +9,7 @@
 #include "diagnose/fit_baseline.hpp"
 #include "diagnose/suppose.hpp"
 #include "io/input/measured_file.hpp"
+#include "io/input/measured_states.hpp"
 #include "io/input/supposition_file.hpp"
 #include "io/lab_files/measured_data.hpp"
 #include "io/tables/diagnosis_words.hpp"
@@ -115,6 +116,7 @@ struct Asked {
 Asked asked_for(const TestedCase& tested) {
   const CaseFile& file = tested.file;
   Asked a{.file = file, .test_file = required(tested.test, file), .test = {}, .inputs = {}};
+  check_states_of_diagnosis(a.test_file);
   resolve_states(a.test_file, file);
   a.test.data = a.test_file.data;
   a.test.responses = load_each_frf(a.test.data, a.test_file.path.parent_path());

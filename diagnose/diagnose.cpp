@@ -151,8 +151,15 @@ private:
     return judgement;
   }
 
-  // What would tell apart what the test leaves open: the nominal case, sets of effects, their
-  // numbers. Of an answer that lists several, these.
+  // Of one of several that an answer lists: of effect and place; of sets each alike.
+  static double probability_in(const Judgement& answer, const JudgedFit& one) {
+    if (answer.names_sets()) return 1 / double(answer.named.size());
+    const Hypothesis& h = *one.fit.together.front();
+    return answer.probability_of(h.effect) * answer.share_of(h.effect, h.place);
+  }
+
+  // What would tell apart what an answer lists; else what the test leaves open: the nominal case,
+  // sets of effects, their numbers.
   std::vector<ProposedMeasurement> next_after(const Findings& found,
                                               const OfferedReadings& menu) const {
     constexpr std::size_t most = 5;
@@ -168,15 +175,13 @@ private:
       const int count = j.fit.together.size() > 2 ? 6 : 12; // every subset of a draw is solved
       rivals.back().draws = share_draws(found.context, found.nominal.fit, j.fit, count);
     };
-    if (found.nominal.adequate) add(found.nominal, found.inclusion.none());
-    const std::vector<const JudgedFit*>& listed = found.judgement.named;
-    if (found.judgement.verdict == Verdict::ambiguous && listed.size() > 1) {
-      double best = -1e300;
-      for (const JudgedFit* j : listed) best = std::max(best, evidence_of(j->fit));
-      for (const JudgedFit* j : listed) add(*j, std::exp(evidence_of(j->fit) - best));
-    } else {
-      for (const auto& [fit, probability] : found.inclusion.first(most)) add(*fit, probability);
+    const Judgement& answer = found.judgement;
+    if (answer.verdict == Verdict::ambiguous && answer.named.size() > 1) {
+      for (const JudgedFit* j : answer.named) add(*j, probability_in(answer, *j));
+      return next_measurements(problem_.nominal, menu, rivals, problem_.predictors->models());
     }
+    if (found.nominal.adequate) add(found.nominal, found.inclusion.none());
+    for (const auto& [fit, probability] : found.inclusion.first(most)) add(*fit, probability);
     return next_measurements(problem_.nominal, menu, rivals, problem_.predictors->models());
   }
 

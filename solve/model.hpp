@@ -78,9 +78,9 @@ struct ConstraintTerm {
 struct Constraint {
   int node = 0, dof = 0;
   std::vector<ConstraintTerm> terms;
-  std::string origin;   // who asked for it, for messages: "spider of cap left"
-  std::string key = {}; // where a case asks for it: "caps.left.of"
-  bool of_deck = false; // a deck says it
+  std::string origin;         // who asked for it, for messages: "spider of cap left"
+  std::string key = {};       // where a case asks for it: "caps.left.of"
+  bool supports_deck = false; // a deck holds its DOF
 };
 
 // What a model at a state was at rest, node by node. Everything else of that model is as it is now:

@@ -138,16 +138,15 @@ TEST(ContactPlaces, a_beam_with_nodes_off_its_even_steps_has_a_path_and_its_stre
   EXPECT_EQ(changed, (std::vector<std::size_t>{7, 6}));
 }
 
-// Of 16 crowns all, of 27 each or the next one; damage is looked for at eight of them.
+// Of 16 crowns all, of 27 each or the next one.
 TEST(ContactPlaces, every_convolution_lies_at_or_beside_a_place) {
   EXPECT_EQ(stations_of(16, 16).size(), 16U);
   for (int count : {17, 27, 32}) {
-    const std::vector<int> chosen = stations_of(count, 16), damaged = stations_of(count);
+    const std::vector<int> chosen = stations_of(count, 16);
     EXPECT_EQ(chosen.size(), 16U);
     const std::set<int> all(chosen.begin(), chosen.end());
     EXPECT_EQ(all.size(), 16U);
     EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.end()));
-    EXPECT_TRUE(std::includes(chosen.begin(), chosen.end(), damaged.begin(), damaged.end()));
     for (int k = 1; k <= count; ++k)
       EXPECT_TRUE(all.contains(k - 1) || all.contains(k) || all.contains(k + 1)) << k;
   }

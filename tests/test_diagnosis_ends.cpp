@@ -5,6 +5,7 @@
 #include "diagnose/weigh/damping_weights.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "diagnose/weigh/uncertainty.hpp"
+#include "run/results/normal_distribution.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/tube_case.hpp"
 #include "words/directions.hpp"
@@ -173,7 +174,8 @@ TEST(HeldEnds, a_tolerance_of_damping_is_how_far_all_damping_scatters) {
   const double modal = data.analyses.damping.modal;
   EXPECT_EQ(scatters::all_damping_of(data), 0.08);
   data.tolerances.push_back({"analyses.damping.modal", modal, 0.8 * modal, 1.2 * modal, false});
-  EXPECT_NEAR(scatters::all_damping_of(data), std::log(1.18 / 0.82) / (2 * 1.645), 1e-9);
+  EXPECT_NEAR(scatters::all_damping_of(data), std::log(1.18 / 0.82) / (2 * normal_quantile(0.95)),
+              1e-9);
   DiagnosisSettings settings;
   settings.plan_next = false;
   const Diagnosis d = diagnose(data, sweeps_of(data, 0.012, 0.012), settings);

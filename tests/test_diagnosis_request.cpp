@@ -1,6 +1,6 @@
 // What a case says of its diagnosis, and a test of its states.
 #include "diagnose/effects/chosen_effects.hpp"
-#include "io/input/measured_file.hpp"
+#include "io/input/measured_states.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
 #include "tests/changed_beam.hpp"
@@ -93,16 +93,32 @@ TEST(States, a_baseline_has_what_the_others_have) {
   EXPECT_EQ(problems[0].wrong, "no baseline has a transverse mode 2 in z");
 }
 
+// What a diagnosis refuses besides.
+std::vector<InputProblem> problems_of_states(const std::string& text) {
+  const test::TemporaryFolder folder("states");
+  const std::string path = folder.path / "measured.yaml";
+  std::ofstream(path) << text;
+  try {
+    check_states_of_diagnosis(read_measured_file(path));
+  } catch (const InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
 // A damping, a shape or a height that nobody measured before the change would be held against what
 // the case assumes.
 TEST(States, a_baseline_has_each_quantity_that_the_others_have) {
   const std::string mode = "  - {frequency: 10 Hz, shape: transverse, direction: z, state: ";
   const std::string peak =
       "  - {base: y, sensor: a, direction: y, level: [1 m/s2], frequency: [10 Hz], ";
-  const auto problems = problems_of(
-      two_states + "sensors: [{name: a, at: [0, 0, 0]}]\nmodes:\n" + mode + "before}\n" + mode +
-      "after, damping: 1 %,\n     vector: {channels: [a.z], real: [1]}}\npeaks:\n" + peak +
-      "state: before}\n" + peak + "amplitude: [9], state: after}\n");
+  const std::string text = two_states + "sensors: [{name: a, at: [0, 0, 0]}]\nmodes:\n" + mode +
+                           "before}\n" + mode +
+                           "after, damping: 1 %,\n     vector: {channels: [a.z], real: [1]}}\n"
+                           "peaks:\n" +
+                           peak + "state: before}\n" + peak + "amplitude: [9], state: after}\n";
+  EXPECT_TRUE(problems_of(text).empty()) << "a run may be held against it";
+  const auto problems = problems_of_states(text);
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_EQ(problems[0].line, 8);
   EXPECT_EQ(problems[0].key, "modes[1].damping");
@@ -113,16 +129,18 @@ TEST(States, a_baseline_has_each_quantity_that_the_others_have) {
   EXPECT_EQ(problems[2].key, "peaks[1].amplitude");
 }
 
-TEST(States, something_is_measured_in_each_and_a_misspelt_one_is_said_once) {
+TEST(States, something_is_measured_in_each) {
   const std::string mode = "  - {frequency: 10 Hz, shape: transverse, direction: z, state: ";
-  const auto problems = problems_of(two_states + "  - {name: later}\nmodes:\n" + mode +
-                                    "before}\n" + mode + "after}\n" + mode + "lather}\n");
-  ASSERT_EQ(problems.size(), 2U);
+  const std::string text =
+      two_states + "  - {name: later}\nmodes:\n" + mode + "before}\n" + mode + "after}\n";
+  const auto problems = problems_of_states(text);
+  ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].line, 5);
   EXPECT_EQ(problems[0].key, "states[2].name");
   EXPECT_EQ(problems[0].wrong, "nothing was measured in this state");
-  EXPECT_EQ(problems[1].key, "modes[2].state");
-  EXPECT_EQ(problems[1].wrong, "there is no state 'lather'");
+  const auto misspelt = problems_of(text + mode + "lather}\n");
+  ASSERT_EQ(misspelt.size(), 1U) << "nothing follows from it";
+  EXPECT_EQ(misspelt[0].key, "modes[2].state");
 }
 
 // What two modes far apart make as one is neither; what was measured again is one.
@@ -135,9 +153,27 @@ TEST(States, one_order_is_one_mode) {
   EXPECT_EQ(problems[0].line, 4);
   EXPECT_EQ(problems[0].key, "modes[1]") << "it states no order";
   EXPECT_EQ(problems[0].wrong, "is mode 1 at 297.7 Hz, as is the one of the same kind at 80.5 Hz");
+  const std::string again = "  - {frequency: 95 Hz, shape: transverse, direction: z}\n";
+  EXPECT_TRUE(
+      problems_of(first + again + "  - {frequency: 105 Hz, shape: transverse, direction: z}\n")
+          .empty())
+      << "neighbours lie near each other";
   for (const char* fine : {"81 Hz, shape: transverse, direction: z", "297.7 Hz, shape: axial",
                            "297.7 Hz, shape: transverse, direction: x"})
     EXPECT_TRUE(problems_of(first + "  - {frequency: " + fine + "}\n").empty()) << fine;
+}
+
+// As `plica identify` lists modes whose kind its channels do not tell.
+TEST(States, modes_of_no_kind_are_counted_by_frequency) {
+  const test::TemporaryFolder folder("others");
+  const std::string path = folder.path / "measured.yaml";
+  std::ofstream(path) << "specimen: frame\nmodes:\n  - {frequency: 31 Hz, shape: other}\n"
+                         "  - {frequency: 12 Hz, shape: other}\n"
+                         "  - {frequency: 9 Hz, shape: other, base: x}\n";
+  const Measured m = read_measured(path);
+  EXPECT_EQ(m.modes[0].order, 2);
+  EXPECT_EQ(m.modes[1].order, 1);
+  EXPECT_EQ(m.modes[2].order, 1) << "known by its frequency";
 }
 
 // Two modes taken for each other: the second of a kind cannot lie above the third.

@@ -4,7 +4,6 @@
 #include "diagnose/account/gap_problem.hpp"
 #include "diagnose/judge/judge.hpp"
 
-
 namespace plica {
 
 // `without`: guards that were left out.

@@ -139,7 +139,7 @@ std::string outdone_by(const std::vector<EffectFits>& effects, const std::vector
 constexpr const char* edge_words = "nine of ten healthy specimens leave less";
 static_assert(threshold::sure == 0.9 && threshold::most_closed == 0.5, "words here say so");
 
-// Unless there is nothing to withhold.
+// What was objected to what leads, if anything was.
 void withhold(Objection& objection, Judgement& result) {
   result.withheld = std::move(objection.why);
   result.in_turn = objection.in_turn;
@@ -194,6 +194,7 @@ void name_singles(const std::vector<const EffectFits*>& credible,
 // Why effects that are far ahead are not said to explain most, before anybody is asked.
 std::string short_of_most(const JudgedFit& nominal, const JudgedFit& lead) {
   if (lead.absurd) return "only with a value far out of its prior";
+  if (lead.stays_at_priors) return "all its numbers stay at their priors";
   if (lead.too_free()) return "less than three readings for each free parameter";
   if (lead.held_out_shrink && *lead.held_out_shrink < threshold::set_shrink)
     return "held-out readings are hardly better with it";

@@ -4,6 +4,7 @@
 //   adequate    chi2 of all readings, and of their means over the levels, at most that of 99 % of
 //               healthy specimens, no block beyond its 99.95 %; without what the hypothesis is
 //               allowed to be off (evidence.hpp), which carries laws of slip, a gap of 1.5
+//               Nothing is listed whose parameters all stay at their priors
 //   none        the nominal case is adequate and no effect has ln BF above the threshold; or no
 //               effect comes nearer than it, and mounting anew alone may have made the change
 //   several     a set is adequate, with 5 more than the best smaller one, or 7 where a smaller one

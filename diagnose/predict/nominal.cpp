@@ -141,14 +141,17 @@ VectorXd damping_of_springs(const BuiltCase& built, const Model& model, const Ve
   return zeta;
 }
 
-// Where a test sees shapes and the case has no sensor, then what sits beside the part, as sensors
-// without mass.
+// Where a test sees shapes or drives and the case has no sensor, then what sits beside the part, as
+// sensors without mass.
 std::vector<Sensor> stations_of(const Case& data, const Measured& measured) {
   std::set<std::string> seen;
   for (const MeasuredMode& mode : measured.modes)
     if (mode.vector)
       for (const std::string& channel : mode.vector->channels)
         seen.emplace(sensor_of_channel(channel));
+  for (const MeasuredMode& mode : measured.modes) seen.emplace(sensor_of_channel(mode.drive));
+  for (const MeasuredFrf& frf : measured.frf) seen.emplace(sensor_of_channel(frf.force));
+  seen.erase("");
   for (const Sensor& sensor : data.sensors) seen.erase(sensor.name);
   std::vector<Sensor> stations, beside;
   for (const MeasuredSensor& m : measured.sensors)
@@ -199,20 +202,24 @@ std::vector<BuiltSensor> build_with_stations(NominalState& state, const Measured
   return built;
 }
 
-// What was driven has a place on the model.
+// What was driven has a place on the model: a sensor of the case, or one of the test on the part.
 void check_driven_places(const NominalState& state, const Measured& measured) {
   std::vector<std::string> places;
-  for (const BuiltSensor& s : state.built.sensors) places.push_back(s.name);
+  for (const BuiltSensor& s : state.observed) places.push_back(s.name);
+  std::vector<InputProblem> problems;
   const auto check = [&](const std::string& channel, const std::string& key) {
     const std::string sensor(sensor_of_channel(channel));
     if (channel.empty() || state.number_of(sensor) >= 0) return;
-    input_error(key, "the case has no sensor '" + shown(sensor) + "', at which it was driven",
-                places.empty() ? "a sensor of the case there" : suggestion(sensor, places));
+    problems.push_back({"", 0, key,
+                        "it was driven at '" + shown(sensor) +
+                            "', which is no sensor of the case, nor one of the test on the part",
+                        places.empty() ? "a sensor there" : suggestion(sensor, places)});
   };
   for (std::size_t i = 0; i < measured.modes.size(); ++i)
     check(measured.modes[i].drive, entry_name("modes", i) + ".drive");
   for (std::size_t i = 0; i < measured.frf.size(); ++i)
     check(measured.frf[i].force, entry_name("frf", i) + ".force");
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 // The sensors, where one might be put besides, and the stations.

@@ -41,7 +41,7 @@ struct Uncertainty {
   void settle_cross();
 };
 
-// `without`: groups left out, for ablations: "form", "nuisance", "reassembly".
+// `without`: of the guards form, nuisance and reassembly.
 Uncertainty uncertainty_of(const Case& data, const Nominal& nominal, const TestReadings& test,
                            const Measured& measured, const Guards& without,
                            const Remounting& remounting = {});

@@ -275,6 +275,7 @@ MeasuredFile read_measured_file(const std::string& path) {
   FieldReader::read(root, "", data, log);
   check_sensors(data, log);
   check_states(data, log);
+  count_modes_of_no_kind(data, log);
   check_orders(data, log);
   check_baselines(data, log);
   check_modes(data, log);
@@ -355,7 +356,8 @@ void resolve_states(MeasuredFile& file, const CaseFile& asked) {
       const ParsedQuantity parsed =
           number ? parse_quantity(text, number->unit)
                  : ParsedQuantity{.wrong = "the case has no number at '" + shown(where) + "'",
-                                  .allowed = suggestion(where, paths, few)};
+                                  .allowed = paths.empty() ? "the path of a number of the case"
+                                                           : suggestion(where, paths, few)};
       if (!parsed.wrong.empty())
         add(parsed.wrong, parsed.allowed);
       else if (!allows(*number, parsed.value))

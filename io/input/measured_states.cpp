@@ -36,9 +36,6 @@ std::string thing(const MeasuredFrf& f) {
 
 // What of an entry a baseline must have as well: its key and what it is called.
 using Quantities = std::vector<std::pair<const char*, const char*>>;
-template <class Entry> Quantities further_quantities(const Entry&) {
-  return {};
-}
 Quantities further_quantities(const MeasuredMode& m) {
   Quantities all;
   if (m.damping) all.emplace_back("damping", "damping");
@@ -50,6 +47,37 @@ Quantities further_quantities(const MeasuredPeaks& p) {
   if (!p.amplitude.empty()) all.emplace_back("amplitude", "amplitude");
   if (!p.damping.empty()) all.emplace_back("damping", "damping");
   return all;
+}
+
+template <class Entry>
+void check_quantities(const Measured& m, const std::vector<Entry>& entries, const char* list,
+                      ReadLog& log) {
+  std::map<std::string, std::set<std::string>> before; // of a thing its quantities
+  for (const Entry& entry : entries)
+    if (is_baseline(m, entry.state))
+      for (const auto& [key, name] : further_quantities(entry)) before[thing(entry)].insert(key);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (is_baseline(m, entries[i].state)) continue;
+    for (const auto& [key, name] : further_quantities(entries[i]))
+      if (!before[thing(entries[i])].contains(key))
+        log.add(item(list, i) + "." + key,
+                std::string("no baseline has the ") + name + " of the " + thing(entries[i]),
+                "the same measured in a state with baseline: true, or none here");
+  }
+}
+
+// `act` on every entry that has a state, with its key.
+template <class Act> void for_each_entry(const Measured& m, const ReadLog& log, const Act& act) {
+  const auto each = [&](const auto& entries, const char* list) {
+    for (std::size_t i = 0; i < entries.size(); ++i) act(entries[i], item(list, i));
+  };
+  each(m.statics, "static");
+  each(m.stiffness, "stiffness");
+  each(m.modes, "modes");
+  each(m.peaks, "peaks");
+  each(m.frf, "frf");
+  each(m.signals, "signals");
+  for (std::size_t i = 0; i < m.weighings.size(); ++i) act(m.weighings[i], weighing_key(log, i));
 }
 
 std::vector<std::string> names_of(const std::vector<MeasuredState>& states) {
@@ -69,59 +97,32 @@ std::string weighing_key(const ReadLog& log, std::size_t i) {
 }
 
 void check_states(const Measured& m, ReadLog& log) {
-  const std::vector<std::string> names = names_of(m.states);
-  std::set<std::string> used;
-  const auto check_one = [&](const std::string& state, const std::string& entry) {
-    used.insert(state);
-    if (!is_known(names, state))
-      log.add(entry + ".state", "there is no state '" + shown(state) + "'",
-              names.empty() ? "this file has no states" : suggestion(state, names));
-  };
-  const auto check = [&](const auto& entries, const char* list) {
-    for (std::size_t i = 0; i < entries.size(); ++i) check_one(entries[i].state, item(list, i));
-  };
-  check(m.statics, "static");
-  check(m.stiffness, "stiffness");
-  check(m.modes, "modes");
-  check(m.peaks, "peaks");
-  check(m.frf, "frf");
-  check(m.signals, "signals");
-  for (std::size_t i = 0; i < m.weighings.size(); ++i)
-    check_one(m.weighings[i].state, weighing_key(log, i));
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < m.states.size(); ++i) {
     const std::string key = item("states", i) + ".name";
-    if (std::find(names.begin(), names.begin() + std::ptrdiff_t(i), names[i]) !=
-        names.begin() + std::ptrdiff_t(i))
+    if (std::find(names.begin(), names.end(), m.states[i].name) != names.end())
       log.add(key, "the name is used by another state", "names must differ");
-    else if (!used.contains(names[i]))
-      log.add(key, "nothing was measured in this state",
-              "a state that entries name, or no such state");
+    names.push_back(m.states[i].name);
   }
+  for_each_entry(m, log, [&](const auto& entry, const std::string& key) {
+    if (!is_known(names, entry.state))
+      log.add(key + ".state", "there is no state '" + shown(entry.state) + "'",
+              names.empty() ? "this file has no states" : suggestion(entry.state, names));
+  });
 }
 
 void check_baselines(const Measured& m, ReadLog& log) {
   if (!has_baseline(m)) return;
   const std::vector<std::string> names = names_of(m.states);
   const auto check = [&](const auto& entries, const char* list) {
-    std::map<std::string, std::set<std::string>> before; // of a thing its quantities
+    std::set<std::string> before;
     for (const auto& entry : entries)
-      if (is_baseline(m, entry.state)) {
-        std::set<std::string>& known = before[thing(entry)];
-        for (const auto& [key, name] : further_quantities(entry)) known.insert(key);
-      }
+      if (is_baseline(m, entry.state)) before.insert(thing(entry));
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (is_baseline(m, entries[i].state) || !is_known(names, entries[i].state)) continue;
-      const auto known = before.find(thing(entries[i]));
-      if (known == before.end()) {
+      if (!before.contains(thing(entries[i])))
         log.add(item(list, i), "no baseline has a " + thing(entries[i]),
                 "the same measured in a state with baseline: true, or no such entry here");
-        continue;
-      }
-      for (const auto& [key, name] : further_quantities(entries[i]))
-        if (!known->second.contains(key))
-          log.add(item(list, i) + "." + key,
-                  std::string("no baseline has the ") + name + " of the " + thing(entries[i]),
-                  "the same measured in a state with baseline: true, or none here");
     }
   };
   check(m.statics, "static");
@@ -133,6 +134,25 @@ void check_baselines(const Measured& m, ReadLog& log) {
     if (m.weighings[i].state.empty())
       log.add(weighing_key(log, i), "does not say in which state it was weighed",
               "state: one of `states`, as there is a baseline");
+}
+
+void check_states_of_diagnosis(const MeasuredFile& file) {
+  const Measured& m = file.data;
+  ReadLog log{.file = file.path.string()};
+  log.lines = file.lines;
+  std::set<std::string> used;
+  for_each_entry(m, log, [&](const auto& entry, const std::string&) { used.insert(entry.state); });
+  for (std::size_t i = 0; i < m.states.size(); ++i)
+    if (!used.contains(m.states[i].name))
+      log.add(item("states", i) + ".name", "nothing was measured in this state",
+              "a state that entries name, or no such state");
+  if (has_baseline(m)) {
+    check_quantities(m, m.modes, "modes", log);
+    check_quantities(m, m.peaks, "peaks", log);
+  }
+  if (log.problems.empty()) return;
+  sort_by_line(log.problems, log.file);
+  throw InputError(std::move(log.problems));
 }
 
 } // namespace plica

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/input/field_reader.hpp"
+#include "io/input/measured_file.hpp"
 #include "lab/measured/measured.hpp"
 
 #include <string>
@@ -16,5 +17,10 @@ void check_states(const Measured& m, ReadLog& log);
 
 // A change is explained from what was measured before and after it: entries that no baseline has.
 void check_baselines(const Measured& m, ReadLog& log);
+
+// What a diagnosis asks besides, which holds states against each other: that something was measured
+// in each, and in a baseline every quantity that a later state has; else a damping would be held
+// against what the case assumes. Throws InputError with the lines of the file.
+void check_states_of_diagnosis(const MeasuredFile& file);
 
 } // namespace plica

@@ -112,7 +112,8 @@ template <class V> void fields(V& v, MeasuredMode& m) {
   v.choice(m.shape, "shape", named_in_order<MeasuredShape>(measured_shape_names), required_key,
            "kind of motion");
   v.whole(m.order, "order", {.min = 1, .max = 1000},
-          "which mode of that shape in its direction, from the lowest; left out: 1");
+          "which mode of that shape in its direction, from the lowest; left out: 1, and for shape "
+          "other in the order of their frequencies");
   v.choice(m.direction, "direction", named_axes, optional_key, "axis along which the mode moves");
   v.choice(m.base, "base", named_axes, optional_key, "axis along which the table moved");
   v.quantity(m.level, "level", measured_level, "base acceleration");

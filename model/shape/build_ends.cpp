@@ -233,7 +233,8 @@ void place_sensors(Building& b) {
       axis_node = beam_node;
       along = off;
     }
-    if (distance > sensor.reach && along < distance) {
+    const bool has_place = along <= sensor.reach || !sensor.if_there;
+    if (distance > sensor.reach && along < distance && has_place) {
       node = add_node(b.built.model, vector(sensor.at));
       add_kinematic_coupling(b.built.model, axis_node, {node}, all_dofs,
                              "arm of sensor " + sensor.name);

@@ -12,8 +12,7 @@ void refuse_clash(const ConstraintError& error) {
   std::string key, allowed = "every degree of freedom tied or held once";
   for (const Constraint& row : error.rows) {
     if (key.empty()) key = row.key;
-    const bool supports_deck = row.of_deck && row.terms.empty();
-    if (supports_deck)
+    if (row.supports_deck)
       allowed = "held: false at the part of the deck, if the case holds these nodes instead, or "
                 "other nodes";
   }

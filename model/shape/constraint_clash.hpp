@@ -8,7 +8,7 @@ namespace plica {
 // The constraints of a model from this one on are those that a key of the case asks for.
 void asked_at(Model& model, std::size_t first, const std::string& key);
 
-// Throws InputError at the key of a cap, a mass or an interlock that took part, with what to do.
+// Throws InputError at the key of the case that took part, with what to do.
 [[noreturn]] void refuse_clash(const ConstraintError& error);
 
 // eliminate() with errors in these words.

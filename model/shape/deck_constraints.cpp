@@ -33,7 +33,7 @@ public:
   }
 
   void add(const Constraint& row) {
-    Row own{axes_of(row.node).col(row.dof % 3), {}, row.origin};
+    Row own{axes_of(row.node).col(row.dof % 3), {}, row.origin, row.terms.empty()};
     for (const ConstraintTerm& term : row.terms) {
       const Vector3d direction = axes_of(term.node).col(term.dof % 3);
       const double factor = term.factor * std::pow(L_, (row.dof < 3) - (term.dof < 3));
@@ -85,6 +85,7 @@ private:
     Vector3d direction;
     std::map<std::pair<int, int>, double> terms; // by node and DOF
     std::string origin;
+    bool supports = false;
   };
 
   // Of three rows, for the translations or the rotations of a node, what a coupling wants.
@@ -111,7 +112,7 @@ private:
 
   void add_row(int node, int dof, const Row& row) {
     Constraint own{node, dof, {}, row.origin};
-    own.of_deck = true;
+    own.supports_deck = row.supports;
     for (int d = 0; d < 3; ++d)
       if (d != dof % 3 && std::abs(row.direction[d]) > rounding)
         own.terms.push_back({node, dof / 3 * 3 + d, -row.direction[d]});

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -121,28 +120,21 @@ private:
     return std::size_t(model_.shells[std::size_t(shell.section)].component);
   }
 
-  // How far a point is off walls and lines.
-  double off_part(const Eigen::Vector3d& x) const {
-    const WallPoint wall = nearest_on_wall(model_, x);
-    double off = wall.nodes.empty() ? std::numeric_limits<double>::infinity() : off_wall(wall);
-    for (const BeamElement& b : model_.beams) {
-      const Eigen::Vector3d a = model_.mesh.nodes[std::size_t(b.node1)],
-                            along = model_.mesh.nodes[std::size_t(b.node2)] - a;
-      const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0., 1.);
-      off = std::min(off, (x - a - t * along).norm());
-    }
-    return off;
-  }
-
+  // Those that sit on a node of a wall: others are tied to a section, a line or a wall where they
+  // are.
   void sensors() {
+    std::set<int> of_walls;
+    for_each_shell(
+        [&](const auto& shell) { of_walls.insert(shell.nodes.begin(), shell.nodes.end()); });
     for (const BuiltSensor& s : sensors_) {
-      if (s.distance <= far_from_its_place) continue;
+      if (s.distance <= far_from_its_place || !of_walls.contains(s.node)) continue;
       const auto own = std::find_if(case_.sensors.begin(), case_.sensors.end(),
                                     [&](const Sensor& c) { return c.name == s.name; });
-      const double off = off_part({own->at[0], own->at[1], own->at[2]});
+      const double off = off_wall(nearest_on_wall(model_, {own->at[0], own->at[1], own->at[2]}));
       if (off > far_from_its_place)
         add("sensor " + s.name + " is " + short_text(1e3 * off, 2) +
-            " mm off the part, and moves as its nearest node does: is its place meant so?");
+            " mm off the part, and moves as the nearest node of its wall does: is its place meant "
+            "so?");
     }
   }
 
