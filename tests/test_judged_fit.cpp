@@ -1,5 +1,6 @@
 // What a fit is worth beside others, and the rules of numbers below it, on values made up for the
 // purpose.
+#include "tests/gains.hpp"
 #include "tests/made_up_fits.hpp"
 
 #include "diagnose/weigh/nearest_rank.hpp"
@@ -111,6 +112,20 @@ TEST(JudgedFit, a_place_without_a_cause_gives_way_to_a_cause_there_that_closes_h
   EXPECT_EQ(remain("bellows.convolution[1]", 4.5, false), 2u) << "too little";
   EXPECT_EQ(remain("bellows.convolution[1]", 4, true), 2u) << "far out of its prior";
   EXPECT_EQ(remain("pipe", 4, false), 2u) << "elsewhere";
+}
+
+// What no reading speaks of keeps its number, and is no explanation.
+TEST(JudgedFit, stays_at_its_priors_where_nothing_is_known_of_it) {
+  test::Gains gains(8);
+  gains.add("mute", "here", Eigen::VectorXd::Zero(8));
+  gains.add("told", "here", gains.along(0, 3));
+  gains.measure(gains.along(0, 3));
+  const std::vector<JudgedFit> fits =
+      gains.searched({}, [](const SetSearch& search) { return search.fits; });
+  ASSERT_EQ(fits.size(), 2U);
+  EXPECT_TRUE(fits[0].stays_at_priors);
+  EXPECT_FALSE(fits[0].stands());
+  EXPECT_FALSE(fits[1].stays_at_priors);
 }
 
 TEST(WeightedLine, gives_back_a_line_whatever_the_errors) {
