@@ -217,7 +217,12 @@ TEST(DiagnosisRequest, what_drove_the_part_has_a_place_on_it) {
   m.modes = {bending(Axis::z, 1, "", 30)};
   m.modes[0].drive = "far.z";
   m.modes[0].force = 2;
-  EXPECT_EQ(refusal_of(m), "modes[0].drive: the case has no sensor 'far', at which it was driven");
+  EXPECT_EQ(
+      refusal_of(m),
+      "modes[0].drive: it was driven at 'far', which is no sensor of the case, nor one of the "
+      "test on the part");
+  m.sensors = {{.name = "far", .at = {0, 0.3, 0}}};
+  EXPECT_EQ(refusal_of(m), "") << "the test says where it is";
 }
 
 // A state's number that the case has not: at its line, with what may be meant.
