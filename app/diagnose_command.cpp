@@ -116,7 +116,9 @@ struct Asked {
 Asked asked_for(const TestedCase& tested) {
   const CaseFile& file = tested.file;
   Asked a{.file = file, .test_file = required(tested.test, file), .test = {}, .inputs = {}};
-  check_states_of_diagnosis(a.test_file);
+  check_states_of_diagnosis(
+      a.test_file.data,
+      {.file = a.test_file.path.string(), .problems = {}, .lines = a.test_file.lines});
   resolve_states(a.test_file, file);
   a.test.data = a.test_file.data;
   a.test.responses = load_each_frf(a.test.data, a.test_file.path.parent_path());

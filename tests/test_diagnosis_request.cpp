@@ -1,5 +1,6 @@
 // What a case says of its diagnosis, and a test of its states.
 #include "diagnose/effects/chosen_effects.hpp"
+#include "io/input/measured_file.hpp"
 #include "io/input/measured_states.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
@@ -99,7 +100,8 @@ std::vector<InputProblem> problems_of_states(const std::string& text) {
   const std::string path = folder.path / "measured.yaml";
   std::ofstream(path) << text;
   try {
-    check_states_of_diagnosis(read_measured_file(path));
+    const MeasuredFile file = read_measured_file(path);
+    check_states_of_diagnosis(file.data, {.file = path, .problems = {}, .lines = file.lines});
   } catch (const InputError& error) {
     return error.problems();
   }

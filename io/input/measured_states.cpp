@@ -136,10 +136,7 @@ void check_baselines(const Measured& m, ReadLog& log) {
               "state: one of `states`, as there is a baseline");
 }
 
-void check_states_of_diagnosis(const MeasuredFile& file) {
-  const Measured& m = file.data;
-  ReadLog log{.file = file.path.string()};
-  log.lines = file.lines;
+void check_states_of_diagnosis(const Measured& m, ReadLog log) {
   std::set<std::string> used;
   for_each_entry(m, log, [&](const auto& entry, const std::string&) { used.insert(entry.state); });
   for (std::size_t i = 0; i < m.states.size(); ++i)

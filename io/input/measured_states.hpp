@@ -2,7 +2,6 @@
 #pragma once
 
 #include "io/input/field_reader.hpp"
-#include "io/input/measured_file.hpp"
 #include "lab/measured/measured.hpp"
 
 #include <string>
@@ -20,7 +19,8 @@ void check_baselines(const Measured& m, ReadLog& log);
 
 // What a diagnosis asks besides, which holds states against each other: that something was measured
 // in each, and in a baseline every quantity that a later state has; else a damping would be held
-// against what the case assumes. Throws InputError with the lines of the file.
-void check_states_of_diagnosis(const MeasuredFile& file);
+// against what the case assumes. `log`: the name of the file and the lines of its keys. Throws
+// InputError.
+void check_states_of_diagnosis(const Measured& m, ReadLog log);
 
 } // namespace plica
