@@ -342,7 +342,8 @@ void resolve_states(MeasuredFile& file, const CaseFile& asked) {
   Measured& measured = file.data;
   constexpr int few = 3; // paths that are told where none is near
   for (std::size_t i = 0; i < measured.states.size(); ++i)
-    for (const auto& [where, text] : measured.states[i].set) {
+    for (const auto& set : measured.states[i].set) {
+      const std::string &where = set.first, &text = set.second;
       const std::string key = item("states", i) + ".set";
       const auto add = [&](const std::string& wrong, const std::string& allowed) {
         for (const std::string& at : {key + "." + where, key})
