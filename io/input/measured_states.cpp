@@ -1,5 +1,6 @@
 #include "io/input/measured_states.hpp"
 
+#include "lab/measured/entry_lists.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/check_log.hpp"
@@ -66,20 +67,6 @@ void check_quantities(const Measured& m, const std::vector<Entry>& entries, cons
   }
 }
 
-// `act` on every entry that has a state, with its key.
-template <class Act> void for_each_entry(const Measured& m, const ReadLog& log, const Act& act) {
-  const auto each = [&](const auto& entries, const char* list) {
-    for (std::size_t i = 0; i < entries.size(); ++i) act(entries[i], item(list, i));
-  };
-  each(m.statics, "static");
-  each(m.stiffness, "stiffness");
-  each(m.modes, "modes");
-  each(m.peaks, "peaks");
-  each(m.frf, "frf");
-  each(m.signals, "signals");
-  for (std::size_t i = 0; i < m.weighings.size(); ++i) act(m.weighings[i], weighing_key(log, i));
-}
-
 std::vector<std::string> names_of(const std::vector<MeasuredState>& states) {
   std::vector<std::string> names;
   for (const MeasuredState& s : states) names.push_back(s.name);
@@ -97,18 +84,21 @@ std::string weighing_key(const ReadLog& log, std::size_t i) {
 }
 
 void check_states(const Measured& m, ReadLog& log) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < m.states.size(); ++i) {
-    const std::string key = item("states", i) + ".name";
-    if (std::find(names.begin(), names.end(), m.states[i].name) != names.end())
-      log.add(key, "the name is used by another state", "names must differ");
-    names.push_back(m.states[i].name);
-  }
-  for_each_entry(m, log, [&](const auto& entry, const std::string& key) {
-    if (!is_known(names, entry.state))
-      log.add(key + ".state", "there is no state '" + shown(entry.state) + "'",
-              names.empty() ? "this file has no states" : suggestion(entry.state, names));
+  const std::vector<std::string> names = names_of(m.states);
+  for (auto own = names.begin(); own != names.end(); ++own)
+    if (std::find(names.begin(), own, *own) != own)
+      log.add(item("states", std::size_t(own - names.begin())) + ".name",
+              "the name is used by another state", "names must differ");
+  const auto check = [&](const std::string& state, const std::string& key) {
+    if (!is_known(names, state))
+      log.add(key + ".state", "there is no state '" + shown(state) + "'",
+              names.empty() ? "this file has no states" : suggestion(state, names));
+  };
+  for_each_list(m, [&](const auto& entries, const char* list) {
+    for (std::size_t i = 0; i < entries.size(); ++i) check(entries[i].state, item(list, i));
   });
+  for (std::size_t i = 0; i < m.weighings.size(); ++i)
+    check(m.weighings[i].state, weighing_key(log, i));
 }
 
 void check_baselines(const Measured& m, ReadLog& log) {
@@ -137,8 +127,7 @@ void check_baselines(const Measured& m, ReadLog& log) {
 }
 
 void check_states_of_diagnosis(const Measured& m, ReadLog log) {
-  std::set<std::string> used;
-  for_each_entry(m, log, [&](const auto& entry, const std::string&) { used.insert(entry.state); });
+  const std::set<std::string> used = states_in_use(m);
   for (std::size_t i = 0; i < m.states.size(); ++i)
     if (!used.contains(m.states[i].name))
       log.add(item("states", i) + ".name", "nothing was measured in this state",

@@ -1,6 +1,7 @@
 #include "lab/identification/identified_measured.hpp"
 
 #include "lab/measured/entries.hpp"
+#include "lab/measured/entry_lists.hpp"
 #include "words/directions.hpp"
 
 #include <algorithm>
@@ -65,20 +66,6 @@ MeasuredMode entry_of(const IdentifiedRun& run, const IdentifiedMode& m, const M
   return mode;
 }
 
-// Nothing was found in their responses.
-void leave_out_unused_states(Measured& m) {
-  std::set<std::string> used;
-  const auto use = [&](const auto& entries) {
-    for (const auto& entry : entries) used.insert(entry.state);
-  };
-  use(m.weighings);
-  use(m.statics);
-  use(m.stiffness);
-  use(m.modes);
-  use(m.peaks);
-  std::erase_if(m.states, [&](const MeasuredState& s) { return !used.contains(s.name); });
-}
-
 } // namespace
 
 KindOfShape kind_of(const Eigen::VectorXcd& shape, const std::vector<std::string>& channels,
@@ -120,7 +107,10 @@ Measured identified_measured(const Measured& test, const std::vector<IdentifiedR
       result.modes.push_back(std::move(mode));
     }
   }
-  leave_out_unused_states(result);
+  // In the responses of others nothing was found.
+  std::erase_if(result.states, [used = states_in_use(result)](const MeasuredState& s) {
+    return !used.contains(s.name);
+  });
   const auto stays = [&](const char* list, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) renamed[entry_name(list, i)] = entry_name(list, i);
   };

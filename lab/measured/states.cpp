@@ -1,6 +1,7 @@
 #include "lab/measured/states.hpp"
 
 #include "lab/measured/entries.hpp"
+#include "lab/measured/entry_lists.hpp"
 
 #include <algorithm>
 #include <map>
@@ -36,7 +37,7 @@ Measured measured_in(const Measured& measured,
   for (std::size_t i = 0; i < measured.weighings.size(); ++i)
     if (kept(measured.weighings[i].state))
       renamed[weighing_name(measured, i)] = weighing_name(result, weighing++);
-  const auto keep = [&](auto& entries, const char* list) {
+  for_each_list(result, [&](auto& entries, const char* list) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (!kept(entries[i].state)) continue;
@@ -45,13 +46,7 @@ Measured measured_in(const Measured& measured,
       ++next;
     }
     entries.resize(next);
-  };
-  keep(result.statics, "static");
-  keep(result.stiffness, "stiffness");
-  keep(result.modes, "modes");
-  keep(result.peaks, "peaks");
-  keep(result.frf, "frf");
-  keep(result.signals, "signals");
+  });
   std::erase_if(result.states, [&](const MeasuredState& s) { return !kept(s.name); });
   result.hold_out = renamed_paths(result.hold_out, renamed);
   return result;
