@@ -66,7 +66,7 @@ std::string facts(const Diagnosis& d) {
     add("no effect here",
         fmt::format("a mass on a spring of its own, at {}: {}; it leaves a gap of {}",
                     html_escape(d.resonator->found.place),
-                    html_escape(values_words(d.resonator->found, html_number)),
+                    values_words(d.resonator->found, html_number),
                     html_fixed(d.resonator->gap_after, 2)));
   const TriedHypothesis* best = best_hypothesis(d);
   if (d.effects.empty() && best)

@@ -39,7 +39,7 @@ std::string bar_svg(const LevelBar& bar) {
 }
 
 std::string estimate_html(const EstimatedParameter& p) {
-  return html_escape(estimate_words(p, html_number));
+  return estimate_words(p, html_number);
 }
 
 std::string percent_range(const std::array<double, 2>& share) {
