@@ -297,6 +297,9 @@ TEST(DiagnosisReport, shows_what_is_no_effect_here_above_all_else_and_on_the_par
                {"a mass on a spring of its own, at bellows.convolution[5]: mass 10.2 (9.80 to "
                 "10.6) g, frequency 1450 (1440 to 1461) Hz; it leaves a gap of 1.25",
                 ">on a spring<"});
+  d.resonator->found.parameters.push_back({"small", "", 2.5e-6, {2e-6, 3e-6}, 0});
+  EXPECT_EQ(diagnosis_html(d, "Pipe").find("&lt;sup"), std::string::npos)
+      << "powers of ten are raised";
 }
 
 TEST(DiagnosisJson, has_what_is_no_effect_here_apart_from_effects) {
