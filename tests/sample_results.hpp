@@ -152,7 +152,7 @@ inline Results sample(int convolutions = 3, int per = 8, int around = 24) {
   for (const Ring& ring : r.mesh.rings) r.meridian.push_back({ring.y, ring.radius});
   r.responses = {sample_response()};
   const Eigen::VectorXd stress = Eigen::VectorXd::LinSpaced(r.model.nodes, 0, 1e8);
-  r.stresses = {{.kind = "static",
+  r.stresses = {{.kind = StressKind::statics,
                  .name = "1 mm <axial>",
                  .largest = 1e8,
                  .at = {0.01, 0.02, 0.03},

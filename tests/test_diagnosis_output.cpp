@@ -63,13 +63,14 @@ void add_what_is_left(Ledger& ledger) {
   for (const LedgerRow& row : ledger.rows) left -= row.share;
   ledger.explained = 1 - left;
   ledger.explained_interval = {0.8, 0.96};
-  for (const char* kind : {"measurement", "mounting", "model"})
+  for (const Remainder kind : {Remainder::measurement, Remainder::mounting, Remainder::model})
     ledger.rows.push_back({.left = kind, .share = 0.01, .interval = {0, 0.02}});
-  ledger.rows.push_back({.left = "unexplained", .share = left - 0.03, .interval = {0.01, 0.1}});
+  ledger.rows.push_back(
+      {.left = Remainder::unexplained, .share = left - 0.03, .interval = {0.01, 0.1}});
   ledger.left_in = {{"frequency in y, peak 1", 0.05}, {"mass", 0.03}, {"damping in y", -0.01}};
 }
 
-LocatedGap block(const std::string& kind, const std::string& direction, double z) {
+LocatedGap block(GapKind kind, const std::string& direction, double z) {
   LocatedGap gap;
   gap.kind = kind;
   gap.direction = direction;
@@ -102,8 +103,9 @@ Diagnosis made_up_diagnosis(Verdict verdict, const std::vector<LedgerRow>& cause
   d.ledger.readings = 6;
   d.ledger.rows = causes;
   add_what_is_left(d.ledger);
-  d.where = {block("stiffness", "y", -7.1), block("frequency", "y", -6.6),
-             block("frequency", "x", -6.3), component("bellows", 9.4), component("interlock", 5.9)};
+  d.where = {block(GapKind::stiffness, "y", -7.1), block(GapKind::frequency, "y", -6.6),
+             block(GapKind::frequency, "x", -6.3), component("bellows", 9.4),
+             component("interlock", 5.9)};
   d.gap = {.before = 3.95, .after = 0.327, .interval = {0.58, 0.95}, .readings = 6};
   d.held_out = GapShrink{.before = 2.28, .after = 0.434, .interval = {0.7, 0.9}, .readings = 6};
   d.held_out_how = "each reading in turn";

@@ -44,10 +44,10 @@ double sum_of(const Ledger& ledger) {
                          [](double sum, const LedgerRow& row) { return sum + row.share; });
 }
 
-const LedgerRow& left(const Ledger& ledger, const std::string& what) {
+const LedgerRow& left(const Ledger& ledger, Remainder what) {
   for (const LedgerRow& row : ledger.rows)
     if (row.left == what) return row;
-  throw std::out_of_range(what);
+  throw std::out_of_range(word_of(what));
 }
 
 // Of the readings that are left, all together leave what no effect explains.
@@ -63,7 +63,7 @@ void expect_sound(const Ledger& ledger) {
     EXPECT_LE(row.interval[0], row.share);
     EXPECT_GE(row.interval[1], row.share);
     for (double end : row.interval) EXPECT_NEAR(100 * end, std::round(100 * end), 1e-9);
-    EXPECT_TRUE(row.effects.empty() != row.left.empty());
+    EXPECT_TRUE(row.effects.empty() == row.left.has_value());
   }
 }
 
@@ -73,7 +73,8 @@ TEST(Ledger, of_a_healthy_specimen_holds_what_is_left_alone) {
   ASSERT_EQ(d.ledger.rows.size(), 4u);
   expect_sound(d.ledger);
   EXPECT_LT(d.ledger.gap, 1);
-  EXPECT_NEAR(left(d.ledger, "unexplained").share, 0, 1e-12) << "less is left than expected";
+  EXPECT_NEAR(left(d.ledger, Remainder::unexplained).share, 0, 1e-12)
+      << "less is left than expected";
 }
 
 TEST(Ledger, gives_nearly_all_to_the_one_effect_there_is) {
@@ -97,7 +98,7 @@ TEST(Ledger, gives_what_is_not_settled_no_more_than_its_odds) {
   const Diagnosis d = changed_beam::diagnosis_of(cantilever(), m);
   ASSERT_EQ(d.verdict, Verdict::unknown) << d.headline;
   expect_sound(d.ledger);
-  const LedgerRow& unexplained = left(d.ledger, "unexplained");
+  const LedgerRow& unexplained = left(d.ledger, Remainder::unexplained);
   EXPECT_GT(unexplained.share, 0.5);
   EXPECT_GT(unexplained.interval[1], 0.95);
   for (const LedgerRow& row : d.ledger.rows) {

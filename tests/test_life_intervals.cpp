@@ -230,7 +230,7 @@ double moment(double n) {
 
 const StressResult& rms_of(const Results& r) {
   for (const StressResult& s : r.stresses)
-    if (s.kind == "rms") return s;
+    if (s.kind == StressKind::rms) return s;
   throw std::runtime_error("no random stress");
 }
 

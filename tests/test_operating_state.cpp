@@ -54,7 +54,7 @@ const EndReaction& reaction(const Results& results, const std::string& cap) {
 }
 
 // A limit of pressure beside the state, Pa; 0: none of this kind.
-double pressure_limit(const Results& results, const std::string& kind) {
+double pressure_limit(const Results& results, SquirmKind kind) {
   for (const SquirmResult& squirm : results.state->squirm)
     if (squirm.kind == kind) return squirm.limit;
   return 0;
@@ -166,8 +166,9 @@ TEST(OperatingState, ColumnSquirm) {
   compare("bellows A, both ends clamped", "column squirm", results.state->buckling[0].factor * 1e6,
           4 * M_PI * M_PI * 1.5367 / (span * span) / area, 0.05);
   EXPECT_GT(results.state->buckling[0].sideways, 0.3);
-  EXPECT_EQ(pressure_limit(results, "elastic column"), results.state->buckling[0].factor * 1e6);
-  EXPECT_EQ(pressure_limit(results, "elastic in plane"), 0);
+  EXPECT_EQ(pressure_limit(results, SquirmKind::elastic_column),
+            results.state->buckling[0].factor * 1e6);
+  EXPECT_EQ(pressure_limit(results, SquirmKind::elastic_in_plane), 0);
 }
 
 // Beyond squirm the state is one of balance all round, and the part falls aside from it: what was
@@ -206,13 +207,13 @@ TEST(OperatingState, InPlaneSquirm) {
     return run_silently(data);
   };
   const Results results = squirming(40, 3);
-  const double limit = pressure_limit(results, "elastic in plane");
+  const double limit = pressure_limit(results, SquirmKind::elastic_in_plane);
   const double area = M_PI * 0.0305 * 0.0305, span = 0.018;
   EXPECT_GT(limit, 0);
   EXPECT_LT(limit, 4 * M_PI * M_PI * 1.5367 / (span * span) / area);
-  EXPECT_LT(limit, pressure_limit(results, "elastic column"));
-  EXPECT_GT(limit, 10 * pressure_limit(results, "in plane"));
-  EXPECT_NEAR(pressure_limit(squirming(48, 4), "elastic in plane") / limit, 1, 0.02);
+  EXPECT_LT(limit, pressure_limit(results, SquirmKind::elastic_column));
+  EXPECT_GT(limit, 10 * pressure_limit(results, SquirmKind::in_plane));
+  EXPECT_NEAR(pressure_limit(squirming(48, 4), SquirmKind::elastic_in_plane) / limit, 1, 0.02);
 }
 
 // Stretched and under pressure: by symmetry and on the full mesh the same.
@@ -334,9 +335,9 @@ TEST(OperatingState, SquirmBesideEjma) {
   const EjmaBellows ejma =
       std::get<EjmaBellows>(ejma_bellows(bellows, data.materials.at(bellows.material)));
   const EjmaFactors factors = ejma_factors(ejma);
-  EXPECT_EQ(results.state->squirm[0].kind, "column");
+  EXPECT_EQ(results.state->squirm[0].kind, SquirmKind::column);
   EXPECT_NEAR(results.state->squirm[0].factor, ejma_column_squirm(ejma, factors) / 1e5, 1e-9);
-  EXPECT_EQ(results.state->squirm[1].kind, "in plane");
+  EXPECT_EQ(results.state->squirm[1].kind, SquirmKind::in_plane);
   EXPECT_NEAR(results.state->squirm[1].limit, ejma_in_plane_squirm(ejma, factors, 400e6), 1e-3);
 }
 

@@ -69,7 +69,8 @@ TEST(Reasons, name_the_members_that_close_less_than_a_tenth) {
   fit.together = {&mass, &gain};
   const auto of = [&](double first, double second) {
     Ledger ledger;
-    ledger.rows = {{.share = first}, {.share = second}, {.left = "unexplained", .share = 0.1}};
+    ledger.rows = {
+        {.share = first}, {.share = second}, {.left = Remainder::unexplained, .share = 0.1}};
     return members_of_little(ledger, fit);
   };
   EXPECT_EQ(of(0.8, 0.1).why, "");

@@ -144,18 +144,20 @@ TEST(StressAnalysis, of_static_modal_harmonic_and_random_load_are_one_linear_fie
   data.analyses.response->random.emplace().table = {{0.9 * f, 1e-6}, {1.1 * f, 1e-6}};
   data.analyses.stress = Stress{.frequencies = {0.01, f}};
   const Results results = run_silently(data);
-  std::map<std::string, std::vector<StressResult>> by_kind;
+  std::map<StressKind, std::vector<StressResult>> by_kind;
   for (const StressResult& s : results.stresses) by_kind[s.kind].push_back(s);
-  ASSERT_EQ(by_kind["static"].size(), 3u);
-  ASSERT_EQ(by_kind["harmonic"].size(), 2u);
-  ASSERT_EQ(by_kind["rms"].size(), 1u);
-  EXPECT_NEAR(by_kind["static"][1].largest / by_kind["static"][2].largest, 1, 1e-6)
+  ASSERT_EQ(by_kind[StressKind::statics].size(), 3u);
+  ASSERT_EQ(by_kind[StressKind::harmonic].size(), 2u);
+  ASSERT_EQ(by_kind[StressKind::rms].size(), 1u);
+  EXPECT_NEAR(by_kind[StressKind::statics][1].largest / by_kind[StressKind::statics][2].largest, 1,
+              1e-6)
       << "x and z of a body of revolution";
   // At the resonance 25 times the quasi-static stress, less what the other modes give.
-  const double ratio = by_kind["harmonic"][1].largest / by_kind["harmonic"][0].largest;
+  const double ratio =
+      by_kind[StressKind::harmonic][1].largest / by_kind[StressKind::harmonic][0].largest;
   EXPECT_GT(ratio, 15);
   EXPECT_LT(ratio, 30);
-  EXPECT_GT(by_kind["rms"][0].largest, 0);
+  EXPECT_GT(by_kind[StressKind::rms][0].largest, 0);
   for (const StressResult& s : results.stresses)
     EXPECT_EQ(std::max(s.below.maxCoeff(), s.above.maxCoeff()), s.largest) << s.name;
 }

@@ -202,7 +202,7 @@ TEST(TakeOver, takes_one_of_the_sets_that_explain_a_test_alike) {
   d.effects = {heavier("m1"), heavier("m2"), heavier("m3")};
   d.ledger.rows = {{.effects = {d.effects[0], d.effects[2]}},
                    {.effects = {d.effects[1]}},
-                   {.left = "unexplained"}};
+                   {.left = Remainder::unexplained}};
   ExplainedCase explained = explained_case(file, {}, d, {}, testing::TempDir());
   EXPECT_EQ(explained.in.size(), 2u);
   EXPECT_EQ(*number_at(explained.data, "parts.m1.mass"), 0.3);

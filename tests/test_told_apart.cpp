@@ -47,7 +47,7 @@ protected:
   std::string told_apart_by(const std::vector<HypothesisFit>& told) const {
     Ledger ledger;
     ledger.rows = {row_of(told), {}};
-    ledger.rows.back().left = "unexplained";
+    ledger.rows.back().left = Remainder::unexplained;
     EXPECT_EQ(say_what_tells_apart(*problem_, menu(), told, ledger), "");
     EXPECT_EQ(ledger.rows.back().told_apart_by, "");
     return ledger.rows.front().told_apart_by;

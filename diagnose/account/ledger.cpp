@@ -250,10 +250,11 @@ Ledger ledger_of(const FitContext& context, const HypothesisFit& nominal,
     const auto [share, interval] = over(draws, [&](const OneDraw& d) { return d.effects[i]; });
     ledger.rows.push_back({.share = share, .interval = interval});
   }
-  const std::array names{"measurement", "mounting", "model", "unexplained"};
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  constexpr std::array kinds{Remainder::measurement, Remainder::mounting, Remainder::model,
+                             Remainder::unexplained};
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
     const auto [share, interval] = over(draws, [&](const OneDraw& d) { return d.left[Index(k)]; });
-    ledger.rows.push_back({.left = names[k], .share = share, .interval = interval});
+    ledger.rows.push_back({.left = kinds[k], .share = share, .interval = interval});
   }
   std::tie(ledger.explained, ledger.explained_interval) =
       over(draws, [](const OneDraw& d) { return d.effects.sum(); });

@@ -89,13 +89,34 @@ struct EffectNotTried {
   std::string name, needs; // needs: "a bellows"
 };
 
+// What the readings of a block are: one kind of reading, or the energy that a measured shape
+// leaves.
+enum class GapKind {
+  none,
+  mass,
+  stiffness,
+  frequency,
+  damping,
+  amplitude,
+  cross,
+  dynamic_stiffness,
+  loss,
+  shape,
+  residual_energy
+};
+constexpr const char* word_of(GapKind kind) {
+  constexpr std::array words{"",        "mass",      "stiffness",      "frequency",
+                             "damping", "amplitude", "cross",          "dynamic stiffness",
+                             "loss",    "shape",     "residual energy"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
 // One block of readings against admissible specimens.
 struct LocatedGap {
   std::string component; // by hypotheses at that place; else empty and
   std::string direction; // of base, with that of the response where it differs: "y", "x to z"
   std::string band;      // peak and its frequency
-  // mass, stiffness, frequency, damping, amplitude, cross, dynamic stiffness, loss
-  std::string kind;
+  GapKind kind = GapKind::none;
   std::optional<double> level;
   std::string state;
   double z = 0;             // signed: above zero, the test shows more than the model
@@ -133,9 +154,14 @@ struct GapShrink {
 // split by expectation: a part C_k of the covariance leaves trace(W C_k) / n, all of them 1
 // together (less where less is left); the rest is unexplained. Shares sum to 1; one that makes
 // others worse is negative.
+enum class Remainder { measurement, mounting, model, unexplained };
+constexpr const char* word_of(Remainder left) {
+  constexpr std::array words{"measurement", "mounting", "model", "unexplained"};
+  return words.at(static_cast<std::size_t>(left));
+}
 struct LedgerRow {
   std::vector<NamedEffect> effects = {}; // that cannot be told apart; none: what is left
-  std::string left = {};                 // "measurement", "mounting", "model" or "unexplained"
+  std::optional<Remainder> left = {};    // of a row without effects
   double share = 0;
   std::array<double, 2> interval{}; // 90 %
   std::string told_apart_by = {};   // what to measure to tell its effects apart; empty: not known

@@ -24,11 +24,11 @@ std::string row_name(const LocatedGap& b) {
   std::string name = b.direction;
   for (const std::string& part : {b.band, b.state})
     if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
-  return name.empty() ? b.kind : name;
+  return name.empty() ? word_of(b.kind) : name;
 }
 
 // One kind of reading: rows in the order of the test, a column for every level.
-std::string heat_map(const Diagnosis& d, const std::string& kind) {
+std::string heat_map(const Diagnosis& d, GapKind kind) {
   std::vector<LocatedGap> blocks;
   std::vector<std::string> names;
   std::set<double> levels; // 0: not stated
@@ -55,16 +55,21 @@ std::string heat_map(const Diagnosis& d, const std::string& kind) {
     }
     rows.push_back(std::move(row));
   }
-  return "<div><h3>" + html_escape(kind == "cross" ? "motion along other axes" : kind) + "</h3>\n" +
-         html_table("", columns, rows) + "</div>\n";
+  return "<div><h3>" +
+         html_escape(kind == GapKind::cross ? "motion along other axes" : word_of(kind)) +
+         "</h3>\n" + html_table("", columns, rows) + "</div>\n";
+}
+
+bool is_still(GapKind kind) {
+  return kind == GapKind::mass || kind == GapKind::stiffness ||
+         kind == GapKind::dynamic_stiffness || kind == GapKind::loss;
 }
 
 // Mass, stiffness and what a rig reads: no runs, one column.
 std::string still_readings(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   for (const LocatedGap& b : d.where)
-    if (b.component.empty() && (b.kind == "mass" || b.kind == "stiffness" ||
-                                b.kind == "dynamic stiffness" || b.kind == "loss"))
+    if (b.component.empty() && is_still(b.kind))
       rows.push_back({{html_escape(name_of(b)), score(b)}, ""});
   if (rows.empty()) return "";
   return "<div><h3>mass and stiffness</h3>\n" + html_table("", {{"", "", false}, {"z", ""}}, rows) +
@@ -98,7 +103,8 @@ std::string drifts_table(const Diagnosis& d) {
 
 std::string blocks_html(const Diagnosis& d) {
   std::string html = still_readings(d);
-  for (const char* kind : {"frequency", "damping", "amplitude", "cross", "shape"})
+  for (const GapKind kind :
+       {GapKind::frequency, GapKind::damping, GapKind::amplitude, GapKind::cross, GapKind::shape})
     html += heat_map(d, kind);
   if (html.empty()) return "";
   return "<p class=\"note\">Standard scores of the readings against admissible specimens, nominal "

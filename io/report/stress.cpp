@@ -76,7 +76,7 @@ std::string largest_table(const Results& results) {
 }
 
 bool is_shown_by_place(const StressTable& t) {
-  return t.kind != "mode" && !t.rows.empty();
+  return t.kind != StressKind::mode && !t.rows.empty();
 }
 
 // Meridional stress along the wall of what is no mode, folded from the fourth on.
@@ -92,9 +92,10 @@ std::string meridians(const Results& results) {
         {.x = along, .y = 1e-6 * m.inner, .name = "inner face"},
         {.x = along,
          .y = 1e-6 * m.membrane,
-         .name = t.kind == "rms" || t.kind == "harmonic" ? "mean of both" : "membrane",
+         .name = t.kind == StressKind::rms || t.kind == StressKind::harmonic ? "mean of both"
+                                                                             : "membrane",
          .faint = true}};
-    const std::string what = t.kind == "harmonic" ? ", amplitude" : "";
+    const std::string what = t.kind == StressKind::harmonic ? ", amplitude" : "";
     const std::string plot =
         plot_figure({.label = "meridional stress, " + t.name,
                      .abscissa = "length of the meridian of " + m.part + " from its left end, mm",
@@ -145,7 +146,7 @@ std::string duties_table(const Results& results) {
   for (const DutyResult& d : life.duties) {
     const LifeSpot& spot = life.spots[std::size_t(d.spot)];
     rows.push_back(
-        {{html_escape(d.kind + " " + d.name), html_escape(d.what),
+        {{html_escape(word_of(d.kind) + (" " + d.name)), html_escape(d.what),
           html_escape(place_words(results.places[std::size_t(spot.place)], spot.outer)),
           html_number(d.count, 4) + " " + d.unit, number_or_dash(d.range),
           with_dash(duty_mesh_error(results, d)), d.life ? html_escape(life_words(*d.life)) : "–",

@@ -173,7 +173,7 @@ std::string stress_csv(const Results& results) {
             "beam axial [Pa]", "beam x [m]", "beam y [m]", "beam z [m]", "mesh error [Pa]"});
   std::size_t count = 0;
   for (const StressResult& s : results.stresses) {
-    std::vector<std::string> cells{s.kind, s.name, csv_number(s.largest), s.face};
+    std::vector<std::string> cells{word_of(s.kind), s.name, csv_number(s.largest), s.face};
     for (const double x : s.at) cells.push_back(s.face.empty() ? "" : csv_number(x));
     const bool beam = s.largest_beam > 0;
     cells.push_back(beam ? csv_number(s.largest_beam) : "");

@@ -159,7 +159,7 @@ Json json_of(const ResponseResult& r) {
 }
 
 Json json_of(const StressResult& s) {
-  return {{"kind", s.kind},
+  return {{"kind", word_of(s.kind)},
           {"name", s.name},
           {"von_mises", json_number(s.largest)},
           {"at", s.face.empty() ? Json(nullptr) : numbers(s.at)},

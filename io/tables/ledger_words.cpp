@@ -16,12 +16,23 @@ namespace {
 
 constexpr double rounds_to_nothing = 0.005; // of a share in whole percents
 
+const char* words_of(Remainder left) {
+  switch (left) {
+  case Remainder::measurement:
+    return "what measuring leaves open";
+  case Remainder::mounting:
+    return "scatter of mounting anew";
+  case Remainder::model:
+    return "tolerances and error of the model";
+  case Remainder::unexplained:
+    break;
+  }
+  return "not explained";
+}
+
 // A row with its effects as `words` says them.
 std::string row_by(const LedgerRow& row, std::string (*words)(const NamedEffect& e)) {
-  if (row.left == "measurement") return "what measuring leaves open";
-  if (row.left == "mounting") return "scatter of mounting anew";
-  if (row.left == "model") return "tolerances and error of the model";
-  if (row.left == "unexplained") return "not explained";
+  if (row.left) return words_of(*row.left);
   const std::string first = words(row.effects.front());
   if (row.effects.size() == 1) return first;
   if (is_long(row))
@@ -52,14 +63,14 @@ std::string interval_words(const std::array<double, 2>& share) {
 
 // What is left where nothing is known of it is told; small parts of it are not.
 bool is_told(const LedgerRow& row) {
-  return !row.effects.empty() || row.left == "unexplained" ||
+  return !row.effects.empty() || row.left == Remainder::unexplained ||
          std::abs(row.share) >= rounds_to_nothing;
 }
 
 // "; 8 % is not explained"
 std::string rest_words(const Ledger& ledger) {
   for (const LedgerRow& row : ledger.rows)
-    if (row.left == "unexplained")
+    if (row.left == Remainder::unexplained)
       return row.share < rounds_to_nothing
                  ? "; less than 1 % is not explained"
                  : fmt::format("; {:.0f} % is not explained", 100 * row.share);
@@ -141,7 +152,7 @@ std::vector<std::pair<std::string, double>> most_left_in(const Ledger& ledger) {
   constexpr std::size_t most = 4;
   std::vector<std::pair<std::string, double>> readings;
   for (const LedgerRow& row : ledger.rows)
-    if (row.left == "unexplained" && row.share < nothing) return readings;
+    if (row.left == Remainder::unexplained && row.share < nothing) return readings;
   for (const auto& own : ledger.left_in)
     if (own.second >= worth_a_word && readings.size() < most) readings.push_back(own);
   return readings;

@@ -41,7 +41,7 @@ std::string stress_places_csv(const Results& results) {
     for (std::size_t i = 0; i < t.rows.size(); ++i) {
       const PlaceStress& r = t.rows[i];
       const StressPlace& place = results.places[std::size_t(r.place)];
-      std::vector<std::string> cells{t.kind,
+      std::vector<std::string> cells{word_of(t.kind),
                                      t.name,
                                      place.part,
                                      place.name,
@@ -65,7 +65,7 @@ std::string stress_meridian_csv(const Results& results) {
                   "meridional outer [Pa]", "meridional membrane [Pa]"});
   for (const StressTable& t : results.stress_tables)
     for (Eigen::Index i = 0; t.meridian && i < t.meridian->along.size(); ++i)
-      add_line(text, {t.kind, t.name, t.meridian->part, csv_number(t.meridian->along[i]),
+      add_line(text, {word_of(t.kind), t.name, t.meridian->part, csv_number(t.meridian->along[i]),
                       csv_number(t.meridian->inner[i]), csv_number(t.meridian->outer[i]),
                       csv_number(t.meridian->membrane[i])});
   return text;
@@ -138,7 +138,7 @@ std::string life_duties_csv(const Results& results) {
   };
   for (const DutyResult& d : life.duties) {
     const LifeSpot& spot = life.spots[std::size_t(d.spot)];
-    std::vector<std::string> cells{d.kind,
+    std::vector<std::string> cells{word_of(d.kind),
                                    d.name,
                                    d.what,
                                    csv_number(d.count),

@@ -57,7 +57,7 @@ Json random_json(const DutyResult& d) {
 }
 
 Json duty_json(const DutyResult& d) {
-  Json json{{"kind", d.kind},
+  Json json{{"kind", word_of(d.kind)},
             {"name", d.name},
             {"what", d.what},
             {"count", json_number(d.count)},
@@ -94,7 +94,7 @@ Json stress_places_json(const Results& results) {
                                      {"cutoff", json_number(e.cutoff)}};
       }
     }
-    list.push_back({{"kind", t.kind}, {"name", t.name}, {"places", std::move(rows)}});
+    list.push_back({{"kind", word_of(t.kind)}, {"name", t.name}, {"places", std::move(rows)}});
   }
   return list;
 }

@@ -31,7 +31,7 @@ std::string duty_table(const Results& results) {
   TextRows rows{{"", "", "where", "count", "range MPa", "mesh %", "life", "5 to 95 %", "damage"}};
   for (const DutyResult& d : life.duties) {
     const LifeSpot& spot = life.spots[std::size_t(d.spot)];
-    rows.push_back({d.kind + " " + d.name, d.what,
+    rows.push_back({word_of(d.kind) + (" " + d.name), d.what,
                     place_words(results.places[std::size_t(spot.place)], spot.outer),
                     significant(d.count, 4) + " " + d.unit, megapascal(d.range),
                     duty_mesh_error(results, d), d.life ? life_words(*d.life) : "-",

@@ -38,7 +38,7 @@ Json state_json(const StateResult& s) {
                     {"through", json_number(h.through)}});
   for (const SquirmResult& q : s.squirm)
     squirm.push_back({{"bellows", q.bellows},
-                      {"kind", q.kind},
+                      {"kind", word_of(q.kind)},
                       {"limit", json_number(q.limit)},
                       {"factor", json_number(q.factor)}});
   Json json{{"name", s.name},
@@ -139,10 +139,11 @@ std::vector<std::string> buckling_sentences(const StateResult& s) {
                                     "the axis",
                                     significant(b.factor, 4), significant(100 * b.sideways, 2)));
   for (const SquirmResult& q : s.squirm) {
-    const bool elastic = q.kind.starts_with("elastic");
+    const bool elastic = is_elastic(q.kind);
     sentences.push_back(
         fmt::format("{} of {} by {}: {}{} bar, {} times the pressure",
-                    q.kind == "elastic wall" ? "elastic buckling of the wall" : q.kind + " squirm",
+                    q.kind == SquirmKind::elastic_wall ? "elastic buckling of the wall"
+                                                       : word_of(q.kind) + std::string(" squirm"),
                     q.bellows, elastic ? "its shells" : "EJMA", elastic ? "" : "limit ",
                     significant(q.limit / 1e5, 4), significant(q.factor, 4)));
   }

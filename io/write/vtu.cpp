@@ -84,7 +84,7 @@ void add_stresses(vtkUnstructuredGrid& grid, const Results& results) {
     for (const auto& [face, values] :
          {std::pair{"below", &s.below}, std::pair{"above", &s.above}}) {
       vtkNew<vtkDoubleArray> array;
-      array->SetName(fmt::format("{} {}: {}", s.kind, face, s.name).c_str());
+      array->SetName(fmt::format("{} {}: {}", word_of(s.kind), face, s.name).c_str());
       array->SetNumberOfTuples(values->size());
       for (Eigen::Index node = 0; node < values->size(); ++node)
         array->SetValue(node, (*values)[node]);

@@ -71,7 +71,7 @@ Json json_of(const EffectInclusion& e) {
 
 Json json_of(const LedgerRow& row) {
   return {{"what", row_words(row)},
-          {"left", row.left},
+          {"left", row.left ? word_of(*row.left) : ""},
           {"effects", list_of(row.effects, [](const NamedEffect& e) { return named_json(e); })},
           {"share", json_number(row.share)},
           {"interval", interval(row.interval)},
@@ -132,7 +132,7 @@ Json json_of(const LocatedGap& b) {
   if (!b.direction.empty()) json["direction"] = b.direction;
   if (!b.band.empty()) json["band"] = b.band;
   if (b.level) json["level"] = json_number(b.level);
-  json["kind"] = b.kind;
+  json["kind"] = word_of(b.kind);
   if (!b.state.empty()) json["state"] = b.state;
   json["z"] = json_number(b.z);
   json["significant"] = b.significant;
@@ -296,7 +296,7 @@ std::string where_csv(const Diagnosis& d) {
   std::string text = "component,direction,band,level [m/s2],kind,state,z,significant\n";
   for (const LocatedGap& b : d.where)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(b.component), csv_cell(b.direction),
-                        csv_cell(b.band), csv_number(b.level), csv_cell(b.kind), csv_cell(b.state),
+                        csv_cell(b.band), csv_number(b.level), word_of(b.kind), csv_cell(b.state),
                         csv_number(b.z), b.significant ? 1 : 0);
   return text;
 }

@@ -69,8 +69,8 @@ MatrixXd LifeCount::plane_of(const StressField& field) const {
   return plane;
 }
 
-DutyMap LifeCount::new_duty(const std::string& kind, const std::string& name,
-                            const std::string& what, double count, const std::string& unit) const {
+DutyMap LifeCount::new_duty(DutyKind kind, const std::string& name, const std::string& what,
+                            double count, const std::string& unit) const {
   const auto sites = Index(2 * points_.points.size()), columns = directions_.rows();
   DutyMap duty;
   duty.head.kind = kind;
@@ -211,7 +211,7 @@ DutyResult at_its_spot(const DutyMap& duty, std::size_t number, const std::vecto
   head.mean = double(duty.mean(w.site, w.direction));
   head.at_most = duty.bounds(w.site, w.direction) & 1;
   head.at_least = duty.bounds(w.site, w.direction) & 2;
-  if (head.kind == "stroke" || head.kind == "dwell")
+  if (head.kind == DutyKind::stroke || head.kind == DutyKind::dwell)
     head.life = life(curve, {head.range, head.mean});
   if (duty.random) head.random = duty.random(int(w.site), int(w.direction));
   return head;

@@ -53,8 +53,8 @@ public:
 
 private:
   Eigen::MatrixXd plane_of(const StressField& field) const; // of the thickest ply
-  DutyMap new_duty(const std::string& kind, const std::string& name, const std::string& what,
-                   double count, const std::string& unit) const;
+  DutyMap new_duty(DutyKind kind, const std::string& name, const std::string& what, double count,
+                   const std::string& unit) const;
   void add_stroke(const LifeStroke& stroke, const Eigen::MatrixXd& plane, const Eigen::VectorXd& q);
   void add_history(const LifeHistory& history, const std::string& what,
                    const Eigen::MatrixXd& plane, const Eigen::MatrixXd& q);

@@ -163,8 +163,8 @@ void LifeCount::add_random(const LifeRandom& asked, const Excitation& e,
                            const StressCoordinates& coordinates,
                            const std::shared_ptr<const MatrixXd>& plane, const VectorXd& hertz) {
   DutyMap duty =
-      new_duty("random", asked.name, title_of(e) + ", " + method_names[std::size_t(asked.method)],
-               asked.duration, "s");
+      new_duty(DutyKind::random, asked.name,
+               title_of(e) + ", " + method_names[std::size_t(asked.method)], asked.duration, "s");
   const MatrixXcd rows = spectral_rows(e, coordinates, hertz);
   MomentMatrices C;
   for (std::size_t k = 0; k < C.size(); ++k) C[k] = covariance(rows, hertz, moment_orders[k]);
@@ -209,8 +209,8 @@ void LifeCount::add_random(const LifeRandom& asked, const Excitation& e,
 void LifeCount::add_sweep(const LifeSweep& asked, const Excitation& e,
                           const StressCoordinates& coordinates, const MatrixXd& plane,
                           const DampedModes& modes) {
-  DutyMap duty =
-      new_duty("sweep", asked.name, sweep_words(asked, title_of(e), e.unit), asked.count, "sweeps");
+  DutyMap duty = new_duty(DutyKind::sweep, asked.name, sweep_words(asked, title_of(e), e.unit),
+                          asked.count, "sweeps");
   const VectorXd hertz = grid_of(asked.band, modes);
   const MatrixXcd q = amplitude_of(asked.acceleration, asked.force) * coordinates(e.parts, hertz);
   if (const double last = frequency_of(modes, modes.solution.modes - 1); last < asked.band[1])
@@ -261,7 +261,7 @@ void LifeCount::add_dwell(const LifeDwell& asked, const Excitation& e, const std
   require_damping({f, f}, key, modes);
   const double cycles = asked.cycles > 0 ? asked.cycles : asked.duration * f;
   const double amplitude = amplitude_of(asked.acceleration, asked.force);
-  DutyMap duty = new_duty("dwell", asked.name,
+  DutyMap duty = new_duty(DutyKind::dwell, asked.name,
                           title_of(e) + ", " + short_number(amplitude) + " " + e.unit + " at " +
                               short_number(f) + " Hz",
                           cycles, "cycles");

@@ -70,7 +70,7 @@ void LifeCount::add_friction_sweep(const LifeSweep& asked, const BuiltCase& slip
       follow_frequency(part.structure, levels.levels[0], harmonic_settings(levels, levels.method));
   const std::string title = "base " + asked.of;
   DutyMap duty =
-      new_duty("sweep", asked.name,
+      new_duty(DutyKind::sweep, asked.name,
                sweep_words(asked, title, jointed.excitations[0].unit) + ", with friction",
                asked.count, "sweeps");
   if (!branch.complete)

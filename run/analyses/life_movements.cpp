@@ -57,7 +57,7 @@ StaticStress LifeCount::add_movements(const BuiltCase& built, Route& route,
   const StressField field = recover_stress(built.model, route.follow(caps, unit));
   const MatrixXd plane = plane_of(field);
   const Matrix66 motions = end_motions(K);
-  StaticStress strokes{.field = {}, .names = {}, .kind = "stroke"};
+  StaticStress strokes{.field = {}, .names = {}, .kind = StressKind::stroke};
   MatrixXd Q(6, Index(life_.strokes.size()));
   for (const LifeStroke& stroke : life_.strokes) {
     const auto shift = stroke.shift.all();
@@ -82,7 +82,7 @@ StaticStress LifeCount::add_movements(const BuiltCase& built, Route& route,
 }
 
 void LifeCount::add_stroke(const LifeStroke& stroke, const MatrixXd& plane, const VectorXd& q) {
-  DutyMap duty = new_duty("stroke", stroke.name, words_of(stroke.shift, stroke.reversed),
+  DutyMap duty = new_duty(DutyKind::stroke, stroke.name, words_of(stroke.shift, stroke.reversed),
                           stroke.count, "cycles");
   const VectorXd far = plane * q;
   const auto sites = int(duty.damage.rows());
@@ -106,7 +106,7 @@ void LifeCount::add_stroke(const LifeStroke& stroke, const MatrixXd& plane, cons
 
 void LifeCount::add_history(const LifeHistory& history, const std::string& what,
                             const MatrixXd& plane, const MatrixXd& q) {
-  DutyMap duty = new_duty("history", history.name, what, history.repeats, "repeats");
+  DutyMap duty = new_duty(DutyKind::history, history.name, what, history.repeats, "repeats");
   duty.counted = worst_sites(plane, q.transpose() * q / double(q.rows()));
   std::vector<double> cycles(duty.counted.size(), 0);
   const auto counted = int(duty.counted.size());

@@ -136,7 +136,7 @@ MeridianPoints meridian_points(const ShellPoints& points, const Mesh& mesh, cons
   return m;
 }
 
-StressTable stress_table(const ShellPoints& points, const Mesh& mesh, const std::string& kind,
+StressTable stress_table(const ShellPoints& points, const Mesh& mesh, StressKind kind,
                          const std::string& name, const Eigen::Ref<const VectorXd>& plane) {
   const auto at = [&](Index i) { return Vector6(plane.segment<6>(6 * i)); };
   StressTable table{.kind = kind, .name = name, .rows = {}, .meridian = {}};
@@ -165,7 +165,7 @@ StressTable harmonic_table(const ShellPoints& points, const Mesh& mesh, const st
     const double phase = std::atan2(-2 * form(c, d), form(c, c) - form(d, d)) / 2;
     return Vector6((plane.segment<6>(6 * i) * std::polar(1., phase)).real());
   };
-  StressTable table{.kind = "harmonic", .name = name, .rows = {}, .meridian = {}};
+  StressTable table{.kind = StressKind::harmonic, .name = name, .rows = {}, .meridian = {}};
   table.rows = worst_rows(
       points,
       [&](Index i, bool outer) {
@@ -201,7 +201,7 @@ StressTable rms_table(const ShellPoints& points, const Mesh& mesh, const std::st
     const Eigen::Matrix<double, 6, 6> S = covariance(i, 1);
     rms[std::size_t(i)] = {von_mises_of(S, false), von_mises_of(S, true)};
   }
-  StressTable table{.kind = "rms", .name = name, .rows = {}, .meridian = {}};
+  StressTable table{.kind = StressKind::rms, .name = name, .rows = {}, .meridian = {}};
   table.rows = worst_rows(
       points, [&](Index i, bool outer) { return rms[std::size_t(i)][outer]; },
       [&](Index i, bool outer, int ply) {

@@ -15,7 +15,7 @@ MeridianPoints meridian_points(const ShellPoints& points, const Mesh& mesh, cons
                                const std::array<double, 3>& at);
 
 // Of one real load case: `plane` as plane_stress() has it, one column.
-StressTable stress_table(const ShellPoints& points, const Mesh& mesh, const std::string& kind,
+StressTable stress_table(const ShellPoints& points, const Mesh& mesh, StressKind kind,
                          const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& plane);
 
 // Of a harmonic one: at each point the phase where von Mises on that face is largest.

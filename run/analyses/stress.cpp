@@ -17,8 +17,7 @@ int nodes_of(const Mesh& mesh) {
   return static_cast<int>(mesh.nodes.size());
 }
 
-StressResult result(const std::string& kind, const std::string& name, StressPeaks peaks,
-                    const Mesh& mesh) {
+StressResult result(StressKind kind, const std::string& name, StressPeaks peaks, const Mesh& mesh) {
   StressResult r{.kind = kind,
                  .name = name,
                  .largest = peaks.largest,
@@ -58,8 +57,7 @@ public:
   }
 
   // Of one column, times `scale`.
-  void add_column(const std::string& kind, const std::string& name, Eigen::Index column,
-                  double scale) {
+  void add_column(StressKind kind, const std::string& name, Eigen::Index column, double scale) {
     add(result(kind, name,
                stress_peaks(
                    field_, nodes_of(mesh_),
@@ -71,7 +69,7 @@ public:
 
   void add_harmonic(const Excitation& e, double hertz, const VectorXcd& q) {
     const std::string name = name_of(e) + ", " + short_text(hertz, 4) + " Hz";
-    add(result("harmonic", name,
+    add(result(StressKind::harmonic, name,
                stress_peaks(
                    field_, nodes_of(mesh_),
                    [&](const auto& s) { return von_mises_of_cycle(s * q); },
@@ -82,7 +80,7 @@ public:
 
   void add_random(const Excitation& e, const MatrixXd& C) {
     const std::string name = title_of(e) + ", RMS";
-    add(result("rms", name,
+    add(result(StressKind::rms, name,
                stress_peaks(
                    field_, nodes_of(mesh_), [&](const auto& s) { return von_mises_rms(s, C); },
                    [&](const auto& s) { return std::sqrt((s * C * s.transpose()).value()); }),
@@ -111,7 +109,7 @@ std::string mode_stress_name(int mode) {
 
 void add_state_stress(const Case& data, const BuiltCase& built, Results& results) {
   StressLists(data, built, stress_of_state(built.model), results)
-      .add_column("state", "the state", 0, 1);
+      .add_column(StressKind::state, "the state", 0, 1);
 }
 
 void add_static_stresses(StaticStress stress, const Case& data, const BuiltCase& built,
@@ -129,7 +127,7 @@ void add_dynamic_stresses(const Case& data, const BuiltCase& built, const Damped
   StressLists lists(data, built, recover_stress(built.model, coordinates.fields()), results);
   for (Eigen::Index j = 0; j < modes.solution.modes; ++j)
     if (const double largest = largest_displacement(modes.solution.u, j); largest > 0)
-      lists.add_column("mode", mode_stress_name(int(j)), j, 1e-3 / largest);
+      lists.add_column(StressKind::mode, mode_stress_name(int(j)), j, 1e-3 / largest);
   if (!excited || !response) return;
   const VectorXd at =
       VectorXd::Map(asked.frequencies.data(), Eigen::Index(asked.frequencies.size()));

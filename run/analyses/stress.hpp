@@ -10,7 +10,7 @@ namespace plica {
 struct StaticStress {
   StressField field;
   std::vector<std::string> names;
-  std::string kind = "static";
+  StressKind kind = StressKind::statics;
 };
 
 // Name of the stress of mode i, from 0.

@@ -11,6 +11,18 @@
 
 namespace plica {
 
+enum class StressKind { state, statics, stroke, mode, harmonic, rms };
+constexpr const char* word_of(StressKind kind) {
+  constexpr std::array words{"state", "static", "stroke", "mode", "harmonic", "rms"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+enum class DutyKind { stroke, history, random, sweep, dwell };
+constexpr const char* word_of(DutyKind kind) {
+  constexpr std::array words{"stroke", "history", "random", "sweep", "dwell"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
 // "bellows", "root 1"; a part without places inside it has an empty name.
 struct StressPlace {
   std::string part, name;
@@ -41,7 +53,8 @@ struct MeridianStress {
 };
 
 struct StressTable {
-  std::string kind, name; // as in StressResult
+  StressKind kind = StressKind::statics;
+  std::string name; // as in StressResult
   std::vector<PlaceStress> rows;
   std::optional<MeridianStress> meridian;
 };
@@ -55,7 +68,7 @@ struct RandomStress {
 
 // One duty at the place where it does most damage, or, where it does none, stresses most.
 struct DutyResult {
-  std::string kind; // stroke | history | random | sweep | dwell
+  DutyKind kind = DutyKind::stroke;
   std::string name, what;
   double count = 0;
   std::string unit;  // of the count: cycles | repeats | s | sweeps

@@ -181,7 +181,7 @@ Eigen::MatrixXd vector_sum(const ResponseResult& response);
 // Von Mises stress of the shells on both faces and the axial stress of beams, with the places of
 // the largest.
 struct StressResult {
-  std::string kind; // state | static | stroke | mode | harmonic | rms
+  StressKind kind = StressKind::statics;
   std::string name; // what it is the stress of, with its amplitude
   double largest = 0;
   std::array<double, 3> at{}; // m

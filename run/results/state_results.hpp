@@ -25,12 +25,24 @@ struct BucklingResult {
   double sideways = 0; // share of the motion of its nodes that is not along the axis
 };
 
+enum class SquirmKind { column, in_plane, elastic_column, elastic_in_plane, elastic_wall };
+constexpr const char* word_of(SquirmKind kind) {
+  constexpr std::array words{"column", "in plane", "elastic column", "elastic in plane",
+                             "elastic wall"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+// Of the shells that were solved, not of a formula.
+constexpr bool is_elastic(SquirmKind kind) {
+  return kind >= SquirmKind::elastic_column;
+}
+
 // A limit of pressure by EJMA's formulas (model/description/ejma.hpp), or the lowest buckling load
 // of the elastic shells of its kind, as a share of all loads of the state, beside the pressure.
 struct SquirmResult {
-  std::string bellows, kind; // column | in plane | elastic column | elastic in plane | elastic wall
-  double limit = 0;          // Pa, of a formula with the margin that it has
-  double factor = 0;         // limit / pressure
+  std::string bellows;
+  SquirmKind kind = SquirmKind::column;
+  double limit = 0;  // Pa, of a formula with the margin that it has
+  double factor = 0; // limit / pressure
 };
 
 // Heat conducted along the wall of a part.

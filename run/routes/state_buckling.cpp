@@ -105,9 +105,9 @@ std::optional<SquirmResult> elastic_squirm(const Case& data, const Model& model,
     }
   if (!(most.all > 0) || most.uniform > most.all / 2) return std::nullopt;
   constexpr double against = -0.25; // tilts in waves of less than 3.5 convolutions
-  const char* kind = most.once_around < most.all / 2 ? "elastic wall"
-                     : most.agreement > against      ? "elastic column"
-                                                     : "elastic in plane";
+  const SquirmKind kind = most.once_around < most.all / 2 ? SquirmKind::elastic_wall
+                          : most.agreement > against      ? SquirmKind::elastic_column
+                                                          : SquirmKind::elastic_in_plane;
   return SquirmResult{most.bellows, kind, factor * data.state->pressure, factor};
 }
 
@@ -191,13 +191,14 @@ void add_squirm(const Case& data, StateResult& result) {
     const auto formula = ejma_bellows(*bellows, material);
     const auto* ejma = std::get_if<EjmaBellows>(&formula);
     if (!ejma) continue;
-    const auto add = [&](const char* kind, double limit) {
+    const auto add = [&](SquirmKind kind, double limit) {
       result.squirm.push_back({part.name, kind, limit, limit / state.pressure});
     };
     try {
       const EjmaFactors factors = ejma_factors(*ejma);
-      add("column", ejma_column_squirm(*ejma, factors));
-      if (state.yield) add("in plane", ejma_in_plane_squirm(*ejma, factors, *state.yield));
+      add(SquirmKind::column, ejma_column_squirm(*ejma, factors));
+      if (state.yield)
+        add(SquirmKind::in_plane, ejma_in_plane_squirm(*ejma, factors, *state.yield));
     } catch (const std::invalid_argument&) { // outside the range of the coefficients
     }
   }

@@ -69,13 +69,13 @@ FinerRun numbers_of(const Results& fine, const Results& nominal) {
   if (fine.statics) run.statics = fine.statics->all();
   const std::vector<SameMode> same = match_modes(nominal, fine);
   for (const SameMode& m : same) run.modes.push_back(m.index < 0 ? not_known : m.frequency);
-  const auto name_in_fine = [&](const std::string& kind, const std::string& name) -> std::string {
+  const auto name_in_fine = [&](StressKind kind, const std::string& name) -> std::string {
     for (std::size_t i = 0; i < same.size(); ++i) // of a mode by its number, which may be another
-      if (kind == "mode" && name == mode_stress_name(int(i)))
+      if (kind == StressKind::mode && name == mode_stress_name(int(i)))
         return same[i].index < 0 ? "" : mode_stress_name(same[i].index);
     return name;
   };
-  const auto met = [&](const auto& list, const std::string& kind, const std::string& name) {
+  const auto met = [&](const auto& list, StressKind kind, const std::string& name) {
     const std::string there = name_in_fine(kind, name);
     const auto at = std::find_if(list.begin(), list.end(), [&](const auto& item) {
       return item.kind == kind && item.name == there;
