@@ -1,5 +1,6 @@
 #include "compare/fit/friction_responses.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/analyses/levels.hpp"
 #include "run/routes/ply_slip.hpp"
 
@@ -15,14 +16,11 @@ FrictionResponses::FrictionResponses(const Case& data) {
 }
 
 bool FrictionResponses::is_friction(const std::string& path) {
-  // "parts.NAME.friction...", "caps.NAME.friction...", "parts.NAME.wall.slip..."
-  const auto name = path.find('.'), key = path.find('.', name + 1);
-  if (name == std::string::npos || key == std::string::npos) return false;
-  const std::string kind = path.substr(0, name), rest = path.substr(key);
-  if (rest.find(".curve[") != std::string::npos) return false; // its slope is in the model
-  const bool joint =
-      (kind == "parts" || kind == "caps" || kind == "mount") && rest.starts_with(".friction.");
-  return joint || (kind == "parts" && rest.starts_with(".wall.slip.") && rest != ".wall.slip.bond");
+  const auto place = path_in_place(path);
+  if (!place || place->key.find(".curve[") != std::string::npos) return false; // is in the model
+  return place->key.starts_with("friction.") ||
+         (place->kind == PlaceKind::part && place->key.starts_with("wall.slip.") &&
+          place->key != "wall.slip.bond");
 }
 
 std::vector<LevelResponses> FrictionResponses::operator()(const Case& design) const {

@@ -9,6 +9,7 @@
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/states.hpp"
+#include "model/description/place_keys.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
@@ -132,9 +133,9 @@ std::vector<std::string> clamps_that_may_give_way(const GapProblem& p) {
   std::vector<std::string> found;
   for (const std::string& cap : p.nominal.rigid_clamps)
     if (std::any_of(p.hypotheses.begin(), p.hypotheses.end(), [&](const Hypothesis& h) {
-          return h.place == "caps." + cap && h.effect.starts_with("joint_");
+          return h.place == cap_key(cap) && h.effect.starts_with("joint_");
         }))
-      found.push_back("caps." + cap);
+      found.push_back(cap_key(cap));
   return found;
 }
 

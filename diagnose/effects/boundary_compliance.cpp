@@ -1,5 +1,6 @@
 #include "diagnose/effects/on_table.hpp"
 #include "diagnose/effects/places.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,7 @@ void add_rigid_ends(std::vector<Hypothesis>& found, const Structure& s) {
              CaseEdits edits;
              for (const Mount& m : mounts_at(now, place))
                edits.push_back(
-                   {"mount." + m.cap,
+                   {mount_key(m.cap),
                     "{stiffness: " + yaml_of({move, move, move, turn, turn, turn}) + "}"});
              return edits;
            }});
@@ -96,7 +97,7 @@ void add_springs(std::vector<Hypothesis>& found, const Structure& s) {
                  for (const Mount& m : mounts_at(now, place)) {
                    Sextuple k = m.stiffness;
                    for (int i = 0; i < motion.count; ++i) k[std::size_t(motion.first + i)] *= v[0];
-                   edits.push_back({"mount." + m.cap + ".stiffness", yaml_of(k)});
+                   edits.push_back({mount_key(m.cap) + ".stiffness", yaml_of(k)});
                  }
                  return edits;
                }});
@@ -107,11 +108,11 @@ void add_springs(std::vector<Hypothesis>& found, const Structure& s) {
   for (const Mount& m : s.data.mount) {
     const std::vector<int> own = springs_of(s.built.model, m);
     if (!stiff(s.built.model, own, motions[0])) continue;
-    add("mount." + m.cap, own);
+    add(mount_key(m.cap), own);
     all.insert(all.end(), own.begin(), own.end());
     ++mounts;
   }
-  if (mounts > 1) add("mount", all);
+  if (mounts > 1) add(all_mounts, all);
 }
 
 std::vector<Hypothesis> boundary_compliance_hypotheses(const Structure& s) {

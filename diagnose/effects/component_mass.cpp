@@ -1,4 +1,5 @@
 #include "diagnose/effects/places.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 
@@ -37,16 +38,16 @@ void scale_body(CaseEdits& edits, const std::string& path, double mass, Sextuple
 // "caps.left" or the name of a part, with so many times its mass.
 CaseEdits with_mass(const Case& now, const std::string& place, double factor) {
   CaseEdits edits;
-  if (place.starts_with("caps.")) {
-    const Cap& cap = *cap_named(now, place.substr(5));
+  if (is_at_cap(place)) {
+    const Cap& cap = *cap_named(now, cap_of(place));
     scale_body(edits, place, cap.mass, cap.inertia, factor);
     return edits;
   }
   const Part& part = *part_named(now, place);
   if (const auto* body = std::get_if<PointMass>(&part.body))
-    scale_body(edits, "parts." + place, body->mass, body->inertia, factor);
+    scale_body(edits, part_key(place), body->mass, body->inertia, factor);
   if (const auto* liner = std::get_if<Interlock>(&part.body))
-    scale(edits, "parts." + place + ".mass", liner->mass, factor);
+    scale(edits, part_key(place) + ".mass", liner->mass, factor);
   return edits;
 }
 
@@ -70,7 +71,7 @@ std::vector<Hypothesis> component_mass_hypotheses(const Structure& s) {
   constexpr Prior drawn{PriorKind::log_normal, 1, 0.25}, attached{PriorKind::uniform, 0, 2};
   for (const Cap& cap : s.data.caps)
     if (cap.mass > 0)
-      add("caps." + cap.name,
+      add(cap_key(cap.name),
           masses_on(model, {cap_node(s, cap.name)}, [&](double m) { return m == cap.mass; }),
           drawn);
   for (const Part& part : s.data.parts) {

@@ -1,5 +1,6 @@
 #include "diagnose/effects/places.hpp"
 #include "lab/measured/states.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -28,9 +29,9 @@ CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::Ve
     Sextuple own = cap.inertia;
     for (std::size_t i = 0; i < 3; ++i) own[i] += inertia;
     edits.push_back(
-        {"mount." + m.cap, "{stiffness: " + yaml_of({k, k, k, turning, turning, turning}) + "}"});
-    edits.push_back({"caps." + m.cap + ".mass", yaml_of(cap.mass + mass)});
-    edits.push_back({"caps." + m.cap + ".inertia", yaml_of(own)});
+        {mount_key(m.cap), "{stiffness: " + yaml_of({k, k, k, turning, turning, turning}) + "}"});
+    edits.push_back({cap_key(m.cap) + ".mass", yaml_of(cap.mass + mass)});
+    edits.push_back({cap_key(m.cap) + ".inertia", yaml_of(own)});
   }
   return edits;
 }

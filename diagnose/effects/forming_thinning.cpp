@@ -1,5 +1,6 @@
 #include "diagnose/effects/places.hpp"
 #include "lab/measured/states.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <cmath>
 
@@ -34,7 +35,7 @@ std::vector<Hypothesis> forming_thinning_hypotheses(const Structure& s) {
         .coefficients = [coefficients](const Eigen::VectorXd& v) { return coefficients(v[0]); }};
     h.in_case = [part = wall.part](const Case& now, const Eigen::VectorXd& v) -> CaseEdits {
       const Wall& own = std::get<Bellows>(part_named(now, part)->body).wall;
-      const std::string path = "parts." + part + ".wall.";
+      const std::string path = part_key(part) + ".wall.";
       if (own.thinning == Thinning::uniform) return {};
       const double there = own.thinning == Thinning::local ? own.thinning_exponent : 0;
       return {{path + "thinning", "local"}, {path + "thinning_exponent", yaml_of(there + v[0])}};

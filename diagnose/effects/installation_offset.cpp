@@ -1,4 +1,5 @@
 #include "diagnose/effects/in_state.hpp"
+#include "model/description/place_keys.hpp"
 #include "run/routes/route.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +44,7 @@ Hypothesis moved_end(const std::string& cap, std::size_t direction, double stiff
   const auto through = coefficients_through(
       [](double d) { return Eigen::VectorXd(Eigen::Vector2d(d, d * d)); }, {sample / 2, sample});
   return {.effect = "installation_offset",
-          .place = "mount." + cap,
+          .place = mount_key(cap),
           .way = ways[direction],
           .parameters = {{"offset", "m", {PriorKind::normal, 0, sample}}},
           .case_changes = into_states({moved(sample / 2), moved(sample)}),

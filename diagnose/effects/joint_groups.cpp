@@ -1,5 +1,7 @@
 #include "diagnose/effects/joint_groups.hpp"
 
+#include "model/description/place_keys.hpp"
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -57,10 +59,10 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
   }
   for (JointGroup& g : groups) {
     g.mount = std::any_of(s.data.mount.begin(), s.data.mount.end(),
-                          [&](const Mount& m) { return g.place == "mount." + m.cap; });
+                          [&](const Mount& m) { return g.place == mount_key(m.cap); });
     if (!g.mount) g.stiffness /= double(g.bushings.size()); // in series
     g.rigid = std::any_of(s.rigid_clamps.begin(), s.rigid_clamps.end(),
-                          [&](const std::string& cap) { return g.place == "caps." + cap; });
+                          [&](const std::string& cap) { return g.place == cap_key(cap); });
   }
   for (const Part& part : s.data.parts) {
     const auto* liner = std::get_if<Interlock>(&part.body);

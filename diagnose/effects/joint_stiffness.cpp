@@ -1,5 +1,6 @@
 #include "diagnose/effects/joint_size.hpp"
 #include "diagnose/effects/joints_together.hpp"
+#include "model/description/place_keys.hpp"
 
 namespace plica {
 namespace {
@@ -18,8 +19,8 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
   const auto bears = [&](JointDirection own) {
     return motion == JointDirection::all || motion == own;
   };
-  if (place.starts_with("caps.")) {
-    Sextuple k = cap_named(now, place.substr(5))->stiffness.value_or(stand_in.springs);
+  if (is_at_cap(place)) {
+    Sextuple k = cap_named(now, cap_of(place))->stiffness.value_or(stand_in.springs);
     constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
                                 JointDirection::lateral, JointDirection::bending,
                                 JointDirection::torsion, JointDirection::bending};
@@ -29,7 +30,7 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
   }
   const Part* part = part_named(now, place);
   if (!part) return {};
-  const std::string path = "parts." + place + ".";
+  const std::string path = part_key(place) + ".";
   if (const auto* liner = std::get_if<Interlock>(&part->body)) {
     const auto own = [&](double drawn, double BeamProperties::*number) {
       return stand_in.tube ? (*stand_in.tube).*number : drawn;

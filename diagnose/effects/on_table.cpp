@@ -1,5 +1,6 @@
 #include "diagnose/effects/on_table.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
 
@@ -80,14 +81,14 @@ Case clamped_by_mounts(Case data) {
 }
 
 std::string place_of(const Mount& mount) {
-  return mount.cap.starts_with(support_key) ? mount.cap : "mount." + mount.cap;
+  return mount.cap.starts_with(support_key) ? mount.cap : mount_key(mount.cap);
 }
 
 std::vector<int> springs_of(const Model& model, const Mount& mount) {
   std::vector<int> found;
   if (mount.kind != MountKind::springs) return found;
   for (std::size_t i = 0; i < model.bushings.size(); ++i)
-    if (model.components[std::size_t(model.bushings[i].component)] == "mount." + mount.cap)
+    if (model.components[std::size_t(model.bushings[i].component)] == mount_key(mount.cap))
       found.push_back(int(i));
   return found;
 }

@@ -5,6 +5,7 @@
 #include "diagnose/effects/places.hpp"
 #include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <set>
@@ -47,11 +48,11 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
   for (const BuiltSensor& sensor : s.built.sensors)
     if (name == "sensor." + sensor.name) nodes.insert(sensor.node);
   for (const auto& [cap, node] : s.built.cap_nodes)
-    if (name == "caps." + cap || name == "mount." + cap ||
+    if (name == cap_key(cap) || name == mount_key(cap) ||
         (name == cap && cap.starts_with("supports[")))
       nodes.insert(node);
   for (const Mount& m : s.data.mount)
-    if (name == "mount" && m.kind != MountKind::free) nodes.insert(cap_node(s, m.cap));
+    if (name == all_mounts && m.kind != MountKind::free) nodes.insert(cap_node(s, m.cap));
   for (const auto& [all, rigid] : {std::pair{"joints", false}, {"clamps", true}})
     if (name == all)
       for (const JointGroup& group : joint_groups(s))

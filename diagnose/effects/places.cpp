@@ -1,6 +1,7 @@
 #include "diagnose/effects/places.hpp"
 
 #include "diagnose/effects/on_table.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +116,7 @@ std::vector<std::string> sensor_names(const Structure& s) {
 
 std::vector<HeldEnds> held_ends(const Structure& s, bool rigid) {
   std::vector<HeldEnds> found;
-  HeldEnds all{.place = "mount", .nodes = {}};
+  HeldEnds all{.place = all_mounts, .nodes = {}};
   for (const Mount& m : s.data.mount) {
     if (m.kind == MountKind::free || (rigid && m.kind != MountKind::rigid)) continue;
     const int node = node_on_table(s.built, m);

@@ -1,4 +1,5 @@
 #include "diagnose/effects/places.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <cmath>
 
@@ -49,7 +50,7 @@ std::vector<Hypothesis> ply_slip_hypotheses(const Structure& s) {
     h.in_case = [parts = group.parts](const Case& now, const Eigen::VectorXd& v) {
       CaseEdits edits;
       for (const std::string& part : parts) {
-        const std::string wall = "parts." + part + ".wall.";
+        const std::string wall = part_key(part) + ".wall.";
         const Wall& own = std::get<Bellows>(part_named(now, part)->body).wall;
         if (const double t = own.plies[0] / 2; own.plies.size() == 1)
           edits.push_back({wall + "plies", "[" + yaml_of(t) + ", " + yaml_of(t) + "]"});

@@ -1,5 +1,6 @@
 #include "diagnose/effects/take_over.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "words/directions.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ template <class List, class Match> const auto* first_of(const List& list, const 
 }
 
 CaseEdits with_section(const std::string& part, const BeamSection& section, double E, double rho) {
-  const std::string path = "parts." + part + ".section.";
+  const std::string path = part_key(part) + ".section.";
   CaseEdits edits;
   for (const auto& [key, value] : {std::pair{"EA", section.EA}, std::pair{"EI", section.EI},
                                    std::pair{"GJ", section.GJ}, std::pair{"GA", section.GA}})
@@ -47,7 +48,7 @@ const Cap* cap_named(const Case& data, const std::string& name) {
 std::vector<Mount> mounts_at(const Case& data, const std::string& place) {
   std::vector<Mount> found;
   for (const Mount& m : data.mount)
-    if (m.kind != MountKind::free && (place == "mount" || place == "mount." + m.cap))
+    if (m.kind != MountKind::free && (place == all_mounts || place == mount_key(m.cap)))
       found.push_back(m);
   return found;
 }
@@ -66,14 +67,14 @@ void scale(CaseEdits& edits, const std::string& path, double value, double facto
 CaseEdits with_own_material(const Case& data, const std::string& part, double E, double rho) {
   const Part* found = part_named(data, part);
   if (!found) return {};
-  std::string path = "parts." + part + ".material", name;
+  std::string path = part_key(part) + ".material", name;
   if (const auto* bellows = std::get_if<Bellows>(&found->body)) name = bellows->material;
   if (const auto* plate = std::get_if<Plate>(&found->body)) name = plate->material;
   if (const auto* surface = std::get_if<SurfacePart>(&found->body)) name = surface->material;
   if (const auto* beam = std::get_if<BeamPart>(&found->body)) {
     if (beam->section.shape == BeamShape::general) return with_section(part, beam->section, E, rho);
     name = beam->section.material;
-    path = "parts." + part + ".section.material";
+    path = part_key(part) + ".section.material";
   }
   const auto material = data.materials.find(name);
   if (material == data.materials.end()) return {};
@@ -102,8 +103,8 @@ CaseEdits with_damping(const Case& data, double factor) {
     for (std::size_t i = 0; own->dashpot && i < own->dashpot->size(); ++i)
       scale(edits, fmt::format("{}.damping.dashpot[{}]", at, i), (*own->dashpot)[i], factor);
   };
-  for (const Cap& cap : data.caps) spring("caps." + cap.name, cap.damping);
-  for (const Mount& mount : data.mount) spring("mount." + mount.cap, mount.damping);
+  for (const Cap& cap : data.caps) spring(cap_key(cap.name), cap.damping);
+  for (const Mount& mount : data.mount) spring(mount_key(mount.cap), mount.damping);
   return edits;
 }
 

@@ -1,5 +1,6 @@
 #include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/effects/in_state.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 
@@ -46,7 +47,7 @@ Hypothesis softer() {
       if (const auto* liner = std::get_if<Interlock>(&part.body))
         for (const auto& [key, value] :
              {std::pair{"EA", liner->EA}, std::pair{"EI", liner->EI}, std::pair{"GJ", liner->GJ}})
-          scale(edits, "parts." + part.name + "." + key, value, E);
+          scale(edits, part_key(part.name) + "." + key, value, E);
     return edits;
   };
   return h;

@@ -10,6 +10,7 @@
 #include "lab/measured/entries.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/end_caps.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "run/analyses/damping.hpp"
 #include "solve/model_error.hpp"
@@ -350,7 +351,7 @@ namespace {
 void take_off(Case& data, const MeasuredState& state) {
   for (Part& part : data.parts)
     if (auto* body = std::get_if<PointMass>(&part.body);
-        body && body->mass == 0 && state.numbers.contains("parts." + part.name + ".mass")) {
+        body && body->mass == 0 && state.numbers.contains(part_key(part.name) + ".mass")) {
       body->soft = true;
       body->inertia = {};
     }

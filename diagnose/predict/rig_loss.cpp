@@ -1,5 +1,6 @@
 #include "diagnose/predict/rig_loss.hpp"
 #include "diagnose/effects/beam_stiffness.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 
@@ -8,10 +9,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-bool is_of_a_mount(const std::string& place) {
-  return place.starts_with("mount.");
-}
 
 ModelChange component_twice(int component) {
   return {[component](Model& model) {
@@ -47,12 +44,12 @@ std::vector<RigLoss> rig_losses(const Damping& damping, const BuiltCase& built,
   const std::vector<std::string>& components = built.model.components;
   for (const LossFactor& loss : damping.loss_factors) {
     const auto own = std::find(components.begin(), components.end(), loss.of);
-    if (is_of_a_mount(loss.of) || own == components.end()) continue;
+    if (is_at_mount(loss.of) || own == components.end()) continue;
     all.push_back({model.prepare(component_twice(int(own - components.begin()))),
                    [eta = loss.value](double) { return eta; }});
   }
   for (const BuiltDamper& d : built.dampers)
-    if (!is_of_a_mount(d.place))
+    if (!is_at_mount(d.place))
       all.push_back({model.prepare(unit_spring(built.model, d)), [d](double omega) {
                        return added_stiffness(d.law, d.dof, d.stiffness, {0, omega}).imag();
                      }});

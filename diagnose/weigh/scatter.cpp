@@ -4,6 +4,7 @@
 #include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/effects/places.hpp"
 #include "model/description/case_path.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/description/toleranced_damping.hpp"
 #include "run/results/normal_distribution.hpp"
 #include "run/study/error_bars.hpp"
@@ -105,7 +106,7 @@ bool has_tolerance(const Structure& s, const std::string& head, const std::strin
 // Of a number of a place, "caps.left" or the name of a part.
 bool has_tolerance_at(const Structure& s, const std::string& place, const std::string& number) {
   return std::any_of(s.data.tolerances.begin(), s.data.tolerances.end(), [&](const Tolerance& t) {
-    return t.path == place + number || t.path == "parts." + place + number;
+    return t.path == place + number || t.path == part_key(place) + number;
   });
 }
 
@@ -174,7 +175,7 @@ void add_field_of_thickness(std::vector<Hypothesis>& all, const WallElements& wa
 
 void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
   for (const WallElements& wall : walls(s)) {
-    if (!has_tolerance(s, "parts." + wall.part + ".wall.plies", ""))
+    if (!has_tolerance(s, part_key(wall.part) + ".wall.plies", ""))
       all.push_back(
           varying("thickness", wall.part, scatters::thickness, [quads = wall.quads](Model& m) {
             for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;

@@ -1,5 +1,6 @@
 #include "io/decks/write_abaqus_state.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "solve/state_shape.hpp"
 #include "words/input_error.hpp"
 
@@ -104,7 +105,7 @@ std::string pressure_lines(const Model& model) {
     for (const ShellTriangle& t : model.mesh.triangles)
       if (t.section == int(s)) sides.insert(side_of(model.mesh, t));
     if (sides.size() > 1)
-      input_error("parts." + model.components[std::size_t(p.component)],
+      input_error(part_key(model.components[std::size_t(p.component)]),
                   "has walls whose normals point to both sides: a deck cannot press on them",
                   "one side throughout");
     if (!sides.empty())

@@ -10,6 +10,7 @@
 #include "model/description/case_checks.hpp"
 #include "model/description/case_fields.hpp"
 #include "model/description/check_log.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/description/toleranced_damping.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/short_text.hpp"
@@ -77,7 +78,7 @@ Case read_tree(const YamlNode& root, const std::string& path, const std::string&
     if (auto* surface = std::get_if<SurfacePart>(&part.body); surface && !surface->file.empty())
       surface->file = (std::filesystem::path(directory) / surface->file).string();
     if (auto* deck = std::get_if<DeckPart>(&part.body); deck && !deck->file.empty())
-      read_content(*deck, directory, "parts." + part.name + ".file", log);
+      read_content(*deck, directory, part_key(part.name) + ".file", log);
   }
   try {
     read_signals(data, directory);

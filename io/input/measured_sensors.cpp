@@ -3,6 +3,7 @@
 #include "io/input/measured_states.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "model/description/check_log.hpp"
+#include "model/description/place_keys.hpp"
 #include "words/did_you_mean.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 void check_beside_the_part(const MeasuredSensor& s, const std::string& key, ReadLog& log) {
   if (s.on.empty()) return;
-  const bool is_place = s.on == on_the_table || s.on.starts_with("mount.") ||
+  const bool is_place = s.on == on_the_table || is_at_mount(s.on) ||
                         (s.on.starts_with("supports[") && s.on.ends_with(']'));
   if (!is_place)
     log.add(key + ".on", "'" + shown(s.on) + "' is nothing beside the part",

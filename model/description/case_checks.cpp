@@ -6,6 +6,7 @@
 #include "model/description/node_sets.hpp"
 #include "model/description/operating_state_checks.hpp"
 #include "model/description/part_checks.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/description/profile.hpp"
 #include "model/description/response_checks.hpp"
 #include "model/description/spring_damping_checks.hpp"
@@ -24,7 +25,7 @@ namespace {
 void check_caps(const Case& data, CheckLog& log) {
   std::map<std::string, std::string> closed;
   for (const Cap& cap : data.caps) {
-    const std::string key = "caps." + cap.name;
+    const std::string key = cap_key(cap.name);
     for (const std::string& end : cap.of) {
       log.reference(key + ".of", "end", end, end_names(data));
       if (log.fine(key + ".of") && !closed.emplace(end, cap.name).second)
@@ -42,7 +43,7 @@ void check_mount(const Case& data, CheckLog& log) {
   std::vector<std::string> names;
   for (const Cap& cap : data.caps) names.push_back(cap.name);
   if (!log.fine("caps")) return;
-  for (const Mount& m : data.mount) log.reference("mount." + m.cap, "cap", m.cap, names);
+  for (const Mount& m : data.mount) log.reference(mount_key(m.cap), "cap", m.cap, names);
 }
 
 // Distance of a point from the box or ring a part lies in; the mesh gives the exact one later.

@@ -1,6 +1,7 @@
 #include "model/description/check_log.hpp"
 
 #include "model/description/node_sets.hpp"
+#include "model/description/place_keys.hpp"
 #include "words/did_you_mean.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ bool CheckLog::fine(const std::string& key) const {
 }
 
 bool CheckLog::sets_known(const std::string& set) const {
-  const std::string part = "parts." + set.substr(0, set.find('.'));
+  const std::string part = part_key(set.substr(0, set.find('.')));
   return fine(part + ".type") && fine(part + ".profile") && fine(part + ".points") &&
          fine(part + ".file");
 }

@@ -1,5 +1,6 @@
 #include "model/description/friction_checks.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "model/description/response_checks.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void check_directions(const std::string& key, const JointFriction& f, CheckLog& 
 }
 
 void check_part(const Part& part, CheckLog& log) {
-  const std::string key = "parts." + part.name;
+  const std::string key = part_key(part.name);
   if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction) {
     check_directions(key + ".friction", *liner->friction, log);
     if (liner->attachment != Attachment::caps && liner->friction->segments > 1)
@@ -120,15 +121,15 @@ void check_levels(const Case& data, CheckLog& log) {
 void check_friction(const Case& data, CheckLog& log) {
   for (const Part& part : data.parts) check_part(part, log);
   for (const Cap& cap : data.caps) {
-    const std::string key = "caps." + cap.name + ".friction";
+    const std::string key = cap_key(cap.name) + ".friction";
     if (!cap.friction) continue;
     check_directions(key, *cap.friction, log);
-    if (!cap.stiffness && log.fine("caps." + cap.name))
+    if (!cap.stiffness && log.fine(cap_key(cap.name)))
       log.add(key, "is that of a rigid connection, which cannot slip",
               "give the cap of: [first end, second end] and stiffness");
   }
   for (const Mount& mount : data.mount)
-    if (mount.friction) check_directions("mount." + mount.cap + ".friction", *mount.friction, log);
+    if (mount.friction) check_directions(mount_key(mount.cap) + ".friction", *mount.friction, log);
   check_levels(data, log);
 }
 

@@ -5,6 +5,7 @@
 #include "model/description/deck_model.hpp"
 #include "model/description/node_sets.hpp"
 #include "model/description/pipe_model.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/description/profile.hpp"
 #include "words/units.hpp"
 
@@ -285,7 +286,7 @@ void check_inertia(const std::string& key, const Sextuple& J, CheckLog& log) {
 
 void check_parts(const Case& data, CheckLog& log) {
   for (const Part& part : data.parts) {
-    const std::string key = "parts." + part.name;
+    const std::string key = part_key(part.name);
     if (log.fine(key + ".type"))
       std::visit([&](const auto& body) { check(key, body, data, log); }, part.body);
   }

@@ -1,5 +1,6 @@
 #include "model/description/response_checks.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "model/description/time_analyses_checks.hpp"
 #include "solve/random_response.hpp"
 #include "words/directions.hpp"
@@ -64,9 +65,9 @@ void check_damping(const Case& data, CheckLog& log) {
   for (const Part& part : data.parts)
     if (!std::holds_alternative<PointMass>(part.body)) components.push_back(part.name);
   for (const Mount& m : data.mount)
-    if (m.kind == MountKind::springs) components.push_back("mount." + m.cap);
+    if (m.kind == MountKind::springs) components.push_back(mount_key(m.cap));
   for (const Cap& cap : data.caps)
-    if (cap.stiffness) components.push_back("caps." + cap.name);
+    if (cap.stiffness) components.push_back(cap_key(cap.name));
   std::set<std::string> damped;
   for (std::size_t i = 0; i < d.loss_factors.size(); ++i) {
     const std::string place = item(key + ".loss_factors", i) + ".of";

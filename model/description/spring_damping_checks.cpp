@@ -1,5 +1,7 @@
 #include "model/description/spring_damping_checks.hpp"
 
+#include "model/description/place_keys.hpp"
+
 #include <algorithm>
 
 namespace plica {
@@ -31,14 +33,14 @@ void check_law(const SpringDamping& d, const std::string& key, CheckLog& log) {
 
 void check_spring_damping(const Case& data, CheckLog& log) {
   for (const Cap& cap : data.caps) {
-    const std::string key = "caps." + cap.name + ".damping";
+    const std::string key = cap_key(cap.name) + ".damping";
     if (!cap.damping) continue;
     check_law(*cap.damping, key, log);
-    if (!cap.stiffness && log.fine("caps." + cap.name + ".stiffness"))
+    if (!cap.stiffness && log.fine(cap_key(cap.name) + ".stiffness"))
       log.add(key, "is that of the springs of a joint, and this cap is rigid", "give stiffness");
   }
   for (const Mount& mount : data.mount) {
-    const std::string key = "mount." + mount.cap + ".damping";
+    const std::string key = mount_key(mount.cap) + ".damping";
     if (mount.damping) check_law(*mount.damping, key, log);
   }
 }

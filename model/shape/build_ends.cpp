@@ -3,6 +3,7 @@
 #include "model/shape/renewed_ends.hpp"
 #include "model/shape/wall_places.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
 #include "words/units.hpp"
@@ -27,7 +28,7 @@ bool has_mass(double mass, const Sextuple& J) {
 void tie_spider(Building& b, const std::string& cap, int leader, const std::vector<int>& nodes) {
   const std::size_t first = b.built.model.constraints.size();
   add_kinematic_coupling(b.built.model, leader, nodes, all_dofs, "spider of cap " + cap);
-  asked_at(b.built.model, first, "caps." + cap + ".of");
+  asked_at(b.built.model, first, cap_key(cap) + ".of");
 }
 
 // Reference node in the middle of the circles, tied rigidly to them. One that follows others, or
@@ -62,12 +63,12 @@ void add_dampers(Building& b, const std::string& place, int node1, int node2,
 
 void add_joint(Building& b, const Cap& cap, int node, const std::vector<int>& others) {
   BushingElement joint{.node1 = node, .node2 = add_spider(b, cap.name, others), .bushing = {}};
-  joint.component = b.component("caps." + cap.name);
+  joint.component = b.component(cap_key(cap.name));
   for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = (*cap.stiffness)[i];
   b.built.model.bushings.push_back(joint);
-  add_dampers(b, "caps." + cap.name, joint.node1, joint.node2, *cap.stiffness, cap.damping);
+  add_dampers(b, cap_key(cap.name), joint.node1, joint.node2, *cap.stiffness, cap.damping);
   if (cap.friction)
-    add_joints(b.built.joints, {"caps." + cap.name, 0, joint.node1, joint.node2, joint.component},
+    add_joints(b.built.joints, {cap_key(cap.name), 0, joint.node1, joint.node2, joint.component},
                directional_laws(*cap.friction));
   for (std::size_t i = 1; i < cap.of.size(); ++i) b.cap_of_end[cap.of[i]] = joint.node2;
 }
@@ -110,7 +111,7 @@ void add_caps(Building& b) {
   for (const Cap& cap : b.data.caps) {
     std::vector<int> first, others;
     for (const std::string& end : cap.of) {
-      const std::vector<int>& circle = b.set(end, "caps." + cap.name + ".of");
+      const std::vector<int>& circle = b.set(end, cap_key(cap.name) + ".of");
       std::vector<int>& side = first.empty() || !cap.stiffness ? first : others;
       side.insert(side.end(), circle.begin(), circle.end());
     }
@@ -124,12 +125,11 @@ void add_caps(Building& b) {
 }
 
 bool is_of_ends(const std::string& path) {
-  const bool cap = path.starts_with("caps.");
-  if (!cap && !path.starts_with("mount.")) return false;
-  const std::size_t name = path.find('.') + 1, dot = path.find('.', name);
-  if (dot == std::string::npos) return false;
-  const std::string key = path.substr(dot + 1, path.find_first_of(".[", dot + 1) - dot - 1);
-  return cap ? key == "mass" || key == "inertia" || key == "offset" : key == "stiffness";
+  const auto place = path_in_place(path);
+  if (!place || place->kind == PlaceKind::part) return false;
+  const std::string key = place->key.substr(0, place->key.find_first_of(".["));
+  return place->kind == PlaceKind::cap ? key == "mass" || key == "inertia" || key == "offset"
+                                       : key == "stiffness";
 }
 
 bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
@@ -158,7 +158,7 @@ bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
     if (mount.kind != MountKind::springs) continue;
     const auto spring =
         std::find_if(model.bushings.begin(), model.bushings.end(), [&](const BushingElement& b) {
-          return b.node2 < 0 && model.components[std::size_t(b.component)] == "mount." + mount.cap;
+          return b.node2 < 0 && model.components[std::size_t(b.component)] == mount_key(mount.cap);
         });
     if (spring == model.bushings.end()) return false;
     for (int k = 0; k < 6; ++k) spring->bushing.law(k, k) = mount.stiffness[std::size_t(k)];
@@ -169,7 +169,7 @@ bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
 namespace {
 
 [[noreturn]] void no_mean_motion(const std::string& name) {
-  input_error("parts." + name + ".soft", "the set has no mean motion: its nodes lie on one line",
+  input_error(part_key(name) + ".soft", "the set has no mean motion: its nodes lie on one line",
               "a circle, or no `soft`");
 }
 
@@ -184,14 +184,14 @@ void tie_softly(Building& b, const std::string& name, int node, const std::vecto
 } // namespace
 
 void add_mass(Building& b, const std::string& name, const PointMass& mass) {
-  const std::vector<int> nodes = b.set(mass.at, "parts." + name + ".at");
+  const std::vector<int> nodes = b.set(mass.at, part_key(name) + ".at");
   int node = nodes.front();
   if (nodes.size() > 1) {
     node = add_node(b.built.model, centroid(b.built.model.mesh, nodes));
     if (!mass.soft) {
       const std::size_t first = b.built.model.constraints.size();
       add_kinematic_coupling(b.built.model, node, nodes, all_dofs, "rigid body of mass " + name);
-      asked_at(b.built.model, first, "parts." + name + ".at");
+      asked_at(b.built.model, first, part_key(name) + ".at");
     } else if (has_mass(mass.mass, mass.inertia))
       tie_softly(b, name, node, nodes);
     else // nothing is there but its node, which all states of a test have
@@ -207,18 +207,18 @@ void add_mount(Building& b) {
   for (const Mount& mount : b.data.mount) {
     const int node = b.built.cap_nodes.at(mount.cap);
     if (mount.kind == MountKind::rigid && b.follows_others(node))
-      input_error("mount." + mount.cap, "cannot be rigid: the node of that cap follows others",
+      input_error(mount_key(mount.cap), "cannot be rigid: the node of that cap follows others",
                   "springs, or supports that hold those");
     if (mount.kind == MountKind::rigid) b.built.held_nodes.push_back(node);
     if (mount.kind != MountKind::springs) continue;
     BushingElement spring;
     spring.node1 = node;
-    spring.component = b.component("mount." + mount.cap);
+    spring.component = b.component(mount_key(mount.cap));
     for (int i = 0; i < 6; ++i) spring.bushing.law(i, i) = mount.stiffness[i];
     b.built.model.bushings.push_back(spring);
-    add_dampers(b, "mount." + mount.cap, -1, node, mount.stiffness, mount.damping);
+    add_dampers(b, mount_key(mount.cap), -1, node, mount.stiffness, mount.damping);
     if (mount.friction)
-      add_joints(b.built.joints, {"mount." + mount.cap, 0, -1, node, spring.component},
+      add_joints(b.built.joints, {mount_key(mount.cap), 0, -1, node, spring.component},
                  directional_laws(*mount.friction));
   }
 }

@@ -1,6 +1,7 @@
 #include "model/shape/build_joints.hpp"
 
 #include "model/description/connector_curve.hpp"
+#include "model/description/place_keys.hpp"
 #include "solve/state_elements.hpp"
 
 #include <Eigen/Geometry>
@@ -67,9 +68,9 @@ std::optional<std::vector<JointLaw>> laws_in(const Case& data,
     }
   }
   for (const Cap& cap : data.caps)
-    if (cap.friction) by_place["caps." + cap.name] = directional_laws(*cap.friction);
+    if (cap.friction) by_place[cap_key(cap.name)] = directional_laws(*cap.friction);
   for (const Mount& mount : data.mount)
-    if (mount.friction) by_place["mount." + mount.cap] = directional_laws(*mount.friction);
+    if (mount.friction) by_place[mount_key(mount.cap)] = directional_laws(*mount.friction);
   std::vector<JointLaw> laws;
   for (const BuiltJoint& j : joints) {
     laws.push_back(j.law); // of a tabulated connector

@@ -1,6 +1,7 @@
 #include "model/shape/building.hpp"
 #include "model/shape/constraint_clash.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "solve/couplings.hpp"
 #include "words/input_error.hpp"
 
@@ -26,7 +27,7 @@ int liner_end(Building& b, const std::string& name, const std::string& end,
   const int node = add_node(b.built.model, centre);
   const std::size_t first = b.built.model.constraints.size();
   add_distributing_coupling(b.built.model, node, circle, "end of interlock " + name);
-  asked_at(b.built.model, first, "parts." + name + ".along");
+  asked_at(b.built.model, first, part_key(name) + ".along");
   return node;
 }
 
@@ -39,7 +40,7 @@ std::vector<std::vector<int>> liner_circles(const Building& b, const std::string
     roots.push_back(sets.at(liner.along + ".root[" + std::to_string(k) + "]"));
   if (liner.attachment == Attachment::synchronous) return roots;
   if (liner.stations > static_cast<int>(roots.size()))
-    input_error("parts." + name + ".stations",
+    input_error(part_key(name) + ".stations",
                 std::to_string(liner.stations) + " stations on a bellows with " +
                     std::to_string(roots.size()) + " roots",
                 "at most one station per root");
@@ -109,7 +110,7 @@ void add_liner(Building& b, const std::string& name, const Interlock& liner) {
       nodes.push_back(add_node(b.built.model, centre));
       const std::size_t first = b.built.model.constraints.size();
       add_distributing_coupling(b.built.model, nodes.back(), circle, "tie of interlock " + name);
-      asked_at(b.built.model, first, "parts." + name + ".attachment");
+      asked_at(b.built.model, first, part_key(name) + ".attachment");
     }
   }
   nodes.push_back(liner_end(b, name, liner.along + ".right", right));
@@ -135,7 +136,7 @@ void add_ply_slip(Building& b, const std::string& name, const Bellows& bellows) 
     roots.push_back(sets.at(name + ".root[" + std::to_string(k) + "]"));
   const int stretches = static_cast<int>(roots.size()) - 1;
   if (segments > stretches)
-    input_error("parts." + name + ".wall.slip.segments",
+    input_error(part_key(name) + ".wall.slip.segments",
                 std::to_string(segments) + " segments on a bellows with " +
                     std::to_string(stretches) + " convolutions between roots",
                 "at most one per convolution");

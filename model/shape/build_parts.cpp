@@ -2,6 +2,7 @@
 
 #include "mesh/dent.hpp"
 #include "mesh/plate.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/shape/build_bellows.hpp"
 #include "model/shape/build_deck.hpp"
 #include "model/shape/build_pipes.hpp"
@@ -73,10 +74,10 @@ void add(Building& b, const std::string& name, const Bellows& bellows) {
   for (std::size_t i = 0; i < bellows.dents.size(); ++i) {
     const DentSpot& dent = bellows.dents[i];
     if (press(mesh, {vector(dent.at), dent.depth, dent.radius}) < 3)
-      input_error("parts." + name + ".dents[" + std::to_string(i) + "]",
+      input_error(part_key(name) + ".dents[" + std::to_string(i) + "]",
                   "has fewer than three nodes of the wall within its radius",
                   "a place on the wall, and a radius of a few elements");
-    require_unfolded(mesh, "parts." + name + ".dents[" + std::to_string(i) + "]",
+    require_unfolded(mesh, part_key(name) + ".dents[" + std::to_string(i) + "]",
                      "a shallower or a wider dent: its flank turns the wall over");
   }
   append(b.built.model.mesh, mesh, name, section);
@@ -100,7 +101,7 @@ void add(Building& b, const std::string& name, const Plate& plate) {
                            vector(plate.corners[2]), vector(plate.corners[3])};
   const int section = static_cast<int>(b.built.model.shells.size());
   const Mesh mesh = mesh_plate(corners, plate.elements[0], plate.elements[1], plate.thickness);
-  require_unfolded(mesh, "parts." + name + ".corners",
+  require_unfolded(mesh, part_key(name) + ".corners",
                    "four corners in order round the plate, each with an inner angle below 180 "
                    "deg; two plates where one is concave");
   append(b.built.model.mesh, mesh, name, section);
@@ -125,7 +126,7 @@ void add(Building& b, const std::string& name, const SurfacePart& surface) {
   try {
     mesh = surface_mesh(surface);
   } catch (const std::runtime_error& error) {
-    input_error("parts." + name, error.what(), "a surface that can be meshed, and places near it");
+    input_error(part_key(name), error.what(), "a surface that can be meshed, and places near it");
   }
   append(b.built.model.mesh, mesh, name, section);
   const Material& m = b.data.materials.at(surface.material);
@@ -142,7 +143,7 @@ void add(Building& b, const std::string& name, const DeckPart& deck) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    input_error("parts." + name + ".file", error.what(), "a deck as docs/decks.md has it");
+    input_error(part_key(name) + ".file", error.what(), "a deck as docs/decks.md has it");
   }
   add_wall_places(b, name, points_of(deck.places), own);
 }

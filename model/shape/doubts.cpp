@@ -1,6 +1,7 @@
 #include "model/shape/doubts.hpp"
 
 #include "model/description/deck_model.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/shape/wall_places.hpp"
 #include "words/short_text.hpp"
 
@@ -180,7 +181,7 @@ private:
   void turned(const std::string& name, const Triple& rotate) {
     for (double angle : rotate)
       if (std::abs(angle) > 2 * std::numbers::pi + 1e-9)
-        add("parts." + name + ".rotate turns by " + short_text(angle, 4) +
+        add(part_key(name) + ".rotate turns by " + short_text(angle, 4) +
             " rad: an angle without unit is "
             "in rad, write " +
             short_text(angle, 4) + " deg if you mean that");
@@ -189,29 +190,28 @@ private:
   void placed(const std::string& name, const DeckPart& deck) {
     turned(name, deck.rotate);
     for (const std::string& card : deck.content->left_out) add("left out of the deck: " + card);
-    for (const std::string& note : deck.content->notes) add("parts." + name + ": " + note);
+    for (const std::string& note : deck.content->notes) add(part_key(name) + ": " + note);
   }
 
   void placed(const std::string& name, const Bellows& bellows) {
     for (const MeridianSection& section : bellows.profile)
       if (section.height > highest_convolution * bellows.root_radius)
-        add("parts." + name + ".profile has convolutions of " +
-            short_text(1e3 * section.height, 4) + " mm on a pipe of radius " +
-            short_text(1e3 * bellows.root_radius, 4) + " mm");
+        add(part_key(name) + ".profile has convolutions of " + short_text(1e3 * section.height, 4) +
+            " mm on a pipe of radius " + short_text(1e3 * bellows.root_radius, 4) + " mm");
   }
 
   void placed(const std::string& name, const Interlock& liner) {
-    heavy("parts." + name + ".mass", liner.mass);
+    heavy(part_key(name) + ".mass", liner.mass);
     for (const Part& part : case_.parts)
       if (const auto* bellows = std::get_if<Bellows>(&part.body);
           bellows && part.name == liner.along && liner.radius > bellows->root_radius)
-        add("parts." + name + ".radius is " + short_text(1e3 * liner.radius, 4) +
+        add(part_key(name) + ".radius is " + short_text(1e3 * liner.radius, 4) +
             " mm, that of the bellows around it " + short_text(1e3 * bellows->root_radius, 4) +
             " mm");
   }
 
   void placed(const std::string& name, const PointMass& mass) {
-    heavy("parts." + name + ".mass", mass.mass);
+    heavy(part_key(name) + ".mass", mass.mass);
   }
 
   void heavy(const std::string& key, double mass) {
@@ -223,7 +223,7 @@ private:
     turned(name, surface.rotate);
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       if (model_.components[i] == name && surface.size > boxes_[i].sizes().maxCoeff())
-        add("parts." + name + ".element_size is " + short_text(surface.size, 4) +
+        add(part_key(name) + ".element_size is " + short_text(surface.size, 4) +
             " m, more than the part is long: a length without unit is in m");
   }
 
@@ -238,7 +238,7 @@ private:
   }
 
   void caps() {
-    for (const Cap& cap : case_.caps) heavy("caps." + cap.name + ".mass", cap.mass);
+    for (const Cap& cap : case_.caps) heavy(cap_key(cap.name) + ".mass", cap.mass);
     const auto& sets = model_.mesh.sets;
     for (const Cap& cap : case_.caps)
       for (std::size_t i = 1; i < cap.of.size(); ++i) {

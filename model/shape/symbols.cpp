@@ -1,6 +1,7 @@
 #include "model/shape/symbols.hpp"
 
 #include "model/description/deck_model.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/shape/built_case.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ public:
     }
     for (const Cap& cap : data_.caps) {
       add_mass(cap.name, built_.cap_nodes.at(cap.name), cap.mass);
-      if (cap.stiffness) add_springs("caps." + cap.name, cap.name);
+      if (cap.stiffness) add_springs(cap_key(cap.name), cap.name);
     }
     for (const Mount& mount : data_.mount) {
       const int node = built_.cap_nodes.at(mount.cap);

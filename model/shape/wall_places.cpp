@@ -1,5 +1,6 @@
 #include "model/shape/wall_places.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
@@ -145,7 +146,7 @@ public:
     const auto corner = largest_free(sum);
     if (!corner) {
       if (determined_.contains(place.node))
-        input_error("parts." + place.name, "is held, on a wall whose motion is determined already",
+        input_error(part_key(place.name), "is held, on a wall whose motion is determined already",
                     "a place farther inside the wall, or nothing that holds it");
       tie_to_wall(model_, place.node, wall, "place " + place.name);
       determined_.insert(place.node);
@@ -236,10 +237,10 @@ void add_wall_places(Building& b, const std::string& part, const std::vector<Par
     const std::string name = part + ".places." + place.name;
     const WallPoint wall = nearest_on_wall(b.built.model, vector(place.at), component);
     if (wall.nodes.empty())
-      input_error("parts." + name, "is on no shell: the part has none",
+      input_error(part_key(name), "is on no shell: the part has none",
                   "`within`, for the nodes near the place");
     if (const double off = off_wall(wall); off > sensor_reach)
-      input_error("parts." + name + ".at", fmt::format("is {:.2f} mm off the wall", 1e3 * off),
+      input_error(part_key(name) + ".at", fmt::format("is {:.2f} mm off the wall", 1e3 * off),
                   fmt::format("at most {:.0f} mm; the wall is nearest at [{:.2f} mm, {:.2f} mm, "
                               "{:.2f} mm]",
                               1e3 * sensor_reach, 1e3 * wall.at.x(), 1e3 * wall.at.y(),

@@ -7,11 +7,6 @@
 
 namespace plica {
 
-// "mount.engine", "caps.clamp": a component that is springs.
-inline bool is_springs(const std::string& component) {
-  return component.starts_with("mount.") || component.starts_with("caps.");
-}
-
 struct ModalDamping {
   Eigen::VectorXd zeta; // fraction of critical, viscous
   Eigen::VectorXd eta;  // loss factor, structural

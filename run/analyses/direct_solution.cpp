@@ -1,5 +1,6 @@
 #include "run/analyses/direct_solution.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/analyses/damping.hpp"
 #include "run/analyses/dissipation.hpp"
 #include "solve/base_motion.hpp"

@@ -1,5 +1,6 @@
 #include "run/analyses/dissipation.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/analyses/damping.hpp"
 #include "solve/strain_energy.hpp"
 

@@ -1,5 +1,6 @@
 #include "run/analyses/excitations.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/routes/moved_ends.hpp"
 #include "solve/effective_mass.hpp"
 #include "words/directions.hpp"
@@ -135,7 +136,7 @@ private:
       const BuiltDamper& d = built_.dampers[std::size_t(k)];
       stretch[k] = unit_force(model_, d.node1, d.node2, d.dof).dot(field);
       for (const std::string& cap : m.move)
-        stretch[k] -= d.place == "mount." + cap && d.dof == m.direction;
+        stretch[k] -= d.place == mount_key(cap) && d.dof == m.direction;
     }
     return stretch;
   }

@@ -1,5 +1,6 @@
 #include "run/routes/moved_ends.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/routes/route.hpp"
 #include "solve/model_error.hpp"
 #include "solve/statics.hpp"
@@ -20,7 +21,7 @@ VectorXd spring_forces(const BuiltCase& built, const MovedCap& moved) {
   const int node = built.cap_nodes.at(moved.cap);
   for (const BushingElement& b : model.bushings)
     if (b.node2 < 0 && b.node1 == node &&
-        model.components[std::size_t(b.component)] == "mount." + moved.cap)
+        model.components[std::size_t(b.component)] == mount_key(moved.cap))
       F.segment<6>(6 * Index(node)) += bushing_matrix(model.mesh, b).col(moved.direction).head<6>();
   return F;
 }

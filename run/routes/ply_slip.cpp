@@ -1,5 +1,6 @@
 #include "run/routes/ply_slip.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/routes/route.hpp"
 #include "words/input_error.hpp"
 #include "words/short_text.hpp"
@@ -45,7 +46,7 @@ std::vector<DirectionalLaw> ply_laws(const Case& data, const std::string& name) 
   const double axial = stuck.axial - slipping.axial;
   const double bending = stuck.bending_x - slipping.bending_x;
   if (!(axial > 1e-6 * slipping.axial))
-    input_error("parts." + name + ".wall.slip.bond",
+    input_error(part_key(name) + ".wall.slip.bond",
                 "makes the wall no stiffer than bond " + short_text(bellows->wall.bond, 4),
                 "a bond above that of the slipping wall, and at least two plies");
   // A ring of springs: bending k R^2 / 2 of the axial k, and a moment F R / 2 of the force F.

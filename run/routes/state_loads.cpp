@@ -1,5 +1,6 @@
 #include "run/routes/state_loads.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "solve/heat_conduction.hpp"
 #include "words/input_error.hpp"
 
@@ -206,7 +207,7 @@ private:
     std::set<int> moved{node};
     for (BushingElement& b : model_.bushings) {
       if (b.node1 != node) continue;
-      if (b.node2 >= 0 && b.component == component_of("mount." + offset.cap)) moved.insert(b.node2);
+      if (b.node2 >= 0 && b.component == component_of(mount_key(offset.cap))) moved.insert(b.node2);
       if (b.node2 >= 0) continue;
       b.ground_shift = vector_of(offset.move);
       b.ground_turn = turned_by(offset.turn);

@@ -1,6 +1,7 @@
 #include "run/study/ejma_sheet.hpp"
 
 #include "life/miner.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/description/profile.hpp"
 #include "run/study/bellows_shells.hpp"
 #include "words/units.hpp"
@@ -250,7 +251,7 @@ void check_request(const Case& data, const EjmaRequest& request) {
       if (s.shape == SectionShape::cuff) straight += s.length;
     if (const double length = axial_length(bellows) - straight;
         length + request.movement.axial <= 0)
-      add("parts." + part.name,
+      add(part_key(part.name),
           "is pressed together by " + millimetres(-request.movement.axial) +
               ", more than its convolutions are long",
           "an axial movement of less than " + millimetres(length));

@@ -2,6 +2,7 @@
 
 #include "model/description/ejma.hpp"
 #include "model/description/pipe_model.hpp"
+#include "model/description/place_keys.hpp"
 #include "model/description/profile.hpp"
 #include "run/analyses/run.hpp"
 #include "run/study/error_bars.hpp"
@@ -43,7 +44,7 @@ Ingredients ingredients(const Case& data) {
     } else if (const auto* liner = std::get_if<Interlock>(&part.body)) {
       found.liner = liner;
     } else {
-      input_error("parts." + part.name, "is neither a bellows nor its liner",
+      input_error(part_key(part.name), "is neither a bellows nor its liner",
                   "an equivalent beam stands for one bellows with or without a liner");
     }
   }

@@ -1,5 +1,6 @@
 #include "run/study/part_stiffness.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/analyses/damping.hpp"
 #include "run/routes/operating_state.hpp"
 #include "run/routes/ply_slip.hpp"
@@ -54,10 +55,10 @@ Case between_ends(const Case& data, const std::array<std::string, 2>& ends) {
   for (const Mount& mount : data.mount) {
     const bool is_end = mount.cap == ends[0] || mount.cap == ends[1];
     if (!is_end && mount.kind != MountKind::free)
-      input_error("mount." + mount.cap, "holds the part besides its two ends",
+      input_error(mount_key(mount.cap), "holds the part besides its two ends",
                   "mounts at the two ends alone");
     if (is_end && data.state && mount.kind != MountKind::rigid)
-      input_error("mount." + mount.cap,
+      input_error(mount_key(mount.cap),
                   "is not rigid, and the state is that of the mount of the case",
                   "rigid ends where the case has a state");
   }
@@ -117,7 +118,7 @@ VectorXd viscous_damping(const Damping& damping, const Model& model, const PartB
 // Loss of the components over the motion of the ends and the modes; empty without any.
 MatrixXd loss_of(const Damping& damping, const BuiltCase& built, const MatrixXd& fields) {
   const bool any = std::any_of(damping.loss_factors.begin(), damping.loss_factors.end(),
-                               [](const LossFactor& l) { return !l.of.starts_with("mount."); });
+                               [](const LossFactor& l) { return !is_at_mount(l.of); });
   if (!any) return {};
   MatrixXd L = MatrixXd::Zero(fields.cols(), fields.cols());
   const std::vector<MatrixXd> parts = component_stiffness(built.model, fields);

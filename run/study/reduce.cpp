@@ -1,5 +1,6 @@
 #include "run/study/reduce.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "reduction/craig_bampton.hpp"
 #include "run/analyses/damping.hpp"
 #include "run/analyses/response.hpp"

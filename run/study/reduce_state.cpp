@@ -1,5 +1,6 @@
 #include "run/study/reduce_state.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "run/routes/operating_state.hpp"
 #include "words/input_error.hpp"
 
@@ -89,7 +90,7 @@ void check_reducible(const Case& data, const std::vector<std::string>& boundary)
                   "a boundary with that cap");
   for (const Mount& mount : data.mount)
     if (mount.kind != MountKind::free && inside(mount.cap))
-      input_error("mount." + mount.cap, "holds a cap inside the superelement in its state",
+      input_error(mount_key(mount.cap), "holds a cap inside the superelement in its state",
                   "a boundary with that cap");
 }
 

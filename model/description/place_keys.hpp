@@ -1,0 +1,46 @@
+// Where parts, caps and mounts stand in a case: "parts.interlock", "caps.left", "mount.left".
+// Springs of caps and mounts are components of the model by these names, and effects have them as
+// places.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace plica {
+
+inline std::string part_key(const std::string& part) {
+  return "parts." + part;
+}
+inline std::string cap_key(const std::string& cap) {
+  return "caps." + cap;
+}
+inline std::string mount_key(const std::string& cap) {
+  return "mount." + cap;
+}
+inline constexpr const char* all_mounts = "mount"; // a place: all that hold the part
+
+inline bool is_at_cap(const std::string& key) {
+  return key.starts_with("caps.");
+}
+inline bool is_at_mount(const std::string& key) {
+  return key.starts_with("mount.");
+}
+// Of a component: only caps and mounts have springs by themselves.
+inline bool is_springs(const std::string& component) {
+  return is_at_cap(component) || is_at_mount(component);
+}
+// "left" of "caps.left" and of "mount.left".
+inline std::string cap_of(const std::string& key) {
+  return key.substr(key.find('.') + 1);
+}
+
+// A path below one of them: of "caps.left.mass" a cap, "left" and "mass".
+enum class PlaceKind { part, cap, mount };
+struct PathInPlace {
+  PlaceKind kind = PlaceKind::part;
+  std::string name, key;
+};
+// None of another path, and of one that ends with the name.
+std::optional<PathInPlace> path_in_place(const std::string& path);
+
+} // namespace plica
