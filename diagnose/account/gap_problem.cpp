@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/ranges.h>
+#include <functional>
 #include <set>
 #include <stdexcept>
 
@@ -145,8 +146,20 @@ std::vector<Hypothesis> grown_in_states(std::vector<Hypothesis> all, const Measu
   return all;
 }
 
+bool reads_across(const TestReadings& test) {
+  const auto has_several_axes = [](const ReadShape& shape) {
+    return std::adjacent_find(shape.axes.begin(), shape.axes.end(), std::not_equal_to<>()) !=
+           shape.axes.end();
+  };
+  return std::any_of(test.shapes.begin(), test.shapes.end(), has_several_axes) ||
+         std::any_of(test.readings.begin(), test.readings.end(),
+                     [](const Reading& r) { return r.kind == ReadingKind::cross; });
+}
+
 void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
-  ChosenEffects chosen = chosen_effects(p.nominal.structure(p.test.data));
+  Structure structure = p.nominal.structure(p.test.data);
+  structure.reads_across = reads_across(p.readings);
+  ChosenEffects chosen = chosen_effects(structure);
   for (const std::string& name : chosen.without_place)
     p.not_tried.push_back({name, effect_named(name).needs});
   p.hypotheses = grown_in_states(std::move(chosen.hypotheses), p.test.data);

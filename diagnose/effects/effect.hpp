@@ -130,6 +130,7 @@ struct Structure {
   double frequency = 0; // Hz, of the lowest four modes, their geometric mean
   // Caps that the case draws as rigid and that stand on springs in `data` (sprung_clamps.hpp).
   std::vector<std::string> rigid_clamps = {};
+  bool reads_across = false; // the test reads motion along other axes than what moves the part
 };
 
 struct LookAlike {

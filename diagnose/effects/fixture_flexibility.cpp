@@ -18,67 +18,130 @@ double inertia_of(double mass, double spread) {
   return mass * gyration * gyration;
 }
 
+// Of a fixture: mass, frequency, rocking, spread and, where its centre of mass lies beside the held
+// end, how far.
+struct Fixture {
+  explicit Fixture(const Eigen::VectorXd& v)
+      : mass(v[0]), inertia(inertia_of(v[0], v[3])),
+        offset(v.size() > 4 ? Eigen::Vector3d(v[4], 0, v[5]) : Eigen::Vector3d::Zero()) {
+    const double omega = 2 * std::numbers::pi * v[1];
+    moving = mass * omega * omega;
+    turning = inertia * std::pow(omega * v[2], 2);
+  }
+  double mass, inertia, moving = 0, turning = 0; // kg, kg m2 about its centre, N/m, Nm/rad
+  Eigen::Vector3d offset;                        // m, from the held end
+};
+
+// What a mass so far off adds to the inertia, kg m2.
+Eigen::Matrix3d carried(double mass, const Eigen::Vector3d& offset) {
+  return mass * (offset.squaredNorm() * Eigen::Matrix3d::Identity() - offset * offset.transpose());
+}
+
 // Caps that were held rigidly, with the mass of the fixture, on its springs.
 CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::VectorXd& v) {
-  const double mass = v[0], inertia = inertia_of(v[0], v[3]), omega = 2 * std::numbers::pi * v[1];
-  const double k = mass * omega * omega, turning = inertia * std::pow(omega * v[2], 2);
+  const Fixture f(v);
+  const double k = f.moving, turning = f.turning;
   CaseEdits edits;
   for (const Mount& m : mounts_at(now, place)) {
     const Cap& cap = *cap_named(now, m.cap);
     if (m.kind != MountKind::rigid || cap.offset != Triple{}) return {};
+    const double mass = cap.mass + f.mass;
+    const Eigen::Vector3d centre = f.mass / mass * f.offset;
+    const Eigen::Matrix3d J =
+        f.inertia * Eigen::Matrix3d::Identity() + carried(f.mass, f.offset) - carried(mass, centre);
     Sextuple own = cap.inertia;
-    for (std::size_t i = 0; i < 3; ++i) own[i] += inertia;
+    for (std::size_t i = 0; i < 3; ++i) own[i] += J(Eigen::Index(i), Eigen::Index(i));
+    own[5] += J(0, 2);
     edits.push_back(
         {mount_key(m.cap), "{stiffness: " + yaml_of({k, k, k, turning, turning, turning}) + "}"});
-    edits.push_back({cap_key(m.cap) + ".mass", yaml_of(cap.mass + mass)});
+    edits.push_back({cap_key(m.cap) + ".mass", yaml_of(mass)});
     edits.push_back({cap_key(m.cap) + ".inertia", yaml_of(own)});
+    if (!f.offset.isZero())
+      edits.push_back(
+          {cap_key(m.cap) + ".offset", yaml_of(Triple{centre[0], centre[1], centre[2]})});
   }
   return edits;
 }
 
+// Of each node: mass, first moments of mass and inertia about it. The mass matrix is linear in
+// them.
+ModelChange bodies(const std::vector<int>& nodes, double mass, const Eigen::Vector3d& moment,
+                   const Eigen::Matrix3d& inertia) {
+  return {
+      [=](Model& model) {
+        for (int node : nodes) {
+          model.masses.push_back({node, {mass, Eigen::Vector3d::Zero(), inertia}});
+          if (moment.isZero()) continue;
+          // One mass there and as much less here are its moment and nothing else.
+          model.masses.push_back({node, {1, moment, -carried(1, moment)}});
+          model.masses.push_back({node, {-1, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()}});
+        }
+      },
+      Follow::series};
+}
+
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
-// straight. A fixture was there before: what comes loose under it is a compliance of the boundary,
-// and beside a baseline a further mass on springs would be an absorber for whatever has changed.
+// straight. Where its centre of mass lies beside the pipe, what moves it along the pipe rocks it:
+// axial and lateral motion are one.
+Hypothesis fixture_under(const Structure& s, const HeldEnds& ends, bool beside) {
+  constexpr double steel = 7850; // kg/m3
+  const double mass = 2 * s.mass, edge = std::cbrt(mass / steel);
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero(), x = Eigen::Vector3d::UnitX(),
+                        z = Eigen::Vector3d::UnitZ();
+  const auto turned = [&](const Eigen::Matrix3d& J) { return bodies(ends.nodes, 0, none, J); };
+  Hypothesis h{
+      .effect = "fixture_flexibility",
+      .place = ends.place,
+      .way = "",
+      .parameters = {{"mass", "kg", {PriorKind::log_normal, mass, 1}},
+                     {"frequency", "Hz", {PriorKind::log_normal, 1.5 * s.frequency, 0.8}},
+                     {"rocking", "", {PriorKind::log_normal, 1.5, 0.4}},
+                     {"spread", "", {PriorKind::log_normal, 1.3, 0.35, ball_over_cube}}},
+      .size = 1,
+      .changes = {ground_springs(ends.nodes, 1, 0),
+                  bodies(ends.nodes, 1, none, Eigen::Matrix3d::Zero()),
+                  ground_springs(ends.nodes, 0, 1), turned(Eigen::Matrix3d::Identity())},
+      .coefficients =
+          [](const Eigen::VectorXd& v) {
+            const Fixture f(v);
+            return Eigen::VectorXd(Eigen::Vector4d(f.moving, f.mass, f.turning, f.inertia));
+          },
+      .at_rig = false,
+      .released = ends.nodes,
+      .resonates = true,
+      .in_case = [place =
+                      ends.place](const Case& now,
+                                  const Eigen::VectorXd& v) { return on_fixtures(now, place, v); }};
+  h.released.insert(h.released.end(), ends.fixtures.begin(), ends.fixtures.end());
+  if (!beside) return h;
+  h.way = "beside the pipe";
+  for (const char* name : {"off_x", "off_z"})
+    h.parameters.push_back({name, "m", {PriorKind::normal, 0, edge}});
+  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
+  product(0, 2) = product(2, 0) = 1;
+  h.changes.push_back(bodies(ends.nodes, 0, x, Eigen::Matrix3d::Zero()));
+  h.changes.push_back(bodies(ends.nodes, 0, z, Eigen::Matrix3d::Zero()));
+  for (const Eigen::Matrix3d& J : {carried(1, x), carried(1, z), product}) // of x2, z2 and -x z
+    h.changes.push_back(turned(J));
+  h.coefficients = [](const Eigen::VectorXd& v) {
+    const Fixture f(v);
+    const double ex = f.offset[0], ez = f.offset[2];
+    Eigen::VectorXd c(9);
+    c << f.moving, f.mass, f.turning, f.inertia, f.mass * ex, f.mass * ez, f.mass * ex * ex,
+        f.mass * ez * ez, -f.mass * ex * ez;
+    return c;
+  };
+  return h;
+}
+
+// A fixture was there before: what comes loose under it is a compliance of the boundary, and beside
+// a baseline a further mass on springs would be an absorber for whatever has changed.
 std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (has_baseline(s.measured) && !asked_for(s, "fixture_flexibility")) return found;
-  const double mass = 2 * s.mass;
   for (const HeldEnds& ends : held_ends(s)) {
-    const auto bodies = [nodes = ends.nodes](double kg, double inertia) {
-      return ModelChange{[nodes, kg, inertia](Model& model) {
-                           for (int node : nodes) {
-                             add_point_mass(model, node, kg);
-                             model.masses.back().body.inertia.diagonal().setConstant(inertia);
-                           }
-                         },
-                         Follow::series};
-    };
-    std::vector<int> released = ends.nodes;
-    released.insert(released.end(), ends.fixtures.begin(), ends.fixtures.end());
-    found.push_back(
-        {.effect = "fixture_flexibility",
-         .place = ends.place,
-         .way = "",
-         .parameters = {{"mass", "kg", {PriorKind::log_normal, mass, 1}},
-                        {"frequency", "Hz", {PriorKind::log_normal, 1.5 * s.frequency, 0.8}},
-                        {"rocking", "", {PriorKind::log_normal, 1.5, 0.4}},
-                        {"spread", "", {PriorKind::log_normal, 1.3, 0.35, ball_over_cube}}},
-         .size = 1,
-         .changes = {ground_springs(ends.nodes, 1, 0), bodies(1, 0),
-                     ground_springs(ends.nodes, 0, 1), bodies(0, 1)},
-         .coefficients =
-             [](const Eigen::VectorXd& v) {
-               const double omega = 2 * std::numbers::pi * v[1], inertia = inertia_of(v[0], v[3]);
-               return Eigen::VectorXd(Eigen::Vector4d(
-                   v[0] * omega * omega, v[0], inertia * std::pow(omega * v[2], 2), inertia));
-             },
-         .at_rig = false,
-         .released = std::move(released),
-         .resonates = true,
-         .in_case =
-             [place = ends.place](const Case& now, const Eigen::VectorXd& v) {
-               return on_fixtures(now, place, v);
-             }});
+    found.push_back(fixture_under(s, ends, false));
+    if (s.reads_across) found.push_back(fixture_under(s, ends, true));
   }
   return found;
 }

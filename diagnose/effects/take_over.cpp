@@ -59,6 +59,9 @@ std::string yaml_of(double value) {
 std::string yaml_of(const Sextuple& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
 }
+std::string yaml_of(const Triple& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
 
 void scale(CaseEdits& edits, const std::string& path, double value, double factor) {
   if (value != 0 && factor != 1) edits.push_back({path, yaml_of(value * factor)});

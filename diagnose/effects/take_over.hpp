@@ -12,6 +12,7 @@ std::vector<Mount> mounts_at(const Case& data, const std::string& place);
 
 std::string yaml_of(double value);
 std::string yaml_of(const Sextuple& values);
+std::string yaml_of(const Triple& values);
 
 // A number of the case times a factor; nothing where it is zero.
 void scale(CaseEdits& edits, const std::string& path, double value, double factor);
