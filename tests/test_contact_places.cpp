@@ -1,6 +1,8 @@
 // Where things touch or sit: along pipes and chains, on crowns.
 #include "diagnose/effects/beam_path.hpp"
 #include "io/input/case_file.hpp"
+#include "solve/modes.hpp"
+#include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/moving_motion.hpp"
 
@@ -149,6 +151,39 @@ TEST(ContactPlaces, every_convolution_lies_at_or_beside_a_place) {
     EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.end()));
     for (int k = 1; k <= count; ++k)
       EXPECT_TRUE(all.contains(k - 1) || all.contains(k) || all.contains(k + 1)) << k;
+  }
+}
+
+// Frequencies of a bellows that something touches at a crown, from a touch to a pin, against those
+// of its whole mesh with the same springs.
+TEST(ContactPlaces, a_support_on_a_crown_is_followed_to_a_pin) {
+  Case c = test::verification_case("bellows_a", {.around = 16, .arc = 2, .wall = 2});
+  const Nominal nominal = nominal_of(c, Measured());
+  const auto first = [](const Model& model) {
+    const System system = assemble(model);
+    BaseFactor base = factor_below_spectrum(system.K, system.M);
+    return VectorXd(find_modes(system.K, system.M, {.count = 6, .band = {}, .proof = true}, base)
+                        .lambda.head(6));
+  };
+  const Model whole = build(c).model;
+  const VectorXd free = first(whole);
+  for (const Hypothesis& h :
+       effect_named("extra_support").hypotheses(nominal.structure(Measured()))) {
+    if (h.place != "bellows.crown[4]" || h.way == "on the mean motion") continue;
+    for (double share : {0.01, 1., 100., 1e4}) {
+      const double k = share * nominal.stiffness;
+      Model held = whole;
+      h.changes[0].apply(held);
+      for (std::size_t b = whole.bushings.size(); b < held.bushings.size(); ++b)
+        held.bushings[b].bushing.law *= k;
+      const VectorXd expected = first(held);
+      const TestReadings none;
+      const AffineModes found = *Predictor(nominal, none, {&h}).modes(VectorXd::Constant(1, k));
+      for (Index i = 0; i < 6; ++i)
+        EXPECT_NEAR(std::sqrt(found.lambda[i] / expected[i]), 1, 0.01)
+            << h.way << ", " << share << " of its own, mode " << i + 1 << ": "
+            << std::sqrt(expected[i] / free[i]);
+    }
   }
 }
 
