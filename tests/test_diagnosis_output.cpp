@@ -70,7 +70,7 @@ void add_what_is_left(Ledger& ledger) {
   ledger.left_in = {{"frequency in y, peak 1", 0.05}, {"mass", 0.03}, {"damping in y", -0.01}};
 }
 
-LocatedGap block(GapKind kind, const std::string& direction, double z) {
+LocatedGap block(ReadingKind kind, const std::string& direction, double z) {
   LocatedGap gap;
   gap.kind = kind;
   gap.direction = direction;
@@ -103,8 +103,8 @@ Diagnosis made_up_diagnosis(Verdict verdict, const std::vector<LedgerRow>& cause
   d.ledger.readings = 6;
   d.ledger.rows = causes;
   add_what_is_left(d.ledger);
-  d.where = {block(GapKind::stiffness, "y", -7.1), block(GapKind::frequency, "y", -6.6),
-             block(GapKind::frequency, "x", -6.3), component("bellows", 9.4),
+  d.where = {block(ReadingKind::stiffness, "y", -7.1), block(ReadingKind::frequency, "y", -6.6),
+             block(ReadingKind::frequency, "x", -6.3), component("bellows", 9.4),
              component("interlock", 5.9)};
   d.gap = {.before = 3.95, .after = 0.327, .interval = {0.58, 0.95}, .readings = 6};
   d.held_out = GapShrink{.before = 2.28, .after = 0.434, .interval = {0.7, 0.9}, .readings = 6};

@@ -12,6 +12,7 @@
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -191,7 +192,7 @@ private:
     std::map<std::string, double> most;
     for (const EffectFits& f : ranked) {
       const std::string& place = f.best->fit.together[0]->place;
-      const std::string component = place.substr(0, place.find('.'));
+      const std::string component = part_of_set(place);
       most[component == "sensor" ? place : component] =
           std::max(most[component == "sensor" ? place : component], f.best->log_bayes_factor);
     }

@@ -206,7 +206,7 @@ std::vector<LocatedGap> residual_energy(const Nominal& nominal, const TestReadin
       LocatedGap gap;
       gap.component = expansion.components()[std::size_t(c)];
       gap.band = shape.name;
-      gap.kind = GapKind::residual_energy;
+      gap.of_energy = true;
       gap.z = (own[c] - mean) / sigma;
       found.push_back(gap);
     }

@@ -1,6 +1,7 @@
 #include "diagnose/judge/judged_fit.hpp"
 
 #include "diagnose/weigh/nearest_rank.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +183,7 @@ std::string JudgedFit::saturated() const {
 void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nominal) {
   const auto component = [](const JudgedFit& j) {
     const std::string& place = j.fit.together[0]->place;
-    return place.substr(0, place.find('.'));
+    return part_of_set(place);
   };
   const auto closed = [&](const JudgedFit& j) {
     return nominal.gap_after * nominal.gap_after - j.gap_after * j.gap_after;

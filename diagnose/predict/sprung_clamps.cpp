@@ -1,5 +1,6 @@
 #include "diagnose/predict/sprung_clamps.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "model/shape/build.hpp"
 #include "solve/assembly.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 std::set<std::string> parts_of(const Cap& cap) {
   std::set<std::string> parts;
-  for (const std::string& end : cap.of) parts.insert(end.substr(0, end.find('.')));
+  for (const std::string& end : cap.of) parts.insert(part_of_set(end));
   return parts;
 }
 

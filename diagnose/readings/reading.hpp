@@ -26,6 +26,11 @@ enum class ReadingKind {
   loss,
   component
 };
+constexpr const char* word_of(ReadingKind kind) {
+  constexpr std::array words{"mass",  "stiffness",         "frequency", "damping", "amplitude",
+                             "cross", "dynamic stiffness", "loss",      "shape"};
+  return words.at(static_cast<std::size_t>(kind));
+}
 
 // What a measured response is a response to: the table along an axis, or a force in a channel.
 struct Input {

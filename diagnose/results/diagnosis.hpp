@@ -89,34 +89,13 @@ struct EffectNotTried {
   std::string name, needs; // needs: "a bellows"
 };
 
-// What the readings of a block are: one kind of reading, or the energy that a measured shape
-// leaves.
-enum class GapKind {
-  none,
-  mass,
-  stiffness,
-  frequency,
-  damping,
-  amplitude,
-  cross,
-  dynamic_stiffness,
-  loss,
-  shape,
-  residual_energy
-};
-constexpr const char* word_of(GapKind kind) {
-  constexpr std::array words{"",        "mass",      "stiffness",      "frequency",
-                             "damping", "amplitude", "cross",          "dynamic stiffness",
-                             "loss",    "shape",     "residual energy"};
-  return words.at(static_cast<std::size_t>(kind));
-}
-
 // One block of readings against admissible specimens.
 struct LocatedGap {
   std::string component; // by hypotheses at that place; else empty and
   std::string direction; // of base, with that of the response where it differs: "y", "x to z"
   std::string band;      // peak and its frequency
-  GapKind kind = GapKind::none;
+  std::optional<ReadingKind> kind = {}; // of a component none
+  bool of_energy = false;               // of a component: what a measured shape leaves there
   std::optional<double> level;
   std::string state;
   double z = 0;             // signed: above zero, the test shows more than the model

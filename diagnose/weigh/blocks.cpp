@@ -20,33 +20,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-GapKind gap_kind(ReadingKind kind) {
-  switch (kind) {
-  case ReadingKind::mass:
-    return GapKind::mass;
-  case ReadingKind::stiffness:
-    return GapKind::stiffness;
-  case ReadingKind::frequency:
-    return GapKind::frequency;
-  case ReadingKind::damping:
-    return GapKind::damping;
-  case ReadingKind::amplitude:
-    return GapKind::amplitude;
-  case ReadingKind::cross:
-    return GapKind::cross;
-  case ReadingKind::dynamic_stiffness:
-    return GapKind::dynamic_stiffness;
-  case ReadingKind::loss:
-    return GapKind::loss;
-  case ReadingKind::component:
-    return GapKind::shape;
-  }
-  return GapKind::none;
-}
-
 LocatedGap label_of(const TestReadings& test, const Reading& r) {
   LocatedGap label;
-  label.kind = gap_kind(r.kind);
+  label.kind = r.kind;
   label.state = r.state;
   if (r.kind == ReadingKind::stiffness) {
     const int dof = dof_of_static_test[static_cast<std::size_t>(r.direction)];
@@ -81,7 +57,7 @@ LocatedGap label_of(const TestReadings& test, const Reading& r) {
 }
 
 std::string key_of(const LocatedGap& l) {
-  return l.state + "|" + l.direction + "|" + l.band + "|" + word_of(l.kind) + "|" +
+  return l.state + "|" + l.direction + "|" + l.band + "|" + kind_word(l) + "|" +
          (l.level ? std::to_string(*l.level) : "");
 }
 
@@ -93,8 +69,12 @@ double wilson_hilferty(double chi2, double k) {
 
 } // namespace
 
+const char* kind_word(const LocatedGap& b) {
+  return b.kind ? word_of(*b.kind) : b.of_energy ? "residual energy" : "";
+}
+
 std::string name_of(const LocatedGap& b) {
-  std::string name = word_of(b.kind);
+  std::string name = kind_word(b);
   if (!b.component.empty())
     return name.empty() ? b.component : b.component + ": " + name + ", " + b.band;
   if (!b.direction.empty()) name += " in " + b.direction;
@@ -194,7 +174,7 @@ std::vector<LevelTrend> level_trends(const TestReadings& test) {
     const TestRun& run = test.runs[std::size_t(r.run)];
     if (!(run.level > 0)) continue;
     const std::string name =
-        std::string(word_of(gap_kind(r.kind))) + " of " +
+        std::string(word_of(r.kind)) + " of " +
         (run.input.any() ? "peak " + std::to_string(r.peak + 1) + ", " + word_of(run.input)
                          : mode_name(r)) +
         (r.state.empty() ? "" : ", " + r.state);

@@ -47,5 +47,7 @@ std::vector<LocatedGap> located(const BlockScores& scores, const Eigen::VectorXd
 std::vector<LevelTrend> level_trends(const TestReadings& test);
 
 std::string name_of(const LocatedGap& block);
+// "frequency"; empty: of a component, by hypotheses there.
+const char* kind_word(const LocatedGap& block);
 
 } // namespace plica

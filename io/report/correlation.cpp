@@ -16,10 +16,6 @@ namespace {
 
 using Eigen::Index;
 
-std::string number_or_dash(const std::optional<double>& x, int digits) {
-  return x ? html_number(*x, digits) : "–";
-}
-
 std::string numbers_table(const Correlation& c) {
   std::vector<HtmlRow> rows;
   for (const ComparedNumber& n : c.numbers) {
@@ -51,7 +47,7 @@ std::string pairs_table(const Correlation& c, const TestData& a, const TestData&
           html_signed(100 * p.frequency_error, 1),
           p.frequency_sigmas ? html_signed(*p.frequency_sigmas, 1) : "–",
           t.damping ? html_number(100 * *t.damping, 3) : "–",
-          s.damping ? html_number(100 * *s.damping, 3) : "–", number_or_dash(p.mac, 3), p.by},
+          s.damping ? html_number(100 * *s.damping, 3) : "–", html_number(p.mac, 3), p.by},
          ""});
   }
   for (const int j : c.unpaired_measured)

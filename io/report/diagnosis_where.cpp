@@ -24,11 +24,11 @@ std::string row_name(const LocatedGap& b) {
   std::string name = b.direction;
   for (const std::string& part : {b.band, b.state})
     if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
-  return name.empty() ? word_of(b.kind) : name;
+  return name.empty() ? kind_word(b) : name;
 }
 
 // One kind of reading: rows in the order of the test, a column for every level.
-std::string heat_map(const Diagnosis& d, GapKind kind) {
+std::string heat_map(const Diagnosis& d, ReadingKind kind) {
   std::vector<LocatedGap> blocks;
   std::vector<std::string> names;
   std::set<double> levels; // 0: not stated
@@ -56,20 +56,20 @@ std::string heat_map(const Diagnosis& d, GapKind kind) {
     rows.push_back(std::move(row));
   }
   return "<div><h3>" +
-         html_escape(kind == GapKind::cross ? "motion along other axes" : word_of(kind)) +
+         html_escape(kind == ReadingKind::cross ? "motion along other axes" : word_of(kind)) +
          "</h3>\n" + html_table("", columns, rows) + "</div>\n";
 }
 
-bool is_still(GapKind kind) {
-  return kind == GapKind::mass || kind == GapKind::stiffness ||
-         kind == GapKind::dynamic_stiffness || kind == GapKind::loss;
+bool is_still(ReadingKind kind) {
+  return kind == ReadingKind::mass || kind == ReadingKind::stiffness ||
+         kind == ReadingKind::dynamic_stiffness || kind == ReadingKind::loss;
 }
 
 // Mass, stiffness and what a rig reads: no runs, one column.
 std::string still_readings(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   for (const LocatedGap& b : d.where)
-    if (b.component.empty() && is_still(b.kind))
+    if (b.component.empty() && b.kind && is_still(*b.kind))
       rows.push_back({{html_escape(name_of(b)), score(b)}, ""});
   if (rows.empty()) return "";
   return "<div><h3>mass and stiffness</h3>\n" + html_table("", {{"", "", false}, {"z", ""}}, rows) +
@@ -103,8 +103,9 @@ std::string drifts_table(const Diagnosis& d) {
 
 std::string blocks_html(const Diagnosis& d) {
   std::string html = still_readings(d);
-  for (const GapKind kind :
-       {GapKind::frequency, GapKind::damping, GapKind::amplitude, GapKind::cross, GapKind::shape})
+  for (const ReadingKind kind :
+       {ReadingKind::frequency, ReadingKind::damping, ReadingKind::amplitude, ReadingKind::cross,
+        ReadingKind::component})
     html += heat_map(d, kind);
   if (html.empty()) return "";
   return "<p class=\"note\">Standard scores of the readings against admissible specimens, nominal "

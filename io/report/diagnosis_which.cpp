@@ -10,10 +10,6 @@
 namespace plica {
 namespace {
 
-std::string or_dash(const std::optional<double>& x, int digits) {
-  return x ? html_number(*x, digits) : "–";
-}
-
 std::string join(const std::vector<std::string>& blocks) {
   std::string html;
   for (const std::string& block : blocks) html += block;
@@ -50,7 +46,7 @@ HtmlRow row_of(const TriedHypothesis& h, bool best) {
   HtmlRow row{{join(names), in_lines(values), in_lines(distances), bayes,
                html_number(h.share_of_healthy_worse, 2) + (h.adequate ? "" : " ✗"),
                html_number(h.gap_after, 3),
-               or_dash(h.held_out_after, 3) + (h.fails_held_out ? " ✗" : ""), remarks},
+               html_number(h.held_out_after, 3) + (h.fails_held_out ? " ✗" : ""), remarks},
               best ? "nominal" : ""};
   if (h.rejected.empty()) return row;
   for (std::string& cell : row.cells)
@@ -151,7 +147,7 @@ std::string compensators_html(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   for (const Compensator& c : d.compensators)
     rows.push_back({{html_escape(c.name), factor_html(c.factor), html_number(c.prior_sigmas, 2),
-                     html_number(c.gap_after, 3), or_dash(c.held_out_after, 3),
+                     html_number(c.gap_after, 3), html_number(c.held_out_after, 3),
                      html_escape(c.contradicted_by)},
                     ""});
   if (rows.empty()) return "";

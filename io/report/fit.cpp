@@ -19,8 +19,8 @@ std::string parameters_table(const FitResult& fit) {
   std::vector<HtmlRow> rows;
   for (const FittedParameter& p : fit.parameters)
     rows.push_back({{html_escape(p.path), html_escape(p.unit), html_number(p.start, 4),
-                     html_number(p.value, 5), p.sigma ? html_number(*p.sigma, 2) : "–",
-                     html_fixed(100 * p.known, 0), p.at_bound ? "at its bound" : ""},
+                     html_number(p.value, 5), html_number(p.sigma, 2), html_fixed(100 * p.known, 0),
+                     p.at_bound ? "at its bound" : ""},
                     ""});
   for (const auto& [path, value, unit] : fit.ties)
     rows.push_back(

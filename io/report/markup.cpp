@@ -68,6 +68,10 @@ std::string html_number(double value, int digits) {
                      with_true_minus(std::to_string(power)));
 }
 
+std::string html_number(const std::optional<double>& value, int digits) {
+  return value ? html_number(*value, digits) : dash;
+}
+
 std::string html_fixed(double value, int decimals) {
   if (!std::isfinite(value)) return dash;
   return with_true_minus(fmt::format("{:.{}f}", value, decimals));

@@ -1,6 +1,7 @@
 // Small pieces of HTML: escaped text, numbers, tables, sections.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ inline constexpr const char* dash = "\u2013"; // where there is no number
 
 // significant() with a true minus sign and powers of ten as superscripts; a dash if not finite.
 std::string html_number(double value, int digits);
-std::string html_fixed(double value, int decimals);  // 116.20
+std::string html_number(const std::optional<double>& value, int digits); // none: a dash
+std::string html_fixed(double value, int decimals);                      // 116.20
 std::string html_signed(double value, int decimals); // +3.2, with a true minus sign
 std::string html_unit(std::string unit);             // m/s2 as m/s², escaped
 

@@ -18,13 +18,13 @@ std::string with_dash(const std::string& percent) {
   return percent == "-" ? "–" : html_escape(percent);
 }
 
-std::string number_or_dash(double stress) {
-  return std::isfinite(stress) ? html_number(1e-6 * stress, 3) : "–";
+std::string in_MPa(double stress) {
+  return html_number(1e-6 * stress, 3);
 }
 
 // What is nothing beside the stress it is a part of is nothing.
 std::string part_of(double part, double whole) {
-  return number_or_dash(std::abs(part) < 1e-9 * std::abs(whole) ? 0 : part);
+  return in_MPa(std::abs(part) < 1e-9 * std::abs(whole) ? 0 : part);
 }
 
 std::string largest_table(const Results& results) {
@@ -148,7 +148,7 @@ std::string duties_table(const Results& results) {
     rows.push_back(
         {{html_escape(word_of(d.kind) + (" " + d.name)), html_escape(d.what),
           html_escape(place_words(results.places[std::size_t(spot.place)], spot.outer)),
-          html_number(d.count, 4) + " " + d.unit, number_or_dash(d.range),
+          html_number(d.count, 4) + " " + d.unit, in_MPa(d.range),
           with_dash(duty_mesh_error(results, d)), d.life ? html_escape(life_words(*d.life)) : "–",
           d.between || d.damage_between ? html_escape(between_words(d)) : "–",
           bounded(html_number(d.damage, 3), d.at_most, d.at_least)},

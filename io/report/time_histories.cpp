@@ -150,7 +150,7 @@ std::string crossings_html(const RunUpResult& r, const Results& results) {
                  html_fixed(c.frequency, 1), html_escape(name_of(r.channels, c.channel)),
                  html_number(c.amplitude, 3)},
                 ""};
-    if (hastes) row.cells.push_back(c.haste ? html_number(*c.haste, 2) : "–");
+    if (hastes) row.cells.push_back(html_number(c.haste, 2));
     if (r.sweeps) row.cells.push_back(html_number(*c.reached, 3));
     rows.push_back(std::move(row));
   }

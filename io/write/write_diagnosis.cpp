@@ -1,5 +1,6 @@
 #include "io/write/write_diagnosis.hpp"
 
+#include "diagnose/weigh/blocks.hpp"
 #include "io/files/json_text.hpp"
 #include "io/report/diagnosis.hpp"
 #include "io/tables/csv.hpp"
@@ -132,7 +133,7 @@ Json json_of(const LocatedGap& b) {
   if (!b.direction.empty()) json["direction"] = b.direction;
   if (!b.band.empty()) json["band"] = b.band;
   if (b.level) json["level"] = json_number(b.level);
-  json["kind"] = word_of(b.kind);
+  json["kind"] = kind_word(b);
   if (!b.state.empty()) json["state"] = b.state;
   json["z"] = json_number(b.z);
   json["significant"] = b.significant;
@@ -296,7 +297,7 @@ std::string where_csv(const Diagnosis& d) {
   std::string text = "component,direction,band,level [m/s2],kind,state,z,significant\n";
   for (const LocatedGap& b : d.where)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(b.component), csv_cell(b.direction),
-                        csv_cell(b.band), csv_number(b.level), word_of(b.kind), csv_cell(b.state),
+                        csv_cell(b.band), csv_number(b.level), kind_word(b), csv_cell(b.state),
                         csv_number(b.z), b.significant ? 1 : 0);
   return text;
 }

@@ -33,7 +33,7 @@ bool CheckLog::fine(const std::string& key) const {
 }
 
 bool CheckLog::sets_known(const std::string& set) const {
-  const std::string part = part_key(set.substr(0, set.find('.')));
+  const std::string part = part_key(part_of_set(set));
   return fine(part + ".type") && fine(part + ".profile") && fine(part + ".points") &&
          fine(part + ".file");
 }

@@ -34,6 +34,11 @@ inline std::string cap_of(const std::string& key) {
   return key.substr(key.find('.') + 1);
 }
 
+// "bellows" of "bellows.left": a set of it, or a place in it.
+inline std::string part_of_set(const std::string& set) {
+  return set.substr(0, set.find('.'));
+}
+
 // A path below one of them: of "caps.left.mass" a cap, "left" and "mass".
 enum class PlaceKind { part, cap, mount };
 struct PathInPlace {

@@ -36,10 +36,6 @@ std::string listed(const std::set<std::string>& names) {
   return text;
 }
 
-std::string part_of(const std::string& set) {
-  return set.substr(0, set.find('.'));
-}
-
 Box box_of(const Mesh& mesh, const std::vector<int>& nodes) {
   Box box;
   for (int node : nodes) box.extend(mesh.nodes[std::size_t(node)]);
@@ -242,7 +238,8 @@ private:
     const auto& sets = model_.mesh.sets;
     for (const Cap& cap : case_.caps)
       for (std::size_t i = 1; i < cap.of.size(); ++i) {
-        if (part_of(cap.of[i]) == part_of(cap.of[0])) continue; // the bolt holes of one flange
+        if (part_of_set(cap.of[i]) == part_of_set(cap.of[0]))
+          continue; // the bolt holes of one flange
         const Box a = box_of(model_.mesh, sets.at(cap.of[0])),
                   b = box_of(model_.mesh, sets.at(cap.of[i]));
         const double apart = (a.center() - b.center()).norm();

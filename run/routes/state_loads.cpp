@@ -166,7 +166,7 @@ private:
   void grow(const Cap& cap, StateLoads& loads) const {
     const std::string& end = cap.of.front();
     for (const PartTemperature& t : state_.temperature) {
-      if (t.part != end.substr(0, end.find('.'))) continue;
+      if (t.part != part_of_set(end)) continue;
       const Material& m = data_.materials.at(material_of(part_of(t)));
       loads.growth[built_.cap_nodes.at(cap.name)] =
           heated(m, temperature_of(t, model_.mesh.sets.at(end))).strain;
