@@ -139,13 +139,8 @@ inline Model soft_comb(int bars) {
   return model;
 }
 
-} // namespace small
-
-inline std::vector<SmallModel> small_models() {
-  using namespace small;
-  const ShellSection slipping{.E = 200e9, .nu = 0.3, .rho = 7900, .bending_factor = 0.25};
+inline std::vector<SmallModel> plates() {
   const auto edges = std::vector<std::string>{"edge1", "edge2", "edge3", "edge4"};
-  const auto ends = std::vector<std::string>{"left", "right"};
   return {{"plate_cantilever", [] { return held(plate(12, 8, 0.2), {"edge4"}); }},
           {"plate_square_supported",
            [=] {
@@ -153,7 +148,7 @@ inline std::vector<SmallModel> small_models() {
            }},
           {"plate_square_free", [] { return plate(10, 10, 0.3); }, 6},
           {"plate_warped_clamped",
-           [=] {
+           [] {
              return held(plate(10, 8, 0.2, 0.05), {"edge2", "edge4"});
            }},
           {"plate_on_corner_springs",
@@ -163,13 +158,17 @@ inline std::vector<SmallModel> small_models() {
                add_spring(model, model.mesh.sets.at(corner)[0], 2e3, 0);
              return model;
            }},
-          {"plate_with_body",
-           [] {
+          {"plate_with_body", [] {
              Model model = held(plate(10, 6, 0.2), {"edge4"});
              add_body(model, "edge2", 0.5, 0.02);
              return model;
-           }},
-          {"tube_clamped", [=] { return held(tube(24, 10), ends); }},
+           }}};
+}
+
+const std::vector<std::string> both_ends{"left", "right"};
+
+inline std::vector<SmallModel> tubes() {
+  return {{"tube_clamped", [] { return held(tube(24, 10), both_ends); }},
           {"tube_cantilever", [] { return held(tube(20, 8), {"left"}); }},
           {"tube_free", [] { return tube(20, 8); }, 6},
           {"tube_distributing_mass",
@@ -178,19 +177,22 @@ inline std::vector<SmallModel> small_models() {
              add_body(model, "right", 0.8, 0.03, true);
              return model;
            }},
-          {"tube_on_springs",
-           [] {
+          {"tube_on_springs", [] {
              Model model = tube(16, 8);
              add_spring(model, add_body(model, "left", 0.1, 0), 1e5, 1e3);
              add_spring(model, add_body(model, "right", 0.1, 0), 2e4, 50);
              return model;
-           }},
-          {"bellows_one", [=] { return held(bellows(1, 24), ends); }},
-          {"bellows_two", [=] { return held(bellows(2, 24), ends); }},
-          {"bellows_three", [=] { return held(bellows(3, 16), ends); }},
-          {"bellows_omega", [=] { return held(bellows(2, 20, 0.0032), ends); }},
-          {"bellows_slipping", [=] { return held(bellows(2, 20, 0.003, slipping), ends); }},
-          {"bellows_discs", [=] { return held(discs(3, 20), ends); }},
+           }}};
+}
+
+inline std::vector<SmallModel> kinds_of_bellows() {
+  const ShellSection slipping{.E = 200e9, .nu = 0.3, .rho = 7900, .bending_factor = 0.25};
+  return {{"bellows_one", [] { return held(bellows(1, 24), both_ends); }},
+          {"bellows_two", [] { return held(bellows(2, 24), both_ends); }},
+          {"bellows_three", [] { return held(bellows(3, 16), both_ends); }},
+          {"bellows_omega", [] { return held(bellows(2, 20, 0.0032), both_ends); }},
+          {"bellows_slipping", [=] { return held(bellows(2, 20, 0.003, slipping), both_ends); }},
+          {"bellows_discs", [] { return held(discs(3, 20), both_ends); }},
           {"bellows_free_caps",
            [] {
              Model model = bellows(2, 20);
@@ -198,11 +200,23 @@ inline std::vector<SmallModel> small_models() {
              add_body(model, "right", 0.2, 0.01);
              return model;
            },
-           6},
-          {"beam_cantilever", [] { return cantilever(true); }},
+           6}};
+}
+
+inline std::vector<SmallModel> frames() {
+  return {{"beam_cantilever", [] { return cantilever(true); }},
           {"beam_free", [] { return cantilever(false); }, 6},
           {"portal", portal},
           {"soft_comb", [] { return soft_comb(3); }}};
+}
+
+} // namespace small
+
+inline std::vector<SmallModel> small_models() {
+  std::vector<SmallModel> all;
+  for (auto make : {small::plates, small::tubes, small::kinds_of_bellows, small::frames})
+    for (SmallModel& model : make()) all.push_back(std::move(model));
+  return all;
 }
 
 } // namespace plica::test

@@ -132,10 +132,8 @@ Metric next_measurement(const std::vector<Scored>& all) {
   return m;
 }
 
-} // namespace
-
-std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
-  std::vector<Metric> list;
+// Right, and not confidently wrong: of the effects of the library.
+void add_effects(const std::vector<Scored>& all, std::vector<Metric>& list) {
   list.push_back(share_of(1, "confident and wrong, in library", all, is_effect, confidently_wrong,
                           0.03, true));
   list.push_back(share_of(2, "truth in the reported set, detectable", all, detected_effect,
@@ -143,26 +141,36 @@ std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
   list.push_back(
       share_of(3, "first effect right, detectable", all, detected_effect, top_is_right, 0.85));
   list.push_back(share_of(3, "first effect right, all", all, is_effect, top_is_right, 0.75));
-  const auto named = [](const Scored& s) { return is_effect(s) && !s.named.empty(); };
+}
+
+// Over the effects with a reported set at all.
+Metric mean_size(const std::vector<Scored>& all) {
   double sum = 0;
   int sets = 0;
   for (const Scored& s : all)
-    if (named(s)) {
+    if (is_effect(s) && !s.named.empty()) {
       sum += double(s.named.size());
       ++sets;
     }
-  list.push_back({.number = 4,
-                  .name = "mean size of the set",
-                  .value = sets ? sum / sets : 0,
-                  .of = sets,
-                  .accept = 1.6,
-                  .at_most = true});
+  return {.number = 4,
+          .name = "mean size of the set",
+          .value = sets ? sum / sets : 0,
+          .of = sets,
+          .accept = 1.6,
+          .at_most = true};
+}
+
+void add_resolution_and_place(const std::vector<Scored>& all, std::vector<Metric>& list) {
+  list.push_back(mean_size(all));
   list.push_back(share_of(
       4, "fully resolved, detectable", all, detected_effect,
       [](const Scored& s) { return s.verdict == "identified" && top_is_right(s); }, 0.65));
   list.push_back(share_of(
       5, "place right where the effect is", all,
       [](const Scored& s) { return is_effect(s) && top_is_right(s); }, place_is_right, 0.85));
+}
+
+void add_healthy_and_strangers(const std::vector<Scored>& all, std::vector<Metric>& list) {
   list.push_back(share_of(
       6, "false alarm without effect", all, [](const Scored& s) { return s.kind == "none"; },
       [](const Scored& s) { return s.verdict != "none"; }, 0.05, true));
@@ -176,6 +184,9 @@ std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
         return s.kind == "stranger" && s.truth["outside_by_design"] == false && s.verdict != "none";
       },
       caveat_names_look_alike, 0.80));
+}
+
+void add_gaps(const std::vector<Scored>& all, std::vector<Metric>& list) {
   list.push_back(median_of(9, "held-out gap, verdict over oracle",
                            collected(all, detected_effect, against_oracle), 1.15, true));
   list.push_back(median_of(
@@ -183,6 +194,10 @@ std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
       collected(all, detected_effect,
                 [](const Scored& s) { return number_at(s.diagnosis, "/gap/heldout/shrink"); }),
       0.60, false));
+}
+
+// Intervals and probabilities.
+void add_stated_certainty(const std::vector<Scored>& all, std::vector<Metric>& list) {
   int inside = 0, of = 0;
   for (const Scored& s : all)
     if (is_effect(s) && top_is_right(s)) count_intervals(s, inside, of);
@@ -195,6 +210,9 @@ std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
                   .value = std::isnan(skill) ? 0 : skill,
                   .of = std::isnan(skill) ? 0 : list.back().of,
                   .accept = 0});
+}
+
+void add_pairs(const std::vector<Scored>& all, std::vector<Metric>& list) {
   const auto pair = [](const Scored& s) { return s.kind == "pair"; };
   list.push_back(share_of(
       13, "pairs: at least one right", all, pair,
@@ -204,6 +222,18 @@ std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
       13, "pairs: both in the set", all, pair,
       [](const Scored& s) { return names(s, true_effect(s)) && names(s, true_effect(s, 1)); },
       0.50));
+}
+
+} // namespace
+
+std::vector<Metric> metrics_of(const std::vector<Scored>& all) {
+  std::vector<Metric> list;
+  add_effects(all, list);
+  add_resolution_and_place(all, list);
+  add_healthy_and_strangers(all, list);
+  add_gaps(all, list);
+  add_stated_certainty(all, list);
+  add_pairs(all, list);
   list.push_back(next_measurement(all));
   list.push_back(median_of(16, "seconds a diagnosis, median",
                            collected(
