@@ -114,6 +114,7 @@ TEST_F(Cad, an_outer_surface_is_moved_to_the_middle_of_its_wall) {
   for (const auto& [side, radius] :
        {std::pair{WallSide::outer, 0.049}, {WallSide::middle, 0.05}, {WallSide::inner, 0.051}}) {
     const Mesh mesh = shell_mesh(mesh_surface_file(at("tube.step"), {.size = 5e-3}), 2e-3, side);
+    ASSERT_FALSE(mesh.quads.empty());
     for (const Vector3d& x : mesh.nodes) EXPECT_NEAR(std::hypot(x.x(), x.z()), radius, 1e-7);
     for (const ShellQuad& q : mesh.quads)
       for (int c = 0; c < 4; ++c) {

@@ -127,6 +127,7 @@ TEST(RigAnswers, of_a_rod_are_the_closed_form) {
     const VectorXd y = rig_answers(data, test);
     const std::vector<Reading> readings = rig_readings(test).readings;
     ASSERT_EQ(readings.size(), 16);
+    ASSERT_EQ(y.size(), 16);
     for (Index i = 0; i < y.size(); ++i) {
       const Reading& r = readings[std::size_t(i)];
       if (far == MountKind::rigid) print_for_table("rig of a rod, " + r.name, y[i], r.value, 0.01);
@@ -198,6 +199,8 @@ TEST(RigAnswers, of_damped_modes_and_dampers_are_those_of_the_part) {
                   transfer_stiffness(part.states[0].over.at[0][std::size_t(f)], direction));
   const VectorXd y = rig_answers(data, test);
   const std::vector<Reading> readings = rig_readings(test).readings;
+  ASSERT_FALSE(readings.empty());
+  ASSERT_EQ(y.size(), Index(readings.size()));
   for (Index i = 0; i < y.size(); ++i) {
     const Reading& r = readings[std::size_t(i)];
     const double tolerance = r.kind == ReadingKind::loss ? 0.03 : 0.01;
@@ -233,6 +236,7 @@ TEST(RigAnswers, of_a_group_that_slips_are_its_loop) {
   const VectorXd y = rig_answers(data, test, {&all[0]}, values);
   const std::vector<Reading> readings = rig_readings(test).readings;
   ASSERT_EQ(readings.size(), 7); // stuck, nothing is lost
+  ASSERT_EQ(y.size(), 7);
   for (Index i = 0; i < y.size(); ++i) {
     const Reading& r = readings[std::size_t(i)];
     print_for_table("rig of sliders, " + r.name, y[i], r.value, 0.01);

@@ -46,6 +46,7 @@ TEST(DynamicStiffness, of_a_rod_is_the_closed_form) {
   }();
   const EndDynamicStiffness s = stiffness_of(data, at({10, 200, 400}));
   const auto& over = s.states.at(0).over;
+  ASSERT_EQ(over.hertz.size(), 3);
   for (long f = 0; f < over.hertz.size(); ++f) {
     const double k = 2 * pi * over.hertz[f] * std::sqrt(m / EA);
     const Complex1212& Z = over.at[0][std::size_t(f)];
@@ -106,7 +107,8 @@ TEST(DynamicStiffness, of_friction_has_the_area_of_its_loop) {
   EXPECT_TRUE(s.friction);
   const StiffnessOverFrequency& over = s.states.at(0).over;
   EXPECT_EQ(over.not_found, 0);
-  const double slip = 3 / 6e4; // x_s
+  const double slip = 3 / 6e4;       // x_s
+  ASSERT_EQ(over.levels.size(), 4U); // small motion first
   for (std::size_t l = 1; l < over.levels.size(); ++l) {
     const double X = over.levels[l].translation;
     const double area = pi * X * X * driving_point_stiffness(over.at[l][0], 1).imag();
@@ -125,6 +127,7 @@ TEST(DynamicStiffness, between_stuck_and_slipping_is_monotonic) {
   StiffnessRequest request = at({5});
   for (double X = 2e-5; X < 2e-2; X *= 2) request.levels.push_back({.translation = X});
   const StiffnessOverFrequency over = stiffness_of(sliding_chain(), request).states.at(0).over;
+  ASSERT_EQ(over.levels.size(), request.levels.size() + 1);
   for (std::size_t l = 1; l < over.levels.size(); ++l)
     EXPECT_LE(transfer_stiffness(over.at[l][0], 1).real(),
               transfer_stiffness(over.at[l - 1][0], 1).real() * (1 + 1e-9))
@@ -296,10 +299,12 @@ TEST(DynamicStiffness, lies_on_itself) {
     m.value = k.imag();
     measured.push_back(m);
   }
-  for (const StiffnessComparison& c : compare_stiffness(s, measured, 5, 256))
-    EXPECT_NEAR(c.computed / c.measured.value, 1, 1e-6);
-  for (const ShownDeviation& d : deviations(compare_stiffness(s, measured, 5, 256)))
-    EXPECT_EQ(d.count, 2);
+  const std::vector<StiffnessComparison> compared = compare_stiffness(s, measured, 5, 256);
+  ASSERT_EQ(compared.size(), 4U);
+  for (const StiffnessComparison& c : compared) EXPECT_NEAR(c.computed / c.measured.value, 1, 1e-6);
+  const std::vector<ShownDeviation> shown = deviations(compared);
+  EXPECT_EQ(shown.size(), 2U); // storage and loss
+  for (const ShownDeviation& d : shown) EXPECT_EQ(d.count, 2);
 }
 
 } // namespace

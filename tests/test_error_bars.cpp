@@ -80,6 +80,7 @@ TEST(MeshError, of_a_bellows_is_estimated_with_its_sign) {
   const Results nominal = run_silently(for_headline(data));
   const ErrorBars errors = error_bars(data, nominal, [](const std::string&) {});
   const auto fine = headline(run_silently(for_headline(refined(data, {.along = 3, .around = 3}))));
+  ASSERT_GT(errors.bars.size(), 1U); // beside the mass
   for (const ErrorBar& bar : errors.bars) {
     if (bar.key == "mass") continue;
     const double missing = 9. / 8 * (fine.at(bar.key) - bar.value);
@@ -103,10 +104,13 @@ TEST(ErrorBars, need_no_sensor_and_make_up_no_number) {
   nominal.modes.push_back(beyond);
   nominal.shapes.push_back(Eigen::MatrixXd::Random(nominal.shapes[0].rows(), 6));
   const ErrorBars errors = error_bars(data, nominal, [](const std::string&) {});
+  int torsion = 0;
   for (const ErrorBar& bar : errors.bars) {
+    torsion += bar.key == "f_torsion";
     EXPECT_EQ(std::isnan(bar.mesh.along), bar.key == "f_torsion") << bar.key;
     EXPECT_EQ(bar.interval.has_value(), bar.key != "f_torsion") << bar.key;
   }
+  EXPECT_EQ(torsion, 1);
 }
 
 // Everything scales with E: stiffness in proportion, frequencies with the root, the mass not at

@@ -52,9 +52,11 @@ TEST(HoseB, meets_the_levels_it_was_not_fitted_to) {
     EXPECT_EQ(count, 5);
     EXPECT_LT(std::sqrt(sum / count), limit) << base;
   }
-  for (const LevelResponses& responses : r.level_responses)
+  for (const LevelResponses& responses : r.level_responses) {
+    EXPECT_FALSE(responses.referee.empty()) << responses.excitation;
     for (const RefereeCheck& check : responses.referee)
       EXPECT_LT(check.difference, 5e-3) << responses.excitation << " " << check.level;
+  }
 }
 
 TEST(HoseBSlow, is_fitted_and_predicts) {

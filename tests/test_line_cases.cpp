@@ -147,15 +147,20 @@ TEST(LineCases, a_dashpot_at_a_hanger_damps_the_modes_that_move_it) {
 // 5. A mode that moves in z is no axial one: the first axial mode moves along the pipe.
 TEST(LineCases, modes_are_called_by_what_they_move) {
   const Results r = line_results(hung(""));
+  int axial = 0, along_z = 0;
   for (const ModeResult& m : r.modes) {
     if (m.shape == "axial") {
+      ++axial;
       EXPECT_GT(m.effective_mass[1], m.effective_mass[2]) << m.frequency;
     }
     if (m.effective_mass[2] > 0.5 * r.free_mass[2]) {
+      ++along_z;
       EXPECT_EQ(m.shape, "transverse") << m.frequency;
       EXPECT_EQ(m.direction, "z");
     }
   }
+  EXPECT_EQ(axial, 1);
+  EXPECT_EQ(along_z, 1);
 }
 
 // Local maxima of what is shown, farther than 4 % from any mode.
@@ -237,7 +242,9 @@ TEST(LineCases, a_hanger_with_friction_and_rubber_has_levels) {
       "[{stiffness: 30 N/mm, slip_force: 5 N}]}}}");
   const Results r = line_results(text);
   const LevelResponses& responses = r.level_responses.at(0);
+  ASSERT_EQ(responses.curves.size(), 2U);
   for (const LevelCurve& c : responses.curves) EXPECT_TRUE(c.complete) << c.reason;
+  EXPECT_EQ(responses.referee.size(), 2U);
   for (const RefereeCheck& check : responses.referee) {
     EXPECT_TRUE(check.settled);
     EXPECT_LT(check.difference, 0.02);

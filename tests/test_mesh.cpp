@@ -103,6 +103,7 @@ TEST(Meridian, curves_have_the_lengths_and_places_of_the_drawing) {
 TEST(Meridian, arcs_and_walls_join_with_one_tangent) {
   for (const Convolution& c : {u_shape, omega, leaning}) {
     const auto curves = mesh_meridian(bellows(c));
+    ASSERT_GT(curves.size(), 1U);
     for (std::size_t i = 1; i < curves.size(); ++i) {
       EXPECT_LT((curves[i - 1].back().position - curves[i].front().position).norm(), exact);
       EXPECT_LT((curves[i - 1].back().normal - curves[i].front().normal).norm(), 1e-9)

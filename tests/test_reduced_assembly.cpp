@@ -144,6 +144,8 @@ void expect_same_peaks(const ResponseResult& full, const ResponseResult& fast) {
 TEST(ReducedAssembly, responds_as_the_unreduced_one) {
   const Case data = assembly_case({16, 2, 3});
   const Results full = run_silently(data), fast = reduced(data, 3000);
+  ASSERT_FALSE(full.responses.empty());
+  ASSERT_EQ(fast.responses.size(), full.responses.size());
   for (std::size_t k = 0; k < full.responses.size(); ++k)
     expect_same_peaks(full.responses[k], fast.responses[k]);
 }

@@ -115,12 +115,15 @@ TEST(Schema, is_draft_07_and_describes_every_key_at_the_top) {
 TEST(Schema, shipped_cases_and_their_data_conform) {
   const Json cases = Json::parse(case_schema()), data = Json::parse(measured_schema()),
              benchmark = Json::parse(benchmark_schema());
+  int files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(PLICA_SOURCE_DIR) / "cases")) {
     if (entry.path().extension() != ".yaml") continue;
     const bool measured = entry.path().filename() == "measured.yaml";
     const Json& schema = measured ? data : is_benchmark(entry.path()) ? benchmark : cases;
     EXPECT_TRUE(conforms(json_of_file(entry.path()), schema)) << entry.path();
+    ++files;
   }
+  EXPECT_GE(files, 17);
 }
 
 TEST(Schema, takes_one_weighing_or_a_list) {

@@ -180,6 +180,7 @@ TEST(ShellTriangle, recovers_the_stress_of_pure_bending) {
   add_edge_force(model, "edge2", 4, moment * width, force);
   const StressField field = recover_stress(model, solve_static(model, force));
   const double wanted = 6 * moment / (thickness * thickness);
+  ASSERT_FALSE(field.node_of_point.empty());
   for (std::size_t p = 0; p < field.node_of_point.size(); ++p)
     for (int face : {0, 1})
       EXPECT_NEAR(std::abs(field.shell(12 * Eigen::Index(p) + 6 * face, 0)), wanted, 1e-6 * wanted);

@@ -135,6 +135,7 @@ TEST(BeamStress, of_a_cantilever_is_the_moment_over_the_section_modulus) {
     load[6 * elements + 2] = F;
     load[6 * elements] = 500;
     const StressField field = recover_stress(model, solve_static(model, load));
+    ASSERT_EQ(field.beam.rows(), 8 * elements); // four fibres at both ends
     for (Eigen::Index row = 0; row < field.beam.rows(); ++row) {
       const double x = model.mesh.nodes[field.node_of_row[row]].x();
       const double bending = F * (L - x) / (b * h * h / 6), pull = 500 / (b * h);

@@ -102,6 +102,7 @@ TEST(SweptSine, keeps_its_accuracy_at_the_sampling_of_a_run) {
   const std::vector<Complex> exact = by_runge_kutta(c, dt);
   double largest = 0;
   for (const Complex& a : exact) largest = std::max(largest, std::abs(a));
+  ASSERT_EQ(z.rows(), 24 * 40 * 2 + 1);
   for (Index i = 0; i < z.rows(); ++i)
     EXPECT_LT(std::abs(z(i, 0) - exact[std::size_t(i)]), 5e-3 * largest) << i;
 }
@@ -113,6 +114,7 @@ TEST(SweptSine, of_a_stiff_mode_is_static) {
   const Chirp c{2};
   const MatrixXcd z =
       swept_acceleration(stiff, VectorXcd::Constant(1, turn_), sampled(c, 1e-4), 100);
+  ASSERT_EQ(z.rows(), 201);
   for (Index i = 1; i + 1 < z.rows(); ++i) {
     // The second derivative of a e^{i phi}, a and the frequency growing.
     const double t = double(i) * 1e-2, w = c.rate(t), a = c.amplitude(t);

@@ -41,21 +41,37 @@ TEST(UniversalFile, that_ends_inside_of_a_set_is_refused) {
                  "data set 15, record 1", "inside of the data set");
 }
 
+// A line of -1 opens each data set and closes it.
+std::size_t closed_sets(const std::string& text) {
+  std::size_t marks = 0;
+  for (std::size_t at = text.find(closing); at != std::string::npos;
+       at = text.find(closing, at + closing.size()))
+    ++marks;
+  return marks / 2;
+}
+
 // Every length of a file: read as before, or refused, and no data set with fewer data than the file
 // has up to there.
 TEST(UniversalFile, cut_anywhere_is_refused_or_whole) {
   const std::string text = one_of_each();
   const auto whole = sets_of(text);
+  ASSERT_EQ(whole.size(), 8U);
+  std::size_t read = 0, refused = 0;
   for (std::size_t length = 0; length < text.size(); ++length) {
     try {
       const auto sets = sets_of(text.substr(0, length));
+      ++read;
+      EXPECT_GE(sets.size(), closed_sets(text.substr(0, length)));
       for (std::size_t i = 0; i + 1 < sets.size(); ++i) expect_same(sets[i], whole[i]);
       if (sets.size() == whole.size()) {
         EXPECT_GE(length, text.size() - 8) << "only the -1 is gone";
       }
     } catch (const InputError&) {
+      ++refused;
     }
   }
+  EXPECT_GE(read, whole.size() - 1); // behind each set but the last
+  EXPECT_GT(refused, 0U);
 }
 
 TEST(UniversalHeader, that_is_damaged_is_refused_with_its_record) {
