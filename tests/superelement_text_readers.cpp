@@ -21,6 +21,116 @@ int coordinate_of(const Superelement& s, int node, int dof, const ElementLabels&
   return own >= 0 && own < int(s.nodes.size()) && dof >= 1 && dof <= 6 ? 6 * own + dof - 1 : -1;
 }
 
+// Cards of the deck one after another: grid points and scalar points, then matrices over them.
+class DmigDeck {
+public:
+  explicit DmigDeck(const std::filesystem::path& path) : path_(path) {}
+
+  Superelement read() {
+    std::istringstream stream(read_whole(path_));
+    bool whole = false;
+    while (std::getline(stream, line_)) {
+      ++number_;
+      if (line_ == last_line_of_deck) whole = true;
+      take_units();
+      if (line_.empty() || line_[0] == '$') continue;
+      try {
+        take_card(cut(0, 8));
+      } catch (const std::logic_error&) { // std::stoi, std::stod
+        bad("a field is not a number");
+      }
+    }
+    if (!whole)
+      bad(std::string("the deck is cut off: its last line should be '") + last_line_of_deck + "'");
+    if (s_.K.isZero(0) && s_.modal() > 0) bad("there is no DMIG matrix KPLICA");
+    if (s_.M.size() == 0 || s_.M.isZero(0)) bad("there is no DMIG matrix MPLICA");
+    return std::move(s_);
+  }
+
+private:
+  [[noreturn]] void bad(const std::string& what) const { bad_line(path_, number_, what); }
+
+  std::string cut(std::size_t at, std::size_t width) const {
+    return line_.size() > at ? line_.substr(at, width) : std::string();
+  }
+
+  void take_units() {
+    if (const auto at = line_.find(", units: ");
+        line_.starts_with("$ Superelement ") && at != line_.npos)
+      s_.units = line_.substr(at + 9);
+  }
+
+  void take_card(const std::string& card) {
+    if (card.starts_with("CORD2R") || (in_system_ && card.starts_with("*"))) {
+      in_system_ = true;
+    } else if (card.starts_with("GRID*")) {
+      open_grid();
+    } else if (card.starts_with("*") && grid_open_) {
+      close_grid();
+    } else if (card.starts_with("SPOINT")) {
+      coordinate_[std::stoi(cut(8, 8))] = size_++;
+    } else if (card.starts_with("DMIG*")) {
+      open_column();
+    } else if (card.starts_with("*") && column_ >= 0) {
+      take_number();
+    } else if (!card.starts_with("DMIG")) {
+      bad("unknown card '" + card + "'");
+    }
+  }
+
+  void open_grid() {
+    last_grid_ = std::stoi(cut(8, 16));
+    coordinate_[last_grid_] = size_;
+    size_ += 6;
+    in_system_ = false;
+    place_.x() = nastran_number(cut(40, 16));
+    place_.y() = nastran_number(cut(56, 16));
+    grid_open_ = true;
+  }
+
+  void close_grid() {
+    place_.z() = nastran_number(cut(8, 16));
+    s_.nodes.push_back(place_);
+    s_.node_names.push_back("grid " + std::to_string(last_grid_));
+    grid_open_ = false;
+  }
+
+  void open_column() {
+    if (s_.K.size() == 0) s_.K = s_.M = MatrixXd::Zero(size_, size_);
+    matrix_ = cut(8, 16);
+    MatrixXd& A = matrix();
+    if (A.size() == 0) A = MatrixXd::Zero(size_, size_);
+    column_ = at_label(cut(24, 16), cut(40, 16));
+  }
+
+  void take_number() {
+    MatrixXd& A = matrix();
+    const int row = at_label(cut(8, 16), cut(24, 16));
+    const double value = nastran_number(cut(40, 16));
+    A(row, column_) += value;
+    if (row != column_) A(column_, row) += value;
+  }
+
+  MatrixXd& matrix() {
+    if (matrix_.starts_with("K4")) return s_.D;
+    return matrix_[0] == 'K' ? s_.K : matrix_[0] == 'M' ? s_.M : s_.C;
+  }
+
+  int at_label(const std::string& point, const std::string& dof) const {
+    const auto found = coordinate_.find(std::stoi(point));
+    if (found == coordinate_.end()) bad("there is no point " + std::to_string(std::stoi(point)));
+    return found->second + std::max(0, std::stoi(dof) - 1);
+  }
+
+  const std::filesystem::path& path_;
+  Superelement s_;
+  std::map<int, int> coordinate_; // of the first DOF of a point
+  std::string line_, matrix_;
+  int number_ = 0, column_ = -1, size_ = 0, last_grid_ = 0;
+  Eigen::Vector3d place_;
+  bool grid_open_ = false, in_system_ = false;
+};
+
 } // namespace
 
 void bad_line(const std::filesystem::path& path, int line, const std::string& what) {
@@ -28,79 +138,7 @@ void bad_line(const std::filesystem::path& path, int line, const std::string& wh
 }
 
 Superelement read_nastran_deck(const std::filesystem::path& path) {
-  std::istringstream stream(read_whole(path));
-  Superelement s;
-  std::map<int, int> coordinate; // of the first DOF of a point
-  std::string line, matrix;
-  int number = 0, column = -1, size = 0;
-  Eigen::Vector3d place;
-  bool grid_open = false, whole = false, in_system = false;
-  int last_grid = 0;
-  const auto cut = [&](std::size_t at, std::size_t width) {
-    return line.size() > at ? line.substr(at, width) : std::string();
-  };
-  const auto matrix_of = [&](const std::string& name) -> MatrixXd& {
-    if (name.starts_with("K4")) return s.D;
-    return name[0] == 'K' ? s.K : name[0] == 'M' ? s.M : s.C;
-  };
-  const auto at_label = [&](const std::string& point, const std::string& dof) {
-    const auto found = coordinate.find(std::stoi(point));
-    if (found == coordinate.end())
-      bad_line(path, number, "there is no point " + std::to_string(std::stoi(point)));
-    return found->second + std::max(0, std::stoi(dof) - 1);
-  };
-  while (std::getline(stream, line)) {
-    ++number;
-    if (line == last_line_of_deck) whole = true;
-    if (const auto at = line.find(", units: ");
-        line.starts_with("$ Superelement ") && at != line.npos)
-      s.units = line.substr(at + 9);
-    if (line.empty() || line[0] == '$') continue;
-    try {
-      const std::string card = cut(0, 8);
-      if (card.starts_with("CORD2R") || (in_system && card.starts_with("*"))) {
-        in_system = true;
-      } else if (card.starts_with("GRID*")) {
-        last_grid = std::stoi(cut(8, 16));
-        coordinate[last_grid] = size;
-        size += 6;
-        in_system = false;
-        place.x() = nastran_number(cut(40, 16));
-        place.y() = nastran_number(cut(56, 16));
-        grid_open = true;
-      } else if (card.starts_with("*") && grid_open) {
-        place.z() = nastran_number(cut(8, 16));
-        s.nodes.push_back(place);
-        s.node_names.push_back("grid " + std::to_string(last_grid));
-        grid_open = false;
-      } else if (card.starts_with("SPOINT")) {
-        coordinate[std::stoi(cut(8, 8))] = size++;
-      } else if (card.starts_with("DMIG*")) {
-        if (s.K.size() == 0) s.K = s.M = MatrixXd::Zero(size, size);
-        matrix = cut(8, 16);
-        MatrixXd& A = matrix_of(matrix);
-        if (A.size() == 0) A = MatrixXd::Zero(size, size);
-        column = at_label(cut(24, 16), cut(40, 16));
-      } else if (card.starts_with("*") && column >= 0) {
-        MatrixXd& A = matrix_of(matrix);
-        const int row = at_label(cut(8, 16), cut(24, 16));
-        const double value = nastran_number(cut(40, 16));
-        A(row, column) += value;
-        if (row != column) A(column, row) += value;
-      } else if (!card.starts_with("DMIG")) {
-        bad_line(path, number, "unknown card '" + card + "'");
-      }
-    } catch (const std::logic_error&) { // std::stoi, std::stod
-      bad_line(path, number, "a field is not a number");
-    }
-  }
-  if (!whole)
-    bad_line(path, number,
-             std::string("the deck is cut off: its last line should be '") + last_line_of_deck +
-                 "'");
-  if (s.K.isZero(0) && s.modal() > 0) bad_line(path, number, "there is no DMIG matrix KPLICA");
-  if (s.M.size() == 0 || s.M.isZero(0)) bad_line(path, number, "there is no DMIG matrix MPLICA");
-  return s;
+  return DmigDeck(path).read();
 }
 
 std::pair<MatrixXd, MatrixXd> read_abaqus_user_element(const Superelement& s,
