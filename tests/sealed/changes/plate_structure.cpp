@@ -89,65 +89,18 @@ public:
   }
   FoundModes modes(const Mechanism& m, const Effect& change) const override {
     const Index n = per_axis * per_axis;
-    MatrixXd K = MatrixXd::Zero(n, n), M = MatrixXd::Zero(n, n);
+    Matrices of{.K = MatrixXd::Zero(n, n), .M = MatrixXd::Zero(n, n)};
     const Points rule = gauss();
-    const double off = m.name == "places" ? m.amount : 0;
-    const double along = lx + off, across = ly;
-    for (int i = 0; i < points; ++i) {
-      const Polynomials px = polynomials(rule.s[std::size_t(i)]);
-      for (int j = 0; j < points; ++j) {
-        const double sx = rule.s[std::size_t(i)], sy = rule.s[std::size_t(j)];
-        const Polynomials py = polynomials(sy);
-        const double weight =
-            rule.weight[std::size_t(i)] * rule.weight[std::size_t(j)] * along * across;
-        double t = thickness, mass = 0, stiff = 1;
-        if (m.name == "taper")
-          t *= 1 + m.amount * (smooth_field(m.seed, sx) + smooth_field(m.seed + 1, sy)) / 2;
-        if (m.name == "cables" && sx > 0.3 && sy > 0.4 && sy < 0.8)
-          mass = m.amount * steel::rho * thickness;
-        if (m.name == "theory") stiff += m.amount; // rolled: stiffer along than across
-        const double D = steel::E * t * t * t / 12 / (1 - nu * nu);
-        const VectorXd w = product(px.value, py.value),
-                       wxx = product(px.curvature, py.value) / (along * along),
-                       wyy = product(px.value, py.curvature) / (across * across),
-                       wxy = product(px.slope, py.slope) / (along * across);
-        K += weight * D *
-             (stiff * wxx * wxx.transpose() + wyy * wyy.transpose() +
-              nu * (wxx * wyy.transpose() + wyy * wxx.transpose()) +
-              2 * (1 - nu) * wxy * wxy.transpose());
-        M += weight * (steel::rho * t + mass) * w * w.transpose();
-      }
-    }
-    // The clamp, N/m2 and N m/rad per m.
-    const double own = steel::E * std::pow(thickness, 3) / 12, rigid = 1e5 * own / std::pow(lx, 3);
-    double compliance = 1e-5 * lx / own;
-    if (m.name == "boundary") compliance += m.amount * lx / own;
-    if (change.name == "boundary_compliance") compliance += ly / change.value.at("k_rotation");
-    const Polynomials edge = polynomials(0);
-    for (int j = 0; j < points; ++j) {
-      const Polynomials py = polynomials(rule.s[std::size_t(j)]);
-      const VectorXd w = product(edge.value, py.value),
-                     turn = product(edge.slope, py.value) / along;
-      K += rule.weight[std::size_t(j)] * across *
-           (rigid * w * w.transpose() + turn * turn.transpose() / compliance);
-    }
-    MatrixXd seen(Index(sensors.size()), n);
-    for (std::size_t k = 0; k < sensors.size(); ++k) {
-      const Sensor& sensor = sensors[k];
-      const VectorXd w =
-          product(polynomials(sensor.x / lx).value, polynomials(sensor.y / ly).value);
-      seen.row(Index(k)) = w;
-      double mass = sensor_mass_;
-      if (change.name == "added_mass" && change.place == std::string("sensor.") + sensor.name)
-        mass += change.value.at("mass");
-      M += mass * w * w.transpose();
-    }
+    for (int i = 0; i < points; ++i)
+      for (int j = 0; j < points; ++j) add_wall(m, rule, i, j, of);
+    add_clamp(m, change, rule, of);
+    const MatrixXd seen = add_sensors(change, of);
     if (change.name == "added_mass" && change.place == "plate") {
       const VectorXd w = product(polynomials(change.value.at("at") / lx).value,
                                  polynomials(change.value.at("across") / ly).value);
-      M += change.value.at("mass") * w * w.transpose();
+      of.M += change.value.at("mass") * w * w.transpose();
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(K, M);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(of.K, of.M);
     constexpr double turn = 2 * std::numbers::pi;
     constexpr int count = 7;
     FoundModes found{.frequencies = eigen.eigenvalues().head(count).cwiseSqrt() / turn};
@@ -191,6 +144,68 @@ public:
   }
 
 private:
+  struct Matrices {
+    MatrixXd K, M;
+  };
+  double along(const Mechanism& m) const { return lx + (m.name == "places" ? m.amount : 0); }
+
+  // The wall around one point of the rule.
+  void add_wall(const Mechanism& m, const Points& rule, int i, int j, Matrices& of) const {
+    const double sx = rule.s[std::size_t(i)], sy = rule.s[std::size_t(j)];
+    const double along = this->along(m), across = ly;
+    const Polynomials px = polynomials(sx), py = polynomials(sy);
+    const double weight =
+        rule.weight[std::size_t(i)] * rule.weight[std::size_t(j)] * along * across;
+    double t = thickness, mass = 0, stiff = 1;
+    if (m.name == "taper")
+      t *= 1 + m.amount * (smooth_field(m.seed, sx) + smooth_field(m.seed + 1, sy)) / 2;
+    if (m.name == "cables" && sx > 0.3 && sy > 0.4 && sy < 0.8)
+      mass = m.amount * steel::rho * thickness;
+    if (m.name == "theory") stiff += m.amount; // rolled: stiffer along than across
+    const double D = steel::E * t * t * t / 12 / (1 - nu * nu);
+    const VectorXd w = product(px.value, py.value),
+                   wxx = product(px.curvature, py.value) / (along * along),
+                   wyy = product(px.value, py.curvature) / (across * across),
+                   wxy = product(px.slope, py.slope) / (along * across);
+    of.K += weight * D *
+            (stiff * wxx * wxx.transpose() + wyy * wyy.transpose() +
+             nu * (wxx * wyy.transpose() + wyy * wxx.transpose()) +
+             2 * (1 - nu) * wxy * wxy.transpose());
+    of.M += weight * (steel::rho * t + mass) * w * w.transpose();
+  }
+
+  // Along the edge, N/m2 and N m/rad per m.
+  void add_clamp(const Mechanism& m, const Effect& change, const Points& rule, Matrices& of) const {
+    const double own = steel::E * std::pow(thickness, 3) / 12, rigid = 1e5 * own / std::pow(lx, 3);
+    double compliance = 1e-5 * lx / own;
+    if (m.name == "boundary") compliance += m.amount * lx / own;
+    if (change.name == "boundary_compliance") compliance += ly / change.value.at("k_rotation");
+    const Polynomials edge = polynomials(0);
+    for (int j = 0; j < points; ++j) {
+      const Polynomials py = polynomials(rule.s[std::size_t(j)]);
+      const VectorXd w = product(edge.value, py.value),
+                     turn = product(edge.slope, py.value) / along(m);
+      of.K += rule.weight[std::size_t(j)] * ly *
+              (rigid * w * w.transpose() + turn * turn.transpose() / compliance);
+    }
+  }
+
+  // Their masses, too; returns what they see, sensors x polynomials.
+  MatrixXd add_sensors(const Effect& change, Matrices& of) const {
+    MatrixXd seen(Index(sensors.size()), of.M.rows());
+    for (std::size_t k = 0; k < sensors.size(); ++k) {
+      const Sensor& sensor = sensors[k];
+      const VectorXd w =
+          product(polynomials(sensor.x / lx).value, polynomials(sensor.y / ly).value);
+      seen.row(Index(k)) = w;
+      double mass = sensor_mass_;
+      if (change.name == "added_mass" && change.place == std::string("sensor.") + sensor.name)
+        mass += change.value.at("mass");
+      of.M += mass * w * w.transpose();
+    }
+    return seen;
+  }
+
   double lx, ly, thickness, sensor_mass_; // m, kg
 };
 
