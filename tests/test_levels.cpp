@@ -5,6 +5,7 @@
 #include "run/analyses/run.hpp"
 #include "run/routes/ply_slip.hpp"
 #include "solve/backbone.hpp"
+#include "tests/bellows_case.hpp"
 #include "tests/fit_parameter.hpp"
 #include "tests/sliding_chain.hpp"
 
@@ -17,10 +18,6 @@ namespace {
 
 using Eigen::VectorXd;
 using std::numbers::pi;
-
-Results run_quietly(const Case& data) {
-  return run(data, [](const std::string&) {});
-}
 
 // 0.5 kg between two elements, each 20 kN/m with a slider of 60 kN/m and 3 N beside it, along y.
 Case mass_between_sliders() {
@@ -49,7 +46,7 @@ const LevelPeak& first_peak(const LevelCurve& curve, int channel) {
 
 // Both elements move alike, so the middle is one mass on one spring with one slider.
 TEST(Levels, go_from_the_stuck_to_the_slipping_frequency) {
-  const Results r = run_quietly(mass_between_sliders());
+  const Results r = test::run_silently(mass_between_sliders());
   EXPECT_NEAR(r.modes.at(0).frequency / stuck_hertz, 1, 1e-6); // small motion sticks
   EXPECT_NEAR(r.statics->k_axial / 1e4, 1, 1e-6);              // a test rig slips
   EXPECT_NEAR(r.slipping->k_axial_stuck / 4e4, 1, 1e-6);
@@ -89,7 +86,7 @@ TEST(Levels, go_from_the_stuck_to_the_slipping_frequency) {
 
 // Slowly from rest: k = 40 kN/m until the sliders give way at 0.1 mm, beyond 6 N / 2 + 10 kN/m x.
 TEST(Levels, of_a_slow_stroke_are_the_closed_form) {
-  const Results r = run_quietly(mass_between_sliders());
+  const Results r = test::run_silently(mass_between_sliders());
   ASSERT_FALSE(r.strokes.empty());
   const StrokeCurve& axial = r.strokes[0];
   EXPECT_EQ(axial.direction, "axial");
@@ -103,10 +100,10 @@ TEST(Levels, of_a_slow_stroke_are_the_closed_form) {
 TEST(Levels, scale_with_the_slip_forces) {
   Case data = mass_between_sliders();
   data.analyses.levels->levels = {2, 6};
-  const LevelResponses one = run_quietly(data).level_responses[0];
+  const LevelResponses one = test::run_silently(data).level_responses[0];
   std::get<ConnectorChain>(data.parts[0].body).friction->axial->sliders[0].slip_force *= 2;
   data.analyses.levels->levels = {4, 12};
-  const LevelResponses two = run_quietly(data).level_responses[0];
+  const LevelResponses two = test::run_silently(data).level_responses[0];
   for (std::size_t k = 0; k < 2; ++k) {
     const LevelPeak &a = first_peak(one.curves[k], one.strongest),
                     &b = first_peak(two.curves[k], two.strongest);
@@ -119,14 +116,14 @@ TEST(Levels, scale_with_the_slip_forces) {
 TEST(Levels, by_equivalent_linearisation_are_near) {
   Case data = mass_between_sliders();
   data.analyses.levels->levels = {2, 4, 8};
-  const LevelResponses full = run_quietly(data).level_responses[0];
+  const LevelResponses full = test::run_silently(data).level_responses[0];
   ASSERT_EQ(full.linearised.size(), 3);
   for (const LinearisedError& e : full.linearised) {
     EXPECT_LT(std::abs(e.frequency), 0.02) << e.level;
     EXPECT_LT(std::abs(e.amplitude), 0.05) << e.level;
   }
   data.analyses.levels->method = JointMethod::describing_function;
-  const LevelResponses fast = run_quietly(data).level_responses[0];
+  const LevelResponses fast = test::run_silently(data).level_responses[0];
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(first_peak(fast.curves[k], fast.strongest).frequency /
                         first_peak(full.curves[k], full.strongest).frequency -
@@ -143,13 +140,13 @@ TEST(Levels, bend_with_a_tabulated_connector) {
   chain.spring.axial_curve = {{-2e-3, -90}, {-1e-3, -20}, {0, 0}, {1e-3, 20}, {2e-3, 90}};
   data.analyses.levels->levels = {0.5, 20};
   data.analyses.levels->backbones = 0;
-  const LevelResponses curve = run_quietly(data).level_responses[0];
+  const LevelResponses curve = test::run_silently(data).level_responses[0];
   chain.spring.axial_curve.clear();
   chain.spring.axial = 1e4;
 
   chain.friction.emplace().axial.emplace().curve = {
       {-2e-3, -70}, {-1e-3, -10}, {0, 0}, {1e-3, 10}, {2e-3, 70}};
-  const LevelResponses law = run_quietly(data).level_responses[0];
+  const LevelResponses law = test::run_silently(data).level_responses[0];
   for (std::size_t k = 0; k < 2; ++k)
     EXPECT_NEAR(first_peak(curve.curves[k], curve.strongest).frequency /
                     first_peak(law.curves[k], law.strongest).frequency,
@@ -168,7 +165,7 @@ TEST(Levels, give_the_sliders_back) {
   test.data.specimen = data.name;
   MeasuredPeaks peaks;
   peaks.sensor = "mid";
-  const LevelResponses made = run_quietly(data).level_responses[0];
+  const LevelResponses made = test::run_silently(data).level_responses[0];
   for (const LevelCurve& c : made.curves) {
     peaks.level.push_back(c.level);
     peaks.frequency.push_back(first_peak(c, made.strongest).frequency);
@@ -238,7 +235,7 @@ double first(const Results& results, const std::string& shape) {
 TEST(PlySlip, sticks_as_one_wall_and_slips_as_two) {
   Case data = small_bellows();
   auto& wall = std::get<Bellows>(data.parts[0].body).wall;
-  const double two = run_quietly([&] {
+  const double two = test::run_silently([&] {
                        Case c = data;
                        c.analyses.levels.reset();
                        return c;
@@ -248,12 +245,12 @@ TEST(PlySlip, sticks_as_one_wall_and_slips_as_two) {
   slip.slip_force = 100;
   slip.segments = 11;
   wall.slip = slip;
-  const Results r = run_quietly(data);
+  const Results r = test::run_silently(data);
   EXPECT_NEAR(r.statics->k_axial / two, 1, 1e-9);
   data.analyses.levels.reset();
   wall.slip.reset();
   wall.bond = 1;
-  const Results solid = run_quietly(data);
+  const Results solid = test::run_silently(data);
   EXPECT_NEAR(r.slipping->k_axial_stuck / solid.statics->k_axial, 1, 1e-9);
   EXPECT_NEAR(first(r, "axial") / first(solid, "axial"), 1, 1e-9);
   // 1 m/s2 moves the joints by less than their smallest slip distance.
@@ -276,7 +273,7 @@ TEST(InterlockFriction, reduces_to_the_modes_of_the_stuck_shells) {
   liner.friction->axial.emplace().sliders = {{2e5, 50}};
   liner.friction->bending.emplace().sliders = {{360, 1.5}};
   data.parts.push_back({"interlock", liner});
-  const Results stuck = run_quietly(data); // springs in place of the joints
+  const Results stuck = test::run_silently(data); // springs in place of the joints
   const BuiltCase slipping = slipping_case(data);
   Timing timing;
   const StageListener quiet = [](const std::string&) {};
@@ -311,9 +308,9 @@ TEST(InterlockFriction, is_the_same_on_a_superelement) {
   levels.band = {100, 1000};
   levels.backbones = levels.referee = 0;
   data.sensors = {{.name = "middle", .at = {0, 0.0396, 0.065}}};
-  const Results shells = run_quietly(data);
+  const Results shells = test::run_silently(data);
   data.analyses.reduction = SuperelementsInRun{.cutoff = 6000};
-  const Results reduced = run_quietly(data);
+  const Results reduced = test::run_silently(data);
   ASSERT_TRUE(reduced.reduced);
   const LevelResponses &a = shells.level_responses[0], &b = reduced.level_responses[0];
   EXPECT_EQ(a.joints, b.joints);

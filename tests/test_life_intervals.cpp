@@ -3,7 +3,7 @@
 #include "run/study/error_bars.hpp"
 #include "run/study/life_intervals.hpp"
 #include "run/study/refine.hpp"
-#include "tests/bellows_case.hpp"
+#include "tests/life_case.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -14,21 +14,10 @@ namespace {
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr double slope = 4;
-
-FatigueCurve power_law() {
-  return {.name = "power law",
-          .source = "this test",
-          .law = StressLifeCurve{
-              .knee_amplitude = 200e6, .knee_cycles = 1e6, .slope = slope, .second_slope = slope}};
-}
+using namespace life_case;
 
 Case coarse_bellows(int modes = 0) {
-  Case data = verification_case("bellows_a", {.around = 24, .arc = 3, .wall = 3}, modes);
-  if (modes == 0) data.analyses.modes.reset();
-  data.analyses.life.emplace();
-  data.analyses.life->curve = power_law();
-  return data;
+  return life_case::coarse_bellows({.around = 24, .arc = 3, .wall = 3}, modes);
 }
 
 const double resonance_of_mass = std::sqrt(5.4e4 / 20) / (2 * pi);
@@ -61,12 +50,6 @@ Results with_error_bars(const Case& data) {
   r.error_bars = error_bars(data, r, [](const std::string&) {});
   add_life_intervals(data, r);
   return r;
-}
-
-const DutyResult& duty(const Results& results, const std::string& name) {
-  for (const DutyResult& d : results.life->duties)
-    if (d.name == name) return d;
-  throw std::runtime_error("no duty " + name);
 }
 
 const ErrorBar& bar_of(const Results& results, const std::string& key) {

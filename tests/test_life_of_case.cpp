@@ -4,7 +4,7 @@
 #include "model/description/ejma.hpp"
 #include "run/study/error_bars.hpp"
 #include "run/study/life_intervals.hpp"
-#include "tests/bellows_case.hpp"
+#include "tests/life_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,28 +19,10 @@ namespace {
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr double knee = 200e6, knee_cycles = 1e6, slope = 4;
-
-FatigueCurve power_law() {
-  return {.name = "power law",
-          .source = "this test",
-          .law = StressLifeCurve{.knee_amplitude = knee,
-                                 .knee_cycles = knee_cycles,
-                                 .slope = slope,
-                                 .second_slope = slope}};
-}
+using namespace life_case;
 
 Case coarse_bellows() {
-  Case data = without_modes(verification_case("bellows_a", {.around = 24, .arc = 4, .wall = 5}));
-  data.analyses.life.emplace();
-  data.analyses.life->curve = power_law();
-  return data;
-}
-
-const DutyResult& duty(const Results& results, const std::string& name) {
-  for (const DutyResult& d : results.life->duties)
-    if (d.name == name) return d;
-  throw std::runtime_error("no duty " + name);
+  return life_case::coarse_bellows({.around = 24, .arc = 4, .wall = 5});
 }
 
 LifeStroke axial(const std::string& name, double by, bool reversed = false) {

@@ -5,6 +5,7 @@
 #include "model/description/pipe_model.hpp"
 #include "model/shape/build.hpp"
 #include "run/analyses/run.hpp"
+#include "tests/bellows_case.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -14,10 +15,6 @@
 
 namespace plica {
 namespace {
-
-Results run_quietly(const Case& data) {
-  return run(data, [](const std::string&) {});
-}
 
 Case held(const std::variant<EquivalentPipe, ConnectorChain>& part, int modes) {
   Case data;
@@ -53,7 +50,7 @@ double first(const Results& results, const std::string& shape) {
 TEST(EquivalentPipe, is_a_rod_and_a_shaft) {
   EquivalentPipe p = plain();
   p.outer.torsion = 100; // so soft that its mode is among the first
-  const Results r = run_quietly(held(p, 12));
+  const Results r = test::run_silently(held(p, 12));
   const double mass = 2 * std::numbers::pi * 0.05 * 0.001 * 8000 * 0.4;
   EXPECT_NEAR(first(r, "axial") / (0.5 * std::sqrt(5e4 / mass)), 1, 1e-3);
   EXPECT_NEAR(r.statics->k_axial / 5e4, 1, 1e-9);
@@ -102,7 +99,7 @@ TEST(EquivalentPipe, bends_as_a_beam_with_rotary_inertia_and_shear) {
       p.shear = shear;
       const double exact = clamped_beam(EI, shear == PipeShear::elastic ? 1 / GA : 0, mass,
                                         ring ? mass * 0.05 * 0.05 / 2 : 0, 0.4);
-      EXPECT_NEAR(first(run_quietly(held(p, 8)), "transverse") / exact, 1, 1e-3);
+      EXPECT_NEAR(first(test::run_silently(held(p, 8)), "transverse") / exact, 1, 1e-3);
       if (ring || shear == PipeShear::elastic) {
         EXPECT_LT(exact, 0.98 * euler);
       }
@@ -130,7 +127,7 @@ TEST_P(PipeBesideShell, meets_its_modes) {
              .wall = b.mass / (2 * std::numbers::pi * radius * 8000 * p.length),
              .axial = b.k,
              .torsion = 1e6};
-  const Results r = run_quietly(held(p, 16));
+  const Results r = test::run_silently(held(p, 16));
   const auto mode = [&](const std::string& shape, int order) {
     for (const ModeResult& m : r.modes)
       if (m.shape == shape && m.order == order) return m.frequency;
@@ -168,13 +165,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(EquivalentPipe, adds_layers_and_knows_its_lengths) {
   EquivalentPipe p = plain();
   p.inner = PipeLayer{.radius = 0.04, .mass = 0.3, .axial = 3e4, .torsion = 1e5};
-  EXPECT_NEAR(run_quietly(held(p, 2)).statics->k_axial / 8e4, 1, 1e-9);
+  EXPECT_NEAR(test::run_silently(held(p, 2)).statics->k_axial / 8e4, 1, 1e-9);
   p.length = 0.5; // straight ends of 50 mm, as good as rigid
   p.end_cap = 0.2;
-  const Results convoluted = run_quietly(held(p, 2));
+  const Results convoluted = test::run_silently(held(p, 2));
   EXPECT_NEAR(convoluted.statics->k_axial / 8e4, 1, 1e-3);
   p.modulus_over = PipeLength::whole;
-  const Results whole = run_quietly(held(p, 2));
+  const Results whole = test::run_silently(held(p, 2));
   EXPECT_NEAR(whole.statics->k_axial / (8e4 * 0.5 / 0.4), 1, 1e-3);
   const PipeStiffness k = pipe_stiffness(pipe_stretches(p, {.E = 193e9, .nu = 0.3, .rho = 8000}));
   EXPECT_NEAR(whole.statics->k_axial / k.axial, 1, 1e-9);
@@ -191,7 +188,7 @@ TEST(ConnectorChain, has_the_stiffness_of_springs_in_series) {
   c.spring = {
       .axial = 20 * 42100., .transverse = 20 * 58900., .bending = 1e12, .torsion = 20 * 55900.};
   c.mass = 1.7168;
-  const Results r = run_quietly(held(c, 3));
+  const Results r = test::run_silently(held(c, 3));
   EXPECT_NEAR(r.statics->k_axial / 42100, 1, 1e-9);
   EXPECT_NEAR(r.statics->k_torsion / 55900, 1, 1e-9);
   EXPECT_NEAR(r.statics->k_transverse_x / 58900, 1, 1e-6);
@@ -213,7 +210,7 @@ TEST(ConnectorChain, follows_tabulated_forces_over_a_stroke) {
   c.spring.transverse_curve = {{-1e-3, -1e4}, {0, 0}, {1e-3, 1e4}};
   c.mass = 1;
   Case data = held(c, 3);
-  const Results r = run_quietly(data);
+  const Results r = test::run_silently(data);
   EXPECT_NEAR(r.statics->k_axial, 1e6 / 20, 1e-3);
   ASSERT_EQ(r.strokes.size(), 2U);
   // 300 N: 20 (0.1 mm + 0.6 mm).
@@ -237,16 +234,16 @@ TEST(ConnectorChain, takes_a_full_matrix) {
   c.spring = {.axial = 1e6, .transverse = 4e8, .bending = 2000, .torsion = 1e6};
   c.mass = 1;
   c.radius = 0.06;
-  const Results plain = run_quietly(held(c, 8));
+  const Results plain = test::run_silently(held(c, 8));
   ConnectorChain full = c;
   full.spring = {};
   full.spring.matrix.assign(6, {});
   const std::array<double, 6> diagonal{4e8, 1e6, 4e8, 2000, 1e6, 2000};
   for (std::size_t i = 0; i < 6; ++i) full.spring.matrix[i][i] = diagonal[i];
-  const Results same = run_quietly(held(full, 8));
+  const Results same = test::run_silently(held(full, 8));
   EXPECT_NEAR(same.modes[0].frequency / plain.modes[0].frequency, 1, 1e-12);
   full.spring.matrix[1][4] = full.spring.matrix[4][1] = 2e5; // stretch turns: a coil spring
-  const Results coupled = run_quietly(held(full, 8));
+  const Results coupled = test::run_silently(held(full, 8));
   // Ends kept from turning: the axial stiffness is unchanged, and the stretch gives a torque.
   EXPECT_NEAR(coupled.statics->k_axial / (1e6 / 10), 1, 1e-9);
   EXPECT_NEAR(coupled.statics->end_stiffness(7, 10) / (2e5 / 10), 1, 1e-9);
@@ -259,7 +256,7 @@ TEST(ConnectorChain, of_the_thesis_for_a1) {
   c.count = 20;
   c.spring = {.axial = 2674000, .transverse = 3664000, .bending = 9800020, .torsion = 2080000};
   c.mass = 1.7168;
-  const Results r = run_quietly(held(c, 6));
+  const Results r = test::run_silently(held(c, 6));
   std::printf("A1, 20 connectors: axial %.1f Hz (139), transverse %.1f Hz (167)\n",
               first(r, "axial"), first(r, "transverse"));
   EXPECT_NEAR(first(r, "axial") / 139, 1, 0.03);
