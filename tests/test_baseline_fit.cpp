@@ -2,7 +2,7 @@
 #include "diagnose/fit_baseline.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/fit_parameter.hpp"
-#include "words/input_error.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -75,12 +75,8 @@ TEST(FitBaseline, leaves_in_the_error_what_it_does_not_meet_and_the_change_is_fo
 
 TEST(FitBaseline, asks_for_what_to_fit_and_for_a_baseline_as_it_is_drawn) {
   const auto key = [](const Case& data, const Measured& m) {
-    try {
-      fitted_to_baseline(data, {.data = m, .responses = {}}, {});
-    } catch (const InputError& error) {
-      return error.problems().front().key + ": " + error.problems().front().wrong;
-    }
-    return std::string();
+    return test::first_problem_of(
+        [&] { fitted_to_baseline(data, {.data = m, .responses = {}}, {}); });
   };
   Measured m = of_the_true_beam();
   EXPECT_EQ(key(held_beam(), m), "diagnose.fit_baseline: needs a section `fit`");

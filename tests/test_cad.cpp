@@ -8,8 +8,8 @@
 #include "model/shape/build_surface.hpp"
 #include "run/analyses/run.hpp"
 #include "tests/bellows_case.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "words/input_error.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -33,12 +33,7 @@ protected:
                            part +
                            "}\ncaps: {a: {of: 's.edge[1]'}}\nmount: {a: rigid}\nanalyses: {static: "
                            "false, modes: {count: 2}}\n");
-    try {
-      build(read_case(at("case.yaml").string()).data);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return error_of([&] { build(read_case(at("case.yaml").string()).data); });
   }
 
 private:
@@ -255,7 +250,7 @@ TEST_F(Cad, broken_files_are_refused_with_what_is_wrong) {
   EXPECT_NE(
       refusal("file: plate.stl, element_size: 5 mm").find("does not say what its numbers mean"),
       std::string::npos);
-  EXPECT_EQ(refusal("file: plate.stl, unit: 1 mm, element_size: 5 mm"), "");
+  EXPECT_EQ(refusal("file: plate.stl, unit: 1 mm, element_size: 5 mm"), "no error");
   std::ifstream in(at("plate.stl"));
   const std::string whole{std::istreambuf_iterator<char>(in), {}};
   write("cut.stl", whole.substr(0, whole.size() / 2));
@@ -264,13 +259,13 @@ TEST_F(Cad, broken_files_are_refused_with_what_is_wrong) {
   std::string bad = whole;
   bad.replace(bad.find("vertex 15"), 9, "vertex nan");
   write("nan.stl", bad);
-  EXPECT_NE(refusal("file: nan.stl, unit: 1 mm, element_size: 5 mm"), "");
+  EXPECT_NE(refusal("file: nan.stl, unit: 1 mm, element_size: 5 mm"), "no error");
   write("empty.stl", "solid nothing\nendsolid nothing\n");
-  EXPECT_NE(refusal("file: empty.stl, unit: 1 mm, element_size: 5 mm"), "");
+  EXPECT_NE(refusal("file: empty.stl, unit: 1 mm, element_size: 5 mm"), "no error");
   std::string binary(84, '\0');
   binary[80] = 100; // facets that are not there
   write("short.stl", binary);
-  EXPECT_NE(refusal("file: short.stl, unit: 1 mm, element_size: 5 mm"), "");
+  EXPECT_NE(refusal("file: short.stl, unit: 1 mm, element_size: 5 mm"), "no error");
   write("a.txt", "x");
   EXPECT_NE(refusal("file: a.txt, element_size: 5 mm").find("neither CAD faces nor triangles"),
             std::string::npos);

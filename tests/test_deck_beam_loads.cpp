@@ -1,7 +1,7 @@
 // Forces along beams and temperatures of decks: closed forms, the same deck in CalculiX.
 #include "tests/curved_plate.hpp"
 #include "tests/loads_beside_calculix.hpp"
-#include "words/input_error.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <cmath>
 
@@ -188,19 +188,14 @@ TEST(DeckTemperatures, press_a_plate_in_its_plane) {
 
 TEST(DeckTemperatures, that_are_not_had_are_refused_where_they_are_asked_for) {
   const auto said = [](const std::string& file, const std::string& deck,
-                       const std::string& analyses = "") -> std::string {
-    try {
-      loads_of(file, deck, "", analyses);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+                       const std::string& analyses = "") {
+    return error_of([&] { loads_of(file, deck, "", analyses); });
   };
   const auto has = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   };
   const std::string held = "SPC1,1,123456,1\n", plies = "PCOMP,1\n,1,1.,0.,,1,1.,90.\n";
-  EXPECT_EQ(said("plate.bdf", hot_plate(held, plies)), ""); // all of one material
+  EXPECT_EQ(said("plate.bdf", hot_plate(held, plies)), "no error"); // all of one material
   has(said("plate.bdf", hot_plate(held, "PCOMP,1\n,1,1.,0.,,2,1.,90.\nMAT8,2,2.+5,1.+5,.3,8.+4,,,"
                                         "8.-9\n,1.-5,2.-5\n")),
       "expands by plies");

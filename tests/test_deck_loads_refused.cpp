@@ -1,18 +1,13 @@
 // Loads of decks that are not had are refused, where they are asked for.
 #include "tests/deck_loads.hpp"
-#include "words/input_error.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace plica::test {
 namespace deck_loads {
 namespace {
 
 std::vector<InputProblem> problems_of(const std::string& file, const std::string& deck) {
-  try {
-    loads_of(file, deck);
-  } catch (const InputError& error) {
-    return error.problems();
-  }
-  return {};
+  return input_problems([&] { loads_of(file, deck); });
 }
 
 TEST(DeckLoads, what_acts_and_is_not_had_is_refused_with_its_lines_all_at_once) {

@@ -4,6 +4,7 @@
 #include "io/decks/read_deck.hpp"
 #include "io/files/files.hpp"
 #include "tests/deck_text.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
@@ -19,12 +20,7 @@ Eigen::VectorXd older_hertz(const std::string& text, int count = 6) {
 }
 
 std::string older_refusal(const std::string& text) {
-  try {
-    older_hertz(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
+  return error_of([&] { older_hertz(text); });
 }
 
 // A plate of 6 x 4, clamped at x = 0, with elements and properties of the caller.

@@ -3,8 +3,7 @@
 #include "run/routes/state_loads.hpp"
 #include "tests/calculix_frequencies.hpp"
 #include "tests/pipe_case.hpp"
-
-#include "words/input_error.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -120,12 +119,7 @@ TEST(AbaqusDeckInState, of_pressure_with_its_thrust) {
 }
 
 std::string refusal(const Case& data) {
-  try {
-    deck_in_state(data);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { deck_in_state(data); });
 }
 
 TEST(AbaqusDeckInState, names_what_it_cannot_hold) {

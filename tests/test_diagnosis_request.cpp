@@ -5,8 +5,8 @@
 #include "lab/measured/states.hpp"
 #include "model/description/case_path.hpp"
 #include "tests/changed_beam.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +16,10 @@ namespace plica {
 namespace {
 
 using namespace changed_beam;
+
 std::string problem_of(const Case& data) {
-  Measured none;
-  try {
-    chosen_effects(nominal_of(data, none).structure(none));
-  } catch (const InputError& error) {
-    return error.problems().front().key + ": " + error.problems().front().wrong;
-  }
-  return "";
+  const Measured none;
+  return test::first_problem_of([&] { chosen_effects(nominal_of(data, none).structure(none)); });
 }
 
 TEST(ChosenEffects, are_those_that_the_case_lets_in) {
@@ -60,7 +56,7 @@ TEST(ChosenEffects, refuse_what_is_none) {
             "diagnose.priors[0].parameter: temperature has no parameter 'T'");
   EXPECT_EQ(problem_of(nothing), "diagnose.priors[0]: changes nothing");
   EXPECT_EQ(problem_of(empty), "diagnose.priors[0].between: leaves nothing of the prior");
-  EXPECT_EQ(problem_of(data), "");
+  EXPECT_EQ(problem_of(data), "no error");
 }
 
 // Problems of a measured.yaml, a line each.
@@ -68,12 +64,7 @@ std::vector<InputProblem> problems_of(const std::string& text) {
   const test::TemporaryFolder folder("baseline");
   const std::string path = folder.path / "measured.yaml";
   std::ofstream(path) << text;
-  try {
-    read_measured(path);
-  } catch (const InputError& error) {
-    return error.problems();
-  }
-  return {};
+  return test::input_problems([&] { read_measured(path); });
 }
 
 const std::string two_states = "specimen: beam\n"
@@ -99,13 +90,10 @@ std::vector<InputProblem> problems_of_states(const std::string& text) {
   const test::TemporaryFolder folder("states");
   const std::string path = folder.path / "measured.yaml";
   std::ofstream(path) << text;
-  try {
+  return test::input_problems([&] {
     const MeasuredFile file = read_measured_file(path);
     check_states_of_diagnosis(file.data, {.file = path, .problems = {}, .lines = file.lines});
-  } catch (const InputError& error) {
-    return error.problems();
-  }
-  return {};
+  });
 }
 
 // A damping, a shape or a height that nobody measured before the change would be held against what
@@ -195,12 +183,7 @@ TEST(States, orders_of_modes_rise_with_their_frequencies) {
 
 // What is wrong with a test of a beam, with its key.
 std::string refusal_of(const Measured& m) {
-  try {
-    diagnosis_of(held_beam(), m);
-  } catch (const InputError& error) {
-    return error.problems().front().key + ": " + error.problems().front().wrong;
-  }
-  return "";
+  return test::first_problem_of([&] { diagnosis_of(held_beam(), m); });
 }
 
 TEST(DiagnosisRequest, what_leaves_nothing_to_explain_is_refused_at_its_key) {
@@ -224,7 +207,7 @@ TEST(DiagnosisRequest, what_drove_the_part_has_a_place_on_it) {
       "modes[0].drive: it was driven at 'far', which is no sensor of the case, nor one of the "
       "test on the part");
   m.sensors = {{.name = "far", .at = {0, 0.3, 0}}};
-  EXPECT_EQ(refusal_of(m), "") << "the test says where it is";
+  EXPECT_EQ(refusal_of(m), "no error") << "the test says where it is";
 }
 
 // A state's number that the case has not: at its line, with what may be meant.

@@ -6,9 +6,9 @@
 #include "io/tables/fit_words.hpp"
 #include "tests/fit_parameter.hpp"
 #include "tests/sliding_chain.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tube_case.hpp"
-#include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -138,15 +138,10 @@ TEST(FitStiffness, entries_of_a_test_are_refused_with_their_place) {
   const TemporaryFolder folder("fit_stiffness");
   const std::string table = "frequency [Hz],y storage [N/mm]\n10,50\n";
   const auto error = [&](const std::string& csv, const std::string& entry,
-                         const std::string& more = "") -> std::string {
-    try {
-      rig_test(folder, csv, entry, more);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
+                         const std::string& more = "") {
+    return error_of([&] { rig_test(folder, csv, entry, more); });
   };
-  EXPECT_EQ(error(table, ""), "");
+  EXPECT_EQ(error(table, ""), "no error");
   EXPECT_NE(error(table, ", ends: [a]").find("measured.yaml:2: stiffness[0].ends: are not two"),
             std::string::npos);
   EXPECT_NE(error(table, ", ends: [a, a]").find("ends: are not two"), std::string::npos);

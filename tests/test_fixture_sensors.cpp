@@ -5,9 +5,9 @@
 #include "io/files/files.hpp"
 #include "io/input/measured_file.hpp"
 #include "tests/changed_beam.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "words/directions.hpp"
-#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -289,18 +289,13 @@ TEST(FixtureSensors, rule_out_what_leaves_the_fixture_at_rest) {
 std::string problem_of(const std::string& text) {
   const TemporaryFolder folder("beside");
   write_whole(folder.path / "measured.yaml", "specimen: a\n" + text);
-  try {
-    read_measured((folder.path / "measured.yaml").string());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { read_measured((folder.path / "measured.yaml").string()); });
 }
 
 TEST(FixtureSensors, are_said_in_the_test_and_are_not_weighed) {
   const std::string on_part = "sensors:\n  - {name: tip, at: [0, 1, 0], mass: 5 g}\n",
                     on_fixture = "  - {name: low, at: [0, 0, 0], mass: 9 g, on: mount.root}\n";
-  EXPECT_EQ(problem_of(on_part + on_fixture), "");
+  EXPECT_EQ(problem_of(on_part + on_fixture), "no error");
   const TemporaryFolder folder("weighed");
   write_whole(folder.path / "measured.yaml", "specimen: a\n" + on_part + on_fixture +
                                                  "mass: {value: 1 kg, without_sensors: true}\n");
@@ -320,11 +315,8 @@ TEST(FixtureSensors, are_said_in_the_test_and_are_not_weighed) {
 TEST(FixtureSensors, need_a_mount_of_the_case_and_a_name_of_their_own) {
   const auto keys_of = [](const Case& data, const Measured& m) {
     std::vector<std::string> keys;
-    try {
-      nominal_of(data, m);
-    } catch (const InputError& error) {
-      for (const InputProblem& p : error.problems()) keys.push_back(p.key);
-    }
+    for (const InputProblem& p : input_problems([&] { nominal_of(data, m); }))
+      keys.push_back(p.key);
     return keys;
   };
   Measured m = watched("mount.tip");

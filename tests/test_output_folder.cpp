@@ -1,6 +1,7 @@
 // No file of the user's is lost to a folder of results.
 #include "io/files/files.hpp"
 #include "io/files/output_folder.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <csignal>
@@ -31,12 +32,7 @@ std::vector<std::string> run_of(const fs::path& folder,
 }
 
 std::string refusal(const fs::path& folder, const OutputWork& of) {
-  try {
-    const OutputFolder out(folder, of);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { const OutputFolder out(folder, of); });
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -144,7 +140,7 @@ TEST(OutputFolder, follows_no_link_at_a_temporary_name) {
   write_whole(out / "results.json", "2");
   EXPECT_EQ(read_whole(folder.path / "victim"), "untouched");
   fs::create_symlink(folder.path / "victim", out / ".plica.lock");
-  EXPECT_NE(refusal(out, work({})), "");
+  EXPECT_NE(refusal(out, work({})), "no error");
   EXPECT_EQ(read_whole(folder.path / "victim"), "untouched");
 }
 
@@ -155,7 +151,7 @@ TEST(OutputFolder, that_went_half_way_is_known_again) {
   for (auto& [name, file] : manifest) file.prints.push_back(fingerprint("new"));
   write_whole(folder.path / manifest_name, manifest_text(manifest));
   write_whole(folder.path / "a", "new");
-  EXPECT_EQ(refusal(folder.path, work({"a", "b"})), "");
+  EXPECT_EQ(refusal(folder.path, work({"a", "b"})), "no error");
 }
 
 TEST(OutputFolder, a_list_that_was_tampered_with_reaches_no_other_folder) {

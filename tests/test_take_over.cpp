@@ -8,6 +8,7 @@
 #include "io/tables/diagnosis_words.hpp"
 #include "io/write/explained_case.hpp"
 #include "model/description/case_path.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -327,12 +328,7 @@ protected:
   }
 
   std::string refused(const SupposedEffect& effect) const {
-    try {
-      supposed({effect});
-    } catch (const InputError& error) {
-      return error.problems().front().key + ": " + error.problems().front().wrong;
-    }
-    return "";
+    return test::first_problem_of([&] { supposed({effect}); });
   }
 
   Case drawn_ = drawn(), heavy_;

@@ -2,8 +2,8 @@
 #include "io/lab_files/measured_data.hpp"
 #include "io/matlab/matlab_file.hpp"
 #include "tests/matlab_response.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 #include <matio.h>
@@ -71,12 +71,7 @@ protected:
     save(std::move(one));
   }
   std::string refusal_of(const Measured& m) {
-    try {
-      load_frfs(m, folder_.path);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "not refused";
+    return error_of([&] { load_frfs(m, folder_.path); });
   }
 };
 

@@ -8,8 +8,8 @@
 #include "io/files/files.hpp"
 #include "io/input/measured_file.hpp"
 #include "run/analyses/run.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "words/input_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,12 +25,7 @@ Measured measured_of(const std::string& text) {
 }
 
 std::string problem_of(const std::string& text) {
-  try {
-    measured_of(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { measured_of(text); });
 }
 
 TEST(WhatLabsSay, sensors_that_were_not_weighed_come_besides) {
