@@ -122,7 +122,8 @@ TEST(DynamicStiffness, of_friction_has_the_area_of_its_loop) {
   EXPECT_NEAR(over.at[0][0](1, 1).imag(), 0, 1e-6);
 }
 
-// Amplitude far above slip: what is left is the spring, and the slider a blunt force 4 F / (pi X).
+// Two connectors in a row: stuck, half of spring and slider together; far above slip half of the
+// spring, as the elastic part of a slider falls with X^-3/2. The mass between makes a percent.
 TEST(DynamicStiffness, between_stuck_and_slipping_is_monotonic) {
   StiffnessRequest request = at({5});
   for (double X = 2e-5; X < 2e-2; X *= 2) request.levels.push_back({.translation = X});
@@ -132,6 +133,8 @@ TEST(DynamicStiffness, between_stuck_and_slipping_is_monotonic) {
     EXPECT_LE(transfer_stiffness(over.at[l][0], 1).real(),
               transfer_stiffness(over.at[l - 1][0], 1).real() * (1 + 1e-9))
         << l;
+  EXPECT_NEAR(transfer_stiffness(over.at[0][0], 1).real() / 4e4, 1, 0.02);
+  EXPECT_NEAR(transfer_stiffness(over.at.back()[0], 1).real() / 1e4, 1, 0.03);
 }
 
 TEST(DynamicStiffness, refuses_what_it_does_not_know) {

@@ -192,9 +192,8 @@ private:
     std::map<std::string, double> most;
     for (const EffectFits& f : ranked) {
       const std::string& place = f.best->fit.together[0]->place;
-      const std::string component = part_of_set(place);
-      most[component == "sensor" ? place : component] =
-          std::max(most[component == "sensor" ? place : component], f.best->log_bayes_factor);
+      double& own = most[is_at_sensor(place) ? place : part_of_set(place)];
+      own = std::max(own, f.best->log_bayes_factor);
     }
     for (const auto& [component, log_bayes] : most)
       if (log_bayes > 0) {

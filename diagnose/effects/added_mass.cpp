@@ -5,6 +5,7 @@
 #include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
 #include "lab/measured/states.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 
@@ -48,7 +49,7 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
     found.back().in_case = [at = place_of(s, spot.touched),
                             name = spot.place](const Case& now, const Eigen::VectorXd& v) {
       for (std::size_t i = 0; i < now.sensors.size(); ++i)
-        if (name == "sensor." + now.sensors[i].name)
+        if (name == sensor_place(now.sensors[i].name))
           return CaseEdits{
               {"sensors[" + std::to_string(i) + "].mass", yaml_of(now.sensors[i].mass + v[0])}};
       return with_mass_at(now, at, v[0]);

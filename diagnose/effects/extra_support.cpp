@@ -2,6 +2,7 @@
 #include "diagnose/effects/places.hpp"
 #include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <set>
 
@@ -46,7 +47,7 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
                      .at_rig = false});
   };
   for (const Spot& spot : contact_spots(s)) {
-    if (spot.place.starts_with("sensor.") || is_anywhere(s, spot)) continue;
+    if (is_at_sensor(spot.place) || is_anywhere(s, spot)) continue;
     if (spot.normal) {
       add(spot, "along the normal", along_normal(spot));
       continue;

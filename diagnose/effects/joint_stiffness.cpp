@@ -61,7 +61,7 @@ StandIn stand_in_of(const Structure& s, const JointGroup& group,
                     const std::vector<std::string>& places) {
   StandIn found;
   if (!group.present) found.tube = tube_of(s.built.model, group);
-  if (group.rigid) found.springs = cap_named(s.data, places.front().substr(5))->stiffness.value();
+  if (group.rigid) found.springs = cap_named(s.data, cap_of(places.front()))->stiffness.value();
   return found;
 }
 

@@ -46,7 +46,7 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
   const Model& model = s.built.model;
   std::set<int> nodes;
   for (const BuiltSensor& sensor : s.built.sensors)
-    if (name == "sensor." + sensor.name) nodes.insert(sensor.node);
+    if (name == sensor_place(sensor.name)) nodes.insert(sensor.node);
   for (const auto& [cap, node] : s.built.cap_nodes)
     if (name == cap_key(cap) || name == mount_key(cap) ||
         (name == cap && cap.starts_with("supports[")))

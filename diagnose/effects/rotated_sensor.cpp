@@ -1,5 +1,6 @@
 #include "diagnose/effects/places.hpp"
 
+#include "model/description/place_keys.hpp"
 #include "words/directions.hpp"
 
 #include <Eigen/Geometry>
@@ -16,7 +17,7 @@ std::vector<Hypothesis> rotated_sensor_hypotheses(const Structure& s) {
     for (int axis = 0; axis < 3; ++axis)
       found.push_back(
           {.effect = "rotated_sensor",
-           .place = "sensor." + sensor,
+           .place = sensor_place(sensor),
            .way = std::string("about ") + axis_word(axis),
            .parameters = {{"angle", "rad", {PriorKind::normal, 0, 0.25}}},
            .setup = [name = sensor, axis](TestSetup& setup, const Eigen::VectorXd& v) {

@@ -1,4 +1,5 @@
 #include "diagnose/effects/places.hpp"
+#include "model/description/place_keys.hpp"
 
 namespace plica {
 namespace {
@@ -7,7 +8,7 @@ std::vector<Hypothesis> sensor_gain_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   for (const std::string& sensor : sensor_names(s))
     found.push_back({.effect = "sensor_gain",
-                     .place = "sensor." + sensor,
+                     .place = sensor_place(sensor),
                      .way = "",
                      .parameters = {{"gain", "", {PriorKind::log_normal, 1, 0.15}}},
                      .setup = [name = sensor](TestSetup& setup, const Eigen::VectorXd& v) {

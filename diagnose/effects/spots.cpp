@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/places.hpp"
 #include "diagnose/effects/plate_spots.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 
@@ -83,7 +84,7 @@ namespace {
 std::vector<Spot> spots_of(const Structure& s, int crowns, bool on_plates) {
   std::vector<Spot> found;
   for (const BuiltSensor& sensor : s.built.sensors)
-    found.push_back({"sensor." + sensor.name, {sensor.node}, sensor.node});
+    found.push_back({sensor_place(sensor.name), {sensor.node}, sensor.node});
   for (const Part& part : s.data.parts) {
     if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name, crowns);
     if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
@@ -109,7 +110,7 @@ std::vector<Spot> contact_spots(const Structure& s) {
 
 bool is_told_of_sensor(const Structure& s, const Spot& spot) {
   const auto& sensors = s.built.sensors;
-  return !spot.place.starts_with("sensor.") &&
+  return !is_at_sensor(spot.place) &&
          std::any_of(sensors.begin(), sensors.end(),
                      [&](const BuiltSensor& sensor) { return sensor.node == spot.touched; });
 }

@@ -62,10 +62,9 @@ std::string identified_words(const Judgement& judgement) {
 std::string resonator_words(const JudgedFit& nominal, const Judgement& judgement) {
   if (!judgement.resonator) return "";
   const JudgedFit& own = *judgement.resonator;
-  return fmt::format("; what is no effect here would do {}: {}, which would leave a gap of {:.2g} "
-                     "({:.2g} as it is told)",
-                     judgement.resonator_is_ahead(nominal) ? "better" : "as well",
-                     words_of_last(own.fit), own.gap_after, judgement.told(nominal).gap_after);
+  return resonator_clause(judgement.resonator_is_ahead(nominal), words_of_last(own.fit)) +
+         fmt::format(", which would leave a gap of {:.2g} ({:.2g} as it is told)", own.gap_after,
+                     judgement.told(nominal).gap_after);
 }
 
 std::string ambiguous_words(const JudgedFit& nominal, const Judgement& judgement) {

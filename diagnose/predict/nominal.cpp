@@ -115,7 +115,7 @@ std::vector<BuiltSensor> further_places(const Structure& s) {
     if (const int node = cap_node(s, m.cap); node >= 0)
       places.push_back({.name = place_of(m), .node = node});
   for (const Spot& spot : spots(s))
-    if (!spot.place.starts_with("sensor.") && places.size() < most)
+    if (!is_at_sensor(spot.place) && places.size() < most)
       places.push_back({.name = spot.place, .node = spot.touched});
   return places;
 }

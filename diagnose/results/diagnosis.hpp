@@ -83,6 +83,10 @@ struct Resonator {
   double gap_after = 0; // RMS of e
   bool is_ahead = false;
 };
+inline std::string resonator_clause(bool is_ahead, const std::string& words) {
+  return std::string("; what is no effect here would do ") + (is_ahead ? "better" : "as well") +
+         ": " + words;
+}
 
 // An effect that has no place in the case.
 struct EffectNotTried {

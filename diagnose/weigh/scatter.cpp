@@ -228,17 +228,17 @@ void add_test(std::vector<Hypothesis>& all, const Structure& s) {
     const auto reading = [name = sensor](TestSetup& setup) -> Eigen::Matrix3d& {
       return setup.reading.try_emplace(name, Eigen::Matrix3d::Identity()).first->second;
     };
-    all.push_back(of_the_test("gain", "sensor." + sensor, scatters::gain,
+    all.push_back(of_the_test("gain", sensor_place(sensor), scatters::gain,
                               [reading](TestSetup& setup, double v) { reading(setup) *= 1 + v; }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
-          "place", "sensor." + sensor, scatters::off_place,
+          "place", sensor_place(sensor), scatters::off_place,
           [name = sensor, axis](TestSetup& setup, double v) {
             setup.moved.try_emplace(name, Eigen::Vector3d::Zero()).first->second[axis] += v;
           }));
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(of_the_test(
-          "turn", "sensor." + sensor, scatters::turn * radians,
+          "turn", sensor_place(sensor), scatters::turn * radians,
           [reading, axis](TestSetup& setup, double v) {
             reading(setup) = Eigen::AngleAxisd(v, Eigen::Vector3d::Unit(axis)).toRotationMatrix() *
                              reading(setup);

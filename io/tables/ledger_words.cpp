@@ -100,9 +100,7 @@ std::string causes_words(const Ledger& ledger, const std::vector<const LedgerRow
 
 // "; what is no effect here would do better: 15 g on a spring of its own, which ..."
 std::string resonator_words(const Diagnosis& d) {
-  if (!d.resonator) return "";
-  return fmt::format("; what is no effect here would do {}: {}",
-                     d.resonator->is_ahead ? "better" : "as well", d.resonator->words);
+  return d.resonator ? resonator_clause(d.resonator->is_ahead, d.resonator->words) : "";
 }
 
 std::string where_line(const Diagnosis& d) {

@@ -34,6 +34,14 @@ inline std::string cap_of(const std::string& key) {
   return key.substr(key.find('.') + 1);
 }
 
+// A place of effects: where a sensor sits, or the sensor itself.
+inline std::string sensor_place(const std::string& sensor) {
+  return "sensor." + sensor;
+}
+inline bool is_at_sensor(const std::string& place) {
+  return place.starts_with("sensor.");
+}
+
 // "bellows" of "bellows.left": a set of it, or a place in it.
 inline std::string part_of_set(const std::string& set) {
   return set.substr(0, set.find('.'));
