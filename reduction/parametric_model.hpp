@@ -87,6 +87,8 @@ public:
   Eigen::MatrixXd nominal_shapes() const; // of the modes, over all DOFs
   Eigen::MatrixXd basis() const;          // V without changes, over all DOFs
   const Eigen::VectorXd& lambda() const { return nominal_.lambda; } // of the nominal modes
+  // The part is free or hangs softly; its rigid motions are none of the nominal modes.
+  bool leaves_rigid() const { return nominal_.suspended; }
   const std::vector<int>& boundary() const { return boundary_; }
   int unknowns() const { return system_.map.size(); }
 

@@ -3,6 +3,7 @@
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/growth.hpp"
 #include "diagnose/effects/resonators.hpp"
+#include "diagnose/predict/elastic_readings.hpp"
 #include "diagnose/predict/passed_over.hpp"
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/results/stage_share.hpp"
@@ -184,6 +185,7 @@ std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
   settings.stage("nominal case", 0);
   p.nominal = nominal_of(data, test.data);
   p.readings = chosen_readings(test, settings.without);
+  leave_out_rigid_motions(p.nominal, p.readings);
   pair_like_baselines(p.nominal, test.data, p.readings);
   p.readings = answered(p.nominal, std::move(p.readings));
   for (std::string& words : words_of_passed_over(p.nominal, p.readings))
