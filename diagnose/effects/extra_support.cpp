@@ -3,7 +3,11 @@
 #include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
 #include "model/description/place_keys.hpp"
+#include "words/directions.hpp"
 
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
 #include <set>
 
 namespace plica {
@@ -34,14 +38,40 @@ bool sees_two_directions(const Measured& m) {
   return seen.size() > 1;
 }
 
-// A support all round a crown holds its turning too; one that touches softly does not.
+// Across a path that is straight enough: the two axes along which it reaches least.
+std::array<int, 2> across(const Structure& s, const BeamPath& path) {
+  const Mesh& mesh = s.built.model.mesh;
+  const Eigen::Vector3d chord =
+      mesh.nodes[std::size_t(path.nodes.back())] - mesh.nodes[std::size_t(path.nodes.front())];
+  int along = 0;
+  chord.cwiseAbs().maxCoeff(&along);
+  return {along == 0 ? 1 : 0, along == 2 ? 1 : 2};
+}
+
+// Springs of two stiffnesses at one place, the second so many times the first.
+Hypothesis of_two_stiffnesses(const std::string& part, const EffectParameter& k,
+                              const std::vector<EffectParameter>& place, MovingMotion first,
+                              MovingMotion second) {
+  const auto own = Eigen::Index(first.terms.size());
+  Hypothesis h = anywhere(part, k, place, {std::move(first), std::move(second)});
+  h.parameters.push_back({"ratio", "", {PriorKind::log_normal, 1, 1.2}});
+  h.coefficients = [alike = h.coefficients, own](const Eigen::VectorXd& v) {
+    Eigen::VectorXd all = alike(v.head(v.size() - 1));
+    all.tail(all.size() - own) *= std::sqrt(v[v.size() - 1]);
+    return all;
+  };
+  return h;
+}
+
+// A support all round a crown holds its turning too; one that touches softly does not. From a touch
+// to a pin: at three deviations it is some thousand times as stiff as the part.
 std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   const auto add = [&](const Spot& spot, const char* way, ModelChange unit) {
     found.push_back({.effect = "extra_support",
                      .place = spot.place,
                      .way = way,
-                     .parameters = {{"k", "N/m", {PriorKind::log_normal, 0.3 * s.stiffness, 1.2}}},
+                     .parameters = {{"k", "N/m", {PriorKind::log_normal, s.stiffness, 2.5}}},
                      .changes = {std::move(unit)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false});
@@ -85,7 +115,16 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
     along("x", {x});
     along("y", {y});
     along("z", {z});
-    if (sees_two_directions(s.measured)) along("all round", {x, y, z});
+    if (!sees_two_directions(s.measured)) continue;
+    along("all round", {x, y, z});
+    const auto [first, second] = across(s, path);
+    const auto motion = [&](int axis) {
+      return motion_along(s, path, Eigen::Vector3d::Unit(axis), MotionTerm::Of::spring);
+    };
+    found.push_back(of_two_stiffnesses(path.part, {"k", "N/m", any}, path.place(), motion(first),
+                                       motion(second)));
+    found.back().effect = "extra_support";
+    found.back().way = fmt::format("{} and {}", axis_word(first), axis_word(second));
   }
   return found;
 }
