@@ -97,7 +97,8 @@ public:
           ReadingKind::amplitude, ReadingKind::cross, ReadingKind::dynamic_stiffness,
           ReadingKind::loss, ReadingKind::component})
       add_model_error(kind, found);
-    u_.change_error = request_.change_error;
+    // A model that is so far off changes by no more than that as it should.
+    u_.change_error = std::max(request_.change_error, shown(ReadingKind::frequency));
     if (before_.empty()) return found;
     list_before(found);
     condition();
