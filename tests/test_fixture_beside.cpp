@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -25,18 +26,20 @@ using Eigen::VectorXd;
 constexpr double zeta = 0.01, density = 7850;
 using Matrix66 = Eigen::Matrix<double, 6, 6>;
 
+// Of so stiff a steel that it is rigid.
 Case short_beam() {
   Case c = changed_beam::beam_of(1, 0.06, 0.03, 0.03, true);
+  c.materials["steel"].E *= 1e3;
   c.analyses.damping.modal = zeta;
   c.sensors = {{.name = "tip", .at = {0, 0.06, 0}}};
   return c;
 }
 
-Hypothesis fixture(const Nominal& nominal, bool reads_across = true) {
+Hypothesis fixture(const Nominal& nominal, const std::string& way, bool reads_across = true) {
   Structure s = nominal.structure(Measured());
   s.reads_across = reads_across;
   for (Hypothesis& h : effect_named("fixture_flexibility").hypotheses(s))
-    if (h.place == "mount.root" && h.way == "beside the pipe") return h;
+    if (h.place == "mount.root" && h.way == way) return h;
   throw std::out_of_range("no fixture beside the pipe");
 }
 
@@ -73,14 +76,14 @@ Matrix66 rigid_body(double mass, const Vector3d& centre, const Matrix3d& inertia
   return M;
 }
 
-// Far below its own modes the beam is rigid and one with the fixture: six equations,
+// The beam is rigid and one with the fixture: six equations,
 //   (K - w2 M) q = w2 M r,   M = beam + fixture,   K = m (2 pi f)2, J (2 pi f c)2,
 // with the fixture a cube of m = rho a3 spread s times, J = m (s a)2 / 6. Modal damping.
 TEST(FixtureBeside, moves_as_six_equations_of_rigid_bodies_say) {
-  const double mass = 2, f = 90, rocking = 1.2, spread = 1.3, off_x = 0.03, off_z = -0.05;
+  const double mass = 2, f = 90, rocking = 1.2, spread = 1.3, off_z = 0.05;
   const double edge = std::cbrt(mass / density), J = mass * std::pow(spread * edge, 2) / 6;
   const double length = 0.06, side = 0.03, own = density * side * side * length;
-  const Vector3d centre(0, length / 2, 0), off(off_x, 0, off_z);
+  const Vector3d centre(0, length / 2, 0), off(0, 0, off_z);
   const double across = own * (length * length + side * side) / 12, along = own * side * side / 6;
   const Matrix66 M = rigid_body(own, centre, Vector3d(across, along, across).asDiagonal()) +
                      rigid_body(mass, off, J * Matrix3d::Identity());
@@ -90,12 +93,12 @@ TEST(FixtureBeside, moves_as_six_equations_of_rigid_bodies_say) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(MatrixXd(k.asDiagonal()),
                                                                  MatrixXd(M));
   const Nominal nominal = nominal_of(short_beam(), Measured());
-  const Hypothesis h = fixture(nominal);
+  const Hypothesis h = fixture(nominal, "beside in z");
   const TestReadings test = at_tip();
   const Predictor predict(nominal, test, {&h});
   const VectorXd hertz = VectorXd::LinSpaced(60, 30, 200);
-  VectorXd values(6);
-  values << mass, f, rocking, spread, off_x, off_z;
+  VectorXd values(5);
+  values << mass, f, rocking, spread, off_z;
   for (int base : {0, 1, 2})
     for (int axis : {0, 1, 2}) {
       VectorXcd expected = VectorXcd::Constant(hertz.size(), axis == base ? 1. : 0.);
@@ -111,9 +114,12 @@ TEST(FixtureBeside, moves_as_six_equations_of_rigid_bodies_say) {
               o * o * shape * force / std::complex<double>(l - o * o, 2 * zeta * std::sqrt(l) * o);
         }
       const VectorXcd found = response(predict, values, "tip", base, axis, hertz);
-      EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 0.01 * expected.cwiseAbs().maxCoeff())
+      EXPECT_LT((found - expected).cwiseAbs().maxCoeff(),
+                0.01 * expected.cwiseAbs().maxCoeff() + 1e-9)
           << axis_word(base) << " to " << axis_word(axis);
-      EXPECT_GT(expected.cwiseAbs().maxCoeff(), 0.3);
+      if (base != 0 && axis != 0) {
+        EXPECT_GT(expected.cwiseAbs().maxCoeff(), 0.3);
+      }
     }
 }
 
@@ -152,14 +158,14 @@ Case slender() {
 }
 
 VectorXd beside() {
-  VectorXd values(6);
-  values << 1.5, 90, 1.5, 1.3, 0.01, 0.06;
+  VectorXd values(5);
+  values << 1.5, 90, 1.5, 1.3, 0.06;
   return values;
 }
 
 TEST(FixtureBeside, is_a_cap_with_an_offset_in_the_case) {
   const Nominal nominal = nominal_of(slender(), Measured());
-  const Hypothesis h = fixture(nominal);
+  const Hypothesis h = fixture(nominal, "beside in z");
   const TestReadings none;
   const AffineModes acting = *Predictor(nominal, none, {&h}).modes(beside());
   const Nominal drawn = nominal_of(on_fixture(slender(), h, beside()), Measured());
@@ -169,8 +175,8 @@ TEST(FixtureBeside, is_a_cap_with_an_offset_in_the_case) {
 
 TEST(FixtureBeside, is_tried_where_motion_across_is_read_alone) {
   const Nominal nominal = nominal_of(slender(), Measured());
-  EXPECT_NO_THROW(fixture(nominal, true));
-  EXPECT_THROW(fixture(nominal, false), std::out_of_range);
+  EXPECT_NO_THROW(fixture(nominal, "beside in x"));
+  EXPECT_THROW(fixture(nominal, "beside in x", false), std::out_of_range);
 }
 
 // Sweeps along the beam and across it, of the case with the fixture drawn.
@@ -203,20 +209,30 @@ TestData sweeps_of(const Case& truth) {
   return test;
 }
 
+// Mass, frequency, rocking, spread, how far beside: most of fifteen numbers in intervals of 90 %.
 TEST(FixtureBeside, is_named_with_how_far_beside_it_lies) {
   const Nominal nominal = nominal_of(slender(), Measured());
-  const Hypothesis h = fixture(nominal);
+  const Hypothesis h = fixture(nominal, "beside in z");
   DiagnosisSettings settings;
   settings.plan_next = false;
-  const Diagnosis d = diagnose(slender(), sweeps_of(on_fixture(slender(), h, beside())), settings);
-  ASSERT_FALSE(d.effects.empty()) << d.headline;
-  const NamedEffect& named = d.effects.front();
-  EXPECT_EQ(named.name, "fixture_flexibility") << d.headline;
-  ASSERT_EQ(named.way, "beside the pipe") << d.headline;
-  ASSERT_EQ(named.parameters.size(), 6u);
-  EXPECT_LE(named.parameters[5].interval[0], 0.06);
-  EXPECT_GE(named.parameters[5].interval[1], 0.06);
-  EXPECT_LT(d.gap.after, 0.1 * d.gap.before) << d.gap.before;
+  int held = 0;
+  for (const std::array<double, 5>& truth : {std::array{2.5, 90., 1.5, 1.3, 0.03},
+                                             {1.5, 90., 1.5, 1.3, 0.06},
+                                             {2., 130., 1.2, 1.6, 0.05}}) {
+    const VectorXd values = VectorXd::Map(truth.data(), 5);
+    const Diagnosis d = diagnose(slender(), sweeps_of(on_fixture(slender(), h, values)), settings);
+    ASSERT_FALSE(d.effects.empty()) << d.headline;
+    const NamedEffect& named = d.effects.front();
+    EXPECT_EQ(named.name, "fixture_flexibility") << d.headline;
+    ASSERT_EQ(named.way, "beside in z") << d.headline;
+    ASSERT_EQ(named.parameters.size(), 5u);
+    EXPECT_LT(d.gap.after, 0.1 * d.gap.before) << d.gap.before;
+    for (std::size_t k = 0; k < 5; ++k) {
+      const auto& [low, high] = named.parameters[k].interval;
+      if (low <= truth[k] && truth[k] <= high) ++held;
+    }
+  }
+  EXPECT_GE(held, 12);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "diagnose/effects/places.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/place_keys.hpp"
+#include "words/directions.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -13,23 +14,23 @@ namespace {
 constexpr double ball_over_cube = 0.96;
 
 double inertia_of(double mass, double spread) {
-  constexpr double steel = 7850, gyration_of_cube = 0.408; // kg/m3, radius over edge
+  constexpr double steel = 7850, gyration_of_cube = 0.40825; // kg/m3, radius over edge
   const double gyration = spread * gyration_of_cube * std::cbrt(mass / steel);
   return mass * gyration * gyration;
 }
 
-// Of a fixture: mass, frequency, rocking, spread and, where its centre of mass lies beside the held
-// end, how far.
+// Of a fixture: mass, frequency, rocking, spread and, where its centre of mass lies to a side of
+// the held end, how far.
 struct Fixture {
-  explicit Fixture(const Eigen::VectorXd& v)
-      : mass(v[0]), inertia(inertia_of(v[0], v[3])),
-        offset(v.size() > 4 ? Eigen::Vector3d(v[4], 0, v[5]) : Eigen::Vector3d::Zero()) {
+  explicit Fixture(const Eigen::VectorXd& v, const Eigen::Vector3d& side = Eigen::Vector3d::Zero())
+      : mass(v[0]), inertia(inertia_of(v[0], v[3])), off(v.size() > 4 ? v[4] : 0),
+        offset(off * side) {
     const double omega = 2 * std::numbers::pi * v[1];
     moving = mass * omega * omega;
     turning = inertia * std::pow(omega * v[2], 2);
   }
-  double mass, inertia, moving = 0, turning = 0; // kg, kg m2 about its centre, N/m, Nm/rad
-  Eigen::Vector3d offset;                        // m, from the held end
+  double mass, inertia, off, moving = 0, turning = 0; // kg, kg m2 about its centre, m, N/m, Nm/rad
+  Eigen::Vector3d offset;                             // m, from the held end
 };
 
 // What a mass so far off adds to the inertia, kg m2.
@@ -38,8 +39,9 @@ Eigen::Matrix3d carried(double mass, const Eigen::Vector3d& offset) {
 }
 
 // Caps that were held rigidly, with the mass of the fixture, on its springs.
-CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::VectorXd& v) {
-  const Fixture f(v);
+CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::VectorXd& v,
+                      const Eigen::Vector3d& side) {
+  const Fixture f(v, side);
   const double k = f.moving, turning = f.turning;
   CaseEdits edits;
   for (const Mount& m : mounts_at(now, place)) {
@@ -51,7 +53,6 @@ CaseEdits on_fixtures(const Case& now, const std::string& place, const Eigen::Ve
         f.inertia * Eigen::Matrix3d::Identity() + carried(f.mass, f.offset) - carried(mass, centre);
     Sextuple own = cap.inertia;
     for (std::size_t i = 0; i < 3; ++i) own[i] += J(Eigen::Index(i), Eigen::Index(i));
-    own[5] += J(0, 2);
     edits.push_back(
         {mount_key(m.cap), "{stiffness: " + yaml_of({k, k, k, turning, turning, turning}) + "}"});
     edits.push_back({cap_key(m.cap) + ".mass", yaml_of(mass)});
@@ -81,14 +82,10 @@ ModelChange bodies(const std::vector<int>& nodes, double mass, const Eigen::Vect
 }
 
 // Mass and springs to the table. It rocks at `rocking` times the frequency at which it moves
-// straight. Where its centre of mass lies beside the pipe, what moves it along the pipe rocks it:
-// axial and lateral motion are one.
-Hypothesis fixture_under(const Structure& s, const HeldEnds& ends, bool beside) {
-  constexpr double steel = 7850; // kg/m3
-  const double mass = 2 * s.mass, edge = std::cbrt(mass / steel);
-  const Eigen::Vector3d none = Eigen::Vector3d::Zero(), x = Eigen::Vector3d::UnitX(),
-                        z = Eigen::Vector3d::UnitZ();
-  const auto turned = [&](const Eigen::Matrix3d& J) { return bodies(ends.nodes, 0, none, J); };
+// straight.
+Hypothesis fixture_under(const Structure& s, const HeldEnds& ends) {
+  const double mass = 2 * s.mass;
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   Hypothesis h{
       .effect = "fixture_flexibility",
       .place = ends.place,
@@ -100,7 +97,8 @@ Hypothesis fixture_under(const Structure& s, const HeldEnds& ends, bool beside) 
       .size = 1,
       .changes = {ground_springs(ends.nodes, 1, 0),
                   bodies(ends.nodes, 1, none, Eigen::Matrix3d::Zero()),
-                  ground_springs(ends.nodes, 0, 1), turned(Eigen::Matrix3d::Identity())},
+                  ground_springs(ends.nodes, 0, 1),
+                  bodies(ends.nodes, 0, none, Eigen::Matrix3d::Identity())},
       .coefficients =
           [](const Eigen::VectorXd& v) {
             const Fixture f(v);
@@ -109,27 +107,32 @@ Hypothesis fixture_under(const Structure& s, const HeldEnds& ends, bool beside) 
       .at_rig = false,
       .released = ends.nodes,
       .resonates = true,
-      .in_case = [place =
-                      ends.place](const Case& now,
-                                  const Eigen::VectorXd& v) { return on_fixtures(now, place, v); }};
+      .in_case = [place = ends.place,
+                  none](const Case& now,
+                        const Eigen::VectorXd& v) { return on_fixtures(now, place, v, none); }};
   h.released.insert(h.released.end(), ends.fixtures.begin(), ends.fixtures.end());
-  if (!beside) return h;
-  h.way = "beside the pipe";
-  for (const char* name : {"off_x", "off_z"})
-    h.parameters.push_back({name, "m", {PriorKind::normal, 0, edge}});
-  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
-  product(0, 2) = product(2, 0) = 1;
-  h.changes.push_back(bodies(ends.nodes, 0, x, Eigen::Matrix3d::Zero()));
-  h.changes.push_back(bodies(ends.nodes, 0, z, Eigen::Matrix3d::Zero()));
-  for (const Eigen::Matrix3d& J : {carried(1, x), carried(1, z), product}) // of x2, z2 and -x z
-    h.changes.push_back(turned(J));
+  return h;
+}
+
+// With its centre of mass to a side of the pipe: what moves it along rocks it, so that axial and
+// lateral motion are one. To which side of two shows in phases alone, which are not read.
+Hypothesis fixture_beside(const Structure& s, const HeldEnds& ends, int axis) {
+  constexpr double steel = 7850; // kg/m3
+  const double edge = std::cbrt(2 * s.mass / steel);
+  const Eigen::Vector3d side = Eigen::Vector3d::Unit(axis);
+  Hypothesis h = fixture_under(s, ends);
+  h.way = std::string("beside in ") + axis_word(axis);
+  h.parameters.push_back({"off", "m", {PriorKind::log_normal, edge / 2, 0.8}});
+  h.changes.push_back(bodies(ends.nodes, 0, side, Eigen::Matrix3d::Zero()));
+  h.changes.push_back(bodies(ends.nodes, 0, Eigen::Vector3d::Zero(), carried(1, side)));
   h.coefficients = [](const Eigen::VectorXd& v) {
     const Fixture f(v);
-    const double ex = f.offset[0], ez = f.offset[2];
-    Eigen::VectorXd c(9);
-    c << f.moving, f.mass, f.turning, f.inertia, f.mass * ex, f.mass * ez, f.mass * ex * ex,
-        f.mass * ez * ez, -f.mass * ex * ez;
+    Eigen::VectorXd c(6);
+    c << f.moving, f.mass, f.turning, f.inertia, f.mass * f.off, f.mass * f.off * f.off;
     return c;
+  };
+  h.in_case = [place = ends.place, side](const Case& now, const Eigen::VectorXd& v) {
+    return on_fixtures(now, place, v, side);
   };
   return h;
 }
@@ -140,8 +143,9 @@ std::vector<Hypothesis> fixture_flexibility_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   if (has_baseline(s.measured) && !asked_for(s, "fixture_flexibility")) return found;
   for (const HeldEnds& ends : held_ends(s)) {
-    found.push_back(fixture_under(s, ends, false));
-    if (s.reads_across) found.push_back(fixture_under(s, ends, true));
+    found.push_back(fixture_under(s, ends));
+    for (int axis : {0, 2}) // the pipe lies along y
+      if (s.reads_across) found.push_back(fixture_beside(s, ends, axis));
   }
   return found;
 }
