@@ -1,5 +1,6 @@
 // Decks of cases in their state: what CalculiX makes of the static step, and of the modes around
 // it.
+#include "model/description/steels.hpp"
 #include "run/routes/state_loads.hpp"
 #include "tests/calculix_frequencies.hpp"
 #include "tests/pipe_case.hpp"

@@ -1,5 +1,6 @@
 // States of a specimen that its case does not say, found by the diagnosis.
 #include "compare/fit/fit.hpp"
+#include "model/description/steels.hpp"
 #include "run/analyses/run.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"

@@ -1,6 +1,7 @@
 #include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/effects/in_state.hpp"
 #include "model/description/place_keys.hpp"
+#include "model/description/steels.hpp"
 
 #include <algorithm>
 

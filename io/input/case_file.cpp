@@ -11,6 +11,7 @@
 #include "model/description/case_fields.hpp"
 #include "model/description/check_log.hpp"
 #include "model/description/place_keys.hpp"
+#include "model/description/steels.hpp"
 #include "model/description/toleranced_damping.hpp"
 #include "words/did_you_mean.hpp"
 #include "words/short_text.hpp"

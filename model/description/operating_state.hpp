@@ -79,18 +79,4 @@ std::array<double, 2> range_of(const PartTemperature& part);
 // At a place along a part whose temperature is given; beyond the ends of `along` that of the end.
 double temperature_at(const PartTemperature& part, double y);
 
-// Steels by their number, with the published tables their material has. Empty: not known.
-struct Steel {
-  const char* name;
-  Material material;
-  const char* source;
-};
-const std::vector<Steel>& steels();
-
-// Name of the material that a part is drawn with; empty where it has none.
-std::string material_of(const Part& part);
-
-// Materials that parts name and the case does not list, where they are a known steel.
-void add_known_steels(const std::vector<Part>& parts, std::map<std::string, Material>& materials);
-
 } // namespace plica

@@ -1,5 +1,6 @@
 #include "model/description/operating_state_checks.hpp"
 
+#include "model/description/steels.hpp"
 #include "words/units.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "run/routes/state_loads.hpp"
 
 #include "model/description/place_keys.hpp"
+#include "model/description/steels.hpp"
 #include "solve/heat_conduction.hpp"
 #include "words/input_error.hpp"
 
