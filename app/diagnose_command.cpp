@@ -18,6 +18,7 @@
 #include "io/write/write_diagnosis.hpp"
 #include "io/write/write_pretest.hpp"
 #include "io/write/write_supposition.hpp"
+#include "lab/measured/states.hpp"
 #include "solve/sparse_factor.hpp"
 #include "words/directions.hpp"
 
@@ -204,6 +205,9 @@ std::string add_effects(const Asked& a, const CaseEdits& fitted, const Diagnosis
   out.add(explained_file, explained.text);
   words += fmt::format("{} has {} of {} effects in it: ", explained_file, explained.in.size(),
                        explained.in.size() + explained.left_out.size());
+  if (has_baseline(a.test.data))
+    return words + "the part after the change. No gap is solved for: the baseline is that of the "
+                   "case without them\n";
   try { // the diagnosis is finished, whatever becomes of this
     solving.stage("the case with its effects", 0);
     const Ledger left =
