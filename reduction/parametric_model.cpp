@@ -136,7 +136,8 @@ ParametricModel::NominalModes ParametricModel::modes_inside() const {
   NominalModes found{.lambda = lambda_.tail(count),
                      .boundary = MatrixXd::Zero(Psi_.cols(), count),
                      .inside = MatrixXd::Zero(W_.cols(), count),
-                     .suspended = suspended};
+                     .suspended = suspended,
+                     .highest_rigid = first > 0 ? std::max(0., lambda_[first - 1]) : 0};
   found.inside.middleRows(first, count).setIdentity();
   return found;
 }
@@ -164,7 +165,8 @@ ParametricModel::NominalModes ParametricModel::modes_held_at(const std::vector<i
   NominalModes found{.lambda = modes->lambda.segment(first, count),
                      .boundary = {},
                      .inside = {},
-                     .suspended = suspended};
+                     .suspended = suspended,
+                     .highest_rigid = first > 0 ? std::max(0., modes->lambda[first - 1]) : 0};
   MatrixXd u = expand(system_.map, Psi_ * own.topRows(Psi_.cols()) +
                                        W_ * (basis.T * own.bottomRows(basis.T.cols())));
   orient_modes(model_, marked_, found.lambda, own, u);

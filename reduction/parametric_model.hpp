@@ -89,6 +89,7 @@ public:
   const Eigen::VectorXd& lambda() const { return nominal_.lambda; } // of the nominal modes
   // The part is free or hangs softly; its rigid motions are none of the nominal modes.
   bool leaves_rigid() const { return nominal_.suspended; }
+  double highest_rigid() const { return nominal_.highest_rigid; } // its eigenvalue; 0: free
   const std::vector<int>& boundary() const { return boundary_; }
   int unknowns() const { return system_.map.size(); }
 
@@ -111,6 +112,7 @@ private:
     Eigen::VectorXd lambda;
     Eigen::MatrixXd boundary, inside;
     bool suspended = false;
+    double highest_rigid = 0; // eigenvalue, of a suspended one
   };
   NominalModes modes_inside() const;
   NominalModes modes_held_at(const std::vector<int>& nodes) const;

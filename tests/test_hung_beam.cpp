@@ -3,8 +3,11 @@
 #include "diagnose/account/gap_problem.hpp"
 #include "tests/beam_roots.hpp"
 #include "tests/changed_beam.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
+
+#include <complex>
 
 namespace plica {
 namespace {
@@ -172,38 +175,143 @@ TEST(HungBeam, damage_of_a_beam_with_free_mounts_is_named_with_its_place) {
   expect_place(e, dented.at);
 }
 
-// Listed without a shape, as an identification finds them: two motions in strings, four that bend.
-TEST(HungBeam, how_it_swings_is_left_out_where_a_test_lists_it) {
-  const HungSpecimen specimen{.strings = string_stiffness};
-  const std::vector<double> all = beam_roots::frequencies(specimen.in(Axis::z), 1, 6);
-  Measured m;
-  m.specimen = "beam";
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    m.modes.push_back(bending(Axis::z, int(i) + 1, "", all[i]));
+// Modes in z without a shape, their orders from `first` on, of a state.
+void list_modes(Measured& m, const std::string& state, const std::vector<double>& hertz,
+                int first) {
+  for (std::size_t i = 0; i < hertz.size(); ++i) {
+    m.modes.push_back(bending(Axis::z, first + int(i), state, hertz[i]));
     m.modes.back().shape = MeasuredShape::other;
     m.modes.back().damping = 0.005;
   }
+}
+
+Measured before_and_after_listed(const std::vector<double>& before, int first_before,
+                                 const std::vector<double>& after, int first_after) {
+  Measured m;
+  m.specimen = "beam";
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  list_modes(m, "before", before, first_before);
+  list_modes(m, "after", after, first_after);
+  return m;
+}
+
+TestReadings readings_beside_strings(const Measured& m) {
+  const Case nominal = hung_at_both_ends(string_stiffness);
+  return stated_gap(nominal, {.data = m, .responses = {}}, {})->readings;
+}
+
+// Two motions in strings and four that bend.
+std::vector<double> all_in_strings(double softer = 1) {
+  std::vector<double> all =
+      beam_roots::frequencies(HungSpecimen{.strings = string_stiffness}.in(Axis::z), 1, 6);
+  for (std::size_t i = 2; i < all.size(); ++i) all[i] *= softer;
+  return all;
+}
+
+std::vector<double> without(std::vector<double> all, int first) {
+  all.erase(all.begin(), all.begin() + first);
+  return all;
+}
+
+// As an identification finds them.
+TEST(HungBeam, how_it_swings_is_left_out_where_a_test_lists_it) {
+  const std::vector<double> all = all_in_strings();
+  Measured m;
+  m.specimen = "beam";
+  list_modes(m, "", all, 1);
   const Case nominal = hung_at_both_ends(string_stiffness);
   const TestData test{.data = m, .responses = {}};
   const auto problem = stated_gap(nominal, test, {});
   const TestReadings& found = problem->readings;
   ASSERT_EQ(found.readings.size(), 8U) << "of each mode that bends its frequency and damping";
-  for (const Reading& r : found.readings)
-    if (r.kind == ReadingKind::frequency) {
-      EXPECT_EQ(r.value, all[std::size_t(r.order) + 1]);
-      EXPECT_NEAR(problem->log_measured[&r - found.readings.data()], std::log(r.value), 1e-12);
-    }
+  const Predictor predict(problem->nominal, found, {});
+  const Eigen::VectorXd model = *predict(Eigen::VectorXd());
+  for (std::size_t i = 0; i < found.readings.size(); ++i) {
+    const Reading& r = found.readings[i];
+    if (r.kind != ReadingKind::frequency) continue;
+    EXPECT_EQ(r.value, all[std::size_t(r.order) + 1]);
+    EXPECT_NEAR(model[Eigen::Index(i)], r.log_value, 0.02) << i;
+  }
   EXPECT_EQ(std::count_if(found.warnings.begin(), found.warnings.end(),
                           [](const std::string& w) {
                             return w.find("swings as a rigid body") != std::string::npos;
                           }),
             2);
-  const Predictor predict(problem->nominal, found, {});
-  const Eigen::VectorXd model = *predict(Eigen::VectorXd());
-  for (std::size_t i = 0; i < found.readings.size(); ++i)
-    if (found.readings[i].kind == ReadingKind::frequency) {
-      EXPECT_NEAR(model[Eigen::Index(i)], found.readings[i].log_value, 0.02) << i;
+}
+
+// Whichever of its motions are listed, modes that bend are counted from the first, in every state.
+TEST(HungBeam, modes_that_bend_are_counted_from_the_first_whatever_is_listed_below) {
+  const std::vector<double> all = all_in_strings();
+  for (const Measured& m : {before_and_after_listed(all, 1, without(all, 2), 3),
+                            before_and_after_listed(all, 1, without(all, 2), 1),
+                            before_and_after_listed(without(all, 1), 2, without(all, 1), 2),
+                            before_and_after_listed(without(all, 2), 1, all, 1)}) {
+    const TestReadings found = readings_beside_strings(m);
+    int frequencies = 0;
+    for (const Reading& r : found.readings) {
+      if (r.kind != ReadingKind::frequency) continue;
+      EXPECT_EQ(r.value, all[std::size_t(r.order) + 1]) << r.entry;
+      ++frequencies;
     }
+    EXPECT_GE(frequencies, 4);
+  }
+}
+
+TEST(HungBeam, modes_of_a_part_half_as_stiff_are_not_how_it_swings) {
+  const std::vector<double> all = all_in_strings(0.48);
+  const TestReadings found = readings_beside_strings(before_and_after_listed(all, 1, all, 1));
+  ASSERT_FALSE(found.readings.empty());
+  EXPECT_EQ(std::count_if(found.warnings.begin(), found.warnings.end(),
+                          [](const std::string& w) {
+                            return w.find("swings as a rigid body") != std::string::npos;
+                          }),
+            4)
+      << "two in either state";
+}
+
+TEST(HungBeam, a_test_of_how_it_swings_alone_is_refused) {
+  std::vector<double> all = all_in_strings();
+  all.resize(2);
+  Measured m;
+  m.specimen = "beam";
+  list_modes(m, "", all, 1);
+  const std::string error = test::error_of([&] { readings_beside_strings(m); });
+  EXPECT_NE(error.find("modes[0]: is how the part swings as a rigid body"), std::string::npos)
+      << error;
+}
+
+// A table under the strings: of its one strong peak, the bounce, nothing is read, along or across.
+TEST(HungBeam, a_bounce_on_a_table_is_no_reading) {
+  const Case nominal = [] {
+    Case c = hung_at_both_ends(string_stiffness);
+    c.sensors = {{.name = "mid", .at = {0, hung_length / 2, 0}}};
+    return c;
+  }();
+  TestData test;
+  test.data.specimen = "beam";
+  MeasuredMode bends = bending(Axis::z, 1, "", all_in_strings()[2]);
+  test.data.modes = {bends};
+  MeasuredFrf entry;
+  entry.base = Axis::z;
+  entry.sigma = FrfSigma{.relative = 0.015, .floor = 0.01};
+  test.data.frf = {entry};
+  FrfSet set;
+  set.quantity = FrfQuantity::transmissibility;
+  set.hertz = Eigen::VectorXd::LinSpaced(4000, 1, 60);
+  set.references = {"base.z"};
+  set.responses = {"mid.x", "mid.y", "mid.z"};
+  set.H.emplace_back(set.hertz.size(), 3);
+  const double bounce = all_in_strings()[0], zeta = 0.01;
+  for (Eigen::Index i = 0; i < set.hertz.size(); ++i) {
+    const double w = set.hertz[i] / bounce;
+    const std::complex<double> T = 1. / std::complex<double>(1 - w * w, 2 * zeta * w);
+    set.H[0].row(i) << 0.1 * T, 0.2 * T, T;
+  }
+  test.responses.push_back({set});
+  const auto problem = stated_gap(nominal, test, {});
+  ASSERT_EQ(problem->readings.readings.size(), 1U);
+  EXPECT_EQ(problem->readings.readings[0].entry, "modes[0]");
 }
 
 } // namespace

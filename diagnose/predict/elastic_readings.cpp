@@ -1,61 +1,67 @@
 #include "diagnose/predict/elastic_readings.hpp"
 
 #include "solve/modes.hpp"
+#include "words/input_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <set>
-#include <tuple>
+#include <utility>
 
 namespace plica {
 namespace {
+
+bool is_of_no_shape(const TestRun& run, const Reading& r) {
+  return !run.input.any() && r.shape == MeasuredShape::other;
+}
 
 double hertz_of(const TestRun& run, const Reading& r) {
   if (run.input.any()) return run.peaks[std::size_t(r.peak)];
   return r.paired_as > 0 ? r.paired_as : r.value;
 }
 
-// What is counted together: modes of no shape along an axis of a run; modes that forces show, in a
-// state.
-using Counted = std::tuple<std::string, int, int>;
-Counted counted_with(const TestRun& run, const Reading& r) {
-  return run.input.any() ? Counted{run.state, -1, -1} : Counted{run.state, r.run, r.axis};
-}
-int number_of(const TestRun& run, const Reading& r) {
-  return run.input.any() ? r.mode : r.order;
-}
-
-// Seen across where another run peaks, or wherever it is highest.
-bool is_of_no_peak(const Reading& r) {
-  return r.at_run >= 0 || r.highest;
-}
-
 class Rigid {
 public:
   Rigid(const Nominal& nominal, const TestReadings& test) : nominal_(nominal), test_(test) {
-    for (const Reading& r : test.readings)
-      if (is_left_out(r)) numbers_[counted_with(run_of(r), r)].insert(number_of(run_of(r), r));
+    for (const Reading& r : test.readings) {
+      if (r.run < 0 || !is_of_no_shape(run_of(r), r)) continue;
+      const auto list = std::pair{r.state, r.axis};
+      const auto [lowest, made] = lowest_.try_emplace(list, r.order);
+      if (!made) lowest->second = std::min(lowest->second, r.order);
+      if (is_left_out(r)) left_out_[list] = std::max(left_out_[list], r.order);
+    }
   }
 
   bool is_left_out(const Reading& r) const {
     if (r.run < 0) return false;
     const TestRun& run = run_of(r);
-    if (!run.input.any() && r.shape != MeasuredShape::other) return false;
-    if (run.input.any() && (run.planned() || is_of_no_peak(r))) return false;
+    if (!run.input.any()) return is_of_no_shape(run, r) && hertz_of(run, r) < limit(run);
+    if (run.planned()) return false;
+    if (r.highest) return peaks_below(run) > 0 || (limit(run) > 0 && run.band[0] < limit(run));
+    if (r.at_run >= 0) return peaks_below(test_.runs[std::size_t(r.at_run)]) > 0;
     return hertz_of(run, r) < limit(run);
   }
 
-  // Of what stays: as many fewer as were left out before it.
+  // Of what stays. Below an order that is left out there are rigid motions alone, whether the test
+  // lists them or not; in another state, too, where its orders begin as high.
   void count_anew(Reading& r) const {
     if (r.run < 0) return;
     const TestRun& run = run_of(r);
-    if (is_of_no_peak(r)) return;
-    if (run.input.any()) r.peak -= peaks_below(run);
-    const auto found = numbers_.find(counted_with(run, r));
-    if (found == numbers_.end() || (!run.input.any() && r.shape != MeasuredShape::other)) return;
-    int& number = run.input.any() ? r.mode : r.order;
-    number -= int(std::distance(found->second.begin(), found->second.lower_bound(number)));
+    if (run.input.any()) {
+      if (r.at_run < 0 && !r.highest) r.peak -= peaks_below(run);
+      return;
+    }
+    if (!is_of_no_shape(run, r)) return;
+    const auto own = left_out_.find({r.state, r.axis});
+    if (own != left_out_.end()) {
+      r.order = std::max(1, r.order - own->second);
+      return;
+    }
+    int elsewhere = 0;
+    for (const auto& [list, order] : left_out_)
+      if (list.second == r.axis) elsewhere = std::max(elsewhere, order);
+    if (lowest_.at({r.state, r.axis}) > elsewhere) r.order -= elsewhere;
   }
 
   int peaks_below(const TestRun& run) const {
@@ -67,7 +73,9 @@ public:
   // Hz; zero where something holds the part.
   double limit(const TestRun& run) const {
     const ParametricModel& model = *nominal_.state(run.state).model;
-    return model.leaves_rigid() ? frequency(model.lambda()[0]) / 2 : 0;
+    if (!model.leaves_rigid()) return 0;
+    const double first = frequency(model.lambda()[0]);
+    return std::clamp(std::sqrt(frequency(model.highest_rigid()) * first), first / 5, first / 2);
   }
 
 private:
@@ -75,7 +83,9 @@ private:
 
   const Nominal& nominal_;
   const TestReadings& test_;
-  std::map<Counted, std::set<int>> numbers_; // orders, or modes, that are left out
+  // Of modes without shape, by state and axis: the highest order that is left out, the lowest there
+  // is.
+  std::map<std::pair<std::string, int>, int> left_out_, lowest_;
 };
 
 } // namespace
@@ -90,11 +100,15 @@ void leave_out_rigid_motions(const Nominal& nominal, TestReadings& test) {
       rigid.count_anew(kept.back());
     } else if (r.kind == ReadingKind::frequency) {
       const TestRun& run = test.runs[std::size_t(r.run)];
-      said.push_back(fmt::format("{:.4g} Hz of {} is no reading: below half of the first mode of "
-                                 "the part, {:.4g} Hz, it swings as a rigid body",
-                                 hertz_of(run, r), r.entry, 2 * rigid.limit(run)));
+      said.push_back(fmt::format(
+          "{:.4g} Hz of {} is no reading: below {:.3g} Hz the part swings as a rigid body",
+          hertz_of(run, r), r.entry, rigid.limit(run)));
     }
   }
+  if (kept.empty() && !test.readings.empty())
+    input_error(test.readings.front().entry,
+                "is how the part swings as a rigid body, as is all that was measured",
+                "modes in which it bends or stretches");
   std::vector<int> below;
   for (const TestRun& run : test.runs) below.push_back(rigid.peaks_below(run));
   for (std::size_t i = 0; i < test.runs.size(); ++i)
