@@ -12,6 +12,7 @@
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "lab/measured/states.hpp"
 #include "model/description/place_keys.hpp"
 
 #include <algorithm>
@@ -308,10 +309,12 @@ private:
       return std::find(result_.advice.begin(), result_.advice.end(), advice) !=
              result_.advice.end();
     };
+    const bool all_weighed = is_weighed_in_all_states(problem_.test.data);
     for (const JudgedFit* j : judgement.named)
       for (const Hypothesis* h : j->fit.together)
-        for (const auto& [other, how] : effect_named(h->effect).look_alikes) {
+        for (const auto& [other, how, by_scale] : effect_named(h->effect).look_alikes) {
           const std::string advice = h->effect + " or " + other + ": " + how;
+          if (by_scale && all_weighed) continue;
           if (tried(other) && !given(advice) && !given(other + " or " + h->effect + ": " + how))
             result_.advice.push_back(advice);
         }

@@ -1,5 +1,6 @@
 #include "diagnose/account/told_apart.hpp"
 
+#include "lab/measured/states.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -71,11 +72,11 @@ Pairs pairs_of(const LedgerRow& row, const std::vector<HypothesisFit>& told, std
 }
 
 // What effects say of those that look like them, of the first two that do; empty: nothing of these.
-std::string look_alikes_of(const LedgerRow& row) {
+std::string look_alikes_of(const LedgerRow& row, bool all_weighed) {
   for (const NamedEffect& a : row.effects)
     for (const NamedEffect& b : row.effects)
-      for (const auto& [other, how] : effect_named(a.name).look_alikes)
-        if (other == b.name)
+      for (const auto& [other, how, by_scale] : effect_named(a.name).look_alikes)
+        if (other == b.name && !(by_scale && all_weighed))
           return row.effects.size() > 2 ? a.name + " from " + b.name + ": " + how : how;
   return "";
 }
@@ -90,7 +91,8 @@ std::string say_what_tells_apart(const GapProblem& problem, const OfferedReading
     if (!answers) answers.emplace(problem, menu, told);
     if (const Pairs pairs = pairs_of(row, told, answers->sets()); !pairs.empty())
       row.told_apart_by = answers->best_for(pairs);
-    if (row.told_apart_by.empty()) row.told_apart_by = look_alikes_of(row);
+    if (row.told_apart_by.empty())
+      row.told_apart_by = look_alikes_of(row, is_weighed_in_all_states(problem.test.data));
   }
   if (!answers || answers->sets() == told.size()) return "";
   return fmt::format("what tells effects of a row apart is said of the best {} of {} sets that "

@@ -104,8 +104,8 @@ Effect added_mass() {
                  "sensor, a clamp, a deposit",
       .signature = "modes that move the spot fall, static stiffness stays; the mass grows where "
                    "a baseline was weighed",
-      .look_alikes = {{"local_damage", "weigh the part"},
-                      {"component_mass", "weigh the part"},
+      .look_alikes = {{"local_damage", "weigh the part", true},
+                      {"component_mass", "weigh the part", true},
                       {"unweighed_mass", "a second sensor of the same mass"},
                       {"boundary_compliance", "the antinodes of further modes"}},
       .needs = "a sensor, bellows, pipe, chain, plate or beam",

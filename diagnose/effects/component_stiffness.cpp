@@ -49,7 +49,7 @@ Effect component_stiffness() {
               "a part is stiffer or softer than drawn, all of it by one factor: another part, "
               "or a cause at that place which is not known here",
           .signature = "modes that strain the part, at every level alike",
-          .look_alikes = {{"component_mass", "weigh the part"},
+          .look_alikes = {{"component_mass", "weigh the part", true},
                           {"ply_slip", "further levels"},
                           {"boundary_compliance", "an accelerometer on the held end"}},
           .needs = "two parts of shells or beams, and no baseline",

@@ -134,7 +134,8 @@ struct Structure {
 };
 
 struct LookAlike {
-  std::string effect, how; // the measurement that tells them apart
+  std::string effect, how;           // the measurement that tells them apart
+  bool is_answered_by_scale = false; // no advice where every state of the test was weighed
 };
 
 struct Effect {

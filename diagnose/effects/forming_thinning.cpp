@@ -50,13 +50,14 @@ std::vector<Hypothesis> forming_thinning_hypotheses(const Structure& s) {
 } // namespace
 
 Effect forming_thinning() {
-  return {.name = "forming_thinning",
-          .plain = "a wall that forming made thinner towards the crown",
-          .physics = "the wall is thinner towards the crown, as forming leaves it",
-          .signature = "the stiffness falls, and the mass a little",
-          .look_alikes = {{"ply_slip", "weigh, measure the thickness"}, {"temperature", "weigh"}},
-          .needs = "a bellows, and a test without a baseline: a wall is formed once",
-          .hypotheses = forming_thinning_hypotheses};
+  return {
+      .name = "forming_thinning",
+      .plain = "a wall that forming made thinner towards the crown",
+      .physics = "the wall is thinner towards the crown, as forming leaves it",
+      .signature = "the stiffness falls, and the mass a little",
+      .look_alikes = {{"ply_slip", "weigh, measure the thickness"}, {"temperature", "weigh", true}},
+      .needs = "a bellows, and a test without a baseline: a wall is formed once",
+      .hypotheses = forming_thinning_hypotheses};
 }
 
 } // namespace plica

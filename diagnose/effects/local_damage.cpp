@@ -191,7 +191,7 @@ Effect local_damage() {
           .plain = "a spot that has lost {loss%} of its stiffness: a dent, a crack, a loose lap",
           .physics = "a dent or crack takes stiffness from one side of one place",
           .signature = "x and z differ, a motion along one shows along the other",
-          .look_alikes = {{"added_mass", "weigh the part"},
+          .look_alikes = {{"added_mass", "weigh the part", true},
                           {"rotated_sensor", "turn the sensor"},
                           {"cross_axis_base_motion", "an accelerometer on the table"},
                           {"joint_stiffness", "turn the specimen by 90 degrees"}},

@@ -27,6 +27,13 @@ bool has_baseline(const Measured& measured) {
                      [](const MeasuredState& s) { return s.baseline; });
 }
 
+bool is_weighed_in_all_states(const Measured& measured) {
+  std::set<std::string> weighed;
+  for (const MeasuredMass& w : measured.weighings) weighed.insert(w.state);
+  const std::set<std::string> used = states_in_use(measured);
+  return std::includes(weighed.begin(), weighed.end(), used.begin(), used.end());
+}
+
 Measured measured_in(const Measured& measured,
                      const std::function<bool(const std::string& state)>& kept) {
   Measured result = measured;

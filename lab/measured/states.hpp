@@ -9,6 +9,7 @@ namespace plica {
 
 bool is_baseline(const Measured& measured, const std::string& state);
 bool has_baseline(const Measured& measured);
+bool is_weighed_in_all_states(const Measured& measured);
 
 // The entries measured in states of which `kept` is true ("" = as it stands), under the names they
 // have then; what `hold_out` and `caveats` say goes along.
