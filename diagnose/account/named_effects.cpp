@@ -2,12 +2,16 @@
 
 #include "diagnose/effects/growth.hpp"
 #include "diagnose/effects/place_nodes.hpp"
+#include "diagnose/effects/take_over.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "diagnose/weigh/likely_values.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace plica {
 
@@ -34,6 +38,7 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
       add_other_places(e);
     if (own.in_case) e.in_case = in_case(own, e.parameters);
     e.nodes = nodes_of(own, e);
+    e.along = along_bellows(e);
   }
   return members;
 }
@@ -54,6 +59,41 @@ std::vector<int> NamedEffects::nodes_of(const Hypothesis& h, const NamedEffect& 
   std::vector<double> along;
   for (const std::size_t p : h.along) along.push_back(e.parameters[p].value);
   return nodes_at(problem_.nominal.structure(problem_.test.data), e.place, along);
+}
+
+std::optional<NamedEffect::Along> NamedEffects::along_bellows(const NamedEffect& e) const {
+  const std::string head = e.place.substr(0, e.place.find('[') + 1), part = part_of_set(e.place);
+  const Part* own = part_named(problem_.data, part);
+  if (head.empty() || !own || !std::holds_alternative<Bellows>(own->body)) return std::nullopt;
+  const Structure structure = problem_.nominal.structure(problem_.test.data);
+  const std::vector<Eigen::Vector3d>& x = structure.built.model.mesh.nodes;
+  const auto middle = [&](const std::vector<int>& nodes) {
+    double sum = 0;
+    for (int node : nodes) sum += x[std::size_t(node)].y();
+    return sum / double(nodes.size());
+  };
+  std::map<std::string, double> at;
+  for (const Hypothesis& h : problem_.hypotheses)
+    if (h.effect == e.name && h.place.starts_with(head) && !at.contains(h.place))
+      at[h.place] = middle(nodes_at(structure, h.place, {}));
+  std::set<double> all;
+  for (const auto& [place, y] : at) all.insert(y);
+  if (!at.contains(e.place) || all.size() < 2) return std::nullopt;
+  const double left = middle(structure.built.model.mesh.sets.at(part + ".left"));
+  NamedEffect::Along along{.value = at.at(e.place) - left, .interval = {}};
+  along.interval = {along.value, along.value};
+  std::vector<std::string> places = e.other_places;
+  places.push_back(e.place);
+  for (const std::string& place : places) {
+    if (!at.contains(place)) continue;
+    const double y = at.at(place);
+    const auto here = all.find(y), next = std::next(here);
+    const double after = next != all.end() ? *next - y : y - *std::prev(here);
+    const double before = here != all.begin() ? y - *std::prev(here) : after;
+    along.interval[0] = std::min(along.interval[0], y - left - before / 2);
+    along.interval[1] = std::max(along.interval[1], y - left + after / 2);
+  }
+  return along;
 }
 
 namespace {

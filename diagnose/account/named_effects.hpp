@@ -25,6 +25,7 @@ public:
 
 private:
   std::vector<int> nodes_of(const Hypothesis& h, const NamedEffect& e) const;
+  std::optional<NamedEffect::Along> along_bellows(const NamedEffect& e) const;
   std::function<CaseEdits(const Case&)>
   in_case(const Hypothesis& h, const std::vector<EstimatedParameter>& parameters) const;
   void add_other_places(NamedEffect& e) const;

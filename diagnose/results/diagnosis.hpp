@@ -36,6 +36,13 @@ struct NamedEffect {
   std::vector<std::string> other_places = {}; // where it explains as well (Standards::apart)
   double anywhere = 0;                        // probability of the effect, wherever it sits
   std::vector<int> nodes = {}; // of Diagnosis::mesh, where it sits; none: everywhere, or outside
+  // m from the left end of a bellows to a place on it, and between which two it lies: half way to
+  // the next ones that were looked at, of the other places too.
+  struct Along {
+    double value = 0;
+    std::array<double, 2> interval{};
+  };
+  std::optional<Along> along = {};
   // What a case says in its place (Hypothesis::in_case), at these values.
   std::function<CaseEdits(const Case& now)> in_case = {};
 };

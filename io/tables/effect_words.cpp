@@ -34,11 +34,11 @@ std::string value_words(const NamedEffect& e, std::string name) {
   return shown.from_below ? "anything from " + words + " up" : words;
 }
 
-// ", 0.38 m along": of what may sit anywhere along its part; on a plate " and 0.05 m across"
-// besides.
+// ", 0.38 m along": of what may sit anywhere along its part, or at places of a bellows; on a plate
+// " and 0.05 m across" besides.
 std::string along_words(const NamedEffect& e) {
   const EstimatedParameter *at = of_parameter(e, "at"), *across = of_parameter(e, "across");
-  if (!at) return "";
+  if (!at) return e.along ? ", " + significant(e.along->value, 3) + " m along" : "";
   return ", " + significant(at->value, 3) + " m along" +
          (across ? " and " + significant(across->value, 3) + " m across" : "");
 }

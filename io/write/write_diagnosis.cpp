@@ -45,6 +45,9 @@ Json named_json(const NamedEffect& e) {
   json["probability"] = json_number(e.probability);
   json["anywhere"] = json_number(e.anywhere);
   json["other_places"] = e.other_places;
+  if (e.along)
+    json["along"] = {{"value", json_number(e.along->value)},
+                     {"interval", interval(e.along->interval)}};
   json["unit"] = json["z_of_prior"] = Json::object();
   for (const EstimatedParameter& p : e.parameters) {
     json["unit"][p.name] = p.unit;
