@@ -60,7 +60,7 @@ inline double determinant(const BentBeam& beam, double hertz) {
   for (int k = 0; k < 2; ++k) z(beam.clamped ? 2 + k : k, k) = 1;
   const auto pass = [&](double place) {
     for (const Attached& a : beam.attached)
-      if (a.at == place) {
+      if (std::abs(a.at - place) < 1e-9) {
         z.row(3) += (a.k - a.mass * omega2) * z.row(0);
         z.row(2) += a.k_turning * z.row(1);
       }

@@ -111,6 +111,9 @@ test('the case is fitted to the baseline, and the change from it has its effect,
     assert.ok(e.interval[key][0] <= truth[key] && truth[key] <= e.interval[key][1], `${key}: ${e.interval[key]}`);
   assert.ok(Math.abs(e.value.at - truth.at) < 0.01, `${e.value.at}`); // 0.257 by the case as drawn
   assert.ok(row.share > 0.95, `${row.share}`);
+  assert.match(printed, /fitted to the baseline: materials\.steel\.E from 2e\+11 to /);
+  assert.match(printed, /the part after the change\. No gap is solved for/);
+  assert.deepEqual(d.advice.filter((a) => a.includes('weigh')), [], 'weighed before and after');
   assert.match(printed, /0\.20 kg that nobody weighed, at beam, 0\.2\d+ m along/);
 });
 

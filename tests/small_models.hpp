@@ -165,7 +165,7 @@ inline std::vector<SmallModel> plates() {
            }}};
 }
 
-const std::vector<std::string> both_ends{"left", "right"};
+inline const std::vector<std::string> both_ends{"left", "right"};
 
 inline std::vector<SmallModel> tubes() {
   return {{"tube_clamped", [] { return held(tube(24, 10), both_ends); }},

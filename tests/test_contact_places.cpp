@@ -167,9 +167,11 @@ TEST(ContactPlaces, a_support_on_a_crown_is_followed_to_a_pin) {
   };
   const Model whole = build(c).model;
   const VectorXd free = first(whole);
+  int ways = 0;
   for (const Hypothesis& h :
        effect_named("extra_support").hypotheses(nominal.structure(Measured()))) {
     if (h.place != "bellows.crown[4]" || h.way == "on the mean motion") continue;
+    ++ways;
     for (double share : {0.01, 1., 100., 1e4}) {
       const double k = share * nominal.stiffness;
       Model held = whole;
@@ -185,6 +187,7 @@ TEST(ContactPlaces, a_support_on_a_crown_is_followed_to_a_pin) {
             << std::sqrt(expected[i] / free[i]);
     }
   }
+  EXPECT_EQ(ways, 4) << "x, y, z and all round";
 }
 
 // The truth is made of two pipes that meet where a hanger holds them, on a node of their own.

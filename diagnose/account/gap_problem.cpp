@@ -5,18 +5,20 @@
 #include "diagnose/effects/resonators.hpp"
 #include "diagnose/predict/elastic_readings.hpp"
 #include "diagnose/predict/passed_over.hpp"
+#include "diagnose/predict/sprung_clamps.hpp"
 #include "diagnose/readings/shape_readings.hpp"
 #include "diagnose/results/stage_share.hpp"
 #include "diagnose/weigh/baseline.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/place_keys.hpp"
+#include "words/directions.hpp"
 #include "words/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/ranges.h>
-#include <functional>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -29,6 +31,12 @@ using Eigen::VectorXd;
 constexpr const char* is_answered = "mass, static, modes, peaks or frf that this case answers";
 
 // Readings that the model answers; what it does not is said.
+// That a diagnosis knows in the state of a mode that was measured without excitation.
+int modes_of(const Nominal& nominal, const TestReadings& test, const Reading& r) {
+  if (r.run < 0 || test.runs[std::size_t(r.run)].input.any()) return r.order;
+  return int(nominal.state(r.state).labels.size());
+}
+
 TestReadings answered(const Nominal& nominal, TestReadings test) {
   const std::string first = test.readings.front().entry;
   const auto y = Predictor(nominal, test, {})(VectorXd());
@@ -41,6 +49,10 @@ TestReadings answered(const Nominal& nominal, TestReadings test) {
     if (std::isfinite((*y)[Index(i)])) {
       kept.push_back(r);
       rows.push_back(Index(i));
+    } else if (const int most = modes_of(nominal, test, r); r.order > most) {
+      input_error(r.entry + ".order",
+                  fmt::format("is {}, and the model has {} modes in all", r.order, most),
+                  "the number of the mode among those of its shape and direction, from 1");
     } else if (r.kind != ReadingKind::component || shapes.insert(r.of_shape).second) {
       test.warnings.push_back("the model gives no " + r.name + " (" + r.entry + ")");
     }
@@ -147,29 +159,41 @@ std::vector<Hypothesis> grown_in_states(std::vector<Hypothesis> all, const Measu
   return all;
 }
 
-bool reads_across(const TestReadings& test) {
-  const auto has_several_axes = [](const ReadShape& shape) {
-    return std::adjacent_find(shape.axes.begin(), shape.axes.end(), std::not_equal_to<>()) !=
-           shape.axes.end();
-  };
-  return std::any_of(test.shapes.begin(), test.shapes.end(), has_several_axes) ||
-         std::any_of(test.readings.begin(), test.readings.end(),
-                     [](const Reading& r) { return r.kind == ReadingKind::cross; });
+// Cross readings of a force at the axis that it drives are shares of other places.
+bool is_across(const TestReadings& test, const Reading& r) {
+  if (r.kind != ReadingKind::cross) return false;
+  const Input& input = test.runs[std::size_t(r.run)].input;
+  return input.base >= 0 || axis_of_channel(input.force) != r.axis;
 }
 
-void list_hypotheses(GapProblem& p, const std::vector<std::string>& words) {
+bool reads_across(const TestReadings& test) {
+  std::map<int, std::set<int>> axes; // of the components of each shape
+  for (const Reading& r : test.readings) {
+    if (is_across(test, r)) return true;
+    if (r.kind == ReadingKind::component)
+      axes[r.of_shape].insert(test.shapes[std::size_t(r.of_shape)].axes[std::size_t(r.channel)]);
+  }
+  return std::any_of(axes.begin(), axes.end(),
+                     [](const auto& shape) { return shape.second.size() > 1; });
+}
+
+void list_hypotheses(GapProblem& p) {
   Structure structure = p.nominal.structure(p.test.data);
   structure.reads_across = reads_across(p.readings);
   ChosenEffects chosen = chosen_effects(structure);
   for (const std::string& name : chosen.without_place)
     p.not_tried.push_back({name, effect_named(name).needs});
   p.hypotheses = grown_in_states(std::move(chosen.hypotheses), p.test.data);
-  p.words = words;
-  p.words.insert(p.words.end(), chosen.words.begin(), chosen.words.end());
+  p.words = std::move(chosen.words);
   if (const std::vector<std::string> clamps = clamps_that_may_give_way(p); !clamps.empty())
     p.words.push_back(fmt::format("drawn as rigid, they may give way, and stand on springs that "
                                   "the nominal case does not feel: {}",
                                   fmt::join(clamps, ", ")));
+  if (const std::vector<std::string> rigid = clamps_left_rigid(p.nominal.states.front().data);
+      !rigid.empty())
+    p.words.push_back(fmt::format("left rigid, as parts lie side by side there, ends of one part "
+                                  "meet, a support holds them or a state acts: {}",
+                                  fmt::join(rigid, ", ")));
 }
 
 } // namespace
@@ -196,7 +220,8 @@ std::unique_ptr<GapProblem> stated_gap(const Case& data, const TestData& test,
   for (Index i = 0; i < p.log_measured.size(); ++i)
     p.log_measured[i] = p.readings.readings[std::size_t(i)].log_value;
   p.predictors.emplace(p.nominal, p.readings);
-  list_hypotheses(p, settings.words);
+  p.baseline.words.insert(p.baseline.words.begin(), settings.words.begin(), settings.words.end());
+  list_hypotheses(p);
   return stated;
 }
 

@@ -33,8 +33,11 @@ bool sees_two_directions(const Measured& m) {
   for (const MeasuredMode& mode : m.modes)
     if (mode.base || mode.direction) seen.insert(mode.base ? *mode.base : *mode.direction);
   for (const MeasuredPeaks& p : m.peaks) seen.insert(p.base);
-  for (const MeasuredFrf& f : m.frf)
+  for (const MeasuredFrf& f : m.frf) {
     if (f.base) seen.insert(*f.base);
+    if (!f.force.empty() && is_translation(f.force))
+      seen.insert(static_cast<Axis>(axis_of_channel(f.force)));
+  }
   return seen.size() > 1;
 }
 
@@ -136,7 +139,8 @@ Effect extra_support() {
           .plain = "something that touches the structure and is not drawn, as a spring of {k}",
           .physics = "something touches the structure between its held ends",
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
-          .look_alikes = {{"joint_stiffness", "other modes"}, {"component_mass", "weigh the part"}},
+          .look_alikes = {{"joint_stiffness", "other modes"},
+                          {"component_mass", "weigh the part", true}},
           .needs = "a bellows, pipe, chain, plate or beam",
           .hypotheses = extra_support_hypotheses};
 }

@@ -94,4 +94,12 @@ std::vector<std::string> put_springs_in_clamps(Case& data) {
   return names;
 }
 
+std::vector<std::string> clamps_left_rigid(const Case& data) {
+  std::vector<std::string> found;
+  for (const Cap& cap : data.caps)
+    if (!cap.stiffness && cap.of.size() > 1 && !is_mounted(data, cap.name))
+      found.push_back(cap_key(cap.name));
+  return found;
+}
+
 } // namespace plica

@@ -19,4 +19,7 @@ namespace plica {
 // that a state loads. Throws as build() does.
 std::vector<std::string> put_springs_in_clamps(Case& data);
 
+// Keys of caps that join ends rigidly all the same and are not mounted.
+std::vector<std::string> clamps_left_rigid(const Case& data);
+
 } // namespace plica

@@ -97,8 +97,7 @@ public:
           ReadingKind::amplitude, ReadingKind::cross, ReadingKind::dynamic_stiffness,
           ReadingKind::loss, ReadingKind::component})
       add_model_error(kind, found);
-    // A model that is so far off changes by no more than that as it should.
-    u_.change_error = std::max(request_.change_error, shown(ReadingKind::frequency));
+    add_change_error(found);
     if (before_.empty()) return found;
     list_before(found);
     condition();
@@ -119,6 +118,20 @@ private:
         ++count;
       }
     return count > 0 && sum > 0 ? std::sqrt(sum / count) : 0;
+  }
+
+  // What a model changes is known no better than the model; none is stated where nothing is let
+  // off.
+  void add_change_error(BaselineFound& found) {
+    u_.change_error = request_.change_error;
+    const double seen = std::min(1., shown(ReadingKind::frequency));
+    if (!(u_.change_error > 0) || seen <= u_.change_error) return;
+    found.words.push_back(
+        fmt::format("what an effect changes is known to {:.2g} % of the change, as "
+                    "the model's frequencies lie from the baseline ({:.2g} % "
+                    "stated)",
+                    100 * seen, 100 * u_.change_error));
+    u_.change_error = seen;
   }
 
   void add_model_error(ReadingKind kind, BaselineFound& found) {

@@ -54,7 +54,7 @@ template <class V> void fields(V& v, Support& s) {
 template <class V> void fields(V& v, Sensor& s) {
   v.text(s.name, "name", {.required = true, .name = true}, "name");
   v.quantities(s.at, "at", {.unit = Dimension::length, .required = true},
-               "[x, y, z]; it sits on the nearest node, at most 5 mm away");
+               "[x, y, z]; at most 5 mm from the node, section, beam or wall that it rides on");
   v.choices(s.axes, "axes", signed_axes, {.required = false, .min_items = 3},
             "directions of the part frame its three axes point in");
   v.quantity(s.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass that rides on the node");

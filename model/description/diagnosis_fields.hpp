@@ -32,8 +32,10 @@ template <class V> void fields(V& v, DiagnosisRequest& d) {
   v.quantity(d.remounting, "remounting", share,
              "scatter of a frequency when the specimen is mounted anew; left out: 0.4 %, or what "
              "several baselines show");
-  v.quantity(d.change_error, "change_error", share,
-             "of what an effect changes beside a baseline, in terms of the change");
+  v.quantity(
+      d.change_error, "change_error", share,
+      "of what an effect changes beside a baseline, in terms of the change; more where the model's "
+      "frequencies lie farther from the baseline");
 }
 
 template <class V> void fields(V& v, SupposedEffect& e) {
