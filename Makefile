@@ -21,12 +21,14 @@ test: build
 
 # After the tests: every source of the program and its tests read by itself, by clang, warnings as errors;
 # of that readers, elements and what costs little run under AddressSanitizer and UBSan; then every source
-# by clang-tidy; the Debian package in a root that has nothing else, the verification table.
+# by clang-tidy; the rule of includes, a consumer of each component of the installed package, the Debian
+# package in a root that has nothing else, the verification table.
 check: check-deps build
 	cmake --preset check
 	cmake --build --preset check -j $(JOBS)
 	ctest --preset check -j $(JOBS)
 	ctest --preset guards
+	ctest --preset release -R rule_of_includes
 
 slow: check-deps build
 	ctest --preset slow

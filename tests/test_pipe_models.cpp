@@ -40,7 +40,7 @@ EquivalentPipe plain() {
   return p;
 }
 
-double first(const Results& results, const std::string& shape) {
+double first_mode(const Results& results, const std::string& shape) {
   for (const ModeResult& m : results.modes)
     if (m.shape == shape) return m.frequency;
   return 0;
@@ -52,9 +52,9 @@ TEST(EquivalentPipe, is_a_rod_and_a_shaft) {
   p.outer.torsion = 100; // so soft that its mode is among the first
   const Results r = test::run_silently(held(p, 12));
   const double mass = 2 * std::numbers::pi * 0.05 * 0.001 * 8000 * 0.4;
-  EXPECT_NEAR(first(r, "axial") / (0.5 * std::sqrt(5e4 / mass)), 1, 1e-3);
+  EXPECT_NEAR(first_mode(r, "axial") / (0.5 * std::sqrt(5e4 / mass)), 1, 1e-3);
   EXPECT_NEAR(r.statics->k_axial / 5e4, 1, 1e-9);
-  EXPECT_NEAR(first(r, "torsion") / (0.5 * std::sqrt(100 / (mass * 0.05 * 0.05))), 1, 1e-3);
+  EXPECT_NEAR(first_mode(r, "torsion") / (0.5 * std::sqrt(100 / (mass * 0.05 * 0.05))), 1, 1e-3);
   EXPECT_NEAR(r.statics->k_torsion / 100, 1, 1e-9);
   EXPECT_NEAR(r.statics->k_transverse_x / (12 * 5e4 * 0.4 * 0.05 * 0.05 / 2 / std::pow(0.4, 3) * 1),
               1, 1e-6);
@@ -99,7 +99,7 @@ TEST(EquivalentPipe, bends_as_a_beam_with_rotary_inertia_and_shear) {
       p.shear = shear;
       const double exact = clamped_beam(EI, shear == PipeShear::elastic ? 1 / GA : 0, mass,
                                         ring ? mass * 0.05 * 0.05 / 2 : 0, 0.4);
-      EXPECT_NEAR(first(test::run_silently(held(p, 8)), "transverse") / exact, 1, 1e-3);
+      EXPECT_NEAR(first_mode(test::run_silently(held(p, 8)), "transverse") / exact, 1, 1e-3);
       if (ring || shear == PipeShear::elastic) {
         EXPECT_LT(exact, 0.98 * euler);
       }
@@ -196,7 +196,7 @@ TEST(ConnectorChain, has_the_stiffness_of_springs_in_series) {
   // Discrete chain between walls: 2 sqrt(k_1 / m_1) sin(pi / 2n) / 2 pi.
   const double exact =
       std::sqrt(20 * 42100. / (1.7168 / 20)) / std::numbers::pi * std::sin(std::numbers::pi / 40);
-  EXPECT_NEAR(first(r, "axial") / exact, 1, 1e-6);
+  EXPECT_NEAR(first_mode(r, "axial") / exact, 1, 1e-6);
 }
 
 // Tabulated springs: at rest their slope; over a stroke 20 of them in series, and across beside the
@@ -258,9 +258,9 @@ TEST(ConnectorChain, of_the_thesis_for_a1) {
   c.mass = 1.7168;
   const Results r = test::run_silently(held(c, 6));
   std::printf("A1, 20 connectors: axial %.1f Hz (139), transverse %.1f Hz (167)\n",
-              first(r, "axial"), first(r, "transverse"));
-  EXPECT_NEAR(first(r, "axial") / 139, 1, 0.03);
-  EXPECT_NEAR(first(r, "transverse") / 167, 1, 0.03);
+              first_mode(r, "axial"), first_mode(r, "transverse"));
+  EXPECT_NEAR(first_mode(r, "axial") / 139, 1, 0.03);
+  EXPECT_NEAR(first_mode(r, "transverse") / 167, 1, 0.03);
 }
 
 } // namespace
