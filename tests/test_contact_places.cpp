@@ -190,6 +190,28 @@ TEST(ContactPlaces, a_support_on_a_crown_is_followed_to_a_pin) {
   EXPECT_EQ(ways, 4) << "x, y, z and all round";
 }
 
+// Ten convolutions of 6 mm: the fourth crown 21 mm along, which its mirror image answers alike.
+TEST(ContactPlaces, a_mass_on_a_crown_has_its_place_in_metres) {
+  Case c = test::verification_case("bellows_a", {.around = 16, .arc = 2, .wall = 2});
+  c.diagnose.effects = {"added_mass"};
+  Case truth = c;
+  truth.parts.push_back({"clamp", PointMass{.at = "bellows.crown[4]", .mass = 0.02}});
+  Measured m;
+  m.specimen = "bellows";
+  for (Axis axis : {Axis::x, Axis::z})
+    for (int order = 1; order <= 4; ++order) m.modes.push_back(bending(axis, order, ""));
+  take_readings(m, read_by(truth, m));
+  const Diagnosis d = diagnosis_of(c, m);
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  ASSERT_TRUE(e.along) << e.place;
+  EXPECT_TRUE(std::abs(e.along->value - 0.021) < 1e-3 || std::abs(e.along->value - 0.039) < 1e-3)
+      << e.along->value << ": " << d.headline;
+  EXPECT_LE(e.along->interval[0], e.along->value - 2.9e-3);
+  EXPECT_GE(e.along->interval[1], e.along->value + 2.9e-3);
+  EXPECT_LE(e.along->interval[1] - e.along->interval[0], 0.06) << "longer than the bellows";
+}
+
 // The truth is made of two pipes that meet where a hanger holds them, on a node of their own.
 TEST(ContactPlaces, a_hanger_between_the_nodes_of_a_pipe_is_found_within_its_interval) {
   const double L = 0.8, at = 0.2734, k = 4e4;

@@ -166,6 +166,14 @@ TEST(SprungClamps, join_parts_in_a_row) {
   EXPECT_EQ(clamps_of(side_by_side), Names{}) << "a beam within a beam";
 }
 
+TEST(SprungClamps, that_stay_rigid_are_told) {
+  Case in_a_row = two_halves({}), one_part = in_a_row;
+  one_part.caps.back().of = {"beam.end", "beam.point[2]"};
+  for (Case* c : {&in_a_row, &one_part}) put_springs_in_clamps(*c);
+  EXPECT_EQ(clamps_left_rigid(in_a_row), Names{});
+  EXPECT_EQ(clamps_left_rigid(one_part), Names{"caps.joint"});
+}
+
 // The interlock ends in the caps of its bellows and is a joint itself; a clamp between pipe and
 // bellows is what it is drawn for, whatever stands for the bellows, the arms of a chain too.
 TEST(SprungClamps, of_the_shipped_cases_stand_between_pipes_and_bellows) {

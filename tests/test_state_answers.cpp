@@ -1,8 +1,10 @@
 // What one state of a specimen answers to the readings of a test, on a mass at the end of a beam
 // that weighs nothing.
 #include "changed_beam.hpp"
+#include "diagnose/account/gap_problem.hpp"
 #include "diagnose/predict/menu.hpp"
 #include "diagnose/predict/passed_over.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -220,6 +222,15 @@ TEST(PassedOver, is_what_lies_between_two_modes_of_no_kind_and_is_not_said_to_be
       << words()[0];
   const std::string past = words()[0].substr(words()[0].find("past "));
   EXPECT_EQ(past.substr(0, past.find(':')).find(','), std::string::npos) << "one in z: " << past;
+}
+
+TEST(PassedOver, an_order_beyond_all_modes_of_the_model_is_refused) {
+  Measured m;
+  m.modes = {changed_beam::bending(Axis::z, 1, "", 30),
+             changed_beam::bending(Axis::z, 900, "", 3e6)};
+  const std::string error = test::error_of(
+      [&] { stated_gap(changed_beam::held_beam(), {.data = m, .responses = {}}, {}); });
+  EXPECT_NE(error.find("modes[1].order: is 900, and the model has "), std::string::npos) << error;
 }
 
 } // namespace
