@@ -317,6 +317,20 @@ TEST(DiagnosisJson, has_what_is_no_effect_here_apart_from_effects) {
   EXPECT_FALSE(json.contains("probability")) << "it is no effect of the library";
 }
 
+TEST(DiagnosisJson, has_a_place_on_a_bellows_in_metres) {
+  NamedEffect damage{
+      .name = "local_damage", .place = "bellows.convolution[5]", .way = "", .parameters = {}};
+  const auto first_of = [](const NamedEffect& e) {
+    const Diagnosis d = made_up_diagnosis(Verdict::identified, {cause({e}, 0.9)});
+    EXPECT_EQ(plain_verdict(d).find("0.033 m along") != std::string::npos, e.along.has_value());
+    return nlohmann::json::parse(diagnosis_json(d, "0.1"))["ledger"]["rows"][0]["effects"][0];
+  };
+  EXPECT_FALSE(first_of(damage).contains("along"));
+  damage.along = {.value = 0.033, .interval = {0.03, 0.036}};
+  EXPECT_EQ(first_of(damage)["along"]["value"], 0.033);
+  EXPECT_EQ(first_of(damage)["along"]["interval"], (std::vector<double>{0.03, 0.036}));
+}
+
 TEST(DiagnosisReport, says_what_its_probabilities_are_of) {
   const auto of = [](const Weighing& weighing) {
     Diagnosis d = made_up_diagnosis(Verdict::mostly, {cause({slipping_plies()}, 0.6)});
