@@ -170,7 +170,7 @@ TEST(ContactPlaces, a_support_on_a_crown_is_followed_to_a_pin) {
   int ways = 0;
   for (const Hypothesis& h :
        effect_named("extra_support").hypotheses(nominal.structure(Measured()))) {
-    if (h.place != "bellows.crown[4]" || h.way == "on the mean motion") continue;
+    if (h.place != "bellows.convolution[4]" || h.way == "on the mean motion") continue;
     ++ways;
     for (double share : {0.01, 1., 100., 1e4}) {
       const double k = share * nominal.stiffness;

@@ -193,8 +193,10 @@ TEST(DiagnosisRequest, what_leaves_nothing_to_explain_is_refused_at_its_key) {
   m.hold_out = {"modes[0]"};
   EXPECT_EQ(refusal_of(m), "hold_out: all that was measured is held out");
   m.hold_out.clear();
-  m.modes[0].order = 30;
+  m.modes[0].order = 12;
   EXPECT_EQ(refusal_of(m), "modes[0]: the model gives none of the measured quantities");
+  m.modes[0].order = 30;
+  EXPECT_EQ(refusal_of(m), "modes[0].order: is 30, and the model has 16 modes in all");
 }
 
 TEST(DiagnosisRequest, what_drove_the_part_has_a_place_on_it) {
