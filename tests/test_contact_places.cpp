@@ -1,6 +1,7 @@
 // Where things touch or sit: along pipes and chains, on crowns.
 #include "diagnose/effects/beam_path.hpp"
 #include "io/input/case_file.hpp"
+#include "run/routes/route.hpp"
 #include "solve/modes.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"
