@@ -322,7 +322,7 @@ TEST(DiagnosisJson, has_a_place_on_a_bellows_in_metres) {
       .name = "local_damage", .place = "bellows.convolution[5]", .way = "", .parameters = {}};
   const auto first_of = [](const NamedEffect& e) {
     const Diagnosis d = made_up_diagnosis(Verdict::identified, {cause({e}, 0.9)});
-    EXPECT_EQ(plain_verdict(d).find("0.033 m along") != std::string::npos, e.along.has_value());
+    EXPECT_EQ(plain_verdict(d).find("0.0330 m along") != std::string::npos, e.along.has_value());
     return nlohmann::json::parse(diagnosis_json(d, "0.1"))["ledger"]["rows"][0]["effects"][0];
   };
   EXPECT_FALSE(first_of(damage).contains("along"));
