@@ -1,7 +1,7 @@
 // Something that touches a clamped beam in two directions at once, between nodes of the case:
 // against closed form (beam_roots.hpp).
 #include "tests/beam_roots.hpp"
-#include "tests/changed_beam.hpp"
+#include "tests/before_and_after.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,27 +24,12 @@ std::vector<double> touched_frequencies(Axis axis, double k) {
   return beam_roots::frequencies(beam, 5, flat ? 4 : 3);
 }
 
-// Before it was touched and after, by springs along z and x. A mode is a percent off what closed
-// form says, both times, and a thousandth off itself as mounted anew.
+// Before it was touched and after, by springs along z and x.
 Measured touched(double along_z, double along_x) {
-  constexpr std::array off{0.011, -0.006, 0.008, -0.012, 0.004, 0.007, -0.009};
-  constexpr std::array anew{0.001, -0.0015, 0.0005, 0.0015, -0.001, 0.0007, -0.0006};
-  Measured m;
-  m.specimen = "beam";
-  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
-              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
-  std::size_t k = 0;
-  for (Axis axis : {Axis::z, Axis::x}) {
-    const std::vector<double> first = touched_frequencies(axis, 0),
-                              second =
-                                  touched_frequencies(axis, axis == Axis::z ? along_z : along_x);
-    for (std::size_t i = 0; i < first.size(); ++i, ++k) {
-      m.modes.push_back(bending(axis, int(i) + 1, "before", first[i] * (1 + off[k])));
-      m.modes.push_back(
-          bending(axis, int(i) + 1, "after", second[i] * (1 + off[k]) * (1 + anew[k])));
-    }
-  }
-  return m;
+  return before_and_after(
+      [](Axis axis) { return touched_frequencies(axis, 0); },
+      [&](Axis axis) { return touched_frequencies(axis, axis == Axis::z ? along_z : along_x); },
+      a_percent_off);
 }
 
 void expect_touch(const Diagnosis& d, const std::string& way, double k) {
