@@ -1,6 +1,7 @@
 #include "diagnose/account/assumptions.hpp"
 
 #include "diagnose/weigh/scatter.hpp"
+#include "diagnose/weigh/thickness_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -22,11 +23,14 @@ std::vector<std::string> assumptions_of(const GapProblem& problem, const Standar
       specimens, percent(scatters::modulus), percent(scatters::density),
       percent(scatters::thickness), percent(scatters::field), percent(scatters::masses),
       percent(scatters::joints), problem.data.tolerances.size());
-  for (const Part& part : problem.data.parts)
-    if (const auto* bellows = std::get_if<Bellows>(&part.body);
-        bellows && bellows->wall.thickness_field)
+  for (const Part& part : problem.data.parts) {
+    const auto* bellows = std::get_if<Bellows>(&part.body);
+    if (bellows && bellows->wall.thickness_field)
       add("thickness of {} along its wall {:g} %, in place of the field of stiffness", part.name,
           percent(*bellows->wall.thickness_field));
+    if (const std::optional<double> field = field_over(part))
+      add("thickness of {} over its wall {:g} %", part.name, percent(*field));
+  }
   add("damping {:.2g} % of all modes alike and {:g} % of each; sensors {:g} %, {:g} degree and "
       "{:g} mm, table {:g} % along other axes",
       percent(scatters::all_damping_of(problem.data)), percent(scatters::mode_damping),

@@ -49,18 +49,22 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
     groups.push_back({.place = name, .bushings = {}, .beams = {}});
     return groups.back();
   };
+  std::set<std::string> lean; // where liners do
+  for (const Part& part : s.data.parts) lean.insert(contact_place(part.name));
   std::set<int> fixtures;
   for (const auto& [cap, node] : s.built.fixture_nodes) fixtures.insert(node);
   for (std::size_t i = 0; i < model.bushings.size(); ++i) {
     if (fixtures.contains(model.bushings[i].node2)) continue; // for a sensor to sit on
     JointGroup& group = group_of(model.bushings[i].component);
     group.bushings.push_back(int(i));
-    group.stiffness = std::max(group.stiffness, largest_translation(model.bushings[i]));
+    const double own = largest_translation(model.bushings[i]);
+    group.beside = lean.contains(group.place);
+    group.stiffness = group.beside ? group.stiffness + own : std::max(group.stiffness, own);
   }
   for (JointGroup& g : groups) {
     g.mount = std::any_of(s.data.mount.begin(), s.data.mount.end(),
                           [&](const Mount& m) { return g.place == mount_key(m.cap); });
-    if (!g.mount) g.stiffness /= double(g.bushings.size()); // in series
+    if (!g.mount && !g.beside) g.stiffness /= double(g.bushings.size()); // in series
     g.rigid = std::any_of(s.rigid_clamps.begin(), s.rigid_clamps.end(),
                           [&](const std::string& cap) { return g.place == cap_key(cap); });
   }
@@ -105,14 +109,16 @@ bool turns(JointDirection motion) {
 }
 
 double stiffness_in(const Model& model, const JointGroup& group, JointDirection motion) {
-  double compliance = 0;
+  double compliance = 0, together = 0;
   for (int i : group.bushings) {
     const Matrix6& law = model.bushings[std::size_t(i)].bushing.law;
     double k = 0;
     for (int row : rows_of(motion)) k = std::max(k, law(row, row));
     if (!law.isDiagonal() || !(k > 0)) return 0;
     compliance += 1 / k;
+    together += k;
   }
+  if (group.beside) return together;
   for (std::size_t n = 1; n < group.nodes.size() && motion != JointDirection::lateral; ++n) {
     const BeamProperties section = group.present && n <= group.beams.size()
                                        ? model.beams[std::size_t(group.beams[n - 1])].section

@@ -5,7 +5,8 @@
 
 namespace plica {
 
-// Springs that the structure's parts meet in: joints, connectors, the interlock.
+// Springs that the structure's parts meet in: joints, connectors, the interlock, and what that
+// leans on along the wall.
 struct JointGroup {
   std::string place;
   std::vector<int> bushings, beams; // of the model
@@ -15,6 +16,7 @@ struct JointGroup {
   bool present = true;  // false: the case gives it no stiffness
   bool mount = false;   // the springs of a mount
   bool rigid = false;   // the case draws it so: what its springs have says nothing
+  bool beside = false;  // its springs bear beside each other, as those of a liner on a wall do
 };
 std::vector<JointGroup> joint_groups(const Structure& s);
 // What stands in for an interlock without stiffness: a thin tube of its radius, massless, as its

@@ -11,6 +11,15 @@ struct StandIn {
   Sextuple springs{};                 // of a rigid clamp
 };
 
+// The liner that leans on the wall there, and its springs.
+std::pair<std::string, const LinerContact*> contact_at(const Case& now, const std::string& place) {
+  for (const Part& part : now.parts)
+    if (const auto* liner = std::get_if<Interlock>(&part.body);
+        liner && liner->contact && place == contact_place(part.name))
+      return {part.name, &*liner->contact};
+  return {};
+}
+
 // Numbers of a joint that bear a motion, times a factor; where it has none those of what stands in
 // for it.
 CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& stand_in,
@@ -27,6 +36,14 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
     for (std::size_t i = 0; i < k.size(); ++i)
       if (bears(of_row[i])) k[i] *= factor;
     return {{place + ".stiffness", yaml_of(k)}};
+  }
+  if (const auto [liner, contact] = contact_at(now, place); contact) {
+    const std::string path = part_key(liner) + ".contact.";
+    if (bears(JointDirection::axial)) scale(edits, path + "axial", contact->axial, factor);
+    if (bears(JointDirection::lateral)) scale(edits, path + "lateral", contact->lateral, factor);
+    if (bears(JointDirection::bending)) scale(edits, path + "bending", contact->bending, factor);
+    if (bears(JointDirection::torsion)) scale(edits, path + "torsion", contact->torsion, factor);
+    return edits;
   }
   const Part* part = part_named(now, place);
   if (!part) return {};

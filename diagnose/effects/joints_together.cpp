@@ -12,7 +12,8 @@ std::vector<JointsTogether> joints_together(const std::vector<JointGroup>& group
                        .places = {}};
     double compliance = 0;
     for (const JointGroup& g : groups) {
-      if (g.mount || g.rigid != rigid || g.bushings.empty() || !g.beams.empty()) continue;
+      if (g.mount || g.beside || g.rigid != rigid || g.bushings.empty() || !g.beams.empty())
+        continue;
       all.group.bushings.insert(all.group.bushings.end(), g.bushings.begin(), g.bushings.end());
       all.places.push_back(g.place);
       compliance += 1 / g.stiffness;

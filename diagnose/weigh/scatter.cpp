@@ -3,6 +3,7 @@
 
 #include "diagnose/effects/joint_groups.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/weigh/thickness_fields.hpp"
 #include "model/description/case_path.hpp"
 #include "model/description/place_keys.hpp"
 #include "model/description/toleranced_damping.hpp"
@@ -145,34 +146,6 @@ void add_field_of_stiffness(std::vector<Hypothesis>& all, const WallElements& wa
                           }));
 }
 
-// The same of thickness, where the case says how far it scatters: membrane and mass go with it,
-// bending with its cube. Stiffness and mass follow a parabola through two points of each cosine; a
-// large field lets the motion settle where the wall is thin.
-void add_field_of_thickness(std::vector<Hypothesis>& all, const WallElements& wall, double field) {
-  const double sigma = field * std::sqrt(2. / waves), reach = 2 * sigma;
-  constexpr double small = 0.03;
-  const Follow follow = field > small ? Follow::series : Follow::nominal;
-  const std::vector<double> samples{-reach, reach};
-  const auto coefficients = coefficients_through(
-      [reach](double x) { return VectorXd(Eigen::Vector2d(x / reach, x * x / (reach * reach))); },
-      samples);
-  for (int k = 1; k <= waves; ++k) {
-    Hypothesis h{.effect = "thickness field",
-                 .place = wall.part,
-                 .way = "",
-                 .parameters = {{"thickness", "", {PriorKind::normal, 0, sigma}}},
-                 .coefficients = [coefficients](const VectorXd& v) { return coefficients(v[0]); }};
-    for (double x : samples)
-      h.changes.push_back({[wall, k, x](Model& m) {
-                             for (std::size_t i = 0; i < wall.quads.size(); ++i)
-                               m.mesh.quads[std::size_t(wall.quads[i])].thickness *=
-                                   1 + x * std::cos(std::numbers::pi * k * wall.along[i]);
-                           },
-                           follow});
-    all.push_back(std::move(h));
-  }
-}
-
 void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
   for (const WallElements& wall : walls(s)) {
     if (!has_tolerance(s, part_key(wall.part) + ".wall.plies", ""))
@@ -180,11 +153,9 @@ void add_walls(std::vector<Hypothesis>& all, const Structure& s) {
           varying("thickness", wall.part, scatters::thickness, [quads = wall.quads](Model& m) {
             for (int q : quads) m.mesh.quads[std::size_t(q)].thickness *= 1 + step;
           }));
-    if (!wall.thickness_field)
-      add_field_of_stiffness(all, wall);
-    else if (*wall.thickness_field > 0)
-      add_field_of_thickness(all, wall, *wall.thickness_field);
+    if (!wall.thickness_field) add_field_of_stiffness(all, wall);
   }
+  for (Hypothesis& field : thickness_fields(s)) all.push_back(std::move(field));
 }
 
 // A field of stiffness along a beam that stands as one part.
@@ -216,7 +187,8 @@ void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
     all.push_back(std::move(h));
   }
   for (const JointGroup& group : joint_groups(s))
-    if (group.present && !group.rigid && !has_tolerance_at(s, group.place, ".EA"))
+    if (group.present && !group.rigid && !has_tolerance_at(s, group.place, ".EA") &&
+        !has_tolerance_at(s, group.place, ".axial"))
       all.push_back(varying("joint", group.place, scatters::joints,
                             [group](Model& m) { scale_group(m, group, 1 + step); }));
 }

@@ -2,8 +2,8 @@
 //
 // Standard deviations stand below; the tolerances of the case itself come besides. The wall's
 // thickness scatters where the drawing gives no tolerance, its stiffness as a smooth field. What
-// varies along a sheet is its thickness: where the case says how far (Wall::thickness_field), that
-// field stands in place of the one of stiffness.
+// varies along a sheet is its thickness: where the case says how far, that field stands in place of
+// the one of stiffness (thickness_fields.hpp).
 #pragma once
 
 #include "diagnose/effects/effect.hpp"

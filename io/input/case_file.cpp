@@ -132,7 +132,7 @@ void check_tolerances(const YamlNode& tree, const Case& data, const std::string&
                   toleranced_damping);
       continue;
     }
-    if (t.path.ends_with(".wall.thickness_field")) {
+    if (t.path.ends_with(".thickness_field")) {
       log.add(line_of(t.path, nominal.lines), t.path, "takes no tolerance",
               "it is one itself: a number with %");
       continue;

@@ -105,7 +105,8 @@ bool has_friction(const Case& data) {
   const auto in_part = [](const Part& part) {
     if (const auto* bellows = std::get_if<Bellows>(&part.body))
       return bellows->wall.slip.has_value();
-    if (const auto* liner = std::get_if<Interlock>(&part.body)) return liner->friction.has_value();
+    if (const auto* liner = std::get_if<Interlock>(&part.body))
+      return liner->friction || (liner->contact && liner->contact->friction);
     const auto* chain = std::get_if<ConnectorChain>(&part.body);
     if (!chain) return false;
     const auto curved = [](const ConnectorSpring& s) {

@@ -55,7 +55,10 @@ void check_directions(const std::string& key, const JointFriction& f, CheckLog& 
 
 void check_part(const Part& part, CheckLog& log) {
   const std::string key = part_key(part.name);
-  if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction) {
+  const auto* liner = std::get_if<Interlock>(&part.body);
+  if (liner && liner->contact && liner->contact->friction)
+    check_directions(key + ".contact.friction", *liner->contact->friction, log);
+  if (liner && liner->friction) {
     check_directions(key + ".friction", *liner->friction, log);
     if (liner->attachment != Attachment::caps && liner->friction->segments > 1)
       log.add(key + ".friction.segments", "are given by the places where the interlock is tied",

@@ -81,16 +81,29 @@ void check(const std::string& key, const Bellows& b, const Case& data, CheckLog&
     log.add(key + ".mesh.waves", "stands beside counts", "give it with an accuracy");
 }
 
+void check_contact(const std::string& key, const Interlock& i, CheckLog& log) {
+  const std::string at = key + ".contact";
+  const LinerContact& c = *i.contact;
+  if (i.attachment == Attachment::caps && log.fine(key))
+    log.add(at, "is of places along the wall, and this liner is tied to its caps alone",
+            "attachment: stations or synchronous");
+  if (log.fine(at) && !c.friction && c.axial + c.lateral + c.bending + c.torsion == 0)
+    log.add(at, "holds nothing", "give axial, lateral, bending or torsion");
+}
+
 void check(const std::string& key, const Interlock& i, const Case& data, CheckLog& log) {
   const std::vector<std::string> bellows = bellows_names(data);
   log.reference(key + ".along", "bellows", i.along, bellows);
-  if (i.attachment == Attachment::synchronous || !log.fine(key)) return;
-  const bool slides = i.attachment == Attachment::stations && i.friction; // its coils hang on these
+  if (i.contact) check_contact(key, i, log);
+  if ((i.attachment == Attachment::synchronous && !i.contact) || !log.fine(key)) return;
+  // Its coils hang on the places where it is tied.
+  const bool slides = i.attachment == Attachment::stations && i.friction && !i.contact;
   if (!slides && (i.EA <= 0 || i.EI <= 0 || i.GJ <= 0))
     log.add(key, "is tied at single places but has no stiffness of its own",
             "give EA, EI and GJ above 0, or attachment: synchronous");
-  if (std::find(bellows.begin(), bellows.end(), i.along) == bellows.end() || !log.fine("caps"))
-    return;
+  if (i.attachment == Attachment::synchronous || !log.fine("caps") ||
+      std::find(bellows.begin(), bellows.end(), i.along) == bellows.end())
+    return; // its ends follow the circles there
   for (const char* end : {".left", ".right"}) {
     const std::string set = i.along + end;
     if (std::none_of(data.caps.begin(), data.caps.end(), [&](const Cap& c) {

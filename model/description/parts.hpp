@@ -114,11 +114,19 @@ struct BeamSection {
 
 enum class Attachment { caps, stations, synchronous };
 
+// Springs by which a liner leans on the wall at each place where it is tied.
+struct LinerContact {
+  double axial = 0, lateral = 0;                // N/m
+  double bending = 0, torsion = 0;              // Nm/rad
+  std::optional<SlenderFriction> friction = {}; // beside each of them
+};
+
 // The strip-wound liner: a beam on the axis of a bellows.
 struct Interlock {
   std::string along; // name of the bellows
   Attachment attachment = Attachment::caps;
-  int stations = 0; // attachment: stations
+  int stations = 0;                         // attachment: stations
+  std::optional<LinerContact> contact = {}; // none: it moves with the circles it is tied to
   double EA = 0, EI = 0, GJ = 0;
   double mass = 0;   // total, kg
   double radius = 0; // of the mass, for rotary inertia
@@ -131,6 +139,7 @@ struct Plate {
   double thickness = 0;
   std::array<int, 2> elements{}; // along 1-2 and along 2-3
   Membrane membrane = Membrane::displacement;
+  std::optional<double> thickness_field = {}; // as of a wall
   std::vector<PartPlace> places = {};
 };
 
@@ -155,6 +164,7 @@ struct SurfacePart {
   Triple move{};
   std::vector<SurfacePlace> places = {};
   Membrane membrane = Membrane::displacement;
+  std::optional<double> thickness_field = {}; // as of a wall
 };
 
 struct DeckModel; // model/description/deck_model.hpp
@@ -172,6 +182,7 @@ struct DeckPart {
   Triple move{};
   std::vector<SurfacePlace> places = {};
   Membrane membrane = Membrane::incompatible;
+  std::optional<double> thickness_field = {};    // as of a wall; of its shells
   std::shared_ptr<const DeckModel> content = {}; // read with the case
 };
 

@@ -96,6 +96,13 @@ template <class V> void fields(V& v, Wall& w) {
              "diagnosis gives it, in place of 2 % of stiffness");
 }
 
+// Of a wall that is no bellows, which has a field of nothing else.
+template <class V> void thickness_field(V& v, std::optional<double>& field) {
+  v.quantity(field, "thickness_field", {.unit = Dimension::ratio, .min = 0, .max = 0.2},
+             "how far the thickness scatters smoothly over the wall: standard deviation that a "
+             "diagnosis gives it; left out: not at all");
+}
+
 template <class V> void fields(V& v, MeshDensity& m) {
   v.whole(m.around, "around", {.min = 8, .max = 4000, .even = true},
           "elements around the circumference");
@@ -148,6 +155,16 @@ template <class V> void fields(V& v, Bellows& b) {
   fields(v, b.membrane);
 }
 
+template <class V> void fields(V& v, LinerContact& c) {
+  const Quantity spring{.unit = Dimension::stiffness, .min = 0, .max = 1e12},
+      turning{.unit = Dimension::rotational_stiffness, .min = 0, .max = 1e12};
+  v.quantity(c.axial, "axial", spring, "along the pipe");
+  v.quantity(c.lateral, "lateral", spring, "across, in x and in z");
+  v.quantity(c.bending, "bending", turning, "about x and about z");
+  v.quantity(c.torsion, "torsion", turning, "about the pipe");
+  v.object(c.friction, "friction", optional_key, "of each of them, beside its springs");
+}
+
 template <class V> void fields(V& v, Interlock& i) {
   const Quantity section{.unit = Dimension::section_stiffness, .min = 0};
   v.text(i.along, "along", {.required = true}, "name of the bellows it lies in");
@@ -159,6 +176,9 @@ template <class V> void fields(V& v, Interlock& i) {
   if (i.attachment == Attachment::stations)
     v.whole(i.stations, "stations", {.required = true, .min = 1, .max = 1000},
             "number of inner stations, evenly spaced");
+  v.object(i.contact, "contact", optional_key,
+           "springs by which it leans on the wall at each place where it is tied; left out: it "
+           "moves with the wall there");
   v.quantity(i.EA, "EA", {.unit = Dimension::force, .min = 0}, "axial stiffness, N");
   v.quantity(i.EI, "EI", section, "bending stiffness, N m2");
   v.quantity(i.GJ, "GJ", section, "torsional stiffness, N m2");
@@ -180,6 +200,7 @@ template <class V> void fields(V& v, Plate& p) {
   v.named(p.places, &PartPlace::name, "places", optional_key,
           "points of the wall where caps, masses and forces may sit, as sets plate.<name>");
   fields(v, p.membrane);
+  thickness_field(v, p.thickness_field);
 }
 
 template <class V> void fields(V& v, SurfacePlace& p) {
@@ -213,6 +234,7 @@ template <class V> void fields(V& v, SurfacePart& s) {
   v.named(s.places, &SurfacePlace::name, "places", optional_key,
           "points of the wall, or the nodes near them, as sets part.name");
   fields(v, s.membrane);
+  thickness_field(v, s.thickness_field);
 }
 
 template <class V> void fields(V& v, DeckPart& d) {
@@ -238,6 +260,7 @@ template <class V> void fields(V& v, DeckPart& d) {
   v.named(d.places, &SurfacePlace::name, "places", optional_key,
           "points of the wall, or the nodes near them, as sets part.name");
   fields(v, d.membrane);
+  thickness_field(v, d.thickness_field);
 }
 
 template <class V> void fields(V& v, BeamSection& s) {

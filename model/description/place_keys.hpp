@@ -17,6 +17,10 @@ inline std::string cap_key(const std::string& cap) {
 inline std::string mount_key(const std::string& cap) {
   return "mount." + cap;
 }
+// The springs by which a liner leans on the wall: a component and a place.
+inline std::string contact_place(const std::string& liner) {
+  return liner + ".contact";
+}
 inline constexpr const char* all_mounts = "mount"; // a place: all that hold the part
 
 inline bool is_at_cap(const std::string& key) {

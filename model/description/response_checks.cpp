@@ -62,8 +62,11 @@ void check_damping(const Case& data, CheckLog& log) {
       if (d.modes[i].mode == d.modes[j].mode && d.modes[i].mode > 0)
         log.add(item(key + ".modes", i) + ".mode", "is given twice", "one value for a mode");
   std::vector<std::string> components;
-  for (const Part& part : data.parts)
+  for (const Part& part : data.parts) {
     if (!std::holds_alternative<PointMass>(part.body)) components.push_back(part.name);
+    if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->contact)
+      components.push_back(contact_place(part.name));
+  }
   for (const Mount& m : data.mount)
     if (m.kind == MountKind::springs) components.push_back(mount_key(m.cap));
   for (const Cap& cap : data.caps)

@@ -59,7 +59,10 @@ std::optional<std::vector<JointLaw>> laws_in(const Case& data,
       return std::nullopt;
     if (const auto* chain = std::get_if<ConnectorChain>(&part.body); chain && chain->friction)
       by_place[part.name] = directional_laws(*chain->friction);
-    if (const auto* liner = std::get_if<Interlock>(&part.body); liner && liner->friction) {
+    const auto* liner = std::get_if<Interlock>(&part.body);
+    if (liner && liner->contact && liner->contact->friction)
+      by_place[contact_place(part.name)] = directional_laws(*liner->contact->friction);
+    if (liner && liner->friction) {
       by_place[part.name] = directional_laws(*liner->friction);
       int segments = 1;
       for (const BuiltJoint& j : joints)

@@ -50,6 +50,38 @@ std::vector<std::vector<int>> liner_circles(const Building& b, const std::string
   return chosen;
 }
 
+// The liner leans on what a circle of the wall does on the mean.
+void add_contact(Building& b, const LinerContact& contact, const Connection& between) {
+  BushingElement springs{.node1 = between.node1, .node2 = between.node2, .bushing = {}};
+  springs.component = between.component;
+  const double across = contact.lateral, turning = contact.bending;
+  springs.bushing.law.diagonal() << across, contact.axial, across, turning, contact.torsion,
+      turning;
+  if (!springs.bushing.law.isZero(0)) b.built.model.bushings.push_back(springs);
+  if (contact.friction) add_joints(b.built.joints, between, directional_laws(*contact.friction));
+}
+
+// Nodes of the liner at the circles, which follow them, or lean on nodes that do.
+std::vector<int> tied_nodes(Building& b, const std::string& name, const Interlock& liner,
+                            const std::vector<std::vector<int>>& circles) {
+  std::vector<int> nodes;
+  const int springs = liner.contact ? b.component(contact_place(name)) : -1;
+  for (const std::vector<int>& circle : circles) {
+    const Vector3d centre = centroid(b.built.model.mesh, circle);
+    const int on_wall = add_node(b.built.model, centre);
+    nodes.push_back(on_wall);
+    const std::size_t first = b.built.model.constraints.size();
+    add_distributing_coupling(b.built.model, on_wall, circle, "tie of interlock " + name);
+    asked_at(b.built.model, first, part_key(name) + ".attachment");
+    if (!liner.contact) continue;
+    nodes.back() = add_node(b.built.model, centre);
+    add_contact(
+        b, *liner.contact,
+        {contact_place(name), static_cast<int>(nodes.size()), on_wall, nodes.back(), springs});
+  }
+  return nodes;
+}
+
 // Between the caps the liner is a beam with mass. Tied to the bellows its coils move with the
 // circles, so each tied node carries the coils half way to its neighbours as a rigid ring.
 void add_liner_elements(Building& b, const Interlock& liner, const std::vector<int>& nodes,
@@ -104,14 +136,13 @@ void add_liner(Building& b, const std::string& name, const Interlock& liner) {
     for (int e = 1; e < elements; ++e)
       nodes.push_back(add_node(b.built.model, left + (right - left) * e / elements));
   } else {
-    for (const std::vector<int>& circle : liner_circles(b, name, liner)) {
+    std::vector<std::vector<int>> circles = liner_circles(b, name, liner);
+    std::erase_if(circles, [&](const std::vector<int>& circle) { // its ends are tied there
       const Vector3d centre = centroid(b.built.model.mesh, circle);
-      if ((centre - left).norm() < 1e-9 || (centre - right).norm() < 1e-9) continue;
-      nodes.push_back(add_node(b.built.model, centre));
-      const std::size_t first = b.built.model.constraints.size();
-      add_distributing_coupling(b.built.model, nodes.back(), circle, "tie of interlock " + name);
-      asked_at(b.built.model, first, part_key(name) + ".attachment");
-    }
+      return (centre - left).norm() < 1e-9 || (centre - right).norm() < 1e-9;
+    });
+    const std::vector<int> tied = tied_nodes(b, name, liner, circles);
+    nodes.insert(nodes.end(), tied.begin(), tied.end());
   }
   nodes.push_back(liner_end(b, name, liner.along + ".right", right));
   const int own = b.component(name);

@@ -207,7 +207,7 @@ public:
     EquivalentPipe pipe = pipe_of(shells, b, m);
     if (own_.liner) {
       pipe.inner = layer_of(*own_.liner, shells.convoluted);
-      if (own_.liner->attachment != Attachment::synchronous)
+      if (own_.liner->attachment != Attachment::synchronous || own_.liner->contact)
         remarks_.push_back("the liner is tied to the bellows at some places only; in the simple "
                            "models it follows it everywhere");
     }
