@@ -1,4 +1,5 @@
 // What is told of the draws of a posterior: intervals, and the place where they are densest.
+#include "diagnose/weigh/fit_words.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "diagnose/weigh/likely_values.hpp"
 #include "run/results/normal_distribution.hpp"

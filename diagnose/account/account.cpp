@@ -11,6 +11,7 @@
 #include "diagnose/judge/reasons.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
+#include "diagnose/weigh/fit_words.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "lab/measured/states.hpp"
 #include "model/description/place_keys.hpp"

@@ -6,6 +6,7 @@
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "diagnose/weigh/likely_values.hpp"
+#include "diagnose/weigh/twins.hpp"
 #include "model/description/place_keys.hpp"
 
 #include <algorithm>
@@ -161,9 +162,7 @@ void NamedEffects::add_exchanged_places(NamedEffect& e, const HypothesisFit& set
     if (!j.credible() || j.fit.together.size() != set.together.size() ||
         evidence_of(set) - evidence_of(j.fit) >= found_.standards.apart)
       continue;
-    std::vector<const Hypothesis*> own = j.fit.together;
-    for (std::size_t h = 0; h < set.together.size(); ++h)
-      if (h != member) std::erase(own, set.together[h]);
+    const Members own = without(j.fit.together, without(set.together, {set.together[member]}));
     if (own.size() == 1 && own[0]->effect == e.name && own[0]->place != e.place &&
         std::find(e.other_places.begin(), e.other_places.end(), own[0]->place) ==
             e.other_places.end())

@@ -1,6 +1,7 @@
 #include "diagnose/judge/headline.hpp"
 
 #include "diagnose/judge/reasons.hpp"
+#include "diagnose/weigh/fit_words.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "diagnose/judge/inclusion.hpp"
 
+#include "diagnose/weigh/twins.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -137,8 +139,7 @@ const JudgedFit* Inclusion::placed_best(const JudgedFit& set) const {
 
 const JudgedFit* Inclusion::without(const JudgedFit& set,
                                     const std::vector<const Hypothesis*>& members) const {
-  std::vector<const Hypothesis*> others = set.fit.together;
-  for (const Hypothesis* h : members) std::erase(others, h);
+  const Members others = plica::without(set.fit.together, members);
   for (const Weighed& w : all_)
     if (w.fit->fit.together.size() == others.size() &&
         std::is_permutation(others.begin(), others.end(), w.fit->fit.together.begin()))

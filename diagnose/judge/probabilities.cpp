@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace plica {
 
@@ -45,9 +46,10 @@ void weigh_standing(const std::vector<const JudgedFit*>& sets, Judgement& result
     const double weight = std::exp(evidence_of(set->fit) - highest);
     all += weight;
     std::set<std::string> own;
+    std::set<std::pair<std::string, std::string>> where;
     for (const Hypothesis* h : set->fit.together) {
       if (own.insert(h->effect).second) effects[h->effect] += weight;
-      places[h->effect][h->place] += weight;
+      if (where.emplace(h->effect, h->place).second) places[h->effect][h->place] += weight;
     }
   }
   result.probabilities.clear();

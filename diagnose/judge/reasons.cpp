@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/resonators.hpp"
 #include "diagnose/judge/thresholds.hpp"
+#include "diagnose/weigh/fit_words.hpp"
 
 #include <algorithm>
 #include <cmath>

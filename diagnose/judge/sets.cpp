@@ -3,6 +3,7 @@
 #include "diagnose/judge/added_up.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
+#include "diagnose/weigh/twins.hpp"
 
 #include "solve/parallel.hpp"
 
@@ -174,7 +175,7 @@ private:
     bool softens = false;
     for (const Hypothesis* own : set) {
       softens = softens || own->softening;
-      if (own->effect == h.effect && own->place == h.place) return false;
+      if (own->effect == h.effect && own->place == h.place && !may_be_twin(h, set)) return false;
       if (std::any_of(own->released.begin(), own->released.end(), [&](int node) {
             return std::find(h.released.begin(), h.released.end(), node) != h.released.end();
           }))

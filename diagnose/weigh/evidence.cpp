@@ -1,10 +1,10 @@
 #include "diagnose/weigh/evidence.hpp"
 
 #include "compare/search/search.hpp"
-#include "diagnose/weigh/likely_values.hpp"
 #include "diagnose/weigh/ridge.hpp"
 #include "diagnose/weigh/spread_point.hpp"
 #include "diagnose/weigh/tempered_chains.hpp"
+#include "diagnose/weigh/twins.hpp"
 #include "run/results/normal_distribution.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -12,7 +12,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <fmt/format.h>
 #include <numeric>
 
 namespace plica {
@@ -210,27 +209,31 @@ private:
 
 // Places on a part that answer alike lie anywhere: all of it is looked at, at several sizes, and
 // where more than a size goes with the place at values that differ from place to place.
-void try_everywhere(const Hypothesis& h, Search& search) {
+std::vector<VectorXd> throughout(const Hypothesis& h) {
+  std::vector<VectorXd> all;
   const bool on_line = h.along.size() == 1;
   const int stations = on_line ? 40 : 9, places = on_line ? stations : stations * stations;
-  const Index parameters = search.parameters();
+  const Index parameters = Index(h.parameters.size());
   const bool only_size = parameters == Index(h.along.size()) + 1;
-  int number = 0;
   for (int i = 0; i < places; ++i)
     for (double size : {-1.2, -0.6, 0., 0.6, 1.2}) {
       VectorXd there = only_size ? VectorXd::Constant(parameters, size)
-                                 : spread_point(number++, parameters, 1.5);
+                                 : spread_point(int(all.size()), parameters, 1.5);
       int left = i;
       for (const std::size_t parameter : h.along) {
         there[Index(parameter)] = normal_quantile((left % stations + 0.5) / stations);
         left /= stations;
       }
-      search.try_from(there);
+      all.push_back(std::move(there));
     }
+  return all;
 }
 
 // A start, and others with the last of its hypotheses larger, smaller and elsewhere on its part.
-void try_around(const VectorXd& start, const Hypothesis& last, Search& search) {
+// What is there once already begins throughout its part, at several sizes.
+void try_around(const VectorXd& start, const std::vector<const Hypothesis*>& together,
+                Search& search) {
+  const Hypothesis& last = *together.back();
   const Index first = start.size() - Index(last.parameters.size());
   constexpr std::array away{0., -1.5, 1.5};
   for (double z : away) {
@@ -238,6 +241,12 @@ void try_around(const VectorXd& start, const Hypothesis& last, Search& search) {
     if (first < start.size()) there[first] += z;
     search.try_from(there);
   }
+  if (ends_with_twin(together))
+    for (const VectorXd& own : throughout(last)) {
+      VectorXd there = start;
+      there.tail(own.size()) = own;
+      search.try_from(there);
+    }
   const std::size_t each = last.along.empty() ? 1 : away.size();
   for (std::size_t i = 1; i < (last.along.size() == 2 ? each * each : each); ++i) {
     VectorXd there = start;
@@ -259,9 +268,9 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
   std::size_t refined = p > 1 ? 3 : 2;
   double apart = 0.8; // in standard deviations of the priors
   if (start.size() == p) {
-    try_around(start, *together.back(), search);
+    try_around(start, together, search);
   } else if (together.size() == 1 && !together[0]->along.empty()) {
-    try_everywhere(*together[0], search);
+    for (const VectorXd& there : throughout(*together[0])) search.try_from(there);
     refined = 10;
     apart = 0.2;
   } else if (together.size() == 1 && together[0]->softening && p == 6) {
@@ -282,6 +291,7 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
     fit.others.assign(optima.begin() + 1, optima.end());
   }
   fit.together = together;
+  for (VectorXd& other : fit.others) other = in_order_of(fit, std::move(other));
   return fit;
 }
 
@@ -341,60 +351,9 @@ void sample(const FitContext& context, HypothesisFit& fit, int particles, unsign
   ChainDraws drawn =
       tempered_chains(starts_of(fit, residuals, dispersion), log_likelihood, particles, seed);
   fit.draws = std::move(drawn.z);
+  for (auto draw : fit.draws.colwise()) draw = in_order_of(fit, draw);
   if (drawn.log_evidence && dispersion == 1)
     fit.sampled_log_evidence = *drawn.log_evidence - fit.penalty;
-}
-
-namespace {
-
-// "0.22" of a line, "0.22 m along and 0.05 m across" of a plate.
-std::string place_words(const std::vector<double>& at) {
-  return at.size() == 1 ? fmt::format("{:.3g}", at[0])
-                        : fmt::format("{:.3g} m along and {:.3g} m across", at[0], at[1]);
-}
-
-// "0.22 or 0.38 m along": where it acts on its part, and where it would as well.
-std::string places_along(const HypothesisFit& fit, std::size_t member) {
-  const Hypothesis& h = *fit.together[member];
-  constexpr double apart = 0.05; // of the part
-  const auto is_elsewhere = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const Prior& prior = h.parameters[h.along[i]].prior;
-      if (std::abs(a[i] - b[i]) > apart * (prior.width - prior.centre)) return true;
-    }
-    return false;
-  };
-  const VectorXd likely = likely_values(fit, member);
-  std::vector<std::vector<double>> places{{}};
-  for (const std::size_t parameter : h.along) places[0].push_back(likely[Index(parameter)]);
-  for (const VectorXd& other : fit.others) {
-    std::vector<double> at;
-    for (const std::size_t parameter : h.along)
-      at.push_back(
-          value_of(h.parameters[parameter].prior, other[fit.first_of(member) + Index(parameter)]));
-    if (std::all_of(places.begin(), places.end(),
-                    [&](const std::vector<double>& known) { return is_elsewhere(at, known); }))
-      places.push_back(std::move(at));
-  }
-  std::string text;
-  for (const std::vector<double>& at : places)
-    text += (text.empty() ? "" : " or ") + place_words(at);
-  return h.along.size() == 1 ? text + " m along" : text;
-}
-
-} // namespace
-
-std::string name_of(const HypothesisFit& fit) {
-  if (fit.together.empty()) return "nominal case";
-  std::string name;
-  for (std::size_t member = 0; member < fit.together.size(); ++member) {
-    const Hypothesis& h = *fit.together[member];
-    if (!name.empty()) name += " and ";
-    name += h.effect + " at " + h.place;
-    if (!h.along.empty() && fit.values.size() > 0) name += ", " + places_along(fit, member);
-    if (!h.way.empty()) name += " (" + h.way + ")";
-  }
-  return name;
 }
 
 } // namespace plica

@@ -49,7 +49,4 @@ void complete(const FitContext& context, HypothesisFit& fit);
 void sample(const FitContext& context, HypothesisFit& fit, int particles, unsigned seed,
             double dispersion = 1);
 
-// "ply_slip at bellows", "added_mass at beam.point[3] (all round)"; pairs with "and".
-std::string name_of(const HypothesisFit& fit);
-
 } // namespace plica
