@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Two caps with mass, a liner between the caps or moving with the wall.
-Case pipe(Attachment attachment) {
+Case pipe(Attachment attachment, const std::optional<LinerContact>& contact = {}) {
   Case data = verification_case("bellows_a", {20, 2, 3}, 12);
   data.caps[0].mass = 0.2;
   data.caps[1].mass = 0.1;
@@ -23,6 +23,7 @@ Case pipe(Attachment attachment) {
   data.parts.push_back({"liner", Interlock{.along = "bellows",
                                            .attachment = attachment,
                                            .stations = 3,
+                                           .contact = contact,
                                            .EA = 2e3,
                                            .EI = 1,
                                            .GJ = 0.5,
@@ -46,8 +47,10 @@ std::vector<Harmonic> all_families(const CyclicModel& model) {
 
 // T' K T over all harmonics is block diagonal with the blocks of `system`, and they are complete.
 TEST(CyclicModel, splits_the_full_matrices_into_harmonics_without_loss) {
-  for (Attachment attachment : {Attachment::caps, Attachment::stations, Attachment::synchronous}) {
-    const BuiltCase built = build(pipe(attachment));
+  const LinerContact springs{.axial = 2e4, .lateral = 3e4, .bending = 5, .torsion = 7};
+  for (const Case& data : {pipe(Attachment::caps), pipe(Attachment::stations),
+                           pipe(Attachment::synchronous), pipe(Attachment::stations, springs)}) {
+    const BuiltCase built = build(data);
     const System full = assemble(built.model);
     const CyclicModel model = symmetric(built.model);
     Eigen::Index unknowns = 0;
