@@ -14,7 +14,8 @@ namespace plica::changed_beam {
 using InPlane = std::function<std::vector<double>(Axis)>;
 
 // Modes in z and x before and after a change. Each is so far off what `first` and `second` say,
-// both times, and a thousandth off itself as mounted anew.
+// both times, and a thousandth off itself as mounted anew; of more than seven the next as the
+// first.
 inline Measured before_and_after(const InPlane& first, const InPlane& second,
                                  const std::array<double, 7>& off) {
   constexpr std::array anew{0.001, -0.0015, 0.0005, 0.0015, -0.001, 0.0007, -0.0006};
@@ -26,9 +27,10 @@ inline Measured before_and_after(const InPlane& first, const InPlane& second,
   for (Axis axis : {Axis::z, Axis::x}) {
     const std::vector<double> before = first(axis), after = second(axis);
     for (std::size_t i = 0; i < before.size(); ++i, ++k) {
-      m.modes.push_back(bending(axis, int(i) + 1, "before", before[i] * (1 + off.at(k))));
+      m.modes.push_back(bending(axis, int(i) + 1, "before", before[i] * (1 + off[k % off.size()])));
       m.modes.push_back(
-          bending(axis, int(i) + 1, "after", after[i] * (1 + off.at(k)) * (1 + anew.at(k))));
+          bending(axis, int(i) + 1, "after",
+                  after[i] * (1 + off[k % off.size()]) * (1 + anew[k % anew.size()])));
     }
   }
   return m;
