@@ -158,12 +158,15 @@ private:
   }
 
   // Each once, wherever sets that are named share it.
+  // Each of any set once, of twins each.
   void add_effects(const std::vector<std::vector<NamedEffect>>& members) {
-    for (std::size_t i = 0; i < found_.judgement.named.size(); ++i)
-      for (const NamedEffect& e : members[i])
-        if (std::none_of(result_.effects.begin(), result_.effects.end(),
-                         [&](const NamedEffect& own) { return is_same(own, e); }))
-          result_.effects.push_back(e);
+    for (const std::vector<NamedEffect>& set : members)
+      for (auto e = set.begin(); e != set.end(); ++e) {
+        const auto alike = [&](const NamedEffect& other) { return is_same(other, *e); };
+        const auto& told = result_.effects;
+        if (std::count_if(told.begin(), told.end(), alike) <= std::count_if(set.begin(), e, alike))
+          result_.effects.push_back(*e);
+      }
   }
 
   void add_signatures() {

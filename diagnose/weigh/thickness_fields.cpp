@@ -77,19 +77,17 @@ std::pair<Eigen::Vector3d, double> middle_and_area(const Mesh& mesh,
   return {middle, normal.norm() / 2};
 }
 
-// From the least to the most of each direction, 0 to 1.
-MatrixXd over_the_range(MatrixXd at) {
-  for (auto column : at.colwise()) {
-    const double low = column.minCoeff(), range = column.maxCoeff() - low;
-    column.array() = range > 0 ? Eigen::ArrayXd((column.array() - low) / range)
-                               : Eigen::ArrayXd::Constant(at.rows(), 0.5);
-  }
-  return at;
+// Rows as points.
+MatrixXd rows_of(const std::vector<Eigen::Vector3d>& points) {
+  MatrixXd x(std::ssize(points), 3);
+  for (Eigen::Index i = 0; i < x.rows(); ++i) x.row(i) = points[std::size_t(i)].transpose();
+  return x;
 }
 
+// Along the two longest directions from the least corner of the wall, 0, to the most, 1.
 Sheet sheet_of(const Model& model, const std::string& part) {
   Sheet sheet{.part = part, .quads = {}, .triangles = {}, .at = {}, .area = {}};
-  std::vector<Eigen::Vector3d> middles;
+  std::vector<Eigen::Vector3d> middles, corners;
   std::vector<double> areas;
   const auto add = [&](std::vector<int>& own, const auto& shells) {
     for (std::size_t i = 0; i < shells.size(); ++i) {
@@ -99,20 +97,22 @@ Sheet sheet_of(const Model& model, const std::string& part) {
       const auto [middle, area] = middle_and_area(model.mesh, shells[i].nodes);
       middles.push_back(middle);
       areas.push_back(area);
+      for (int node : shells[i].nodes) corners.push_back(model.mesh.nodes[std::size_t(node)]);
     }
   };
   add(sheet.quads, model.mesh.quads);
   add(sheet.triangles, model.mesh.triangles);
-  const auto count = std::ssize(middles);
-  if (count == 0) return sheet;
-  sheet.area = Eigen::Map<const VectorXd>(areas.data(), count);
-  MatrixXd x(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) x.row(i) = middles[std::size_t(i)].transpose();
+  if (middles.empty()) return sheet;
+  sheet.area = Eigen::Map<const VectorXd>(areas.data(), std::ssize(areas));
+  const MatrixXd x = rows_of(middles);
   const Eigen::RowVector3d centre = sheet.area.transpose() * x / sheet.area.sum();
-  x.rowwise() -= centre;
-  const Eigen::Matrix3d spread = x.transpose() * sheet.area.asDiagonal() * x;
+  const MatrixXd from_centre = x.rowwise() - centre;
+  const Eigen::Matrix3d spread = from_centre.transpose() * sheet.area.asDiagonal() * from_centre;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  sheet.at = over_the_range(x * axes.eigenvectors().rowwise().reverse().leftCols<2>());
+  const Eigen::Matrix<double, 3, 2> longest = axes.eigenvectors().rowwise().reverse().leftCols<2>();
+  const MatrixXd all = rows_of(corners) * longest;
+  const Eigen::RowVector2d low = all.colwise().minCoeff(), range = all.colwise().maxCoeff() - low;
+  sheet.at = ((x * longest).rowwise() - low).array().rowwise() / range.array();
   return sheet;
 }
 
