@@ -157,16 +157,17 @@ private:
     return weight * (1 - probability) / probability;
   }
 
-  // Each once, wherever sets that are named share it.
-  // Each of any set once, of twins each.
+  // Each once, of twins each, wherever sets that are named share it.
   void add_effects(const std::vector<std::vector<NamedEffect>>& members) {
-    for (const std::vector<NamedEffect>& set : members)
+    for (std::size_t i = 0; i < found_.judgement.named.size(); ++i) {
+      const std::vector<NamedEffect>& set = members[i];
       for (auto e = set.begin(); e != set.end(); ++e) {
         const auto alike = [&](const NamedEffect& other) { return is_same(other, *e); };
         const auto& told = result_.effects;
         if (std::count_if(told.begin(), told.end(), alike) <= std::count_if(set.begin(), e, alike))
           result_.effects.push_back(*e);
       }
+    }
   }
 
   void add_signatures() {
