@@ -99,8 +99,11 @@ void check(const std::string& key, const Interlock& i, const Case& data, CheckLo
   // Its coils hang on the places where it is tied.
   const bool slides = i.attachment == Attachment::stations && i.friction && !i.contact;
   if (!slides && (i.EA <= 0 || i.EI <= 0 || i.GJ <= 0))
-    log.add(key, "is tied at single places but has no stiffness of its own",
-            "give EA, EI and GJ above 0, or attachment: synchronous");
+    log.add(key,
+            i.contact ? "leans on the wall but has no stiffness of its own"
+                      : "is tied at single places but has no stiffness of its own",
+            i.contact ? "give EA, EI and GJ above 0"
+                      : "give EA, EI and GJ above 0, or attachment: synchronous");
   if (i.attachment == Attachment::synchronous || !log.fine("caps") ||
       std::find(bellows.begin(), bellows.end(), i.along) == bellows.end())
     return; // its ends follow the circles there
