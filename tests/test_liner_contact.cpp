@@ -1,5 +1,6 @@
 // A liner that leans on the wall by springs at the places where it is tied.
 #include "model/shape/build.hpp"
+#include "run/study/match_modes.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"
 
@@ -112,6 +113,21 @@ TEST(LinerContact, rubs_on_the_wall) {
   const auto laws = laws_in(leaning(2e4, true), built.joints);
   ASSERT_TRUE(laws && laws->size() == 3U);
   EXPECT_NEAR(laws->front().stuck_stiffness(), 3e4, 1e-6);
+}
+
+// On a finer mesh a mode is found again by its shape, in which wall and liner move against each
+// other at nodes that share a place.
+TEST(LinerContact, keeps_its_modes_apart_over_meshes) {
+  Case data = halves_with_liner(1e4, LinerContact{.axial = 2e3, .lateral = 2e4, .bending = 1});
+  data.analyses.modes = Modes{.count = 12};
+  std::get<Interlock>(data.parts.back().body).stations = 6;
+  Case finer = data;
+  bellows_of(finer).mesh = {.around = 24, .arc = 3, .wall = 4};
+  const Results coarse = run_silently(data), fine = run_silently(finer);
+  const std::vector<SameMode> same = match_modes(coarse, fine);
+  ASSERT_EQ(same.size(), 12U);
+  for (std::size_t i = 0; i < same.size(); ++i)
+    EXPECT_NEAR(same[i].frequency / coarse.modes[i].frequency, 1, 0.02) << i;
 }
 
 // A test of the bellows before and after what holds its liner became so many times as stiff.

@@ -27,6 +27,25 @@ std::vector<int> samples(const Results& results) {
   return nodes;
 }
 
+std::vector<int> nodes_at(const Mesh& mesh, const Eigen::Vector3d& place) {
+  constexpr double apart = 1e-9; // m
+  std::vector<int> found;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    if ((mesh.nodes[i] - place).norm() < apart) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+// The node of the other mesh next to one of this. Where several share a place, as a liner and what
+// it leans on do, they do in the same order.
+int counterpart(const Mesh& mesh, int node, const Mesh& other) {
+  const Eigen::Vector3d& x = mesh.nodes[std::size_t(node)];
+  const int nearest = nearest_node(other, x).first;
+  const std::vector<int> here = nodes_at(mesh, x),
+                         there = nodes_at(other, other.nodes[std::size_t(nearest)]);
+  const auto rank = std::size_t(std::find(here.begin(), here.end(), node) - here.begin());
+  return there[std::min(rank, there.size() - 1)];
+}
+
 // Roots of the weights of the samples: every stretch of the longest side of the part weighs the
 // same, so that a fine wall does not outvote the beams of a line.
 Eigen::VectorXd weights(const Mesh& mesh, const std::vector<int>& nodes,
@@ -70,9 +89,8 @@ std::vector<SameMode> match_modes(const Results& results, const Results& other) 
   std::vector<int> there;
   Eigen::AlignedBox3d box;
   for (int node : here) {
-    const Eigen::Vector3d& x = results.mesh.nodes[std::size_t(node)];
-    box.extend(x);
-    there.push_back(nearest_node(other.mesh, x).first);
+    box.extend(results.mesh.nodes[std::size_t(node)]);
+    there.push_back(counterpart(results.mesh, node, other.mesh));
   }
   const double length = box.sizes().maxCoeff() / 20;
   const Eigen::VectorXd roots = weights(results.mesh, here, box);
