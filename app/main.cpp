@@ -6,6 +6,7 @@
 #include "mesh/machine_memory.hpp"
 #include "solve/base_state.hpp"
 #include "solve/blas_kernels.hpp"
+#include "solve/sparse_factor.hpp"
 #include "words/input_error.hpp"
 
 #include <new>
@@ -40,6 +41,7 @@ int run_command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   plica::avoid_faulty_blas_kernels(argv);
+  plica::set_threads(0); // until a command is told how many
   plica::open_standard_streams();
   plica::watch_interrupts();
   return plica::finished(run_command_line(argc, argv));
