@@ -75,11 +75,28 @@ def levels(work):
 
 @pytest.fixture(scope="session")
 def lap(work):
-    """The bolted lap, run, beside its test and diagnosed."""
+    """The bolted lap, run, beside its test and diagnosed by what a joint does."""
     folder = work / "lap"
     plica.run(SHIPPED / "bolted_lap", folder, threads=1, no_error_bars=True)
     plica.compare(folder, SHIPPED / "bolted_lap" / "measured.yaml", folder)
-    return plica.diagnose(SHIPPED / "bolted_lap", folder, threads=1, no_plan=True)
+    case = plica.Case(SHIPPED / "bolted_lap")
+    case["diagnose"] = {"effects": ["joint_friction", "joint_stiffness"]}
+    return plica.diagnose(case, folder, threads=1, no_plan=True)
+
+
+@pytest.fixture(scope="session")
+def identified(work):
+    """The test of the bolted lap at four levels."""
+    return plica.identify(SHIPPED / "bolted_lap" / "measured.yaml", work / "identified")
+
+
+@pytest.fixture(scope="session")
+def fitted(work):
+    case = plica.Case(CASES / "beam.yaml")
+    case["fit"] = {"parameters": [{"path": "parts.beam.section.depth",
+                                   "bounds": ["1 mm", "20 mm"]}],
+                   "targets": [{"quantity": "f_transverse = 30 Hz"}]}
+    return case.fit(work / "fit", threads=1)
 
 
 @pytest.fixture

@@ -70,14 +70,13 @@ def test_peaks_over_the_level(levels, tmp_path):
     drawn(levels.plot(), tmp_path)
 
 
-def test_a_test_and_what_its_modes_make_of_it(tmp_path):
-    found = plica.identify(SHIPPED / "bolted_lap" / "measured.yaml", tmp_path / "out")
-    assert len(found.sets) == 4
-    first = found.sets[0].identification
+def test_a_test_and_what_its_modes_make_of_it(identified, tmp_path):
+    assert len(identified.sets) == 4
+    first = identified.sets[0].identification
     test, fitted = first.frf[0], first.synthesised[0]
     peak = np.argmax(abs(test.channel("joint.z")))
     assert abs(fitted.channel("joint.z")[peak] / test.channel("joint.z")[peak] - 1) < 0.05
-    axes = drawn(found.plot(), tmp_path)  # of several sets the first
+    axes = drawn(identified.plot(), tmp_path)  # of several sets the first
     assert axes.get_legend().get_texts()[1].get_text() == "from the modes"
 
 
@@ -91,10 +90,10 @@ def test_mac_and_correlation_of_parameters(bellows, tmp_path):
     drawn(matrix.correlation(Fit(folder)), tmp_path)
 
 
-def test_the_stability_diagram_of_an_identification(tmp_path):
+def test_the_stability_diagram_of_an_identification(identified, tmp_path):
     """Of the bolted lap at its lowest level, end to end: what the program writes is what is drawn,
     and every mode that was found stands on a column of stable poles."""
-    found = plica.identify(SHIPPED / "bolted_lap" / "measured.yaml", tmp_path / "out").sets[0]
+    found = identified.sets[0]
     identification = found.identification
     poles, modes = identification.stabilisation, identification.modes
     assert set(poles["stable"]) <= {"new", "frequency", "damping", "all"} and len(modes) >= 1

@@ -156,15 +156,6 @@ def test_a_run_as_measured_data(bellows):
     np.testing.assert_allclose(y.channel("mid.y"), bellows.responses["y"].frf.channel("mid.y"))
 
 
-@pytest.fixture(scope="module")
-def fitted(work):
-    case = plica.Case(CASES / "beam.yaml")
-    case["fit"] = {"parameters": [{"path": "parts.beam.section.depth",
-                                   "bounds": ["1 mm", "20 mm"]}],
-                   "targets": [{"quantity": "f_transverse = 30 Hz"}]}
-    return case.fit(work / "fitted", threads=1)
-
-
 def copied(results, folder, listed=True):
     """A copy to break; without the list of files what is in them alone tells."""
     shutil.copytree(results.path, folder)
@@ -322,12 +313,11 @@ def test_numbers_have_units(bellows, fitted):
     assert targets.attrs["units"]["measured"] == "that of the row" and targets["unit"][0] == "Hz"
 
 
-def test_measured_data_of_a_run_and_of_a_test(lap, beam, tmp_path):
+def test_measured_data_of_a_run_and_of_a_test(lap, beam, identified):
     assert lap.measured.specimen == "bolted_lap" and len(lap.measured.frf) == 4
     assert lap.measured.path == (TREE / "cases" / "bolted_lap" / "measured.yaml").resolve()
     assert lap.measured.mass == pytest.approx(lap.comparison["measured"][0], rel=1e-12)
-    test = plica.identify(TREE / "cases" / "bolted_lap" / "measured.yaml", tmp_path / "test")
-    assert len(test.measured.modes) > 1 and test.measured.specimen == "bolted_lap"
+    assert len(identified.measured.modes) > 1 and identified.measured.specimen == "bolted_lap"
     with pytest.raises(plica.MissingData, match="has no measured data"):
         beam.measured
 
