@@ -4,7 +4,6 @@
 #include "plica/model/shape/build.hpp"
 #include "plica/solve/assembly.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fstream>
 
 int main() {
@@ -29,9 +28,12 @@ int main() {
   // Two alike, one behind the other: w^2 = k / m (3 -+ sqrt 5) / 2, k = 80 kN/m, m = 2 kg.
   const System system = assemble(model);
   const Eigen::MatrixXd K = system.K, M = system.M;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M);
   expect(K.rows() == 2, "two unknowns");
-  expect_near(modes.eigenvalues()[0], 4e4 * (3 - std::sqrt(5.)) / 2, "first eigenvalue");
-  expect_near(modes.eigenvalues()[1], 4e4 * (3 + std::sqrt(5.)) / 2, "second eigenvalue");
+  expect(M(1, 0) == 0, "masses of their own"); // the lower triangles are the matrices
+  const double trace = K(0, 0) / M(0, 0) + K(1, 1) / M(1, 1);
+  const double product = (K(0, 0) * K(1, 1) - K(1, 0) * K(1, 0)) / (M(0, 0) * M(1, 1));
+  const double root = std::sqrt(trace * trace - 4 * product);
+  expect_near((trace - root) / 2, 4e4 * (3 - std::sqrt(5.)) / 2, "first eigenvalue");
+  expect_near((trace + root) / 2, 4e4 * (3 + std::sqrt(5.)) / 2, "second eigenvalue");
   return differs;
 }

@@ -8,13 +8,19 @@ function(step)
     message(FATAL_ERROR "${ARGV}\n${text}")
   endif()
 endfunction()
+# Each in a build folder of its own, as many side by side as there are cores; what one says is told if
+# it fails.
+set(consumers ${BUILD}/consumer-build/build.ninja)
+file(WRITE ${consumers} "rule consume
+  command = ( ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B $out -G Ninja -DCOMPONENTS=$out $
+    -DCMAKE_PREFIX_PATH=${stage} -DCMAKE_BUILD_TYPE=Release $without && $
+    ${CMAKE_COMMAND} --build $out -j 1 && ${CMAKE_COMMAND} -E chdir $out ./consumer_$out $
+    ) > $out.log 2>&1 || { cat $out.log; false; }
+  description = $out\n")
 function(consume component)
   list(TRANSFORM ARGN REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
-  set(work ${BUILD}/consumer-build/${component})
-  step(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work} -G Ninja -DCOMPONENTS=${component}
-    -DCMAKE_PREFIX_PATH=${stage} -DCMAKE_BUILD_TYPE=Release ${ARGN})
-  step(${CMAKE_COMMAND} --build ${work})
-  step(${CMAKE_COMMAND} -E chdir ${work} ./consumer_${component})
+  list(JOIN ARGN " " without)
+  file(APPEND ${consumers} "build ${component}: consume\n  without = ${without}\n")
 endfunction()
 
 # The components from the bottom to the top, what they link and the packages they name.
@@ -56,5 +62,8 @@ foreach(component ${plica_known})
   list(REMOVE_ITEM unnamed ${named_by_${component}})
   consume(${component} ${unnamed} ${spared_by_${component}})
 endforeach()
+find_program(NINJA ninja REQUIRED)
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+step(${NINJA} -C ${BUILD}/consumer-build -j ${cores})
 # The installed program finds its mesher.
 step(${stage}/bin/plica check ${SOURCE}/cases/pipe_with_bracket)
