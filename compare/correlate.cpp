@@ -2,6 +2,7 @@
 
 #include "lab/identification/mode_correlation.hpp"
 #include "lab/measured/measured_words.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,9 +139,7 @@ double common_stretch(const TestData& a, const TestData& b, const Correlation& c
                                 b.data.modes[c.mac_columns[j]].frequency));
   }
   if (ratios.empty()) return 0;
-  const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return median(std::move(ratios));
 }
 
 void pair_by_shape(const TestData& a, const TestData& b, Correlation& c) {

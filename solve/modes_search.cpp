@@ -1,6 +1,7 @@
 #include "solve/modes_search.hpp"
 
-#include <algorithm>
+#include "words/sample_ranks.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,10 +16,7 @@ double median_ratio(const Eigen::VectorXd& k, const Eigen::VectorXd& m) {
   std::vector<double> ratios;
   for (Eigen::Index i = 0; i < k.size(); ++i)
     if (m[i] > 0) ratios.push_back(k[i] / m[i]);
-  if (ratios.empty()) return 0;
-  const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return ratios.empty() ? 0 : median(std::move(ratios));
 }
 
 } // namespace plica

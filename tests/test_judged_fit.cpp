@@ -3,8 +3,8 @@
 #include "tests/gains.hpp"
 #include "tests/made_up_fits.hpp"
 
-#include "diagnose/weigh/nearest_rank.hpp"
 #include "diagnose/weigh/weighted_line.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -177,6 +177,14 @@ TEST(NearestRank, runs_from_the_first_to_the_last_and_rounds_in_between) {
   EXPECT_EQ(nearest_rank(5, 0.13), 1u);
   EXPECT_EQ(nearest_rank(500, 0.99), 494u);
   EXPECT_EQ(nearest_rank(1, 0.95), 0u) << "of one there is but one";
+}
+
+TEST(NearestRank, gives_quantiles_and_the_upper_one_of_two_medians) {
+  EXPECT_EQ(quantile({4, 1, 5, 2, 3}, 0.25), 2);
+  EXPECT_EQ(quantile({4, 1, 5, 2, 3}, 1), 5);
+  EXPECT_EQ(median({3, 1, 2}), 2);
+  EXPECT_EQ(median({4, 1, 3, 2}), 3);
+  EXPECT_EQ(median({6, 1, 5, 2, 4, 3}), 4);
 }
 
 } // namespace

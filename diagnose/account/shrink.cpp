@@ -4,11 +4,11 @@
 #include "diagnose/effects/beam_stiffness.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/blocks.hpp"
-#include "diagnose/weigh/nearest_rank.hpp"
 #include "diagnose/weigh/scatter.hpp"
 #include "lab/measured/measured_words.hpp"
 #include "run/results/normal_distribution.hpp"
 #include "solve/parallel.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -26,11 +26,9 @@ using Eigen::VectorXd;
 
 constexpr int bootstraps = 400;
 
-std::array<double, 2> interval_of(std::vector<double> values) {
+std::array<double, 2> interval_of(const std::vector<double>& values) {
   if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[nearest_rank(values.size(), share)]; };
-  return {at(0.05), at(0.95)};
+  return {quantile(values, 0.05), quantile(values, 0.95)};
 }
 
 double rms(const VectorXd& e) {

@@ -1,7 +1,7 @@
 #include "diagnose/judge/judged_fit.hpp"
 
-#include "diagnose/weigh/nearest_rank.hpp"
 #include "model/description/place_keys.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -51,8 +51,9 @@ std::vector<double> drawn(const std::vector<const HypothesisFit*>& ways, Index p
   return z;
 }
 
-// Of points that stand for even steps of the probability.
-double quantile(const std::vector<double>& values, double p) {
+// Of points that stand for even steps of the probability, between them: by rank alone the ends of
+// an interval would jump.
+double at_probability(const std::vector<double>& values, double p) {
   const double at = p * double(values.size()) - 0.5;
   const auto i = std::size_t(at);
   return values[i] + (at - double(i)) * (values[i + 1] - values[i]);
@@ -83,7 +84,7 @@ Interval interval_of(const std::vector<const HypothesisFit*>& ways, Index parame
   if (of_a_law)
     for (double& z : values) z = first.z[parameter] + wider * (z - first.z[parameter]);
   for (double& z : values) z = value_of(prior, z);
-  const double middle = quantile(values, 0.5);
+  const double middle = at_probability(values, 0.5);
   if (prior.lies_between()) return {shortest(values, prior.centre, prior.width), middle};
   if (prior.bounded()) {
     const auto end = [&](double bound, double z) {
@@ -91,7 +92,8 @@ Interval interval_of(const std::vector<const HypothesisFit*>& ways, Index parame
     };
     return {shortest(values, end(prior.low, -5), end(prior.high, 5)), middle};
   }
-  return {{quantile(values, (1 - share) / 2), quantile(values, (1 + share) / 2)}, middle};
+  return {{at_probability(values, (1 - share) / 2), at_probability(values, (1 + share) / 2)},
+          middle};
 }
 
 } // namespace plica

@@ -1,6 +1,6 @@
 #include "diagnose/weigh/likely_values.hpp"
 
-#include "diagnose/weigh/nearest_rank.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-double quantile(VectorXd values, double share) {
-  double* middle = values.data() + nearest_rank(std::size_t(values.size()), share);
-  std::nth_element(values.data(), middle, values.data() + values.size());
-  return *middle;
-}
-
 // Silverman's width of a kernel for points of so many coordinates, one of which spreads like this.
 double kernel_width(const VectorXd& at, Index coordinates) {
   const double spread = std::sqrt((at.array() - at.mean()).square().mean());
-  const double quartiles = (quantile(at, 0.75) - quantile(at, 0.25)) / 1.34;
+  const std::vector<double> values(at.begin(), at.end());
+  const double quartiles = (quantile(values, 0.75) - quantile(values, 0.25)) / 1.34;
   return 0.9 * std::min(spread, quartiles) *
          std::pow(double(at.size()), -1. / double(coordinates + 4));
 }
@@ -100,7 +95,10 @@ VectorXd likely_values(const HypothesisFit& fit, std::size_t member) {
   }
   const std::vector<Index> near = kernel.within(place, 1);
   VectorXd likely = optimum;
-  for (Index k = 0; k < count; ++k) likely[k] = quantile(VectorXd(drawn(k)(near)), 0.5);
+  for (Index k = 0; k < count; ++k) {
+    const VectorXd values = drawn(k)(near);
+    likely[k] = median({values.begin(), values.end()});
+  }
   for (std::size_t i = 0; i < h.along.size(); ++i) likely[Index(h.along[i])] = place[Index(i)];
   return likely;
 }

@@ -1,5 +1,6 @@
 #include "lab/measured/frf_set.hpp"
 
+#include "words/sample_ranks.hpp"
 #include "words/short_text.hpp"
 
 #include <algorithm>
@@ -41,9 +42,7 @@ double noise_of(const Eigen::VectorXd& hertz, const Eigen::VectorXcd& values) {
     rest.push_back(square / (1 + a * a + b * b));
   }
   if (rest.empty()) return 0;
-  const auto middle = rest.begin() + long(rest.size() / 2);
-  std::nth_element(rest.begin(), middle, rest.end());
-  return std::sqrt(*middle / std::log(2.)); // median of an exponential distribution
+  return std::sqrt(median(std::move(rest)) / std::log(2.)); // of an exponential distribution
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "lab/signals/decay_window.hpp"
 
 #include "words/input_error.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <fmt/format.h>
 
@@ -63,9 +64,7 @@ std::vector<Hit> hits_of(const VectorXd& square, const VectorXd& level, Index bl
 // Of the force: where it is above 0.3 of its peak, until it is below 5 % of it. Contacts that a
 // block separates are one hit.
 std::vector<Hit> hits_of_force(VectorXd force, Index block) {
-  std::vector<double> sorted(force.begin(), force.end());
-  std::nth_element(sorted.begin(), sorted.begin() + Index(sorted.size() / 2), sorted.end());
-  force.array() -= sorted[sorted.size() / 2];
+  force.array() -= median({force.begin(), force.end()});
   force = force.cwiseAbs();
   const double peak = force.maxCoeff();
   std::vector<Hit> hits;

@@ -1,6 +1,7 @@
 #include "lab/signals/sine_tracking.hpp"
 
 #include "lab/signals/fourier.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -96,8 +97,7 @@ std::vector<Dwell> dwells_of(const VectorXd& hertz, Index guard, double rate) {
   for (std::size_t k = 1; k < dwells.size(); ++k)
     steps.push_back(std::abs(hertz[dwells[k].first] / hertz[dwells[k - 1].first] - 1));
   if (steps.size() < 2) return {};
-  std::nth_element(steps.begin(), steps.begin() + long(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2] > 0.01 ? dwells : std::vector<Dwell>{};
+  return median(std::move(steps)) > 0.01 ? dwells : std::vector<Dwell>{};
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "lab/signals/fourier.hpp"
 #include "words/input_error.hpp"
+#include "words/sample_ranks.hpp"
 
 #include <fmt/format.h>
 
@@ -119,9 +120,7 @@ void check_record(const TimeRecord& record) {
 
 double highest_frequency(const TimeRecord& record) {
   VectorXd power = power_of(record);
-  VectorXd sorted = power;
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  const double floor = 4 * sorted[sorted.size() / 2] / std::log(2.);
+  const double floor = 4 * median({power.begin(), power.end()}) / std::log(2.);
   power = (power.array() - floor).cwiseMax(0);
   double sum = 0;
   Index line = 0;
