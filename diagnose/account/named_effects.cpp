@@ -19,6 +19,38 @@ namespace plica {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+// "bellows.crown[": what a place is counted in; empty where it is not.
+std::string list_of(const std::string& place) {
+  return place.substr(0, place.find('[') + 1);
+}
+
+bool is_on_bellows(const Case& data, const std::string& place) {
+  const Part* part = list_of(place).empty() ? nullptr : part_named(data, part_of_set(place));
+  return part && std::holds_alternative<Bellows>(part->body);
+}
+
+double middle_of(const Model& model, const std::vector<int>& nodes) {
+  double sum = 0;
+  for (int node : nodes) sum += model.mesh.nodes[std::size_t(node)].y();
+  return sum / double(nodes.size());
+}
+
+std::map<std::string, double> places_on_bellows(const GapProblem& problem) {
+  const Structure structure = problem.nominal.structure(problem.test.data);
+  std::map<std::string, double> at;
+  for (const Hypothesis& h : problem.hypotheses)
+    if (!at.contains(h.place) && is_on_bellows(problem.data, h.place))
+      at[h.place] = middle_of(structure.built.model, nodes_at(structure, h.place));
+  return at;
+}
+
+} // namespace
+
+NamedEffects::NamedEffects(const GapProblem& problem, const Findings& found)
+    : problem_(problem), found_(found), on_bellows_(places_on_bellows(problem)) {}
+
 bool is_same(const NamedEffect& a, const NamedEffect& b) {
   return a.name == b.name && a.place == b.place;
 }
@@ -63,24 +95,16 @@ std::vector<int> NamedEffects::nodes_of(const Hypothesis& h, const NamedEffect& 
 }
 
 std::optional<NamedEffect::Along> NamedEffects::along_bellows(const NamedEffect& e) const {
-  const std::string head = e.place.substr(0, e.place.find('[') + 1), part = part_of_set(e.place);
-  const Part* own = part_named(problem_.data, part);
-  if (head.empty() || !own || !std::holds_alternative<Bellows>(own->body)) return std::nullopt;
-  const Structure structure = problem_.nominal.structure(problem_.test.data);
-  const std::vector<Eigen::Vector3d>& x = structure.built.model.mesh.nodes;
-  const auto middle = [&](const std::vector<int>& nodes) {
-    double sum = 0;
-    for (int node : nodes) sum += x[std::size_t(node)].y();
-    return sum / double(nodes.size());
-  };
+  if (!on_bellows_.contains(e.place)) return std::nullopt;
   std::map<std::string, double> at;
   for (const Hypothesis& h : problem_.hypotheses)
-    if (h.effect == e.name && h.place.starts_with(head) && !at.contains(h.place))
-      at[h.place] = middle(nodes_at(structure, h.place, {}));
+    if (h.effect == e.name && list_of(h.place) == list_of(e.place))
+      at[h.place] = on_bellows_.at(h.place);
   std::set<double> all;
   for (const auto& [place, y] : at) all.insert(y);
   if (!at.contains(e.place) || all.size() < 2) return std::nullopt;
-  const double left = middle(structure.built.model.mesh.sets.at(part + ".left"));
+  const Model& model = problem_.nominal.structure(problem_.test.data).built.model;
+  const double left = middle_of(model, model.mesh.sets.at(part_of_set(e.place) + ".left"));
   NamedEffect::Along along{.value = at.at(e.place) - left, .interval = {}};
   along.interval = {along.value, along.value};
   std::vector<std::string> places = e.other_places;

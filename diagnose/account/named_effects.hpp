@@ -3,13 +3,14 @@
 
 #include "diagnose/account/findings.hpp"
 
+#include <map>
+
 namespace plica {
 
 class NamedEffects {
 public:
   // Both must outlive it.
-  NamedEffects(const GapProblem& problem, const Findings& found)
-      : problem_(problem), found_(found) {}
+  NamedEffects(const GapProblem& problem, const Findings& found);
 
   // All that is told of the members of a fit.
   std::vector<NamedEffect> members_of(const HypothesisFit& fit) const;
@@ -34,6 +35,7 @@ private:
 
   const GapProblem& problem_;
   const Findings& found_;
+  const std::map<std::string, double> on_bellows_; // places that are counted along one: their y, m
 };
 
 // At one place, whichever way.

@@ -9,13 +9,19 @@
 namespace plica {
 namespace {
 
+// Of a cube of steel, m.
+double edge_of_cube(double mass) {
+  constexpr double density = 7850; // kg/m3
+  return std::cbrt(mass / density);
+}
+
 // Of a fixture that rocks: its mass, and how far it spreads, as its radius of gyration over that of
 // a cube of steel of its mass. No body of steel spreads less than a ball.
 constexpr double ball_over_cube = 0.96;
 
 double inertia_of(double mass, double spread) {
-  constexpr double steel = 7850, gyration_of_cube = 0.40825; // kg/m3, radius over edge
-  const double gyration = spread * gyration_of_cube * std::cbrt(mass / steel);
+  constexpr double gyration_of_cube = 0.40825; // radius over edge
+  const double gyration = spread * gyration_of_cube * edge_of_cube(mass);
   return mass * gyration * gyration;
 }
 
@@ -117,12 +123,10 @@ Hypothesis fixture_under(const Structure& s, const HeldEnds& ends) {
 // With its centre of mass to a side of the pipe: what moves it along rocks it, so that axial and
 // lateral motion are one. To which side of two shows in phases alone, which are not read.
 Hypothesis fixture_beside(const Structure& s, const HeldEnds& ends, int axis) {
-  constexpr double steel = 7850; // kg/m3
-  const double edge = std::cbrt(2 * s.mass / steel);
   const Eigen::Vector3d side = Eigen::Vector3d::Unit(axis);
   Hypothesis h = fixture_under(s, ends);
   h.way = std::string("beside in ") + axis_word(axis);
-  h.parameters.push_back({"off", "m", {PriorKind::log_normal, edge / 2, 0.8}});
+  h.parameters.push_back({"off", "m", {PriorKind::log_normal, edge_of_cube(2 * s.mass) / 2, 0.8}});
   h.changes.push_back(bodies(ends.nodes, 0, side, Eigen::Matrix3d::Zero()));
   h.changes.push_back(bodies(ends.nodes, 0, Eigen::Vector3d::Zero(), carried(1, side)));
   h.coefficients = [](const Eigen::VectorXd& v) {

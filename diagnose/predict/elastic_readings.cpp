@@ -66,8 +66,9 @@ public:
 
   int peaks_below(const TestRun& run) const {
     if (!run.input.any() || run.planned()) return 0;
+    const double end = limit(run);
     return int(std::count_if(run.peaks.begin(), run.peaks.end(),
-                             [&](double peak) { return peak < limit(run); }));
+                             [end](double peak) { return peak < end; }));
   }
 
   // Hz; zero where something holds the part.
