@@ -5,6 +5,8 @@
 #include "diagnose/predict/predictor.hpp"
 #include "diagnose/readings/readings.hpp"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 
@@ -153,10 +155,17 @@ inline Measured before_and_after(const Case& before, const Case& after) {
   return m;
 }
 
+// Every value that it states lies within its own interval.
 inline Diagnosis diagnosis_of(const Case& nominal, const Measured& m) {
   DiagnosisSettings settings;
   settings.plan_next = false;
-  return diagnose(nominal, {.data = m, .responses = {}}, settings);
+  Diagnosis d = diagnose(nominal, {.data = m, .responses = {}}, settings);
+  for (const NamedEffect& e : d.effects)
+    for (const EstimatedParameter& p : e.parameters) {
+      EXPECT_LE(p.interval[0], p.value) << e.name << ", " << p.name << ": " << d.headline;
+      EXPECT_GE(p.interval[1], p.value) << e.name << ", " << p.name << ": " << d.headline;
+    }
+  return d;
 }
 
 } // namespace plica::changed_beam

@@ -75,6 +75,57 @@ TEST(Doubts, name_a_sensor_that_sits_elsewhere) {
   expect_doubt(with(on, "201 mm", "204 mm"), "sensor a is 3 mm off the part");
 }
 
+// A bellows that begins 20 mm along, its end circle at a radius of 50 mm.
+std::string bellows_with_sensor(const std::string& at) {
+  return R"(case: bellows
+materials: {steel: {E: 193 GPa, nu: 0.3, rho: 8000 kg/m3}}
+parts:
+  bellows:
+    type: bellows
+    material: steel
+    root_radius: 50 mm
+    start: 20 mm
+    profile: [{shape: cuff, length: 10 mm}, {shape: U, count: 2, height: 8 mm, pitch: 6 mm}]
+    wall: {plies: [0.3 mm]}
+    mesh: {around: 12, arc: 2, wall: 2}
+caps: {left: {of: bellows.left}, right: {of: bellows.right}}
+mount: {left: rigid, right: rigid}
+sensors: [{name: a, at: )" +
+         at + "}]\nanalyses: {modes: {count: 4}}\n";
+}
+
+TEST(Doubts, name_a_sensor_beside_an_end_circle) {
+  EXPECT_TRUE(doubts_of(bellows_with_sensor("[0, 20 mm, 50 mm]")).empty());
+  expect_doubt(bellows_with_sensor("[0, 20 mm, 54 mm]"), "sensor a is 3.85 mm off the part");
+}
+
+// Between two of twelve nodes around, on the wall: it sits there.
+TEST(Doubts, are_none_of_a_sensor_at_45_degrees) {
+  const TemporaryFolder folder("doubts");
+  write_whole(folder.path / "case.yaml", bellows_with_sensor("[35.355 mm, 25 mm, 35.355 mm]"));
+  const Case data = read_case((folder.path / "case.yaml").string()).data;
+  const BuiltCase built = build(data);
+  EXPECT_TRUE(doubts(data, built).empty());
+  const Eigen::Vector3d& x = built.model.mesh.nodes[std::size_t(built.sensors.at(0).node)];
+  EXPECT_NEAR((x - Eigen::Vector3d(0.035355, 0.025, 0.035355)).norm(), 0, 1e-9);
+}
+
+// What a message would show as 5.00 mm is not refused as more than 5 mm.
+TEST(Doubts, hold_a_sensor_against_the_digits_that_are_shown) {
+  const auto wrong = [](const std::string& at) {
+    try {
+      doubts_of(bellows_with_sensor(at));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(wrong("[0, 15 mm, 50 mm]"), "");
+  EXPECT_EQ(wrong("[0, 14.996 mm, 50 mm]"), "");
+  EXPECT_NE(wrong("[0, 14.98 mm, 50 mm]").find("5.02 mm away"), std::string::npos)
+      << wrong("[0, 14.98 mm, 50 mm]");
+}
+
 TEST(Doubts, name_materials_that_no_part_uses) {
   expect_doubt(
       with(plate_case, "materials: {", "materials: {copper: {E: 120 GPa, nu: 0.3, rho: 8900}, "),

@@ -76,6 +76,36 @@ TEST(DrivenModes, a_force_and_the_acceleration_that_it_gives_are_one_level) {
   }
 }
 
+// Where the share of what slips grows as X^b, a Masing joint loses 4 c b / (2 + b) X^(2 + b) in a
+// cycle and softens by c X^b: d zeta = 4 / pi b / (2 + b) |df| / f, whatever share of the mode it
+// has (Segalman, J. Appl. Mech. 72, 2005).
+TEST(DrivenModes, what_a_joint_loses_goes_with_what_it_softens_as_masing_says) {
+  const CaseFile file = read_case(lap_folder + "lap_levels.yaml");
+  Measured m = read_measured(lap_folder + "measured.yaml");
+  const Nominal nominal = nominal_of(file.data, m);
+  const std::vector<Hypothesis> all = joint_friction().hypotheses(nominal.structure(m));
+  ASSERT_FALSE(all.empty());
+  m.modes.resize(1);
+  m.hold_out.clear();
+  for (const double b : {0.5, 1., 1.6}) {
+    const auto answer = [&](double acceleration) {
+      m.modes[0].acceleration = acceleration;
+      m.modes[0].force.reset();
+      const TestReadings readings = readings_of({.data = m, .responses = {}});
+      Eigen::VectorXd values(6); // ratio, share, slip, exponent, across, loss
+      values << 1, 0.5, 1e-2, b, 1, 1;
+      const auto y = Predictor(nominal, readings, {&all[0]})(values);
+      return std::pair{std::exp((*y)[0]), std::exp((*y)[1])}; // Hz, damping
+    };
+    const auto [stuck, least] = answer(1e-6);
+    const auto [hertz, zeta] = answer(20);
+    EXPECT_LT(hertz, stuck * (1 - 1e-7)) << "it softens";
+    EXPECT_NEAR((zeta - least) / (1 - hertz / stuck), 4 / std::numbers::pi * b / (2 + b),
+                0.02 * 4 / std::numbers::pi * b / (2 + b))
+        << b;
+  }
+}
+
 // The Brake-Reuss beam (cases/lap_levels says whose measurement it is): damping that
 // grows fourfold is friction in the lap, not damping of everything. By Masing's rule that softens,
 // too: -0.5 % of frequency over the levels, while the measured one falls by 0.3 % and rises again.

@@ -1,5 +1,7 @@
 // What the gap is made of: shares that add up, effects together, what is left.
 #include "changed_beam.hpp"
+#include "diagnose/account/gap_problem.hpp"
+#include "diagnose/account/ledger.hpp"
 #include "diagnose/account/named_effects.hpp"
 #include "model/description/case_path.hpp"
 
@@ -152,6 +154,51 @@ TEST(Ledger, shows_what_takes_the_place_of_an_effect_in_sets_that_explain_as_wel
   ASSERT_EQ(groups[1].size(), 2u);
   EXPECT_EQ(groups[1][0].name, "temperature");
   EXPECT_EQ(groups[1][1].name, "joint_stiffness");
+}
+
+// A beam that loses more stiffness than it has stands nowhere: what such draws would be is left
+// out, and the account is that of the others.
+TEST(Ledger, is_of_what_is_stable) {
+  Case softer = cantilever();
+  softer.materials["steel"].E *= 0.9;
+  const Measured m = test_of(softer);
+  const Case nominal_case = cantilever();
+  const TestData test{.data = m, .responses = {}};
+  const std::unique_ptr<GapProblem> problem = stated_gap(nominal_case, test, {});
+  const FitContext context = problem->context();
+  const Hypothesis lost{.effect = "lost stiffness",
+                        .place = "beam",
+                        .way = "",
+                        .parameters = {{"lost", "", {PriorKind::normal, 0, 1}}},
+                        .changes = {{.apply =
+                                         [](Model& model) {
+                                           for (BeamElement& b : model.beams)
+                                             for (double* k : {&b.section.EA, &b.section.EI_y,
+                                                               &b.section.EI_z, &b.section.GJ})
+                                               *k *= 2;
+                                         }}},
+                        .coefficients = [](const VectorXd& v) { return VectorXd(-v); }};
+  HypothesisFit fit = fit_of(context, {&lost});
+  ASSERT_TRUE(fit.solved);
+  EXPECT_NEAR(fit.values[0], 0.1, 0.02);
+  constexpr int draws = 40;
+  fit.draws = Eigen::MatrixXd::Constant(1, draws, fit.z[0]);
+  const HypothesisFit none = nominal_fit(context);
+  const Ledger stable = ledger_of(context, none, {{.fit = &fit}});
+  for (int k = 0; k < draws; k += 3) fit.draws(0, k) = 1.5;
+  const Ledger some = ledger_of(context, none, {{.fit = &fit}});
+  ASSERT_FALSE(some.rows.empty());
+  EXPECT_GT(some.rows[0].share, 0.9);
+  EXPECT_NEAR(some.rows[0].share, stable.rows[0].share, 1e-9);
+  EXPECT_NEAR(sum_of(some), 1, 1e-9);
+  const ShareDraws kept = share_draws(context, none, fit, draws);
+  EXPECT_GT(kept.z.cols(), 0);
+  EXPECT_LT(kept.z.cols(), draws);
+  EXPECT_LT(kept.z.maxCoeff(), 1);
+
+  fit.draws.setConstant(1.5);
+  const Ledger nothing = ledger_of(context, none, {{.fit = &fit}});
+  EXPECT_NEAR(sum_of(nothing), 1, 1e-9) << "nothing stands, and nothing is lost";
 }
 
 } // namespace
