@@ -115,6 +115,33 @@ TEST(Diagnose, calls_modulus_lowered_to_a_third_no_effect_it_knows) {
   EXPECT_GT(d.compensators.front().prior_sigmas, 50);
 }
 
+// Modes two to four of a beam that is so soft that the second lies where the first should: by one
+// factor all is met, of other modes than those that lie nearest.
+TEST(Diagnose, says_of_a_tempting_modulus_that_it_takes_modes_for_others) {
+  const Case nominal = cantilever();
+  Measured m;
+  m.specimen = nominal.name;
+  for (int order = 1; order <= 4; ++order)
+    m.modes.push_back(changed_beam::bending(Axis::z, order, ""));
+  const Eigen::VectorXd y = changed_beam::read_by(nominal, m);
+  const double factor = std::exp(2 * (y[0] - y[1]));
+  m.modes.clear();
+  for (int k = 1; k < 4; ++k) {
+    m.modes.push_back(changed_beam::bending(Axis::z, k, "", std::exp(y[k]) * std::sqrt(factor)));
+    m.modes.back().shape = MeasuredShape::other;
+  }
+  DiagnosisSettings settings;
+  settings.plan_next = false;
+  const Diagnosis d = diagnose(nominal, {.data = m, .responses = {}}, settings);
+  const auto modulus =
+      std::find_if(d.compensators.begin(), d.compensators.end(),
+                   [](const Compensator& c) { return c.on == FreeFactor::modulus; });
+  ASSERT_NE(modulus, d.compensators.end());
+  EXPECT_NEAR(modulus->factor / factor, 1, 0.05);
+  EXPECT_NE(modulus->contradicted_by.find("taken for another mode"), std::string::npos)
+      << modulus->contradicted_by;
+}
+
 TEST(Diagnose, is_the_same_every_time) {
   Case truth = cantilever();
   *number_at(truth, "parts.m1.mass") = 0.06;

@@ -354,13 +354,13 @@ std::optional<AffineModes> Predictor::modes(const VectorXd& values) const {
   return model(0).free.modes(acting(values, 0).all);
 }
 
-std::vector<int> Predictor::nominal_modes() const {
-  const Acting own = acting(VectorXd(), 0);
+std::vector<int> Predictor::nominal_modes(const VectorXd& values) const {
+  std::vector<std::optional<Acting>> own(seen_.size());
   std::vector<int> modes;
   std::vector<std::optional<StateAnswers>> answers(seen_.size());
   for (std::size_t i = 0; i < test_.readings.size(); ++i) {
     const std::size_t s = state_of_reading_[i];
-    if (!answers[s]) answers[s].emplace(answers_of(s, own));
+    if (!answers[s]) answers[s].emplace(answers_of(s, own[s].emplace(acting(values, s))));
     modes.push_back(answers[s]->nominal_mode(test_.readings[i]));
   }
   return modes;

@@ -100,8 +100,9 @@ public:
   std::optional<AffineModes> modes(const Eigen::VectorXd& values) const;
   const std::vector<int>& coordinates() const { return model(0).coordinates; }
 
-  // Of each reading in the nominal case, the number of the nominal mode it is of; -1 = none.
-  std::vector<int> nominal_modes() const;
+  // Of each reading, the number of the nominal mode that the mode is like which it is of; -1 =
+  // none.
+  std::vector<int> nominal_modes(const Eigen::VectorXd& values = {}) const;
 
   // The response of a channel to a run, at frequencies of one's own (linear hypotheses), per unit
   // of the input: for pictures.
