@@ -23,7 +23,7 @@ TEST(StageShare, goes_from_its_beginning_to_its_end_whatever_thread_works) {
 
 // Softer and heavier at once than the case says, and weighed: singles, sets, a next measurement.
 TEST(StageShare, of_a_whole_diagnosis_never_goes_back) {
-  Case nominal = changed_beam::beam_of(3, 0.6, 0.03, 0.005, true);
+  Case nominal = changed_beam::coarsely_meshed(changed_beam::beam_of(3, 0.6, 0.03, 0.005, true));
   changed_beam::add_masses(nominal);
   Case truth = nominal;
   std::get<PointMass>(truth.parts[3].body).mass = 0.2;

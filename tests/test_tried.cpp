@@ -56,13 +56,8 @@ const TriedHypothesis& best_of(const Diagnosis& d) {
 // which no effect does alone, that reading is let off and named.
 TEST(DoesNotFollow, is_said_of_the_mode_that_an_effect_does_not_explain) {
   using namespace changed_beam;
-  const Case nominal = beam_of(5, 0.5, 0.03, 0.01, true);
-  Case heavier = nominal;
-  PointMass mass;
-  mass.at = "beam.point[4]";
-  mass.mass = 0.12;
-  heavier.parts.push_back({"clamp", mass});
-  Measured m = before_and_after(nominal, heavier);
+  const Case nominal = coarsely_meshed(held_beam());
+  Measured m = before_and_after(nominal, with_a_clamp(nominal));
   const Diagnosis all_follow = diagnosis_of(nominal, m);
   EXPECT_TRUE(best_of(all_follow).aside.empty());
   constexpr std::size_t after = 5, second_in_z = 1;
