@@ -68,10 +68,10 @@ Hypothesis of_two_stiffnesses(const std::string& part, const EffectParameter& k,
 
 // A support all round a crown holds its turning too; one that touches softly does not. From a touch
 // to a pin: at three deviations it is some thousand times as stiff as the part.
-std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
+std::vector<Hypothesis> at_spots(const Structure& s) {
   std::vector<Hypothesis> found;
   const auto add = [&](const Spot& spot, const char* way, ModelChange unit) {
-    found.push_back({.effect = "extra_support",
+    found.push_back({.effect = {},
                      .place = spot.place,
                      .way = way,
                      .parameters = {{"k", "N/m", {PriorKind::log_normal, s.stiffness, 2.5}}},
@@ -93,43 +93,48 @@ std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
       add(spot, "on the mean motion",
           {.apply = {}, .on_motion = {on_mean_motion(spot.nodes, 0, 1)}});
   }
+  return found;
+}
+
+// Anywhere on a plate along its normal, anywhere on a line along each axis and along several.
+std::vector<Hypothesis> on_plates_and_lines(const Structure& s) {
   // From a touch, thousandths of the part's own stiffness, to a pin: beyond a hundred times that
   // the readings do not feel how stiff. Every power of ten alike, half of them pins.
   const double own = s.stiffness;
-  const Prior any{PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own};
-  const auto add_anywhere = [&](const std::string& part, const std::vector<EffectParameter>& place,
-                                const char* way, std::vector<MovingMotion> motions) {
-    found.push_back(anywhere(part, {"k", "N/m", any}, place, std::move(motions)));
-    found.back().effect = "extra_support";
-    found.back().way = way;
+  const EffectParameter k{
+      "k", "N/m", {PriorKind::log_normal, 100 * own, 20, 0.003 * own, 3e6 * own}};
+  std::vector<Hypothesis> found;
+  const auto add = [&](std::string way, Hypothesis h) {
+    h.way = std::move(way);
+    found.push_back(std::move(h));
   };
   for (const PlateGrid& grid : plate_grids(s))
-    add_anywhere(grid.part, grid.place(), "along the normal",
-                 {motion_on(s, grid, std::nullopt, MotionTerm::Of::spring)});
+    add("along the normal", anywhere(grid.part, k, grid.place(),
+                                     {motion_on(s, grid, std::nullopt, MotionTerm::Of::spring)}));
   for (const BeamPath& path : line_paths(s)) {
-    const auto along = [&](const char* way, const std::vector<Eigen::Vector3d>& axes) {
-      std::vector<MovingMotion> motions;
-      for (const Eigen::Vector3d& axis : axes)
-        motions.push_back(motion_along(s, path, axis, MotionTerm::Of::spring));
-      add_anywhere(path.part, path.place(), way, std::move(motions));
-    };
-    const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
-                          z = Eigen::Vector3d::UnitZ();
-    along("x", {x});
-    along("y", {y});
-    along("z", {z});
-    if (!sees_two_directions(s.measured)) continue;
-    along("all round", {x, y, z});
-    const auto [first, second] = across(s, path);
     const auto motion = [&](int axis) {
       return motion_along(s, path, Eigen::Vector3d::Unit(axis), MotionTerm::Of::spring);
     };
-    found.push_back(of_two_stiffnesses(path.part, {"k", "N/m", any}, path.place(), motion(first),
-                                       motion(second)));
-    found.back().effect = "extra_support";
-    found.back().way = fmt::format("{} and {}", axis_word(first), axis_word(second));
+    const auto along = [&](std::vector<MovingMotion> motions) {
+      return anywhere(path.part, k, path.place(), std::move(motions));
+    };
+    add("x", along({motion(0)}));
+    add("y", along({motion(1)}));
+    add("z", along({motion(2)}));
+    if (!sees_two_directions(s.measured)) continue;
+    add("all round", along({motion(0), motion(1), motion(2)}));
+    const auto [first, second] = across(s, path);
+    add(fmt::format("{} and {}", axis_word(first), axis_word(second)),
+        of_two_stiffnesses(path.part, k, path.place(), motion(first), motion(second)));
   }
   return found;
+}
+
+std::vector<Hypothesis> extra_support_hypotheses(const Structure& s) {
+  std::vector<Hypothesis> all = at_spots(s);
+  for (Hypothesis& h : on_plates_and_lines(s)) all.push_back(std::move(h));
+  for (Hypothesis& h : all) h.effect = "extra_support";
+  return all;
 }
 
 } // namespace
