@@ -10,13 +10,28 @@ const check = join(process.env.SOURCE, 'tests/check_includes.mjs');
 const checked = (sources, build) =>
   spawnSync(process.execPath, [check, sources, build], { encoding: 'utf8' });
 
-// A tree of three rooms, `upper` and `lower/nested` on `lower`; files as path: included paths.
+// A tree of three rooms, `upper` and `lower/nested` on `lower`, and of what stands above them: a
+// program on `upper`, a mesher on `lower`, an engine on what it shares with the program, tests on
+// all, sealed ones on `lower` alone; files as path: included paths.
+const lists = {
+  app: 'add_library(shared a.cpp)\ntarget_link_libraries(shared PUBLIC plica::upper)\n' +
+    'add_executable(plica main.cpp) # target_link_libraries(plica PRIVATE mesher)\n' +
+    'target_link_libraries(plica PRIVATE shared)\n',
+  mesher: 'add_library(mesher_text STATIC)\ntarget_link_libraries(mesher_text\n  PRIVATE plica::lower fmt::fmt)\n',
+  engine: 'add_executable(plica-mpi main.cpp)\ntarget_link_libraries(plica-mpi PRIVATE shared)\n',
+  bench: 'add_executable(bench bench.cpp)\ntarget_link_libraries(bench PRIVATE plica::lower)\n',
+  tests: 'add_library(support STATIC a.cpp)\nadd_executable(all b.cpp)\nforeach(one all)\n' +
+    '  target_link_libraries(${one} PRIVATE support mesher_text shared)\nendforeach()\n',
+  'tests/sealed': 'add_executable(sealed main.cpp)\ntarget_link_libraries(sealed PRIVATE support plica::lower)\n',
+};
 function tree(files, t) {
   const root = mkdtempSync(join(tmpdir(), 'plica-includes-'));
   t.after(() => rmSync(root, { recursive: true }));
   writeFileSync(join(root, 'rooms.txt'),
     'lower plica::lower Eigen3::Eigen\nlower/nested plica::nested plica::lower\nupper plica::upper plica::lower\n');
-  for (const folder of ['lower', 'lower/nested', 'upper', 'app', 'mesher', 'engine']) mkdirSync(join(root, folder, 'inner'), { recursive: true });
+  for (const folder of ['lower', 'lower/nested', 'upper', ...Object.keys(lists)])
+    mkdirSync(join(root, folder, 'inner'), { recursive: true });
+  for (const [folder, list] of Object.entries(lists)) writeFileSync(join(root, folder, 'CMakeLists.txt'), list);
   for (const [path, included] of Object.entries(files))
     writeFileSync(join(root, path), included.map((other) => `#include "${other}"\n`).join(''));
   return checked(root, root);
@@ -44,6 +59,20 @@ test('takes a nested room for its own', (t) => {
   const across = tree({ 'upper/a.cpp': ['lower/nested/b.hpp'] }, t);
   assert.equal(across.status, 1);
   assert.match(across.stdout, /upper\/a\.cpp:1: upper does not link lower\/nested: lower\/nested\/b\.hpp/);
+});
+
+test('holds what stands above the rooms to what its targets link', (t) => {
+  const linked = tree({ 'engine/main.cpp': ['app/a.hpp', 'upper/a.hpp'], 'mesher/a.cpp': ['lower/b.hpp'],
+    'tests/b.cpp': ['mesher/a.hpp', 'app/a.hpp', 'c.hpp'], 'tests/c.hpp': ['lower/b.hpp'],
+    'tests/sealed/main.cpp': ['tests/c.hpp', 'inner/d.hpp'], 'tests/sealed/inner/d.hpp': ['../main.hpp'],
+    'tests/sealed/main.hpp': [] }, t);
+  assert.equal(linked.status, 0, linked.stdout);
+  const unlinked = tree({ 'app/main.cpp': ['mesher/a.hpp'], 'mesher/a.cpp': ['upper/a.hpp'],
+    'bench/bench.cpp': ['app/a.hpp'], 'tests/sealed/main.cpp': ['upper/a.hpp'] }, t);
+  assert.equal(unlinked.status, 1);
+  for (const breach of ['app/main.cpp:1: app does not link mesher', 'mesher/a.cpp:1: mesher does not link upper',
+    'bench/bench.cpp:1: bench does not link app', 'tests/sealed/main.cpp:1: tests/sealed does not link upper'])
+    assert.ok(unlinked.stdout.includes(breach), unlinked.stdout);
 });
 
 test('prints a ring of files, a header and its source being one', (t) => {
