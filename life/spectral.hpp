@@ -40,14 +40,15 @@ struct SpectralMoments {
 Eigen::VectorXd moment_weights(const Eigen::VectorXd& hertz, double n);
 
 // Exact for a density that is straight between its lines. `hertz` increasing, from 0 on; density in
-// Pa^2/Hz, >= 0. Throws std::invalid_argument.
+// Pa^2/Hz, >= 0. For those who have a density; runs weigh shapes of stress (moment_weights). Throws
+// std::invalid_argument.
 SpectralMoments spectral_moments(const Eigen::VectorXd& hertz, const Eigen::VectorXd& density);
 
 // Cycles per second and Pa of amplitude.
 double cycle_density(SpectralMethod method, const SpectralMoments& moments, double amplitude);
 
 // Expected sum of amplitude^k over the cycles of one second, Pa^k / s: over C, the damage by N = C
-// / s^k. In closed form.
+// / s^k. In closed form, for those whose curve is one power law; runs take damage_rate.
 double power_rate(SpectralMethod method, const SpectralMoments& moments, double k);
 
 // Miner's sum of one second, cycles of zero mean, by numerical integration over amplitudes up to 40

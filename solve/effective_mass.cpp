@@ -42,11 +42,6 @@ FreeMass free_mass(const Model& model, const DofMap& map, const std::vector<int>
   return result;
 }
 
-Eigen::MatrixXd effective_masses(const FreeMass& free, const SparseMatrix& M,
-                                 const Eigen::MatrixXd& Phi) {
-  return (Phi.transpose() * symmetric_product(M, free.R)).array().square();
-}
-
 double total_mass(const Model& model) {
   double mass = 0;
   for_each_mass(model, [&](const auto&, const auto& M) {

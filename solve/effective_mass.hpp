@@ -36,8 +36,4 @@ struct CentralMass {
 CentralMass refer_to_centre(const Eigen::Matrix<double, 6, 6>& about_origin,
                             Eigen::MatrixXd& participation);
 
-// One row of six per mode.
-Eigen::MatrixXd effective_masses(const FreeMass& free, const SparseMatrix& M,
-                                 const Eigen::MatrixXd& Phi);
-
 } // namespace plica

@@ -35,6 +35,11 @@ MatrixXd all_modes(const System& system) {
          mu.tail(with_mass).reverse().cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
+// One row of six per mode.
+MatrixXd effective_masses(const FreeMass& free, const SparseMatrix& M, const MatrixXd& Phi) {
+  return (Phi.transpose() * symmetric_product(M, free.R)).array().square();
+}
+
 // Clamped bar of 60 elements, shear rigid, without rotary inertia; length 2, 3 kg/m.
 Model cantilever() {
   Model model;

@@ -5,7 +5,7 @@
 //   (f2 - f1) / (2 f_peak)     +0.02 % at 1 %, +0.50 % at 5 %, +2.1 % at 10 %, +9.1 % at 20 %
 //
 // of the damping, and by more where a neighbour is near or fewer than five lines lie within the
-// bandwidth. `half_power_bias` gives the exact error.
+// bandwidth.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,10 +23,5 @@ struct PickedPeak {
 // than `floor` times the highest, by frequency.
 std::vector<PickedPeak> pick_peaks(const Eigen::VectorXd& hertz, const Eigen::VectorXd& magnitude,
                                    double prominence = 1.4, double floor = 0.01);
-
-// The three formulas in use, of the half-power frequencies of a receptance, relative to the true
-// damping, minus one: (f2 - f1)/(2 f_peak), (f2 - f1)/(2 f_n), (f2^2 - f1^2)/(4 f_n^2).
-enum class HalfPowerFormula { by_peak, by_natural, by_squares };
-double half_power_bias(double damping, HalfPowerFormula formula = HalfPowerFormula::by_peak);
 
 } // namespace plica

@@ -23,8 +23,9 @@ struct SineLine {
   Eigen::VectorXd residual;   // per channel: RMS of what no harmonic explains / RMS of the signal
 };
 
-// Fit of one frequency over all samples. Throws std::invalid_argument when the samples are too few
-// or the highest harmonic lies above half the sampling rate.
+// Fit of one frequency over all samples, for those who know it; Plica itself tracks. Throws
+// std::invalid_argument when the samples are too few or the highest harmonic lies above half the
+// sampling rate.
 SineLine fit_sine(const Eigen::MatrixXd& samples, double rate, double hertz, int harmonics);
 
 struct SineTracking {

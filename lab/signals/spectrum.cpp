@@ -30,14 +30,6 @@ double noise_bandwidth(const VectorXd& w) {
   return double(w.size()) * w.squaredNorm() / std::pow(w.sum(), 2);
 }
 
-double amplitude_correction(const VectorXd& w) {
-  return double(w.size()) / w.sum();
-}
-
-double energy_correction(const VectorXd& w) {
-  return std::sqrt(double(w.size()) / w.squaredNorm());
-}
-
 namespace {
 
 int hop_of(const WelchSettings& s) {
@@ -136,10 +128,6 @@ VectorXd band_rms(const VectorXd& hertz, const MatrixXd& density, double low, do
     if (width > 0) square += width * density.row(f).transpose();
   }
   return square.cwiseSqrt();
-}
-
-double peak_bias(double noise_bandwidth_hertz, double frequency, double damping) {
-  return -std::pow(noise_bandwidth_hertz / (2 * damping * frequency), 2) / 3;
 }
 
 } // namespace plica

@@ -18,11 +18,8 @@ enum class Window { rectangular, hann, hamming, flat_top };
 // Periodic: w_n = w(n / N), n = 0 .. N-1.
 Eigen::VectorXd window_samples(Window window, int length);
 
-// Of a window: noise bandwidth in bins, N sum w^2 / (sum w)^2; the factors that restore the
-// amplitude of a sine, N / sum w, and the RMS of noise, sqrt(N / sum w^2).
+// Of a window, in bins: N sum w^2 / (sum w)^2.
 double noise_bandwidth(const Eigen::VectorXd& w);
-double amplitude_correction(const Eigen::VectorXd& w);
-double energy_correction(const Eigen::VectorXd& w);
 
 struct WelchSettings {
   int block = 1024;     // samples; 0 = usual_block()
@@ -61,9 +58,5 @@ Spectra welch(const Eigen::MatrixXd& samples, double rate, const std::vector<int
 // the parts of lines at the ends).
 Eigen::VectorXd band_rms(const Eigen::VectorXd& hertz, const Eigen::MatrixXd& density, double low,
                          double high);
-
-// Bias of the peak of a resonance's density by the width of a line, relative: -(B_e / B_r)^2 / 3
-// with the half-power bandwidth B_r = 2 zeta f (Bendat and Piersol, eq. 8.141).
-double peak_bias(double noise_bandwidth_hertz, double frequency, double damping);
 
 } // namespace plica

@@ -58,20 +58,6 @@ std::vector<PipeStretch> pipe_stretches(const EquivalentPipe& pipe, const Materi
   return stretches;
 }
 
-PipeStiffness pipe_stiffness(const std::vector<PipeStretch>& stretches) {
-  double axial = 0, torsion = 0; // compliances
-  for (const PipeStretch& s : stretches) {
-    double EA = 0, GJ = 0;
-    for (const BeamProperties& layer : s.layers) {
-      EA += layer.EA;
-      GJ += layer.GJ;
-    }
-    axial += (s.to - s.from) / EA;
-    torsion += (s.to - s.from) / GJ;
-  }
-  return {1 / axial, 1 / torsion};
-}
-
 Matrix6 connector_law(const ConnectorSpring& s) {
   Matrix6 law = Matrix6::Zero();
   const double along = s.axial_curve.empty() ? s.axial : stiffness_at_rest(s.axial_curve);

@@ -30,12 +30,6 @@ struct PipeStretch {
 
 std::vector<PipeStretch> pipe_stretches(const EquivalentPipe& pipe, const Material& material);
 
-// Stiffness between the ends, rigid in shear: the stretches in series.
-struct PipeStiffness {
-  double axial = 0, torsion = 0;
-};
-PipeStiffness pipe_stiffness(const std::vector<PipeStretch>& stretches);
-
 // Force and moment by the relative motion of the two nodes of a connector; columns ux uy uz rx ry
 // rz, the pipe along y; of a tabulated force the slope at rest.
 Matrix6 connector_law(const ConnectorSpring& spring);
