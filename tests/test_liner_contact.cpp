@@ -3,6 +3,7 @@
 #include "run/study/match_modes.hpp"
 #include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,36 @@ TEST(LinerContact, rubs_on_the_wall) {
   const auto laws = laws_in(leaning(2e4, true), built.joints);
   ASSERT_TRUE(laws && laws->size() == 3U);
   EXPECT_NEAR(laws->front().stuck_stiffness(), 3e4, 1e-6);
+}
+
+// Where the ends of the bellows are roots, its own ends are tied there.
+TEST(LinerContact, has_places_of_its_own) {
+  Case data = halves_with_liner(2e3, LinerContact{.axial = 1e5, .lateral = 1e5});
+  bellows_of(data).profile = {bellows_of(data).profile.front()};
+  bellows_of(data).profile.front().count = 1;
+  Interlock& liner = std::get<Interlock>(data.parts.back().body);
+  for (const auto& [attachment, stations] :
+       {std::pair{Attachment::synchronous, 0}, {Attachment::stations, 2}}) {
+    liner.attachment = attachment;
+    liner.stations = stations;
+    EXPECT_NE(
+        keyed_error_of([&] { build(data); }).find("parts.liner.contact: leans on the wall at "),
+        std::string::npos)
+        << stations;
+  }
+}
+
+// Coils that hang on all four springs hold without stiffness between them.
+TEST(LinerContact, holds_coils_that_nothing_joins) {
+  Case data = halves_with_liner(
+      0, LinerContact{.axial = 1e5, .lateral = 1e5, .bending = 10, .torsion = 10});
+  data.analyses.modes = Modes{.count = 6};
+  Interlock& liner = std::get<Interlock>(data.parts.back().body);
+  liner.attachment = Attachment::synchronous;
+  liner.EI = liner.GJ = 0;
+  const Results r = run_silently(data);
+  EXPECT_TRUE(r.verification.passed) << r.verification.reason;
+  EXPECT_GT(r.modes.at(0).frequency, 10);
 }
 
 // On a finer mesh a mode is found again by its shape, in which wall and liner move against each

@@ -55,6 +55,33 @@ TEST(ThicknessOverWalls, is_a_field_of_the_stated_size_where_it_is_stated) {
   EXPECT_NEAR(std::sqrt(square.mean()), field, 1e-9);
 }
 
+// Of few elements as well, down to one, whose thickness is one number.
+TEST(ThicknessOverWalls, is_there_on_a_coarse_mesh) {
+  constexpr double field = 0.03;
+  for (const std::array<int, 2>& elements : {std::array{1, 1}, {2, 1}, {1, 2}, {3, 1}}) {
+    Case c = supported_plate(field);
+    std::get<Plate>(c.parts[0].body).elements = elements;
+    c.supports.resize(1); // one side of it free
+    const BuiltCase built = build(c);
+    const Measured none;
+    std::vector<Hypothesis> own = scatter({.data = c, .built = built, .measured = none});
+    std::erase_if(own, [](const Hypothesis& h) { return h.effect != "thickness field"; });
+    ASSERT_FALSE(own.empty()) << elements[0] << elements[1];
+    double square = 0;
+    for (const Hypothesis& h : own) {
+      Model changed = built.model;
+      h.changes[1].apply(changed);
+      for (std::size_t q = 0; q < changed.mesh.quads.size(); ++q)
+        square +=
+            std::pow(changed.mesh.quads[q].thickness[0] / built.model.mesh.quads[q].thickness[0] -
+                         1,
+                     2) /
+            4;
+    }
+    EXPECT_NEAR(std::sqrt(square / double(built.model.mesh.quads.size())), field, 1e-9);
+  }
+}
+
 // Rayleigh's quotient of the first mode sin(pi x / a) sin(pi y / b) of Navier's plate, by a
 // relative field f of thickness: bending goes with 1 + 3 f, mass with 1 + f.
 double slope_in_closed_form(const std::function<double(double, double)>& f) {

@@ -45,6 +45,14 @@ TEST(Twins, two_masses_on_a_beam_are_named_where_they_are) {
     EXPECT_GE(e.parameters[1].interval[1], at) << d.headline;
     EXPECT_NEAR(e.parameters[1].value, at, 0.02) << d.headline;
   }
+  // What is said of the fit is of the same places.
+  ASSERT_TRUE(d.best.has_value());
+  const TriedHypothesis& best = d.tried[*d.best];
+  ASSERT_EQ(best.effects.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_NEAR(best.effects[k].parameters[1].value, d.effects[k].parameters[1].value, 0.01);
+  EXPECT_NEAR(best.gap_after, d.gap.after, 1e-9);
+  EXPECT_LT(d.gap.after, 0.03 * d.gap.before) << "of percents, a hundredth is left";
 }
 
 TEST(Twins, one_mass_on_a_beam_is_no_two) {

@@ -33,8 +33,11 @@ std::vector<double*> numbers_of(BeamProperties& section, JointDirection motion) 
   return {};
 }
 
-double largest_translation(const BushingElement& b) {
-  return b.bushing.law.diagonal().head<3>().maxCoeff();
+// The largest in a translation; of a joint that turns alone, as a path at a lever.
+double largest(const BushingElement& b, double lever) {
+  const auto k = b.bushing.law.diagonal();
+  const double moving = k.head<3>().maxCoeff();
+  return moving > 0 ? moving : k.tail<3>().maxCoeff() / (lever * lever);
 }
 
 } // namespace
@@ -57,7 +60,7 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
     if (fixtures.contains(model.bushings[i].node2)) continue; // for a sensor to sit on
     JointGroup& group = group_of(model.bushings[i].component);
     group.bushings.push_back(int(i));
-    const double own = largest_translation(model.bushings[i]);
+    const double own = largest(model.bushings[i], lever_of(s));
     group.beside = lean.contains(group.place);
     group.stiffness = group.beside ? group.stiffness + own : std::max(group.stiffness, own);
   }

@@ -29,6 +29,8 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
     return motion == JointDirection::all || motion == own;
   };
   if (is_at_cap(place)) {
+    if (cap_named(now, cap_of(place))->friction)
+      return {}; // stuck, its springs are more than these
     Sextuple k = cap_named(now, cap_of(place))->stiffness.value_or(stand_in.springs);
     constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
                                 JointDirection::lateral, JointDirection::bending,
@@ -38,6 +40,7 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
     return {{place + ".stiffness", yaml_of(k)}};
   }
   if (const auto [liner, contact] = contact_at(now, place); contact) {
+    if (contact->friction) return {};
     const std::string path = part_key(liner) + ".contact.";
     if (bears(JointDirection::axial)) scale(edits, path + "axial", contact->axial, factor);
     if (bears(JointDirection::lateral)) scale(edits, path + "lateral", contact->lateral, factor);

@@ -229,11 +229,39 @@ std::vector<VectorXd> throughout(const Hypothesis& h) {
   return all;
 }
 
+// Places for two of one effect on one part: where one of them lies best alone is where neither need
+// be, so both are tried throughout, at sizes of either. `start`: of the other members.
+void try_pairs(const VectorXd& start, const std::vector<const Hypothesis*>& together,
+               Search& search) {
+  const Hypothesis& h = *together.back();
+  const Index size = Index(h.parameters.size()), last = start.size() - size;
+  Index first = 0;
+  for (std::size_t member = 0; together[member] != &h; ++member)
+    first += Index(together[member]->parameters.size());
+  const int stations = h.along.size() == 1 ? 12 : 4;
+  const int places = h.along.size() == 1 ? stations : stations * stations;
+  const auto put = [&](VectorXd& z, Index member, int place) {
+    for (const std::size_t parameter : h.along) {
+      z[member + Index(parameter)] = normal_quantile((place % stations + 0.5) / stations);
+      place /= stations;
+    }
+  };
+  for (int i = 0; i < places; ++i)
+    for (int j = 0; j < places; ++j) {
+      if (i == j) continue;
+      for (const auto& [one, other] : {std::pair{-0.5, -0.5}, {-0.5, 0.7}, {0.7, 0.7}}) {
+        VectorXd there = start;
+        there.segment(first, size).setConstant(one);
+        there.segment(last, size).setConstant(other);
+        put(there, first, i);
+        put(there, last, j);
+        search.try_from(there);
+      }
+    }
+}
+
 // A start, and others with the last of its hypotheses larger, smaller and elsewhere on its part.
-// What is there once already begins throughout its part, at several sizes.
-void try_around(const VectorXd& start, const std::vector<const Hypothesis*>& together,
-                Search& search) {
-  const Hypothesis& last = *together.back();
+void try_around(const VectorXd& start, const Hypothesis& last, Search& search) {
   const Index first = start.size() - Index(last.parameters.size());
   constexpr std::array away{0., -1.5, 1.5};
   for (double z : away) {
@@ -241,12 +269,6 @@ void try_around(const VectorXd& start, const std::vector<const Hypothesis*>& tog
     if (first < start.size()) there[first] += z;
     search.try_from(there);
   }
-  if (ends_with_twin(together))
-    for (const VectorXd& own : throughout(last)) {
-      VectorXd there = start;
-      there.tail(own.size()) = own;
-      search.try_from(there);
-    }
   const std::size_t each = last.along.empty() ? 1 : away.size();
   for (std::size_t i = 1; i < (last.along.size() == 2 ? each * each : each); ++i) {
     VectorXd there = start;
@@ -268,7 +290,11 @@ HypothesisFit fit_of(const FitContext& context, const std::vector<const Hypothes
   std::size_t refined = p > 1 ? 3 : 2;
   double apart = 0.8; // in standard deviations of the priors
   if (start.size() == p) {
-    try_around(start, together, search);
+    try_around(start, *together.back(), search);
+    if (ends_with_twin(together)) {
+      try_pairs(start, together, search);
+      refined = 8;
+    }
   } else if (together.size() == 1 && !together[0]->along.empty()) {
     for (const VectorXd& there : throughout(*together[0])) search.try_from(there);
     refined = 10;

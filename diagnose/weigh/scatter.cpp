@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -111,6 +112,13 @@ bool has_tolerance_at(const Structure& s, const std::string& place, const std::s
   });
 }
 
+// Of a liner, or of what it leans on.
+bool has_stated_stiffness(const Structure& s, const std::string& joint) {
+  constexpr std::array numbers{".EA", ".axial", ".lateral", ".bending", ".torsion"};
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [&](const char* number) { return has_tolerance_at(s, joint, number); });
+}
+
 void add_material(std::vector<Hypothesis>& all, bool modulus_known, bool density_known) {
   if (!modulus_known)
     all.push_back(varying("modulus", "all", scatters::modulus, [](Model& m) {
@@ -187,8 +195,7 @@ void add_masses(std::vector<Hypothesis>& all, const Structure& s) {
     all.push_back(std::move(h));
   }
   for (const JointGroup& group : joint_groups(s))
-    if (group.present && !group.rigid && !has_tolerance_at(s, group.place, ".EA") &&
-        !has_tolerance_at(s, group.place, ".axial"))
+    if (group.present && !group.rigid && !has_stated_stiffness(s, group.place))
       all.push_back(varying("joint", group.place, scatters::joints,
                             [group](Model& m) { scale_group(m, group, 1 + step); }));
 }

@@ -88,7 +88,7 @@ MatrixXd rows_of(const std::vector<Eigen::Vector3d>& points) {
 Sheet sheet_of(const Model& model, const std::string& part) {
   Sheet sheet{.part = part, .quads = {}, .triangles = {}, .at = {}, .area = {}};
   std::vector<Eigen::Vector3d> middles, corners;
-  std::vector<double> areas;
+  std::vector<double> areas, at_corners;
   const auto add = [&](std::vector<int>& own, const auto& shells) {
     for (std::size_t i = 0; i < shells.size(); ++i) {
       const int component = model.shells[std::size_t(shells[i].section)].component;
@@ -97,22 +97,26 @@ Sheet sheet_of(const Model& model, const std::string& part) {
       const auto [middle, area] = middle_and_area(model.mesh, shells[i].nodes);
       middles.push_back(middle);
       areas.push_back(area);
-      for (int node : shells[i].nodes) corners.push_back(model.mesh.nodes[std::size_t(node)]);
+      for (int node : shells[i].nodes) {
+        corners.push_back(model.mesh.nodes[std::size_t(node)]);
+        at_corners.push_back(area / double(shells[i].nodes.size()));
+      }
     }
   };
   add(sheet.quads, model.mesh.quads);
   add(sheet.triangles, model.mesh.triangles);
   if (middles.empty()) return sheet;
   sheet.area = Eigen::Map<const VectorXd>(areas.data(), std::ssize(areas));
-  const MatrixXd x = rows_of(middles);
-  const Eigen::RowVector3d centre = sheet.area.transpose() * x / sheet.area.sum();
+  const MatrixXd x = rows_of(corners);
+  const VectorXd share = Eigen::Map<const VectorXd>(at_corners.data(), x.rows());
+  const Eigen::RowVector3d centre = share.transpose() * x / share.sum();
   const MatrixXd from_centre = x.rowwise() - centre;
-  const Eigen::Matrix3d spread = from_centre.transpose() * sheet.area.asDiagonal() * from_centre;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
+      Eigen::Matrix3d(from_centre.transpose() * share.asDiagonal() * from_centre));
   const Eigen::Matrix<double, 3, 2> longest = axes.eigenvectors().rowwise().reverse().leftCols<2>();
-  const MatrixXd all = rows_of(corners) * longest;
+  const MatrixXd all = x * longest;
   const Eigen::RowVector2d low = all.colwise().minCoeff(), range = all.colwise().maxCoeff() - low;
-  sheet.at = ((x * longest).rowwise() - low).array().rowwise() / range.array();
+  sheet.at = ((rows_of(middles) * longest).rowwise() - low).array().rowwise() / range.array();
   return sheet;
 }
 

@@ -81,6 +81,10 @@ void check(const std::string& key, const Bellows& b, const Case& data, CheckLog&
     log.add(key + ".mesh.waves", "stands beside counts", "give it with an accuracy");
 }
 
+bool holds_all(const LinerContact& c) {
+  return c.axial > 0 && c.lateral > 0 && c.bending > 0 && c.torsion > 0;
+}
+
 void check_contact(const std::string& key, const Interlock& i, CheckLog& log) {
   const std::string at = key + ".contact";
   const LinerContact& c = *i.contact;
@@ -95,6 +99,7 @@ void check(const std::string& key, const Interlock& i, const Case& data, CheckLo
   const std::vector<std::string> bellows = bellows_names(data);
   log.reference(key + ".along", "bellows", i.along, bellows);
   if (i.contact) check_contact(key, i, log);
+  if (i.attachment == Attachment::synchronous && i.contact && holds_all(*i.contact)) return;
   if ((i.attachment == Attachment::synchronous && !i.contact) || !log.fine(key)) return;
   // Its coils hang on the places where it is tied.
   const bool slides = i.attachment == Attachment::stations && i.friction && !i.contact;
@@ -102,8 +107,9 @@ void check(const std::string& key, const Interlock& i, const Case& data, CheckLo
     log.add(key,
             i.contact ? "leans on the wall but has no stiffness of its own"
                       : "is tied at single places but has no stiffness of its own",
-            i.contact ? "give EA, EI and GJ above 0"
-                      : "give EA, EI and GJ above 0, or attachment: synchronous");
+            i.contact
+                ? "give EA, EI and GJ above 0, or all four springs and attachment: synchronous"
+                : "give EA, EI and GJ above 0, or attachment: synchronous");
   if (i.attachment == Attachment::synchronous || !log.fine("caps") ||
       std::find(bellows.begin(), bellows.end(), i.along) == bellows.end())
     return; // its ends follow the circles there
@@ -156,6 +162,8 @@ void check(const std::string& key, const DeckPart& d, const Case&, CheckLog& log
             ".inp of Abaqus, or .bdf, .dat, .nas, .fem of Nastran");
   else if (log.fine(key + ".file") && !d.content)
     log.add(key + ".file", "there is no file " + d.file, "a path from the folder of the case");
+  if (d.content && d.thickness_field.value_or(0) > 0 && d.content->shells.empty())
+    log.add(key + ".thickness_field", "is of walls, and the deck has none", "leave it out");
 }
 
 void check(const std::string& key, const BeamPart& b, const Case& data, CheckLog& log) {

@@ -141,6 +141,11 @@ void add_liner(Building& b, const std::string& name, const Interlock& liner) {
       const Vector3d centre = centroid(b.built.model.mesh, circle);
       return (centre - left).norm() < 1e-9 || (centre - right).norm() < 1e-9;
     });
+    if (liner.contact && (circles.empty() || std::ssize(circles) < liner.stations))
+      input_error(part_key(name) + ".contact",
+                  "leans on the wall at " + std::to_string(circles.size()) +
+                      " places only: at the ends of the bellows its own ends are tied",
+                  "fewer stations, or cuffs between the ends and the convolutions");
     const std::vector<int> tied = tied_nodes(b, name, liner, circles);
     nodes.insert(nodes.end(), tied.begin(), tied.end());
   }

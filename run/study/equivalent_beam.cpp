@@ -207,7 +207,10 @@ public:
     EquivalentPipe pipe = pipe_of(shells, b, m);
     if (own_.liner) {
       pipe.inner = layer_of(*own_.liner, shells.convoluted);
-      if (own_.liner->attachment != Attachment::synchronous || own_.liner->contact)
+      if (own_.liner->contact)
+        remarks_.push_back("the liner leans on the bellows by springs; in the simple models it "
+                           "follows it rigidly");
+      else if (own_.liner->attachment != Attachment::synchronous)
         remarks_.push_back("the liner is tied to the bellows at some places only; in the simple "
                            "models it follows it everywhere");
     }
