@@ -94,6 +94,10 @@ private:
       Residual r = f_(x, p);
       if (!r.value.allFinite()) return 0;
       if (relative(r, x) < settings_.tolerance) {
+        // Far off the way along the tangent lies another part of the curve: across a peak, not on
+        // it.
+        constexpr double near = 4;
+        if (std::hypot((x - x_).norm() / size_, (p - p_) / range_) > near * length) return 0;
         x_ = x;
         p_ = p;
         here_ = std::move(r);
