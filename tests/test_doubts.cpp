@@ -96,7 +96,7 @@ sensors: [{name: a, at: )" +
 
 TEST(Doubts, name_a_sensor_beside_an_end_circle) {
   EXPECT_TRUE(doubts_of(bellows_with_sensor("[0, 20 mm, 50 mm]")).empty());
-  expect_doubt(bellows_with_sensor("[0, 20 mm, 54 mm]"), "sensor a is 3.85 mm off the part");
+  expect_doubt(bellows_with_sensor("[0, 20 mm, 54 mm]"), "sensor a is 3.8 mm off the part");
 }
 
 // Between two of twelve nodes around, on the wall: it sits there.
