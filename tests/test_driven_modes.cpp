@@ -78,7 +78,8 @@ TEST(DrivenModes, a_force_and_the_acceleration_that_it_gives_are_one_level) {
 
 // Where the share of what slips grows as X^b, a Masing joint loses 4 c b / (2 + b) X^(2 + b) in a
 // cycle and softens by c X^b: d zeta = 4 / pi b / (2 + b) |df| / f, whatever share of the mode it
-// has (Segalman, J. Appl. Mech. 72, 2005).
+// has (Segalman, J. Appl. Mech. 72, 2005). Sliders are discrete: from one to the next it holds
+// within a tenth, on the mean of three levels within 4 %.
 TEST(DrivenModes, what_a_joint_loses_goes_with_what_it_softens_as_masing_says) {
   const CaseFile file = read_case(lap_folder + "lap_levels.yaml");
   Measured m = read_measured(lap_folder + "measured.yaml");
@@ -97,12 +98,17 @@ TEST(DrivenModes, what_a_joint_loses_goes_with_what_it_softens_as_masing_says) {
       const auto y = Predictor(nominal, readings, {&all[0]})(values);
       return std::pair{std::exp((*y)[0]), std::exp((*y)[1])}; // Hz, damping
     };
-    const auto [stuck, least] = answer(1e-5);
-    const auto [hertz, zeta] = answer(20);
-    EXPECT_LT(hertz, stuck * (1 - 1e-7)) << "it softens";
-    EXPECT_NEAR((zeta - least) / (1 - hertz / stuck), 4 / std::numbers::pi * b / (2 + b),
-                0.02 * 4 / std::numbers::pi * b / (2 + b))
-        << b;
+    const auto [stuck, least] = answer(1e-7);
+    const double expected = 4 / std::numbers::pi * b / (2 + b);
+    double mean = 0;
+    for (const double acceleration : {15., 30., 60.}) {
+      const auto [hertz, zeta] = answer(acceleration);
+      ASSERT_LT(hertz, stuck * (1 - 1e-6)) << "it softens";
+      const double own = (zeta - least) / (1 - hertz / stuck);
+      EXPECT_NEAR(own / expected, 1, 0.1) << b << ", " << acceleration;
+      mean += own / expected / 3;
+    }
+    EXPECT_NEAR(mean, 1, 0.04) << b;
   }
 }
 
