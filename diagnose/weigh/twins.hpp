@@ -2,8 +2,8 @@
 // places.
 //
 // Which of them is the first nothing says. The order is that of their places at the optimum, so
-// that each has an interval of its own. Laplace's ln Z counts one of the two orders, chains that swap
-// count both: ln 2 more at most.
+// that each has an interval of its own. Laplace's ln Z counts one of the two orders, chains that
+// swap count both: ln 2 more at most.
 #pragma once
 
 #include "diagnose/weigh/hypothesis_fit.hpp"
