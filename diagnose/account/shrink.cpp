@@ -52,7 +52,7 @@ GapShrink with_interval(const VectorXd& before, const std::vector<VectorXd>& aft
     }
     if (b > 0) shrinks.push_back(1 - std::sqrt(a / b));
   }
-  g.interval = interval_of(std::move(shrinks));
+  g.interval = interval_of(shrinks);
   return g;
 }
 
