@@ -23,14 +23,21 @@ std::vector<double> loaded(Axis axis, const std::vector<std::pair<double, double
   return beam_roots::frequencies(beam, 6, 6);
 }
 
-// 300 g at 0.247 m and 150 g at 0.553 m, on 1.7 kg. Four numbers ask for twelve readings.
-TEST(Twins, two_masses_on_a_beam_are_named_where_they_are) {
-  const std::vector<std::pair<double, double>> masses{{0.247, 0.3}, {0.553, 0.15}};
+// Of the beam of 1.7 kg, hit and weighed before it had these and with them.
+Diagnosis diagnosis_with(const std::vector<std::pair<double, double>>& masses) {
   Measured m = before_and_after([](Axis axis) { return loaded(axis, {}); },
                                 [&](Axis axis) { return loaded(axis, masses); }, a_percent_off);
   const double own = twin_length * twin_width * twin_depth * 7850;
-  weigh(m, own, own + 0.45);
-  const Diagnosis d = diagnosis_of(beam_of(4, twin_length, twin_width, twin_depth, true), m);
+  double with = own;
+  for (const auto& [at, mass] : masses) with += mass;
+  weigh(m, own, with);
+  return diagnosis_of(beam_of(4, twin_length, twin_width, twin_depth, true), m);
+}
+
+// 300 g at 0.247 m and 150 g at 0.553 m. Four numbers ask for twelve readings.
+TEST(Twins, two_masses_on_a_beam_are_named_where_they_are) {
+  const std::vector<std::pair<double, double>> masses{{0.247, 0.3}, {0.553, 0.15}};
+  const Diagnosis d = diagnosis_with(masses);
   EXPECT_EQ(d.verdict, Verdict::several) << d.headline;
   ASSERT_EQ(d.effects.size(), 2U) << d.headline;
   const bool in_order = d.effects[0].parameters[1].value < d.effects[1].parameters[1].value;
@@ -57,11 +64,7 @@ TEST(Twins, two_masses_on_a_beam_are_named_where_they_are) {
 
 TEST(Twins, one_mass_on_a_beam_is_no_two) {
   const std::vector<std::pair<double, double>> masses{{0.437, 0.15}};
-  Measured m = before_and_after([](Axis axis) { return loaded(axis, {}); },
-                                [&](Axis axis) { return loaded(axis, masses); }, a_percent_off);
-  const double own = twin_length * twin_width * twin_depth * 7850;
-  weigh(m, own, own + 0.15);
-  const Diagnosis d = diagnosis_of(beam_of(4, twin_length, twin_width, twin_depth, true), m);
+  const Diagnosis d = diagnosis_with(masses);
   EXPECT_EQ(d.verdict, Verdict::identified) << d.headline;
   ASSERT_EQ(d.effects.size(), 1U) << d.headline;
   EXPECT_EQ(d.effects[0].name, "added_mass") << d.headline;

@@ -207,6 +207,15 @@ private:
   std::vector<std::pair<double, VectorXd>> starts_;
 };
 
+// Puts a hypothesis, whose coordinates begin at `first`, at one of as many places along each way of
+// its part.
+void put_at(const Hypothesis& h, int place, int stations, Index first, VectorXd& z) {
+  for (const std::size_t parameter : h.along) {
+    z[first + Index(parameter)] = normal_quantile((place % stations + 0.5) / stations);
+    place /= stations;
+  }
+}
+
 // Places on a part that answer alike lie anywhere: all of it is looked at, at several sizes, and
 // where more than a size goes with the place at values that differ from place to place.
 std::vector<VectorXd> throughout(const Hypothesis& h) {
@@ -219,11 +228,7 @@ std::vector<VectorXd> throughout(const Hypothesis& h) {
     for (double size : {-1.2, -0.6, 0., 0.6, 1.2}) {
       VectorXd there = only_size ? VectorXd::Constant(parameters, size)
                                  : spread_point(int(all.size()), parameters, 1.5);
-      int left = i;
-      for (const std::size_t parameter : h.along) {
-        there[Index(parameter)] = normal_quantile((left % stations + 0.5) / stations);
-        left /= stations;
-      }
+      put_at(h, i, stations, 0, there);
       all.push_back(std::move(there));
     }
   return all;
@@ -240,12 +245,6 @@ void try_pairs(const VectorXd& start, const std::vector<const Hypothesis*>& toge
     first += Index(together[member]->parameters.size());
   const int stations = h.along.size() == 1 ? 12 : 4;
   const int places = h.along.size() == 1 ? stations : stations * stations;
-  const auto put = [&](VectorXd& z, Index member, int place) {
-    for (const std::size_t parameter : h.along) {
-      z[member + Index(parameter)] = normal_quantile((place % stations + 0.5) / stations);
-      place /= stations;
-    }
-  };
   for (int i = 0; i < places; ++i)
     for (int j = 0; j < places; ++j) {
       if (i == j) continue;
@@ -253,8 +252,8 @@ void try_pairs(const VectorXd& start, const std::vector<const Hypothesis*>& toge
         VectorXd there = start;
         there.segment(first, size).setConstant(one);
         there.segment(last, size).setConstant(other);
-        put(there, first, i);
-        put(there, last, j);
+        put_at(h, i, stations, first, there);
+        put_at(h, j, stations, last, there);
         search.try_from(there);
       }
     }
