@@ -7,6 +7,7 @@
 #include "diagnose/judge/added_up.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
+#include "diagnose/judge/places_fitted.hpp"
 #include "diagnose/judge/sets.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/objections.hpp"
@@ -49,14 +50,15 @@ public:
     settings_.stage("fits", share::fits);
     const HypothesisFit plain = nominal_fit(context);
     const JudgedFit nominal = judged(plain, plain, context, *problem_.held_out, scores, standards);
-    std::vector<JudgedFit> fits = fit_all(context, all, plain, scores, standards);
+    auto [fits, passed_over] = fit_all(context, all, plain, scores, standards);
     drop_places_with_a_cause(fits, nominal);
-    std::vector<EffectFits> ranked = fits_by_effect(fits);
+    std::vector<EffectFits> ranked = fits_by_effect(fits, passed_over);
     confirm(context, ranked, fits, plain, scores, standards);
-    ranked = fits_by_effect(fits);
+    ranked = fits_by_effect(fits, passed_over);
     return concluded({.context = context,
                       .ranked = ranked,
                       .fits = fits,
+                      .passed_over = passed_over,
                       .all = all,
                       .nominal = nominal,
                       .held_out = *problem_.held_out,
@@ -80,7 +82,7 @@ private:
   Diagnosis concluded(const SetSearch& search, const HypothesisFit& plain) {
     const FitContext& context = search.context;
     const std::vector<JudgedFit> sets = sets_of(search, plain);
-    const Inclusion inclusion(search.nominal, search.fits, sets);
+    const Inclusion inclusion(search.nominal, search.fits, sets, search.passed_over);
     const std::vector<Compensator> tempting = compensators(
         context, search.held_out, plain, problem_.nominal.structure(problem_.test.data));
     Objections objections(
@@ -253,20 +255,20 @@ private:
         100 * problem_.remounting.frequency, 100 * most_of(problem_.remounting));
   }
 
-  std::vector<JudgedFit> fit_all(const FitContext& context, const std::vector<Signature>& all,
-                                 const HypothesisFit& plain, const BlockScores& scores,
-                                 const Standards& standards) {
-    std::vector<JudgedFit> fits(all.size());
-    StageShare behind(settings_, share::fits, share::chains, all.size());
-    in_parallel(int(all.size()), [&](int i) {
-      const Signature& s = all[std::size_t(i)];
-      if (s.g.norm() >= silent && !settings_.stop())
-        fits[std::size_t(i)] = judged(fit_of(context, {s.hypothesis}), plain, context,
-                                      *problem_.held_out, scores, standards);
+  PlacesFitted fit_all(const FitContext& context, const std::vector<Signature>& all,
+                       const HypothesisFit& plain, const BlockScores& scores,
+                       const Standards& standards) {
+    std::vector<const Hypothesis*> heard;
+    for (const Signature& s : all)
+      if (s.g.norm() >= silent) heard.push_back(s.hypothesis);
+    StageShare behind(settings_, share::fits, share::chains, heard.size());
+    return fit_places(heard, [&](const Hypothesis& h) {
+      if (settings_.stop()) return JudgedFit();
+      JudgedFit own = judged(fit_of(context, {&h}), plain, context, *problem_.held_out, scores,
+                             standards);
       behind.one_is_done();
+      return own;
     });
-    std::erase_if(fits, [](const JudgedFit& j) { return !j.fit.solved; });
-    return fits;
   }
 
   // The best hypotheses of the best effects once more by Markov chains; what speaks for its effect

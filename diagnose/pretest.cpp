@@ -195,7 +195,8 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   PredictorStore predictors(nominal, test);
   const Whitening fitted(test, u, false);
   const FitContext context{predictors, test, u, measured, fitted};
-  const std::vector<Hypothesis> all = chosen_effects(nominal.structure(runs)).hypotheses;
+  std::vector<Hypothesis> all = chosen_effects(nominal.structure(runs)).hypotheses;
+  std::erase_if(all, [](const Hypothesis& h) { return !h.between.empty(); });
   stage("signatures of " + std::to_string(all.size()) + " hypotheses");
   reduce_each(context, all);
   std::vector<Signature> own = signatures(context, all);

@@ -1,5 +1,6 @@
 #include "diagnose/resonating.hpp"
 
+#include "diagnose/judge/places_fitted.hpp"
 #include "diagnose/judge/reasons.hpp"
 #include "diagnose/results/stage_share.hpp"
 #include "solve/parallel.hpp"
@@ -50,9 +51,9 @@ void Resonating::fit_alone() {
   search_.settings.stage("what may hang on springs", share::ledger);
   hypotheses_ = list_();
   reduce_each(search_.context, hypotheses_);
-  alone_.resize(hypotheses_.size());
-  in_parallel(int(alone_.size()),
-              [&](int i) { alone_[std::size_t(i)] = judged_fit({&hypotheses_[std::size_t(i)]}); });
+  std::vector<const Hypothesis*> all;
+  for (const Hypothesis& h : hypotheses_) all.push_back(&h);
+  alone_ = fit_places(all, [&](const Hypothesis& h) { return judged_fit({&h}); }).fits;
   sort_solved(alone_);
 }
 

@@ -107,10 +107,12 @@ public:
       if (fitted_alone_[i])
         fits.push_back(judged(fit_of(context, {&hypotheses_[i]}), plain, context, held_out, scores,
                               standards));
+    const PassedOver none;
     const std::vector<EffectFits> ranked = fits_by_effect(fits);
     return ask(SetSearch{.context = context,
                          .ranked = ranked,
                          .fits = fits,
+                         .passed_over = none,
                          .all = signatures_,
                          .nominal = nominal,
                          .held_out = held_out,

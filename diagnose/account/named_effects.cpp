@@ -3,6 +3,7 @@
 #include "diagnose/effects/growth.hpp"
 #include "diagnose/effects/place_nodes.hpp"
 #include "diagnose/effects/take_over.hpp"
+#include "diagnose/effects/wall_spots.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/weigh/interval.hpp"
 #include "diagnose/weigh/likely_values.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -46,10 +48,22 @@ std::map<std::string, double> places_on_bellows(const GapProblem& problem) {
   return at;
 }
 
+std::map<std::string, Eigen::Vector3d> spots_on_walls(const GapProblem& problem) {
+  const Structure structure = problem.nominal.structure(problem.test.data);
+  std::map<std::string, Eigen::Vector3d> at;
+  for (const Part& part : problem.data.parts)
+    if (std::holds_alternative<SurfacePart>(part.body) ||
+        std::holds_alternative<DeckPart>(part.body))
+      for (const Spot& spot : wall_spots(structure.built, part.name))
+        at[spot.place] = structure.built.model.mesh.nodes[std::size_t(spot.touched)];
+  return at;
+}
+
 } // namespace
 
 NamedEffects::NamedEffects(const GapProblem& problem, const Findings& found)
-    : problem_(problem), found_(found), on_bellows_(places_on_bellows(problem)) {}
+    : problem_(problem), found_(found), on_bellows_(places_on_bellows(problem)),
+      on_walls_(spots_on_walls(problem)) {}
 
 bool is_same(const NamedEffect& a, const NamedEffect& b) {
   return a.name == b.name && a.place == b.place;
@@ -72,6 +86,7 @@ std::vector<NamedEffect> NamedEffects::members_of(const HypothesisFit& fit) cons
     if (own.in_case) e.in_case = in_case(own, e.parameters);
     e.nodes = nodes_of(own, e);
     e.along = along_bellows(e);
+    e.within = within_of_spot(e);
   }
   return members;
 }
@@ -119,6 +134,27 @@ std::optional<NamedEffect::Along> NamedEffects::along_bellows(const NamedEffect&
     along.interval[1] = std::max(along.interval[1], y - left + after / 2);
   }
   return along;
+}
+
+std::optional<double> NamedEffects::within_of_spot(const NamedEffect& e) const {
+  if (!on_walls_.contains(e.place)) return std::nullopt;
+  std::set<std::string> looked_at;
+  for (const JudgedFit& j : found_.fits)
+    if (const Hypothesis& h = *j.fit.together[0]; h.effect == e.name && on_walls_.contains(h.place))
+      looked_at.insert(h.place);
+  const Eigen::Vector3d& here = on_walls_.at(e.place);
+  const auto half_way_to_next = [&](const std::string& place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::string& other : looked_at)
+      if (other != place)
+        nearest = std::min(nearest, (on_walls_.at(other) - on_walls_.at(place)).norm());
+    return nearest / 2;
+  };
+  double within = half_way_to_next(e.place);
+  for (const std::string& place : e.other_places)
+    if (looked_at.contains(place))
+      within = std::max(within, (on_walls_.at(place) - here).norm() + half_way_to_next(place));
+  return std::isfinite(within) ? std::optional(within) : std::nullopt;
 }
 
 namespace {

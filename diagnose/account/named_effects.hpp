@@ -27,6 +27,7 @@ public:
 private:
   std::vector<int> nodes_of(const Hypothesis& h, const NamedEffect& e) const;
   std::optional<NamedEffect::Along> along_bellows(const NamedEffect& e) const;
+  std::optional<double> within_of_spot(const NamedEffect& e) const;
   std::function<CaseEdits(const Case&)>
   in_case(const Hypothesis& h, const std::vector<EstimatedParameter>& parameters) const;
   void add_other_places(NamedEffect& e) const;
@@ -36,6 +37,7 @@ private:
   const GapProblem& problem_;
   const Findings& found_;
   const std::map<std::string, double> on_bellows_; // places that are counted along one: their y, m
+  const std::map<std::string, Eigen::Vector3d> on_walls_; // spots on surfaces and decks
 };
 
 // At one place, whichever way.

@@ -42,7 +42,8 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
                      .parameters = {mass},
                      .changes = {std::move(one_kilogram)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
-                     .at_rig = on_scale});
+                     .at_rig = on_scale,
+                     .between = spot.between});
   };
   const auto add_at_point = [&](const Spot& spot) {
     add(spot, "", on_each({spot.touched}));
@@ -108,7 +109,7 @@ Effect added_mass() {
                       {"component_mass", "weigh the part", true},
                       {"unweighed_mass", "a second sensor of the same mass"},
                       {"boundary_compliance", "the antinodes of further modes"}},
-      .needs = "a sensor, bellows, pipe, chain, plate or beam",
+      .needs = "a sensor, bellows, pipe, chain, plate, surface, deck or beam",
       .hypotheses = added_mass_hypotheses};
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <set>
+#include <tuple>
 
 namespace plica {
 namespace {
@@ -32,6 +33,7 @@ public:
     if (problems_.empty() && result_.hypotheses.empty())
       refuse("effects", "leave nothing to be tried", "effects that the case has a place for");
     if (!problems_.empty()) throw InputError(std::move(problems_));
+    look_at_those_alone(result_.hypotheses);
     say();
     return std::move(result_);
   }
@@ -160,6 +162,17 @@ private:
 
 ChosenEffects chosen_effects(const Structure& s) {
   return Choice(s).chosen();
+}
+
+void look_at_those_alone(std::vector<Hypothesis>& all) {
+  std::set<std::tuple<std::string, std::string, std::string>> looked_at;
+  for (const Hypothesis& h : all)
+    if (h.between.empty()) looked_at.emplace(h.effect, h.place, h.way);
+  for (Hypothesis& h : all)
+    if (std::any_of(h.between.begin(), h.between.end(), [&](const auto& beside) {
+          return !looked_at.contains({h.effect, beside.first, h.way});
+        }))
+      h.between.clear();
 }
 
 bool sits_where_asked(const Case& data, const Hypothesis& h) {

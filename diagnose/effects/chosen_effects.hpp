@@ -15,6 +15,9 @@ struct ChosenEffects {
 // what names no effect, no parameter or no place, or leaves nothing.
 ChosenEffects chosen_effects(const Structure& s);
 
+// Those whose neighbours (Hypothesis::between) are not among them are looked at themselves.
+void look_at_those_alone(std::vector<Hypothesis>& all);
+
 // Whether it sits at a place that the case lets in. What acts everywhere or on the test has no
 // place that could be elsewhere.
 bool sits_where_asked(const Case& data, const Hypothesis& h);

@@ -6,6 +6,7 @@
 // one. Nothing here knows of a specimen.
 #pragma once
 
+#include "diagnose/effects/spot.hpp"
 #include "diagnose/effects/take_over.hpp"
 #include "lab/measured/measured.hpp"
 #include "model/shape/build.hpp"
@@ -108,6 +109,9 @@ struct Hypothesis {
   bool names_place_only = false;
   // It has a resonance of its own, for which another thing's may be taken.
   bool resonates = false;
+  // Places of the same effect and way between which it lies: their signatures are its own, and it is
+  // fitted where one of them comes near.
+  Between between = {};
   // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
   std::vector<std::size_t> along = {};
   // Of all parameters those that act in a state, where states differ (growth.hpp).

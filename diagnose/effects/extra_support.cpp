@@ -77,7 +77,8 @@ std::vector<Hypothesis> at_spots(const Structure& s) {
                      .parameters = {{"k", "N/m", {PriorKind::log_normal, s.stiffness, 2.5}}},
                      .changes = {std::move(unit)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
-                     .at_rig = false});
+                     .at_rig = false,
+                     .between = spot.between});
   };
   for (const Spot& spot : contact_spots(s)) {
     if (is_at_sensor(spot.place) || is_anywhere(s, spot)) continue;
@@ -146,7 +147,7 @@ Effect extra_support() {
           .signature = "modes that move the spot rise, the others and the static stiffness stay",
           .look_alikes = {{"joint_stiffness", "other modes"},
                           {"component_mass", "weigh the part", true}},
-          .needs = "a bellows, pipe, chain, plate or beam",
+          .needs = "a bellows, pipe, chain, plate, surface, deck or beam",
           .hypotheses = extra_support_hypotheses};
 }
 

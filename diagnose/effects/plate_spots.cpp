@@ -1,5 +1,7 @@
 #include "diagnose/effects/plate_spots.hpp"
 
+#include "diagnose/effects/held_motions.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,24 +16,6 @@ constexpr int cells_of_spots = 4; // either way
 
 std::string percent(int i, int of) {
   return "[" + std::to_string(std::lround(100. * i / of)) + "]";
-}
-
-// Nodes and DOFs that supports or caps on the table hold.
-std::set<std::pair<int, int>> held_dofs(const BuiltCase& built) {
-  const std::set<int> held(built.held_nodes.begin(), built.held_nodes.end());
-  std::set<std::pair<int, int>> found;
-  for (const Constraint& c : built.model.constraints)
-    if (std::all_of(c.terms.begin(), c.terms.end(),
-                    [&](const ConstraintTerm& t) { return held.contains(t.node); }))
-      found.emplace(c.node, c.dof);
-  return found;
-}
-
-bool moves_along_normal(const Spot& spot, const std::set<std::pair<int, int>>& held) {
-  constexpr double felt = 1e-3;
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs((*spot.normal)[axis]) > felt && !held.contains({spot.touched, axis})) return true;
-  return false;
 }
 
 // Whether the mesh is the grid of nodes that the plate asks for, line by line along edge 1.
@@ -82,8 +66,8 @@ std::vector<Spot> plate_spots(const BuiltCase& built, const std::string& part, c
                        .anywhere = true,
                        .normal = normal_at(plate, double(i) / along, double(j) / across)});
     }
-  const auto held = held_dofs(built);
-  std::erase_if(found, [&](const Spot& spot) { return !moves_along_normal(spot, held); });
+  const HeldMotions held(built);
+  std::erase_if(found, [&](const Spot& spot) { return !held.leave(spot); });
   return found;
 }
 

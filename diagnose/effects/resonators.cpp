@@ -54,14 +54,15 @@ public:
   explicit Listing(const Structure& s) : s_(s) {}
 
   void add(const std::string& place, const char* way, const std::vector<EffectParameter>& where,
-           AlongEach motions) {
+           AlongEach motions, Between between = {}) {
     Hypothesis h{.effect = "resonator",
                  .place = place,
                  .way = way,
                  .parameters = {added_kilograms(s_),
                                 {"frequency", "Hz", {PriorKind::log_normal, s_.frequency, 1}}},
                  .at_rig = has_baseline(s_.measured),
-                 .resonates = true};
+                 .resonates = true,
+                 .between = std::move(between)};
     for (const EffectParameter& p : where) {
       h.along.push_back(h.parameters.size());
       h.parameters.push_back(p);
@@ -77,7 +78,10 @@ public:
     if (sits_where_asked(s_.data, h)) found_.push_back(std::move(h));
   }
 
-  std::vector<Hypothesis> all() && { return std::move(found_); }
+  std::vector<Hypothesis> all() && {
+    look_at_those_alone(found_);
+    return std::move(found_);
+  }
 
 private:
   const Structure& s_;
@@ -94,8 +98,9 @@ std::vector<Hypothesis> resonators(const Structure& s) {
     const auto on = [&](const std::vector<int>& nodes) {
       return along_each([&](int axis) { return mean_motion(nodes, axis); });
     };
-    if (!is_told_of_sensor(s, spot)) listing.add(spot.place, "", {}, on({spot.touched}));
-    if (spot.nodes.size() > 1) listing.add(spot.place, "on the mean motion", {}, on(spot.nodes));
+    if (!is_told_of_sensor(s, spot)) listing.add(spot.place, "", {}, on({spot.touched}), spot.between);
+    if (spot.nodes.size() > 1)
+      listing.add(spot.place, "on the mean motion", {}, on(spot.nodes), spot.between);
   }
   for (const BeamPath& path : line_paths(s))
     listing.add(path.part, "", path.place(), along_each([&](int axis) {

@@ -6,9 +6,14 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plica {
+
+// Of a place between others that are looked at: which, and how much each has of it; they add up
+// to 1. It is looked at where these come near. Empty: it is looked at.
+using Between = std::vector<std::pair<std::string, double>>;
 
 // Where a mass or a support may be put: nodes that share it, and the one a support touches.
 struct Spot {
@@ -17,7 +22,9 @@ struct Spot {
   int touched = 0;
   // Of a part any place of which is looked at (beam_path.hpp, plate_places.hpp).
   bool anywhere = false;
-  std::optional<Eigen::Vector3d> normal = {}; // of a plate, which gives way along it alone
+  // Of a wall, which gives way along it alone.
+  std::optional<Eigen::Vector3d> normal = {};
+  Between between = {};
 };
 
 } // namespace plica

@@ -2,6 +2,7 @@
 
 #include "diagnose/effects/places.hpp"
 #include "diagnose/effects/plate_spots.hpp"
+#include "diagnose/effects/wall_spots.hpp"
 #include "model/description/place_keys.hpp"
 
 #include <algorithm>
@@ -23,14 +24,23 @@ int top_of(const Mesh& mesh, const std::vector<int>& nodes) {
                            [&](int a, int b) { return mesh.nodes[a].z() < mesh.nodes[b].z(); });
 }
 
+// Those looked at, or all.
 void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part,
-                      int most) {
+                      int looked_at, bool all) {
   const Mesh& mesh = s.built.model.mesh;
   const std::vector<double> y = roots(mesh, part);
-  for (int k : stations_of(int(y.size()) - 1, most))
+  const int count = int(y.size()) - 1;
+  const std::vector<int> stations = stations_of(count, looked_at);
+  const std::string prefix = part + ".convolution";
+  for (int k = 1; k <= count; ++k) {
+    Between between = between_stations(prefix, stations, k);
+    if (!all && !between.empty()) continue;
     if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
-      found.push_back({part + ".convolution[" + std::to_string(k) + "]", ring->nodes,
-                       top_of(mesh, ring->nodes)});
+      found.push_back({.place = prefix + "[" + std::to_string(k) + "]",
+                       .nodes = ring->nodes,
+                       .touched = top_of(mesh, ring->nodes),
+                       .between = std::move(between)});
+  }
 }
 
 void add_points(std::vector<Spot>& found, const Structure& s, const std::string& part) {
@@ -79,20 +89,39 @@ std::vector<int> stations_of(int count, int most) {
   return chosen;
 }
 
+Between between_stations(const std::string& prefix, const std::vector<int>& stations, int number) {
+  const auto place = [&](int k) { return prefix + "[" + std::to_string(k) + "]"; };
+  const auto next = std::lower_bound(stations.begin(), stations.end(), number);
+  if (next == stations.end()) return {{place(stations.back()), 1}};
+  if (*next == number) return {};
+  if (next == stations.begin()) return {{place(*next), 1}};
+  const int before = *(next - 1);
+  const double share = double(number - before) / double(*next - before);
+  return {{place(before), 1 - share}, {place(*next), share}};
+}
+
 namespace {
 
-std::vector<Spot> spots_of(const Structure& s, int crowns, bool on_plates) {
+enum class Where { few, anything_touches };
+
+std::vector<Spot> spots_of(const Structure& s, Where where) {
+  const bool all = where == Where::anything_touches;
   std::vector<Spot> found;
   for (const BuiltSensor& sensor : s.built.sensors)
     found.push_back({sensor_place(sensor.name), {sensor.node}, sensor.node});
   for (const Part& part : s.data.parts) {
-    if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name, crowns);
+    if (std::holds_alternative<Bellows>(part.body))
+      add_convolutions(found, s, part.name, all ? local_stations : 8, all);
     if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
     if (std::holds_alternative<EquivalentPipe>(part.body) ||
         std::holds_alternative<ConnectorChain>(part.body))
       add_along(found, s, part.name);
-    if (const auto* plate = std::get_if<Plate>(&part.body); plate && on_plates)
+    if (!all) continue;
+    if (const auto* plate = std::get_if<Plate>(&part.body))
       for (Spot& spot : plate_spots(s.built, part.name, *plate)) found.push_back(std::move(spot));
+    if (std::holds_alternative<SurfacePart>(part.body) ||
+        std::holds_alternative<DeckPart>(part.body))
+      for (Spot& spot : wall_spots(s.built, part.name)) found.push_back(std::move(spot));
   }
   std::erase_if(found, [&](const Spot& spot) { return is_held(s, spot.touched); });
   return found;
@@ -101,11 +130,11 @@ std::vector<Spot> spots_of(const Structure& s, int crowns, bool on_plates) {
 } // namespace
 
 std::vector<Spot> spots(const Structure& s) {
-  return spots_of(s, 8, false);
+  return spots_of(s, Where::few);
 }
 
 std::vector<Spot> contact_spots(const Structure& s) {
-  return spots_of(s, local_stations, true);
+  return spots_of(s, Where::anything_touches);
 }
 
 bool is_told_of_sensor(const Structure& s, const Spot& spot) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace plica {
 namespace {
@@ -78,15 +80,38 @@ Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z)
           .noncentrality = std::max(0., own(d).squaredNorm() - paid)};
 }
 
+// What lies between others has the mean of their signatures.
+void fill_those_between(std::vector<Signature>& all) {
+  std::map<std::tuple<std::string, std::string, std::string>, const Signature*> looked_at;
+  for (const Signature& s : all)
+    if (const Hypothesis& h = *s.hypothesis; h.between.empty())
+      looked_at[{h.effect, h.place, h.way}] = &s;
+  for (Signature& s : all) {
+    const Hypothesis& h = *s.hypothesis;
+    for (const auto& [place, share] : h.between) {
+      const Signature& beside = *looked_at.at({h.effect, place, h.way});
+      if (s.g.size() == 0) {
+        s.g = VectorXd::Zero(beside.g.size());
+        s.z = VectorXd::Zero(beside.z.size());
+      }
+      s.g += share * beside.g;
+      s.z += share * beside.z;
+      s.noncentrality += share * beside.noncentrality;
+      s.at += share * beside.at;
+    }
+  }
+}
+
 } // namespace
 
 void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all,
                  const std::function<void()>& one_is_done) {
   constexpr std::size_t at_once = 4;
   std::vector<StateModels::Together> groups;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i % at_once == 0) groups.emplace_back();
-    groups.back().push_back(&all[i]);
+  for (const Hypothesis& h : all) {
+    if (!h.between.empty()) continue;
+    if (groups.empty() || groups.back().size() == at_once) groups.emplace_back();
+    groups.back().push_back(&h);
   }
   StateModels& models = *context.predictors.models();
   for (std::size_t state : models.fitted_states(context.test))
@@ -103,6 +128,7 @@ std::vector<Signature> signatures(const FitContext& context, const std::vector<H
   in_parallel(int(all.size()), [&](int i) {
     Signature& s = found[std::size_t(i)];
     s.hypothesis = &all[std::size_t(i)];
+    if (!s.hypothesis->between.empty()) return;
     double largest = -1;
     for (const VectorXd& z : points(Index(s.hypothesis->parameters.size()))) {
       Change own = change(context, *s.hypothesis, z);
@@ -117,12 +143,14 @@ std::vector<Signature> signatures(const FitContext& context, const std::vector<H
     s.at = value_of(s.hypothesis->parameters[own].prior, s.z[Index(own)]);
     one_is_done();
   });
+  fill_those_between(found);
   return found;
 }
 
 void find_smallest(const FitContext& context, std::vector<Signature>& all) {
   std::map<std::string, Signature*> most;
   for (Signature& s : all) {
+    if (!s.hypothesis->between.empty()) continue;
     Signature*& best = most[s.hypothesis->effect];
     if (!best || s.noncentrality > best->noncentrality) best = &s;
   }

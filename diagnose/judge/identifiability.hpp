@@ -16,7 +16,8 @@ namespace plica {
 
 inline constexpr double silent = 0.3; // |g| below which no data speak of an effect
 
-// Signature of a hypothesis at a size that can be expected: whitened change of the fitted readings.
+// Signature of a hypothesis at a size that can be expected: whitened change of the fitted readings;
+// of one that lies between others (Hypothesis::between) the mean of theirs.
 struct Signature {
   const Hypothesis* hypothesis = nullptr;
   Eigen::VectorXd z, g;
@@ -24,8 +25,8 @@ struct Signature {
   double at = 0;                  // value of the parameter of its size there
   std::optional<double> smallest; // the one that is found with 95 % power
 };
-// Reduced models with each hypothesis alone in it, in every state that is fitted: a few at a time
-// they take less time than one by one, as signatures would ask for them. `one_is_done` is called
+// Reduced models with each hypothesis alone in it that lies between no others, in every state that
+// is fitted: a few at a time they take less time than one by one, as signatures would ask for them. `one_is_done` is called
 // after each in each state, from several threads.
 void reduce_each(
     const FitContext& context, const std::vector<Hypothesis>& all,

@@ -25,7 +25,8 @@ largest_first(const std::map<std::string, double>& shares) {
 } // namespace
 
 Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
-                     const std::vector<JudgedFit>& sets) {
+                     const std::vector<JudgedFit>& sets, const PassedOver& passed_over)
+    : places_(passed_over) {
   for (const JudgedFit& j : fits) ++places_[j.fit.together[0]->effect];
   for (const std::vector<JudgedFit>* list : {&fits, &sets})
     for (const JudgedFit& j : *list)

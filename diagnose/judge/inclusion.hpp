@@ -16,7 +16,7 @@ class Inclusion {
 public:
   // `fits`: of single hypotheses, `sets`: of several. Both must outlive it.
   Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
-            const std::vector<JudgedFit>& sets);
+            const std::vector<JudgedFit>& sets, const PassedOver& passed_over = {});
 
   double of(const std::string& effect) const; // anywhere
   double at(const std::string& effect, const std::string& place) const;

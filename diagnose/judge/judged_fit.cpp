@@ -129,18 +129,22 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   return j;
 }
 
-std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits) {
+std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
+                                       const PassedOver& passed_over) {
   std::map<std::string, std::vector<const JudgedFit*>> by_effect;
   for (const JudgedFit& j : fits)
     if (j.fit.solved) by_effect[j.fit.together[0]->effect].push_back(&j);
   std::vector<EffectFits> all;
   for (const auto& [effect, own] : by_effect) {
     EffectFits f{.effect = effect};
+    const auto further = passed_over.find(effect);
+    const double count =
+        double(own.size()) + (further == passed_over.end() ? 0 : double(further->second));
     double highest = -1e300;
     for (const JudgedFit* j : own) highest = std::max(highest, evidence_of(j->fit));
     double sum = 0;
     for (const JudgedFit* j : own) {
-      sum += std::exp(evidence_of(j->fit) - highest) / double(own.size());
+      sum += std::exp(evidence_of(j->fit) - highest) / count;
       // Among equals the one that stands up.
       const auto rank = [](const JudgedFit* a) {
         return evidence_of(a->fit) + (a->credible() ? 2 : 0);
@@ -151,7 +155,7 @@ std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits) {
     std::map<std::string, double> places;
     for (const JudgedFit* j : own)
       places[j->fit.together[0]->place] +=
-          std::exp(evidence_of(j->fit) - highest) / (sum * double(own.size()));
+          std::exp(evidence_of(j->fit) - highest) / (sum * count);
     f.places.assign(places.begin(), places.end());
     std::stable_sort(f.places.begin(), f.places.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });

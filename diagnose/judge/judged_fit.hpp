@@ -5,6 +5,7 @@
 #include "diagnose/weigh/blocks.hpp"
 #include "diagnose/weigh/evidence.hpp"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,7 +69,12 @@ struct EffectFits {
   const JudgedFit* best = nullptr;                         // place
   std::vector<std::pair<std::string, double>> places = {}; // with their shares, the largest first
 };
-std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits); // by evidence
+// By effect, how many of its hypotheses were left out, as places beside them are far behind the
+// best: places as the others, of no weight.
+using PassedOver = std::map<std::string, int>;
+// By evidence.
+std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
+                                       const PassedOver& passed_over = {});
 
 // Without effects that name a place only (Hypothesis::names_place_only) where another effect at
 // that place closes half as much of the gap.

@@ -27,6 +27,7 @@ struct SetSearch {
   const FitContext& context;
   const std::vector<EffectFits>& ranked; // single effects by evidence
   const std::vector<JudgedFit>& fits;    // all single hypotheses
+  const PassedOver& passed_over;         // of single hypotheses
   const std::vector<Signature>& all;     // of all hypotheses
   const JudgedFit& nominal;
   const Whitening& held_out;

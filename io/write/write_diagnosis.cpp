@@ -48,6 +48,7 @@ Json named_json(const NamedEffect& e) {
   if (e.along)
     json["along"] = {{"value", json_number(e.along->value)},
                      {"interval", interval(e.along->interval)}};
+  if (e.within) json["within"] = json_number(*e.within);
   json["unit"] = json["z_of_prior"] = Json::object();
   for (const EstimatedParameter& p : e.parameters) {
     json["unit"][p.name] = p.unit;

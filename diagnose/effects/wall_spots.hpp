@@ -1,0 +1,15 @@
+// Places on a part that is read from a file, a surface or a deck: nodes spread all over it.
+//
+// "duct.spot[120][-4][33]" is the node at x = 120, y = -4, z = 33 mm. Some twenty are looked at,
+// each as far from the others as may be; those between them where these come near.
+#pragma once
+
+#include "diagnose/effects/spot.hpp"
+#include "model/shape/build.hpp"
+
+namespace plica {
+
+// Nodes of shells along their mean normal, of beams alone along any axis; none where that is held.
+std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part);
+
+} // namespace plica
