@@ -111,7 +111,7 @@ struct Hypothesis {
   bool resonates = false;
   // Places of the same effect and way between which it lies: their signatures are its own, and it is
   // fitted where one of them comes near.
-  Between between = {};
+  PlaceShares between = {};
   // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
   std::vector<std::size_t> along = {};
   // Of all parameters those that act in a state, where states differ (growth.hpp).

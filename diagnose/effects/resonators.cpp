@@ -54,7 +54,7 @@ public:
   explicit Listing(const Structure& s) : s_(s) {}
 
   void add(const std::string& place, const char* way, const std::vector<EffectParameter>& where,
-           AlongEach motions, Between between = {}) {
+           AlongEach motions, PlaceShares between = {}) {
     Hypothesis h{.effect = "resonator",
                  .place = place,
                  .way = way,

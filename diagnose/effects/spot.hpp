@@ -13,7 +13,7 @@ namespace plica {
 
 // Of a place between others that are looked at: which, and how much each has of it; they add up
 // to 1. It is looked at where these come near. Empty: it is looked at.
-using Between = std::vector<std::pair<std::string, double>>;
+using PlaceShares = std::vector<std::pair<std::string, double>>;
 
 // Where a mass or a support may be put: nodes that share it, and the one a support touches.
 struct Spot {
@@ -24,7 +24,7 @@ struct Spot {
   bool anywhere = false;
   // Of a wall, which gives way along it alone.
   std::optional<Eigen::Vector3d> normal = {};
-  Between between = {};
+  PlaceShares between = {};
 };
 
 } // namespace plica

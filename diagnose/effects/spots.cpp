@@ -33,7 +33,7 @@ void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::s
   const std::vector<int> stations = stations_of(count, looked_at);
   const std::string prefix = part + ".convolution";
   for (int k = 1; k <= count; ++k) {
-    Between between = between_stations(prefix, stations, k);
+    PlaceShares between = between_stations(prefix, stations, k);
     if (!all && !between.empty()) continue;
     if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
       found.push_back({.place = prefix + "[" + std::to_string(k) + "]",
@@ -89,7 +89,7 @@ std::vector<int> stations_of(int count, int most) {
   return chosen;
 }
 
-Between between_stations(const std::string& prefix, const std::vector<int>& stations, int number) {
+PlaceShares between_stations(const std::string& prefix, const std::vector<int>& stations, int number) {
   const auto place = [&](int k) { return prefix + "[" + std::to_string(k) + "]"; };
   const auto next = std::lower_bound(stations.begin(), stations.end(), number);
   if (next == stations.end()) return {{place(stations.back()), 1}};

@@ -12,7 +12,7 @@ inline constexpr int local_stations = 16;
 // Numbers of 1..count that are looked at: all, or eight evenly spread, and up to `most` between.
 std::vector<int> stations_of(int count, int most = 8);
 // Of "PREFIX[number]" among the stations given, in increasing order; empty for one of them.
-Between between_stations(const std::string& prefix, const std::vector<int>& stations, int number);
+PlaceShares between_stations(const std::string& prefix, const std::vector<int>& stations, int number);
 // Sensors, and up to eight stations along every shell of revolution, pipe, chain and beam.
 std::vector<Spot> spots(const Structure& s);
 // Where something may touch or sit: these, of bellows all crowns, a grid on every plate

@@ -74,7 +74,7 @@ std::string place_name(const std::string& part, const Vector3d& x, double size) 
 }
 
 // The three nearest of those that are looked at, the nearer the more.
-Between nearest_looked_at(const std::vector<Spot>& spots, const Mesh& mesh, const Vector3d& x) {
+PlaceShares nearest_looked_at(const std::vector<Spot>& spots, const Mesh& mesh, const Vector3d& x) {
   std::vector<std::pair<double, std::string>> by_distance;
   for (const Spot& spot : spots)
     if (spot.between.empty())
@@ -82,7 +82,7 @@ Between nearest_looked_at(const std::vector<Spot>& spots, const Mesh& mesh, cons
   const std::size_t count = std::min<std::size_t>(3, by_distance.size());
   std::partial_sort(by_distance.begin(), by_distance.begin() + std::ptrdiff_t(count),
                     by_distance.end());
-  Between between;
+  PlaceShares between;
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) sum += 1 / by_distance[i].first;
   for (std::size_t i = 0; i < count; ++i)

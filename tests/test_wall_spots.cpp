@@ -1,0 +1,202 @@
+// What touches or sits on a part that is read from a file, against closed form.
+#include "diagnose/effects/chosen_effects.hpp"
+#include "diagnose/effects/wall_spots.hpp"
+#include "io/tables/ledger_words.hpp"
+#include "model/description/deck_model.hpp"
+#include "tests/abaqus_plate.hpp"
+#include "tests/changed_beam.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <set>
+
+namespace plica {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A rectangle of steel on four edges, all corners of which lie in z = 0.
+constexpr double length = 0.3, width = 0.2, thickness = 2e-3, E = 2e11, nu = 0.3, rho = 8000;
+constexpr int along = 24, across = 16;
+
+Case panel() {
+  const Mesh mesh = test::deck_plate(along, across, thickness);
+  std::set<int> edges;
+  for (const char* edge : {"edge1", "edge2", "edge3", "edge4"})
+    edges.insert(mesh.sets.at(edge).begin(), mesh.sets.at(edge).end());
+  std::vector<int> all(mesh.nodes.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
+  const std::string held = "*NSET, NSET=EDGES\n" +
+                           test::abaqus::list({edges.begin(), edges.end()}) +
+                           "*NSET, NSET=EACH\n" + test::abaqus::list(all) +
+                           "*BOUNDARY\nEDGES, 3, 3\nEACH, 1, 2\nEACH, 6, 6\n";
+  Case c;
+  c.name = "panel";
+  DeckPart deck{.file = "panel.inp"};
+  deck.content = std::make_shared<DeckModel>(test::abaqus::read_text(
+      test::abaqus::mesh_text(mesh) + test::abaqus::steel + test::abaqus::section + held));
+  c.parts.push_back({"panel", deck});
+  c.analyses.modes = Modes{.count = 8};
+  c.analyses.damping.modal = 0.01;
+  return c;
+}
+
+// Navier's modes, up to 18 half waves either way.
+struct NavierPlate {
+  static constexpr int waves = 18;
+  VectorXd lambda{waves * waves}; // (rad/s)^2
+  static double mass() { return rho * thickness * length * width; }
+  NavierPlate() {
+    const double D = E * std::pow(thickness, 3) / (12 * (1 - nu * nu));
+    each([&](Index i, int p, int q) {
+      const double k2 = std::pow(p * std::numbers::pi / length, 2) +
+                        std::pow(q * std::numbers::pi / width, 2);
+      lambda[i] = D * k2 * k2 / (rho * thickness);
+    });
+  }
+  template <class Act> static void each(const Act& act) {
+    for (int p = 1, i = 0; p <= waves; ++p)
+      for (int q = 1; q <= waves; ++q) act(Index(i++), p, q);
+  }
+  // Of mass one, at a point.
+  VectorXd motion(double x, double y) const {
+    VectorXd w(lambda.size());
+    each([&](Index i, int p, int q) {
+      w[i] = 2 / std::sqrt(mass()) * std::sin(p * std::numbers::pi * x / length) *
+             std::sin(q * std::numbers::pi * y / width);
+    });
+    return w;
+  }
+  // The lowest eight, Hz, with a mass and a spring at a point.
+  VectorXd frequencies(double x, double y, double m, double k) const {
+    const VectorXd w = motion(x, y);
+    MatrixXd K = k * w * w.transpose(), M = m * w * w.transpose();
+    K.diagonal() += lambda;
+    M.diagonal().array() += 1;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(K, M, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().head(8).cwiseSqrt() / (2 * std::numbers::pi);
+  }
+};
+
+// Hit and weighed before and after; every mode as mounted anew some ten-thousandths off.
+Measured before_and_after(double x, double y, double mass, double spring) {
+  constexpr std::array anew{4e-4, -6e-4, 2e-4, 5e-4, -4e-4, 3e-4, -2e-4, 1e-4};
+  const NavierPlate plate;
+  Measured m;
+  m.specimen = "panel";
+  m.states = {{.name = "before", .baseline = true, .set = {}, .numbers = {}},
+              {.name = "after", .baseline = false, .set = {}, .numbers = {}}};
+  const auto add = [&](const std::string& state, const VectorXd& hertz, double weight) {
+    for (Index i = 0; i < hertz.size(); ++i) {
+      MeasuredMode mode;
+      mode.shape = MeasuredShape::other;
+      mode.order = int(i) + 1;
+      mode.state = state;
+      mode.frequency = hertz[i] * (state == "after" ? 1 + anew[std::size_t(i)] : 1);
+      m.modes.push_back(mode);
+    }
+    m.weighings.emplace_back().value = weight;
+    m.weighings.back().state = state;
+  };
+  add("before", plate.frequencies(x, y, 0, 0), NavierPlate::mass());
+  add("after", plate.frequencies(x, y, mass, spring), NavierPlate::mass() + mass);
+  return m;
+}
+
+// Of a corner and its mirror images over both middles the nearest, since frequencies of a rectangle
+// do not tell them apart.
+double distance_to(const NamedEffect& e, const BuiltCase& built, double x, double y) {
+  for (const Spot& spot : wall_spots(built, "panel"))
+    if (spot.place == e.place) {
+      const Eigen::Vector3d& at = built.model.mesh.nodes[std::size_t(spot.touched)];
+      return std::hypot(std::min(std::abs(at.x() - x), std::abs(length - at.x() - x)),
+                        std::min(std::abs(at.y() - y), std::abs(width - at.y() - y)));
+    }
+  return std::numeric_limits<double>::infinity();
+}
+
+TEST(WallSpots, are_spread_over_what_may_move_and_lie_between_those_that_are_looked_at) {
+  const BuiltCase built = build(panel());
+  const std::vector<Spot> spots = wall_spots(built, "panel");
+  ASSERT_EQ(spots.size(), 96U);
+  std::set<std::string> looked_at;
+  for (const Spot& spot : spots) {
+    const Eigen::Vector3d& x = built.model.mesh.nodes[std::size_t(spot.touched)];
+    EXPECT_GT(std::min({x.x(), x.y(), length - x.x(), width - x.y()}), 1e-6) << spot.place;
+    ASSERT_TRUE(spot.normal.has_value());
+    EXPECT_NEAR(std::abs(spot.normal->z()), 1, 1e-12);
+    EXPECT_EQ(spot.place.substr(0, 11), "panel.spot[");
+    if (spot.between.empty()) looked_at.insert(spot.place);
+  }
+  EXPECT_EQ(looked_at.size(), 24U);
+  double farthest = 0; // of any node from the next spot
+  for (const Eigen::Vector3d& x : built.model.mesh.nodes) {
+    double nearest = length;
+    for (const Spot& spot : spots)
+      nearest = std::min(nearest, (built.model.mesh.nodes[std::size_t(spot.touched)] - x).norm());
+    farthest = std::max(farthest, nearest);
+  }
+  EXPECT_LT(farthest, 1.5 * std::sqrt(length * width / 96));
+  for (const Spot& spot : spots) {
+    double shares = spot.between.empty() ? 1 : 0;
+    for (const auto& [place, share] : spot.between) {
+      EXPECT_TRUE(looked_at.contains(place));
+      shares += share;
+    }
+    EXPECT_NEAR(shares, 1, 1e-12);
+  }
+}
+
+TEST(WallSpots, a_place_whose_neighbours_the_case_leaves_out_is_looked_at_itself) {
+  Case c = panel();
+  const BuiltCase built = build(c);
+  const std::vector<Spot> spots = wall_spots(built, "panel");
+  const auto between = std::find_if(spots.begin(), spots.end(),
+                                    [](const Spot& spot) { return !spot.between.empty(); });
+  ASSERT_NE(between, spots.end());
+  c.diagnose.places = {between->place};
+  c.diagnose.effects = {"extra_support"};
+  const Measured m;
+  const std::vector<Hypothesis> own =
+      chosen_effects({.data = c, .built = built, .measured = m, .stiffness = 1e4, .mass = 1})
+          .hypotheses;
+  ASSERT_EQ(own.size(), 1U);
+  EXPECT_EQ(own.front().way, "along the normal");
+  EXPECT_TRUE(own.front().between.empty());
+}
+
+TEST(WallSpots, a_mass_on_a_deck_is_found_where_it_sits) {
+  const Case c = panel();
+  constexpr double x = 0.211, y = 0.072, mass = 0.05;
+  const Diagnosis d = changed_beam::diagnosis_of(c, before_and_after(x, y, mass, 0));
+  EXPECT_TRUE(d.verdict == Verdict::identified || d.verdict == Verdict::ambiguous) << d.headline;
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "added_mass") << d.headline;
+  ASSERT_TRUE(e.within.has_value()) << d.headline;
+  EXPECT_LT(distance_to(e, build(c), x, y), *e.within) << e.place;
+  EXPECT_LE(e.parameters[0].interval[0], mass) << d.headline;
+  EXPECT_GE(e.parameters[0].interval[1], mass) << d.headline;
+  EXPECT_NE(plain_verdict(d).find(", within 0.0"), std::string::npos) << plain_verdict(d);
+}
+
+TEST(WallSpots, something_that_touches_a_deck_is_found_where_it_touches) {
+  const Case c = panel();
+  constexpr double x = 0.118, y = 0.061, stiffness = 2e5;
+  const Diagnosis d = changed_beam::diagnosis_of(c, before_and_after(x, y, 0, stiffness));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "extra_support") << d.headline;
+  ASSERT_TRUE(e.within.has_value()) << d.headline;
+  EXPECT_LT(distance_to(e, build(c), x, y), *e.within) << e.place;
+}
+
+} // namespace
+} // namespace plica
