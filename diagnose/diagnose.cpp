@@ -72,9 +72,10 @@ private:
   std::vector<Signature> signatures_of_all(const FitContext& context) const {
     const std::vector<Hypothesis>& all = problem_.hypotheses;
     const std::size_t states = problem_.predictors->models()->fitted_states(context.test).size();
-    StageShare reduced(settings_, share::bases, share::signatures, states * all.size());
-    reduce_each(context, all, [&] { reduced.one_is_done(); });
-    StageShare behind(settings_, share::signatures, share::fits, all.size());
+    const std::vector<const Hypothesis*> first = looked_at(all);
+    StageShare reduced(settings_, share::bases, share::signatures, states * first.size());
+    reduce_each(context, first, [&] { reduced.one_is_done(); });
+    StageShare behind(settings_, share::signatures, share::fits, first.size());
     return signatures(context, all, [&] { behind.one_is_done(); });
   }
 
@@ -262,10 +263,10 @@ private:
     for (const Signature& s : all)
       if (s.g.norm() >= silent) heard.push_back(s.hypothesis);
     StageShare behind(settings_, share::fits, share::chains, heard.size());
-    return fit_places(heard, [&](const Hypothesis& h) {
+    return fit_places(context, heard, [&](const Hypothesis& h) {
       if (settings_.stop()) return JudgedFit();
-      JudgedFit own = judged(fit_of(context, {&h}), plain, context, *problem_.held_out, scores,
-                             standards);
+      JudgedFit own =
+          judged(fit_of(context, {&h}), plain, context, *problem_.held_out, scores, standards);
       behind.one_is_done();
       return own;
     });

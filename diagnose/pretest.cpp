@@ -198,7 +198,7 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   std::vector<Hypothesis> all = chosen_effects(nominal.structure(runs)).hypotheses;
   std::erase_if(all, [](const Hypothesis& h) { return !h.between.empty(); });
   stage("signatures of " + std::to_string(all.size()) + " hypotheses");
-  reduce_each(context, all);
+  reduce_each(context, looked_at(all));
   std::vector<Signature> own = signatures(context, all);
   find_smallest(context, own);
   const Likeness alike = likeness(own);

@@ -50,10 +50,11 @@ void Resonating::fit_alone() {
   fitted_ = true;
   search_.settings.stage("what may hang on springs", share::ledger);
   hypotheses_ = list_();
-  reduce_each(search_.context, hypotheses_);
+  reduce_each(search_.context, looked_at(hypotheses_));
   std::vector<const Hypothesis*> all;
   for (const Hypothesis& h : hypotheses_) all.push_back(&h);
-  alone_ = fit_places(all, [&](const Hypothesis& h) { return judged_fit({&h}); }).fits;
+  alone_ =
+      fit_places(search_.context, all, [&](const Hypothesis& h) { return judged_fit({&h}); }).fits;
   sort_solved(alone_);
 }
 

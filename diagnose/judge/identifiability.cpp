@@ -104,14 +104,20 @@ void fill_those_between(std::vector<Signature>& all) {
 
 } // namespace
 
-void reduce_each(const FitContext& context, const std::vector<Hypothesis>& all,
+std::vector<const Hypothesis*> looked_at(const std::vector<Hypothesis>& all) {
+  std::vector<const Hypothesis*> found;
+  for (const Hypothesis& h : all)
+    if (h.between.empty()) found.push_back(&h);
+  return found;
+}
+
+void reduce_each(const FitContext& context, const std::vector<const Hypothesis*>& all,
                  const std::function<void()>& one_is_done) {
   constexpr std::size_t at_once = 4;
   std::vector<StateModels::Together> groups;
-  for (const Hypothesis& h : all) {
-    if (!h.between.empty()) continue;
-    if (groups.empty() || groups.back().size() == at_once) groups.emplace_back();
-    groups.back().push_back(&h);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i % at_once == 0) groups.emplace_back();
+    groups.back().push_back(all[i]);
   }
   StateModels& models = *context.predictors.models();
   for (std::size_t state : models.fitted_states(context.test))

@@ -25,12 +25,14 @@ struct Signature {
   double at = 0;                  // value of the parameter of its size there
   std::optional<double> smallest; // the one that is found with 95 % power
 };
-// Reduced models with each hypothesis alone in it that lies between no others, in every state that
-// is fitted: a few at a time they take less time than one by one, as signatures would ask for them. `one_is_done` is called
-// after each in each state, from several threads.
+// Reduced models with each hypothesis alone in it, in every state that is fitted: a few at a time
+// they take less time than one by one, as signatures and fits would ask for them. `one_is_done` is
+// called after each in each state, from several threads.
 void reduce_each(
-    const FitContext& context, const std::vector<Hypothesis>& all,
+    const FitContext& context, const std::vector<const Hypothesis*>& all,
     const std::function<void()>& one_is_done = [] {});
+// Those that lie between no others.
+std::vector<const Hypothesis*> looked_at(const std::vector<Hypothesis>& all);
 // `one_is_done` is called after each, from several threads.
 std::vector<Signature> signatures(
     const FitContext& context, const std::vector<Hypothesis>& all,

@@ -1,5 +1,6 @@
 #include "diagnose/judge/places_fitted.hpp"
 
+#include "diagnose/judge/identifiability.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ Where where(const Hypothesis& h, const std::string& place) {
 std::set<Where> near_the_best(const std::vector<JudgedFit>& fits) {
   constexpr std::size_t best_places = 3;
   std::map<std::string, std::vector<const JudgedFit*>> by_effect;
-  for (const JudgedFit& j : fits)
-    if (j.fit.solved) by_effect[j.fit.together[0]->effect].push_back(&j);
+  for (const JudgedFit& j : fits) by_effect[j.fit.together[0]->effect].push_back(&j);
   std::set<Where> near;
   for (auto& [effect, own] : by_effect) {
     std::stable_sort(own.begin(), own.end(), [](const JudgedFit* a, const JudgedFit* b) {
@@ -28,8 +28,8 @@ std::set<Where> near_the_best(const std::vector<JudgedFit>& fits) {
     });
     for (std::size_t i = 0; i < own.size(); ++i)
       if (const Hypothesis& h = *own[i]->fit.together[0];
-          i < best_places || own[i]->fit.log_evidence >
-                                 own.front()->fit.log_evidence - threshold::beyond_chance)
+          i < best_places ||
+          own[i]->fit.log_evidence > own.front()->fit.log_evidence - threshold::beyond_chance)
         near.insert(where(h, h.place));
   }
   return near;
@@ -37,26 +37,29 @@ std::set<Where> near_the_best(const std::vector<JudgedFit>& fits) {
 
 } // namespace
 
-PlacesFitted fit_places(const std::vector<const Hypothesis*>& all,
+PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypothesis*>& all,
                         const std::function<JudgedFit(const Hypothesis&)>& fit) {
+  std::vector<const Hypothesis*> first, between;
+  for (const Hypothesis* h : all) (h->between.empty() ? first : between).push_back(h);
   PlacesFitted result;
-  result.fits.resize(all.size());
-  const auto fit_those = [&](const auto& chosen) {
-    in_parallel(int(all.size()), [&](int i) {
-      const Hypothesis& h = *all[std::size_t(i)];
-      if (chosen(h)) result.fits[std::size_t(i)] = fit(h);
-    });
+  const auto fit_each = [&](const std::vector<const Hypothesis*>& chosen) {
+    std::vector<JudgedFit> own(chosen.size());
+    in_parallel(int(own.size()),
+                [&](int i) { own[std::size_t(i)] = fit(*chosen[std::size_t(i)]); });
+    for (JudgedFit& j : own)
+      if (j.fit.solved) result.fits.push_back(std::move(j));
   };
-  fit_those([](const Hypothesis& h) { return h.between.empty(); });
+  fit_each(first);
   const std::set<Where> near = near_the_best(result.fits);
-  const auto is_beside_them = [&](const Hypothesis& h) {
-    return std::any_of(h.between.begin(), h.between.end(),
-                       [&](const auto& beside) { return near.contains(where(h, beside.first)); });
+  const auto lies_beside_them = [&](const Hypothesis* h) {
+    return std::any_of(h->between.begin(), h->between.end(),
+                       [&](const auto& beside) { return near.contains(where(*h, beside.first)); });
   };
-  fit_those(is_beside_them);
-  for (const Hypothesis* h : all)
-    if (!h->between.empty() && !is_beside_them(*h)) ++result.passed_over[h->effect];
-  std::erase_if(result.fits, [](const JudgedFit& j) { return !j.fit.solved; });
+  const auto far = std::stable_partition(between.begin(), between.end(), lies_beside_them);
+  for (auto h = far; h != between.end(); ++h) ++result.passed_over[(*h)->effect];
+  between.erase(far, between.end());
+  reduce_each(context, between);
+  fit_each(between);
   return result;
 }
 

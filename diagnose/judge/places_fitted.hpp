@@ -8,14 +8,14 @@
 namespace plica {
 
 struct PlacesFitted {
-  std::vector<JudgedFit> fits; // in the order of the hypotheses, those that were solved
+  std::vector<JudgedFit> fits; // that were solved; those between others last
   PassedOver passed_over;
 };
 
 // First those that lie between no others, then those that lie between (Hypothesis::between) one of
-// the best three places of their effect, or one within 7 nats of the best, and others. `fit` is
-// called from several threads.
-PlacesFitted fit_places(const std::vector<const Hypothesis*>& all,
+// the best three places of their effect, or one within 7 nats of the best, and others. The latter
+// are reduced here. `fit` is called from several threads.
+PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypothesis*>& all,
                         const std::function<JudgedFit(const Hypothesis&)>& fit);
 
 } // namespace plica
