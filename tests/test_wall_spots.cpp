@@ -34,8 +34,8 @@ Case panel() {
   std::vector<int> all(mesh.nodes.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
   const std::string held = "*NSET, NSET=EDGES\n" +
-                           test::abaqus::list({edges.begin(), edges.end()}) +
-                           "*NSET, NSET=EACH\n" + test::abaqus::list(all) +
+                           test::abaqus::list({edges.begin(), edges.end()}) + "*NSET, NSET=EACH\n" +
+                           test::abaqus::list(all) +
                            "*BOUNDARY\nEDGES, 3, 3\nEACH, 1, 2\nEACH, 6, 6\n";
   Case c;
   c.name = "panel";
@@ -56,8 +56,8 @@ struct NavierPlate {
   NavierPlate() {
     const double D = E * std::pow(thickness, 3) / (12 * (1 - nu * nu));
     each([&](Index i, int p, int q) {
-      const double k2 = std::pow(p * std::numbers::pi / length, 2) +
-                        std::pow(q * std::numbers::pi / width, 2);
+      const double k2 =
+          std::pow(p * std::numbers::pi / length, 2) + std::pow(q * std::numbers::pi / width, 2);
       lambda[i] = D * k2 * k2 / (rho * thickness);
     });
   }

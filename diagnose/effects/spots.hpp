@@ -8,7 +8,7 @@ namespace plica {
 
 // Of what acts at one place: so many crowns or convolutions are looked at, the others where these
 // come near.
-inline constexpr int local_stations = 16;
+inline constexpr int local_stations = 10;
 // Numbers of 1..count that are looked at: all, or eight evenly spread, and up to `most` between.
 std::vector<int> stations_of(int count, int most = 8);
 // Of "PREFIX[number]" among the stations given, in increasing order; empty for one of them.
