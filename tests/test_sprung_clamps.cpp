@@ -104,6 +104,55 @@ TEST(SprungClamps, do_not_move_the_nominal_structure) {
     EXPECT_NEAR(on_springs.modes[j].frequency / own.modes[j].frequency, 1, 1e-4) << j;
 }
 
+// The same pulled along its axis: a tension of 2 kN stiffens it by some percents.
+Case pulled(Case c) {
+  Cap tip;
+  tip.name = "tip";
+  tip.of = {"beam2.end"};
+  c.caps.push_back(tip);
+  c.state.emplace().force = {{.cap = "tip", .force = {0, 2e3, 0}}};
+  return c;
+}
+
+TEST(SprungClamps, do_not_move_a_structure_in_its_state) {
+  const Case rigid = pulled(two_halves({}));
+  EXPECT_EQ(nominal_of(rigid, {}).rigid_clamps, Names{"joint"});
+  Case sprung = rigid;
+  EXPECT_EQ(put_springs_in_clamps(sprung), Names{"joint"});
+  const Results own = test::run_silently(rigid), on_springs = test::run_silently(sprung),
+                at_rest = test::run_silently(two_halves({}));
+  ASSERT_GE(own.modes.size(), 6U);
+  EXPECT_GT(own.modes[0].frequency, 1.01 * at_rest.modes[0].frequency);
+  for (std::size_t j = 0; j < 6; ++j)
+    EXPECT_NEAR(on_springs.modes[j].frequency / own.modes[j].frequency, 1, 1e-4) << j;
+}
+
+// Of what it is by the run of a case that says so, in the state: readings of five modes.
+TEST(SprungClamps, one_that_gives_way_in_a_state_is_followed) {
+  Measured m;
+  m.specimen = "beam";
+  add_modes(m, "");
+  const Case nominal = pulled(two_halves({}));
+  constexpr double loose = 5e3; // Nm/rad
+  const Nominal model = nominal_of(nominal, m);
+  const Structure s = model.structure(m);
+  const TestReadings readings = readings_of({.data = m, .responses = {}});
+  int followed = 0;
+  for (const Hypothesis& h : joint_stiffness().hypotheses(s)) {
+    if (h.place != "caps.joint" || h.way != "bending") continue;
+    Sextuple springs = cap_named(s.data, "joint")->stiffness.value();
+    springs[3] = springs[5] = loose;
+    const Eigen::VectorXd whole = read_by(pulled(two_halves(springs)), m),
+                          rigid = read_by(nominal, m),
+                          own = *Predictor(model, readings,
+                                           {&h})(Eigen::VectorXd::Constant(1, loose));
+    EXPECT_GT((rigid - whole).maxCoeff(), 0.05) << "it is seen";
+    for (Eigen::Index i = 0; i < whole.size(); ++i) EXPECT_NEAR(own[i], whole[i], 1e-3) << i;
+    ++followed;
+  }
+  EXPECT_EQ(followed, 1);
+}
+
 // A fifth to four fifths of the beam's own compliance, by its two axes.
 TEST(SprungClamps, one_that_gives_way_is_found_with_its_stiffness) {
   constexpr double loose = 5e3; // Nm/rad

@@ -192,7 +192,7 @@ void list_hypotheses(GapProblem& p) {
   if (const std::vector<std::string> rigid = clamps_left_rigid(p.nominal.states.front().data);
       !rigid.empty())
     p.words.push_back(fmt::format("left rigid, as parts lie side by side there, ends of one part "
-                                  "meet, a support holds them or a state acts: {}",
+                                  "meet or a support holds them: {}",
                                   fmt::join(rigid, ", ")));
 }
 
