@@ -38,8 +38,9 @@ public:
   Diagnosis diagnosis() {
     const FitContext context = problem_.context();
     const BlockScores scores(problem_.readings, problem_.uncertainty);
-    settings_.stage(fmt::format("signatures of {} hypotheses", problem_.hypotheses.size()),
-                    share::bases);
+    settings_.stage(
+        fmt::format("signatures of {} hypotheses", looked_at(problem_.hypotheses).size()),
+        share::bases);
     std::vector<Signature> all = signatures_of_all(context);
     find_smallest(context, all);
     Standards standards = standards_of(context, *problem_.held_out, scores);
@@ -261,7 +262,7 @@ private:
                        const Standards& standards) {
     std::vector<const Hypothesis*> heard;
     for (const Signature& s : all)
-      if (s.g.norm() >= silent) heard.push_back(s.hypothesis);
+      if (s.g.norm() >= silent || !s.hypothesis->between.empty()) heard.push_back(s.hypothesis);
     StageShare behind(settings_, share::fits, share::chains, heard.size());
     return fit_places(context, heard, [&](const Hypothesis& h) {
       if (settings_.stop()) return JudgedFit();

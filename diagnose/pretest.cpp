@@ -196,7 +196,7 @@ Pretest pretest(const Case& data, const TestPlan& asked,
   const Whitening fitted(test, u, false);
   const FitContext context{predictors, test, u, measured, fitted};
   std::vector<Hypothesis> all = chosen_effects(nominal.structure(runs)).hypotheses;
-  std::erase_if(all, [](const Hypothesis& h) { return !h.between.empty(); });
+  std::erase_if(all, [](const Hypothesis& h) { return !h.between.empty(); }); // enough for a plan
   stage("signatures of " + std::to_string(all.size()) + " hypotheses");
   reduce_each(context, looked_at(all));
   std::vector<Signature> own = signatures(context, all);

@@ -172,6 +172,9 @@ TEST(WallSpots, a_place_whose_neighbours_the_case_leaves_out_is_looked_at_itself
   EXPECT_TRUE(own.front().between.empty());
 }
 
+// What a spot of ninety-six stands for.
+const double a_spot = 1.5 * std::sqrt(length * width / 96);
+
 TEST(WallSpots, a_mass_on_a_deck_is_found_where_it_sits) {
   const Case c = panel();
   constexpr double x = 0.211, y = 0.072, mass = 0.05;
@@ -181,10 +184,30 @@ TEST(WallSpots, a_mass_on_a_deck_is_found_where_it_sits) {
   const NamedEffect& e = d.effects.front();
   EXPECT_EQ(e.name, "added_mass") << d.headline;
   ASSERT_TRUE(e.within.has_value()) << d.headline;
-  EXPECT_LT(distance_to(e, build(c), x, y), *e.within) << e.place;
+  EXPECT_LT(distance_to(e, build(c), x, y), std::min(*e.within, a_spot)) << e.place;
   EXPECT_LE(e.parameters[0].interval[0], mass) << d.headline;
   EXPECT_GE(e.parameters[0].interval[1], mass) << d.headline;
   EXPECT_NE(plain_verdict(d).find(", within 0.0"), std::string::npos) << plain_verdict(d);
+  const std::vector<Spot> spots = wall_spots(build(c), "panel");
+  std::size_t looked_at = 0;
+  for (const TriedHypothesis& h : d.tried)
+    looked_at += h.effects.size() == 1 && h.effects[0].name == "added_mass";
+  EXPECT_GT(looked_at, 24U) << "those beside the best as well";
+  EXPECT_LT(looked_at, 80U) << "and not all";
+}
+
+// Normals of shells that are listed either way round; of those that stand across each other none.
+TEST(WallSpots, a_normal_is_that_of_the_wall_however_its_corners_are_listed) {
+  BuiltCase built = build(panel());
+  std::vector<ShellQuad>& quads = built.model.mesh.quads;
+  for (std::size_t q = 0; q < quads.size(); q += 2)
+    std::reverse(quads[q].nodes.begin(), quads[q].nodes.end());
+  const std::vector<Spot> spots = wall_spots(built, "panel");
+  ASSERT_EQ(spots.size(), 96U);
+  for (const Spot& spot : spots) {
+    ASSERT_TRUE(spot.normal.has_value()) << spot.place;
+    EXPECT_NEAR(std::abs(spot.normal->z()), 1, 1e-12);
+  }
 }
 
 TEST(WallSpots, something_that_touches_a_deck_is_found_where_it_touches) {
@@ -195,7 +218,7 @@ TEST(WallSpots, something_that_touches_a_deck_is_found_where_it_touches) {
   const NamedEffect& e = d.effects.front();
   EXPECT_EQ(e.name, "extra_support") << d.headline;
   ASSERT_TRUE(e.within.has_value()) << d.headline;
-  EXPECT_LT(distance_to(e, build(c), x, y), *e.within) << e.place;
+  EXPECT_LT(distance_to(e, build(c), x, y), std::min(*e.within, a_spot)) << e.place;
 }
 
 } // namespace

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -52,8 +51,7 @@ std::map<std::string, Eigen::Vector3d> spots_on_walls(const GapProblem& problem)
   const Structure structure = problem.nominal.structure(problem.test.data);
   std::map<std::string, Eigen::Vector3d> at;
   for (const Part& part : problem.data.parts)
-    if (std::holds_alternative<SurfacePart>(part.body) ||
-        std::holds_alternative<DeckPart>(part.body))
+    if (is_from_file(part))
       for (const Spot& spot : wall_spots(structure.built, part.name))
         at[spot.place] = structure.built.model.mesh.nodes[std::size_t(spot.touched)];
   return at;
@@ -136,25 +134,31 @@ std::optional<NamedEffect::Along> NamedEffects::along_bellows(const NamedEffect&
   return along;
 }
 
+// As far as the nodes lie that are nearer to it, or to another of its places, than to any spot that
+// was looked at besides.
 std::optional<double> NamedEffects::within_of_spot(const NamedEffect& e) const {
   if (!on_walls_.contains(e.place)) return std::nullopt;
-  std::set<std::string> looked_at;
+  std::set<std::string> own(e.other_places.begin(), e.other_places.end()), looked_at;
+  own.insert(e.place);
   for (const JudgedFit& j : found_.fits)
-    if (const Hypothesis& h = *j.fit.together[0]; h.effect == e.name && on_walls_.contains(h.place))
-      looked_at.insert(h.place);
-  const Eigen::Vector3d& here = on_walls_.at(e.place);
-  const auto half_way_to_next = [&](const std::string& place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const std::string& other : looked_at)
-      if (other != place)
-        nearest = std::min(nearest, (on_walls_.at(other) - on_walls_.at(place)).norm());
-    return nearest / 2;
-  };
-  double within = half_way_to_next(e.place);
-  for (const std::string& place : e.other_places)
-    if (looked_at.contains(place))
-      within = std::max(within, (on_walls_.at(place) - here).norm() + half_way_to_next(place));
-  return std::isfinite(within) ? std::optional(within) : std::nullopt;
+    if (j.fit.together[0]->effect == e.name) looked_at.insert(j.fit.together[0]->place);
+  looked_at.insert(own.begin(), own.end());
+  std::erase_if(looked_at, [&](const std::string& place) {
+    return !on_walls_.contains(place) || part_of_set(place) != part_of_set(e.place);
+  });
+  const Mesh& mesh = problem_.nominal.structure(problem_.test.data).built.model.mesh;
+  double within = 0;
+  for (int node : mesh.sets.at(part_of_set(e.place) + ".all")) {
+    const Eigen::Vector3d& x = mesh.nodes[std::size_t(node)];
+    const auto distance = [&](const std::string& place) {
+      return (on_walls_.at(place) - x).norm();
+    };
+    const auto nearest =
+        std::min_element(looked_at.begin(), looked_at.end(),
+                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    if (own.contains(*nearest)) within = std::max(within, distance(e.place));
+  }
+  return within;
 }
 
 namespace {

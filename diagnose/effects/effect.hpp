@@ -109,8 +109,8 @@ struct Hypothesis {
   bool names_place_only = false;
   // It has a resonance of its own, for which another thing's may be taken.
   bool resonates = false;
-  // Places of the same effect and way between which it lies: their signatures are its own, and it is
-  // fitted where one of them comes near.
+  // Places of the same effect and way between which it lies: their signatures are its own, and it
+  // is fitted where one of them comes near.
   PlaceShares between = {};
   // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
   std::vector<std::size_t> along = {};

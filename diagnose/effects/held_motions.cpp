@@ -5,17 +5,22 @@
 
 namespace plica {
 
+// What follows held motions alone is held, and what follows that.
 HeldMotions::HeldMotions(const BuiltCase& built) {
-  const std::set<int> nodes(built.held_nodes.begin(), built.held_nodes.end());
-  for (const Constraint& c : built.model.constraints)
-    if (std::all_of(c.terms.begin(), c.terms.end(),
-                    [&](const ConstraintTerm& t) { return nodes.contains(t.node); }))
-      held_.emplace(c.node, c.dof);
-  for (int node : nodes)
+  for (int node : built.held_nodes)
     for (int dof = 0; dof < 6; ++dof) held_.emplace(node, dof);
+  for (std::size_t before = 0, count = 1; count > before;) {
+    before = held_.size();
+    for (const Constraint& c : built.model.constraints)
+      if (std::all_of(c.terms.begin(), c.terms.end(), [&](const ConstraintTerm& t) {
+            return t.factor == 0 || held_.contains({t.node, t.dof});
+          }))
+        held_.emplace(c.node, c.dof);
+    count = held_.size();
+  }
 }
 
-bool HeldMotions::leave(const Spot& spot) const {
+bool HeldMotions::let_move(const Spot& spot) const {
   constexpr double felt = 1e-3; // of the normal
   for (int axis = 0; axis < 3; ++axis)
     if ((!spot.normal || std::abs((*spot.normal)[axis]) > felt) &&

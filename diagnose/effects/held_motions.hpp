@@ -5,6 +5,7 @@
 #include "model/shape/build.hpp"
 
 #include <set>
+#include <utility>
 
 namespace plica {
 
@@ -12,7 +13,7 @@ class HeldMotions {
 public:
   explicit HeldMotions(const BuiltCase& built);
   // Whether a spot may move, along its normal where it has one.
-  bool leave(const Spot& spot) const;
+  bool let_move(const Spot& spot) const;
 
 private:
   std::set<std::pair<int, int>> held_; // nodes and DOFs

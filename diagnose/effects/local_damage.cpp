@@ -1,6 +1,5 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
-#include "diagnose/effects/spots.hpp"
 
 #include <algorithm>
 #include <array>
@@ -164,21 +163,17 @@ void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const Beam
 std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
-  for (const WallElements& wall : walls(s)) {
-    const std::vector<int> stations = stations_of(wall.convolutions, local_stations);
-    const std::string prefix = wall.part + ".convolution";
-    for (int k = 1; k <= wall.convolutions; ++k)
+  for (const WallElements& wall : walls(s))
+    for (int k : stations_of(wall.convolutions, local_stations))
       for (int i = 0; i < directions; ++i) {
         const double angle = std::numbers::pi * i / directions;
         const std::string way = fmt::format("{:g} degrees", 180. * i / directions);
-        found.push_back(damage(prefix + "[" + std::to_string(k) + "]", way,
+        found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way,
                                {[quads = damaged(s.built.model, wall, k, angle)](Model& model) {
                                   halve_modulus(model, quads);
                                 },
                                 Follow::series}));
-        found.back().between = between_stations(prefix, stations, k);
       }
-  }
   for (const Part& part : s.data.parts)
     if (std::holds_alternative<BeamPart>(part.body))
       for (Lost what : losses(s.built.model, elements_of(s.built.model, part.name)))

@@ -57,7 +57,7 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
     if (name == all)
       for (const JointGroup& group : joint_groups(s))
         if (!group.mount && group.rigid == rigid) add_component(nodes, model, group.place);
-  for (const Spot& spot : contact_spots(s))
+  for (const Spot& spot : contact_spots(s, part_of_set(name)))
     if (spot.place == name) nodes.insert(spot.nodes.begin(), spot.nodes.end());
   for (const Part& part : s.data.parts)
     if (const auto* body = std::get_if<PointMass>(&part.body); body && part.name == name) {

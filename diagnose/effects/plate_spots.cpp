@@ -67,7 +67,7 @@ std::vector<Spot> plate_spots(const BuiltCase& built, const std::string& part, c
                        .normal = normal_at(plate, double(i) / along, double(j) / across)});
     }
   const HeldMotions held(built);
-  std::erase_if(found, [&](const Spot& spot) { return !held.leave(spot); });
+  std::erase_if(found, [&](const Spot& spot) { return !held.let_move(spot); });
   return found;
 }
 

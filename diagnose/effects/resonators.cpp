@@ -98,7 +98,8 @@ std::vector<Hypothesis> resonators(const Structure& s) {
     const auto on = [&](const std::vector<int>& nodes) {
       return along_each([&](int axis) { return mean_motion(nodes, axis); });
     };
-    if (!is_told_of_sensor(s, spot)) listing.add(spot.place, "", {}, on({spot.touched}), spot.between);
+    if (!is_told_of_sensor(s, spot))
+      listing.add(spot.place, "", {}, on({spot.touched}), spot.between);
     if (spot.nodes.size() > 1)
       listing.add(spot.place, "on the mean motion", {}, on(spot.nodes), spot.between);
   }

@@ -24,23 +24,14 @@ int top_of(const Mesh& mesh, const std::vector<int>& nodes) {
                            [&](int a, int b) { return mesh.nodes[a].z() < mesh.nodes[b].z(); });
 }
 
-// Those looked at, or all.
 void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part,
-                      int looked_at, bool all) {
+                      int most) {
   const Mesh& mesh = s.built.model.mesh;
   const std::vector<double> y = roots(mesh, part);
-  const int count = int(y.size()) - 1;
-  const std::vector<int> stations = stations_of(count, looked_at);
-  const std::string prefix = part + ".convolution";
-  for (int k = 1; k <= count; ++k) {
-    PlaceShares between = between_stations(prefix, stations, k);
-    if (!all && !between.empty()) continue;
+  for (int k : stations_of(int(y.size()) - 1, most))
     if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
-      found.push_back({.place = prefix + "[" + std::to_string(k) + "]",
-                       .nodes = ring->nodes,
-                       .touched = top_of(mesh, ring->nodes),
-                       .between = std::move(between)});
-  }
+      found.push_back({part + ".convolution[" + std::to_string(k) + "]", ring->nodes,
+                       top_of(mesh, ring->nodes)});
 }
 
 void add_points(std::vector<Spot>& found, const Structure& s, const std::string& part) {
@@ -89,52 +80,56 @@ std::vector<int> stations_of(int count, int most) {
   return chosen;
 }
 
-PlaceShares between_stations(const std::string& prefix, const std::vector<int>& stations, int number) {
-  const auto place = [&](int k) { return prefix + "[" + std::to_string(k) + "]"; };
-  const auto next = std::lower_bound(stations.begin(), stations.end(), number);
-  if (next == stations.end()) return {{place(stations.back()), 1}};
-  if (*next == number) return {};
-  if (next == stations.begin()) return {{place(*next), 1}};
-  const int before = *(next - 1);
-  const double share = double(number - before) / double(*next - before);
-  return {{place(before), 1 - share}, {place(*next), share}};
-}
-
 namespace {
 
-enum class Where { few, anything_touches };
+void add_spots_of(std::vector<Spot>& found, const Structure& s, const Part& part, int crowns) {
+  if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name, crowns);
+  if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
+  if (std::holds_alternative<EquivalentPipe>(part.body) ||
+      std::holds_alternative<ConnectorChain>(part.body))
+    add_along(found, s, part.name);
+}
 
-std::vector<Spot> spots_of(const Structure& s, Where where) {
-  const bool all = where == Where::anything_touches;
+void add_walls_of(std::vector<Spot>& found, const Structure& s, const Part& part) {
+  const auto add = [&](std::vector<Spot> spots) {
+    for (Spot& spot : spots) found.push_back(std::move(spot));
+  };
+  if (const auto* plate = std::get_if<Plate>(&part.body))
+    add(plate_spots(s.built, part.name, *plate));
+  if (is_from_file(part)) add(wall_spots(s.built, part.name));
+}
+
+std::vector<Spot> sensor_spots(const Structure& s) {
   std::vector<Spot> found;
   for (const BuiltSensor& sensor : s.built.sensors)
     found.push_back({sensor_place(sensor.name), {sensor.node}, sensor.node});
-  for (const Part& part : s.data.parts) {
-    if (std::holds_alternative<Bellows>(part.body))
-      add_convolutions(found, s, part.name, all ? local_stations : 8, all);
-    if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
-    if (std::holds_alternative<EquivalentPipe>(part.body) ||
-        std::holds_alternative<ConnectorChain>(part.body))
-      add_along(found, s, part.name);
-    if (!all) continue;
-    if (const auto* plate = std::get_if<Plate>(&part.body))
-      for (Spot& spot : plate_spots(s.built, part.name, *plate)) found.push_back(std::move(spot));
-    if (std::holds_alternative<SurfacePart>(part.body) ||
-        std::holds_alternative<DeckPart>(part.body))
-      for (Spot& spot : wall_spots(s.built, part.name)) found.push_back(std::move(spot));
-  }
-  std::erase_if(found, [&](const Spot& spot) { return is_held(s, spot.touched); });
   return found;
+}
+
+void drop_held(std::vector<Spot>& spots, const Structure& s) {
+  std::erase_if(spots, [&](const Spot& spot) { return is_held(s, spot.touched); });
 }
 
 } // namespace
 
 std::vector<Spot> spots(const Structure& s) {
-  return spots_of(s, Where::few);
+  constexpr int few = 8;
+  std::vector<Spot> found = sensor_spots(s);
+  for (const Part& part : s.data.parts) add_spots_of(found, s, part, few);
+  drop_held(found, s);
+  return found;
 }
 
-std::vector<Spot> contact_spots(const Structure& s) {
-  return spots_of(s, Where::anything_touches);
+std::vector<Spot> contact_spots(const Structure& s, const std::string& part_alone) {
+  std::vector<Spot> found;
+  if (part_alone.empty()) found = sensor_spots(s);
+  for (const Part& part : s.data.parts) {
+    if (!part_alone.empty() && part.name != part_alone) continue;
+    add_spots_of(found, s, part, local_stations);
+    add_walls_of(found, s, part);
+  }
+  drop_held(found, s);
+  return found;
 }
 
 bool is_told_of_sensor(const Structure& s, const Spot& spot) {

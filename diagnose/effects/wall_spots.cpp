@@ -16,19 +16,35 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t looked_at = 24, with_those_between = 96;
+constexpr std::size_t looked_at_first = 24, with_those_between = 96;
 
-// Sum of the normals of the shells at each node of a part, each as long as its shell is large;
-// nodes of beams alone have none.
-std::map<int, Vector3d> normals_of(const Model& model, const std::string& part) {
-  std::map<int, Vector3d> normals;
+// Normals of the shells at a node, each as long as its shell is large, whichever way round its
+// corners are listed.
+struct NodeNormal {
+  Vector3d sum = Vector3d::Zero();
+  double sizes = 0;
+  void add(const Vector3d& normal) {
+    sum += sum.dot(normal) < 0 ? -normal : normal;
+    sizes += normal.norm();
+  }
+  // None: there are beams alone, or shells that stand across each other.
+  std::optional<Vector3d> mean() const {
+    constexpr double clear = 0.1;
+    return sizes > 0 && sum.norm() > clear * sizes ? std::optional<Vector3d>(sum.normalized())
+                                                   : std::nullopt;
+  }
+};
+
+// Of the nodes of shells and beams of a part.
+std::map<int, NodeNormal> normals_of(const Model& model, const std::string& part) {
+  std::map<int, NodeNormal> normals;
   const auto own = [&](int component) {
     return component >= 0 && model.components[std::size_t(component)] == part;
   };
   const auto x = [&](int node) { return model.mesh.nodes[std::size_t(node)]; };
   const auto add = [&](const auto& shell, const Vector3d& normal) {
-    if (!own(model.shells[std::size_t(shell.section)].component)) return;
-    for (int node : shell.nodes) normals.try_emplace(node, Vector3d::Zero()).first->second += normal;
+    if (own(model.shells[std::size_t(shell.section)].component))
+      for (int node : shell.nodes) normals[node].add(normal);
   };
   for (const ShellQuad& q : model.mesh.quads)
     add(q, (x(q.nodes[2]) - x(q.nodes[0])).cross(x(q.nodes[3]) - x(q.nodes[1])));
@@ -36,34 +52,34 @@ std::map<int, Vector3d> normals_of(const Model& model, const std::string& part) 
     add(t, (x(t.nodes[1]) - x(t.nodes[0])).cross(x(t.nodes[2]) - x(t.nodes[0])));
   for (const BeamElement& b : model.beams)
     if (own(b.component))
-      for (int node : {b.node1, b.node2}) normals.try_emplace(node, Vector3d::Zero());
+      for (int node : {b.node1, b.node2}) normals.try_emplace(node);
   return normals;
 }
 
-// Up to so many of these nodes, each as far as may be from those before it; the first from the
-// middle.
+// Up to so many of these nodes: the one nearest to their middle, then each as far as may be from
+// those before it.
 std::vector<int> spread_over(const Mesh& mesh, const std::vector<int>& nodes, std::size_t most) {
+  if (nodes.empty()) return {};
   const auto x = [&](int node) { return mesh.nodes[std::size_t(node)]; };
   Vector3d middle = Vector3d::Zero();
   for (int node : nodes) middle += x(node) / double(nodes.size());
-  std::vector<double> away;
-  for (int node : nodes) away.push_back((x(node) - middle).norm());
-  std::vector<int> chosen;
-  while (chosen.size() < std::min(most, nodes.size())) {
+  std::vector<int> chosen{*std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+    return (x(a) - middle).squaredNorm() < (x(b) - middle).squaredNorm();
+  })};
+  std::vector<double> away(nodes.size(), std::numeric_limits<double>::infinity());
+  while (chosen.size() < most) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      away[i] = std::min(away[i], (x(nodes[i]) - x(chosen.back())).norm());
     const auto farthest = std::max_element(away.begin(), away.end());
     if (!(*farthest > 0)) break; // what is left shares its place with others
     chosen.push_back(nodes[std::size_t(farthest - away.begin())]);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const double own = (x(nodes[i]) - x(chosen.back())).norm();
-      away[i] = chosen.size() == 1 ? own : std::min(away[i], own);
-    }
   }
   return chosen;
 }
 
 // Millimetres, as many digits as tell a thousandth of the size of the part.
 std::string place_name(const std::string& part, const Vector3d& x, double size) {
-  const int digits = std::max(0, int(std::ceil(-std::log10(size))));
+  const int digits = size > 0 ? std::max(0, int(std::ceil(-std::log10(size)))) : 0;
   std::string name = part + ".spot";
   for (double metres : x) {
     const double unit = std::pow(10, -digits);
@@ -73,12 +89,13 @@ std::string place_name(const std::string& part, const Vector3d& x, double size) 
   return name;
 }
 
-// The three nearest of those that are looked at, the nearer the more.
-PlaceShares nearest_looked_at(const std::vector<Spot>& spots, const Mesh& mesh, const Vector3d& x) {
+// The three nearest of those that are looked at first and move the same ways, the nearer the more.
+PlaceShares nearest_of(const std::vector<Spot>& first, const Mesh& mesh, const Spot& spot) {
+  const auto x = [&](const Spot& at) { return mesh.nodes[std::size_t(at.touched)]; };
   std::vector<std::pair<double, std::string>> by_distance;
-  for (const Spot& spot : spots)
-    if (spot.between.empty())
-      by_distance.emplace_back((mesh.nodes[std::size_t(spot.touched)] - x).norm(), spot.place);
+  for (const Spot& other : first)
+    if (other.between.empty() && other.normal.has_value() == spot.normal.has_value())
+      by_distance.emplace_back((x(other) - x(spot)).norm(), other.place);
   const std::size_t count = std::min<std::size_t>(3, by_distance.size());
   std::partial_sort(by_distance.begin(), by_distance.begin() + std::ptrdiff_t(count),
                     by_distance.end());
@@ -92,19 +109,20 @@ PlaceShares nearest_looked_at(const std::vector<Spot>& spots, const Mesh& mesh, 
 
 } // namespace
 
+bool is_from_file(const Part& part) {
+  return std::holds_alternative<SurfacePart>(part.body) ||
+         std::holds_alternative<DeckPart>(part.body);
+}
+
 std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
   const Mesh& mesh = built.model.mesh;
-  const std::map<int, Vector3d> normals = normals_of(built.model, part);
+  const std::map<int, NodeNormal> normals = normals_of(built.model, part);
   const HeldMotions held(built);
-  const auto spot_at = [&](int node, const Vector3d& normal) {
-    Spot spot{.place = "", .nodes = {node}, .touched = node};
-    if (normal.norm() > 0) spot.normal = normal.normalized();
-    return spot;
-  };
   std::vector<int> nodes;
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const auto& [node, normal] : normals) {
-    if (!held.leave(spot_at(node, normal))) continue;
+    if (!held.let_move({.place = "", .nodes = {}, .touched = node, .normal = normal.mean()}))
+      continue;
     nodes.push_back(node);
     low = low.cwiseMin(mesh.nodes[std::size_t(node)]);
     high = high.cwiseMax(mesh.nodes[std::size_t(node)]);
@@ -112,11 +130,12 @@ std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
   std::vector<Spot> found;
   std::set<std::string> names;
   for (int node : spread_over(mesh, nodes, with_those_between)) {
-    const Vector3d& x = mesh.nodes[std::size_t(node)];
-    Spot spot = spot_at(node, normals.at(node));
-    spot.place = place_name(part, x, (high - low).norm());
+    Spot spot{.place = place_name(part, mesh.nodes[std::size_t(node)], (high - low).norm()),
+              .nodes = {node},
+              .touched = node,
+              .normal = normals.at(node).mean()};
     if (!names.insert(spot.place).second) continue;
-    if (found.size() >= looked_at) spot.between = nearest_looked_at(found, mesh, x);
+    if (found.size() >= looked_at_first) spot.between = nearest_of(found, mesh, spot);
     found.push_back(std::move(spot));
   }
   return found;

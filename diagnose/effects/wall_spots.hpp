@@ -1,7 +1,7 @@
 // Places on a part that is read from a file, a surface or a deck: nodes spread all over it.
 //
-// "duct.spot[120][-4][33]" is the node at x = 120, y = -4, z = 33 mm. Some twenty are looked at,
-// each as far from the others as may be; those between them where these come near.
+// "duct.spot[120][-4][33]" is the node at x = 120, y = -4, z = 33 mm. Some twenty are looked at
+// first, each as far from the others as may be; those between them where these come near.
 #pragma once
 
 #include "diagnose/effects/spot.hpp"
@@ -9,7 +9,10 @@
 
 namespace plica {
 
-// Nodes of shells along their mean normal, of beams alone along any axis; none where that is held.
+bool is_from_file(const Part& part);
+
+// Nodes of shells along their mean normal, of beams alone along any axis; none where that is held,
+// and none of what a deck has as matrices: laminates, solids.
 std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part);
 
 } // namespace plica

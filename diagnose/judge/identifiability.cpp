@@ -209,6 +209,7 @@ std::vector<SmallestDetectable> detectable(const std::vector<Signature>& all) {
   std::vector<SmallestDetectable> found;
   for (const Signature& s : all) {
     const Hypothesis& h = *s.hypothesis;
+    if (!h.between.empty()) continue;
     found.push_back({.name = h.effect,
                      .place = h.place,
                      .way = h.way,

@@ -37,7 +37,7 @@ std::vector<const Hypothesis*> looked_at(const std::vector<Hypothesis>& all);
 std::vector<Signature> signatures(
     const FitContext& context, const std::vector<Hypothesis>& all,
     const std::function<void()>& one_is_done = [] {});
-// Fills `smallest` of the hypothesis of each effect that shows most.
+// Fills `smallest` of the hypothesis of each effect that shows most, among those looked at.
 void find_smallest(const FitContext& context, std::vector<Signature>& all);
 
 // Root of the non-centrality from which on an effect is found with 95 % power at ln BF = 3.

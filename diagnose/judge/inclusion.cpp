@@ -25,9 +25,10 @@ largest_first(const std::map<std::string, double>& shares) {
 } // namespace
 
 Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
-                     const std::vector<JudgedFit>& sets, const PassedOver& passed_over)
-    : places_(passed_over) {
+                     const std::vector<JudgedFit>& sets, const PassedOver& passed_over) {
   for (const JudgedFit& j : fits) ++places_[j.fit.together[0]->effect];
+  for (const auto& [effect, count] : passed_over)
+    if (const auto own = places_.find(effect); own != places_.end()) own->second += count;
   for (const std::vector<JudgedFit>* list : {&fits, &sets})
     for (const JudgedFit& j : *list)
       if (j.fit.solved && !j.explains_nothing) all_.push_back({&j, log_weight(j)});

@@ -154,8 +154,7 @@ std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
     f.log_evidence = highest + std::log(sum);
     std::map<std::string, double> places;
     for (const JudgedFit* j : own)
-      places[j->fit.together[0]->place] +=
-          std::exp(evidence_of(j->fit) - highest) / (sum * count);
+      places[j->fit.together[0]->place] += std::exp(evidence_of(j->fit) - highest) / (sum * count);
     f.places.assign(places.begin(), places.end());
     std::stable_sort(f.places.begin(), f.places.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });

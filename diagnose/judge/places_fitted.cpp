@@ -1,36 +1,41 @@
 #include "diagnose/judge/places_fitted.hpp"
 
 #include "diagnose/judge/identifiability.hpp"
+#include "diagnose/judge/thresholds.hpp"
 #include "solve/parallel.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
-#include <tuple>
+#include <utility>
 
 namespace plica {
 namespace {
 
-using Where = std::tuple<std::string, std::string, std::string>; // effect, place, way
+using EffectAtPlace = std::pair<std::string, std::string>;
 
-Where where(const Hypothesis& h, const std::string& place) {
-  return {h.effect, place, h.way};
-}
-
-// Of those that were fitted, places of each effect that are near its best.
-std::set<Where> near_the_best(const std::vector<JudgedFit>& fits) {
+// Of what was fitted: the best three places of each effect, and those within so many nats of its
+// best, by the errors as stated or as a fit that leaves much makes them.
+std::set<EffectAtPlace> near_the_best(const std::vector<JudgedFit>& fits) {
   constexpr std::size_t best_places = 3;
   std::map<std::string, std::vector<const JudgedFit*>> by_effect;
   for (const JudgedFit& j : fits) by_effect[j.fit.together[0]->effect].push_back(&j);
-  std::set<Where> near;
+  std::set<EffectAtPlace> near;
   for (auto& [effect, own] : by_effect) {
     std::stable_sort(own.begin(), own.end(), [](const JudgedFit* a, const JudgedFit* b) {
       return a->fit.log_evidence > b->fit.log_evidence;
     });
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (const Hypothesis& h = *own[i]->fit.together[0];
-          i < best_places ||
-          own[i]->fit.log_evidence > own.front()->fit.log_evidence - threshold::beyond_chance)
-        near.insert(where(h, h.place));
+    double dispersed = dispersed_log_evidence(own.front()->fit);
+    for (const JudgedFit* j : own) dispersed = std::max(dispersed, dispersed_log_evidence(j->fit));
+    std::set<std::string> places;
+    for (const JudgedFit* j : own) {
+      const std::string& place = j->fit.together[0]->place;
+      if (places.size() < best_places) places.insert(place);
+      if (places.contains(place) ||
+          j->fit.log_evidence > own.front()->fit.log_evidence - threshold::beyond_chance ||
+          dispersed_log_evidence(j->fit) > dispersed - threshold::beyond_chance)
+        near.insert({effect, place});
+    }
   }
   return near;
 }
@@ -50,10 +55,11 @@ PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypot
       if (j.fit.solved) result.fits.push_back(std::move(j));
   };
   fit_each(first);
-  const std::set<Where> near = near_the_best(result.fits);
+  const std::set<EffectAtPlace> near = near_the_best(result.fits);
   const auto lies_beside_them = [&](const Hypothesis* h) {
-    return std::any_of(h->between.begin(), h->between.end(),
-                       [&](const auto& beside) { return near.contains(where(*h, beside.first)); });
+    return std::any_of(h->between.begin(), h->between.end(), [&](const auto& beside) {
+      return near.contains({h->effect, beside.first});
+    });
   };
   const auto far = std::stable_partition(between.begin(), between.end(), lies_beside_them);
   for (auto h = far; h != between.end(); ++h) ++result.passed_over[(*h)->effect];

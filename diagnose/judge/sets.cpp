@@ -99,10 +99,8 @@ public:
     solve_anew(found);
     // What explained the test while changes were added up may not do so solved anew.
     if (explained && std::none_of(found.begin(), found.end(), explains)) {
-      add_up(true);
       grow(of_different_effects(found, grown_sets), found);
       exchange(found);
-      solve_anew(found);
     }
     return found;
   }
@@ -110,7 +108,7 @@ public:
   std::vector<JudgedFit> beside(const JudgedFit& lead) {
     constexpr double hint = 0.5; // nats
     begins_ = ends_;             // all sizes lie behind
-    add_up(false);
+    add_up_no_more();
     std::vector<Asked> asked;
     for (const auto& [own, h] : asked_for(lead.fit, few))
       if (own > hint) add_joined(lead.fit, *h, asked);
@@ -307,7 +305,7 @@ private:
         most_solved_anew, std::find_if(found.begin(), found.end(), [&](const JudgedFit& j) {
                             return j.fit.log_evidence < best - may_count;
                           }) - found.begin());
-    add_up(false);
+    add_up_no_more();
     std::vector<Asked> asked;
     for (auto j = found.begin(); j != found.begin() + count; ++j)
       asked.push_back({j->fit.together, j->fit.z});
@@ -315,9 +313,9 @@ private:
     add(found, fitted(asked));
   }
 
-  void add_up(bool added) {
-    context_.predictors.solve_anew(!added);
-    adds_up_ = added;
+  void add_up_no_more() {
+    context_.predictors.solve_anew();
+    adds_up_ = false;
   }
 
   static bool is_of(const HypothesisFit& fit, const Together& members) {

@@ -143,9 +143,9 @@ StateModels::Changes StateModels::products(std::size_t s, const Hypothesis& a, c
   return std::move(*found);
 }
 
-void StateModels::solve_anew(bool anew) {
+void StateModels::solve_anew() {
   forget_sets();
-  solves_anew_ = anew;
+  solves_anew_ = true;
 }
 
 void StateModels::forget_sets() {
@@ -374,8 +374,8 @@ std::optional<Eigen::VectorXcd> Predictor::response(const VectorXd& values, cons
   return answers_of(s, own).response(run, hertz);
 }
 
-void PredictorStore::solve_anew(bool anew) {
-  models_->solve_anew(anew);
+void PredictorStore::solve_anew() {
+  models_->solve_anew();
   forget_sets();
 }
 

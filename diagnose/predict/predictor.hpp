@@ -30,9 +30,8 @@ public:
   // with others.
   void keep(std::size_t state, const Together& each);
   // From here on sets hold what their members do to each other (products); a search, which has to
-  // tell thousands of sets apart, goes without (false). What was reduced of sets before is
-  // forgotten.
-  void solve_anew(bool anew = true);
+  // tell thousands of sets apart, goes without. What was reduced of sets before is forgotten.
+  void solve_anew();
   // What was reduced of sets; no thread may be using it.
   void forget_sets();
   // States in which something was measured that is fitted.
@@ -138,7 +137,7 @@ public:
   const Predictor& of(const std::vector<const Hypothesis*>& together);
   const std::shared_ptr<StateModels>& models() const { return models_; }
   // As StateModels does; predictors of sets that were handed out are gone.
-  void solve_anew(bool anew = true);
+  void solve_anew();
   void forget_sets();
 
 private:

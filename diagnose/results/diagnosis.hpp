@@ -43,8 +43,8 @@ struct NamedEffect {
     std::array<double, 2> interval{};
   };
   std::optional<Along> along = {};
-  // m: how far from a spot on a surface or a deck it may sit: half way to the next ones that were
-  // looked at, of the other places too.
+  // m: how far from a spot on a surface or a deck it may sit, as no spot that was looked at lies
+  // nearer to the cause; that it sits at one of the other places included.
   std::optional<double> within = {};
   // What a case says in its place (Hypothesis::in_case), at these values.
   std::function<CaseEdits(const Case& now)> in_case = {};
