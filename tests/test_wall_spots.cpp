@@ -1,6 +1,7 @@
 // What touches or sits on a part that is read from a file, against closed form.
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/wall_spots.hpp"
+#include "io/input/measured_file.hpp"
 #include "io/tables/ledger_words.hpp"
 #include "model/description/deck_model.hpp"
 #include "tests/abaqus_plate.hpp"
@@ -219,6 +220,72 @@ TEST(WallSpots, something_that_touches_a_deck_is_found_where_it_touches) {
   EXPECT_EQ(e.name, "extra_support") << d.headline;
   ASSERT_TRUE(e.within.has_value()) << d.headline;
   EXPECT_LT(distance_to(e, build(c), x, y), std::min(*e.within, a_spot)) << e.place;
+}
+
+// The roller beam as a deck of shells that bends about its weak axis alone: 501 x 51 x 6.66 mm with
+// 70 g of an accelerometer, without the roller that touched it (cases/roller_beam).
+Case roller_deck() {
+  constexpr double reach = 0.501, half = 0.0255;
+  const Mesh mesh =
+      mesh_plate({Eigen::Vector3d(-half, 0, 0), {half, 0, 0}, {half, reach, 0}, {-half, reach, 0}},
+                 4, 60, 6.66e-3);
+  std::vector<int> all(mesh.nodes.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
+  std::string text = "*HEADING\nbeam\n" + test::abaqus::nodes_text(mesh) +
+                     test::abaqus::elements_text(mesh.quads, "S4") + "*NSET, NSET=ROOT\n" +
+                     test::abaqus::list(mesh.sets.at("edge1")) + "*NSET, NSET=SENSOR\n" +
+                     test::abaqus::list({test::node_at(mesh, {0, 41 * reach / 60, 0})}) +
+                     "*NSET, NSET=EACH\n" + test::abaqus::list(all) +
+                     "*MATERIAL, NAME=STEEL\n*ELASTIC\n2.02e11, 0.3\n*DENSITY\n7850.\n"
+                     "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL\n6.66e-3, 5\n"
+                     "*BOUNDARY\nROOT, ENCASTRE\nEACH, 1, 1\nEACH, 6, 6\n";
+  Case c;
+  c.name = "roller_deck";
+  DeckPart deck{.file = "beam.inp"};
+  deck.content = std::make_shared<DeckModel>(test::abaqus::read_text(text));
+  c.parts.push_back({"beam", deck});
+  PointMass accelerometer;
+  accelerometer.at = "beam.SENSOR";
+  accelerometer.mass = 0.07;
+  c.parts.push_back({"accelerometer", accelerometer});
+  c.analyses.modes = Modes{.count = 8};
+  c.analyses.damping.modal = 0.01;
+  c.diagnose.model_error = 0.02;
+  return c;
+}
+
+// Two measured frequencies say that something touches it, and within how far.
+void expect_the_roller(int station, double at) {
+  const Case c = roller_deck();
+  Measured m = read_measured(PLICA_SOURCE_DIR "/cases/roller_beam/station_" +
+                             std::to_string(station) + "/measured.yaml");
+  for (MeasuredMode& mode : m.modes) { // shells do not say what bends
+    mode.shape = MeasuredShape::other;
+    mode.direction.reset();
+  }
+  const Diagnosis d = changed_beam::diagnosis_of(c, m);
+  EXPECT_EQ(d.verdict, Verdict::ambiguous) << d.headline;
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  const NamedEffect& e = d.effects.front();
+  EXPECT_EQ(e.name, "extra_support") << d.headline;
+  ASSERT_TRUE(e.within.has_value()) << d.headline;
+  bool found = false;
+  for (const Spot& spot : wall_spots(build(c), "beam"))
+    if (spot.place == e.place) {
+      const double y = build(c).model.mesh.nodes[std::size_t(spot.touched)].y();
+      EXPECT_LT(std::abs(y - at), std::min(*e.within, 0.06)) << station << ": " << d.headline;
+      found = true;
+    }
+  EXPECT_TRUE(found) << e.place;
+}
+
+TEST(WallSpots, the_roller_touches_a_measured_beam_that_is_drawn_as_a_deck) {
+  expect_the_roller(4, 0.1330);
+}
+
+TEST(WallSpotsSlow, the_roller_touches_at_every_station) {
+  const std::array stations{0.0639, 0.0867, 0.1103, 0.1330, 0.1564, 0.1798};
+  for (std::size_t k = 0; k < stations.size(); ++k) expect_the_roller(int(k) + 1, stations[k]);
 }
 
 } // namespace
