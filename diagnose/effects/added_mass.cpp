@@ -43,7 +43,8 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
                      .changes = {std::move(one_kilogram)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = on_scale,
-                     .between = spot.between});
+                     .between = spot.between,
+                     .free_numbers = spot.free_numbers});
   };
   const auto add_at_point = [&](const Spot& spot) {
     add(spot, "", on_each({spot.touched}));

@@ -112,6 +112,8 @@ struct Hypothesis {
   // Places of the same effect and way between which it lies: their signatures are its own, and it
   // is fitted where one of them comes near.
   PlaceShares between = {};
+  // That say which of many spots `place` is: as many parameters that it has not (Spot).
+  int free_numbers = 0;
   // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
   std::vector<std::size_t> along = {};
   // Of all parameters those that act in a state, where states differ (growth.hpp).

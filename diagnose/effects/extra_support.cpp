@@ -78,7 +78,8 @@ std::vector<Hypothesis> at_spots(const Structure& s) {
                      .changes = {std::move(unit)},
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false,
-                     .between = spot.between});
+                     .between = spot.between,
+                     .free_numbers = spot.free_numbers});
   };
   for (const Spot& spot : contact_spots(s)) {
     if (is_at_sensor(spot.place) || is_anywhere(s, spot)) continue;

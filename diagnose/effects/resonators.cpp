@@ -54,7 +54,7 @@ public:
   explicit Listing(const Structure& s) : s_(s) {}
 
   void add(const std::string& place, const char* way, const std::vector<EffectParameter>& where,
-           AlongEach motions, PlaceShares between = {}) {
+           AlongEach motions, const Spot& spot = {}) {
     Hypothesis h{.effect = "resonator",
                  .place = place,
                  .way = way,
@@ -62,7 +62,8 @@ public:
                                 {"frequency", "Hz", {PriorKind::log_normal, s_.frequency, 1}}},
                  .at_rig = has_baseline(s_.measured),
                  .resonates = true,
-                 .between = std::move(between)};
+                 .between = spot.between,
+                 .free_numbers = spot.free_numbers};
     for (const EffectParameter& p : where) {
       h.along.push_back(h.parameters.size());
       h.parameters.push_back(p);
@@ -98,10 +99,9 @@ std::vector<Hypothesis> resonators(const Structure& s) {
     const auto on = [&](const std::vector<int>& nodes) {
       return along_each([&](int axis) { return mean_motion(nodes, axis); });
     };
-    if (!is_told_of_sensor(s, spot))
-      listing.add(spot.place, "", {}, on({spot.touched}), spot.between);
+    if (!is_told_of_sensor(s, spot)) listing.add(spot.place, "", {}, on({spot.touched}), spot);
     if (spot.nodes.size() > 1)
-      listing.add(spot.place, "on the mean motion", {}, on(spot.nodes), spot.between);
+      listing.add(spot.place, "on the mean motion", {}, on(spot.nodes), spot);
   }
   for (const BeamPath& path : line_paths(s))
     listing.add(path.part, "", path.place(), along_each([&](int axis) {

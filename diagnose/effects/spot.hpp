@@ -25,6 +25,7 @@ struct Spot {
   // Of a wall, which gives way along it alone.
   std::optional<Eigen::Vector3d> normal = {};
   PlaceShares between = {};
+  int free_numbers = 0; // that say where it is, since it is one of many: 2 on a wall
 };
 
 } // namespace plica

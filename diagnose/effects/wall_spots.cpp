@@ -133,7 +133,8 @@ std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
     Spot spot{.place = place_name(part, mesh.nodes[std::size_t(node)], (high - low).norm()),
               .nodes = {node},
               .touched = node,
-              .normal = normals.at(node).mean()};
+              .normal = normals.at(node).mean(),
+              .free_numbers = 2};
     if (!names.insert(spot.place).second) continue;
     if (found.size() >= looked_at_first) spot.between = nearest_of(found, mesh, spot);
     found.push_back(std::move(spot));

@@ -29,6 +29,7 @@ double point(const std::vector<double>& sorted, double share) {
 
 int free_parameters(const HypothesisFit& fit) {
   int count = 0;
+  for (const Hypothesis* h : fit.together) count += h->free_numbers;
   for (Eigen::Index k = 0; k < fit.z.size(); ++k)
     count += std::sqrt(fit.covariance(k, k)) < threshold::narrower ||
              fit.J.col(k).cwiseAbs().maxCoeff() > threshold::moves;
