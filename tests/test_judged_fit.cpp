@@ -74,6 +74,19 @@ TEST(JudgedFit, places_of_an_effect_share_what_its_hypotheses_are_worth) {
   EXPECT_NEAR(all[0].places[1].second, 2. / 6, 1e-12);
 }
 
+// Three more, of no weight: on average 1; of an effect without fits nothing is known.
+TEST(JudgedFit, places_that_were_passed_over_count_as_the_others) {
+  Fits fits;
+  fits.add("added_mass", std::log(4.), true, "left");
+  fits.add("added_mass", std::log(1.), true, "left");
+  fits.add("added_mass", std::log(1.), true, "right");
+  const PassedOver passed_over{{"added_mass", 3}, {"extra_support", 5}};
+  const std::vector<EffectFits> all = fits_by_effect(fits.singles, passed_over);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NEAR(all[0].log_evidence, 0, 1e-12);
+  EXPECT_NEAR(all[0].places[0].second, 5. / 6, 1e-12);
+}
+
 TEST(JudgedFit, effects_are_sorted_by_evidence_and_what_was_not_solved_is_left_out) {
   Fits fits;
   fits.add("added_mass", 4);
