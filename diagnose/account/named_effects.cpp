@@ -163,6 +163,11 @@ std::optional<double> NamedEffects::within_of_spot(const NamedEffect& e) const {
 
 namespace {
 
+// Of one effect: which of them it is at is as uncertain as how it acts there.
+bool are_spots_of_one_part(const Hypothesis& a, const Hypothesis& b) {
+  return a.free_numbers > 0 && b.free_numbers > 0 && part_of_set(a.place) == part_of_set(b.place);
+}
+
 // An interval of places along a part ends at whole millimetres, outwards: no part is drawn or
 // measured closer.
 void end_at_millimetres(std::array<double, 2>& ends, const Prior& path) {
@@ -185,7 +190,8 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
   if (fit.together.size() == 1)
     for (const JudgedFit& j : fits)
       if (const Hypothesis& other = *j.fit.together[0];
-          other.effect == h.effect && other.place == h.place && other.way != h.way)
+          other.effect == h.effect &&
+          (other.place == h.place ? other.way != h.way : are_spots_of_one_part(other, h)))
         ways.push_back(&j.fit);
   const Index first = fit.first_of(member);
   const VectorXd likely = likely_values(fit, member);

@@ -165,12 +165,11 @@ ChosenEffects chosen_effects(const Structure& s) {
 }
 
 void look_at_those_alone(std::vector<Hypothesis>& all) {
-  std::set<std::tuple<std::string, std::string, std::string>> looked_at;
-  for (const Hypothesis& h : all)
-    if (h.between.empty()) looked_at.emplace(h.effect, h.place, h.way);
+  std::set<std::tuple<std::string, std::string, std::string>> present;
+  for (const Hypothesis& h : all) present.emplace(h.effect, h.place, h.way);
   for (Hypothesis& h : all)
     if (std::any_of(h.between.begin(), h.between.end(), [&](const auto& beside) {
-          return !looked_at.contains({h.effect, beside.first, h.way});
+          return !present.contains({h.effect, beside.first, h.way});
         }))
       h.between.clear();
 }

@@ -16,7 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t looked_at_first = 24, with_those_between = 96;
+// So many are looked at first; then, where these come near, some of so many in all, twice as close;
+// and twice as close again.
+constexpr std::array<std::size_t, 3> levels{24, 96, 384};
 
 // Normals of the shells at a node, each as long as its shell is large, whichever way round its
 // corners are listed.
@@ -89,12 +91,13 @@ std::string place_name(const std::string& part, const Vector3d& x, double size) 
   return name;
 }
 
-// The three nearest of those that are looked at first and move the same ways, the nearer the more.
-PlaceShares nearest_of(const std::vector<Spot>& first, const Mesh& mesh, const Spot& spot) {
+// The three nearest of the first so many that move the same ways, the nearer the more.
+PlaceShares nearest_of(const std::vector<Spot>& spots, std::size_t first, const Mesh& mesh,
+                       const Spot& spot) {
   const auto x = [&](const Spot& at) { return mesh.nodes[std::size_t(at.touched)]; };
   std::vector<std::pair<double, std::string>> by_distance;
-  for (const Spot& other : first)
-    if (other.between.empty() && other.normal.has_value() == spot.normal.has_value())
+  for (std::size_t i = 0; i < first; ++i)
+    if (const Spot& other = spots[i]; other.normal.has_value() == spot.normal.has_value())
       by_distance.emplace_back((x(other) - x(spot)).norm(), other.place);
   const std::size_t count = std::min<std::size_t>(3, by_distance.size());
   std::partial_sort(by_distance.begin(), by_distance.begin() + std::ptrdiff_t(count),
@@ -129,14 +132,16 @@ std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
   }
   std::vector<Spot> found;
   std::set<std::string> names;
-  for (int node : spread_over(mesh, nodes, with_those_between)) {
+  std::size_t level = 0;
+  for (int node : spread_over(mesh, nodes, levels.back())) {
+    if (found.size() == levels[level]) ++level;
     Spot spot{.place = place_name(part, mesh.nodes[std::size_t(node)], (high - low).norm()),
               .nodes = {node},
               .touched = node,
               .normal = normals.at(node).mean(),
               .free_numbers = 2};
     if (!names.insert(spot.place).second) continue;
-    if (found.size() >= looked_at_first) spot.between = nearest_of(found, mesh, spot);
+    if (level > 0) spot.between = nearest_of(found, levels[level - 1], mesh, spot);
     found.push_back(std::move(spot));
   }
   return found;

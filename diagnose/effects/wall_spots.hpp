@@ -1,7 +1,8 @@
 // Places on a part that is read from a file, a surface or a deck: nodes spread all over it.
 //
 // "duct.spot[120][-4][33]" is the node at x = 120, y = -4, z = 33 mm. Some twenty are looked at
-// first, each as far from the others as may be; those between them where these come near.
+// first, each as far from the others as may be; up to four hundred between them where these come
+// near.
 #pragma once
 
 #include "diagnose/effects/spot.hpp"

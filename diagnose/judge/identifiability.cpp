@@ -80,16 +80,13 @@ Change change(const FitContext& context, const Hypothesis& h, const VectorXd& z)
           .noncentrality = std::max(0., own(d).squaredNorm() - paid)};
 }
 
-// What lies between others has the mean of their signatures.
+// What lies between others, which come before it, has the mean of their signatures.
 void fill_those_between(std::vector<Signature>& all) {
-  std::map<std::tuple<std::string, std::string, std::string>, const Signature*> looked_at;
-  for (const Signature& s : all)
-    if (const Hypothesis& h = *s.hypothesis; h.between.empty())
-      looked_at[{h.effect, h.place, h.way}] = &s;
+  std::map<std::tuple<std::string, std::string, std::string>, const Signature*> known;
   for (Signature& s : all) {
     const Hypothesis& h = *s.hypothesis;
     for (const auto& [place, share] : h.between) {
-      const Signature& beside = *looked_at.at({h.effect, place, h.way});
+      const Signature& beside = *known.at({h.effect, place, h.way});
       if (s.g.size() == 0) {
         s.g = VectorXd::Zero(beside.g.size());
         s.z = VectorXd::Zero(beside.z.size());
@@ -99,6 +96,7 @@ void fill_those_between(std::vector<Signature>& all) {
       s.noncentrality += share * beside.noncentrality;
       s.at += share * beside.at;
     }
+    known[{h.effect, h.place, h.way}] = &s;
   }
 }
 

@@ -55,17 +55,20 @@ PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypot
       if (j.fit.solved) result.fits.push_back(std::move(j));
   };
   fit_each(first);
-  const std::set<EffectAtPlace> near = near_the_best(result.fits);
-  const auto lies_beside_them = [&](const Hypothesis* h) {
-    return std::any_of(h->between.begin(), h->between.end(), [&](const auto& beside) {
-      return near.contains({h->effect, beside.first});
-    });
-  };
-  const auto far = std::stable_partition(between.begin(), between.end(), lies_beside_them);
-  for (auto h = far; h != between.end(); ++h) ++result.passed_over[(*h)->effect];
-  between.erase(far, between.end());
-  reduce_each(context, between);
-  fit_each(between);
+  for (std::vector<const Hypothesis*> chosen = first; !chosen.empty();) {
+    const std::set<EffectAtPlace> near = near_the_best(result.fits);
+    const auto lies_far = [&](const Hypothesis* h) {
+      return std::none_of(h->between.begin(), h->between.end(), [&](const auto& beside) {
+        return near.contains({h->effect, beside.first});
+      });
+    };
+    const auto close = std::stable_partition(between.begin(), between.end(), lies_far);
+    chosen.assign(close, between.end());
+    between.erase(close, between.end());
+    reduce_each(context, chosen);
+    fit_each(chosen);
+  }
+  for (const Hypothesis* h : between) ++result.passed_over[h->effect];
   return result;
 }
 

@@ -13,9 +13,9 @@ struct PlacesFitted {
 };
 
 // First those that lie between no others, then those that lie between (Hypothesis::between) one of
-// the best three places of their effect, or one within 7 nats of the best, and others; dispersed
-// nats where errors are larger than stated. The latter are reduced here. `fit` is called from
-// several threads.
+// the best three places of their effect, or one within 7 nats of the best, and others, until there
+// are no more; dispersed nats where errors are larger than stated. The latter are reduced here.
+// `fit` is called from several threads.
 PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypothesis*>& all,
                         const std::function<JudgedFit(const Hypothesis&)>& fit);
 
