@@ -28,7 +28,7 @@ struct AffineModel {
   Eigen::MatrixXd stiffness(const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd mass_matrix(const Eigen::VectorXd& coefficients) const;
   Eigen::MatrixXd loads(const Eigen::VectorXd& coefficients) const; // as `load`
-  double weight(const Eigen::VectorXd& coefficients) const; // kg, less what sits on held DOFs
+  double weight(const Eigen::VectorXd& coefficients) const;         // kg
   // Of what changes by one more of change `group`.
   Eigen::MatrixXd stiffness_of(int group, const Eigen::VectorXd& coefficients) const;
   // These coordinates alone. What a change leaves as it is becomes empty.
@@ -42,9 +42,9 @@ struct AffineModel {
   std::vector<std::array<int, 2>> products; // their factors
   Eigen::MatrixXd load;                     // V' M r, r: translations along x y z
   std::vector<Eigen::MatrixXd> d_load;
-  double mass = 0; // of the whole, kg
+  double mass = 0; // of the whole, held or not, kg
   std::vector<double> d_mass;
-  int weighed_along = 0; // the axis of mass and d_mass
+  int weighed_along = 0; // the axis of d_mass, which has no part of what sits on held DOFs
   std::vector<MotionSum> sums;
   Eigen::MatrixXd marked;  // 6 rows per marked node, then per observed one: its motion
   Eigen::VectorXd lambda;  // of the nominal modes

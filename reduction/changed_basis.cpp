@@ -249,9 +249,9 @@ AffineModel ParametricModel::reduced(const std::vector<PreparedChange>& changes,
                        .rigid = rigid * loose_,
                        .rigid_mass = loose_mass()};
   affine.load = rigid.leftCols(3);
-  // Along the axis that supports hold least of it.
-  affine.mass =
-      rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&affine.weighed_along);
+  // What changes is weighed along the axis that supports hold least of it.
+  rigid_.cwiseProduct(Mr_).leftCols(3).colwise().sum().maxCoeff(&affine.weighed_along);
+  affine.mass = mass_;
   affine.marked = over_q(side_by_side(markedPsi_, markedW_, MatrixXd(markers_ * X)), T);
   add_changes(changes, basis, affine);
   affine.nominal = nominal_over_q(mass, T, affine.M);

@@ -2,6 +2,7 @@
 
 #include "solve/dense_modes.hpp"
 #include "solve/dense_product.hpp"
+#include "solve/effective_mass.hpp"
 #include "solve/mode_labels.hpp"
 #include "solve/model_error.hpp"
 #include "solve/parallel.hpp"
@@ -102,6 +103,7 @@ ParametricModel::ParametricModel(Model model, std::vector<int> boundary, std::ve
   WKW_ = W_.transpose() * KW_;
   WMW_ = W_.transpose() * MW_;
   PsiMW_ = Psi_.transpose() * MW_;
+  mass_ = total_mass(model_);
   rigid_ = rigid_body_motions(model_, map, {0, 0, 0});
   Mr_ = symmetric_product(system_.M, rigid_);
   rigidMPsi_ = Mr_.transpose() * Psi_;

@@ -136,6 +136,7 @@ private:
   Model model_;
   std::vector<int> boundary_, marked_;
   int count_ = 0;
+  double mass_ = 0;       // of the whole, kg
   Eigen::MatrixXd loose_; // combinations of rigid motions
   System system_;
   std::vector<int> held_, inside_; // independent DOFs

@@ -177,6 +177,19 @@ TEST(WallSpots, a_place_whose_neighbours_the_case_leaves_out_is_looked_at_itself
 // What a spot of the closest stands for.
 const double a_spot = 1.5 * std::sqrt(length * width / 384);
 
+// The scale feels what supports hold as well: the edges of the panel.
+TEST(WallSpots, a_part_weighs_what_it_is_whatever_holds_it) {
+  const Case c = panel();
+  Measured m;
+  m.specimen = "panel";
+  m.weighings.emplace_back().value = 1;
+  const Nominal nominal = nominal_of(c, m);
+  const TestReadings readings = readings_of({.data = m, .responses = {}});
+  const VectorXd y = *Predictor(nominal, readings, {})(VectorXd());
+  ASSERT_EQ(y.size(), 1);
+  EXPECT_NEAR(std::exp(y[0]), NavierPlate::mass(), 1e-9);
+}
+
 TEST(WallSpots, a_mass_on_a_deck_is_found_where_it_sits) {
   const Case c = panel();
   constexpr double x = 0.211, y = 0.072, mass = 0.05;
