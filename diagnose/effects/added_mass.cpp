@@ -44,7 +44,8 @@ std::vector<Hypothesis> added_mass_hypotheses(const Structure& s) {
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = on_scale,
                      .between = spot.between,
-                     .free_numbers = spot.free_numbers});
+                     .free_numbers = spot.free_numbers,
+                     .weight = spot.weight});
   };
   const auto add_at_point = [&](const Spot& spot) {
     add(spot, "", on_each({spot.touched}));

@@ -114,6 +114,7 @@ struct Hypothesis {
   PlaceShares between = {};
   // That say which of many spots `place` is: as many parameters that it has not (Spot).
   int free_numbers = 0;
+  double weight = 1; // of the place, among those of the effect (Spot)
   // The parameters that say where on `place` it acts, m: one along a line, two on a plate.
   std::vector<std::size_t> along = {};
   // Of all parameters those that act in a state, where states differ (growth.hpp).

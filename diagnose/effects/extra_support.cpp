@@ -79,7 +79,8 @@ std::vector<Hypothesis> at_spots(const Structure& s) {
                      .coefficients = [](const Eigen::VectorXd& v) { return v; },
                      .at_rig = false,
                      .between = spot.between,
-                     .free_numbers = spot.free_numbers});
+                     .free_numbers = spot.free_numbers,
+                     .weight = spot.weight});
   };
   for (const Spot& spot : contact_spots(s)) {
     if (is_at_sensor(spot.place) || is_anywhere(s, spot)) continue;

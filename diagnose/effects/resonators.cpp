@@ -63,7 +63,8 @@ public:
                  .at_rig = has_baseline(s_.measured),
                  .resonates = true,
                  .between = spot.between,
-                 .free_numbers = spot.free_numbers};
+                 .free_numbers = spot.free_numbers,
+                 .weight = spot.weight};
     for (const EffectParameter& p : where) {
       h.along.push_back(h.parameters.size());
       h.parameters.push_back(p);

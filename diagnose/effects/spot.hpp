@@ -26,6 +26,7 @@ struct Spot {
   std::optional<Eigen::Vector3d> normal = {};
   PlaceShares between = {};
   int free_numbers = 0; // that say where it is, since it is one of many: 2 on a wall
+  double weight = 1;    // among places of an effect: all spots of a wall weigh as one place
 };
 
 } // namespace plica

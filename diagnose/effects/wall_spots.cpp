@@ -144,6 +144,7 @@ std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
     if (level > 0) spot.between = nearest_of(found, levels[level - 1], mesh, spot);
     found.push_back(std::move(spot));
   }
+  for (Spot& spot : found) spot.weight = 1 / double(found.size());
   return found;
 }
 

@@ -223,8 +223,8 @@ std::vector<SmallestDetectable> detectable(const std::vector<Signature>& all) {
 double evidence_threshold(const FitContext& context, const std::vector<Signature>& all) {
   const MatrixXd& healthy = context.uncertainty.healthy;
   std::vector<double> best(std::size_t(healthy.cols()));
-  std::map<std::string, int> places;
-  for (const Signature& s : all) ++places[s.hypothesis->effect];
+  std::map<std::string, double> weights;
+  for (const Signature& s : all) weights[s.hypothesis->effect] += s.hypothesis->weight;
   in_parallel(int(healthy.cols()), [&](int k) {
     const VectorXd e = context.fitted(healthy.col(k));
     std::map<std::string, double> of_effect;
@@ -232,7 +232,7 @@ double evidence_threshold(const FitContext& context, const std::vector<Signature
       const double g2 = s.g.squaredNorm();
       const double gain = std::pow(s.g.dot(e), 2) / (2 * (g2 + 1)) - std::log1p(g2) / 2;
       of_effect[s.hypothesis->effect] +=
-          std::exp(std::min(gain, 300.)) / places[s.hypothesis->effect];
+          s.hypothesis->weight * std::exp(std::min(gain, 300.)) / weights.at(s.hypothesis->effect);
     }
     double most = 0;
     for (const auto& [name, bayes] : of_effect) most = std::max(most, std::log(bayes));

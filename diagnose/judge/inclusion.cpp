@@ -26,9 +26,9 @@ largest_first(const std::map<std::string, double>& shares) {
 
 Inclusion::Inclusion(const JudgedFit& nominal, const std::vector<JudgedFit>& fits,
                      const std::vector<JudgedFit>& sets, const PassedOver& passed_over) {
-  for (const JudgedFit& j : fits) ++places_[j.fit.together[0]->effect];
-  for (const auto& [effect, count] : passed_over)
-    if (const auto own = places_.find(effect); own != places_.end()) own->second += count;
+  for (const JudgedFit& j : fits) places_[j.fit.together[0]->effect] += j.fit.together[0]->weight;
+  for (const auto& [effect, weight] : passed_over)
+    if (const auto own = places_.find(effect); own != places_.end()) own->second += weight;
   for (const std::vector<JudgedFit>* list : {&fits, &sets})
     for (const JudgedFit& j : *list)
       if (j.fit.solved && !j.explains_nothing) all_.push_back({&j, log_weight(j)});
@@ -51,7 +51,7 @@ double Inclusion::log_weight(const JudgedFit& set) const {
   double value = dispersed_log_evidence(set.fit);
   for (const Hypothesis* h : set.fit.together) {
     const auto known = places_.find(h->effect);
-    value += std::log(effect / (known == places_.end() ? 1 : known->second));
+    value += std::log(effect * (known == places_.end() ? 1 : h->weight / known->second));
   }
   return value;
 }

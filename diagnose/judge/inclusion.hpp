@@ -1,8 +1,9 @@
 // How probable it is that an effect is part of the cause, over all sets that were tried.
 //
-//   P(S | test) ~ exp(ln Z(S)) prod over members (1 / N) / places(effect),   N effects tried
+//   P(S | test) ~ exp(ln Z(S)) prod over members (1 / N) w / W(effect),   N effects tried
 //
-// that is, one effect is expected, anywhere. ln Z is the dispersed one (evidence.hpp), since a set
+// that is, one effect is expected, anywhere; w the weight of the hypothesis, W that of all of its
+// effect. ln Z is the dispersed one (evidence.hpp), since a set
 // that does not explain the test cannot claim the errors that were stated.
 #pragma once
 
@@ -48,7 +49,7 @@ private:
   // Of the sets of the same effects.
   const JudgedFit* placed_best(const JudgedFit& set) const;
 
-  std::map<std::string, int> places_; // hypotheses of an effect
+  std::map<std::string, double> places_; // weight of all hypotheses of an effect
   std::vector<Weighed> all_;
   double none_ = 1;
   const JudgedFit* leading_ = nullptr;

@@ -139,13 +139,13 @@ std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
   for (const auto& [effect, own] : by_effect) {
     EffectFits f{.effect = effect};
     const auto further = passed_over.find(effect);
-    const double count =
-        double(own.size()) + (further == passed_over.end() ? 0 : double(further->second));
+    double all_weights = further == passed_over.end() ? 0 : further->second;
+    for (const JudgedFit* j : own) all_weights += j->fit.together[0]->weight;
     double highest = -1e300;
     for (const JudgedFit* j : own) highest = std::max(highest, evidence_of(j->fit));
     double sum = 0;
     for (const JudgedFit* j : own) {
-      sum += std::exp(evidence_of(j->fit) - highest) / count;
+      sum += j->fit.together[0]->weight * std::exp(evidence_of(j->fit) - highest) / all_weights;
       // Among equals the one that stands up.
       const auto rank = [](const JudgedFit* a) {
         return evidence_of(a->fit) + (a->credible() ? 2 : 0);
@@ -155,7 +155,9 @@ std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
     f.log_evidence = highest + std::log(sum);
     std::map<std::string, double> places;
     for (const JudgedFit* j : own)
-      places[j->fit.together[0]->place] += std::exp(evidence_of(j->fit) - highest) / (sum * count);
+      places[j->fit.together[0]->place] += j->fit.together[0]->weight *
+                                           std::exp(evidence_of(j->fit) - highest) /
+                                           (sum * all_weights);
     f.places.assign(places.begin(), places.end());
     std::stable_sort(f.places.begin(), f.places.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });

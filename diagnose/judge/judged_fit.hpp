@@ -65,13 +65,13 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
 // An effect over all its places.
 struct EffectFits {
   std::string effect;
-  double log_evidence = 0;                                 // places weigh alike
-  const JudgedFit* best = nullptr;                         // place
+  double log_evidence = 0;         // over its hypotheses, by Hypothesis::weight
+  const JudgedFit* best = nullptr; // place
   std::vector<std::pair<std::string, double>> places = {}; // with their shares, the largest first
 };
-// By effect, how many of its hypotheses were left out, as places beside them are far behind the
-// best: places as the others, of no weight.
-using PassedOver = std::map<std::string, int>;
+// By effect, the weight (Hypothesis::weight) of hypotheses that were left out, as places beside
+// them are far behind the best: places as the others, of no evidence.
+using PassedOver = std::map<std::string, double>;
 // By evidence.
 std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
                                        const PassedOver& passed_over = {});

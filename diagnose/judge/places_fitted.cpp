@@ -68,7 +68,7 @@ PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypot
     reduce_each(context, chosen);
     fit_each(chosen);
   }
-  for (const Hypothesis* h : between) ++result.passed_over[h->effect];
+  for (const Hypothesis* h : between) result.passed_over[h->effect] += h->weight;
   return result;
 }
 
