@@ -331,6 +331,22 @@ TEST(DiagnosisJson, has_a_place_on_a_bellows_in_metres) {
   EXPECT_EQ(first_of(damage)["along"]["interval"], (std::vector<double>{0.03, 0.036}));
 }
 
+TEST(DiagnosisReport, has_the_first_of_the_spots_of_a_wall_and_how_far_they_reach) {
+  NamedEffect touch{
+      .name = "extra_support", .place = "duct.spot[0][0][0]", .way = "", .parameters = {}};
+  for (int k = 1; k <= 8; ++k)
+    touch.other_places.push_back("duct.spot[" + std::to_string(k) + "][0][0]");
+  const auto report_of = [](const NamedEffect& e) {
+    return diagnosis_html(made_up_diagnosis(Verdict::identified, {cause({e}, 0.9)}), "Duct");
+  };
+  EXPECT_EQ(report_of(touch).find(" more;"), std::string::npos);
+  expect_parts(report_of(touch), {"duct.spot[8][0][0]; probability"});
+  touch.within = 0.03;
+  expect_parts(report_of(touch),
+               {", within 0.030 m", "duct.spot[5][0][0] and 3 more; probability"});
+  EXPECT_EQ(report_of(touch).find("duct.spot[6]"), std::string::npos);
+}
+
 TEST(DiagnosisReport, says_what_its_probabilities_are_of) {
   const auto of = [](const Weighing& weighing) {
     Diagnosis d = made_up_diagnosis(Verdict::mostly, {cause({slipping_plies()}, 0.6)});

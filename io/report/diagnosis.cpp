@@ -7,6 +7,7 @@
 #include "io/tables/effect_words.hpp"
 #include "io/tables/ledger_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -46,6 +47,17 @@ std::string shrink_text(const GapShrink& g, bool nominal) {
                      g.readings);
 }
 
+// Where else it explains the test: of the many spots of a wall the first, as how far they reach is
+// told beside.
+std::string elsewhere(const NamedEffect& e) {
+  constexpr std::size_t most_spots = 5;
+  const std::size_t all = e.other_places.size(), shown = e.within ? std::min(most_spots, all) : all;
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i)
+    text += (i == 0 ? "; or at " : ", ") + html_escape(e.other_places[i]);
+  return shown < all ? text + fmt::format(" and {} more", all - shown) : text;
+}
+
 std::string facts(const Diagnosis& d) {
   std::vector<HtmlRow> rows;
   const auto add = [&](const std::string& name, const std::string& value) {
@@ -57,8 +69,7 @@ std::string facts(const Diagnosis& d) {
     std::string value = html_escape(effect_label(e));
     for (const EstimatedParameter& p : e.parameters)
       value += "; " + html_escape(p.name) + " " + estimate_html(p);
-    for (const std::string& place : e.other_places)
-      value += (place == e.other_places.front() ? "; or at " : ", ") + html_escape(place);
+    value += elsewhere(e);
     add("effect, place, value (90 %)",
         fmt::format("{}; probability {} %", value, html_fixed(100 * e.probability, 1)));
   }
