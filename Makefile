@@ -8,7 +8,7 @@ JOBS ?= $(shell awk -v cores="$$(nproc)" '/MemAvailable/ {j = int($$2 / 3e6); \
 # A text of the user's as one word of the shell, blanks and quotes included.
 quoted = '$(subst ','\'',$(1))'
 
-.PHONY: run test check slow sealed table bench mpi program build deps test-deps check-deps bench-deps mpi-deps clean
+.PHONY: run test check sanitize slow sealed table bench mpi program build deps test-deps check-deps bench-deps mpi-deps clean
 
 # Without OUT the results go into out/, under the name of the case.
 run: program
@@ -19,22 +19,26 @@ run: program
 test: build
 	ctest --preset release -j $(JOBS)
 
-# After the tests: every source of the program and its tests read by itself, by clang, warnings as errors;
-# of that readers, elements and what costs little run under AddressSanitizer and UBSan; then every source
-# by clang-tidy; the rule of includes, a consumer of each component of the installed package, the Debian
-# package in a root that has nothing else, the verification table.
+# After the tests: every source of the program by clang-tidy, warnings as errors; the rule of includes, a
+# consumer of each component of the installed package, the Debian package in a root that has nothing
+# else, the verification table.
 check: check-deps build
-	cmake --preset check
-	cmake --build --preset check -j $(JOBS)
-	ctest --preset check -j $(JOBS)
 	ctest --preset guards
 	ctest --preset release -R rule_of_includes
+
+# As long again: every source of the program and its tests read by itself, by clang, warnings as errors;
+# of that readers, elements and what costs little run under AddressSanitizer and UBSan.
+sanitize: check-deps
+	cmake --preset sanitize
+	cmake --build --preset sanitize -j $(JOBS)
+	ctest --preset sanitize -j $(JOBS)
 
 slow: check-deps build
 	ctest --preset slow
 
 # The sealed suite of the diagnosis: specimens made, diagnosed, scored; then with guards left out.
 sealed: build
+	ctest --preset slow -R sealed_smoke
 	ctest --preset slow -R sealed_suite --verbose
 	ctest --preset slow -R sealed_mounted --verbose
 	ctest --preset slow -R sealed_strangers --verbose
@@ -56,10 +60,10 @@ mpi: mpi-deps
 	cmake --preset engine
 	cmake --build --preset engine -j $(JOBS)
 
-# The program alone, and with its tests.
+# The program alone, in a tree with tests too, and with its tests.
 program: deps
-	cmake --preset run
-	cmake --build --preset run -j $(JOBS)
+	@test -f build/build.ninja || cmake --preset run
+	cmake --build build --target plica plica_mesher -j $(JOBS)
 
 build: test-deps
 	cmake --preset release
@@ -78,4 +82,4 @@ mpi-deps:
 	@cmake/install_packages.sh run mpi
 
 clean:
-	rm -rf build build-dev build-check build-tidy out
+	rm -rf build build-dev build-sanitize build-tidy out

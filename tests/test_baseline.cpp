@@ -16,7 +16,7 @@ namespace {
 using namespace changed_beam;
 using Eigen::VectorXd;
 
-TEST(Baseline, a_change_is_found_though_every_mode_of_the_model_is_percents_off) {
+TEST(BaselineSlow, a_change_is_found_though_every_mode_of_the_model_is_percents_off) {
   const Case nominal = held_beam();
   const Measured m = before_and_after(nominal, with_a_clamp(nominal));
   const Diagnosis d = diagnosis_of(nominal, m);
@@ -43,7 +43,7 @@ TEST(Baseline, a_change_is_found_though_every_mode_of_the_model_is_percents_off)
 // The curvature of a cantilever's modes at its clamp is their motion at its free end: frequencies
 // do not tell damage here from a mass there. The beam 1.205 m long before, and after 30 % of its
 // stiffness was lost from 65 to 185 mm (241 elements by Euler and Bernoulli, another program).
-TEST(Baseline, damage_near_a_clamp_and_a_mass_near_the_free_end_are_told_beside_each_other) {
+TEST(BaselineSlow, damage_near_a_clamp_and_a_mass_near_the_free_end_are_told_beside_each_other) {
   constexpr std::array before{3.8523, 24.141, 67.597, 132.46},
       after{3.6307, 23.650, 67.149, 131.67};
   Measured m;
@@ -141,7 +141,7 @@ TEST(Baseline, hits_of_one_mounting_are_no_mountings) {
 
 // Mounted anew modes scatter by 0.3 to 1 %; one baseline cannot say how much. Here by 1.1 %, root
 // mean square of the difference, which 0.4 % where it is stated does not explain.
-TEST(Baseline, what_mounting_anew_may_do_is_no_effect_where_nothing_else_comes_near) {
+TEST(BaselineSlow, what_mounting_anew_may_do_is_no_effect_where_nothing_else_comes_near) {
   const Case nominal = held_beam();
   Measured m = before_and_after(nominal, nominal);
   constexpr std::array scatter{0.011, -0.013, 0.010, 0.008, -0.014};
@@ -183,7 +183,7 @@ TEST(Baseline, a_model_that_is_another_is_warned_of) {
 }
 
 // Who leaves the specimen where it is sees less than who mounts it anew, and has to say so.
-TEST(Baseline, what_mounting_anew_covers_is_asked_for) {
+TEST(BaselineSlow, what_mounting_anew_covers_is_asked_for) {
   const Case nominal = held_beam();
   const auto is_asked = [](const Case& c, const Measured& m) {
     const Diagnosis d = diagnosis_of(c, m);

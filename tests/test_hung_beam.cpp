@@ -143,7 +143,7 @@ TEST(HungBeam, a_mass_on_a_beam_in_strings_is_named_with_its_place) {
   expect_place(e, heavier.at);
 }
 
-TEST(HungBeam, damage_of_a_beam_with_free_mounts_is_named_with_its_place) {
+TEST(HungBeamSlow, damage_of_a_beam_with_free_mounts_is_named_with_its_place) {
   const HungSpecimen whole;
   HungSpecimen dented = whole;
   dented.loss = 0.5;

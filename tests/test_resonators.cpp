@@ -110,7 +110,7 @@ TEST(Resonators, on_a_cantilever_move_its_modes_as_in_closed_form) {
 
 // Its mass, its frequency and its place, though the model is 2 % off in one mode and the readings
 // are said to be known within a per mille.
-TEST(Resonators, are_told_of_where_nothing_that_is_known_explains_the_test) {
+TEST(ResonatorsSlow, are_told_of_where_nothing_that_is_known_explains_the_test) {
   const Measured m = hammered(0.06, 150);
   const Diagnosis d =
       diagnose(changed_beam::held_beam(), {.data = m, .responses = {}}, {.plan_next = false});

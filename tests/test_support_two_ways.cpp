@@ -67,7 +67,7 @@ TEST(SupportTwoWays, one_in_one_direction_is_not_said_to_hold_the_other) {
 }
 
 // Four times as stiff along x as along z: neither one direction nor one stiffness says so.
-TEST(SupportTwoWays, two_stiffnesses_at_one_place_are_named_as_two) {
+TEST(SupportTwoWaysSlow, two_stiffnesses_at_one_place_are_named_as_two) {
   const Case nominal = beam_of(4, touched_length, 0.03, 0.012, true);
   const Diagnosis d = diagnosis_of(nominal, touched(1e5, 4e5));
   ASSERT_FALSE(d.effects.empty()) << d.headline;

@@ -97,7 +97,7 @@ TEST(TakeOver, a_case_of_beams_says_an_effect_as_the_diagnosis_takes_it) {
   expect_alike((cases / "cantilever_masses/cantilever_masses.yaml").string(), {}, 0.4, 2e-4);
 }
 
-TEST(TakeOver, a_case_of_a_bellows_does) {
+TEST(TakeOverSlow, a_case_of_a_bellows_does) {
   const std::set<std::string> effects =
       expect_alike((cases / "tutorial/tutorial.yaml").string(),
                    {{"parts.bellows.mesh.accuracy", "10 %"}}, -1.5, 2e-3);
@@ -241,7 +241,7 @@ TEST(TakeOver, closes_the_gap_of_the_effect_that_is_named) {
 
 // A pipe of one's own with three causes at once: a weight that rides on the sensor, plies that
 // slip, a mount that is softer. What its truth reads, a tenth of a percent off; nobody weighed it.
-class PipeWithThreeCauses : public testing::Test {
+class PipeWithThreeCausesSlow : public testing::Test {
 protected:
   static CaseFile pipe(std::map<std::string, std::string> changes) {
     changes["parts.bellows.mesh.accuracy"] = "10 %";
@@ -250,7 +250,7 @@ protected:
     return read_case((cases / "tutorial/tutorial.yaml").string(), "", changes);
   }
 
-  PipeWithThreeCauses() : drawn_(pipe({})) {
+  PipeWithThreeCausesSlow() : drawn_(pipe({})) {
     const Case truth = pipe({{"sensors[0].mass", "32 g"},
                              {"parts.bellows.wall.bond", "0.4"},
                              {"mount.left", "{stiffness: [1e6, 1e6, 1e6, 2000, 2000, 2000]}"}})
@@ -283,7 +283,7 @@ protected:
 
 // Their shares are not looked at: alone, 30 g there change the order of modes, so that the share of
 // each hangs on a gram.
-TEST_F(PipeWithThreeCauses, has_all_three_named_with_their_sizes) {
+TEST_F(PipeWithThreeCausesSlow, has_all_three_named_with_their_sizes) {
   DiagnosisSettings settings;
   settings.plan_next = false;
   const Diagnosis d = diagnose(drawn_.data, {.data = measured_, .responses = {}}, settings);

@@ -35,7 +35,7 @@ Diagnosis diagnosis_with(const std::vector<std::pair<double, double>>& masses) {
 }
 
 // 300 g at 0.247 m and 150 g at 0.553 m. Four numbers ask for twelve readings.
-TEST(Twins, two_masses_on_a_beam_are_named_where_they_are) {
+TEST(TwinsSlow, two_masses_on_a_beam_are_named_where_they_are) {
   const std::vector<std::pair<double, double>> masses{{0.247, 0.3}, {0.553, 0.15}};
   const Diagnosis d = diagnosis_with(masses);
   EXPECT_EQ(d.verdict, Verdict::several) << d.headline;
