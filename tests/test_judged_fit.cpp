@@ -125,6 +125,9 @@ TEST(JudgedFit, a_place_without_a_cause_gives_way_to_a_cause_there_that_closes_h
   EXPECT_EQ(remain("bellows.convolution[1]", 4.5, false), 2u) << "too little";
   EXPECT_EQ(remain("bellows.convolution[1]", 4, true), 2u) << "far out of its prior";
   EXPECT_EQ(remain("pipe", 4, false), 2u) << "elsewhere";
+  cause.free_numbers = 2;
+  EXPECT_EQ(remain("bellows.spot[0][0][0]", 3.1, false), 2u) << "one of many, not all of it";
+  EXPECT_EQ(remain("bellows.spot[0][0][0]", 3, false), 1u);
 }
 
 // What no reading speaks of keeps its number, and is no explanation.

@@ -3,9 +3,9 @@
 #include "diagnose/effects/wall_spots.hpp"
 #include "io/input/measured_file.hpp"
 #include "io/tables/ledger_words.hpp"
-#include "model/description/deck_model.hpp"
 #include "tests/abaqus_plate.hpp"
 #include "tests/changed_beam.hpp"
+#include "tests/deck_panel.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -23,30 +23,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A rectangle of steel on four edges, all corners of which lie in z = 0.
-constexpr double length = 0.3, width = 0.2, thickness = 2e-3, E = 2e11, nu = 0.3, rho = 8000;
+using namespace test::deck_panel;
 constexpr int along = 24, across = 16;
 
 Case panel() {
-  const Mesh mesh = test::deck_plate(along, across, thickness);
-  std::set<int> edges;
-  for (const char* edge : {"edge1", "edge2", "edge3", "edge4"})
-    edges.insert(mesh.sets.at(edge).begin(), mesh.sets.at(edge).end());
-  std::vector<int> all(mesh.nodes.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
-  const std::string held = "*NSET, NSET=EDGES\n" +
-                           test::abaqus::list({edges.begin(), edges.end()}) + "*NSET, NSET=EACH\n" +
-                           test::abaqus::list(all) +
-                           "*BOUNDARY\nEDGES, 3, 3\nEACH, 1, 2\nEACH, 6, 6\n";
-  Case c;
-  c.name = "panel";
-  DeckPart deck{.file = "panel.inp"};
-  deck.content = std::make_shared<DeckModel>(test::abaqus::read_text(
-      test::abaqus::mesh_text(mesh) + test::abaqus::steel + test::abaqus::section + held));
-  c.parts.push_back({"panel", deck});
-  c.analyses.modes = Modes{.count = 8};
-  c.analyses.damping.modal = 0.01;
-  return c;
+  return drawn(along, across);
 }
 
 // Navier's modes, up to 18 half waves either way.
@@ -233,31 +214,17 @@ TEST(WallSpots, something_that_touches_a_deck_is_found_where_it_touches) {
 // The roller beam as a deck of shells that bends about its weak axis alone: 501 x 51 x 6.66 mm with
 // 70 g of an accelerometer, without the roller that touched it (cases/roller_beam).
 Case roller_deck() {
-  constexpr double reach = 0.501, half = 0.0255;
-  const Mesh mesh =
-      mesh_plate({Eigen::Vector3d(-half, 0, 0), {half, 0, 0}, {half, reach, 0}, {-half, reach, 0}},
-                 4, 60, 6.66e-3);
-  std::vector<int> all(mesh.nodes.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = int(i);
-  std::string text = "*HEADING\nbeam\n" + test::abaqus::nodes_text(mesh) +
-                     test::abaqus::elements_text(mesh.quads, "S4") + "*NSET, NSET=ROOT\n" +
-                     test::abaqus::list(mesh.sets.at("edge1")) + "*NSET, NSET=SENSOR\n" +
-                     test::abaqus::list({test::node_at(mesh, {0, 41 * reach / 60, 0})}) +
-                     "*NSET, NSET=EACH\n" + test::abaqus::list(all) +
-                     "*MATERIAL, NAME=STEEL\n*ELASTIC\n2.02e11, 0.3\n*DENSITY\n7850.\n"
-                     "*SHELL SECTION, ELSET=WALL, MATERIAL=STEEL\n6.66e-3, 5\n"
-                     "*BOUNDARY\nROOT, ENCASTRE\nEACH, 1, 1\nEACH, 6, 6\n";
-  Case c;
-  c.name = "roller_deck";
-  DeckPart deck{.file = "beam.inp"};
-  deck.content = std::make_shared<DeckModel>(test::abaqus::read_text(text));
-  c.parts.push_back({"beam", deck});
+  Case c = test::deck_beam({.width = 0.051,
+                            .length = 0.501,
+                            .thickness = 6.66e-3,
+                            .E = 2.02e11,
+                            .rho = 7850,
+                            .elements = 60,
+                            .sensor = 41});
   PointMass accelerometer;
   accelerometer.at = "beam.SENSOR";
   accelerometer.mass = 0.07;
   c.parts.push_back({"accelerometer", accelerometer});
-  c.analyses.modes = Modes{.count = 8};
-  c.analyses.damping.modal = 0.01;
   c.diagnose.model_error = 0.02;
   return c;
 }
@@ -265,12 +232,8 @@ Case roller_deck() {
 // Two measured frequencies say that something touches it, and within how far.
 void expect_the_roller(int station, double at) {
   const Case c = roller_deck();
-  Measured m = read_measured(PLICA_SOURCE_DIR "/cases/roller_beam/station_" +
-                             std::to_string(station) + "/measured.yaml");
-  for (MeasuredMode& mode : m.modes) { // shells do not say what bends
-    mode.shape = MeasuredShape::other;
-    mode.direction.reset();
-  }
+  const Measured m = test::by_order_alone(read_measured(
+      PLICA_SOURCE_DIR "/cases/roller_beam/station_" + std::to_string(station) + "/measured.yaml"));
   const Diagnosis d = changed_beam::diagnosis_of(c, m);
   EXPECT_EQ(d.verdict, Verdict::ambiguous) << d.headline;
   ASSERT_FALSE(d.effects.empty()) << d.headline;

@@ -51,9 +51,11 @@ std::map<std::string, Eigen::Vector3d> spots_on_walls(const GapProblem& problem)
   const Structure structure = problem.nominal.structure(problem.test.data);
   std::map<std::string, Eigen::Vector3d> at;
   for (const Part& part : problem.data.parts)
-    if (is_from_file(part))
-      for (const Spot& spot : wall_spots(structure.built, part.name))
-        at[spot.place] = structure.built.model.mesh.nodes[std::size_t(spot.touched)];
+    if (is_from_file(part) || std::holds_alternative<Plate>(part.body))
+      for (const auto& spots :
+           {wall_spots(structure.built, part.name), damage_spots(structure.built, part.name)})
+        for (const Spot& spot : spots)
+          at[spot.place] = structure.built.model.mesh.nodes[std::size_t(spot.touched)];
   return at;
 }
 

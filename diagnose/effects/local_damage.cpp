@@ -1,5 +1,6 @@
 #include "diagnose/effects/beam_path.hpp"
 #include "diagnose/effects/places.hpp"
+#include "diagnose/effects/wall_damage.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,8 +159,8 @@ void add_anywhere(std::vector<Hypothesis>& found, const Structure& s, const Beam
 }
 
 // Young's modulus lost over a quarter of the circumference of a convolution, in eight directions
-// from x towards z; in a beam over a stretch between two of its points, or anywhere along, in
-// bending or in shear.
+// from x towards z; of a plate, a surface or a deck about a spot; in a beam over a stretch between
+// two of its points, or anywhere along, in bending or in shear.
 std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
@@ -174,6 +175,13 @@ std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
                                 },
                                 Follow::series}));
       }
+  for (const Part& part : s.data.parts)
+    for (DamagedSpot& at : damaged_spots(s, part)) {
+      found.push_back(damage(at.spot.place, at.way, std::move(at.halved)));
+      found.back().between = at.spot.between;
+      found.back().free_numbers = at.spot.free_numbers;
+      found.back().weight = at.spot.weight;
+    }
   for (const Part& part : s.data.parts)
     if (std::holds_alternative<BeamPart>(part.body))
       for (Lost what : losses(s.built.model, elements_of(s.built.model, part.name)))
@@ -195,7 +203,7 @@ Effect local_damage() {
                           {"rotated_sensor", "turn the sensor"},
                           {"cross_axis_base_motion", "an accelerometer on the table"},
                           {"joint_stiffness", "turn the specimen by 90 degrees"}},
-          .needs = "a bellows or a beam",
+          .needs = "a bellows, plate, surface, deck or beam",
           .hypotheses = local_damage_hypotheses};
 }
 

@@ -5,6 +5,7 @@
 #include "diagnose/effects/places.hpp"
 #include "diagnose/effects/plate_places.hpp"
 #include "diagnose/effects/spots.hpp"
+#include "diagnose/effects/wall_spots.hpp"
 #include "model/description/place_keys.hpp"
 
 #include <algorithm>
@@ -59,6 +60,9 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
         if (!group.mount && group.rigid == rigid) add_component(nodes, model, group.place);
   for (const Spot& spot : contact_spots(s, part_of_set(name)))
     if (spot.place == name) nodes.insert(spot.nodes.begin(), spot.nodes.end());
+  if (name.find(".spot[") != std::string::npos && nodes.empty())
+    for (const Spot& spot : damage_spots(s.built, part_of_set(name)))
+      if (spot.place == name) nodes.insert(spot.touched);
   for (const Part& part : s.data.parts)
     if (const auto* body = std::get_if<PointMass>(&part.body); body && part.name == name) {
       const std::vector<int>& on = model.mesh.sets.at(body->at);

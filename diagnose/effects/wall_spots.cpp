@@ -110,22 +110,12 @@ PlaceShares nearest_of(const std::vector<Spot>& spots, std::size_t first, const 
   return between;
 }
 
-} // namespace
-
-bool is_from_file(const Part& part) {
-  return std::holds_alternative<SurfacePart>(part.body) ||
-         std::holds_alternative<DeckPart>(part.body);
-}
-
-std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
-  const Mesh& mesh = built.model.mesh;
-  const std::map<int, NodeNormal> normals = normals_of(built.model, part);
-  const HeldMotions held(built);
+// Spots spread over nodes, by the way that each gives way.
+std::vector<Spot> spots_among(const Mesh& mesh, const std::string& part,
+                              const std::map<int, std::optional<Vector3d>>& normals) {
   std::vector<int> nodes;
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const auto& [node, normal] : normals) {
-    if (!held.let_move({.place = "", .nodes = {}, .touched = node, .normal = normal.mean()}))
-      continue;
     nodes.push_back(node);
     low = low.cwiseMin(mesh.nodes[std::size_t(node)]);
     high = high.cwiseMax(mesh.nodes[std::size_t(node)]);
@@ -138,7 +128,7 @@ std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
     Spot spot{.place = place_name(part, mesh.nodes[std::size_t(node)], (high - low).norm()),
               .nodes = {node},
               .touched = node,
-              .normal = normals.at(node).mean(),
+              .normal = normals.at(node),
               .free_numbers = 2};
     if (!names.insert(spot.place).second) continue;
     if (level > 0) spot.between = nearest_of(found, levels[level - 1], mesh, spot);
@@ -146,6 +136,28 @@ std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
   }
   for (Spot& spot : found) spot.weight = 1 / double(found.size());
   return found;
+}
+
+} // namespace
+
+bool is_from_file(const Part& part) {
+  return std::holds_alternative<SurfacePart>(part.body) ||
+         std::holds_alternative<DeckPart>(part.body);
+}
+
+std::vector<Spot> wall_spots(const BuiltCase& built, const std::string& part) {
+  const HeldMotions held(built);
+  std::map<int, std::optional<Vector3d>> normals;
+  for (const auto& [node, normal] : normals_of(built.model, part))
+    if (held.let_move({.place = "", .nodes = {}, .touched = node, .normal = normal.mean()}))
+      normals[node] = normal.mean();
+  return spots_among(built.model.mesh, part, normals);
+}
+
+std::vector<Spot> damage_spots(const BuiltCase& built, const std::string& part) {
+  std::map<int, std::optional<Vector3d>> nodes;
+  for (const auto& [node, normal] : normals_of(built.model, part)) nodes[node] = std::nullopt;
+  return spots_among(built.model.mesh, part, nodes);
 }
 
 } // namespace plica

@@ -194,10 +194,14 @@ void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nom
   const auto closed = [&](const JudgedFit& j) {
     return nominal.gap_after * nominal.gap_after - j.gap_after * j.gap_after;
   };
+  // Of many spots one closes some of whatever it is: it has to close all.
+  const auto counted = [&](const JudgedFit& j) {
+    return j.fit.together[0]->free_numbers > 0 ? threshold::cause_closes * closed(j) : closed(j);
+  };
   std::map<std::string, double> by_causes;
   for (const JudgedFit& j : fits)
     if (!j.leaves_cause_open() && !j.absurd)
-      by_causes[component(j)] = std::max(by_causes[component(j)], closed(j));
+      by_causes[component(j)] = std::max(by_causes[component(j)], counted(j));
   std::erase_if(fits, [&](const JudgedFit& j) {
     return j.leaves_cause_open() && by_causes[component(j)] >= threshold::cause_closes * closed(j);
   });

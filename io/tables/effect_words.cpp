@@ -35,7 +35,8 @@ std::string value_words(const NamedEffect& e, std::string name) {
 }
 
 // ", 0.38 m along": of what may sit anywhere along its part, or at places of a bellows; on a plate
-// " and 0.05 m across" besides. ", within 0.02 m": of a spot on a surface or a deck.
+// " and 0.05 m across" besides. ", within 0.02 m": of a spot on a surface, a deck or a damaged
+// plate.
 std::string along_words(const NamedEffect& e) {
   const EstimatedParameter *at = of_parameter(e, "at"), *across = of_parameter(e, "across");
   if (!at && e.within) return ", within " + significant(*e.within, 2) + " m";
