@@ -27,15 +27,6 @@ std::vector<int> damaged(const Model& model, const WallElements& wall, int convo
   return quads;
 }
 
-void halve_modulus(Model& model, const std::vector<int>& quads) {
-  if (quads.empty()) return;
-  ShellProperties soft = model.shells[model.mesh.quads[std::size_t(quads.front())].section];
-  soft.section.E /= 2;
-  const int number = int(model.shells.size());
-  model.shells.push_back(soft);
-  for (int q : quads) model.mesh.quads[std::size_t(q)].section = number;
-}
-
 Hypothesis damage(const std::string& place, const std::string& way, ModelChange halved) {
   return {.effect = "local_damage",
           .place = place,
@@ -171,7 +162,7 @@ std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
         const std::string way = fmt::format("{:g} degrees", 180. * i / directions);
         found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way,
                                {[quads = damaged(s.built.model, wall, k, angle)](Model& model) {
-                                  halve_modulus(model, quads);
+                                  halve_modulus(model, {.quads = quads});
                                 },
                                 Follow::series}));
       }

@@ -47,9 +47,9 @@ public:
   }
 
   // Those about a node, from one to the next: a wall that lies opposite is another one.
-  std::vector<Piece> about(int node) const {
+  ElementList about(int node) const {
     const double reach_of_all = reach();
-    std::vector<Piece> found;
+    ElementList found;
     std::set<int> taken, reached{node};
     for (std::vector<int> next{node}; !next.empty();) {
       const int from = next.back();
@@ -58,7 +58,10 @@ public:
         const Piece& piece = pieces_[std::size_t(i)];
         const bool is_near = from == node || (middle(piece) - x(node)).norm() < reach_of_all;
         if (!is_near || !taken.insert(i).second) continue;
-        found.push_back(piece);
+        (piece.kind == Kind::quad       ? found.quads
+         : piece.kind == Kind::triangle ? found.triangles
+                                        : found.beams)
+            .push_back(piece.number);
         for (int n : piece.nodes)
           if (reached.insert(n).second) next.push_back(n);
       }
@@ -92,8 +95,13 @@ private:
   Vector3d low_ = Vector3d::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
 };
 
-// Shells get a section of their own for each that they had.
-void halve_modulus(Model& model, const std::vector<Piece>& pieces) {
+std::string across(double metres) {
+  return fmt::format("{:.{}f} mm across", 1e3 * metres, metres < 0.01 ? 1 : 0);
+}
+
+} // namespace
+
+void halve_modulus(Model& model, const ElementList& elements) {
   std::map<int, int> halved;
   const auto soften = [&](auto& shell) {
     const auto [known, is_new] = halved.try_emplace(shell.section, int(model.shells.size()));
@@ -104,21 +112,13 @@ void halve_modulus(Model& model, const std::vector<Piece>& pieces) {
     }
     shell.section = known->second;
   };
-  for (const Piece& piece : pieces) {
-    const auto i = std::size_t(piece.number);
-    if (piece.kind == Kind::quad) soften(model.mesh.quads[i]);
-    if (piece.kind == Kind::triangle) soften(model.mesh.triangles[i]);
-    if (piece.kind != Kind::beam) continue;
-    BeamProperties& b = model.beams[i].section;
+  for (int q : elements.quads) soften(model.mesh.quads[std::size_t(q)]);
+  for (int t : elements.triangles) soften(model.mesh.triangles[std::size_t(t)]);
+  for (int i : elements.beams) {
+    BeamProperties& b = model.beams[std::size_t(i)].section;
     for (double* n : {&b.EA, &b.EI_y, &b.EI_z, &b.GJ, &b.GA_y, &b.GA_z}) *n /= 2;
   }
 }
-
-std::string across(double metres) {
-  return fmt::format("{:.{}f} mm across", 1e3 * metres, metres < 0.01 ? 1 : 0);
-}
-
-} // namespace
 
 std::vector<DamagedSpot> damaged_spots(const Structure& s, const Part& part) {
   std::vector<DamagedSpot> found;

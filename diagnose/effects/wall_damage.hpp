@@ -6,6 +6,13 @@
 
 namespace plica {
 
+// Elements by their numbers among those of the model.
+struct ElementList {
+  std::vector<int> quads = {}, triangles = {}, beams = {};
+};
+// Shells get a section of their own for each that they had.
+void halve_modulus(Model& model, const ElementList& elements);
+
 // Elements of a part about a spot: those that meet there, and those beside them, one after the
 // other, whose middle lies within a tenth of the root of its area; of beams alone, within a
 // twentieth of the diagonal of their box. `halved` takes half of their modulus.
